@@ -9,14 +9,19 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 export PYTHONDONTWRITEBYTECODE :=
 PYTEST := $(BIN)/python -m pytest -n 2 --dist worksteal
 
-.PHONY: demo test slow estimates lint bench accuracy docs format schema clean
+.PHONY: demo test slow estimates lint bench accuracy pictures docs format schema clean
 
 demo: $(VENV)/.run
-	$(BIN)/tmmcalc run configs/shaper.toml -o $(DEMO) --quiet
+	@mkdir -p $(DEMO)
+	$(BIN)/tmmcalc run configs/course-project.toml --plots -o $(DEMO) > $(DEMO)/summary.txt
 	@echo
-	$(BIN)/tmmcalc kinematics configs/shaper.toml -o $(DEMO) --quiet
+	$(BIN)/tmmcalc flywheel configs/course-project.toml -o $(DEMO) --quiet
 	@echo
-	$(BIN)/tmmcalc forces configs/shaper.toml -o $(DEMO)
+	@echo "The press in its positions:  $(DEMO)/kinematics.svg"
+	@echo "The other pictures, tables:  $(DEMO)/, what was found: $(DEMO)/summary.txt"
+	@echo "The spec of all of it:       configs/course-project.toml"
+	@echo "A project of your own:       $(BIN)/tmmcalc init shaper -o my.toml"
+	@echo "                             $(BIN)/tmmcalc run my.toml --plots"
 
 test: $(VENV)/.dev
 	$(PYTEST) -m "not slow"
@@ -40,6 +45,10 @@ bench: $(VENV)/.dev
 accuracy: $(VENV)/.dev
 	$(BIN)/python docs/make_accuracy.py
 
+# the pictures of the README and the guide
+pictures: $(VENV)/.run
+	$(BIN)/python docs/make_pictures.py
+
 format: $(VENV)/.dev
 	$(BIN)/ruff check --fix --quiet .
 	$(BIN)/ruff format .
@@ -54,7 +63,7 @@ schema: $(VENV)/.run
 	$(BIN)/tmmcalc schema -o configs/tmmcalc.schema.json
 
 $(VENV)/.run: pyproject.toml | $(BIN)/python
-	$(BIN)/python -m pip install --quiet --editable .
+	$(BIN)/python -m pip install --quiet --editable '.[plot]'
 	$(BIN)/python -m compileall -q tmmcalc
 	@touch $@
 

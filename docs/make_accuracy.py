@@ -6,12 +6,12 @@ Every number is measured here and now: times are those of the machine that runs 
 from __future__ import annotations
 
 import os
-import re
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+from light import light
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator
 
@@ -57,7 +57,7 @@ def _scene(name: str, heading: str) -> str:
     spec = load_spec(ROOT / "configs" / f"{name}.toml")
     result = solve_accuracy(spec, clock=Clock(repeats=9, budget=1.0), tell=_tell)
     drawn = picture("svg", lambda: _figure(result, heading), {"svg.fonttype": "none"})
-    replace_file(HOME / "accuracy" / f"{name}.svg", _light(drawn.decode()).encode())
+    replace_file(HOME / "accuracy" / f"{name}.svg", light(drawn.decode()).encode())
     begun = [f"## {heading}\n", f"`configs/{name}.toml`\n", f"![error over run time](accuracy/{name}.svg)\n"]
     parts = [_study(study) for study in result.studies] + [_ladder(ladder) for ladder in result.ladders]
     settled = [f"{SETTLED} {', '.join(result.settled)}.\n"] if result.settled else []
@@ -74,18 +74,6 @@ def _figure(result: Accuracy, heading: str) -> Figure:
             axis.set_major_locator(LogLocator(numticks=6))
         axes.yaxis.set_major_formatter(FuncFormatter(lambda error, _: np.format_float_scientific(error, 0, trim="-")))
     return figure
-
-
-def _light(svg: str) -> str:
-    """The same drawing in a third of the bytes: each style said once, hundredths of a point, no names of groups."""
-    styles: dict[str, str] = {}
-    svg = re.sub(r"\n\s*", "\n", re.sub(r"<!--.*?-->", "", svg))
-    svg = re.sub(r' id="(?!clip|[mp][0-9a-f]{10})[^"]*"', "", svg)
-    svg = re.sub(r"(\d\.\d\d)\d+", r"\1", svg)
-    svg = re.sub(r'style="([^"]*)"', lambda told: f'class="{styles.setdefault(told[1], f"s{len(styles)}")}"', svg)
-    svg = svg.replace("\nL ", "L").replace("<g>\n", "<g>").replace("</g>\n", "</g>")
-    rules = "".join(f".{name}{{{style}}}\n" for style, name in styles.items())
-    return svg.replace("</defs>", f"<style>\n{rules}</style>\n</defs>", 1)
 
 
 def _tell(words: str) -> None:

@@ -7,10 +7,9 @@ from importlib import import_module
 from inspect import getmodule
 from pathlib import Path
 from pkgutil import walk_packages
-from typing import Any
 
 from tmmcalc.core.manifest import Room
-from tmmcalc.core.quantity import Quantity, given_out, quantities
+from tmmcalc.core.quantity import Quantity, given_out, standing_in
 from tmmcalc.core.stage import Stage
 from tmmcalc.rooms import ROOMS, STAGES
 
@@ -18,9 +17,11 @@ PAGE = Path(__file__).parent / "results.md"
 HEAD = """# Results
 
 What the stages give out, by the names that JSON, CSV, `sweep --columns` and `[[constraints]]` have for them. A name in
-braces stands for one of the scene: `x_{point}[m]` is `x_B[m]`, `x_C[m]` ... `make docs` writes this page from the
-fields of the results.
+braces stands for one of the scene: `x_{point}[m]` is `x_B[m]`, `x_C[m]` ... In one document a quantity has one unit:
+lengths are in m, speeds in rad/s, angles in deg, those of gears and vibrations in rad. `make docs` writes this page
+from the fields of the results.
 """
+IN_RADIANS = ("gears", "vibration")  # rooms whose documents tell angles as they are kept
 
 
 def page() -> str:
@@ -32,12 +33,17 @@ def page() -> str:
             told = _once(_of_stage(STAGES[stage.name]))
             listed |= {*told}
             if told:
-                parts.append("\n".join((f"## `{stage.name}`\n{stage.title}\n", *_rows(told), "")))
+                rows = _rows(told, room.name)
+                parts.append("\n".join((f"## `{stage.name}`\n{stage.title}\n", *rows, "")))
         further = [each for each in _once(_of_room(room)) if each not in listed]
         if further:
             parts.append(
                 "\n".join(
-                    (f"## Further in {room.name}\ncolumns, figures of tables and of plans\n", *_rows(further), "")
+                    (
+                        f"## Further in {room.name}\ncolumns, figures of tables and of plans\n",
+                        *_rows(further, room.name),
+                        "",
+                    )
                 )
             )
     return "\n".join(parts)
@@ -48,32 +54,14 @@ def _of_stage(stage: Stage) -> Iterator[Quantity]:
     for kind in stage.kinds:
         yield from given_out(kind)
     if columns := stage.part("columns"):
-        yield from _in_module(getmodule(columns))
+        yield from standing_in(getmodule(columns))
 
 
 def _of_room(room: Room) -> Iterator[Quantity]:
     """All that is declared in a room."""
     for module in walk_packages(import_module(room.home).__path__, f"{room.home}."):
         if not {"pictures", "tables", "accuracy"} & {*module.name.split(".")}:
-            yield from _in_module(import_module(module.name))
-
-
-def _in_module(module: Any) -> Iterator[Quantity]:
-    """Quantities that stand in a module by themselves, several together, or on the fields of its records."""
-    for each in vars(module).values():
-        if hasattr(each, "__record__"):
-            if each.__module__ == module.__name__:
-                yield from quantities(each).values()
-        else:
-            yield from _within(each)
-
-
-def _within(value: Any) -> Iterator[Quantity]:
-    if isinstance(value, Quantity):
-        yield value
-    elif isinstance(value, tuple):
-        for each in value:
-            yield from _within(each)
+            yield from standing_in(import_module(module.name))
 
 
 def _once(told: Iterator[Quantity]) -> list[Quantity]:
@@ -81,12 +69,13 @@ def _once(told: Iterator[Quantity]) -> list[Quantity]:
     return list({(each.key, each.meaning): each for each in told}.values())
 
 
-def _rows(told: list[Quantity]) -> Iterator[str]:
+def _rows(told: list[Quantity], room: str) -> Iterator[str]:
     yield "| key | meaning | symbol | source |"
     yield "|---|---|---|---|"
     for each in told:
         symbol = f"`{each.symbol}`" if each.symbol else ""
-        cells = (f"`{each.key}`", each.meaning, symbol, each.source)
+        key = each.key if room in IN_RADIANS else each.key.replace("[rad]", "[deg]")
+        cells = (f"`{key}`", each.meaning, symbol, each.source)
         yield f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in cells)} |".replace("  |", " |")
 
 

@@ -9,7 +9,8 @@ from timing import bar_text, median_time
 from tmmcalc.gears.involute.contour.task import Task
 from tmmcalc.gears.involute.profile.flank import flank_of
 from tmmcalc.gears.involute.profile.outline import outline, tooth
-from tmmcalc.gears.involute.shifts import STRATEGIES, choose
+from tmmcalc.gears.involute.shifts import choose
+from tmmcalc.gears.involute.strategies import STRATEGIES
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.meshing.blocking import solve_blocking
 from tmmcalc.gears.meshing.results import Pairs

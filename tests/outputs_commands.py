@@ -11,6 +11,7 @@ from pathlib import Path
 
 COMMANDS = {  # by stage: the command that prints it
     "synthesis": "synth",
+    "dyad": "dyad",
     "structure": "structure",
     "kinematics": "kinematics",
     "forces": "forces",
@@ -44,10 +45,19 @@ COMMANDS = {  # by stage: the command that prints it
     "tie_down": "extra tie-down",
     "falling_ball": "extra ball",
     "bearing": "extra bearing",
+    "liner": "extra liner",
+    "transloader": "extra transloader",
     "feasibility": "feasibility",
 }
 FORMATS = ("table", "json", "csv", "toml")
-UNDRAWN = {"structure", "power", "gearing", "strength", "tie_down", "bearing"}  # stages that plot does not know
+UNDRAWN = {
+    "structure",
+    "drive",
+    "power",
+    "gearing",
+    "strength",
+    "bearing",
+}  # stages that plot does not know
 MORE = {  # by stage: what else there is to ask of it
     "synthesis": ("synth {} --spec ready.toml", "synth {} --choose 2", "check ready.toml", "run ready.toml"),
     "structure": ("structure {} --assemblies",),
@@ -200,6 +210,9 @@ SHORT = (
             "forces shaper.toml --iterations RRP",
             "forces shaper.toml --iterations 'RRP(4,5)@99'",
             "forces shaper.toml --stop 0.1",
+            "forces shaper.toml --lever 99",
+            "forces shaper.toml --lever 4 --bodies 4",
+            "kinematics shaper.toml --polygons 4 --scale 0",
             "run shaper.toml --to kinematic",
             "run shaper.toml --skip bogus",
             "run shaper.toml --from train",
@@ -296,6 +309,12 @@ SHORT = (
             "forces shaper.toml --iterations 'RRP(4,5)@6'",
             "forces shaper.toml --iterations 'RRP(4,5)@67.5 deg' --stop 1e-6 -f json",
             "forces press.toml --iterations 'RRP(2,3)@10'",
+            "forces press.toml --lever 9-,9 -f json",
+            "forces press.toml --bodies 0,9- -f csv",
+            "forces press.toml --columns 'Pi_*,Mi_*,RN_*,RT_*,h_*,angle_R_*,R0_*,P_fr_*,A_fr_*' -f json",
+            "kinematics shaper.toml --polygons 4,9",
+            "kinematics shaper.toml --polygons 21 --scale '40 mm' -f csv",
+            "kinematics shaper.toml --dimensionless --columns 'vrel_*,an_*,at_*,aK_*,*_differences' --positions 0:24:4",
             "reduce shaper.toml --columns 'phi,M_red*,J_red' --positions 0:24:6",
             "reduce shaper.toml --set 'reduction.rods=\"lumped\"' -q",
             "motion shaper.toml --positions 0:24:6 --tolerance 1e-8",

@@ -6,13 +6,15 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 
 WHOLE = 100  # examples of the profile "deep", hypothesis' own default
 LEAST = 4  # examples that also a quick run takes
 
-settings.register_profile("deep", max_examples=WHOLE)
-settings.register_profile("quick", max_examples=WHOLE // 4)
+BUSY = [HealthCheck.too_slow]  # a machine that does something else is no fault of a test
+
+settings.register_profile("deep", max_examples=WHOLE, suppress_health_check=BUSY)
+settings.register_profile("quick", max_examples=WHOLE // 4, suppress_health_check=BUSY)
 
 
 def choose(*, quick: bool) -> None:

@@ -22,7 +22,7 @@ def task(folder: Path, count: int = 24, solver: str = "square", block: int = 2, 
         Axis("flywheel.delta", tuple(float(k) for k in range(1, count // 2 + 1))),
         Axis("flywheel.inertia", (0.0, 0.5), "kg*m^2"),
     )
-    return Task(TORQUE, "toy.toml", str(folder), (), axes, solver=f"sweeptoy:{solver}", block=block, **more)  # type: ignore[arg-type]
+    return Task(TORQUE, "toy.toml", str(folder), (), axes, solver=f"sweeptoy:{solver}", block=block, **more)
 
 
 def row(given: Task, point: int) -> Row:

@@ -37,7 +37,7 @@ def test_a_name_is_that_of_its_module(name: str) -> None:
 
 def test_a_name_that_is_not_there() -> None:
     with pytest.raises(AttributeError, match="module 'tmmcalc' has no attribute 'solve_everything'"):
-        _ = tmmcalc.solve_everything  # type: ignore[attr-defined]
+        _ = tmmcalc.solve_everything
 
 
 def test_nothing_is_loaded_before_it_is_used() -> None:

@@ -15,12 +15,13 @@ from tmmcalc._version import __version__
 
 # Public names by their modules, which are imported when a name is first used; `__init__.pyi` has their types.
 _HOMES = {
-    "tmmcalc.api": ("run",),
+    "tmmcalc.api": ("run", "settle"),
     "tmmcalc.api.batches": ("sweep",),
     "tmmcalc.api.cams": (
         "solve_cam_elastic",
         "solve_cam_forces",
         "solve_cam_law",
+        "solve_cam_load",
         "solve_cam_optimum",
         "solve_cam_pressure",
         "solve_cam_profile",
@@ -33,8 +34,10 @@ _HOMES = {
         "solve_contact",
         "solve_falling_ball",
         "solve_feasibility",
+        "solve_liner",
         "solve_reliability",
         "solve_tie_down",
+        "solve_transloader",
     ),
     "tmmcalc.api.gears": (
         "solve_blocking",

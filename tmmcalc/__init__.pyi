@@ -1,9 +1,11 @@
 from tmmcalc._version import __version__ as __version__
 from tmmcalc.api import run as run
+from tmmcalc.api import settle as settle
 from tmmcalc.api.batches import sweep as sweep
 from tmmcalc.api.cams import solve_cam_elastic as solve_cam_elastic
 from tmmcalc.api.cams import solve_cam_forces as solve_cam_forces
 from tmmcalc.api.cams import solve_cam_law as solve_cam_law
+from tmmcalc.api.cams import solve_cam_load as solve_cam_load
 from tmmcalc.api.cams import solve_cam_optimum as solve_cam_optimum
 from tmmcalc.api.cams import solve_cam_pressure as solve_cam_pressure
 from tmmcalc.api.cams import solve_cam_profile as solve_cam_profile
@@ -14,8 +16,10 @@ from tmmcalc.api.extras import solve_bearing as solve_bearing
 from tmmcalc.api.extras import solve_contact as solve_contact
 from tmmcalc.api.extras import solve_falling_ball as solve_falling_ball
 from tmmcalc.api.extras import solve_feasibility as solve_feasibility
+from tmmcalc.api.extras import solve_liner as solve_liner
 from tmmcalc.api.extras import solve_reliability as solve_reliability
 from tmmcalc.api.extras import solve_tie_down as solve_tie_down
+from tmmcalc.api.extras import solve_transloader as solve_transloader
 from tmmcalc.api.gears import solve_blocking as solve_blocking
 from tmmcalc.api.gears import solve_criteria as solve_criteria
 from tmmcalc.api.gears import solve_gearing as solve_gearing

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from importlib.util import module_from_spec, spec_from_file_location
 from types import ModuleType
 
@@ -23,7 +24,11 @@ def _maker() -> ModuleType:
     assert found is not None
     assert found.loader is not None
     module = module_from_spec(found)
-    found.loader.exec_module(module)
+    sys.path.insert(0, str(PAGE.parent))  # where it finds what makes pictures light
+    try:
+        found.loader.exec_module(module)
+    finally:
+        sys.path.remove(str(PAGE.parent))
     return module
 
 

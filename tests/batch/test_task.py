@@ -6,11 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from tmmcalc.batch.quantities import rank, stages_of, unmatched
+from tmmcalc.batch.quantities import unknown, unmatched
 from tmmcalc.batch.reading import task_of
 from tmmcalc.batch.table import read_points, row_of
 from tmmcalc.batch.task import Task
 from tmmcalc.core.errors import UsageError
+from tmmcalc.spec.naming import rank, stages_of
 from tmmcalc.spec.variants import Axis, grid
 
 SHAPER = Path(__file__).parents[2] / "configs" / "shaper.toml"
@@ -52,6 +53,12 @@ def test_a_pattern_that_names(name: str, pattern: str) -> None:
 def test_a_pattern_that_does_not(pattern: str) -> None:
     assert rank("kinematics.stroke_D[m]", [pattern]) is None
     assert unmatched(["kinematics.stroke_D[m]"], ["stroke*", pattern]) == pattern
+
+
+def test_a_quantity_in_another_unit_is_told_with_its_own() -> None:
+    told = unknown("manipulator.psi_min[rad]", ["manipulator.psi_min[deg]", "manipulator.T[s]"])
+    assert told.remedy == "it is manipulator.psi_min[deg]"
+    assert unknown("psi_min[rad]", ["manipulator.psi_min[deg]"]).remedy == "it is manipulator.psi_min[deg]"
 
 
 def test_the_stages_that_patterns_ask_about() -> None:

@@ -21,7 +21,7 @@ from tmmcalc.cams.response import residual, steady
 from tmmcalc.cams.speed import Speed, constant_speed
 from tmmcalc.cams.task import Elastic, Spring
 from tmmcalc.core.conversion import from_record, to_record
-from tmmcalc.core.errors import SingularityError, UsageError
+from tmmcalc.core.errors import AccuracyError, SingularityError, UsageError
 from tmmcalc.core.numerics.panels import panels
 
 ROLLER = Follower("translating", 0.06)
@@ -133,7 +133,7 @@ def test_resonance_and_missing_data_are_refused() -> None:
         steady(task.program, constant_speed(100.0), 1400.0, 0.0)
     with pytest.raises(UsageError, match="elastic"):
         solve_elastic(task, ROLLER)
-    with pytest.raises(UsageError, match="rigid"):
+    with pytest.raises(AccuracyError, match="rigid"):
         solve_elastic(replace(task, elastic=Elastic(1e15, 0.1)), ROLLER)
 
 

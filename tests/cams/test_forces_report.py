@@ -118,7 +118,7 @@ def test_strength_command(tmp_path):
     values = json.loads(run(tmp_path, "strength", "-f", "json").stdout)
     margins = {each["requirement"]: each for each in values["margins"]}
     assert margins["contact stress"]["verdict"] == "exceeded"
-    assert margins["contact stress"]["value"] == pytest.approx(307.4149e6, rel=1e-4)
+    assert margins["contact stress"]["value[Pa]"] == pytest.approx(307.4149e6, rel=1e-4)
     assert margins["no slip"]["verdict"] == "not judged"
     turn = run(tmp_path, "strength", "--turn", "-f", "csv")
     assert turn.stdout.splitlines()[0].startswith("i,phi[deg],kappa[1/m]")

@@ -58,6 +58,23 @@ def test_profiles(name, tmp_path: Path):
     assert files[0].read_bytes() == files[1].read_bytes()
 
 
+@pytest.mark.parametrize("roller", [0.008, 0.02, 0.026])
+def test_the_curvature_of_a_working_profile_is_whole(roller: float):
+    """Its peak is in the picture with its value, however much sharper than the pitch curve it is."""
+    follower = Follower("translating", 0.055, 0.01, roller)
+    task = task_of(STEM, "translating", steps=6)
+    result = solve_profile(task, follower)
+    figure = profile_figure(task, result)
+    axes = next(each for each in figure.axes if "curvature" in each.get_ylabel())
+    drawn = np.concatenate([line.get_ydata() for line in axes.lines if len(line.get_ydata()) > 100])
+    low, high = axes.get_ylim()
+    assert np.isfinite(drawn).all()
+    assert low < drawn.min() < drawn.max() < high
+    peak = 1e-3 / (1 / result.sharpest.value - roller)
+    assert drawn.max() == pytest.approx(peak, rel=1e-3)
+    assert f"{peak:.4g}" in texts(figure)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("program", "kind"), [(STEM, "translating"), (ROCKER, "oscillating")])
 def test_laws(program, kind, tmp_path: Path):

@@ -87,7 +87,7 @@ def test_columns_of_a_stem_and_of_a_rocker():
     headers = "i phase phi[deg] k dS[m] S1[m] S2[m] S3[m] v[m/s] a[m/s^2] jerk[m/s^3]"
     assert list(stem) == headers.split()
     rocker = law_columns(solve_law(task_of(turn("sine", stroke=0.5), "oscillating", loads=Loads(10.0))))
-    headers = "i phase phi[deg] k dpsi[rad] psi1 psi2 psi3 omega[rad/s] eps[rad/s^2] jerk[rad/s^3]"
+    headers = "i phase phi[deg] k dpsi[deg] psi1 psi2 psi3 omega[rad/s] eps[rad/s^2] jerk[rad/s^3]"
     assert list(rocker) == headers.split()
     assert set(stem["phase"]) == {"rise", "high dwell", "return", "low dwell"}
 

@@ -219,3 +219,31 @@ def test_a_given_spring_is_kept_where_nothing_lifts_off():
 def test_highest_force_stands_at_the_top_of_an_overshoot():
     given = task_of(overshooting(0.02), loads=Loads(10.0, 0.2, spring=Spring("given", stiffness=5e3, preload=30.0)))
     assert found(given).highest == pytest.approx(30 + 5e3 * 0.02 * 1.11475, rel=1e-12)
+
+
+def test_springs_by_index():
+    """Each has the allowed stress and the stiffness back, by the wire and coil that it names; free is taller."""
+    spring = found(task(["cosine"], Spring("safety", allowed=5e8)))
+    assert [each.index for each in spring.sizes] == list(range(4, 17))
+    for each in spring.sizes:
+        wound = found(task(["cosine"], Spring("safety", wire=each.wire, coil=each.coil))).wire
+        assert wound.index == pytest.approx(each.index)
+        assert wound.coils == pytest.approx(each.coils)
+        assert wound.stress == pytest.approx(5e8)
+        assert each.solid == pytest.approx((each.coils + 2) * each.wire)
+        deflection = spring.highest / spring.stiffness
+        assert each.free == pytest.approx(each.solid + 0.1 * each.wire * each.coils + deflection)
+    # of few dead coils the height falls with D/d as (D/d)^-2, but for k_w
+    few = found(task(["cosine"], Spring("safety", allowed=5e8, dead=0.0))).sizes
+    ratio = few[0].solid / few[8].solid  # D/d 4 and 12
+    wahl = [(4 * i - 1) / (4 * i - 4) + 0.615 / i for i in (4, 12)]
+    assert ratio == pytest.approx((12 / 4) ** 2 * wahl[0] / wahl[1])
+
+
+def test_springs_by_index_by_hand():
+    """At D/d = 6 k_w = 1.2525: d^2 = 8 Q 6 k_w/(500 pi) mm^2; with 2 N/mm n = 80 000 d/(8 * 216 * 2), d in mm."""
+    spring = found(task(["cosine"], Spring("given", stiffness=2e3, preload=40.0, allowed=5e8)))
+    each = spring.sizes[2]
+    wire = (8 * spring.highest * 6 * 1.2525 / (pi * 500)) ** 0.5
+    assert 1e3 * each.wire == pytest.approx(wire)
+    assert each.coils == pytest.approx(80e3 * wire / (8 * 216 * 2))

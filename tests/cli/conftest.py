@@ -39,6 +39,8 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def cli(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], known_schema: None) -> Cli:
     """Run a command in this process; an exception of the program is one of the test."""
 
+    monkeypatch.setattr("tmmcalc.cli.patience.FIRST", 1e6)  # a busy machine is no part of what is said
+
     def run(*args: str) -> Answer:
         monkeypatch.setattr(sys, "argv", ["tmmcalc", *args])
         with pytest.raises(SystemExit) as ended:

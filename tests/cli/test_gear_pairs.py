@@ -179,8 +179,8 @@ def test_what_programs_get_of_a_pair(cli: Cli, helical: str) -> None:
     assert found["p_t[m]"] == pytest.approx(expected["p_t"] / 1000, abs=1e-9)
     assert found["alpha_tw_dms"] == expected["alpha_tw_dms"]
     alpha_t = math.radians(expected["alpha_t_deg"])
-    assert found["rho_t"] == pytest.approx(0.25 / (1 - math.sin(alpha_t)), abs=1e-8)
-    flat = math.pi / 4 / math.cos(math.radians(15)) - math.tan(alpha_t) - found["rho_t"] * math.cos(alpha_t)
+    assert found["rho_t*"] == pytest.approx(0.25 / (1 - math.sin(alpha_t)), abs=1e-8)
+    flat = math.pi / 4 / math.cos(math.radians(15)) - math.tan(alpha_t) - found["rho_t*"] * math.cos(alpha_t)
     assert found["e_S[m]"] == pytest.approx(0.005 * flat, abs=1e-9)
     for number, wheel in found["wheels"].items():
         assert wheel["r_gamma[m]"] == pytest.approx(expected[f"r{number}"] * expected["gamma_rad"] / 1000, abs=1e-9)
@@ -276,7 +276,7 @@ def test_run_and_files(cli: Cli, helical: str) -> None:
     assert Path("out/pair.csv").exists()
     assert Path("out/blocking.csv").exists()
     again = cli("gears", "pair", helical, "-o", "out")
-    assert "pair: loaded" in again.err
+    assert "1 stage loaded in" in again.err
     assert cli("gears", "pair", *FLAGS, helical).out == again.out
 
 

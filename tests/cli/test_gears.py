@@ -113,7 +113,7 @@ def test_warnings_of_the_task_and_of_memory(cli: Cli) -> None:
 def test_a_fault_has_its_line(cli: Cli) -> None:
     code, out, err = cli("gears", "synth", write(SINGLE.replace("7.29", "0.5")))
     assert (code, out) == (2, "")
-    assert "line 3: train.ratio: layout AIbar cannot have the ratio '0.5'" in err
+    assert "gears.toml:3:1: train.ratio: layout AIbar cannot have the ratio '0.5'" in err
 
 
 def test_a_spec_without_train(cli: Cli) -> None:

@@ -61,7 +61,7 @@ def test_the_whole_chain_of_the_course(cli: Cli) -> None:
     assert front == {tuple(case["z"]) for case in expected["pareto_front"]}
     printed = json.loads(cli("gears", "compare", "gears.toml", "-f", "json", "-q").out)
     assert printed["teeth"] == min(expected["candidates"], key=lambda case: case["J_kgm2"])["z"]
-    assert printed["J_crank[kg*m^2]"] == printed["J_output[kg*m^2]"] == printed["inertia"]
+    assert printed["J_crank[kg*m^2]"] == printed["J_output[kg*m^2]"] == printed["inertia[kg*m^2]"]
     assert printed["ratio_exact"] == "3933/125"
 
 
@@ -164,3 +164,24 @@ def test_a_whole_run_tells_of_the_choice(cli: Cli) -> None:
     found = json.loads(cli("run", "gears.toml", "-f", "json", "-q").out)
     assert found["criteria"]["winner"] == "AI 25/136/20/112"
     assert found["strength"]["accepted"] == 11
+
+
+def test_one_train_is_chosen_everywhere(cli: Cli) -> None:
+    """The winner by its row, or another row by --choose: the same teeth in all commands."""
+    flags, row = ("-q", "-f", "json"), 5
+    pairs = ("--set", 'pair.strategy="zero"')
+    winner = json.loads(cli("gears", "compare", "gears.toml", *flags).out)
+    for chosen, asked in ((winner["winner_row"], ()), (row, ("--choose", str(row)))):
+        own = json.loads(cli("gears", "compare", "gears.toml", "--set", f"criteria.choose={chosen}", *flags).out)
+        teeth = "/".join(map(str, own["teeth"]))
+        planetary = json.loads(cli("gears", "planetary", "gears.toml", *asked, *flags).out)
+        assert any(title.endswith(f"{teeth}, row {chosen} of 11") for title in planetary)
+        for command in ("pair", "measure"):
+            out = cli("gears", command, "gears.toml", *pairs, *asked, "-q").out
+            assert f"1-2: z = {own['teeth'][0]}/{own['teeth'][1]}" in out
+    code, _, err = cli("gears", "pair", str(CONFIGS / "pair-spur.toml"), "--choose", "2")
+    assert code == 2
+    assert "the pairs of the spec are written out" in err
+    code, _, err = cli("gears", "planetary", "gears.toml", "--choose", "12")
+    assert code == 2
+    assert "there is no row 12" in err

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import math
 import tomllib
 from pathlib import Path
 
@@ -44,7 +45,7 @@ def test_formats(cli: Cli, ferguson: str) -> None:
     assert as_json["eta_H_1"] == pytest.approx(as_json["eta_formula_H_1"], rel=1e-12)
     rows = list(csv.DictReader(io.StringIO(cli(*COMMAND, ferguson, "-f", "csv").out)))
     assert [row["member"] for row in rows] == ["1", "2", "3", "H"]
-    assert float(rows[0]["n[rpm]"]) == pytest.approx(0.1, rel=1e-12)
+    assert float(rows[0]["omega[rad/s]"]) == pytest.approx(0.1 * math.pi / 30, rel=1e-12)
     assert rows[0]["i exact"] == "10000"
     assert rows[2]["i"] == ""
 
@@ -86,9 +87,13 @@ def test_a_spec_without_gears(cli: Cli) -> None:
 
 
 def test_of_a_train(cli: Cli) -> None:
+    bare = str(CONFIGS / "gears-radial-planets.toml")
+    code, out, _ = cli(*COMMAND, bare, "--choose", "3")
+    assert code == 0
+    assert ", set 3 of " in out
     code, out, _ = cli(*COMMAND, str(CONFIGS / "gears-single-planets.toml"), "--choose", "3", "--external")
     assert code == 0
-    assert "AIbar with 3 planets: 20/52/124, set 3 of 32" in out
+    assert "AIbar with 3 planets: 20/52/124, row 3 of 32" in out
     assert "needs internal wheels" in out
     found = json.loads(cli(*COMMAND, str(CONFIGS / "gears-double-planets.toml"), "-f", "json").out)
     types = found["types for the ratio 31.29 with 3 planets"]["columns"]

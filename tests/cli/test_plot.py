@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 from sparing import sparing
 
+from tmmcalc.core.errors import NoSolutionError
+
 from .conftest import Cli
 
 pytest.importorskip("matplotlib")
@@ -19,7 +21,7 @@ pytest.importorskip("matplotlib")
         (("forces", "--positions", "3"), "--positions cannot be used with the picture of forces"),
         (("forces", "--positions", "3"), "its own flags: --polygons"),
         (("reduction", "--positions", "1", "--polygons", "3"), "--positions and --polygons cannot be used"),
-        (("force",), "pictures: synthesis, kinematics, forces, reduction"),
+        (("force",), "pictures: synthesis, kinematics, forces, cam_law, cam_synthesis, reduction"),
         (("forces", "--polygons", "1:3"), "names 3 positions"),
         (("forces", "--polygons", "77"), "no position is called '77'"),
         (("kinematics", "--polygons", "77"), "no position is called '77'"),
@@ -55,3 +57,76 @@ def test_the_help_tells_every_picture() -> None:
     told = command.__doc__ or ""
     assert {"cam_law", "cam_elastic", "indexing"} <= {*PICTURES}
     assert [stage for stage in PICTURES if f"\n{stage}  " not in told] == []
+
+
+def test_a_run_with_pictures_draws_every_stage_that_has_one(cli: Cli) -> None:
+    code, _, err = cli("run", "my.toml", "--to", "forces", "--plots")
+    assert code == 0
+    assert "kinematics.csv, forces.csv, kinematics.svg, forces.svg, 5 files of the stages\n" in err
+    assert {file.name for file in Path("my.out").glob("*.svg")} == {"kinematics.svg", "forces.svg"}
+    assert Path("my.out/forces.svg").read_bytes().startswith(b"<?xml")
+    assert cli("plot", "my.toml", "kinematics", "-o", "alone.svg", "-q").code == 0
+    assert Path("alone.svg").read_bytes() == Path("my.out/kinematics.svg").read_bytes()
+
+
+def test_a_picture_that_cannot_be_drawn_does_not_stop_the_others(cli: Cli, monkeypatch: pytest.MonkeyPatch) -> None:
+    code, out, err = cli("plot", "my.toml", "--all", "--polygons", "77")
+    assert (code, out) == (2, "")
+    assert err.startswith(
+        "picture of kinematics: not drawn: the error stands at the end\n"
+        "picture of forces: not drawn: the error stands at the end\n"
+        "pictures in my.out: reduction.svg, balance.svg\n"
+        "error: --polygons: no position is called '77'\n"
+    )
+
+    def none(order: object) -> None:
+        raise NoSolutionError("nothing to be seen", remedy="look elsewhere")
+
+    monkeypatch.setattr("tmmcalc.linkage.pictures.kinematics.figure", none)
+    code, out, err = cli("run", "my.toml", "--to", "forces", "--plots", "-q")
+    assert code == 3
+    assert "mobility" in out
+    assert err.endswith("error: nothing to be seen\n  -> look elsewhere\n")
+    assert {file.name for file in Path("my.out").glob("*.svg")} == {"reduction.svg", "balance.svg", "forces.svg"}
+
+
+def test_all_pictures_of_a_spec_go_into_a_folder(cli: Cli) -> None:
+    """Flags go to those pictures that have them; a stage without a solution is told at the end."""
+    spec = ("my.toml", "--set", "mechanism.grid.positions=6")
+    code, out, err = cli("plot", *spec, "--all", "-o", "of/all", "--polygons", "3")
+    assert (code, out) == (0, "")
+    assert err == "pictures in of/all: kinematics.svg, forces.svg, reduction.svg, balance.svg\n"
+    assert cli("plot", *spec, "forces", "-o", "plain.svg", "-q").code == 0
+    assert len(Path("of/all/forces.svg").read_bytes()) > 1.2 * len(Path("plain.svg").read_bytes())
+    code, out, err = cli("plot", "my.toml", "--all", "--set", 'mechanism.links[id=4].points.D=["29 mm", 0]')
+    assert (code, out) == (3, "")
+    assert err.startswith("error: kinematics, ")
+
+
+@pytest.mark.parametrize(
+    ("args", "said"),
+    [
+        (("plot", "my.toml", "forces", "--all"), "--all: draws forces too"),
+        (("plot", "my.toml", "--all", "-o", "my.toml"), "my.toml: File exists"),
+        (("plot", "my.toml", "-o", "k.bmp"), "no picture format for the suffix '.bmp'"),
+        (("run", "my.toml", "--plots", "--no-store"), "--plots: --no-store leaves no folder for pictures"),
+    ],
+)
+def test_what_leads_to_no_picture_is_refused(cli: Cli, args: tuple[str, ...], said: str) -> None:
+    code, out, err = cli(*args)
+    assert (code, out) == (2, "")
+    assert err.startswith("error: ")
+    assert said in err
+    assert not Path("my.out").exists()
+
+
+@pytest.mark.parametrize("args", [("run", "my.toml", "--plots"), ("plot", "my.toml", "--all"), ("plot", "my.toml")])
+def test_without_matplotlib_nothing_is_computed(
+    cli: Cli, args: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tmmcalc.report.drawing.find_spec", lambda name: None)
+    code, out, err = cli(*args)
+    assert (code, out) == (2, "")
+    assert "pictures need matplotlib" in err
+    assert "[plot]" in err
+    assert not Path("my.out").exists()

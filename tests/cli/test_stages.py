@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import math
+import re
 import tomllib
 from pathlib import Path
 
@@ -88,6 +89,7 @@ def test_two_step_grid_by_override(cli: Cli) -> None:
 
 
 LINKAGES = sorted(file.stem for file in CONFIGS.glob("*.toml") if load_spec(file).mechanism is not None)
+ESTIMATES = ("error estimate", "last digit of the data")
 
 
 @sparing("name", LINKAGES, every=12)
@@ -96,7 +98,7 @@ def test_summary_of_every_ready_spec_fits_80_columns(cli: Cli, name: str) -> Non
     assert (code, err) == (0, "")
     assert max(map(len, out.splitlines())) <= 80
     assert "nan" not in out.lower().split()
-    noise = [line for line in out.splitlines() if "e-1" in line and not line.startswith("error estimate")]
+    noise = [line for line in out.splitlines() if "e-1" in line and not line.startswith(ESTIMATES)]
     assert not noise
     assert not list(Path().glob("*.out"))
 
@@ -199,7 +201,7 @@ def test_study_finds_the_best_step(cli: Cli) -> None:
         (("--method", "differences", "--step", "5 mm"), "is a length"),
         (("--method", "differences", "--step", "0 deg"), "is not above zero"),
         (("--compare",), "--method differences"),
-        (("--study", "--compare"), "leave one of them out"),
+        (("--study", "--compare"), "leave all but one of them out"),
         (("--study", "--columns", "phi"), "leave --columns"),
         (("--from", "nothing"), "no stage is called"),
         (("--set", "mechanism.grid.positions=3"), "override"),
@@ -276,6 +278,91 @@ def test_driven_slider(cli: Cli) -> None:
     assert found["columns"]["angle_3[deg]"][5] == pytest.approx(math.degrees(math.acos(1 / 6)))
 
 
+def test_compare_takes_columns_positions_and_units(cli: Cli) -> None:
+    args = ("kinematics", "my.toml", "-q", "-f", "json", "--columns", "omega_3,x_C", "--dimensionless")
+    table = json.loads(cli(*args, "--positions", "0:12:6").out)["columns"]
+    answer = cli(*args, "--positions", "0:12:6", "--compare", "--method", "projection")
+    found = json.loads(answer.out)["columns"]
+    assert found["i"] == ["0", "6", "12"]
+    for name, values in table.items():
+        if name != "i":
+            assert found[name] == values
+            assert found[name.replace("[", "_projection[")] == pytest.approx(values, abs=1e-14)
+    assert len(found) == 1 + 3 * 2
+
+
+TWO_OUTPUTS = """
+[[mechanism.outputs]]
+point = "D"
+[[mechanism.outputs]]
+link = 4
+"""
+
+
+def test_plan_and_study_of_another_output(cli: Cli) -> None:
+    text = Path("my.toml").read_text()
+    start = text.index("[[mechanism.outputs]]")
+    end = text.index("[", start + 25)
+    Path("my.toml").write_text(text[:start] + TWO_OUTPUTS + text[end:])
+    code, out, err = cli("kinematics", "my.toml", "-q", "-f", "json", "--plan", "--output", "4", "--positions", "0,3,7")
+    assert code == 0, err
+    found = json.loads(out)
+    table = json.loads(cli("kinematics", "my.toml", "-q", "-f", "json", "--positions", "0,3,7").out)
+    assert found["output"] == "4"
+    assert found["columns"]["4[deg]"] == pytest.approx(table["columns"]["angle_4[deg]"], abs=1e-12)
+    assert found["dead_centres[deg]"] == pytest.approx(table["dead_centres_4[deg]"])
+    study = json.loads(cli("kinematics", "my.toml", "-q", "-f", "json", "--study", "--output", "4").out)
+    assert study["output"] == "4"
+    assert cli("kinematics", "my.toml", "-q", "--plan", "--output", "Z")[:2] == (2, "")
+    assert cli("kinematics", "my.toml", "-q", "--output", "4")[:2] == (2, "")
+    # the dead centres of both outputs become positions
+    more = cli("kinematics", "my.toml", "-q", "-f", "json", "--set", "mechanism.grid.extremes=true").out
+    at = json.loads(more)["columns"]["angle_1[deg]"]
+    for name in ("dead_centres_D[deg]", "dead_centres_4[deg]"):
+        for centre in table[name]:
+            assert min(abs((each - centre + 180) % 360 - 180) for each in at) < 1e-6
+
+
+def test_links_and_fixed_points_are_named(cli: Cli) -> None:
+    found = json.loads(cli("kinematics", "my.toml", "-q", "-f", "json").out)
+    assert found["links_named"]["3"] == "slotted link"
+    assert found["frame_points[m]"] == {"O": [0.0, 0.62], "B": [0.0, 0.0]}
+    out = cli("kinematics", "my.toml", "-q").out
+    assert "1 crank, 2 slider block" in out
+    assert "O (0, 0.62), B (0, 0) m" in out
+
+
+@pytest.mark.parametrize("size", ["1020", '"1020 m"'])
+def test_a_size_a_thousand_times_too_large_is_told(cli: Cli, size: str) -> None:
+    """Millimetres without their unit: the mechanism does not even assemble, and the cause is told with that."""
+    code, _, err = cli("kinematics", "my.toml", "-q", "--set", f"mechanism.links[id=3].points.C=[{size}, 0]")
+    assert code == 3
+    assert "link 3 measures 1020 m, link 1 0.2 m, 5100 times less" in err
+
+
+def test_a_size_that_assembles_is_warned_of(cli: Cli) -> None:
+    sizes = {"links[id=1].points.A": "0.1", "links[id=2].points.B": "700", "links[id=3].points.B": "700"}
+    flags = [f"mechanism.{key}=[{size}, 0]" for key, size in sizes.items()]
+    spec = str(Path(__file__).parents[2] / "configs" / "four-bar.toml")
+    every = [part for flag in flags for part in ("--set", flag)]
+    answer = cli("kinematics", spec, "-q", "--no-store", "-f", "json", *every)
+    assert any("is a unit missing" in note for note in json.loads(answer.out)["notes"]), answer.err
+
+
+def test_assemblies_for_programs_are_numbers(cli: Cli) -> None:
+    found = json.loads(cli("structure", "my.toml", "-q", "--assemblies", "-f", "json").out)["columns"]
+    assert found["variant"] == [1, -1, 1, -1]
+    assert found["taken"] == [True, False, True, False]
+    assert found["x_C[m]"][2:] == [None, None]
+    assert math.hypot(found["x_C[m]"][0], found["y_C[m]"][0]) == pytest.approx(1.02)
+
+
+def test_projection_says_what_it_does_not_change(cli: Cli) -> None:
+    spec = str(Path(__file__).parents[2] / "configs" / "class-three.toml")
+    answer = cli("kinematics", spec, "-q", "--no-store", "--method", "projection", "-f", "json")
+    assert any("only dyads differ" in note for note in json.loads(answer.out)["notes"])
+
+
 def test_run_prints_a_part_for_each_stage(cli: Cli) -> None:
     code, out, err = cli("run", "my.toml")
     assert code == 0
@@ -284,13 +371,40 @@ def test_run_prints_a_part_for_each_stage(cli: Cli) -> None:
     assert len(places) > 2
     assert out.count("structural formula") == 1
     assert not out.endswith("\n\n")
-    assert err.splitlines()[-1].startswith("files in my.out: structure.toml, kinematics.toml")
+    assert re.fullmatch(
+        r"6 stages computed in [\d.]+ m?s\n"
+        r"files in my.out: kinematics.csv, forces.csv, reduction.csv, balance.csv, \d+ files of the stages\n",
+        err,
+    )
     found = json.loads(cli("run", "my.toml", "-f", "json", "-q").out)
     assert found["structure"]["mobility"] == 1
     assert found["kinematics"]["stroke_D[m]"] == pytest.approx(STROKES["stroke_m"], abs=1e-6)
     assert tomllib.loads(cli("run", "my.toml", "-f", "toml", "-q").out) == found
     rows = dict(csv.reader(io.StringIO(cli("run", "my.toml", "-f", "csv", "-q").out)))
     assert float(rows["kinematics.stroke_D[m]"]) == found["kinematics"]["stroke_D[m]"]
+
+
+def test_what_was_left_out_is_told_when_asked(cli: Cli) -> None:
+    """By default only what nobody expects is told of single stages, -v tells all, -q nothing."""
+    told = cli("run", "my.toml", "-v").err
+    assert re.search(r"^structure: computed in \d+ ms \(no stored result\)$", told, re.MULTILINE)
+    assert "cam_law: left out (no [cam]: no cam is asked for)\n" in told
+    assert "files in my.out: structure.toml, kinematics.toml, kinematics.npz, kinematics.csv, " in told
+    assert re.fullmatch(r"2 stages loaded in \d+ ms\nfiles in my.out: .*\n", cli("kinematics", "my.toml").err)
+    assert re.fullmatch(r"2 stages computed in \d+ ms\n", cli("kinematics", "my.toml", "--no-store").err)
+    assert cli("run", "my.toml", "-q").err == ""
+    code, out, err = cli("run", "my.toml", "-q", "-v")
+    assert (code, out) == (2, "")
+    assert err.startswith("error: -q: ")
+
+
+def test_what_a_failed_stage_takes_with_it_is_told(cli: Cli) -> None:
+    code, _, err = cli("run", "my.toml", "--set", 'mechanism.links[id=4].points.D=["29 mm", 0]')
+    assert code == 3
+    assert "kinematics: no result: the error stands at the end\nforces: left out (it reads kinematics)\n" in err
+    assert "no [cam]" not in err
+    assert "\n1 stage computed in " in err
+    assert "\nfiles in my.out: 1 file of the stages\nerror: kinematics, " in err
 
 
 def test_run_stops_where_asked(cli: Cli) -> None:
@@ -338,3 +452,27 @@ links = [0, 1]
     assert "no output" in err
     assert "[[mechanism.outputs]]" in err
     assert cli("kinematics", "crank.toml", "-q")[0] == 0
+
+
+def test_a_long_table_shows_some_of_its_positions(cli: Cli) -> None:
+    few = cli("kinematics", "my.toml", "--no-store", "--set", "mechanism.grid.positions=5000")
+    assert "one position in 3: --positions names others" in few.out
+    assert len(few.out.splitlines()) < 2000
+    every = cli("kinematics", "my.toml", "--no-store", "-f", "csv", "--set", "mechanism.grid.positions=5000")
+    assert len(every.out.splitlines()) == 5002
+    assert "one position in" not in cli("kinematics", "my.toml", "--no-store").out
+
+
+def test_positions_have_room_in_memory(cli: Cli) -> None:
+    answer = cli("check", "my.toml", "--set", "mechanism.grid.positions=3000000")
+    assert answer.code == 2
+    assert "3000000 positions of 12 links and joints take more memory than 2 GB" in answer.err
+    assert "write 666666 or less" in answer.err
+
+
+def test_more_values_than_can_be_printed_are_refused(cli: Cli, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("tmmcalc.report.positions.PRINTED", 1000)
+    answer = cli("kinematics", "my.toml", "--no-store", "-f", "json")
+    assert answer.code == 2
+    assert "25 positions with" in answer.err
+    assert "--columns" in answer.err

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import math
 import shutil
 from io import StringIO
 from pathlib import Path
@@ -52,10 +53,10 @@ def test_the_numbers_for_programs(cli: Cli) -> None:
     assert (found["S_1[m]"], found["S_2[m]"]) == pytest.approx((0.4, 0.8))
     assert found["jumps[s]"] == pytest.approx([0, 4, 8, 12])
     found = json.loads(cli("manipulator", "manipulator.toml", "--format", "json").out)
-    assert found["path"][0]["theta_1[rad]"] == pytest.approx(-1.696093, abs=1e-6)
+    assert found["path"][0]["theta_1[deg]"] == pytest.approx(math.degrees(-1.696093), abs=1e-4)
     assert found["path"][0]["q"] == -1
     assert {"omega_2_max[rad/s]", "eps_2_max[rad/s^2]", "v_3_max[m/s]", "a_3_max[m/s^2]"} <= found.keys()
-    assert found["press_path"] == []
+    assert found["press_path[s]"] == []
     assert found["press_straight_line"]
 
 

@@ -52,6 +52,13 @@ def test_a_pattern_without_a_column(choose: Chooser) -> None:
     assert caught.value.remedy == "did you mean omega_3?"
 
 
+@pytest.mark.parametrize("choose", [selected, kept])
+def test_a_column_in_another_unit_is_told_with_its_own(choose: Chooser) -> None:
+    with pytest.raises(UsageError, match=r"no column is called 'phi\[rad\]'") as caught:
+        choose(["phi[rad]"])
+    assert caught.value.remedy == "it is phi[deg]"
+
+
 def test_without_patterns_all_are_kept_in_their_order() -> None:
     assert list(picked(dict.fromkeys(["x[m]", "series"], 0), [], "series")) == ["x[m]", "series"]
     assert list(picked(dict.fromkeys(["x[m]", "series"], 0), ["x"], "series")) == ["series", "x[m]"]

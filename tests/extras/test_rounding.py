@@ -77,6 +77,12 @@ def _ties() -> Iterator[Scene]:
         told = found.push, found.press, found.preload, found.force, found.change, found.vertical
         exact = push, press, start, force, force - start, 4 * start * mp.sin(alpha)
         yield "forces", found.error, _far(told, exact)
+        rise, own_fall = g, mp.mpf(0)
+        if support is not None:
+            own_fall = g * mp.mpf(support.diameter) / (2 * mp.mpf(support.base))
+            rise = g - mp.mpf(support.friction) * own_fall
+        still = k - (push - mu * press) / (rise + mu * own_fall)
+        yield "slip", found.error, _far(found.thresholds.slip, still)
 
 
 def _lives() -> Iterator[Scene]:

@@ -120,7 +120,7 @@ def _angles_of_sets() -> Iterator[tuple[str, float, float]]:
     task = TrainTask(
         "AI", nominal=mp.mpf(1), ratio=Interval(1, 2), proportions=((1, 1),), planets=3,
         demands=Demands(largest_angle=0.6), pressure_angle=0.3490658503988659,
-    )  # type: ignore[arg-type]  # fmt: skip
+    )  # fmt: skip
     for _ in range(SCENES):
         z1, z2, z2b = (rng.integers(17, 90, ROWS) for _ in range(3))
         teeth = np.stack((z1, z2, z2b, z1 + z2 + z2b + rng.integers(-3, 4, ROWS)), axis=1)
@@ -146,6 +146,6 @@ def test_estimates_of_trains_bound_their_errors(scenes: Any) -> None:
 
 def test_angles_of_the_rack_are_exact() -> None:
     sets = ToothSets("AIbar", np.array([[20, 52, 124]]), np.ones((1, 1), np.int64), np.full((1, 2), 0.35), planets=3)
-    task = TrainTask("AIbar", 6, Interval(5, 7), ((1,),), 3, pressure_angle=0.35)  # type: ignore[arg-type]
+    task = TrainTask("AIbar", 6, Interval(5, 7), ((1,),), 3, pressure_angle=0.35)
     assert angle_error(task, sets) == 0.0
     assert angle_error(task, replace(sets, teeth=sets.teeth[:0], angles=sets.angles[:0])) == 0.0

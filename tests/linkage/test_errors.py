@@ -14,6 +14,7 @@ from tmmcalc import Kinematics, Method, TmmError, solve_kinematics
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.linkage import errors
 from tmmcalc.linkage.chain import compile_chain
+from tmmcalc.linkage.lastdigit import in_full
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Trace
 from tmmcalc.linkage.trace import trace
@@ -24,7 +25,7 @@ KINDS = ("position", "velocity", "acceleration")
 
 def true_errors(mechanism: Mechanism, result: Kinematics) -> tuple[float, ...]:
     """Largest error of points over all positions, relative to the largest value of each kind."""
-    chain = compile_chain(mechanism, result.structure, result.variants)
+    chain = in_full(compile_chain(mechanism, result.structure, result.variants))
     exact, t = trace(chain, result.x.astype(np.longdouble)), result.trace
     pairs = ((t.r, exact.r), (t.dr, exact.dr), (t.ddr, exact.ddr))
     return tuple(float(np.max(np.abs(a - b)) / (np.max(np.abs(b)) or 1)) for a, b in pairs)

@@ -132,7 +132,7 @@ def test_a_moment_stands_in_the_middle_of_its_link() -> None:
     scene = compile_statics(compile_scene(mechanism, loading, solve_kinematics(mechanism)))
     body = free_bodies(scene, 0.0, 1.0)[1]
     (couple,) = body.couples
-    pins = [force.at for force in body.forces if force.link == 3] + [body.inner.at]  # type: ignore[union-attr]
+    pins = [force.at for force in body.forces if force.link == 3] + [body.inner.at]
     assert (couple.letter, couple.value) == ("T", -40.0)
     assert couple.at == pytest.approx(sum(pins) / 2)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import subprocess
 import sys
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -324,3 +325,28 @@ def test_scipy_stays_out() -> None:
         "sys.exit('scipy' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+@pytest.mark.parametrize("formula", ["sign(sin(1e9*theta))", "sin(1e7*theta)", "theta % 1e-9", "abs(sin(1e6*theta))"])
+def test_a_formula_that_turns_too_often_is_refused(formula: str) -> None:
+    with pytest.raises(AccuracyError, match=r"changes its sense \d+ times or more in the cycle of 360 deg") as told:
+        from_formula(formula, 10.0)
+    assert told.value.exit_code == 4
+    assert "near theta = " in str(told.value)
+    assert "lower the factors of theta" in told.value.remedy
+
+
+def test_equal_diagrams_have_no_more_pieces_than_panels() -> None:
+    cycle = from_formula("sin(3000*theta)", 10.0)
+    with pytest.raises(AccuracyError, match="jumps and kinks"):
+        superposed(cycle, even_delays(997))
+
+
+def test_many_harmonics_take_little_memory() -> None:
+    terms = [(k, 1.0, 0.0) for k in range(1, 400)]
+    tracemalloc.start()
+    cycle = from_harmonics(0.0, terms, 10.0)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 60 * cycle.moment.nbytes + (20 << 20)
+    assert float(cycle.panels.at(cycle.moment, np.zeros(1))[0]) == pytest.approx(399.0, rel=1e-9)

@@ -15,7 +15,7 @@ from tmmcalc.machine.offspeed import INPUT, off_rated, off_speed
 RPM = math.pi / 30
 
 
-@pytest.mark.parametrize(("off", "severity"), [(0.019, None), (-0.019, None), (0.03, "note"), (-0.06, "warning")])
+@pytest.mark.parametrize(("off", "severity"), [(0.0049, None), (-0.0049, None), (0.0051, "note"), (-0.06, "warning")])
 def test_a_mean_speed_off_the_speed_of_the_spec(off: float, severity: str | None) -> None:
     verdict = off_speed(10 * (1 + off), 10.0, 20.0, 1.0, INPUT)
     assert (verdict.severity if verdict is not None else None) == severity

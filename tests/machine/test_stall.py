@@ -35,7 +35,7 @@ def passes(constant: float, turns: int = 12) -> tuple[bool, float]:
     def stopped(_: float, y: np.ndarray) -> float:
         return y[1] - 1e-3
 
-    stopped.terminal = True  # type: ignore[attr-defined]
+    stopped.terminal = True
     found = solve_ivp(
         rhs, (0, 0.6 * turns), [0, KLOSS.synchronous], rtol=1e-9, atol=1e-10, events=stopped, max_step=0.02
     )

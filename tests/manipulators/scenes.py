@@ -51,7 +51,7 @@ def task(arm: str | Arm, route: str | Route, obstacles: tuple[Obstacle, ...] = (
     way = (SPACE if own.spatial else PLANE)[route] if isinstance(route, str) else route
     limits = {"acceleration": 2.0, "speed": 0.6, **{k: v for k, v in more.items() if k in Drive.__dataclass_fields__}}
     rest = {k: v for k, v in more.items() if k not in Drive.__dataclass_fields__}
-    return ManipulatorTask(own, PathTask(way, Drive(**limits)), obstacles=obstacles, **rest)  # type: ignore[arg-type]
+    return ManipulatorTask(own, PathTask(way, Drive(**limits)), obstacles=obstacles, **rest)
 
 
 def derivative(f: Callable[[Values], Values], t: Values, h: float) -> Values:

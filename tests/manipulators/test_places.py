@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import warnings
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -200,3 +202,12 @@ def test_the_arm_against_a_dense_sample(arm: str) -> None:
 def test_inside_knows_the_border() -> None:
     points = np.array([[0.9, 0.8, 1.0, 0.79, 0.9], [0.7, 0.5, 0.7, 0.7, 0.95]])
     assert inside(BOX, points).tolist() == [True, True, True, False, False]
+
+
+def test_a_corner_that_is_named_twice_is_one() -> None:
+    again = replace(BOX, corners=(BOX.corners[0], *BOX.corners))
+    x, y = np.meshgrid(np.linspace(0.0, 2.0, 41), np.linspace(0.0, 2.0, 41))
+    points = np.stack((x.ravel(), y.ravel()))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert np.array_equal(inside(again, points), inside(BOX, points))

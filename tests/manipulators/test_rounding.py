@@ -40,7 +40,7 @@ def random_arm(rng: np.random.Generator, kind: str, unit: float) -> Arm:
     spatial = bool(rng.random() < 0.5)
     lengths = {"upper": float(rng.uniform(0.6, 1.2)) * unit, "forearm": float(rng.uniform(0.5, 1.2)) * unit}
     return Arm(
-        kind,  # type: ignore[arg-type]
+        kind,
         spatial,
         elbow=int(rng.choice([-1, 1])),
         height=float(rng.choice([0.0, rng.uniform(-0.5, 0.5) * unit])),

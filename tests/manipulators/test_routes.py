@@ -155,7 +155,7 @@ def test_the_way_is_the_integral_of_the_speed() -> None:
 )
 def test_routes_that_cannot_be(route: object, said: str) -> None:
     with pytest.raises(NoSolutionError, match=said):
-        legs_of(route)  # type: ignore[arg-type]
+        legs_of(route)
 
 
 def test_limits_that_cannot_be_kept() -> None:

@@ -157,9 +157,9 @@ def test_a_run_that_keeps_going_leaves_out_what_reads_the_failed_stage(tmp_path:
     assert [(event.stage, event.kind) for event in result.events if event.stage != "spare"] == [
         ("geometry", "loaded"),
         ("path", "failed"),
-        ("energy", "left out"),
+        ("energy", "lost"),
     ]
-    assert Event("energy", "left out", "it reads path") in result.events
+    assert Event("energy", "lost", "it reads path") in result.events
     assert isinstance(result.failures["path"], AssemblyError)
     assert not {"path", "energy"} & set(result.results)
     assert not [file for file in result.files if file.stem in ("path", "energy")]

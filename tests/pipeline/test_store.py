@@ -17,10 +17,10 @@ from properties import examples
 
 from tmmcalc.core.atomic import replace_file
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.plain import plain_record, plain_table
 from tmmcalc.core.stored import Record, Table
 from tmmcalc.pipeline import content, manifest
 from tmmcalc.pipeline.manifest import Manifest, Provenance
-from tmmcalc.pipeline.plain import plain_record, plain_table
 from tmmcalc.pipeline.store import CSV_ROWS, Damaged, Found, Missing, Store
 
 from .toy import contents
@@ -327,12 +327,12 @@ def test_folder_name_too_long(tmp_path: Path):
 
 def test_folder_in_place_of_a_file(tmp_path: Path):
     (tmp_path / "path.npz").mkdir()
-    with pytest.raises(UsageError, match=r"path\.npz: cannot be written: Is a directory"):
+    with pytest.raises(UsageError, match=r"path\.npz: cannot be written: it is a folder"):
         saved(tmp_path)
     assert not (tmp_path / "path.toml").exists()
     (tmp_path / "path.npz").rmdir()
     (tmp_path / "path.toml").mkdir()
-    with pytest.raises(UsageError, match=r"path\.toml: cannot be read: Is a directory"):
+    with pytest.raises(UsageError, match=r"path\.toml: cannot be read: it is a folder"):
         Store(tmp_path).find(ORIGIN)
 
 

@@ -100,10 +100,15 @@ def test_stages_that_the_target_does_not_need_say_no_more() -> None:
 def test_results_that_the_spec_gives_itself_are_not_read() -> None:
     spec = ready("geared-pump")
     assert "the result of criteria is not read: the spec gives it" not in reasons(spec)["power"].omits
-    given = ready("geared-pump", "transmission.ratio=10", 'transmission.inertia="0.1 kg*m^2"')
-    for stage in ("power", "flywheel", "motion"):
-        assert "the result of criteria is not read: the spec gives it" in reasons(given)[stage].omits
-        assert "criteria" not in reasons(given)[stage].reads
+    ratio, inertia, efficiency = (
+        "transmission.ratio=10",
+        'transmission.inertia="0.1 kg*m^2"',
+        "transmission.efficiency=1",
+    )
+    assert "criteria" in reasons(ready("geared-pump", ratio, inertia))["power"].reads
+    given = ready("geared-pump", ratio, inertia, efficiency)
+    assert "the result of criteria is not read: the spec gives it" in reasons(given)["power"].omits
+    assert "criteria" not in reasons(given)["power"].reads
 
 
 @pytest.mark.parametrize(

@@ -720,7 +720,7 @@ def test_ten_faults_come_together_in_the_order_of_lines(shaper: str, faults_of: 
 @pytest.mark.parametrize(
     ("old", "new", "line", "fragment", "remedy"),
     [
-        ("mass = 55", "mass = 55 kg", 51, "column 11", '"55 kg"'),
+        ("mass = 55", "mass = 55 kg", 51, "expected newline", '"55 kg"'),
         ('"55 rpm"', "55 rpm", 26, "not valid TOML", '"55 rpm"'),
         ("mass = 55", "mass = 55,5", 51, "not valid TOML", "55.5"),
         ("mass = 55", "mass = .5", 51, "not valid TOML", "0.5"),
@@ -742,6 +742,7 @@ def test_syntax_fault_has_line_and_remedy(
     assert old in shaper
     (fault,) = faults_of(shaper.replace(old, new, 1))
     assert fault.line == line
+    assert fault.column is not None
     assert fragment in fault.message
     assert remedy in fault.remedy
 

@@ -33,7 +33,7 @@ class Terminal(io.StringIO):
 
 def printed(document: Document, form: str, stream: io.StringIO | None = None) -> str:
     stream = stream or io.StringIO()
-    render(document, form, stream)  # type: ignore[arg-type]  # a parameter of the test, one of the four
+    render(document, form, stream)  # a parameter of the test, one of the four
     return stream.getvalue()
 
 

@@ -139,7 +139,10 @@ def test_every_path_has_the_line_of_its_key(text: str) -> None:
     source = Source(text)
     lines = text.split("\n")
     paths = list(leaves(document))
-    assert set(source.lines) == set(paths)
+    assert set(source.begins) == set(paths)
     for path in paths:
+        line, column = source.place_of(path) or (0, 0)
+        assert line == source.line_of(path)
+        assert not lines[line - 1][column - 1].isspace()
         if isinstance(path[-1], str):
-            assert quoted(path[-1]) in lines[source.lines[path] - 1]
+            assert quoted(path[-1]) in lines[line - 1][column - 1 :]

@@ -1,6 +1,9 @@
 from __future__ import annotations
 
+import json
 from pathlib import Path
+from urllib.parse import urlsplit
+from urllib.request import url2pathname
 
 import pytest
 from sparing import sparing
@@ -16,9 +19,18 @@ def test_shaper_is_there() -> None:
 
 
 @sparing("name", templates.names(), every=6)
-def test_the_schema_is_looked_for_beside_the_spec(name: str) -> None:
-    assert templates.text(name).splitlines()[0] == "#:schema ./tmmcalc.schema.json"
+def test_the_schema_is_that_of_the_program_wherever_the_spec_stands(name: str) -> None:
+    """A URL of a file, with spaces and letters beyond ASCII escaped: editors take it as it is, without a network."""
+    directive, url = templates.text(name).splitlines()[0].split(" ")
+    assert directive == "#:schema"
+    assert url.startswith("file:///")
+    assert json.loads(Path(url2pathname(urlsplit(url).path)).read_text())["title"] == "tmmcalc project spec"
     assert templates.text(name).splitlines()[1:] == templates.path(name).read_text(encoding="utf-8").splitlines()[1:]
+
+
+@pytest.mark.parametrize("name", templates.names())
+def test_a_description_is_a_sentence(name: str) -> None:
+    assert templates.description(name).endswith((".", "?"))
 
 
 @pytest.mark.parametrize("name", ["shapr", "../pyproject", "/etc/passwd", "shaper.toml", ""])

@@ -34,7 +34,9 @@ class Project:
     """A ready spec: its run, and the same from elsewhere."""
 
     def __init__(self, name: str) -> None:
-        self.spec = tmmcalc.load_spec(templates.folder() / f"{name}.toml")
+        text = (templates.folder() / f"{name}.toml").read_text(encoding="utf-8")
+        # what a cam loads the crank with has checks of its own; these are of links alone
+        self.spec = tmmcalc.parse_spec(text.replace('\nshaft = "crank"', ""))
         self.run: RunResult = tmmcalc.run(self.spec)
 
     @cached_property
@@ -156,7 +158,11 @@ def turned(found: Project, constant: float, start: float) -> tuple[float, float]
         CubicSpline(theta, values)
         for values in cycle.panels.at(np.stack((cycle.inertia, cycle.moment, cycle.viscous, cycle.quadratic)), theta)
     )
-    efficiency = found.spec.transmission.efficiency if found.spec.transmission is not None else 1.0
+    given = found.spec.transmission.efficiency if found.spec.transmission is not None else None
+    best = found.run.results["criteria"].winner if "criteria" in found.run.outcomes else None
+    efficiency = given or (1.0 if best is None else best.values["efficiency"])
+    on_crank = found.spec.open_pair
+    efficiency *= 1.0 if on_crank is None or on_crank.efficiency is None else on_crank.efficiency
 
     def rate(phi: float, energy: Array) -> Array:
         w = math.sqrt(2 * energy[0] / (constant + inertia(phi)))
@@ -202,7 +208,7 @@ def braked_angle(found: Project, name: str, brake: float) -> float:
     def still(_: float, y: Array) -> float:
         return float(y[5])
 
-    still.terminal = True  # type: ignore[attr-defined]
+    still.terminal = True
     begin = np.concatenate((motion.theta[:, 0], motion.omega[:, 0]))
     done = solve_ivp(rate, (0, 3), begin, "DOP853", events=still, rtol=1e-10, atol=1e-11)
     return float(done.y_events[0][0][2] - begin[2])

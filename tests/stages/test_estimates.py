@@ -16,6 +16,7 @@ TESTS = Path(__file__).parents[1]
 ROOT = TESTS.parent
 HELD = {
     "synthesis": "linkage/synthesis/test_errors.py",
+    "dyad": "linkage/test_dyad.py",
     "kinematics": "linkage/test_errors.py linkage/loops/test_estimate.py",
     "forces": "linkage/forces/test_estimate.py",
     "reduction": "machine/reduction/test_estimate.py",
@@ -24,6 +25,7 @@ HELD = {
     "strength": "gears/test_rounding.py",
     "criteria": "gears/test_rounding.py",
     "pair": "gears/meshing/test_rounding.py",
+    "open_pair": "gears/test_open_pair_estimate.py",
     "blocking": "gears/involute/contour/test_rounding.py",
     "profile": "gears/meshing/test_outline_error.py",
     "power": "machine/test_power_estimate.py",
@@ -35,6 +37,7 @@ HELD = {
     "balance": "machine/balance/test_linkage_estimate.py machine/balance/test_estimates.py",
     "cam_law": "cams/test_rounding_law.py",
     "cam_synthesis": "cams/test_rounding_sizes.py",
+    "cam_load": "cams/test_rounding_shaft.py",
     "cam_profile": "cams/test_rounding_profile.py",
     "cam_pressure": "cams/test_rounding_pressure.py",
     "cam_forces": "cams/test_rounding_forces.py",
@@ -49,9 +52,11 @@ HELD = {
     "tie_down": "extras/test_rounding.py",
     "falling_ball": "extras/test_ball_errors.py",
     "bearing": "extras/test_rounding.py",
+    "liner": "extras/test_liner.py",
+    "transloader": "extras/test_transloader.py",
     "feasibility": "feasibility/test_rows.py",
 }
-EXACT = {"structure"}  # whole numbers and names
+EXACT = {"drive", "structure"}  # whole numbers and names, a ratio of given speeds
 
 
 def documented() -> dict[str, set[str]]:

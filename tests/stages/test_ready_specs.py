@@ -41,7 +41,7 @@ def test_the_ready_specs_show_every_stage_of_linkage_and_machine() -> None:
     assert set(having("structure")) == set(having("kinematics"))
     for stage in ("forces", "reduction", "power", "flywheel", "motion"):
         assert len(having(stage)) >= 5
-    assert having("transient") == ["course-project", "elastic-drive"]
+    assert having("transient") == ["course-project", "elastic-drive", "geared-press"]
     assert set(having("balance")) - set(having("forces")) == {"in-line-engine", "rotor"}
 
 

@@ -185,7 +185,8 @@ def tables(spec: Spec) -> set[str]:
         name: {f"{entry.home[8:]}.tables.checks.{each}" for each in entry.checks} for name, entry in TABLES.items()
     }
     of_loads = {f"linkage.tables.checks.{name}" for name in ("loads", "windows", "curves")}
-    shared = of_loads if spec.cam or spec.torque else set()
+    shared = of_loads if spec.cam or spec.torque or spec.motor else set()
+    shared |= {"gears.tables.gearing"} if spec.open_pair else set()
     shared |= {"gears.tables.checks.train"} if spec.pair else set()
     needed = shared.union(*(each.get(name, set()) for each in (models, checks) for name in given))
     return set().union(*models.values(), *checks.values()) - needed
@@ -226,7 +227,8 @@ def seen_in(seen: Mapping[str, Any]) -> Any:
 
 def repeated(name: str, seen: Mapping[str, Any]) -> list[str]:
     """Functions that a scene calls more than once; of a synthesis every solution is a scene of its own."""
-    further = name.startswith(("synth", "feasibility", "crane", "tipper"))  # these have several motions
+    # these have several motions; a motor that is chosen is tried with the train of each
+    further = name.startswith(("synth", "feasibility", "crane", "tipper", "geared-pump"))
     return [] if further else [f"{each}: {n} calls" for each in ONCE if (n := seen["counts"].get(each, 0)) > 1]
 
 

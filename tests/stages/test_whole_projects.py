@@ -198,7 +198,8 @@ def test_every_stage_resolves() -> None:
         home = import_module(stage.home)
         assert callable(home.inputs)
         asked = signature(stage.solve).parameters
-        given = {*stage.needs, *stage.uses, *stage.settings, *(["another"] if stage.another else [])}
+        given = {stage.takes.get(name, name) for name in (*stage.needs, *stage.uses)}
+        given |= {*stage.settings, *(["another"] if stage.another else [])}
         assert given <= asked.keys() or any(each.kind is Parameter.VAR_KEYWORD for each in asked.values())
         assert {type(getattr(home, part, None)) for part in ("errors", "omits", "packages")} <= {FunctionType, NoneType}
         if isinstance(columns := getattr(home, "columns", None), str):

@@ -205,7 +205,7 @@ class Told:
 
 
 def apart(one: Told, two: Told) -> Any:
-    return difference("forces", one, two)  # type: ignore[arg-type]
+    return difference("forces", one, two)
 
 
 def test_what_one_scene_tells_alone_is_named() -> None:
@@ -223,7 +223,7 @@ def test_a_zero_without_a_size_is_not_compared() -> None:
 def test_zeros_are_relative_to_what_they_are_made_from() -> None:
     assert apart(Told(a__deg=[0]), Told(a__deg=[3.6e-14])).size == pytest.approx(1e-16)
     assert apart(Told(delta=[0]), Told(delta=[2e-17])).size == 2e-17
-    scaled = difference("forces", Told(R__N=[0, 4]), Told(R__N=[1, 12]), Alignment(Factors(3.0)))  # type: ignore[arg-type]
+    scaled = difference("forces", Told(R__N=[0, 4]), Told(R__N=[1, 12]), Alignment(Factors(3.0)))
     assert scaled.size == pytest.approx(1 / 12)
 
 

@@ -44,6 +44,18 @@ def test_dead_point_of_a_crank_slider_is_a_crank_as_long_as_the_rod(monkeypatch:
         assert met.error < 1e-14 * (rung.condition or 0.0) ** 2
 
 
+@pytest.mark.parametrize("name", ["four-bar", "slotted-link"])
+def test_toward_a_dead_point_the_stage_tells_as_much_as_is_lost(name: str) -> None:
+    """The twin differs in the last digits of its lengths, which the error estimate takes as exact."""
+    track = [(rung, met) for rung, met in climbed(name, "dead-point").track("kinematics") if met.error is not None]
+    assert len(track) == 8
+    for rung, met in track:
+        assert met.error is not None
+        assert met.covered is not None
+        assert met.covered >= met.error, rung.setting
+    assert all(met.last_digit is not None for _, met in track if (met.error or 0.0) > 1e-13)
+
+
 @pytest.mark.slow
 def test_cusp_of_a_cam_is_the_least_radius_of_its_pitch_curve(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cams, "LEFT", (1.0, 1e-6, -1e-3))

@@ -29,10 +29,12 @@ SCENES = {
     "gears-circulating": 1e-13,
     "extra-bearing": 1e-13,
     "extra-tie-down": 1e-13,
+    "extra-liner": 1e-13,
     "extreme/travel-tiny": 5e-8,  # a nanometre of 0.2 m: eps 0.2/1e-9 is what a rounding of its ends is to it
     "manipulator-angular": 1e-13,
     "pair-helical": 1e-13,
     "synth-crank-rocker": 1e-13,
+    "dyad": 1e-13,
 }
 
 

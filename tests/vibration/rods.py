@@ -14,6 +14,8 @@ from mpmath import mp, mpf
 
 from tmmcalc.vibration.pendulum.task import Disc, PendulumTask, Rod, Speeds
 
+SETTLED = 1e-22  # step of the secant method: it leaves far less than that of an error
+
 
 def thickness(task: PendulumTask) -> float:
     """Of the layer in which bending counts, as a part of the length: its inverse is how far solutions grow."""
@@ -80,7 +82,7 @@ def frequency(task: PendulumTask, plane: int, told: float, spin: float | None = 
         return one[0] * two[1] - one[1] * two[0]
 
     with mp.workdps(digits(task, abs(told) + abs(spin or 0.0))):
-        return mp.findroot(open_, (mpf(told), mpf(told) * (1 + mpf(10) ** -9)), tol=mpf(10) ** -60, verify=False)
+        return mp.findroot(open_, (mpf(told), mpf(told) * (1 + mpf(10) ** -9)), tol=SETTLED, verify=False)
 
 
 def whirl(task: PendulumTask) -> Any:
@@ -104,7 +106,7 @@ def torsion(task: PendulumTask, told: float) -> Any:
         k = w * mp.sqrt(section / stiffness)
         return stiffness * k * mp.cos(k * l) - w**2 * polar * mp.sin(k * l)
 
-    return mp.findroot(open_, mpf(told), tol=mpf(10) ** -60, verify=False)
+    return mp.findroot(open_, mpf(told), tol=SETTLED, verify=False)
 
 
 def random_pendulum(rng: np.random.Generator, soft: float = 2e-2) -> PendulumTask:

@@ -19,7 +19,7 @@ Scene = tuple[str, float, float]  # quantity, estimate, true error
 
 
 def _far(told: float, exact: object) -> float:
-    return abs(float(told / exact - 1))  # type: ignore[operator]
+    return abs(float(told / exact - 1))
 
 
 def _judged(task: PendulumTask, found: PendulumResult) -> Iterator[Scene]:

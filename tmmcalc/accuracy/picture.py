@@ -44,7 +44,7 @@ def accuracy_figure(result: Accuracy, heading: str, tolerance: float | None = No
     rows = ROWS if len(panels) > columns else 1
     figure, pages = blank(sheets)
     for at, page in enumerate(pages):
-        page.suptitle(heading, fontsize=10)
+        page.suptitle(heading, fontsize=10, parse_math=False)  # a title is the user's own text
         shown = panels[at * COLUMNS * ROWS : (at + 1) * COLUMNS * ROWS]
         places = page.subplots(rows, columns, squeeze=False).ravel().tolist()
         for axes, draw in zip(places, shown, strict=False):

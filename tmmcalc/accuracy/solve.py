@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from tmmcalc.core.errors import TmmError, UsageError
-from tmmcalc.core.plan import plan
 from tmmcalc.core.stage import resolve
 from tmmcalc.core.studies.measure import Clock
 from tmmcalc.core.studies.scene import Scene
@@ -38,14 +37,14 @@ def solve_accuracy(
         raise UsageError(
             f"{stage} has one method only", where="accuracy", remedy=f"stages with a choice: {', '.join(SUBJECTS)}"
         )
-    running = plan(spec, stage).running
-    asked = [name for name in running if name in SUBJECTS and stage in (None, name)]
     ran = run(spec, target=stage, keep_going=stage is None)
+    running = ran.plan.running
+    asked = [name for name in running if name in SUBJECTS and stage in (None, name)]
     studies: list[Study] = []
     ladders: list[Ladder] = []
     failures = dict(ran.failures)
     for name in (name for name in asked if name in ran.outcomes):
-        scene = Scene(STAGES[name].inputs(spec), ran.results, clock)
+        scene = Scene(STAGES[name].inputs(ran.spec), ran.results, clock)
         if tell is not None:
             tell(f"{name}: methods are run")
         try:

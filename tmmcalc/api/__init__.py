@@ -29,7 +29,8 @@ def run(
     A stage whose stored inputs are unchanged is loaded; ``fresh`` recomputes all, ``from_stage`` that one
     and the following. ``csv`` None writes CSV files up to 2000 rows, ``columns`` are names and wildcards of those
     that they have (empty: all). ``skip`` leaves stages out, with all that read them. ``settings`` are options of
-    methods by stage.
+    methods by stage. Without ``target`` the files in ``out`` of stages that the spec has no more are removed, as far as
+    an earlier run wrote them.
     """
     from tmmcalc.pipeline.runner import run as _run
 
@@ -46,6 +47,27 @@ def run(
         settings=settings,
         on_event=on_event,
     )
+
+
+def settle(spec: Spec, stage: str, *, choose: int | None = None, file: str | Path = "") -> str:
+    """The text of the spec with what a stage found in its place, as ``--spec`` writes it; everything else is kept.
+
+    ``stage`` is synthesis, cam_synthesis, cam_optimum, flywheel, train or criteria; ``choose`` the number of one of
+    several solutions, from 1. The text is to stand in ``file``: paths of other files count from its folder.
+
+    Raises `UsageError` for another stage, where nothing was sought, and where it is not said which solution is meant.
+    """
+    from tmmcalc.core.errors import UsageError
+    from tmmcalc.core.plan import known_stage
+    from tmmcalc.project.found import settled_text
+    from tmmcalc.rooms import STAGES
+
+    found = known_stage(stage, STAGES).part("found")
+    if found is None:
+        finding = ", ".join(name for name, each in STAGES.items() if each.part("found") is not None)
+        raise UsageError(f"{stage} seeks nothing that a spec could have", where="settle", remedy=f"stages: {finding}")
+    place = Path(file) if str(file) else Path(spec._written.folder if spec._written else ".") / "spec.toml"
+    return settled_text(spec, place, found(spec, solved(spec, stage), choose)).text
 
 
 def solved(spec: Spec, stage: str) -> Any:

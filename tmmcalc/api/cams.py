@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from tmmcalc.cams.profile.results import Profile as CamProfile
     from tmmcalc.cams.strength.results import CamStrength
     from tmmcalc.cams.synthesis.results import Synthesis as CamSynthesis
+    from tmmcalc.machine.attached import Attached as CamLoad
     from tmmcalc.project import Spec
 
 
@@ -27,6 +28,11 @@ def solve_cam_law(spec: Spec) -> CamLaw:
 def solve_cam_synthesis(spec: Spec) -> CamSynthesis:
     """The sizes of the cam of a spec, given or found under its limits: ``.follower``."""
     return solved(spec, "cam_synthesis")
+
+
+def solve_cam_load(spec: Spec) -> CamLoad:
+    """What the cam of a spec asks of the shaft of the machine that drives it: inertia and moments over its angle."""
+    return solved(spec, "cam_load")
 
 
 def solve_cam_profile(spec: Spec) -> CamProfile:

@@ -10,8 +10,10 @@ if TYPE_CHECKING:
     from tmmcalc.extras.bearing import Bearing, BearingTask
     from tmmcalc.extras.contact import Contact, ContactTask
     from tmmcalc.extras.falling_ball import Ball, BallTask
+    from tmmcalc.extras.liner import Liner, LinerTask
     from tmmcalc.extras.reliability import Reliability, ReliabilityTask
     from tmmcalc.extras.tie_down import TieDown, TieDownTask
+    from tmmcalc.extras.transloader import Transloader, TransloaderTask
     from tmmcalc.feasibility.judge import Feasibility
     from tmmcalc.project import Spec
 
@@ -63,6 +65,22 @@ def solve_bearing(scene: Spec | BearingTask) -> Bearing:
     from tmmcalc.extras.bearing import solve_bearing as _solve
 
     return _solve(scene) if isinstance(scene, BearingTask) else solved(scene, "bearing")
+
+
+def solve_liner(scene: Spec | LinerTask) -> Liner:
+    """Forces between ring and shell, deflection and stresses of the liner of a spec or of a plain `LinerTask`."""
+    from tmmcalc.extras.liner import LinerTask
+    from tmmcalc.extras.liner import solve_liner as _solve
+
+    return _solve(scene) if isinstance(scene, LinerTask) else solved(scene, "liner")
+
+
+def solve_transloader(scene: Spec | TransloaderTask) -> Transloader:
+    """Speeds, loads by case and stresses of the transloader of a spec or of a plain `TransloaderTask`."""
+    from tmmcalc.extras.transloader import TransloaderTask
+    from tmmcalc.extras.transloader import solve_transloader as _solve
+
+    return _solve(scene) if isinstance(scene, TransloaderTask) else solved(scene, "transloader")
 
 
 def solve_feasibility(spec: Spec) -> Feasibility:

@@ -46,7 +46,8 @@ def solve_kinematics(scene: Spec | Mechanism, method: Method | None = None) -> K
 
     Raises `StructureError`, `AssemblyError`, `SingularityError` or `NoSolutionError`.
     """
-    return _kinematics(_mechanism(scene), method=method)
+    how = method or Method()
+    return _kinematics(_mechanism(scene), None, how.name, how.step, how.decimals)
 
 
 def solve_forces(scene: Spec | Mechanism, loading: Loading | None = None) -> Forces:

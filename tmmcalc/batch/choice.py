@@ -11,7 +11,8 @@ from tmmcalc.batch.local import available, cores, processes
 from tmmcalc.batch.stacked import SOLVER, together
 from tmmcalc.batch.task import Task
 from tmmcalc.core.errors import TmmError, UsageError
-from tmmcalc.core.plan import plan
+from tmmcalc.pipeline.settling import planned
+from tmmcalc.rooms import STAGES
 
 # Stages that may take longer than a process costs to start: motions in time, searches, contours.
 HEAVY = frozenset(
@@ -26,7 +27,8 @@ def running(task: Task) -> frozenset[str]:
     for point in task.spread():
         try:
             spec = variants.spec(task.assignments(point))
-            return frozenset(name for target in task.targets or (None,) for name in plan(spec, target).running)
+            plans = (planned(spec, target, STAGES) for target in task.targets or (None,))
+            return frozenset(name for each in plans for name in each.running)
         except TmmError:
             continue
     return frozenset()

@@ -29,10 +29,12 @@ def solve_on(address: str, task: Task, blocks: Iterable[Block], tell: Tell) -> I
     try:
         from distributed import KilledWorker
     except ImportError:
+        from tmmcalc.core.installation import install
+
         raise UsageError(
             "a cluster needs dask.distributed, which is not installed",
             where="--scheduler",
-            remedy="pip install 'tmmcalc[dask]'",
+            remedy=install("dask"),
         ) from None
     with _client(address) as client:
         watch = _Watch(client, address)

@@ -10,6 +10,7 @@ from typing import Any
 
 from tmmcalc._version import __version__
 from tmmcalc.batch.task import Task
+from tmmcalc.core.files import read_file
 from tmmcalc.pipeline.hashing import FORMAT, content_hash
 
 
@@ -44,7 +45,7 @@ def _contents(names: Iterable[str], folder: Path) -> list[tuple[str, bytes]]:
     found = []
     for name in names:
         with suppress(OSError):  # what cannot be read is told where the spec is read
-            found.append((name, (folder / name).read_bytes()))
+            found.append((name, read_file(folder / name)))
     return found
 
 

@@ -23,6 +23,7 @@ from zlib import crc32
 from tmmcalc.batch.task import Row
 from tmmcalc.core.atomic import blamed_on
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.files import open_own
 from tmmcalc.pipeline.lock import locked_at_once
 
 _HEAD = "tmmcalc sweep"
@@ -41,7 +42,7 @@ class Journal:
         self.done = False
         self._head = f"{_HEAD} {key}\n".encode()
         with blamed_on(path, "written"):
-            self._file: BinaryIO = path.open("a+b")
+            self._file: BinaryIO = os.fdopen(open_own(path, os.O_RDWR | os.O_APPEND), "a+b")
             if not locked_at_once(self._file):
                 self._file.close()
                 raise UsageError(

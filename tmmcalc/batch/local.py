@@ -19,10 +19,12 @@ def processes(jobs: int) -> Workers:
     try:
         import joblib  # noqa: F401
     except ImportError:
+        from tmmcalc.core.installation import install
+
         raise UsageError(
             "several processes need joblib, which is not installed",
             where="--jobs",
-            remedy="pip install 'tmmcalc[parallel]', or leave --jobs out",
+            remedy=f"{install('parallel')}, or leave --jobs out",
         ) from None
     return Workers(lambda: _pool(jobs), lambda: jobs, (BrokenExecutor,))
 

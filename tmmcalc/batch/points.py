@@ -6,15 +6,15 @@ from array import array
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from tmmcalc.batch.quantities import told
+from tmmcalc.batch.quantities import anew, told
 from tmmcalc.batch.task import Row, Task, verdict
 from tmmcalc.core.errors import TmmError, UsageError
-from tmmcalc.core.plan import plan
+from tmmcalc.core.plan import Plan
 from tmmcalc.pipeline.runner import run
+from tmmcalc.pipeline.settling import planned
 from tmmcalc.rooms import STAGES
 
 if TYPE_CHECKING:
-    from tmmcalc.core.stage import Stage
     from tmmcalc.project import Spec
     from tmmcalc.project.loader import Variants
 
@@ -33,11 +33,14 @@ def solve_variant(task: Task, spec: Spec) -> tuple[dict[str, float], TmmError | 
 
     What other stages tell stays. Raises `UsageError` for a target that the variant leaves out.
     """
-    result = run(spec, tolerance=task.tolerance, keep_going=True, stages=stages_to(spec, task.targets))
+    result = run(
+        spec, target=task.targets or None, scene=scene_to(spec, task.targets), tolerance=task.tolerance, keep_going=True
+    )
     asked = result.outcomes if task.patterns or not task.targets else [t for t in task.targets if t in result.outcomes]
     found: dict[str, float] = {}
+    again = anew(result.spec, task.patterns)
     for stage in asked:
-        found.update(told(stage, result.results[stage], task.patterns))
+        found.update(told(stage, result.results, task.patterns, again))
     return found, next(iter(result.failures.values()), None)
 
 
@@ -52,14 +55,10 @@ def _row(task: Task, variants: Variants, point: int, shared: dict[Names, Names])
     return Row(point, *verdict(error), shared.setdefault(names, names), array("d", found.values()))
 
 
-def stages_to(spec: Spec, targets: Names) -> dict[str, Stage]:
-    """The stages that lead to the targets in this scene; without targets all."""
-    if not targets:
-        return STAGES
-    running: set[str] = set()
+def scene_to(spec: Spec, targets: Names) -> Plan:
+    """The plan that leads to the targets; without targets to all stages."""
+    scene = planned(spec, targets or None, STAGES)
     for target in targets:
-        scene = plan(spec, target)
         if target not in scene.running:
             raise UsageError(scene.step(target).reason, where=target)
-        running.update(scene.running)
-    return {name: stage for name, stage in STAGES.items() if name in running}
+    return scene

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmmcalc.batch.content import hash_of_files
-from tmmcalc.batch.points import stages_to
-from tmmcalc.batch.quantities import told
+from tmmcalc.batch.points import scene_to
+from tmmcalc.batch.quantities import between_rows, told
 from tmmcalc.batch.stacked_columns import Asked, Columns, asked
 from tmmcalc.batch.stacked_inputs import Inputs
 from tmmcalc.batch.stacked_machine import MACHINE
@@ -36,6 +36,8 @@ def _prepared(task: Task, files: str) -> Columns | Results | str:
     """The same; ``files`` tells apart what else would have been made of files that have changed."""
     if task.tolerance is not None:
         return "a tolerance is asked for"
+    if between_rows(task.patterns):
+        return "places between rows are asked for"
     reason = "no variant that was tried has a solution"
     for point in _tried(task):
         try:
@@ -62,12 +64,14 @@ def _solver(task: Task, point: int) -> Columns | Results | str:
     spec = task.variants().spec(task.assignments(point))
     if spec.mechanism is None:
         return "there is no linkage"
-    base = run(spec, stages=stages_to(spec, task.targets))
+    base = run(spec, target=task.targets or None, scene=scene_to(spec, task.targets))
     ran = {*base.outcomes}
     if "kinematics" not in ran:
         return "no motion of the linkage is asked for"
     if spec.reduction is not None and spec.reduction.rods == "lumped" and "reduction" in ran:
         return "rods are lumped in two masses"
+    if "reduction" in ran and spec.cam is not None and spec.cam.shaft is not None:
+        return "a cam loads a shaft of the machine"
     loaded, driven = not ran.isdisjoint(LOADED), not ran.isdisjoint(MACHINE)
     columns = _columns(task, base)
     if columns:
@@ -82,7 +86,7 @@ def _columns(task: Task, base: RunResult) -> dict[str, Asked]:
     """What is asked for, by name, if it is columns and a few facts alone; else nothing."""
     if not (task.patterns and task.targets) or not COLUMNS.issuperset(base.outcomes):
         return {}
-    names = [name for stage in base.results for name, _ in told(stage, base.results[stage], task.patterns)]
+    names = [name for stage in base.results for name, _ in told(stage, base.results, task.patterns)]
     found = {name: each for name in names if (each := asked(name, base)) is not None}
     return found if len(found) == len(names) else {}
 

@@ -7,7 +7,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tmmcalc.batch.quantities import stages_of
 from tmmcalc.batch.table import read_points
 from tmmcalc.batch.task import Task
 from tmmcalc.core.errors import TmmError, UsageError
@@ -15,6 +14,7 @@ from tmmcalc.core.plan import known_stage
 from tmmcalc.project.loader import Variants, read_text
 from tmmcalc.rooms import STAGES
 from tmmcalc.spec.dimensions import DIMENSIONS
+from tmmcalc.spec.naming import stages_of
 from tmmcalc.spec.override import split
 from tmmcalc.spec.variants import MOST, Axis, axis, is_range
 

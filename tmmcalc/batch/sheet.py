@@ -14,12 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc._version import __version__
-from tmmcalc.batch.quantities import rank
 from tmmcalc.batch.task import OK, Row, Task
 from tmmcalc.core.atomic import replace_file
+from tmmcalc.core.files import read_file
 from tmmcalc.core.records import record
 from tmmcalc.pipeline.manifest import seal
 from tmmcalc.rooms import STAGES
+from tmmcalc.spec.naming import rank
 
 _HEAD = "# Written by tmmcalc sweep. If the CSV is changed by hand it is made again.\n\n"
 _LAST = ("status", "reason")
@@ -83,8 +84,8 @@ def save(sheet: Sheet, key: str, file: Path) -> None:
 def current(task: Task, key: str, file: Path) -> Sheet | None:
     """The sheet in the file if it is that of this very task and nobody has changed it."""
     try:
-        content: Any = tomllib.loads(voucher(file).read_text("utf-8"))
-        data = file.read_bytes()
+        content: Any = tomllib.loads(read_file(voucher(file)).decode())
+        data = read_file(file)
         whole = seal(data)
         same = content["sweep"]["hash"] == key and content["file"] == {"size": whole.size, "sha256": whole.sha256}
     except (OSError, ValueError, KeyError, TypeError):

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.batch.quantities import OF_COLUMN
 from tmmcalc.batch.stacked_inputs import Inputs, Together
 from tmmcalc.batch.task import OK, Row
-from tmmcalc.feasibility.judge import OF
+from tmmcalc.spec.naming import parse
+from tmmcalc.spec.telling import REDUCED
 
 if TYPE_CHECKING:
     from tmmcalc.batch.stacked_machine import Machine
@@ -42,11 +42,10 @@ def asked(name: str, base: RunResult) -> Asked | None:
     from tmmcalc.linkage.stacked.tables import STROKES
     from tmmcalc.machine.stacked.figures import FIGURES
 
-    column = OF_COLUMN.fullmatch(name)
-    if column is not None:
-        told = column[3] in ("phi", *COLUMNS.values()) if column[1] == "motion" else column[3] not in CHECKS
-        return Asked(*column.groups()) if column[1] in STAGES and told else None
-    stage, _, fact = name.rpartition("[")[0].partition(".") if name.endswith("]") else name.partition(".")
+    stage, of, fact, place, _ = parse(name)
+    if of or place:
+        told = fact in ("phi", *COLUMNS.values()) if stage == "motion" else fact not in CHECKS
+        return Asked(stage, of, fact) if stage in STAGES and told and of in REDUCED and place is None else None
     if stage == "motion" and fact in FIGURES:
         return Asked(stage, "", fact)
     kind, _, output = fact.partition("_")
@@ -129,7 +128,7 @@ class Columns:
             if asked.stage == stage and asked.of:
                 if asked.column not in made:
                     made[asked.column] = np.asarray(by_name[asked.column].make(), float).reshape(len(some), -1)
-                values[some, k] = OF[asked.of](made[asked.column])
+                values[some, k] = REDUCED[asked.of](made[asked.column])
 
     def _facts(self, stage: str, found: dict[str, Values], some: Any, values: Values) -> None:
         """Write what is asked of facts (v,) of some variants."""

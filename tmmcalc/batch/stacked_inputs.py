@@ -55,9 +55,10 @@ def given(spec: Spec, loaded: bool, driven: bool) -> Any:
     """The linkage, what acts on it, and the machine, as the stages read them; None for what is not asked for."""
     from tmmcalc.linkage.tables.tasks.loading import to_loading
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
-    from tmmcalc.machine.stages.motion import inputs
+    from tmmcalc.machine.tables.tasks.machine import to_flywheel, to_gears, to_motion, to_motor
 
-    return to_linkage(spec.linkage), to_loading(spec) if loaded else None, inputs(spec)[:4] if driven else None
+    machine = (to_motor(spec), to_gears(spec), to_motion(spec), to_flywheel(spec)) if driven else None
+    return to_linkage(spec.linkage), to_loading(spec) if loaded else None, machine
 
 
 class Inputs:

@@ -13,6 +13,7 @@ from tmmcalc.core.numerics.alike import Rows
 from tmmcalc.core.numerics.gauss import ORDER
 from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.core.quantity import quantities
+from tmmcalc.machine.driveline import drive_line
 from tmmcalc.machine.driver import Driver, driver_of
 from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
 from tmmcalc.machine.motion import Motion, motion_of
@@ -44,9 +45,9 @@ def given_of(stage: str, machine: Machine, key: str) -> Any:
     """What a stage of the machine reads; ``key`` is where the spec gives the speed."""
     motor, gears, task, wheel = machine
     return {
-        "power": (motor, gears, key),
-        "flywheel": (wheel, motor, gears, task),
-        "motion": (motor, gears, task, wheel, key),
+        "power": (motor, gears, key, None),
+        "flywheel": (wheel, motor, task),
+        "motion": (motor, task, wheel, key),
     }[stage]
 
 
@@ -159,7 +160,7 @@ def _characteristic(motor: MotorChoice, gears: Gears, speed: float) -> Character
     """The characteristic at the input shaft."""
     assert motor.motor is not None
     ratio = _ratio(motor.motor, gears, speed)
-    return driver_of(motor.motor, motor.characteristic, ratio, gears.efficiency).characteristic
+    return driver_of(motor.motor, motor.characteristic, ratio, drive_line(gears).efficiency).characteristic
 
 
 def _constant(machine: Machine, speed: float) -> float:
@@ -168,7 +169,7 @@ def _constant(machine: Machine, speed: float) -> float:
     assert motor is not None
     assert motor.motor is not None
     ratio = _ratio(motor.motor, gears, speed)
-    inertia = (motor.motor.inertia or 0.0) * ratio**2 + (gears.inertia or 0.0) + task.inertia
+    inertia = (motor.motor.inertia or 0.0) * ratio**2 + drive_line(gears).inertia + task.inertia
     if wheel is None:
         return inertia
     turned = (ratio if wheel.shaft == "motor" else wheel.ratio) or 1.0

@@ -11,16 +11,15 @@ first of which names the variant.
 from __future__ import annotations
 
 import csv
-import re
 from pathlib import Path
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.project.loader import read_text
 from tmmcalc.spec.variants import Axis
 
-Labels = tuple[tuple[str, tuple[str, ...]], ...]
+MOST_BYTES = 10_000_000
 
-_UNIT = re.compile(r"(.+)\[([^\]=\"']*[^\]=\"'\d-][^\]=\"']*)\]")  # a last bracket that is no index and no choice
+Labels = tuple[tuple[str, tuple[str, ...]], ...]
 
 
 def read_points(file: Path) -> tuple[Labels, tuple[Axis, ...]]:
@@ -33,14 +32,20 @@ def read_points(file: Path) -> tuple[Labels, tuple[Axis, ...]]:
         if "." not in name:
             labels.append((name, tuple(column)))
             continue
-        match = _UNIT.fullmatch(name)
-        key, unit = match.groups() if match else (name, "")
+        key, unit = _key(name)
         axes.append(Axis(key, tuple(_number(file, line, name, cell) for line, cell in enumerate(column, 2)), unit))
     if not axes:
         raise UsageError(
             f"{file} has no key of the spec among its headers", remedy="a key has a dot, such as motion.inertia"
         )
     return tuple(labels), tuple(axes)
+
+
+def _key(header: str) -> tuple[str, str]:
+    """The key and the unit of a header: what a last bracket holds, if that is no index and no choice."""
+    key, _, last = header.removesuffix("]").rpartition("[")
+    is_unit = header.endswith("]") and key and not any(sign in last for sign in "]=\"'") and last.strip("0123456789-")
+    return (key, last) if is_unit else (header, "")
 
 
 def row_of(file: Path, name: str) -> list[str]:
@@ -56,7 +61,12 @@ def row_of(file: Path, name: str) -> list[str]:
 
 def _cells(file: Path) -> list[list[str]]:
     """The rows of a CSV with the same number of cells in each."""
-    rows = [[cell.strip() for cell in row] for row in csv.reader(read_text(file).splitlines()) if any(row)]
+    try:
+        rows = [
+            [cell.strip() for cell in row] for row in csv.reader(read_text(file, MOST_BYTES).splitlines()) if any(row)
+        ]
+    except csv.Error as error:
+        raise UsageError(f"{file} is not CSV: {error}", remedy="look for a quote that is not closed") from None
     if len(rows) < 2:
         raise UsageError(f"{file} has no rows under its header", remedy="write one row for each variant")
     uneven = next((line for line, row in enumerate(rows, 1) if len(row) != len(rows[0])), None)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import pi, sqrt
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -30,6 +31,9 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.quantity import derived, headed, quantity
 from tmmcalc.core.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.motion import Motion
 
 RATIOS = np.arange(1, 241) / 20  # of the spectra: phase time over natural period
 COMPARED = ("sine", "cosine", "const", "shun", "modified_trapezoid", "modified_sine")
@@ -93,11 +97,12 @@ class ElasticResult:
         return self.frequency / (2 * pi)
 
 
-def solve_elastic(task: CamTask, follower: Follower) -> ElasticResult:
-    """Residual and steady vibration of the follower, at the speed of the machine if the task has it.
+def solve_elastic(task: CamTask, follower: Follower, motion: Motion | None = None) -> ElasticResult:
+    """Residual and steady vibration of the follower, at the speed of the machine if it is known.
 
     Raises `UsageError` without [cam.elastic], a mass or a speed, `SingularityError` at resonance without damping.
     """
+    task = task.at_speed(motion)
     train, loads = task.elastic, loads_of(task, "cam_elastic")
     if train is None:
         raise UsageError("nothing is known of the elastic train", where="cam_elastic", remedy="add [cam.elastic]")

@@ -20,7 +20,7 @@ from tmmcalc.cams.overshoot import overshoot_remarks
 from tmmcalc.cams.program import PhaseKind, Positions, Program
 from tmmcalc.cams.rounding import Errors, joints
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.quantity import Quantity, derived, headed, quantity
+from tmmcalc.core.quantity import Quantity, derived, headed, in_degrees, quantity
 from tmmcalc.core.records import record
 
 POINTS = {"rise": "a", "high dwell": "b", "return": "c", "low dwell": "d"}  # at which a phase begins (fig. 5.2)
@@ -73,7 +73,7 @@ class Shock:
 
     order: int = quantity("order", "order of the derivative: 1 rigid shock, 2 soft shock, 3 jump of the jerk")
     phi: float = quantity("phi[rad]", "angle of the cam")
-    jump: float = quantity("jump", "jump of the derivative: what is after less what is before")  # [m or rad]
+    jump: float = quantity("jump[{slope}]", "jump of the derivative: what is after less what is before")  # [m or rad]
 
 
 @record
@@ -196,7 +196,7 @@ def _remarks(shocks: tuple[Shock, ...], turns: bool) -> Iterator[str]:
 
 
 def law_columns(result: LawResult) -> dict[str, np.ndarray]:
-    """Columns of all rows in SI by their headers."""
+    """Columns of all rows in SI, angles in deg, by their headers."""
     places = along(result.turns)
     motion = [DISPLACEMENT.of(**places), *(DERIVATIVE.of(order=order, **places) for order in (1, 2, 3))]
     found: dict[str, np.ndarray] = {"i": np.array(result.positions.labels)}
@@ -205,4 +205,4 @@ def law_columns(result: LawResult) -> dict[str, np.ndarray]:
     timed = result.in_time
     if timed is not None:
         found |= {told.key: row for told, row in zip(RATES[result.turns], timed, strict=True)}
-    return found
+    return in_degrees(found)

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from tmmcalc.cams.laws.law import Law, Values
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.speed import Speed
-from tmmcalc.core.errors import SingularityError, UsageError
+from tmmcalc.core.errors import AccuracyError, SingularityError
 from tmmcalc.core.numerics.gauss import rule
 from tmmcalc.core.numerics.panels import Panels, panels
 from tmmcalc.core.records import record
@@ -49,7 +49,7 @@ class Response:
 def steady(program: Program, speed: Speed, frequency: float, damping: float) -> Response:
     """The periodic response at the natural frequency w [rad/s] and damping zeta.
 
-    Raises `SingularityError` at resonance without damping, `UsageError` where w is too high to follow.
+    Raises `SingularityError` at resonance without damping, `AccuracyError` where w is too high to follow.
     """
     rate = _rate(frequency, damping)
     on = _followed(program, speed, abs(rate))
@@ -89,7 +89,7 @@ def _followed(program: Program, speed: Speed, rate: float) -> Panels:
     widest = SPAN * slow / rate
     end = float(program.starts[-1])
     if end / widest > MANY:
-        raise UsageError(
+        raise AccuracyError(
             f"the natural frequency is {rate / slow:.4g} times that of the cam: the follower is rigid at this speed",
             where="cam_elastic",
             value=rate / slow,

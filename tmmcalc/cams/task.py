@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import field, replace
 from functools import cached_property
 from math import radians
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
 
 from tmmcalc.cams.follower import Closure, FollowerKind
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.overshoot import Backward, backward
-from tmmcalc.cams.program import Positions, Program, of_step, of_steps
-from tmmcalc.cams.speed import Speed
+from tmmcalc.cams.program import SAME, Positions, Program, of_step, of_steps
+from tmmcalc.cams.speed import TURN, Speed
+from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.machine.motion import Motion
 
 PRESSURE_ANGLES = {"translating": radians(30), "oscillating": radians(45), "flat": radians(90)}  # usual limits
 
@@ -58,6 +64,17 @@ class Force:
     phi: Values | None = None  # (n,) [rad]; then ``values`` in place of the constants, linear between, periodic
     values: Values | None = None
 
+    def tabulated(self, phi: Values) -> Values:
+        """The values of the table at angles (n,) of a turn; where it jumps those after the jump.
+
+        >>> Force(phi=np.array([0.0, 1.0, 1.0]), values=np.array([2.0, 2.0, 5.0])).tabulated(np.array([0.5, 1.0]))
+        array([2., 5.])
+        """
+        assert self.phi is not None
+        assert self.values is not None
+        x = np.concatenate((self.phi[-1:] - TURN, self.phi, self.phi[:1] + TURN))
+        return np.interp(phi, x, np.concatenate((self.values[-1:], self.values, self.values[:1])))
+
 
 @record
 class Spring:
@@ -73,6 +90,8 @@ class Spring:
     wire: float | None = None  # d [m]; with coil and shear: the coils and stresses of the spring itself
     coil: float | None = None  # D [m]
     shear: float = 80e9  # G [Pa]
+    allowed: float | None = None  # shear stress [Pa] for which springs are sized by D/d
+    dead: float = 2.0  # coils at the ends that do not work
 
 
 @record
@@ -122,6 +141,7 @@ class Requirements:
     young: float = 2e11  # E [Pa] of the shaft
     torsion: float = 0.75  # alpha_e
     guide_pressure: float | None = None  # [sigma_cm] [Pa]
+    contact_source: str = ""  # what the contact stress is made of where it is that of a steel
 
 
 @record
@@ -163,6 +183,8 @@ class CamTask:
     optimum: Optimum | None = None
     elastic: Elastic | None = None
     begin: float = 0.0  # [rad] angle of the crank from position 0 at which the rise begins
+    ratio: float = 1.0  # speed of the cam over that of the crank
+    turns: int = 0  # of the crank after which the cam repeats, where it loads the machine; 0: it does not
     turning: Speed | None = None  # of the machine over the turn; None: constant
     remarks: tuple[str, ...] = field(default=())
 
@@ -180,3 +202,21 @@ class CamTask:
     def backward(self) -> tuple[Backward, ...]:
         """The parts of rise and return in which the follower turns back."""
         return backward(self.program)
+
+    def at_speed(self, motion: Motion | None) -> CamTask:
+        """The same at the speed that the machine has over its cycle, if that is known and one turn of the cam."""
+        if motion is None:
+            return self
+        regime, ratio = motion.regime, self.ratio
+        if abs(regime.panels.edges[-1] * ratio - TURN) > SAME * TURN:
+            return self
+        on = regime.panels if ratio == 1 else Panels(regime.panels.edges * ratio, regime.panels.order)
+        return replace(self, turning=Speed(on, regime.omega * ratio, regime.acceleration * ratio, self.begin * ratio))
+
+    @property
+    def sprung(self) -> CamTask:
+        """The task at the speed for which its spring is found.
+
+        A machine that the cam loads moves with that spring, which therefore is the one of the mean speed.
+        """
+        return replace(self, turning=None) if self.turns else self

@@ -25,6 +25,13 @@ def forces(spec: CamTables) -> str | None:
     return _speed(spec, spec.cam)
 
 
+def load(spec: CamTables) -> str | None:
+    """The machine feels the cam where a shaft of it is named."""
+    if spec.cam is not None and spec.cam.shaft is None:
+        return "no shaft in [cam]: no shaft of the machine is loaded by it"
+    return forces(spec)
+
+
 def read_at_speed(spec: CamTables) -> tuple[str, ...]:
     """A cam with a speed of its own does not turn with the crank."""
     return () if spec.cam is None or spec.cam.speed is not None else ("motion",)

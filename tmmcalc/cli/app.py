@@ -30,9 +30,21 @@ def tmmcalc(
     """
 
 
+BRIEF = """\
+tmmcalc: the calculator for a course project in the Theory of Mechanisms and
+Machines. One TOML file, the spec, holds the task; each command solves a part.
+
+  tmmcalc init --list             lists ready specs, one to begin with
+  tmmcalc init shaper -o my.toml  writes one of them into a file
+  tmmcalc run my.toml             solves all of it: tables in the folder my.out
+  tmmcalc plan my.toml            tells what is solved, what is not, and why
+
+All commands: tmmcalc -h. Flags of one: tmmcalc run -h."""
+
 app = deferred_group(
     SECTIONS,
     "tmmcalc init shaper -o my.toml && tmmcalc run my.toml",
+    brief=BRIEF,
     callback=tmmcalc,
     pretty_exceptions_enable=False,
 )

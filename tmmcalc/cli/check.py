@@ -76,6 +76,7 @@ _ARMS = {"spherical": "a spherical arm", "cylindrical": "a cylindrical arm", "an
 HELD: dict[str, str | Callable[[Any], str]] = {
     "mechanism": lambda linkage: f"{_count(linkage.links, 'moving link')}, {_count(linkage.joints, 'joint')}",
     "synthesis": lambda synthesis: f"a synthesis, {synthesis.kind.replace('_', ' ')}",
+    "dyad": lambda dyad: f"a dyad {dyad.kind}",
     "torque": "a torque diagram",
     "engine": _engine,
     "vibrator": "a vibratory device",
@@ -83,6 +84,7 @@ HELD: dict[str, str | Callable[[Any], str]] = {
     "rotor": lambda rotor: f"a rotor with {_count(rotor.unbalances, 'unbalance')}",
     "train": lambda train: f"a gear train, {' or '.join(train.layout)}",
     "gearing": lambda gearing: f"gearing, {gearing.layout or f'{len(gearing.meshes)} meshes'}",
+    "open_pair": lambda pair: f"an open pair {pair.teeth[0]}/{pair.teeth[1]}",
     "pair": _pairs,
     "cam": lambda cam: f"a cam with {_FOLLOWERS[cam.follower]}",
     "indexing": lambda drive: f"an indexing drive of {_count(range(drive.rollers), 'roller')}",
@@ -92,5 +94,7 @@ HELD: dict[str, str | Callable[[Any], str]] = {
     "tie_down": "a load that is tied down",
     "falling_ball": "a falling ball",
     "bearing": "a rolling bearing",
+    "liner": "a cylinder liner",
+    "transloader": "a grab transloader",
     "constraints": lambda constraints: _count(constraints, "constraint"),
 }

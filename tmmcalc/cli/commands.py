@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from tmmcalc.core.manifest import Command, Room
 from tmmcalc.rooms import ROOMS
 
@@ -39,6 +41,7 @@ SECTIONS = {
     "All stages": _table(
         (
             Command("run", "Run every stage that the spec has."),
+            Command("names", "What a scene can tell, by name: symbol, unit, meaning, value."),
             Command("sweep", "Variants of a spec over ranges of its keys, to one CSV."),
             Command("feasibility", "Constraints on results: which hold, by how much."),
             Command("plot", "Draw the result of a stage to an svg, png or pdf file."),
@@ -49,6 +52,12 @@ SECTIONS = {
 }
 
 COMMANDS = {name: line for section in SECTIONS.values() for name, line in section.items()}
+
+
+def computes(words: Sequence[str]) -> bool:
+    """Whether the words of a command line ask for numbers: not for help, nor for something of a spec alone."""
+    asked = len(words) > 1 and not {"-h", "--help"} & set(words)
+    return asked and words[0] in COMMANDS and words[0] not in SECTIONS["Specs"]
 
 
 def room_of(group: str) -> Room:

@@ -7,7 +7,7 @@ from importlib import import_module
 from typing import Any, ClassVar
 
 import typer
-from typer.core import TyperGroup
+from typer.core import TyperCommand, TyperGroup
 
 Table = Mapping[str, tuple[str, str]]  # module and one line of help, by the command's name
 
@@ -16,19 +16,22 @@ def deferred_group(
     sections: Mapping[str, Table],
     example: str,
     text: str | None = None,
+    *,
+    brief: str = "",
     callback: Callable[..., None] = lambda: None,
     **settings: Any,
 ) -> typer.Typer:
     """The application of the commands in ``sections``, which are loaded late, under their headings in the help.
 
-    ``text`` is its help, by default that of ``callback``, which has its own flags; ``settings`` are those of `Typer`.
+    ``text`` is its help, by default that of ``callback``, which has its own flags; ``brief`` is what is told where no
+    command is given, by default the help; ``settings`` are those of `Typer`.
     """
-    listed = sections
+    listed, told = sections, brief
 
     class Group(DeferredGroup):
         """The commands of these sections."""
 
-        sections = listed
+        sections, brief = listed, told
         table: ClassVar[Table] = {name: line for part in listed.values() for name, line in part.items()}
 
     app = typer.Typer(
@@ -59,6 +62,16 @@ class DeferredGroup(TyperGroup):
 
     sections: ClassVar[Mapping[str, Table]] = {}
     table: ClassVar[Table] = {}
+    brief: ClassVar[str] = ""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Where nothing is given tell in brief what there is; the exit code is that of a wrong usage."""
+        if self.brief and not args and not ctx.resilient_parsing:
+            from tmmcalc.cli.messages import say
+
+            say(self.brief)
+            ctx.exit(2)
+        return super().parse_args(ctx, args)
 
     def list_commands(self, ctx: Any) -> list[str]:
         """Names in the order of work."""
@@ -74,7 +87,7 @@ class DeferredGroup(TyperGroup):
             built.name = cmd_name
             return built
         command = typer.Typer(add_completion=False, rich_markup_mode=None)
-        command.command(name=cmd_name)(body.command)
+        command.command(name=cmd_name, cls=OfSpec)(body.command)
         return typer.main.get_command(command)
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
@@ -92,6 +105,21 @@ class DeferredGroup(TyperGroup):
         for heading, part in self.sections.items():
             with formatter.section(heading):
                 formatter.write_dl([(f"{name:<{longest}}", text) for name, (_, text) in part.items()])
+
+
+class OfSpec(TyperCommand):
+    """A command that says which specs there are where it is given none."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Take the arguments apart; raises `UsageError` if the spec is missing."""
+        try:
+            return super().parse_args(ctx, args)
+        except Exception as error:  # the class of a missing parameter depends on the version of typer
+            if hasattr(error, "param_type") and getattr(getattr(error, "param", None), "metavar", None) == "SPEC":
+                from tmmcalc.cli.nospec import no_spec
+
+                raise no_spec(ctx.command_path) from None
+            raise
 
 
 def _what_was_meant(name: str, table: Table, ctx: Any) -> str:

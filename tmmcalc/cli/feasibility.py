@@ -37,15 +37,21 @@ def command(
         Path | None,
         typer.Option("--picture", metavar="FILE", help="Draw this map, by suffix svg, png or pdf.", show_default=False),
     ] = None,
+    truth: Annotated[
+        bool, typer.Option("--truth", help="The rule by plain logic: a short form, and all combinations of truths.")
+    ] = False,
 ) -> None:
-    """Constraints on results: which hold, by how much, and whether the rule of [feasibility] does.
+    """Constraints on results or given values: which hold, by how much, and whether the rule of [feasibility] does.
 
     With --over the scene is solved at every point of a grid of one or two of its values, and the region where the rule
-    holds is told and drawn with the border of every constraint; no stage files are written. With --strict a constraint
-    that fails, or a map without a feasible point, ends with exit code 5.
+    holds is told and drawn with the border of every constraint; no stage files are written. With --truth the rule is
+    told by itself. With --strict a constraint that fails, or a map without a feasible point, ends with exit code 5.
 
     Example: tmmcalc feasibility my.toml --over 'synthesis.crank_rocker.time_ratio=1.05:1.5:19' --picture region.svg
     """
+    if truth and over:
+        remedy = "leave one of them out"
+        raise UsageError("together with --over: a map has many combinations", where="--truth", remedy=remedy)
     if over:
         _map(job, form, over, picture)
         return
@@ -55,9 +61,19 @@ def command(
         )
     scene = job.spec()
     run = job.run(scene, "feasibility")
+    result = run.results["feasibility"]
+    if truth:
+        from tmmcalc.feasibility.facts.truth import truth_document
+        from tmmcalc.feasibility.truth import truth_table
+
+        table = truth_table(result.rule, {verdict.name: verdict.holds for verdict in result.verdicts})
+        told = truth_document(table, title(scene, job.file, "truth table"))
+        show(told, form)
+        job.close(told, run)
+        return
     from tmmcalc.feasibility.facts.feasibility import document as feasibility_document
 
-    job.finish(feasibility_document(run.results["feasibility"], title(scene, job.file, "feasibility")), run, form)
+    job.finish(feasibility_document(result, title(scene, job.file, "feasibility")), run, form)
 
 
 def _map(job: Job, form: Format, over: list[str], picture: Path | None) -> None:

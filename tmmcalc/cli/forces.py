@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -13,12 +14,14 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.report.rows import rows_of
 
 if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
+    from tmmcalc.linkage.forces.kinetostatics import Statics
     from tmmcalc.linkage.forces.results import Forces
     from tmmcalc.linkage.results import Kinematics
     from tmmcalc.project import Spec
     from tmmcalc.report.document import Document
 
-ITERATIONS, STOP = "--iterations", "--stop"
+ITERATIONS, STOP, BODIES, LEVER = "--iterations", "--stop", "--bodies", "--lever"
 EXAMPLE = f"write e.g. {ITERATIONS} 'RRP(2,3)@6', or '...@67.5 deg'"
 
 
@@ -36,6 +39,18 @@ def command(
             help="Print the passes by which the textbook finds the friction of a group there, instead.",
         ),
     ] = None,
+    bodies: Annotated[
+        str | None,
+        typer.Option(
+            BODIES,
+            metavar="LIST",
+            help="Print all that acts on every link in these positions, with the terms of its moments, instead.",
+        ),
+    ] = None,
+    lever: Annotated[
+        str | None,
+        typer.Option(LEVER, metavar="LIST", help="Print Zhukovsky's lever of these positions, instead."),
+    ] = None,
     stop: Annotated[
         float | None,
         typer.Option(STOP, metavar="PART", help="Relative change at which the passes end (default: 0.03)."),
@@ -44,37 +59,82 @@ def command(
     """Forces: reactions in all pairs, with friction where the pairs have it, and what the drive must apply.
 
     Example: tmmcalc forces my.toml --columns 'phi,M_drive,R_*' --positions 0:12:2
+
+    By name alone: loads of inertia (Pi_*,Mi_*), parts of reactions in outer pins (RN_*,RT_*), arms (h_*), directions
+    (angle_R_*), all without friction (R0_*,M0_drive), friction of each pair: reduced moment, power, work
+    (M_red_fr_*,P_fr_*,A_fr_*).
     """
-    _check_flags(iterations, stop, columns, positions)
+    _check_flags({ITERATIONS: iterations, BODIES: bodies, LEVER: lever}, stop, columns, positions)
     scene = job.spec()
     run = job.run(scene, "forces")
+    scene = run.spec
     result = run.results["forces"]
     heading = title(scene, job.file, "forces")
     if iterations is not None:
         document = _iterations(scene, run.results["kinematics"], result, heading, iterations, stop)
+    elif bodies is not None:
+        from tmmcalc.linkage.facts.bodies import bodies_document
+
+        statics = _statics(scene, run.results["kinematics"])
+        rows = rows_of(bodies, result.labels, BODIES) or []
+        document = bodies_document(statics, result, f"{heading}, links by themselves", rows)
+    elif lever is not None:
+        from tmmcalc.linkage.facts.lever import lever_document
+
+        kinematics = run.results["kinematics"]
+        rows = rows_of(lever, result.labels, LEVER) or []
+        heading = f"{heading}, Zhukovsky's lever"
+        document = lever_document(_statics(scene, kinematics), kinematics, result, heading, rows)
     else:
         from tmmcalc.linkage.facts.forces import document as forces_document
 
+        patterns = patterns_of(columns)
         document = forces_document(
             result,
             heading,
-            patterns=patterns_of(columns),
+            patterns=patterns,
             rows=rows_of(positions, result.labels),
             everything=form is not Format.table,
             where=table_file(run, "forces"),
+            further=_further(scene, run.results["kinematics"], result) if patterns else (),
         )
     job.finish(document, run, form)
 
 
-def _check_flags(iterations: str | None, stop: float | None, columns: str | None, positions: str | None) -> None:
+def _further(scene: Spec, kinematics: Kinematics, result: Forces) -> Sequence[Column]:
+    """The columns that are printed by name alone."""
+    from tmmcalc.linkage.forces.further import further_columns
+    from tmmcalc.linkage.tables.tasks.loading import to_loading
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+    return further_columns(to_linkage(scene.linkage), to_loading(scene), kinematics, result)
+
+
+def _check_flags(
+    tables: Mapping[str, str | None], stop: float | None, columns: str | None, positions: str | None
+) -> None:
     """Refuse flags that would have no effect together, rather than pass them over."""
-    if iterations is None and stop is not None:
+    asked = [flag for flag, given in tables.items() if given is not None]
+    if stop is not None and ITERATIONS not in asked:
         raise UsageError("only the textbook's passes are stopped by it", where=STOP, remedy=f"add {ITERATIONS}")
     if stop is not None and not 0 < stop < 1:
         raise UsageError(f"{stop:g} is not between 0 and 1", where=STOP, remedy="write e.g. --stop 0.001")
-    if iterations is not None and (columns is not None or positions is not None):
+    if len(asked) > 1:
+        where = ", ".join(asked)
+        raise UsageError("print one table each", where=where, remedy="leave all but one of them out")
+    if asked and (columns is not None or positions is not None):
         remedy = "leave --columns and --positions out"
-        raise UsageError("prints a table of its own", where=ITERATIONS, remedy=remedy)
+        raise UsageError("prints a table of its own", where=asked[0], remedy=remedy)
+
+
+def _statics(scene: Spec, kinematics: Kinematics) -> Statics:
+    """The force analysis of the scene, to be asked at single places."""
+    from tmmcalc.linkage.forces.kinetostatics import compile_statics
+    from tmmcalc.linkage.loads.scene import compile_scene
+    from tmmcalc.linkage.tables.tasks.loading import to_loading
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+    return compile_statics(compile_scene(to_linkage(scene.linkage), to_loading(scene), kinematics))
 
 
 def _iterations(
@@ -84,16 +144,12 @@ def _iterations(
     from tmmcalc.linkage.facts.iteration import iteration_document
     from tmmcalc.linkage.forces.iteration import STOP as USUAL
     from tmmcalc.linkage.forces.iteration import textbook_iteration
-    from tmmcalc.linkage.forces.kinetostatics import compile_statics
-    from tmmcalc.linkage.loads.scene import compile_scene
-    from tmmcalc.linkage.tables.tasks.loading import to_loading
-    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     group, sign, where = text.rpartition("@")
     if not sign:
         raise UsageError(f"{text!r} names no group and position", where=ITERATIONS, remedy=EXAMPLE)
     theta, side, place = _place(result, where.strip())
-    statics = compile_statics(compile_scene(to_linkage(scene.linkage), to_loading(scene), kinematics))
+    statics = _statics(scene, kinematics)
     stop = USUAL if stop is None else stop
     found = textbook_iteration(statics, group.strip(), theta, side, stop)
     return iteration_document(found, f"{heading}, friction by passes at {place}", stop)
@@ -102,9 +158,10 @@ def _iterations(
 def _place(result: Forces, where: str) -> tuple[float, float, str]:
     """theta of a position or of a distance along the motion, the side that it is seen from, and how it is called."""
     if where in result.labels:
+        from tmmcalc.linkage.forces.results import side_of
+
         row = result.labels.index(where)
-        before = where.endswith("-") or row == len(result.labels) - 1
-        return float(result.theta[row]), -1.0 if before else 1.0, f"position {where}"
+        return float(result.theta[row]), side_of(result, row), f"position {where}"
     from tmmcalc.spec.units import UnitError, parse
 
     if not where or where.isdecimal():

@@ -5,12 +5,14 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import field
+from dataclasses import field, replace
 from inspect import Parameter, Signature, signature
+from math import isnan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.cli.messages import say, show_damage, show_event
+from tmmcalc.cli.found import Choose, Force, SpecOut, Target
+from tmmcalc.cli.messages import counted, say, show_damage, show_event, show_news
 from tmmcalc.cli.options import (
     Columns,
     Csv,
@@ -27,16 +29,21 @@ from tmmcalc.cli.options import (
     Store,
     Strict,
     Tolerance,
+    Verbose,
+    Wait,
     patterns_of,
 )
 from tmmcalc.cli.output import check_place, check_tolerance, raise_failures, show, table_file, title, warnings_of
 from tmmcalc.core.errors import LimitError, UsageError
+from tmmcalc.core.progress import tell
 from tmmcalc.core.records import record
 from tmmcalc.report.document import Document
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import Event, RunResult
     from tmmcalc.project import Spec
+
+NAMED = 8  # tables or pictures that are told by their names
 
 
 @record
@@ -58,6 +65,10 @@ class Job:
     tolerance: float | None = None  # relative error that is asked of every stage
     columns: Sequence[str] = ()  # names and wildcards of those that a CSV has; empty: all
     skip: Sequence[str] = ()  # stages that are left out
+    wait: float | None = None  # seconds for another process that works in the folder
+    done: list[RunResult] = field(default_factory=list)  # runs of this job
+    verbose: bool = False
+    draw: Callable[[Spec, RunResult, Path], RunResult] | None = None  # adds pictures to a run, in its folder
 
     def spec(self) -> Spec:
         """Read the spec with its overrides."""
@@ -78,7 +89,7 @@ class Job:
 
         if self.depfile is not None:
             self._check_depfile(self.depfile)
-        with self._telling() as (on_start, on_event):
+        with self._stopped(), self._telling() as (on_start, on_event):
             result = run(
                 spec,
                 target=target,
@@ -93,7 +104,11 @@ class Job:
                 on_start=on_start,
                 on_event=on_event,
                 keep_going=self.keep_going,
+                wait=self.wait,
             )
+        if self.draw is not None and self.folder is not None:
+            result = self.draw(result.spec, result, self.folder)
+        self.done.append(result)
         if self.depfile is not None:
             from tmmcalc.pipeline.depfile import write
             from tmmcalc.project.files import named_files
@@ -102,14 +117,25 @@ class Job:
         return result
 
     @contextmanager
+    def _stopped(self) -> Iterator[None]:
+        """Say what is kept if the run inside the block is interrupted."""
+        try:
+            yield
+        except KeyboardInterrupt:
+            if self.folder is not None and self.folder.is_dir():
+                say(f"stopped: finished stages are kept in {self.folder}; the same command loads them", "yellow")
+            raise
+
+    @contextmanager
     def _telling(self) -> Iterator[tuple[Callable[[str], None] | None, Callable[[Event], None]]]:
         """What tells of a stage that is begun, if anything does, and of one that is done: live on a terminal."""
+        show_one = show_damage if self.quiet else show_event if self.verbose else show_news
         if self.quiet or not sys.stderr.isatty():
-            yield None, show_damage if self.quiet else show_event
+            yield (lambda stage: tell(0.0, stage)), show_one
             return
         from tmmcalc.cli.progress import Progress
 
-        with Progress() as progress:
+        with Progress(show_one) as progress:
             yield progress.start, progress.done
 
     def summarised(self, target: str | None) -> tuple[Document, RunResult]:
@@ -119,6 +145,17 @@ class Job:
         scene = self.spec()
         result = self.run(scene, target)
         return run_document(result, title(scene, self.file, "run")), result
+
+    @contextmanager
+    def believed(self) -> Iterator[None]:
+        """Make documents of what was run inside the block; stored files that break them are the user's to mend."""
+        try:
+            yield
+        except Exception:
+            for run in self.done:
+                with run.believed():
+                    raise
+            raise
 
     def _check_depfile(self, file: Path) -> None:
         """Refuse what would only come out after the computation."""
@@ -134,6 +171,7 @@ class Job:
         """Print the document, say where the files are; under ``strict`` warnings are the end."""
         from tmmcalc.report.errors import with_errors
 
+        document = replace(document, notes=(*document.notes, *result.told))
         target = result.plan.target
         if target is not None and target in result.outcomes and not document.parts:
             document = with_errors(document, result.record(target).error)
@@ -142,16 +180,38 @@ class Job:
 
     def close(self, document: Document, result: RunResult) -> None:
         """What comes after the document: where the files are, and the errors."""
-        if result.files and not self.quiet:
-            say(f"files in {self.folder}: {', '.join(file.name for file in result.files)}", "dim")
+        if not self.quiet:
+            self._tell_end(result)
         raise_failures(result.failures)
         self.check_warnings(document)
+
+    def _tell_end(self, result: RunResult) -> None:
+        """How many stages ran and how long, which ``verbose`` has told of each; the files."""
+        if not self.verbose:
+            done = {kind: [event for event in result.events if event.kind == kind] for kind in ("computed", "loaded")}
+            told = [f"{counted(len(events), 'stage')} {kind}" for kind, events in done.items() if events]
+            seconds = sum(event.seconds for events in done.values() for event in events)
+            if told:
+                say(f"{', '.join(told)} in {f'{seconds:.1f} s' if seconds >= 1 else f'{seconds * 1000:.0f} ms'}", "dim")
+        if result.files:
+            say(f"files in {self.folder}: {', '.join(self._named(result.files))}", "dim")
+
+    def _named(self, files: Sequence[Path]) -> list[str]:
+        """The files in words: by name those for people, if they are few; all of them if ``verbose``."""
+        if self.verbose:
+            return [file.name for file in files]
+        told = []
+        for thing, suffix in (("table", ".csv"), ("picture", ".svg")):
+            names = [file.name for file in files if file.suffix == suffix]
+            told += names if len(names) <= NAMED else [f"{counted(len(names), thing)} ({suffix[1:]})"]
+        rest = sum(file.suffix not in (".csv", ".svg") for file in files)
+        return [*told, counted(rest, "file") + " of the stages"] if rest else told
 
     def check_warnings(self, document: Document) -> None:
         """Under ``strict`` raise LimitError if a document warns."""
         warnings = warnings_of(document)
         if warnings and self.strict:
-            count = f"{len(warnings)} warning{'s' if len(warnings) > 1 else ''}"
+            count = counted(len(warnings), "warning")
             raise LimitError(
                 "\n  ".join((count, *warnings)), where="--strict", remedy="mend the causes, or leave --strict out"
             )
@@ -202,31 +262,45 @@ def with_flags(body: Callable[..., None]) -> Callable[..., None]:
     own = _own(body)
 
     def command(**given: Any) -> None:
-        body(_taken(given, own), **given)
+        job = _taken(given, own)
+        with job.believed():
+            body(job, **given)
 
     return _signed(command, own, body)
 
 
 def of_stage(
-    stage: str, heading: str = "", check: Callable[..., None] = lambda spec, **flags: None
+    stage: str,
+    heading: str = "",
+    check: Callable[..., None] = lambda spec, **flags: None,
+    *,
+    found: str = "",
+    several: bool = False,
 ) -> Callable[[Callable[..., Document]], Callable[..., None]]:
     """Make of ``body(solved, ...)`` the command that runs a stage and prints the document that ``body`` returns.
 
     Its flags are those of the body, ``form`` and the shared ones. The title says ``heading``, by default the stage.
     Before anything is run ``check(spec, **flags)`` refuses what the scene has not, and columns that name nothing are
-    refused.
+    refused. ``found`` is the stage, this one or one that it needs, whose findings ``--spec`` writes into the spec; of
+    ``several`` solutions ``--choose`` says which.
     """
 
     def made(body: Callable[..., Document]) -> Callable[..., None]:
-        own = [FORM, *_own(body)]
+        own = [FORM, *(FOUND if found else ()), *(CHOOSE if several else ()), *_own(body)]
 
         def command(**given: Any) -> None:
             job, form = _taken(given, own), given.pop("form")
+            target = Target(job.file, *(given.pop(each.name, each.default) for each in (*FOUND, *CHOOSE)))
+            target.check()
             patterns_of(given.get("columns"))
             scene = job.spec()
             check(scene, **given)
             run = job.run(scene, stage)
-            job.finish(body(Solved(scene, job.file, run, stage, heading or stage, form), **given), run, form)
+            with job.believed():
+                document = body(Solved(run.spec, job.file, run, stage, heading or stage, form), **given)
+                settled = target.made(scene, found, run.results[found]) if found else None
+                job.finish(document, run, form)
+            target.write(settled, job.quiet)
 
         return _signed(command, own, body)
 
@@ -253,17 +327,20 @@ def stage_command(stage: str, text: str, heading: str = "") -> Callable[..., Non
     return of_stage(stage, heading)(body)
 
 
-def summary_command(stage: str, text: str, heading: str = "", *, forms: bool = False) -> Callable[..., None]:
+def summary_command(
+    stage: str, text: str, heading: str = "", *, forms: bool = False, found: bool = False
+) -> Callable[..., None]:
     """The command of a stage without positions, whose help is ``text``.
 
-    With ``forms`` its document is told as ``everything`` whether a format for programs is asked for.
+    With ``forms`` its document is told as ``everything`` whether a format for programs is asked for; with ``found``
+    what it finds can be written into the spec.
     """
 
     def body(solved: Solved) -> Document:
         return solved.document(**({"everything": solved.everything} if forms else {}))
 
     body.__doc__ = text
-    return of_stage(stage, heading)(body)
+    return of_stage(stage, heading, found=stage if found else "")(body)
 
 
 def _own(body: Callable[..., Any]) -> list[Parameter]:
@@ -301,11 +378,23 @@ def _job(
     quiet: Quiet = False,
     tolerance: Tolerance = None,
     overrides: Set = None,
+    wait: Wait = None,
+    verbose: Verbose = False,
 ) -> Job:
+    if quiet and verbose:
+        raise UsageError("says less, -v more", where="-q", remedy="leave one of the two out")
     if tolerance is not None:
         check_tolerance(tolerance)
-    return Job(spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or (), tolerance=tolerance)
+    if wait is not None and isnan(wait):
+        raise UsageError("nan is no time", where="--wait", remedy="write seconds, such as --wait 10")
+    flags = (spec, out, store, fresh, from_stage, csv, depfile, strict, quiet, overrides or ())
+    return Job(*flags, tolerance=tolerance, wait=wait, verbose=verbose)
 
 
 SHARED = tuple(signature(_job, eval_str=True).parameters.values())  # flags of all stage commands
 FORM = Parameter("form", Parameter.POSITIONAL_OR_KEYWORD, default=Format.table, annotation=Form)
+FOUND = (
+    Parameter("spec_out", Parameter.POSITIONAL_OR_KEYWORD, default=None, annotation=SpecOut),
+    Parameter("force", Parameter.POSITIONAL_OR_KEYWORD, default=False, annotation=Force),
+)
+CHOOSE = (Parameter("choose", Parameter.POSITIONAL_OR_KEYWORD, default=None, annotation=Choose),)

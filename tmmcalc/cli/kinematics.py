@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from enum import StrEnum
 from typing import TYPE_CHECKING, Annotated
@@ -15,9 +16,12 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.report.rows import rows_of
 
 if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
     from tmmcalc.linkage.results import Kinematics
     from tmmcalc.project import Spec
-    from tmmcalc.report.document import Document
+
+POLYGONS = "--polygons"
+CRANK, LARGEST = 50.0, 1e4  # length of the crank's segments that nobody told, of those that can be told [mm]
 
 
 class MethodChoice(StrEnum):
@@ -63,81 +67,158 @@ def command(
         bool, typer.Option("--compare", help="Print the outputs by --method beside the exact ones, instead.")
     ] = False,
     plan: Annotated[bool, typer.Option("--plan", help="Print the position plan with the strokes, instead.")] = False,
+    polygons: Annotated[
+        str | None,
+        typer.Option(
+            "--polygons",
+            metavar="LIST",
+            help="Print the vectors of the plans of velocities and accelerations of these positions, instead.",
+        ),
+    ] = None,
+    scale: Annotated[
+        str | None,
+        typer.Option(
+            "--scale",
+            metavar="LENGTH",
+            help="Scale of --polygons: 'crank' or the length of the crank's segments (default: round factors).",
+        ),
+    ] = None,
     study: Annotated[
         bool, typer.Option("--study", help="Print the error of differences against their step, instead.")
     ] = False,
+    output: Annotated[
+        str | None,
+        typer.Option("--output", metavar="NAME", help="The output of --plan or --study (default: the first)."),
+    ] = None,
 ) -> None:
     """Kinematics: positions, velocities, accelerations, transfer functions, dead centres, strokes.
 
     Example: tmmcalc kinematics my.toml --columns 'phi,x_*' --positions 0:12:2
+
+    By name alone: relative velocities of two points of a link (vrel_*), normal, tangential and Coriolis accelerations
+    (an_*,at_*,aK_*), outputs by numerical differentiation ('*_differences').
     """
-    _check_plan(plan, study or compare, columns, positions, dimensionless)
-    _check_flags(study, compare, method, step, decimals, columns, positions, dimensionless)
+    _check_kind(plan, study, compare, columns, positions, dimensionless, output, polygons)
+    crank = _crank_segment(polygons, scale)
+    _check_method(study, compare, method, step, decimals)
+    if polygons is not None and method is not MethodChoice.closed:
+        remedy = f"leave --method out, or print its table without {POLYGONS}"
+        raise UsageError("the plans are those of the exact derivatives", where="--method", remedy=remedy)
     scene = job.spec()
     job = replace(job, settings={"kinematics": _settings(scene, method, step, decimals)})
     heading = title(scene, job.file, "kinematics")
     run = job.run(scene, "kinematics")
+    scene = run.spec
     result = run.results["kinematics"]
     if plan:
         from tmmcalc.linkage.facts.plan import plan_document
         from tmmcalc.linkage.plan import position_plan
         from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
-        document = plan_document(position_plan(to_linkage(scene.linkage), result), f"{heading}, position plan")
-    elif study or compare:
-        document = _methods_document(scene, result, heading, method, decimals, study)
+        told = position_plan(to_linkage(scene.linkage), result, output)
+        document = plan_document(told, f"{heading}, position plan", rows_of(positions, told.labels))
+    elif polygons is not None:
+        from tmmcalc.linkage.facts.polygons import polygons_document
+        from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+        rows = rows_of(polygons, result.labels, POLYGONS) or []
+        heading = f"{heading}, plans of velocities and accelerations"
+        document = polygons_document(to_linkage(scene.linkage), result, heading, rows, crank)
+    elif study:
+        from tmmcalc.linkage.facts.methods import study_document
+        from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+        heading = f"{heading}, error of differences"
+        document = study_document(to_linkage(scene.linkage), result, heading, decimals, output)
+    elif compare:
+        from tmmcalc.linkage.facts.methods import comparison_document
+        from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+        document = comparison_document(
+            to_linkage(scene.linkage),
+            result,
+            f"{heading}, {method.value} beside the exact values",
+            patterns=patterns_of(columns),
+            rows=rows_of(positions, result.labels),
+            dimensionless=dimensionless,
+        )
     else:
         from tmmcalc.linkage.facts.kinematics import document as kinematics_document
 
+        patterns = patterns_of(columns)
         document = kinematics_document(
             result,
             heading,
-            patterns=patterns_of(columns),
+            patterns=patterns,
             rows=rows_of(positions, result.labels),
             dimensionless=dimensionless,
             everything=form is not Format.table,
             where=next((str(file) for file in run.files if file.name == "kinematics.csv"), ""),
+            further=_further(scene, result, dimensionless) if patterns else (),
         )
     job.finish(document, run, form)
 
 
-def _methods_document(
-    scene: Spec, result: Kinematics, heading: str, method: MethodChoice, decimals: int | None, study: bool
-) -> Document:
-    """What --study or --compare prints instead of the table of positions."""
-    from tmmcalc.linkage.facts.methods import comparison_document, study_document
+def _further(scene: Spec, result: Kinematics, dimensionless: bool) -> Sequence[Column]:
+    """The columns that are printed by name alone."""
+    from tmmcalc.linkage.further import further_columns
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
-    mechanism = to_linkage(scene.linkage)
-    if study:
-        return study_document(mechanism, result, f"{heading}, error of differences", decimals)
-    return comparison_document(mechanism, result, f"{heading}, {method.value} beside the exact values")
+    return further_columns(to_linkage(scene.linkage), result, dimensionless=dimensionless)
 
 
-def _check_plan(plan: bool, other: bool, columns: str | None, positions: str | None, dimensionless: bool) -> None:
-    """Refuse what the position plan does not go together with."""
-    if plan and (other or columns is not None or positions is not None or dimensionless):
-        raise UsageError(
-            "prints a table of its own",
-            where="--plan",
-            remedy="leave --study, --compare, --columns, --positions and --dimensionless out",
-        )
-
-
-def _check_flags(
+def _check_kind(
+    plan: bool,
     study: bool,
     compare: bool,
-    method: MethodChoice,
-    step: str | None,
-    decimals: int | None,
     columns: str | None,
     positions: str | None,
     dimensionless: bool,
+    output: str | None,
+    polygons: str | None,
 ) -> None:
-    """Refuse flags that would have no effect together, rather than pass them over."""
+    """Refuse flags that would have no effect on the table that is asked for, rather than pass them over."""
+    if plan + study + compare + (polygons is not None) > 1:
+        where = f"--plan, --study, --compare, {POLYGONS}"
+        raise UsageError("print one table each", where=where, remedy="leave all but one of them out")
+    if output is not None and not (plan or study):
+        remedy = "add --plan or --study, or choose with --columns"
+        raise UsageError("only the plan and the study are of one output", where="--output", remedy=remedy)
+    given = {
+        "--columns": columns is not None,
+        "--dimensionless": dimensionless,
+        "--positions": positions is not None and not plan,
+    }
+    in_vain = [flag for flag, there in given.items() if there]
+    if (plan or study or polygons is not None) and in_vain:
+        where = "--plan" if plan else "--study" if study else POLYGONS
+        raise UsageError("prints a table of its own", where=where, remedy=f"leave {' and '.join(in_vain)} out")
+
+
+def _crank_segment(polygons: str | None, scale: str | None) -> float | None:
+    """The length of the crank's segments [mm] that the flags ask for; None: round factors."""
+    from tmmcalc.spec.units import UnitError, parse
+
+    if scale is None:
+        return None
+    if polygons is None:
+        raise UsageError("only the plans have a scale", where="--scale", remedy=f"add {POLYGONS} 4,9")
+    if scale.strip() == "crank":
+        return CRANK
+    example = "write --scale crank, or a length such as --scale '40 mm'"
+    try:
+        length = 1e3 * parse(scale, "length")
+    except UnitError as error:
+        raise UsageError(error.message, where="--scale", remedy=example) from None
+    if not 0 < length < LARGEST:
+        said = f"{scale!r} is no length of a segment, which is above 0 and below {LARGEST:g} mm"
+        raise UsageError(said, where="--scale", remedy=example)
+    return length
+
+
+def _check_method(study: bool, compare: bool, method: MethodChoice, step: str | None, decimals: int | None) -> None:
+    """Refuse flags of a method that is not taken."""
     differences = method is MethodChoice.differences
-    if study and compare:
-        raise UsageError("print one table each", where="--study, --compare", remedy="leave one of them out")
     if compare and method is MethodChoice.closed:
         remedy = "add --method differences, --method projection or --method splitting"
         raise UsageError("the method is the exact one itself", where="--compare", remedy=remedy)
@@ -146,12 +227,6 @@ def _check_flags(
     if decimals is not None and not differences and not study:
         remedy = "add --method differences, or --study"
         raise UsageError("only differences are taken of rounded positions", where="--decimals", remedy=remedy)
-    if (study or compare) and (columns is not None or positions is not None or dimensionless):
-        raise UsageError(
-            "print a table of their own",
-            where="--study, --compare",
-            remedy="leave --columns, --positions and --dimensionless out",
-        )
 
 
 def _settings(scene: Spec, method: MethodChoice, step: str | None, decimals: int | None) -> dict[str, object]:

@@ -1,6 +1,7 @@
 """Where text goes: results to standard output; errors, warnings and progress to standard error.
 
-Colour only on a terminal. A reader that has gone (``| head -1``) ends the text, not the command.
+Colour only on a terminal. A reader that has gone (``| head -1``) ends the text, not the command. Hidden characters of
+names and values are written out.
 """
 
 from __future__ import annotations
@@ -10,6 +11,9 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, TextIO
+
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.printable import printable
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -22,22 +26,42 @@ _COLOURS = {"red": "31", "yellow": "33", "dim": "2"}
 
 @contextmanager
 def whoever_reads(stream: TextIO) -> Iterator[None]:
-    """Write and flush inside the block; if the reader of the pipe has gone, the rest goes nowhere."""
+    """Write and flush inside the block; if the reader of the pipe has gone, the rest goes nowhere.
+
+    Raises UsageError where the text cannot be written, such as to a full disk; of messages nobody could be told.
+    """
     try:
         yield
         stream.flush()
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+        forget(stream)
+    except OSError as error:
+        forget(stream)
+        if stream is not sys.stderr:
+            raise unwritable(error) from None
+
+
+def forget(stream: TextIO) -> None:
+    """Let a stream that cannot be written lead nowhere: what it holds would fail again at the end of the program."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
+def unwritable(error: OSError) -> UsageError:
+    """The error of a standard output that cannot be written."""
+    return UsageError(
+        f"standard output cannot be written: {error.strerror}", remedy="free the disk, or send the output elsewhere"
+    )
 
 
 def put(text: str) -> None:
     """Write a result to standard output."""
     with whoever_reads(sys.stdout):
-        sys.stdout.write(text)
+        sys.stdout.write(printable(text))
 
 
 def say(text: str, colour: str = "") -> None:
     """Write one message to standard error, wrapped at words if that is a terminal."""
+    text = printable(text)
     if sys.stderr.isatty():
         text = _wrapped(text)
         if colour and "NO_COLOR" not in os.environ:
@@ -59,6 +83,15 @@ def _wrapped(text: str) -> str:
     return "\n".join(pieces)
 
 
+def counted(number: int, thing: str) -> str:
+    """So many things in words.
+
+    >>> counted(1, "file"), counted(2, "file")
+    ('1 file', '2 files')
+    """
+    return f"{number} {thing}" if number == 1 else f"{number} {thing}s"
+
+
 def show_error(error: TmmError) -> None:
     """The one message of a user's fault."""
     say(f"error: {error}", "red")
@@ -66,20 +99,30 @@ def show_error(error: TmmError) -> None:
 
 def show_event(event: Event) -> None:
     """One line a stage."""
-    if event.kind == "damaged":
+    if event.kind in ("damaged", "waiting"):
         show_damage(event)
-    elif event.kind == "left out":
+    elif event.kind in ("left out", "lost"):
         say(f"{event.stage}: left out ({event.message})", "dim")
+    elif event.kind == "removed":
+        say(f"{event.stage}: {event.message}", "dim")
     elif event.kind == "failed":
         say(f"{event.stage}: {event.message}", "red")
     else:
         say(f"{event.stage}: {event.kind} in {event.seconds * 1000:.0f} ms ({event.message})", "dim")
 
 
+def show_news(event: Event) -> None:
+    """What a person does not expect: not that a stage is loaded or computed, nor that the spec asks for no such one."""
+    if event.kind not in ("loaded", "computed", "left out"):
+        show_event(event)
+
+
 def show_damage(event: Event) -> None:
-    """The one event that is said even when all else is quiet: a stored file is not what was written."""
+    """What is said even when all else is quiet: a stored file is not what was written, or another process has it."""
     if event.kind == "damaged":
         say(f"warning: {event.stage}: {event.message}", "yellow")
+    elif event.kind == "waiting":
+        say(event.message, "yellow")
 
 
 def note_written(*files: Path) -> None:

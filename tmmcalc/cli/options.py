@@ -10,6 +10,8 @@ import typer
 
 from tmmcalc.core.errors import UsageError
 
+LONGEST = 200  # characters of a name of --columns; those of columns have some thirty
+
 
 class Format(StrEnum):
     """Format of what is printed."""
@@ -92,12 +94,29 @@ Positions = Annotated[
 ]
 Strict = Annotated[bool, typer.Option("--strict", help="Fail with exit code 5 if there is a warning.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Only warnings and errors on standard error.")]
+Wait = Annotated[
+    float | None,
+    typer.Option(
+        "--wait",
+        metavar="SECONDS",
+        min=0,
+        help="Wait so long for another process that works in the folder (default: 60).",
+        show_default=False,
+    ),
+]
+Verbose = Annotated[
+    bool,
+    typer.Option("--verbose", "-v", help="Tell every stage with its time, those that are left out, and all files."),
+]
 Tolerance = Annotated[
     float | None,
     typer.Option(
         "--tolerance",
         metavar="ERROR",
-        help="Relative error asked of every stage: the cheapest methods for it; exit code 4 if one is not that exact.",
+        help=(
+            "Relative error asked of every stage: the cheapest methods for it; exit code 4 if one is not that exact "
+            "(the data taken as exact: what their last digit does is told apart)."
+        ),
         show_default=False,
     ),
 ]
@@ -135,4 +154,13 @@ def patterns_of(columns: str | None) -> list[str]:
     names = [name.strip() for name in columns.split(",")]
     if not any(names):
         raise UsageError("no column is named", where="--columns", remedy="write e.g. --columns 'phi,x_*'")
+    long = next((name for name in names if len(name) > LONGEST), None)
+    if long is not None:  # a search for its wildcards would take the square of its length
+        raise UsageError(
+            f"'{long[:40]} ...' is longer than {LONGEST} characters",
+            where="--columns",
+            value=len(long),
+            limit=LONGEST,
+            remedy="separate names by commas: --columns 'phi,x_*'",
+        )
     return [name for name in names if name]

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 from tmmcalc.cli.messages import say, show_error, whoever_reads
 from tmmcalc.cli.options import Format
 from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.files import other_kind
+from tmmcalc.core.printable import printable
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
@@ -28,8 +30,9 @@ def raise_failures(failures: Mapping[str, TmmError]) -> None:
 
 def check_place(file: Path, where: str) -> None:
     """Raise UsageError unless a file can be in this place: its folder is there and it is none itself."""
-    if file.is_dir():
-        raise UsageError(f"{file} is a folder", where=where, remedy="name a file in it")
+    if kind := other_kind(file):
+        remedy = "name a file in it" if kind == "a folder" else "name a file, or leave the flag out"
+        raise UsageError(f"{file} is {kind}", where=where, remedy=remedy)
     if not file.parent.is_dir():
         raise UsageError(f"there is no folder {file.parent}", where=where, remedy="make it first, or choose another")
 
@@ -64,7 +67,7 @@ def table_file(run: RunResult, stage: str) -> str:
 
 def title(spec: Spec, file: Path, what: str) -> str:
     """Heading of a document."""
-    return f"{spec.project.title or file.stem}: {what}"
+    return printable(f"{spec.project.title or file.stem}: {what}")
 
 
 def deliver(document: Document, form: Format, out: Path | None) -> None:

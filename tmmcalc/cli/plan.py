@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Annotated
 
 import typer
@@ -37,16 +38,22 @@ def command(
 
     Example: tmmcalc plan my.toml kinematics --why
     """
-    from tmmcalc.core.plan import plan
     from tmmcalc.pipeline.documents import plan_document
+    from tmmcalc.pipeline.settling import outlook, planned, settling
+    from tmmcalc.rooms import STAGES
 
     scene = Job(spec, overrides=overrides or ()).spec()
-    found = plan(scene, target, skip=skip or ())
+    found = planned(scene, target, STAGES, skip or ())
+    notes: tuple[str, ...] = ()
+    if (first := settling(scene, target, STAGES, skip or ())) is not None:
+        scene = outlook(scene, target, STAGES, skip or ())
+        notes = (f"note: the mechanism is what {first.name} finds; the plan supposes that its crank turns fully",)
     heading = title(scene, spec, "plan")
     if why:
         from tmmcalc.pipeline.why import explain
         from tmmcalc.pipeline.why_document import why_document
 
-        show(why_document(explain(scene, found), scene, heading), form)
+        document = why_document(explain(scene, found), scene, heading)
     else:
-        show(plan_document(found, heading), form)
+        document = plan_document(found, heading)
+    show(replace(document, notes=(*document.notes, *notes)), form)

@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping
+from contextlib import nullcontext
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from tmmcalc.cli.job import Job
-from tmmcalc.cli.messages import note_written
+from tmmcalc.cli.messages import note_written, say
 from tmmcalc.cli.options import Quiet, Set, SpecFile
-from tmmcalc.cli.output import check_place
-from tmmcalc.core.errors import UsageError
+from tmmcalc.cli.output import check_picture, raise_failures
+from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.plan import plan
 from tmmcalc.core.stage import Picture, arguments, resolve
-from tmmcalc.report.drawing import draw
+from tmmcalc.report.drawing import check_matplotlib, draw
 from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
 from tmmcalc.rooms import STAGES
 
 if TYPE_CHECKING:
+    from tmmcalc.pipeline.outcome import RunResult
     from tmmcalc.project import Spec
 
 WIDTH = 78  # of the list of pictures, which the help indents by two
@@ -61,19 +66,57 @@ def ordered(stage: str, spec: Spec, results: Mapping[str, Any], flags: Mapping[s
     draw(file, lambda: resolve(picture.figure)(order))
 
 
+def with_pictures(
+    spec: Spec, run: RunResult, folder: Path, flags: Mapping[str, str | None] | None = None, *, quiet: bool = False
+) -> RunResult:
+    """The run with the picture of every stage that has one, ``folder/STAGE.svg``, among its files.
+
+    Each takes of the ``flags`` those that are its own. One that cannot be drawn is told and stands among the failures.
+    """
+    from tmmcalc.cli.progress import described
+
+    given = dict.fromkeys((POSITIONS, POLYGONS, CHOOSE, PHASE), None) | dict(flags or {})
+    files: list[Path] = []
+    failures: dict[str, TmmError] = {}
+    shown = nullcontext(lambda words: None) if quiet or not sys.stderr.isatty() else described()
+    with shown as tell:
+        for stage in [name for name in run.outcomes if name in PICTURES]:
+            tell(f"drawing {stage}")
+            own = {flag: value if flag in PICTURES[stage].flags else None for flag, value in given.items()}
+            file = folder / f"{stage}.svg"
+            try:
+                ordered(stage, spec, run.results, own, file)
+            except TmmError as error:
+                failures[f"picture of {stage}"] = error
+            else:
+                files.append(file)
+    for picture in failures:
+        say(f"{picture}: not drawn: the error stands at the end", "red")
+    return replace(run, files=(*run.files, *files), failures={**run.failures, **failures})
+
+
 def command(
     spec: SpecFile,
     stage: Annotated[
-        str,
-        typer.Argument(help="Stage to draw, one of those above.", metavar="STAGE", autocompletion=_drawn),
-    ] = "kinematics",
+        str | None,
+        typer.Argument(
+            help="Stage to draw, one of those above (default: kinematics).",
+            metavar="STAGE",
+            show_default=False,
+            autocompletion=_drawn,
+        ),
+    ] = None,
+    everything: Annotated[
+        bool, typer.Option("--all", help="Draw every stage of the spec that has a picture, to an svg file each.")
+    ] = False,
     out: Annotated[
         Path | None,
         typer.Option(
             "-o",
             "--out",
             metavar="FILE",
-            help="Picture, by suffix svg, png or pdf (default: <spec>.svg).",
+            help="Picture, by suffix svg, png or pdf (default: <spec>.svg); of --all their folder (default: "
+            "<spec>.out).",
             show_default=False,
         ),
     ] = None,
@@ -91,8 +134,9 @@ def command(
             CHOOSE,
             metavar="N",
             min=1,
-            help="Train or pair to draw, from 1: of train set N as gears synth lists them, of criteria row N of "
-            "criteria.csv, of synthesis solution N, of pair, blocking and profile pair N (default: all).",
+            help="Train or pair to draw, from 1: of train and criteria row N of criteria.csv (default: the chosen "
+            "train), without [strength] set N of gears synth; of synthesis solution N; of pair, blocking and profile "
+            "pair N (default: all).",
             show_default=False,
         ),
     ] = None,
@@ -107,16 +151,39 @@ def command(
     quiet: Quiet = False,
     overrides: Set = None,
 ) -> None:
-    """Draw the result of a stage; it is computed afresh, no stage files are read or written."""
+    """Draw the result of a stage, or of --all; it is computed afresh, no stage files are read or written."""
     flags = {POSITIONS: positions, POLYGONS: polygons, CHOOSE: None if choose is None else str(choose), PHASE: phase}
-    picture_of(stage, flags)
+    job = Job(spec, store=False, quiet=True, overrides=overrides or (), keep_going=everything)
+    if everything:
+        if stage is not None:
+            raise UsageError(f"draws {stage} too", where="--all", remedy="leave one of the two out")
+        _draw_all(job, out or Path(f"{spec.stem}.out"), flags, quiet)
+        return
+    stage = stage or "kinematics"
+    picture = picture_of(stage, flags)
     file = out or Path(f"{spec.stem}.svg")
-    check_place(file, "plot")
-    job = Job(spec, store=False, quiet=True, overrides=overrides or ())
+    check_picture(file, "plot")
     scene = job.spec()
-    ordered(stage, scene, job.run(scene, stage).results, flags, file)
+    target = picture.beside if picture.beside and picture.beside in plan(scene).running else stage
+    run = job.run(scene, target)
+    ordered(stage, run.spec, run.results, flags, file)
     if not quiet:
         note_written(file)
+
+
+def _draw_all(job: Job, folder: Path, flags: Mapping[str, str | None], quiet: bool) -> None:
+    """Draw all pictures of a spec into a folder, which is made if it is not there."""
+    check_matplotlib()
+    scene = job.spec()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise UsageError(f"{folder}: {error.strerror}", where="-o", remedy="name a folder") from None
+    done = job.run(scene, None)
+    run = with_pictures(done.spec, done, folder, flags, quiet=quiet)
+    if run.files and not quiet:
+        say(f"pictures in {folder}: {', '.join(file.name for file in run.files)}", "dim")
+    raise_failures(run.failures)
 
 
 def _list() -> str:

@@ -9,7 +9,7 @@ from time import monotonic
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.cli.messages import show_event
+from tmmcalc.cli.messages import show_news
 from tmmcalc.core.progress import listening
 
 if TYPE_CHECKING:
@@ -21,9 +21,10 @@ PATIENCE = 0.5  # seconds before anything is shown: short commands stay quiet an
 
 
 class Progress:
-    """Context in which stages run: ``start`` and ``done`` are told by the pipeline."""
+    """Context in which stages run: ``start`` and ``done`` are told by the pipeline; ``show`` writes what has become."""
 
-    def __init__(self) -> None:
+    def __init__(self, show: Callable[[Event], None] = show_news) -> None:
+        self._tell = show
         self._lock = threading.Lock()
         self._timer: threading.Timer | None = None
         self._bar: Bar | None = None
@@ -49,7 +50,7 @@ class Progress:
     def done(self, event: Event) -> None:
         """A stage has ended, or something about it is to be said."""
         self._stop()
-        show_event(event)
+        self._tell(event)
 
     def _hear(self, part: float, words: str) -> None:
         """A stage tells how far it is."""
@@ -67,7 +68,7 @@ class Progress:
         with self._lock:
             if self._timer is None:
                 return
-            columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+            columns = (SpinnerColumn(), TextColumn("{task.description}", markup=False), TimeElapsedColumn())
             self._bar = Bar(*columns, console=Console(stderr=True), transient=True)
             self._stage = stage
             self._bar.add_task(f"{stage}: {self._words}")
@@ -120,7 +121,7 @@ def _spinner(stack: ExitStack, words: str) -> tuple[Bar, Any]:
     from rich.progress import Progress as Bar
     from rich.progress import SpinnerColumn, TextColumn, TimeElapsedColumn
 
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    columns = (SpinnerColumn(), TextColumn("{task.description}", markup=False), TimeElapsedColumn())
     bar = stack.enter_context(Bar(*columns, console=Console(stderr=True), transient=True))
     return bar, bar.add_task(words)
 
@@ -130,6 +131,6 @@ def _bar(stack: ExitStack, what: str, total: int) -> tuple[Bar, Any]:
     from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
     from rich.progress import Progress as Bar
 
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    columns = (TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     bar = stack.enter_context(Bar(*columns, console=Console(stderr=True), transient=True))
     return bar, bar.add_task(what, total=total)

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format, Skip, patterns_of, stages
 from tmmcalc.core.errors import UsageError
+
+if TYPE_CHECKING:
+    from tmmcalc.pipeline.outcome import RunResult
+    from tmmcalc.project import Spec
 
 
 @with_flags
@@ -33,6 +39,9 @@ def command(
             show_default=False,
         ),
     ] = None,
+    plots: Annotated[
+        bool, typer.Option("--plots", help="Draw every stage that has a picture, beside its tables.")
+    ] = False,
     form: Form = Format.table,
 ) -> None:
     """Run every stage that the spec has, layer by layer; print the summaries, leave all tables as files.
@@ -43,10 +52,12 @@ def command(
     Of several specs each has its folder <spec>.out, in that of -o if it is given. One that fails does not stop the
     others; the exit code is the largest.
 
-    Example: tmmcalc run my.toml -o my.out
+    Example: tmmcalc run my.toml --plots -o my.out
     """
     _check_columns(job, columns)
     job = replace(job, keep_going=True, columns=patterns_of(columns), skip=skip or ())
+    if plots:
+        job = replace(job, draw=_drawing(job))
     if others:
         from tmmcalc.cli.several import run_all
 
@@ -54,6 +65,17 @@ def command(
     else:
         document, result = job.summarised(target)
         job.finish(document, result, form)
+
+
+def _drawing(job: Job) -> Callable[[Spec, RunResult, Path], RunResult]:
+    """What adds the pictures to a run; refused at once where none could be drawn."""
+    if not job.store:
+        raise UsageError("--no-store leaves no folder for pictures", where="--plots", remedy="leave one of the two out")
+    from tmmcalc.cli.plot import with_pictures
+    from tmmcalc.report.drawing import check_matplotlib
+
+    check_matplotlib()
+    return partial(with_pictures, quiet=job.quiet)
 
 
 def _check_columns(job: Job, columns: str | None) -> None:

@@ -22,9 +22,10 @@ def command(
 ) -> None:
     """The JSON Schema of a project spec. TOML editors use it to complete and check a spec while it is written.
 
-    A spec names it in its first line: #:schema ./tmmcalc.schema.json
+    A spec names it in its first line: those that init writes name that of the program, #:schema ./my.schema.json a copy
+    beside the spec, which goes with it to other machines.
 
-    Example: tmmcalc schema -o tmmcalc.schema.json
+    Example: tmmcalc schema -o my.schema.json
     """
     from tmmcalc.project.schema import schema_text
 

@@ -14,6 +14,7 @@ from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Form, Format, Quiet, Set, stages
 from tmmcalc.cli.output import check_apart, check_picture, check_place, deliver
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.printable import printable
 
 if TYPE_CHECKING:
     from tmmcalc.report.document import Document
@@ -94,7 +95,7 @@ def command(
     _check(plot, out)
     with _progress(quiet) as telling:
         result = _solved(spec, ladder or [], stage, overrides or [], telling)
-    heading = f"{spec.stem if spec else 'extreme scenes'}: stress"
+    heading = printable(f"{spec.stem if spec else 'extreme scenes'}: stress")
     deliver(_document(result, heading, form), form, out)
     if plot is not None:
         from tmmcalc.report.drawing import draw

@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from tmmcalc.cli.job import Solved, of_stage
+from tmmcalc.cli.options import Format
 from tmmcalc.cli.output import title
 from tmmcalc.report.document import Document
 
@@ -32,4 +33,5 @@ def command(
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     listing = list_assemblies(to_linkage(solved.spec.linkage), solved.result)
-    return assemblies_document(listing, solved.result, title(solved.spec, solved.file, "assemblies"))
+    heading = title(solved.spec, solved.file, "assemblies")
+    return assemblies_document(listing, solved.result, heading, everything=solved.form is not Format.table)

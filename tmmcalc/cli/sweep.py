@@ -161,8 +161,32 @@ def _run(
     from tmmcalc.batch.sweep import sweep
 
     task, solver = solver_of(task, jobs, scheduler, _warn)
-    with _progress(task.count, quiet) as told:
-        return sweep(task, solver, out, fresh=fresh, most_failed=limit, told=told)
+    done = 0
+    try:
+        with _progress(task.count, quiet) as shown:
+
+            def told(finished: int, failed: int) -> None:
+                nonlocal done
+                done = finished
+                shown(finished, failed)
+
+            return sweep(task, solver, out, fresh=fresh, most_failed=limit, told=told)
+    except KeyboardInterrupt:
+        say(f"stopped: {_kept(out, done, task.count)}", "yellow")
+        raise
+
+
+def _kept(out: Path | None, done: int, count: int) -> str:
+    """What a sweep that was interrupted leaves, and how to go on."""
+    from tmmcalc.batch.sweep import part
+
+    if out is None:
+        return "nothing is kept of a table for standard output; with -o FILE a sweep goes on where it was"
+    if not part(out).is_file():
+        return "no point was finished, nothing is kept; the same command begins again"
+    return (
+        f"{done} of {count} points are kept in {part(out)}; the same command goes on from there, --fresh begins again"
+    )
 
 
 def _warn(text: str) -> None:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from tmmcalc.cli.found import Force, SpecOut, Target
 from tmmcalc.cli.job import Job, with_flags
-from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import Columns, Form, Format, patterns_of
-from tmmcalc.cli.output import check_place, title
-from tmmcalc.core.errors import UsageError
+from tmmcalc.cli.output import title
+
+if TYPE_CHECKING:
+    from tmmcalc.project import Spec
 
 
 @with_flags
@@ -26,36 +27,33 @@ def command(
             "--choose",
             metavar="N",
             min=1,
-            help="Solution to print and write (default: 1, of a spec with [[constraints]] the first that keeps them).",
+            help="Solution to print and write (default: that of the spec, or the best that keeps its [[constraints]]).",
             show_default=False,
         ),
     ] = None,
-    ready: Annotated[
-        Path | None,
-        typer.Option("--spec", metavar="FILE", help="Write the ready spec of the solution.", show_default=False),
-    ] = None,
+    spec_out: SpecOut = None,
+    force: Force = False,
 ) -> None:
     """Synthesis of a linkage: all solutions, the best first, each simulated and checked against what was asked.
 
-    The ready spec is a whole [mechanism] that check, kinematics and plot run. [[constraints]] judge every solution:
-    the first that keeps them is chosen; if none does, the nearest, with a warning of what fails.
+    --spec writes the spec with the solution as a whole [mechanism] in the place of [synthesis]. [[constraints]] judge
+    every solution: the first that keeps them is chosen; if none does, the nearest, with a warning of what fails.
 
     Example: tmmcalc synth my.toml --spec ready.toml
     """
     patterns = patterns_of(columns)
-    if ready is not None:
-        check_place(ready, "--spec")
+    Target(job.file, spec_out, force).check()
     scene = job.spec()
-    run = job.run(scene, "feasibility" if scene.constraints else "synthesis")
+    run = job.run(scene, "feasibility" if scene.constraints and _is_alone(scene) else "synthesis")
     result, judged = run.results["synthesis"], run.results.get("feasibility")
     if choose is None:
-        choose = 1 if judged is None else judged.chosen
-    if choose > len(result.designs):
-        count = len(result.designs)
-        raise UsageError(
-            f"there is no solution {choose}", where="--choose", value=choose, limit=count, remedy=f"write 1 to {count}"
-        )
+        choose = (scene.synthesis and scene.synthesis.choose) or (1 if judged is None else judged.chosen)
     from tmmcalc.linkage.facts.synthesis import document as synthesis_document
+    from tmmcalc.linkage.tables.found import check_choice
+
+    check_choice(choose, len(result.designs))
+    target = Target(job.file, spec_out, force, choose)
+    settled = target.made(scene, "synthesis", result)
 
     heading = title(scene, job.file, "synthesis")
     everything = form is not Format.table
@@ -64,10 +62,13 @@ def command(
         from tmmcalc.feasibility.facts.feasibility import candidates_document
 
         document = replace(document, parts=(candidates_document(judged, "constraints", choose),))
-    if ready is not None:
-        from tmmcalc.core.atomic import replace_file
-
-        replace_file(ready, result.designs[choose - 1].spec.encode())
     job.finish(document, run, form)
-    if ready is not None and not job.quiet:
-        note_written(ready)
+    target.write(settled, job.quiet)
+
+
+def _is_alone(scene: Spec) -> bool:
+    """Whether the spec is about the solutions, so that its constraints are; else they are on the machine of one."""
+    from tmmcalc.pipeline.settling import settling
+    from tmmcalc.rooms import STAGES
+
+    return settling(scene, None, STAGES) is None

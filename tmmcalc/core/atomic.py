@@ -14,6 +14,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.files import NoFileError, other_kind
 
 _LEFTOVER = re.compile(r"\..+\.(toml|npz|csv)\.\d+\.tmp")
 
@@ -39,7 +40,10 @@ def replace_file(path: Path, data: bytes, sealed: bool = False) -> bool:
     with blamed_on(path, "written"):
         if _holds(path, data):
             return False
+        if kind := other_kind(path):  # as root a rename would take the place of a device for good
+            raise NoFileError(path, kind)
         temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+        temporary.unlink(missing_ok=True)
         try:
             _write(temporary, data, through=not sealed)
             temporary.replace(path)
@@ -60,7 +64,7 @@ def _holds(path: Path, data: bytes) -> bool:
 
 
 def _write(path: Path, data: bytes, through: bool) -> None:
-    with path.open("wb") as file:
+    with path.open("xb") as file:  # new: what somebody has put there, such as a link, is not written
         file.write(data)
         if through:
             file.flush()

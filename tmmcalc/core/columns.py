@@ -23,6 +23,8 @@ class Column(NamedTuple):
     name: str
     unit: str
     make: Callable[[], Real]
+    meaning: str = ""  # a few English words, as they are declared
+    symbol: str = ""
 
     @property
     def header(self) -> str:
@@ -36,7 +38,7 @@ class Column(NamedTuple):
 
 def column(told: Quantity, make: Callable[[], Real]) -> Column:
     """The column of a quantity; one that is a number has the unit ``-``."""
-    return Column(told.name, told.unit or "-", make)
+    return Column(told.name, told.unit or "-", make, told.meaning, told.symbol)
 
 
 def columns_of(of: Any, *names: str) -> list[Column]:
@@ -53,16 +55,20 @@ def degrees(phi: Real) -> Real:
     return np.where(np.abs(degrees - near) <= 4 * np.spacing(np.abs(degrees)), near, degrees)
 
 
-def select(available: Sequence[Column], patterns: Sequence[str], labels: str = "i") -> list[Column]:
+def select(
+    available: Sequence[Column], patterns: Sequence[str], labels: str = "i", further: Sequence[Column] = ()
+) -> list[Column]:
     """Columns that the patterns name (``x_*``, ``omega_3``, or the header), in the order of the patterns.
 
-    ``labels`` is the name of the column that every row begins with, chosen or not.
+    ``labels`` is the name of the column that every row begins with, chosen or not. ``further`` columns belong to no
+    table by themselves: a pattern chooses among them if it names none of those that are ``available``.
     Raises `UsageError` for a pattern that matches nothing, with the nearest names.
     """
-    headers = {column.header: column.name for column in available}
-    by_name = {column.name: column for column in available}
-    wanted = [headers.get(pattern, pattern) for pattern in patterns]
-    return [by_name[name] for name in _matching(by_name, [name for name in wanted if name != labels])]
+    headers = {column.header: column.name for column in (*further, *available)}
+    by_name = {column.name: column for column in (*further, *available)}
+    wanted = [name for name in (headers.get(pattern, pattern) for pattern in patterns) if name != labels]
+    own, beside = ({column.name: column.header for column in each} for each in (available, further))
+    return [by_name[name] for name in _matching(own, wanted, beside)]
 
 
 def picked(columns: Mapping[str, Values], patterns: Sequence[str], labels: str = "i") -> dict[str, Values]:
@@ -79,15 +85,25 @@ def picked(columns: Mapping[str, Values], patterns: Sequence[str], labels: str =
     return {header: columns[header] for header in [*([labels] if labels in columns else []), *chosen]}
 
 
-def _matching(names: Collection[str], patterns: Sequence[str]) -> list[str]:
-    """The names that match, each once, in the order of the patterns."""
+def _matching(names: Mapping[str, str], patterns: Sequence[str], further: Mapping[str, str] | None = None) -> list[str]:
+    """The names, with their headers, that match, each once, by pattern; ``further`` ones where no other does."""
+    further = further or {}
     chosen: dict[str, None] = {}
     for pattern in patterns:
         found = [name for name in names if fnmatchcase(name, pattern)]
+        found = found or [name for name in further if fnmatchcase(name, pattern)]
         if not found:
-            raise UsageError(f"no column is called {pattern!r}", where="--columns", remedy=nearest(names, pattern))
+            known = {**names, **further}
+            remedy = _another_unit(known, pattern) or nearest(known, pattern)
+            raise UsageError(f"no column is called {pattern!r}", where="--columns", remedy=remedy)
         chosen |= dict.fromkeys(found)
     return list(chosen)
+
+
+def _another_unit(headers: Mapping[str, str], pattern: str) -> str:
+    """What a column is called that was asked for in a unit that it does not have; empty for another."""
+    header = headers.get(pattern.partition("[")[0])
+    return f"it is {header}" if header else ""
 
 
 def nearest(names: Collection[str], pattern: str) -> str:

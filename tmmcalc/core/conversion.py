@@ -14,6 +14,7 @@ from typing import Any, Union, get_args, get_origin
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.plain import plain_array, plain_table, plain_value
 from tmmcalc.core.records import names_of
 from tmmcalc.core.stored import Record
 
@@ -24,13 +25,15 @@ LABELS = "labels"  # a field of this name is as long as the table: it goes to th
 def to_record(result: Any, error: Mapping[str, Any] | None = None) -> Record:
     """The stored form of a result record: arrays by their dotted path, everything else as nested plain values.
 
+    It is what `plain.plain_record` would make of it.
     Raises `NoSolutionError` if a number of it is not finite.
     """
     arrays: dict[str, np.ndarray] = {}
     scalars = plain(result, arrays)
     _check_finite(type(result).__name__.lower(), scalars, arrays)
     counters = scalars.pop("counters", {})
-    return Record(scalars, arrays, error or {}, counters)
+    taken = {name: plain_array(array, name) for name, array in arrays.items()}
+    return Record(scalars, taken, plain_table(error or {}, "error"), counters)
 
 
 def largest(errors: Sequence[Any]) -> dict[str, float]:
@@ -109,7 +112,7 @@ def plain(value: Any, arrays: dict[str, np.ndarray] | None = None, path: str = "
         return [{} if v is None else plain(v, arrays, f"{path}.{k}") for k, v in enumerate(value)]
     if isinstance(value, Fraction):
         return str(value)
-    return [value.real, value.imag] if isinstance(value, complex) else value
+    return [float(value.real), float(value.imag)] if isinstance(value, complex) else plain_value(value, path)
 
 
 def _table(value: Any, names: tuple[str, ...], arrays: dict[str, np.ndarray] | None, start: str) -> dict[str, Any]:

@@ -63,23 +63,32 @@ class Fault:
     line: int | None  # 1-based line of the source, None if the source is unknown
     message: str
     remedy: str = ""
+    column: int | None = None  # 1-based, where the line has one
 
     def __str__(self) -> str:
-        at = f"line {self.line}: " if self.line is not None else ""
-        text = f"{at}{self.path}: {self.message}" if self.path else f"{at}{self.message}"
+        return self.told("")
+
+    def told(self, file: str) -> str:
+        """The text of the fault with its place, which editors follow: ``my.toml:12:5: path: message``."""
+        place = ":".join(str(part) for part in (file, self.line, self.column) if part) if self.line else ""
+        text = ": ".join(part for part in (place, self.path, self.message) if part)
         return f"{text}\n    -> {self.remedy}" if self.remedy else text
 
 
 class SpecError(TmmError):
-    """The faults of one project spec, all at once, in the order of their lines."""
+    """The faults of one project spec, all at once, in the order of their lines; the text has the first of very many."""
 
     exit_code = 2
+    SHOWN = 50  # faults in the text
 
     def __init__(self, file: str, faults: list[Fault]) -> None:
         self.file = file
         self.faults = sorted(faults, key=lambda f: (f.line is None, f.line or 0))
         count = f"{len(faults)} fault{'s' if len(faults) != 1 else ''}"
-        super().__init__(f"{file}: {count}\n" + "\n".join(f"  {fault}" for fault in self.faults))
+        lines = [f"  {fault.told(file)}" for fault in self.faults[: self.SHOWN]]
+        if len(faults) > self.SHOWN:
+            lines.append(f"  and {len(faults) - self.SHOWN} more: mend these first")
+        super().__init__("\n".join((f"{file}: {count}", *lines)))
 
 
 class StructureError(TmmError):

@@ -12,10 +12,15 @@ Quantity = tuple[float, str]  # value and unit
 
 def facts(stage: str, result: Any) -> Iterator[tuple[str, Quantity]]:
     """All numbers of a stage's summary by name, without their unit."""
+    yield from ((name, found) for name, found, _ in labelled(stage, result))
+
+
+def labelled(stage: str, result: Any) -> Iterator[tuple[str, Quantity, str]]:
+    """The same, each with the label under which the summary tells it."""
     document = STAGES[stage].summary(result, stage)
     for part in (document, *document.parts):
         for fact in part.facts:
-            yield from _numbers(fact.values)
+            yield from ((name, found, fact.label) for name, found in _numbers(fact.values))
 
 
 def _numbers(values: Mapping[str, Any], path: str = "") -> Iterator[tuple[str, Quantity]]:

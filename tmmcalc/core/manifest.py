@@ -43,6 +43,7 @@ class Entry:
     files: tuple[str, ...]  # keys in it that name a file; "file" is that of a table in CSV
     named: tuple[str, ...]  # function in <room>.tables.names that names its elements, and their keys that it takes
     after: str  # a table of another room that comes before it in the root
+    gives: str  # the table that its stage finds, which it stands for until then; empty: none
 
     @property
     def several(self) -> bool:
@@ -76,6 +77,7 @@ class _Said(NamedTuple):
     files: tuple[str, ...]
     named: tuple[str, ...]
     after: str
+    gives: str
 
 
 def table(
@@ -90,12 +92,13 @@ def table(
     files: tuple[str, ...] = (),
     named: tuple[str, ...] = (),
     after: str = "",
+    gives: str = "",
 ) -> Any:
     """Declare a table of the root of a spec, in a class of annotations that `Room` reads; see `Entry`.
 
     Its checks are by default those of one module of its name.
     """
-    return _Said(description, subject, describes, belongs_to, why, read_with, checks, files, named, after)
+    return _Said(description, subject, describes, belongs_to, why, read_with, checks, files, named, after, gives)
 
 
 @record

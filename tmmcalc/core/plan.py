@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
@@ -27,7 +27,7 @@ class Step:
 class Plan:
     """All stages in the order of the pipeline."""
 
-    target: str | None  # None: everything that the scene has
+    target: str | None  # None: several, or everything that the scene has
     steps: tuple[Step, ...]
 
     @property
@@ -41,22 +41,28 @@ class Plan:
 
 
 def plan(
-    spec: object, target: str | None = None, stages: Mapping[str, Stage] = STAGES, skip: Collection[str] = ()
+    spec: object,
+    target: str | Sequence[str] | None = None,
+    stages: Mapping[str, Stage] = STAGES,
+    skip: Collection[str] = (),
 ) -> Plan:
-    """Return the plan that leads to ``target``, or to every stage that the scene wants.
+    """Return the plan that leads to ``target``, one or several, or to every stage that the scene wants.
 
     A stage is left out if the scene does not want it, if it needs one that is left out, if the target does not need
     it, or if it is one of ``skip`` or would read the result of one. Raises UsageError for an unknown stage.
     """
-    for name in (*skip, *(() if target is None else (target,))):
+    targets = () if target is None else (target,) if isinstance(target, str) else tuple(target)
+    for name in (*skip, *targets):
         known_stage(name, stages)
     stages = of_scene(stages, spec)
-    asked = set(stages) if target is None else _upstream(target, stages)
+    asked = set(stages) if target is None else {name for each in targets for name in _upstream(each, stages)}
     barred = _barred(spec, asked, stages, skip)
-    if target in barred:
-        barred = {name: barred.get(name, f"only {target} needs it, which is left out") for name in asked}
+    if targets and all(each in barred for each in targets):
+        only = f"only {', '.join(targets)} needs it, which is left out"
+        barred = {name: barred.get(name, only) for name in asked}
     running = asked - set(barred)
-    return Plan(target, tuple(_step(stage, target, asked, barred, running, stages) for stage in stages.values()))
+    steps = tuple(_step(stage, targets, asked, barred, running, stages) for stage in stages.values())
+    return Plan(target if isinstance(target, str) else None, steps)
 
 
 def known_stage(name: str, stages: Mapping[str, Stage]) -> Stage:
@@ -113,7 +119,7 @@ def _unwanted(spec: object, stage: Stage) -> str | None:
 
 def _step(
     stage: Stage,
-    target: str | None,
+    targets: tuple[str, ...],
     asked: set[str],
     barred: dict[str, str],
     running: set[str],
@@ -121,9 +127,9 @@ def _step(
 ) -> Step:
     name, title = stage.name, stage.title
     if name not in asked:
-        return Step(name, title, False, f"not needed by {target}", asked=False)
+        return Step(name, title, False, f"not needed by {', '.join(targets)}", asked=False)
     if name in barred:
         return Step(name, title, False, barred[name])
     users = [u for u in stages if u in running and name in stages[u].upstream(stages)]
-    reason = "asked for" if name == target or not users else f"needed by {', '.join(users)}"
+    reason = "asked for" if name in targets or not users else f"needed by {', '.join(users)}"
     return Step(name, title, True, reason)

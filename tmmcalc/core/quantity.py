@@ -186,7 +186,34 @@ def _plain(value: Any) -> Any:
 def _scaled(value: Any, factor: float) -> Any:
     if isinstance(value, list | tuple):
         return [_scaled(each, factor) for each in value]
+    if isinstance(value, Mapping):
+        return {name: _scaled(each, factor) for name, each in value.items()}
     return None if value is None else factor * value
+
+
+def in_degrees(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Values by their keys with every angle in deg, those within records and lists too; the rest as it is.
+
+    Angles are kept in rad; where columns of a document are in deg its other angles are too. A derivative by an angle
+    has another unit and stays.
+
+    >>> in_degrees({"psi[rad]": pi, "omega[rad/s]": 2.0, "arcs": [{"theta[rad]": [0.0, None]}]})
+    {'psi[deg]': 180.0, 'omega[rad/s]': 2.0, 'arcs': [{'theta[deg]': [0.0, None]}]}
+    """
+    found = {}
+    for key, value in values.items():
+        if key.endswith("[rad]"):
+            header, factor = Quantity(key, "").shown("deg")
+            found[header] = _scaled(value, factor)
+        else:
+            found[key] = _within_degrees(value)
+    return found
+
+
+def _within_degrees(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return in_degrees(value)
+    return [_within_degrees(each) for each in value] if isinstance(value, list) else value
 
 
 def headed(of: Any, *names: str, **places: object) -> dict[str, Any]:
@@ -253,3 +280,21 @@ def given_out(kind: Any) -> Iterator[Quantity]:
             waiting += get_type_hints(each).values()
         else:
             waiting += get_args(each)
+
+
+def standing_in(module: Any) -> Iterator[Quantity]:
+    """Quantities that stand in a module by themselves, several together, or on the fields of its records."""
+    for each in vars(module).values():
+        if hasattr(each, "__record__"):
+            if each.__module__ == module.__name__:
+                yield from quantities(each).values()
+        else:
+            yield from _within(each)
+
+
+def _within(value: Any) -> Iterator[Quantity]:
+    if isinstance(value, Quantity):
+        yield value
+    elif isinstance(value, tuple):
+        for each in value:
+            yield from _within(each)

@@ -41,6 +41,7 @@ class Picture:
     shows: str
     flags: tuple[str, ...] = ()
     figure: str = ""  # "module:function", (order) -> what draws it; empty: ``figure`` in the module of its stage
+    beside: str = ""  # a later stage whose result it shows as well, if the scene has it
 
 
 @record
@@ -50,12 +51,18 @@ class Stage:
     ``inputs(spec)``      plain value that it reads, a tuple of them, or None: exactly these are hashed
     ``solve``             the function of the inputs, one argument each, and of keywords: the results that it reads by
                           stage, and its settings
+    ``takes``             by stage: the field of its result that ``solve`` takes in place of the result, by its name
     ``kind``              class of the result
     ``errors(result)``    estimates of its errors; without it those of ``result.error``
     ``columns(result)``   its table for people: arrays by header, or columns of the rows of ``result.labels``; without
                           it the stage has none
     ``omits(spec)``       sentences on what it leaves out within itself, because the scene has it not
     ``packages(spec)``    heavy packages that it imports for this scene
+    ``found(spec, result, choose)``  what it found as keys of the spec, see `tmmcalc.spec.rewrite.Found`; of several
+                          solutions number ``choose``, from 1, None: the best
+    ``placed(spec, value)``  the spec with one row more, where the first of its columns has this value (a number with a
+                          unit or without): of stages whose rows are places that can be asked for, for `spec.telling`
+    ``outlook()``         of a stage that settles the spec tables like those that it will find, by which a plan is made
 
     A part that is heavy to import is given by its name, ``"module:function"``: a stored result is loaded without the
     theory. A result that is no record of plain values and arrays has ``dump(result)`` and ``load(record)``; one whose
@@ -71,8 +78,10 @@ class Stage:
     needs: tuple[str, ...] = ()  # the stages whose results it reads
     uses: tuple[str, ...] = ()  # the stages whose results it reads if the scene has them
     reads: str = ""  # "module:function", (spec) -> those of ``uses`` that it reads in this scene; empty: all
+    feeds: tuple[str, ...] = ()  # stages of rooms below that read its result, without knowing it, if the scene has it
     after: str = ""  # a stage of another room that comes before it, though it reads nothing of it
     settings: Mapping[str, Any] = field(default_factory=dict)  # options of the method and their defaults
+    settles: bool = False  # whether what it found takes its place in the spec for the stages that come after it
     another: bool = False  # whether it is given the pipeline for specs that results hold, as ``another(text, stages)``
     facts: str = ""  # module with ``summary(result, title)``, and ``document`` with its table where it has one
     picture: Picture | None = None
@@ -82,6 +91,14 @@ class Stage:
     def upstream(self, done: Container[str]) -> list[str]:
         """The stages whose results it reads, of those that are done."""
         return [*self.needs, *(name for name in self.uses if name in done)]
+
+    def given(self, results: Mapping[str, Any]) -> dict[str, Any]:
+        """What of the results by stage its function is given, by the names of its arguments."""
+        takes, read = self.takes, {}
+        for name in self.upstream(results):
+            field = takes.get(name)
+            read[field or name] = getattr(results[name], field) if field else results[name]
+        return read
 
     def unwanted(self, spec: Any) -> str | None:
         """Why the scene leaves the stage out; None if it wants it."""
@@ -112,11 +129,17 @@ class Stage:
         function: Callable[..., Any] = self.part("solve")
         return function
 
+    @property
+    def takes(self) -> Mapping[str, str]:
+        """The fields that it takes of results in place of the results, by stage."""
+        return self.part("takes") or {}
+
     def dump(self, result: Any) -> Record:
-        """The stored form of a result."""
+        """The stored form of a result, in the one form in which a record is handed on."""
         if own := self.part("dump"):
-            record: Record = own(result)
-            return record
+            from tmmcalc.core.plain import plain_record
+
+            return plain_record(own(result))
         from tmmcalc.core.conversion import plain, to_record
 
         errors = self.part("errors")
@@ -180,12 +203,14 @@ def arguments(inputs: Any) -> tuple[Any, ...]:
 
 
 def of_scene(stages: Mapping[str, Stage], spec: object) -> dict[str, Stage]:
-    """The stages as this scene has them: with those of ``uses`` alone that each reads."""
-    return {name: _of_scene(stage, spec) for name, stage in stages.items()}
+    """The stages as this scene has them: with those of ``uses`` alone that each reads, and those that feed it."""
+    feeding = [stage for stage in stages.values() if stage.feeds and stage.unwanted(spec) is None]
+    return {name: _of_scene(stage, feeding, spec) for name, stage in stages.items()}
 
 
-def _of_scene(stage: Stage, spec: object) -> Stage:
+def _of_scene(stage: Stage, feeding: Sequence[Stage], spec: object) -> Stage:
     uses = stage.used(spec) if stage.reads else stage.uses
+    uses = (*uses, *(each.name for each in feeding if stage.name in each.feeds))
     return stage if uses == stage.uses else replace(stage, uses=uses)
 
 

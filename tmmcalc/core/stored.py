@@ -89,10 +89,20 @@ def matches(header: str, pattern: str) -> bool:
     return header == pattern or fnmatchcase(header.partition("[")[0], pattern)
 
 
+LAST_DIGIT = "last_digit"  # key in an error estimate of what the last digit of the data does, which is no error
+
+
 def estimates(error: Mapping[str, Any]) -> Iterator[tuple[str, float]]:
     """Quantities and their estimated relative errors; what else stands there says how they were found."""
     for name, value in error.items():
+        if name == LAST_DIGIT:
+            continue
         if isinstance(value, Mapping):
             yield from ((f"{name}.{inner}", size) for inner, size in estimates(value))
         elif isinstance(value, float):
             yield name, value
+
+
+def last_digits(error: Mapping[str, Any]) -> Iterator[tuple[str, float]]:
+    """Quantities and their relative change by a unit in the last place of the data; nothing where it is small."""
+    yield from estimates(error.get(LAST_DIGIT, {}))

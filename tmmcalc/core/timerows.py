@@ -22,6 +22,7 @@ CLOSEST = 2  # panels with the largest samples are searched for the extreme betw
 NEWTON = 6  # steps to it
 RESOLVED = 1e-11  # of the largest value: what the panels may leave out
 LEVEL = 1e-12  # of the largest value: smaller differences are rounding
+FLAT = 1e-6  # of the duration: where a quantity is level, its largest value stands as uncertain as sqrt(LEVEL)
 
 
 @record
@@ -121,7 +122,10 @@ def extremes(
 
 
 def _most(on: Panels, values: Values) -> list[tuple[float, float]]:
-    """The largest value of each function (F, K, N) and where it is; of equal ones the first, and noise is zero."""
+    """The largest value of each function (F, K, N) and where it is; of equal ones the first, and noise is zero.
+
+    Where a peak and a break cannot be told apart it is the break: the end of the motion, not a rounding before it.
+    """
     low, high = on.ends(values)
     inner, inner_at = _peaks(on, values)
     value = np.concatenate((low, high, inner), axis=1)
@@ -129,7 +133,8 @@ def _most(on: Panels, values: Values) -> list[tuple[float, float]]:
     level = LEVEL * np.max(np.abs(value), axis=1, keepdims=True)
     value = np.where(np.abs(value) <= level, 0.0, value)
     equal = value >= np.max(value, axis=1, keepdims=True) - level
-    first = np.argmin(np.where(equal, at, np.inf), axis=1)[:, None]
+    late = np.repeat((0.0, FLAT * (on.edges[-1] - on.edges[0])), (2 * low.shape[1], inner.shape[1]))
+    first = np.argmin(np.where(equal, at + late, np.inf), axis=1)[:, None]
     pairs = (np.take_along_axis(each, first, axis=1)[:, 0].tolist() for each in (value, at))
     return list(zip(*pairs, strict=True))
 

@@ -11,7 +11,9 @@ from tmmcalc.core.quantity import headed
 if TYPE_CHECKING:
     from tmmcalc.extras.contact import Contact
     from tmmcalc.extras.falling_ball import Ball
+    from tmmcalc.extras.liner import Liner
     from tmmcalc.extras.reliability import Reliability
+    from tmmcalc.extras.tie_down import TieDown
 
 
 def contact_columns(result: Contact) -> dict[str, np.ndarray]:
@@ -27,6 +29,16 @@ def reliability_columns(result: Reliability) -> dict[str, np.ndarray]:
 def ball_columns(result: Ball) -> dict[str, np.ndarray]:
     """A row a time: radius, speed, acceleration, way."""
     return _numbered(result, "t", "radius", "v", "a", "way")
+
+
+def tie_down_columns(result: TieDown) -> dict[str, np.ndarray]:
+    """A row a value of k: forces of a stretched tie by (3) and by equilibrium, of an opposite one."""
+    return _numbered(result, "k", "forces", "balance", "slackening")
+
+
+def liner_columns(result: Liner) -> dict[str, np.ndarray]:
+    """A row a place along the bore: deflection, slope, moment, force, stresses."""
+    return _numbered(result, "x", "w", "slope", "bend", "shear", "axial", "hoop", "inner", "outer")
 
 
 def _numbered(result: Any, *names: str) -> dict[str, np.ndarray]:

@@ -24,6 +24,7 @@ HALVED = 12  # times that the first panel of the integral over it is halved
 STIRLING = 50.0  # from here the gamma function is that of Stirling's series
 STEP = 1e-5  # of ln(beta), for the slope of the mean life
 SLOWEST, SCAN = 1e-12, 400  # of the search for beta: its lowest value over the highest, its steps
+LARGEST = 700.0  # exponent of a number
 LEFT = 1e-3  # reliability at the end of the table
 PARTS = (0.9, 0.5, 0.1)  # reliabilities whose lives are told
 
@@ -262,7 +263,9 @@ def _estimated(task: ReliabilityTask) -> tuple[float, float, float]:
         beta = exp(log_beta)
         return mean_life(_Law(task.low, task.high, task.rate, strength(beta), beta)) - test.mean
 
-    fastest = min(700 / test.least, task.rate * test.items * width / task.low if task.low > 0 else np.inf)
+    # beyond it the strength at the beginning, or its quotient with a load, would overflow
+    wide = max(log(task.high), log(task.high / task.low) if task.low > 0 else 0.0, 0.0)
+    fastest = min((LARGEST - wide) / test.least, task.rate * test.items * width / task.low if task.low > 0 else np.inf)
     grid = np.linspace(log(SLOWEST * fastest), log(fastest), SCAN + 1)
     found = np.array([excess(float(each)) for each in grid])
     change = np.flatnonzero(np.signbit(found[1:]) != np.signbit(found[:-1]))

@@ -11,8 +11,10 @@ if TYPE_CHECKING:
     from tmmcalc.extras.tables.bearing import BearingTable
     from tmmcalc.extras.tables.contact import ContactTable
     from tmmcalc.extras.tables.falling_ball import FallingBallTable
+    from tmmcalc.extras.tables.liner import LinerTable
     from tmmcalc.extras.tables.reliability import ReliabilityTable
     from tmmcalc.extras.tables.tie_down import TieDownTable
+    from tmmcalc.extras.tables.transloader import TransloaderTable
 
 
 class ExtraTables:
@@ -25,6 +27,10 @@ class ExtraTables:
     tie_down: TieDownTable | None = table("Ties that hold a load on a vehicle.", subject=True)
     falling_ball: FallingBallTable | None = table("A ball that falls while its radius decreases.", subject=True)
     bearing: BearingTable | None = table("A rolling bearing and the frequencies of its defects.", subject=True)
+    liner: LinerTable | None = table("A cylinder liner, its collar as a ring, the cylinder as a shell.", subject=True)
+    transloader: TransloaderTable | None = table(
+        "A grab transloader, its speeds, loads and the stresses of its parts.", subject=True
+    )
 
 
 ROOM = Room(
@@ -44,7 +50,12 @@ ROOM = Room(
             asked=("reliability", "no life is asked for"),
             picture=Picture("reliability and density of failures over the time"),
         ),
-        Stage("tie_down", "forces in the ties of a transported load", asked=("tie_down", "no load is tied down")),
+        Stage(
+            "tie_down",
+            "forces in the ties of a transported load",
+            asked=("tie_down", "no load is tied down"),
+            picture=Picture("forces of the ties over the inertia"),
+        ),
         Stage(
             "falling_ball",
             "fall of a ball whose radius decreases",
@@ -57,6 +68,18 @@ ROOM = Room(
             "speeds and frequencies of the defects of a bearing",
             asked=("bearing", "no bearing is asked for"),
         ),
+        Stage(
+            "liner",
+            "cylinder liner as ring and shell: deflection, moments, stresses",
+            asked=("liner", "no cylinder liner"),
+            picture=Picture("deflection, moment and stresses along the bore"),
+        ),
+        Stage(
+            "transloader",
+            "grab transloader: speeds with their limits, loads by case, stresses",
+            asked=("transloader", "no transloader"),
+            picture=Picture("speeds of the ways, loads by case, stresses of the parts"),
+        ),
     ),
     (
         Command("contact", "Pressure of two elastic bodies, with Hertz as check."),
@@ -64,11 +87,14 @@ ROOM = Room(
         Command("tie-down", "Forces in the ties of a transported load."),
         Command("ball", "Fall of a ball whose radius decreases."),
         Command("bearing", "Frequencies of the defects of a rolling bearing."),
+        Command("liner", "Stresses of a cylinder liner as ring and shell."),
+        Command("transloader", "Speeds, loads by case and stresses of a grab transloader."),
     ),
     group=Group(
         "extra",
-        "Contact, reliability, tie-down, falling ball, bearing.",
-        "Small calculators: elastic contact, reliability, tie-down of loads, a falling ball, rolling bearings.",
+        "Contact, reliability, tie-down, falling ball, bearing, liner, transloader.",
+        "Small calculators: elastic contact, reliability, tie-down of loads, a falling ball, rolling bearings, "
+        "cylinder liners, grab transloaders.",
         "tmmcalc extra contact my.toml",
     ),
 )

@@ -6,6 +6,7 @@ cradle and, if there is one, on a sliding support. F moves the load, G presses i
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import cos
 from typing import Any
 
@@ -16,6 +17,9 @@ from tmmcalc.core.numerics.extended import apart, widened
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
+
+ROWS = 100  # equal steps of the table over k
+PAST = 1.2  # of the largest k of interest, to which it goes
 
 
 @record
@@ -52,12 +56,27 @@ class TieDownTask:
     preload: float = 0.0  # P0 [N]
     thread: Thread | None = None  # gives the preload
     support: Support | None = None
+    section: float | None = None  # of a tie [m^2]
+    strength: float | None = None  # yield stress of a tie [Pa]
+
+
+@record
+class Thresholds:
+    """Values of k, the inertia force over the weight, at which something begins; None: it never does."""
+
+    slip: float | None = quantity("k_slip", "friction alone no longer holds the load")
+    slack: float | None = quantity("k_slack", "the opposite ties are slack, R by equilibrium is 2 P0")
+    source_slip: float | None = quantity("k_slip_3", "R by (3) is P0", source="(3)")
+    source_slack: float | None = quantity("k_slack_3", "R by (3) is 2 P0", source="(3)")
+    yielding: float | None = quantity("k_yield", "a stretched tie yields, by equilibrium")
+    tipping: float | None = quantity("k_tip", "the load leaves its cradle")
 
 
 @record
 class TieDown:
     """Forces of the ties."""
 
+    factor: float = quantity("k", "inertia force over weight")
     push: float = quantity("F[N]", "force that moves the load", source="(7)")
     press: float = quantity("G[N]", "force that presses the load on the cradle", source="(7)")
     preload: float = quantity("P0[N]", "preload of a tie", symbol="P_0")
@@ -70,6 +89,14 @@ class TieDown:
     )
     best_elevation: float = quantity("alpha_best[rad]", "elevation of the least R")
     held: str = quantity("held_by", "what holds the load")  # "friction", "all ties", "two ties"
+    stress: float | None = quantity("sigma[Pa]", "stress of a stretched tie, R by equilibrium over its section")
+    safety: float | None = quantity("safety", "yield stress of a tie over its stress")
+    thresholds: Thresholds
+    labels: tuple[str, ...]
+    k: Values = quantity("k[-]", "inertia force over weight")  # (n,)
+    forces: Values = quantity("R[N]", "force of a stretched tie by (3)")  # (n,)
+    balance: Values = quantity("R_balanced[N]", "force of a stretched tie by equilibrium")  # (n,)
+    slackening: Values = quantity("R_opposite_balanced[N]", "force of an opposite tie by equilibrium")  # (n,)
     notes: tuple[str, ...] = ()
     error: float = 0.0  # of the forces, relative to the largest
 
@@ -89,7 +116,7 @@ def solve_tie_down(task: TieDownTask) -> TieDown:
     Raises `NoSolutionError` where the inertia tips the load off the cradle.
     """
     found = _forces(task)
-    push, press, preload, force, change, vertical, balanced, best = found.tolist()
+    push, press, preload, force, change, vertical, balanced, _, best = found.tolist()
     if press <= 0:
         raise NoSolutionError(
             f"the load leaves its cradle: it presses on it by {press:.6g} N",
@@ -101,7 +128,13 @@ def solve_tie_down(task: TieDownTask) -> TieDown:
     spare = push - task.friction * press
     all_tight = spare <= 4 * cos(task.elevation) * cos(task.plan) * preload
     held = "friction" if spare <= 0 else "all ties" if all_tight else "two ties"
+    stress = None if task.section is None else balanced / task.section
+    safety = None if stress is None or task.strength is None or stress <= 0 else task.strength / stress
+    limits = thresholds(task)
+    k = _range(task.factor, limits)
+    course = np.array([_forces(replace(task, factor=float(each))) for each in k])
     return TieDown(
+        factor=task.factor,
         push=push,
         press=press,
         preload=preload,
@@ -112,14 +145,72 @@ def solve_tie_down(task: TieDownTask) -> TieDown:
         balanced=balanced,
         best_elevation=best,
         held=held,
-        notes=tuple(_notes(force, preload, balanced)),
-        error=apart(found[:-1], _forces(widened(task))[:-1]),
+        stress=stress,
+        safety=safety,
+        thresholds=Thresholds(*(None if each is None else float(each) for each in limits)),
+        labels=tuple(map(str, range(len(k)))),
+        k=k,
+        forces=course[:, 3],
+        balance=course[:, 6],
+        slackening=course[:, 7],
+        notes=tuple(_notes(force, preload, balanced, safety)),
+        error=_error(task, found, limits),
     )
 
 
+def thresholds(task: TieDownTask) -> tuple[Any, ...]:
+    """The values of `Thresholds`, each a root of an equation that is linear in k, in the numbers of the task.
+
+    F = k u - c and G = o - k t + 4 P0 sin alpha; R is 2 P0 where F - mu G = 4 P0 cos alpha cos beta.
+    """
+    preload = _preload(task)
+    push, own = _loads(replace(task, factor=0.0))
+    one_push, one_own = _loads(replace(task, factor=1.0))
+    mu, sine = task.friction, np.sin(task.elevation)
+    along = np.cos(task.elevation) * np.cos(task.plan)
+    pull = 2 * (mu * sine + along)
+    vertical = 4 * preload * sine
+    rise = one_push - push + mu * (own - one_own)  # of F - mu G with k
+
+    def reached(spare: Any) -> Any:
+        return (spare - push + mu * (own + vertical)) / rise if rise > 0 else None
+
+    yielding = None
+    if task.section is not None and task.strength is not None:
+        most = task.section * task.strength
+        tight = 4 * along * (most - preload)
+        yielding = reached(tight if most <= 2 * preload else pull * most - mu * vertical) if most > preload else 0.0
+    fall = own - one_own
+    tipping = (own + vertical) / fall if fall > 0 else None
+    slack, first = reached(4 * along * preload), reached(0.0)
+    return first, slack, reached(pull * preload), reached(2 * pull * preload), yielding, tipping
+
+
+def _range(factor: float, limits: tuple[Any, ...]) -> Values:
+    """Values of k for a table: from 0 beyond all that begins, which are among them, up to where the load tips."""
+    *rest, tipping = limits
+    begin = [float(each) for each in rest if each is not None]
+    end = PAST * max([factor, *begin]) or 1.0
+    if tipping is not None:
+        end = min(end, float(tipping))
+    return np.unique([*(end * np.arange(ROWS + 1) / ROWS), *(each for each in begin if 0 < each < end)])
+
+
+def _error(task: TieDownTask, found: Values, limits: tuple[Any, ...]) -> float:
+    """Forces and thresholds again in extended precision."""
+    wide = widened(task)
+    pairs = zip(limits, thresholds(wide), strict=True)
+    missed = [apart(one, other) for one, other in pairs if one is not None and other is not None and one]
+    return max(apart(found[:-1], _forces(wide)[:-1]), *missed, 0.0)
+
+
+def _preload(task: TieDownTask) -> Any:
+    return task.preload if task.thread is None else thread_preload(task.thread)
+
+
 def _forces(task: TieDownTask) -> Values:
-    """F, G, P0, R, dR, vertical, balanced, best elevation (8,), in the numbers of the task."""
-    preload = task.preload if task.thread is None else thread_preload(task.thread)
+    """F, G, P0, R, dR, vertical, balanced, opposite, best elevation (9,), in the numbers of the task."""
+    preload = _preload(task)
     push, own = _loads(task)
     mu, sine, cosine = task.friction, np.sin(task.elevation), np.cos(task.plan)
     along = np.cos(task.elevation) * cosine
@@ -129,8 +220,9 @@ def _forces(task: TieDownTask) -> Values:
     force = max((push - mu * press) / pull, preload)
     spread = max(push - mu * press, 0.0) / (4 * along)  # of both pairs
     balanced = preload + spread if spread <= preload else (push - mu * own) / pull
+    opposite = max(preload - spread, 0.0)
     best = np.arctan2(mu, cosine)
-    return np.array([push, press, preload, force, force - preload, vertical, balanced, best])
+    return np.array([push, press, preload, force, force - preload, vertical, balanced, opposite, best])
 
 
 def _loads(task: TieDownTask) -> tuple[float, float]:
@@ -143,8 +235,10 @@ def _loads(task: TieDownTask) -> tuple[float, float]:
     return k * g - held, g * support.cradle_arm / support.base - tipped
 
 
-def _notes(force: float, preload: float, balanced: float) -> list[str]:
+def _notes(force: float, preload: float, balanced: float, safety: float | None) -> list[str]:
     found = []
+    if safety is not None and safety < 1:
+        found.append(f"warning: the ties yield: their yield stress is {safety:.4g} of their stress by equilibrium")
     if force > 2 * preload > 0:
         found.append(f"warning: R = {force:.6g} N is above 2 P0 = {2 * preload:.6g} N: the opposite ties are slack")
     if balanced > force * (1 + 1e-9):

@@ -6,52 +6,55 @@ limit as a part of that limit (of one where the limit is zero): not negative whe
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import reduce
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tmmcalc.core import quantity as told
 from tmmcalc.core.numerics.extended import apart, widened
 from tmmcalc.core.records import record
 from tmmcalc.feasibility.logic import LARGEST, Form, conjunction
 from tmmcalc.feasibility.rule import failing, function, holds
+from tmmcalc.spec.naming import ANY, ROWS, Name, parse
 
-Of = Literal["max", "min", "range", "mean", "size", "first", "last"]
-OF: dict[str, Callable[[NDArray[np.floating[Any]]], Any]] = {  # what is asked of columns (..., n)
-    "max": lambda values: np.max(values, axis=-1),
-    "min": lambda values: np.min(values, axis=-1),
-    "range": lambda values: np.ptp(values, axis=-1),
-    "mean": lambda values: np.mean(values, axis=-1),
-    "size": lambda values: np.max(np.abs(values), axis=-1),
-    "first": lambda values: values[..., 0],
-    "last": lambda values: values[..., -1],
-}
-ROWS = ("train", "criteria")  # stages whose rows are sets to choose from: a constraint on a column judges every row
+Sense = Literal["value", "function", "truth"]
 
 
 @record
 class Constraint:
-    """A named inequality on a fact of a stage's summary, or on a column of its table.
+    """A named inequality on what a stage tells: a column of its table, or what else a name can stand for.
 
-    Limits are numbers in the unit in which the quantity is told, or texts with a unit.
+    Limits are numbers in the unit in which the quantity is told, or texts with a unit. Without a stage the quantity is
+    ``given``: a value, or a function that is not negative where the constraint holds, which of a truth is +1 or -1.
     """
 
     name: str
-    stage: str
-    value: str | None = None  # a fact, without its unit
+    stage: str = ""
+    value: str | None = None  # a fact, or another name of `tmmcalc.spec.naming` without its stage
     column: str | None = None  # a column, without its unit
-    of: Of = "max"  # what of the column; size: the largest magnitude
+    of: str = "max"  # what of the column, see there
     at_least: float | str | None = None
     at_most: float | str | None = None
+    given: float | str | None = None
+    sense: Sense = "value"  # of what is given
+
+    @property
+    def asked(self) -> Name:
+        """What it is on. Of a stage whose rows are sets to choose from a column is that of the chosen one."""
+        stage = "" if self.stage == ANY else self.stage
+        if self.column:
+            return Name(stage, "chosen" if stage in ROWS else self.of, self.column)
+        return parse(self.value or "")._replace(stage=stage)
 
     @property
     def quantity(self) -> str:
-        """The quantity in words: ``kinematics stroke_D``, ``forces max R_A``, ``criteria mass``."""
+        """The quantity in words: ``kinematics stroke_D``, ``forces max R_A``, ``criteria mass``, ``given value``."""
+        if not self.stage:
+            return f"given {self.sense}"
         if self.value:
-            return f"{self.stage} {self.value}"
+            return self.value if self.stage == ANY else f"{self.stage} {self.value}"
         return f"{self.stage} {self.column}" if self.stage in ROWS else f"{self.stage} {self.of} {self.column}"
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from difflib import get_close_matches
+from fnmatch import fnmatchcase
 from typing import TypeVar
 
 from tmmcalc.core.errors import UsageError
@@ -11,6 +12,23 @@ from tmmcalc.feasibility.judge import Constraint
 
 Told = TypeVar("Told")
 Limits = tuple[float | None, float | None]
+
+# Quantities that were told in another unit before: a limit without a unit may be meant in either. By stage, whether it
+# is a fact, and the unit of now: the unit of before, and the names.
+BEFORE: Mapping[tuple[str, bool, str], tuple[str, tuple[str, ...]]] = {
+    ("unsteady", True, "deg"): ("rad", ("*",)),
+    ("manipulator", True, "deg"): ("rad", ("*",)),
+    ("synthesis", True, "deg"): ("rad", ("*",)),
+    ("synthesis", False, "deg"): ("rad", ("two_phi", "psi", "psi_*", "phi_?*", "body", "S")),
+    ("synthesis", False, "m"): ("mm", ("error_max", "structural_error_*")),
+    ("transient", False, "deg"): ("rad", ("theta*",)),
+    ("cam_law", True, "deg"): ("rad", ("stroke",)),
+    ("cam_law", False, "deg"): ("rad", ("dpsi",)),
+    ("cam_forces", True, "deg"): ("rad", ("dpsi_M",)),
+    ("cam_forces", False, "deg"): ("rad", ("dpsi",)),
+    ("cam_synthesis", True, "deg"): ("rad", ("psi0",)),
+    ("pair", True, "rad"): ("deg", ("alpha_t", "alpha_tw")),
+}
 
 
 def of_name(constraint: Constraint, told: Mapping[str, Told]) -> Told:
@@ -35,8 +53,22 @@ def place(constraint: Constraint) -> str:
     return f"constraints, {constraint.name}"
 
 
+def of_given(constraint: Constraint) -> tuple[float, str]:
+    """What is given, and the unit in which it is written."""
+    if not isinstance(constraint.given, str):
+        return float(constraint.given or 0.0), ""
+    from tmmcalc.spec.units import unit_of
+
+    unit = unit_of(constraint.given)
+    return _in_unit(constraint.given, unit, place(constraint)), unit
+
+
 def limits(constraint: Constraint, unit: str) -> Limits:
     """Both limits in the unit of the quantity; raises `UsageError` for one of another kind."""
+    before, names = BEFORE.get((constraint.stage, bool(constraint.value), unit), ("", ()))
+    name = constraint.value or constraint.column or ""
+    if any(fnmatchcase(name, each) for each in names):
+        _told_with_unit(constraint, name, before, unit)
     low, high = (
         None if limit is None else _in_unit(limit, unit, place(constraint))
         for limit in (constraint.at_least, constraint.at_most)
@@ -44,14 +76,24 @@ def limits(constraint: Constraint, unit: str) -> Limits:
     return low, high
 
 
-def _in_unit(limit: float | str, unit: str, where: str) -> float:
-    if not isinstance(limit, str):
-        return float(limit)
-    from tmmcalc.spec.units import UnitError, dimension_of, parse
+def _told_with_unit(constraint: Constraint, name: str, before: str, unit: str) -> None:
+    """Raise `UsageError` for a limit that is a number other than 0, of a quantity that was told in another unit."""
+    for key in ("at_least", "at_most"):
+        limit = getattr(constraint, key)
+        if isinstance(limit, int | float) and limit:
+            raise UsageError(
+                f"{key} = {limit:g} has no unit, and {name} is told in {unit} now, where it was {before}",
+                where=place(constraint),
+                remedy=f'write the unit: {key} = "{limit:g} {before}" if that was meant',
+            )
 
-    dimension = dimension_of(limit) or ""
+
+def _in_unit(limit: float | str, unit: str, where: str) -> float:
+    from tmmcalc.spec.telling import in_unit
+    from tmmcalc.spec.units import UnitError
+
     try:
-        return parse(limit, dimension) / parse(f"1 {unit}", dimension)
+        return in_unit(limit, unit)
     except UnitError:
         told = f"in {unit}" if unit else "a bare number"
         raise UsageError(

@@ -18,7 +18,9 @@ else:
 class FeasibilityTables(Titled):
     """The tables of the room."""
 
-    constraints: list[ConstraintTable] = table("What results must keep, by name.")
+    constraints: list[ConstraintTable] = table(
+        "What results or given values must keep, by name.", subject=True, describes="constraints on given values"
+    )
     feasibility: FeasibilityTable | None = table("How the constraints are combined.")
 
 
@@ -28,7 +30,7 @@ ROOM = Room(
     (
         Stage(
             "feasibility",
-            "whether results keep the named constraints",
+            "whether results and given values keep the named constraints",
             uses=EVERY,
             reads="asked_about",
             asked=("constraints", "nothing is to be kept"),

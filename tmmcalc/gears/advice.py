@@ -25,6 +25,7 @@ ORDER = (
     "interference",
     "stage_ratio",
     "diameter_band",
+    "equal_pinions",
     "assembly",
     "adjacency",
     "coprime",
@@ -40,6 +41,7 @@ CALLED = {
     "interference": "ring difference",
     "stage_ratio": "ratio of one stage",
     "diameter_band": "diameters alike",
+    "equal_pinions": "equal pinions",
     "assembly": "assembly",
     "adjacency": "neighbours' gap",
     "coprime": "coprime meshes",
@@ -98,6 +100,8 @@ def _end_of_range(variant: Variant) -> str:
 
 def remedies(variant: Variant) -> list[str]:
     """One line a change that would give sets."""
+    if variant.request.task.teeth is not None:
+        return ["leave teeth out, and all sets that keep the constraints are sought"]
     found = [words for change in variant.relaxations if (words := _words(variant.request, change))]
     return found or ["no single limit gives a set: change several, or choose another layout"]
 

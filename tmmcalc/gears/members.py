@@ -14,23 +14,22 @@ from tmmcalc.gears.network.power import PowerFlow
 Columns = dict[str, list[Any]]
 
 
-def member_columns(result: Gearing) -> Columns:
+def member_columns(result: Gearing, people: bool = False) -> Columns:
     """Speeds of all members, absolute and against their own carriers, the ratio of the input to each, torques, powers.
 
-    Where a member stands the ratio is blank.
+    Where a member stands the ratio is blank. For people the speeds are in rpm.
     """
     motion, network = result.motion, result.task.network
     ratios = [result.ratio_to(name) for name in motion.members]
     columns: Columns = {
         "member": list(motion.members),
-        **_listed(headed(motion, "turns", "relative_turns")),
+        **_listed(headed(motion, *(("turns", "relative_turns") if people else ("speeds", "relative")))),
     }
     if any(ratio is not None for ratio in ratios):
         columns["i"] = ["" if ratio is None else float(ratio) for ratio in ratios]
     if result.flow is not None:
         columns |= _listed(headed(result.flow, "torques", "powers"))
     columns |= {
-        **_listed(headed(motion, "speeds", "relative")),
         "count": [network.count(name) for name in motion.members],
         "carrier": [network.bearer(name) for name in motion.members],
     }

@@ -68,6 +68,7 @@ class TrainTask:
     pressure_angle: float = math.radians(20)  # [rad]
     addendum: Fraction = Fraction(1)  # [module]
     module: float | None = None  # [m] of stage 1
+    teeth: tuple[int, ...] | None = None  # given ones, in the order of the wheels; None: all are sought
 
     @property
     def scheme(self) -> Layout:

@@ -8,17 +8,18 @@ from tmmcalc.core.manifest import Command, Group, Room, table
 from tmmcalc.core.stage import Picture, Stage
 
 if TYPE_CHECKING:
-    from tmmcalc.feasibility.room import FeasibilityTables
     from tmmcalc.gears.tables.criteria import CriteriaTable
     from tmmcalc.gears.tables.gearing import GearingTable
+    from tmmcalc.gears.tables.open_pair import OpenPairTable
     from tmmcalc.gears.tables.pair import PairTable
     from tmmcalc.gears.tables.strength import StrengthTable
     from tmmcalc.gears.tables.train import TrainTable
+    from tmmcalc.linkage.room import LinkageTables
 else:
-    FeasibilityTables = object
+    LinkageTables = object
 
 
-class GearTables(FeasibilityTables):
+class GearTables(LinkageTables):
     """The tables of the room, beside those that its stages read of others."""
 
     train: TrainTable | None = table(
@@ -35,6 +36,11 @@ class GearTables(FeasibilityTables):
     criteria: CriteriaTable | None = table(
         "By what the best train is chosen.", belongs_to=("train",), why="they choose one of the gear trains"
     )
+    open_pair: OpenPairTable | None = table(
+        "The open pair of gears between the reducer and the crank.",
+        belongs_to=("mechanism", "torque"),
+        why="its gear stands on the crank of a machine",
+    )
     pair: PairTable | None = table(
         "Pairs of gears: written out, or those of the train that is chosen.", subject=True, describes="gears"
     )
@@ -48,10 +54,14 @@ ROOM = Room(
             "train",
             "tooth numbers of the gear train: all sets within the constraints",
             asked=("train", "no tooth numbers are asked for"),
+            uses=("drive",),
+            reads="read_by_train",
+            after="drive",
             picture=Picture(
                 "a tooth set to scale from two sides, all sets by size and error, what constraints removed, curves of "
                 "choice",
                 ("--choose",),
+                beside="criteria",
             ),
             studied=True,
         ),
@@ -90,6 +100,14 @@ ROOM = Room(
             studied=True,
         ),
         Stage(
+            "open_pair",
+            "the open pair on the crank: ratio, efficiency, inertia, load of its teeth",
+            needs=("pair",),
+            uses=("reduction",),
+            reads="read_by_open_pair",
+            wanted="open_pair",
+        ),
+        Stage(
             "blocking",
             "blocking contours of the pairs: all admissible shifts",
             needs=("pair",),
@@ -112,6 +130,7 @@ ROOM = Room(
         Command("strength", "Modules and face widths of all tooth sets."),
         Command("compare", "Mass, inertia, size, efficiency; the best train."),
         Command("pair", "Geometry, shifts and checks of pairs of gears."),
+        Command("open", "The open pair on the crank: ratio, losses, inertia, load."),
         Command("blocking", "Blocking contours: all admissible shifts of a pair."),
         Command("profile", "Tooth profiles; svg, dxf and csv files of gears."),
         Command("measure", "Span, size over balls, chords of the teeth."),

@@ -147,6 +147,13 @@ def known_layouts() -> dict[str, Layout]:
     return found
 
 
+@cache
+def known_parts() -> dict[str, Layout]:
+    """The layouts of parts of a drive beside its train, which no train is sought for."""
+    found: dict[str, Layout] = import_module("tmmcalc.gears.layouts").PARTS
+    return found
+
+
 def layout_of(key: str) -> Layout:
     """The layout of this key; raises `UsageError` with the known ones.
 
@@ -154,6 +161,7 @@ def layout_of(key: str) -> Layout:
     'double planets, external and internal mesh'
     """
     layouts = known_layouts()
-    if key in layouts:
-        return layouts[key]
+    found = layouts.get(key) or known_parts().get(key)
+    if found is not None:
+        return found
     raise UsageError(f"no layout is called {key!r}", where="layout", remedy=f"layouts: {', '.join(layouts)}")

@@ -2,7 +2,8 @@
 
 The torque on wheel 1 is given, or follows from the largest reduced moment M_c of the machine that the train drives:
 T1 = max|M_c| / u with u the speed of wheel 1 over that of the shaft that the moment is reduced to, the crank. The
-output shaft of the train is the crank unless another ratio u is given: then a gear of the ratio u/i stands between.
+output shaft of the train is the crank unless an open pair stands on it, or another ratio u is given: then a gear of the
+ratio u/i stands between.
 Losses are neglected.
 """
 
@@ -10,6 +11,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
@@ -34,7 +36,8 @@ class SizingTask:
     strength: StrengthTask  # its torque is that of `torque`; without one it is 1 N*m
     torque: float | None  # T1 [N*m] as given
     moment: float | None  # max|M_c| [N*m] as given; None: that of the reduction
-    ratio: float | None  # u of wheel 1 over the shaft of the moment; None: that of the train
+    ratio: float | None  # u of wheel 1 over the shaft of the moment; None: that of the train and of the pair on it
+    beyond: float = 1.0  # ratio of the open pair between the train's output shaft and the crank
 
 
 @record
@@ -69,13 +72,14 @@ class Sizing:
     variants: tuple[Sized, ...]
 
 
-def solve_sizing(trains: Trains, task: SizingTask, moment: float | None = None) -> Sizing:
-    """Size the sets of every variant; ``moment`` [N*m] is the largest reduced one, where the task gives none.
+def solve_sizing(task: SizingTask, train: Trains, reduction: Any = None) -> Sizing:
+    """Size the sets of every variant, for the largest reduced moment of ``reduction`` where the task gives no torque.
 
     Raises `UsageError` if the torque is not known, and what the tables of strength do not have.
     """
+    moment = None if reduction is None else largest_moment(reduction)
     sized = []
-    for variant in trains.variants:
+    for variant in train.variants:
         request, sets = variant.request, first_sets(variant.sets)
         own = float(wheel_ratio(request))
         torque = _torque(task, moment, own)
@@ -88,13 +92,28 @@ def solve_sizing(trains: Trains, task: SizingTask, moment: float | None = None) 
                 sets=sets,
                 count=variant.synthesis.count,
                 torque=torque,
-                beyond=1.0 if task.ratio is None else task.ratio / own,
+                beyond=task.beyond if task.ratio is None else task.ratio / own,
                 task=strength,
                 strength=found,
                 error=strength_error(sets, strength, found),
             )
         )
     return Sizing(tuple(sized))
+
+
+def largest_moment(reduction: Any) -> float:
+    """max|M_c| over the cycle [N*m] of the result of the stage ``reduction``.
+
+    Raises `UsageError` for a driven slider, on which forces act.
+    """
+    if not reduction.turns:
+        raise UsageError(
+            "the input is a driven slider: there is no moment on a crank",
+            where="strength",
+            remedy="give torque, or moment and moment_ratio",
+        )
+    least, largest = reduction.cycle.panels.extremes(reduction.parts.sum(axis=0))
+    return float(max(abs(least[0]), abs(largest[0])))
 
 
 def wheel_ratio(request: Request) -> Fraction:
@@ -125,5 +144,5 @@ def _torque(task: SizingTask, reduced: float | None, own: float) -> Torque:
             where="strength",
             remedy="give torque or moment, or a mechanism that is loaded",
         )
-    ratio = own if task.ratio is None else task.ratio
+    ratio = own * task.beyond if task.ratio is None else task.ratio
     return Torque(pinion_torque(moment, ratio), source, abs(moment), abs(ratio))

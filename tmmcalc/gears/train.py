@@ -2,47 +2,65 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
-from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.progress import tell
 from tmmcalc.gears.advice import remedies, why_none
 from tmmcalc.gears.model import ToothSets, TrainTask
+from tmmcalc.gears.nominal import with_speeds
 from tmmcalc.gears.search.blocks import Tally
 from tmmcalc.gears.search.constraints import sieve
 from tmmcalc.gears.search.measures import block_of
 from tmmcalc.gears.search.relaxation import relaxations
 from tmmcalc.gears.search.search import Synthesis, angle_error, synthesise
 from tmmcalc.gears.stepping import found_by_textbook, stepped
-from tmmcalc.gears.trains import Request, Trains, Variant
-
-Told = Callable[[float, str], None]  # part of the work that is done, a few words
+from tmmcalc.gears.trains import Asked, Request, Trains, Variant
 
 
-def solve_train(requests: tuple[Request, ...], tell: Told | None = None) -> Trains:
-    """The tooth sets of every request; raises `NoSolutionError` if none has any, with what would help."""
+def solve_train(asked: Asked, drive: Any = None) -> Trains:
+    """The tooth sets of every request that keep the user's constraints; ``drive`` gives a ratio that they have not.
+
+    Raises `UsageError` where neither does, `NoSolutionError` if no request has any tooth set, with what would help, or
+    if none keeps the constraints.
+    """
+    if asked.by_drive and drive is None:
+        raise UsageError(
+            "the ratio of the train is not known",
+            where="train",
+            remedy="give ratio, or a machine whose motor and mean speed lead to it",
+        )
     variants = []
-    for request in requests:
+    for each in asked.requests:
+        request = with_speeds(each, drive.ratio, drive.origin) if asked.by_drive else each
         title = request.title
 
         def progress(part: float, count: int, title: str = title) -> None:
-            if tell is not None:
-                tell(part, f"{title}: {count} tooth sets")
+            tell(part, f"{title}: {count} tooth sets")
 
-        by_program = request.method == "textbook"
+        by_program = request.method == "textbook" and request.task.teeth is None
         synthesis = programmed(request) if by_program else synthesise(request.task, request.keep, progress)
         if synthesis.count:
             found, error = found_by_textbook(request.task, synthesis.sets), angle_error(request.task, synthesis.sets)
             variants.append(Variant(request, synthesis, found, error=error))
             continue
-        if tell is not None:
-            tell(1.0, f"{title}: no tooth set; seeking the least change that gives one")
+        if request.task.teeth is not None:
+            variants.append(Variant(request, synthesis, None))
+            continue
+        tell(1.0, f"{title}: no tooth set; seeking the least change that gives one")
         variants.append(Variant(request, synthesis, None, relaxations(request.task, request.kind)))
     if not any(variant.synthesis.count for variant in variants):
         raise _no_solution(variants)
-    return Trains(tuple(variants))
+    trains = Trains(tuple(variants))
+    if asked.kept is None:
+        return trains
+    from tmmcalc.gears.userconstraints import kept_sets  # only constraints need the tables of the criteria
+
+    return kept_sets(trains, asked.kept)
 
 
 def programmed(request: Request) -> Synthesis:

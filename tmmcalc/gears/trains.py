@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -13,6 +13,9 @@ from tmmcalc.gears.radial import RadialShape
 from tmmcalc.gears.scheme import Layout
 from tmmcalc.gears.search.relaxation import Relaxation
 from tmmcalc.gears.search.search import KEPT, Synthesis
+
+if TYPE_CHECKING:
+    from tmmcalc.feasibility.judge import FeasibilityTask
 
 
 @record
@@ -24,6 +27,8 @@ class Request:
     nominal: Fraction  # ratio of that kind
     admitted: Interval  # ratios of that kind
     relative: bool = True  # whether the tolerance was put as a part of the ratio
+    tolerance: Fraction = Fraction(0)  # as it was put
+    origin: str = ""  # of the ratio, where speeds of the machine give it; empty: the spec
     method: Literal["complete", "textbook"] = "complete"
     keep: int = KEPT  # most sets that are held
     remarks: tuple[str, ...] = ()  # what is unusual about the task
@@ -40,6 +45,15 @@ class Request:
         parallel = "planets" if self.scheme.planetary else "layshafts"
         branches = f" with {self.task.planets} {parallel if self.task.planets > 1 else parallel[:-1]}"
         return f"{self.task.layout}{branches if self.scheme.branched else ''}"
+
+
+@record
+class Asked:
+    """What is asked of every layout, and the user's constraints on tooth sets, if there are any."""
+
+    requests: tuple[Request, ...]
+    kept: FeasibilityTask | None = None
+    by_drive: bool = False  # whether the ratio is that of the drive, and not of the requests
 
 
 @record

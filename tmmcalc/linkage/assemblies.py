@@ -15,11 +15,10 @@ from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.assembly import coordinate
-from tmmcalc.linkage.chain import Chain
+from tmmcalc.linkage.chain import Chain, step_of
 from tmmcalc.linkage.dyads import ONE_ASSEMBLY
 from tmmcalc.linkage.dyads.base import Motions
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.steps import build
 from tmmcalc.linkage.structure import Group
 
 TIED = 1e-6  # relative difference of distances that does not tell two assemblies apart
@@ -54,7 +53,7 @@ def _of_dyad(mechanism: Mechanism, group: Group, motions: Motions, x: Real) -> l
     """The variants of a dyad if it reaches."""
     found = []
     for sign in (1,) if group.kind in ONE_ASSEMBLY else (1, -1):
-        step, moved = build(mechanism, group, sign), dict(motions)
+        step, moved = step_of(mechanism, group, sign), dict(motions)
         with np.errstate(divide="ignore", invalid="ignore"):
             _, placed = step.advance(moved, {}, x, 0, solvers.closed)
         if all(np.isfinite(moved[k].r).all() and np.isfinite(moved[k].u).all() for k in group.links):

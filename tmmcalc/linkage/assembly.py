@@ -126,15 +126,16 @@ def _never(chain: Chain, k: int, intervals: list[Interval]) -> AssemblyError:
     x = np.concatenate([sample(interval) for interval in intervals])
     step = chain.dyad(k)
     margins = chain.margins(x, k)
-    best = int(np.argmax(margins))
+    known = np.isfinite(margins)  # where the groups before this one reach each other by rounding alone it has no place
+    best = int(np.argmax(np.where(known, margins, -np.inf)))
     ports = step.ports(chain.evaluate(x[best : best + 1], order=0, steps=k).motions)
     a, b = step.group.links
     what = "any crank angle" if chain.turns else "any position of the input slider"
+    gap = step.dyad.gap(a, b, *ports) if known.any() else "the links before it reach each other by rounding alone"
     return AssemblyError(
-        f"cannot be assembled at {what}: {step.dyad.gap(a, b, *ports)} "
-        f"({coordinate(chain, float(x[best]))}, where it comes nearest)",
+        f"cannot be assembled at {what}: {gap} ({coordinate(chain, float(x[best]))}, where it comes nearest)",
         where=f"kinematics, group {step.group.name}",
-        value=float(margins[best]),
+        value=float(margins[best]) if known.any() else 0.0,
         limit=0.0,
         remedy="change these lengths or the positions of the pivots",
     )

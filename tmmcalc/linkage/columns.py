@@ -51,7 +51,7 @@ SLIDE = (
 )
 
 
-class _Units(NamedTuple):
+class Units(NamedTuple):
     """Names of the units and the factors that bring SI values into them."""
 
     length: tuple[str, float]
@@ -77,10 +77,11 @@ class _Units(NamedTuple):
 DEGREES = ("deg", float(np.rad2deg(1.0)))
 
 
-def _units(result: Kinematics, dimensionless: bool) -> _Units:
+def units_of(result: Kinematics, dimensionless: bool) -> Units:
+    """SI units, or those of the crank's length and speed; raises `UsageError` where the input link is a slider."""
     per = "rad" if result.turns else "m"
     if not dimensionless:
-        return _Units(("m", 1.0), ("m/s", 1.0), ("m/s^2", 1.0), ("rad/s", 1.0), ("rad/s^2", 1.0), per)
+        return Units(("m", 1.0), ("m/s", 1.0), ("m/s^2", 1.0), ("rad/s", 1.0), ("rad/s^2", 1.0), per)
     if result.crank_length is None:
         raise UsageError(
             "dimensionless results are in units of the crank length, and the input link is a slider",
@@ -88,7 +89,7 @@ def _units(result: Kinematics, dimensionless: bool) -> _Units:
             remedy="leave --dimensionless out",
         )
     length, speed = result.crank_length, result.speed
-    return _Units(
+    return Units(
         ("l_1", 1 / length),
         ("l_1*omega_1", 1 / (length * speed)),
         ("l_1*omega_1^2", 1 / (length * speed**2)),
@@ -100,7 +101,7 @@ def _units(result: Kinematics, dimensionless: bool) -> _Units:
 
 def columns(result: Kinematics, *, dimensionless: bool = False) -> list[Column]:
     """All columns of a result in their usual order; raises `UsageError` for dimensionless driven sliders."""
-    units = _units(result, dimensionless)
+    units = units_of(result, dimensionless)
     return [
         phi_column(result.phi, result.turns),
         *_output_columns(result, units),
@@ -143,7 +144,7 @@ class _Stack(NamedTuple):
             yield column(each, partial(_scaled, make, factor))
 
 
-def _output_columns(result: Kinematics, units: _Units) -> Iterator[Column]:
+def _output_columns(result: Kinematics, units: Units) -> Iterator[Column]:
     rows = _Stack(result, result.s, result.ds, result.dds)
     for k, (name, angular) in enumerate(zip(result.outputs, result.angular, strict=True)):
         if angular:
@@ -156,7 +157,7 @@ def _output_columns(result: Kinematics, units: _Units) -> Iterator[Column]:
         yield from rows.columns(k, told, (own[1], by_velocity, by_acceleration, value[1], value[1]))
 
 
-def _link_columns(result: Kinematics, units: _Units) -> Iterator[Column]:
+def _link_columns(result: Kinematics, units: Units) -> Iterator[Column]:
     t = result.trace
     rows, names = _Stack(result, t.angle, t.dangle, t.ddangle), units.names
     factors = (DEGREES[1], units.omega[1], units.eps[1], 1.0, 1.0)
@@ -164,7 +165,7 @@ def _link_columns(result: Kinematics, units: _Units) -> Iterator[Column]:
         yield from rows.columns(k, [each.of(link=link, **names) for each in LINK], factors)
 
 
-def _point_columns(result: Kinematics, units: _Units) -> Iterator[Column]:
+def _point_columns(result: Kinematics, units: Units) -> Iterator[Column]:
     t = result.trace
     rows, names = _Stack(result, t.r, t.dr, t.ddr), units.names
     for k, point in enumerate(t.point_names):
@@ -173,7 +174,7 @@ def _point_columns(result: Kinematics, units: _Units) -> Iterator[Column]:
             yield from rows.columns(k, told, units.linear, part)
 
 
-def _slide_columns(result: Kinematics, units: _Units) -> Iterator[Column]:
+def _slide_columns(result: Kinematics, units: Units) -> Iterator[Column]:
     t = result.trace
     rows, names = _Stack(result, t.s, t.ds, t.dds), units.names
     for k, joint in enumerate(t.joint_names):

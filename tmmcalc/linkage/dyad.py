@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.core.errors import AssemblyError, SingularityError
+from tmmcalc.core.errors import AccuracyError, AssemblyError, SingularityError
 from tmmcalc.core.plane import Guide, LinkMotion, Point, Real
 from tmmcalc.core.records import record
 from tmmcalc.linkage.dyads.base import Dyad, Motions, Sites, Slide
@@ -39,7 +39,8 @@ def solve_dyad(dyad: Dyad, port1: Point | Guide, port2: Point | Guide) -> DyadMo
 
     ``port1`` belongs to link a, ``port2`` to link b: a `Point` where the kind has an outer revolute joint, a `Guide`
     where it has a prismatic one; arrays of shape (n,) or scalars. Derivatives are with respect to the variable of
-    the ports. Raises `AssemblyError` where the links do not reach and `SingularityError` at a dead point.
+    the ports. Raises `AssemblyError` where the links do not reach, `SingularityError` at a dead point, `AccuracyError`
+    for sizes that no number can compare.
 
     >>> from tmmcalc.linkage.dyads import RRR
     >>> p1 = Point(0.1 + 0.2j, 0.3 - 0.4j, 0.5 + 0.1j)
@@ -53,7 +54,7 @@ def solve_dyad(dyad: Dyad, port1: Point | Guide, port2: Point | Guide) -> DyadMo
     with np.errstate(divide="ignore", invalid="ignore"):
         placed = dyad.place(port1, port2)
         regularity = np.nan_to_num(dyad.regularity(placed), nan=0.0)  # the pin on the pivot: no direction
-    _check_regular(regularity, f"dyad {name}")
+    _check_regular(dyad, regularity, f"dyad {name}")
     motions: Motions = {k: _carrier(port) for k, port in ((SOURCE_1, port1), (SOURCE_2, port2))}
     slides: dict[str, Slide] = {}
     sites = Sites((A, B), (SOURCE_1, SOURCE_2), port1, port2)
@@ -69,29 +70,48 @@ def _arrays(port: Any) -> Any:
 
 
 def _check_assembly(dyad: Dyad, port1: Any, port2: Any, where: str) -> None:
-    margin = dyad.margin(port1, port2)
-    if np.any(~(margin >= 0)):
-        k = int(np.argmin(np.atleast_1d(margin)))
-        raise AssemblyError(
-            f"does not assemble at position {k}: margin {float(np.min(margin)):.4g} is below 0",
+    """Raise `AssemblyError` where the links miss each other, with the worst of the positions."""
+    margin = np.atleast_1d(dyad.margin(port1, port2))
+    if not np.all(np.isfinite(margin)):
+        raise AccuracyError(
+            f"sizes too different to be compared{_position(margin, int(np.argmin(np.isfinite(margin))))}",
             where=where,
-            value=float(np.min(margin)),
+            remedy="write lengths and places of ordinary size",
+        )
+    k, least = int(np.argmin(margin)), float(np.min(margin))
+    if least < 0:
+        gap = dyad.gap("a", "b", _at(port1, margin, k), _at(port2, margin, k))
+        raise AssemblyError(
+            f"does not assemble{_position(margin, k)}: {gap} (margin {least:.4g})",
+            where=where,
+            value=least,
             limit=0.0,
             remedy="change the lengths or the places of the outer joints",
         )
 
 
-def _check_regular(regularity: Real, where: str) -> None:
+def _check_regular(dyad: Dyad, regularity: Real, where: str) -> None:
     least = float(np.min(regularity))
     if not least >= SINGULAR:
+        at = _position(np.atleast_1d(regularity), int(np.argmin(regularity)))
         raise SingularityError(
-            f"dead point at position {int(np.argmin(np.atleast_1d(regularity)))}: regularity {least:.3g} "
-            f"is below {SINGULAR:g}, velocities are not defined",
+            f"dead point{at}: {dyad.dead_point()}; regularity {least:.3g} is below {SINGULAR:g}, velocities are not "
+            "defined",
             where=where,
             value=least,
             limit=SINGULAR,
-            remedy="keep clear of positions where the links stand in line, or guides are parallel",
+            remedy="change the lengths, the directions or the places of the outer joints",
         )
+
+
+def _position(rows: Real, k: int) -> str:
+    """Of several positions the number of one."""
+    return f" at position {k}" if len(rows) > 1 else ""
+
+
+def _at(port: Any, rows: Real, k: int) -> Any:
+    """The port at one of the positions."""
+    return type(port)(*(np.broadcast_to(part, rows.shape)[k] for part in port))
 
 
 def _carrier(port: Point | Guide) -> LinkMotion:

@@ -95,8 +95,18 @@ def free_bodies(statics: Statics, theta: float, side: float) -> tuple[FreeBody, 
     structure = statics.scene.chain.structure
     bodies = [] if structure.driven else [cut.input_link()]
     for group in structure.groups:
-        bodies += [cut.dyad(group)] if group.kind else [cut.link(group, k) for k in group.links]
+        bodies += [cut.dyad(group)] if group.kind else [cut.alone(f"{group.name}, {k}", k) for k in group.links]
     return cleared(bodies, NOTHING)
+
+
+def link_bodies(statics: Statics, theta: float, side: float) -> tuple[FreeBody, ...]:
+    """Every moving link by itself at theta with all that acts on it, however small; ``side`` as in `free_bodies`."""
+    place = statics.scene.place(np.array([theta]), side)
+    cut = _Cut(statics, place, statics.solve(place, side))
+    structure = statics.scene.chain.structure
+    whole = None if structure.driven else structure.input_link
+    links = [link.id for link in cut.mechanism.links]
+    return tuple(cut.input_link() if k == whole else cut.alone(f"link {k}", k) for k in links)
 
 
 def cleared(bodies: Sequence[FreeBody], part: float) -> tuple[FreeBody, ...]:
@@ -144,13 +154,11 @@ class _Cut:
         own = [self.state.reactions[joint.name].seat.r for joint in self.mechanism.joints if link in joint.links]
         return sum(map(_one, own)) / len(own)
 
-    def link(self, group: Group, link: int) -> FreeBody:
-        """A link of a higher group with its loads, all its reactions, and the drive if it acts on it."""
-        parts = self._loads(link, set())
-        if group.drive:
-            parts += self._push(link)
+    def alone(self, name: str, link: int) -> FreeBody:
+        """A link that is not the input link with its loads, all its reactions, and the drive if it acts on it."""
+        parts = [*self._loads(link, set()), *self._push(link)]
         forces = tuple(x for x in parts if isinstance(x, Acting))
-        return FreeBody(f"{group.name}, {link}", (link,), forces, tuple(x for x in parts if isinstance(x, Couple)))
+        return FreeBody(name, (link,), forces, tuple(x for x in parts if isinstance(x, Couple)))
 
     def _push(self, link: int) -> list[Acting | Couple]:
         """What the drive of a driven length does to a link: it pushes the slider ahead, and the guide back."""
@@ -237,7 +245,7 @@ class _Cut:
 
 def _sides(joint: Joint, link: int) -> tuple[float, str]:
     """Sign of the stored reaction, which acts on the higher-numbered link; index of the force on this link."""
-    other = joint.links[1 - joint.links.index(link)]
+    other = joint.other(link)
     comma = "," if max(joint.links) > 9 else ""
     return (1.0 if link > other else -1.0), f"{link}{comma}{other}"
 

@@ -7,6 +7,7 @@ summed up step by step. An extra position between the positions 6 and 7 is label
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -28,9 +29,10 @@ def analysed_range(mechanism: Mechanism, start: float) -> tuple[float, float]:
     return low, high
 
 
-def positions(mechanism: Mechanism, summary: OutputSummary | None, start: float) -> tuple[Real, tuple[str, ...]]:
+def positions(mechanism: Mechanism, summaries: Sequence[OutputSummary], start: float) -> tuple[Real, tuple[str, ...]]:
     """Distances phi (n,) of all positions from position 0 [rad or m], in the order of the travel, and their labels.
 
+    The strokes are those of the first output of ``summaries``; the dead centres of all are added where they are asked.
     They follow the sense of the motion. A spec has spans above zero and extra positions within the span; a plain
     `Mechanism` may also go against the motion (span below zero) and name extra positions in other turns.
     """
@@ -38,11 +40,11 @@ def positions(mechanism: Mechanism, summary: OutputSummary | None, start: float)
     span = _span(grid)
     way = math.copysign(1.0, span)
     extra = [way * e for e in grid.extra]
-    if grid.extremes and summary is not None:
-        extra += [way * sense * (centre.x - start) for centre in summary.dead_centres]
+    if grid.extremes:
+        extra += [way * sense * (centre.x - start) for summary in summaries for centre in summary.dead_centres]
     if _whole(mechanism):
         extra = [e if 0 <= e <= TURN else e % TURN for e in extra]
-    base = _base(grid, abs(span), summary)
+    base = _base(grid, abs(span), summaries[0] if summaries else None)
     along, labels = _merged(base, _added(base, extra))
     return way * sense * along + 0.0, labels  # no -0.0
 

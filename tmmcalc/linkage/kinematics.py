@@ -11,13 +11,13 @@ accelerations in time follow as v = S' omega, a = S'' omega^2 + S' eps.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
-from tmmcalc.core.errors import NoSolutionError, SingularityError
+from tmmcalc.core.errors import AssemblyError, SingularityError
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.assembly import check_range, coordinate
@@ -29,13 +29,14 @@ from tmmcalc.linkage.differentiation import (
     difference_error,
     differentiate,
 )
-from tmmcalc.linkage.errors import estimate
+from tmmcalc.linkage.errors import estimate, weakest_of
 from tmmcalc.linkage.grid import analysed_range, positions
 from tmmcalc.linkage.model import Mechanism, Output
-from tmmcalc.linkage.outputs import default_outputs, summarise
+from tmmcalc.linkage.outputs import default_outputs, output_named, summarise
 from tmmcalc.linkage.placing import placed
 from tmmcalc.linkage.quality import assess, check_regular, grade
-from tmmcalc.linkage.results import Domain, Grade, GroupQuality, Kinematics, Method, Trace
+from tmmcalc.linkage.results import Domain, Grade, GroupQuality, Kinematics, Method, MethodName, Trace
+from tmmcalc.linkage.sizes import size_grades
 from tmmcalc.linkage.structure import Structure, solve_structure
 from tmmcalc.linkage.survey import Survey, survey
 from tmmcalc.linkage.trace import continuous, trace
@@ -45,28 +46,42 @@ BOOK_STEP = math.radians(1.5)  # recommended for positions with six decimals
 
 
 def solve_kinematics(
-    mechanism: Mechanism, structure: Structure | None = None, method: Method | None = None
+    mechanism: Mechanism,
+    structure: Structure | None = None,
+    method: MethodName = "closed",
+    step: float | None = None,
+    decimals: int | None = None,
 ) -> Kinematics:
     """Positions, velocities, accelerations and transfer functions of a mechanism of any class.
 
+    ``method``, ``step`` and ``decimals`` are those of `Method`; 0 means the default step and no rounding.
     Raises `StructureError`, `AssemblyError`, `SingularityError`, `NoSolutionError` (exit code 3) with the
     group, the lengths and the input coordinate at fault.
     """
     structure = structure or solve_structure(mechanism)
-    method = method or Method()
-    chain, domain, start = placed(mechanism, structure)
-    signs = {step.group.name: step.variant for step in chain.steps}
+    how = Method(method, step or None, decimals or None)
+    try:
+        chain, domain, start, centres = placed(mechanism, structure)
+    except AssemblyError as error:
+        odd = "".join(f"\n  {grade}" for grade in size_grades(mechanism))
+        raise AssemblyError(
+            error.message + odd, where=error.where, value=error.value, limit=error.limit, remedy=error.remedy
+        ) from None
+    signs = {each.group.name: each.variant for each in chain.steps}
     branches = chain.branches
     sketched_at = start if mechanism.assembly.at is None else mechanism.assembly.at
     dense, qualities = _surveyed(chain, domain, start)
     outputs = default_outputs(chain)
-    summaries = tuple(summarise(chain, output, dense, start) for output in outputs)
-    phi, labels = positions(mechanism, summaries[0] if summaries else None, start)
+    summaries = tuple(
+        summarise(chain, output, dense, start, centres if output is outputs[0] else None) for output in outputs
+    )
+    phi, labels = positions(mechanism, summaries, start)
     x = start + phi
-    evaluate = _evaluation(chain, method)
+    evaluate = _evaluation(chain, how)
     values = _tracked(chain, x, evaluate(x), dense)
     s, ds, dds = _displacements(chain, outputs, values)
-    _freeze(phi, x, s, ds, dds, *(v for v in vars(values).values() if isinstance(v, np.ndarray)))
+    for array in (phi, x, s, ds, dds, *(v for v in vars(values).values() if isinstance(v, np.ndarray))):
+        array.flags.writeable = False  # a result is frozen, its arrays with it
     return Kinematics(
         structure=structure,
         variants=signs,
@@ -76,6 +91,7 @@ def solve_kinematics(
         speed=mechanism.input.speed,
         acceleration=mechanism.input.acceleration,
         crank_length=crank_length(chain),
+        frame_points={name: (at.real, at.imag) for name, at in mechanism.frame.points.items()},
         labels=labels,
         phi=phi,
         x=x,
@@ -89,14 +105,23 @@ def solve_kinematics(
         summaries=summaries,
         qualities=qualities,
         grades=(
+            *_speed_grades(mechanism, chain.turns),
+            *size_grades(mechanism),
             *sketch_grades(mechanism, structure, signs, branches, sketched_at),
             *grade(chain, qualities),
-            *_method_grades(chain, method, dense.x),
+            *_method_grades(chain, how, dense.x),
         ),
-        method=method,
-        error=estimate(chain, x, evaluate, [q.regularity_at for q in qualities if q.regularity_at is not None]),
+        method=how,
+        error=estimate(chain, x, evaluate, weakest_of(qualities), None if centres is None else start),
         counters={"positions": len(x), "survey_positions": len(dense.x), "groups": len(chain.steps)},
     )
+
+
+def _speed_grades(mechanism: Mechanism, turns: bool) -> Iterator[Grade]:
+    """What rates are without a speed of the input."""
+    if not mechanism.input.given:
+        told = f"speed is not given: velocities and accelerations are those at 1 {'rad/s' if turns else 'm/s'}"
+        yield Grade("note", "[mechanism.input]", told)
 
 
 def _surveyed(chain: Chain, domain: Domain, start: float) -> tuple[Survey, tuple[GroupQuality, ...]]:
@@ -122,7 +147,7 @@ def crank_length(chain: Chain) -> float | None:
 def _evaluation(chain: Chain, method: Method) -> Callable[[Real], Trace]:
     """The function that gives the motion at input coordinates (n,) by a method."""
     if method.name == "differences":
-        step = method.step or (BOOK_STEP if chain.turns else (chain.mechanism.grid.span or 1.0) / 240)
+        step = method.step or default_step(chain)
         unit = crank_length(chain) or 1.0
         return partial(differentiate, chain, step=step, decimals=method.decimals, unit=unit)
     if method.name == "splitting":
@@ -132,8 +157,17 @@ def _evaluation(chain: Chain, method: Method) -> Callable[[Real], Trace]:
     return partial(trace, chain, method=solvers.projection if method.name == "projection" else solvers.closed)
 
 
+def default_step(chain: Chain) -> float:
+    """The step of differences that nobody told: 1.5 degrees, or 1/240 of a slider's range."""
+    return BOOK_STEP if chain.turns else (chain.mechanism.grid.span or 1.0) / 240
+
+
 def _method_grades(chain: Chain, method: Method, x: Real) -> tuple[Grade, ...]:
     """What the method has to tell of the way it took."""
+    higher = [step.group.name for step in chain.steps if not step.group.kind]
+    if method.name == "projection" and higher:
+        message = "the equations of its loops are projected on two axes in every method: only dyads differ by this one"
+        return tuple(Grade("note", f"kinematics, group {name}", message) for name in higher)
     if method.name != "splitting":
         return ()
     from tmmcalc.linkage.loops.signchanges import split_grades
@@ -157,12 +191,6 @@ def _tracked(chain: Chain, x: Real, values: Trace, dense: Survey) -> Trace:
     return replace(values, angle=continuous(values.angle, x, *dense.link_angles()))
 
 
-def _freeze(*arrays: np.ndarray) -> None:
-    """A result is frozen, its arrays with it."""
-    for array in arrays:
-        array.flags.writeable = False
-
-
 def _displacements(chain: Chain, outputs: tuple[Output, ...], values: Trace) -> tuple[Real, Real, Real]:
     """Displacement from position 0 and its transfer functions, each (O, n)."""
     n = values.r.shape[1]
@@ -184,29 +212,25 @@ def output_row(output: Output, values: Trace) -> tuple[Real, Real, Real]:
     return (values.r[k] * turn).real, (values.dr[k] * turn).real, (values.ddr[k] * turn).real
 
 
-def step_study(mechanism: Mechanism, result: Kinematics, decimals: int = 6) -> list[StepError]:
-    """Error of central differences of the first output against their step (textbook 2.4, 2.9).
+def step_study(
+    mechanism: Mechanism, result: Kinematics, decimals: int = 6, output: str | None = None
+) -> list[StepError]:
+    """Error of central differences of an output, the first by default, against their step (textbook 2.4, 2.9).
 
     Lengths are in units of the crank length; positions are rounded to ``decimals`` and, beside that, taken in
     double precision. The steps are those of the textbook's range, as parts of a turn or of the range. Raises
-    `NoSolutionError` if the mechanism has no output.
+    what `output_named` does.
     """
     chain = chain_of(mechanism, result)
-    if not result.outputs:
-        raise NoSolutionError(
-            "there is no output whose differences could be studied",
-            where="kinematics, --study",
-            remedy="name one in [[mechanism.outputs]]",
-        )
-    output = default_outputs(chain)[0]
+    told = output_named(chain, output, "kinematics, --study")
     unit = result.crank_length or 1.0
-    scale = 1.0 if output.link is not None else unit
+    scale = 1.0 if told.link is not None else unit
     per_degree = math.radians(1.0) if result.turns else float(np.ptp(result.x)) / 360
 
     def error(step: float, digits: int | None) -> DifferenceError:
-        _, ds, dds = output_row(output, differentiate(chain, result.x, step, digits, unit))
+        _, ds, dds = output_row(told, differentiate(chain, result.x, step, digits, unit))
         return difference_error((exact[1], exact[2]), (ds, dds), scale)
 
-    exact = output_row(output, trace(chain, result.x))
+    exact = output_row(told, trace(chain, result.x))
     steps = [degrees * per_degree for degrees in STEPS_DEG]
     return [StepError(step, error(step, decimals), error(step, None)) for step in steps]

@@ -52,8 +52,8 @@ def list_assemblies(mechanism: Mechanism, structure: Structure | None = None) ->
     structure = structure or solve_structure(mechanism)
     told, at = given_variants(mechanism, structure), chosen_at(mechanism, structure)
     if at is None:
-        chain, _, at = placed(mechanism, structure)
-        told = {step.group.name: step.variant for step in chain.steps}
+        place = placed(mechanism, structure)
+        told, at = {step.group.name: step.variant for step in place.chain.steps}, place.start
     chain, x = Chain(mechanism, structure, ()), np.array([at])
     motions, found = chain.evaluate(x, order=0).motions, list[GroupAssembly]()
     for group in structure.groups:

@@ -8,9 +8,12 @@ from __future__ import annotations
 
 from typing import Literal
 
+from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.loadlaws.law import Law
 from tmmcalc.linkage.model import FRAME
+
+Role = Literal["resistance", "drive", "neutral"]
 
 
 @record
@@ -46,7 +49,7 @@ class Load:
     follows: int = FRAME  # the link whose axes the direction is given in; it turns with it
     window: Window | None = None  # None: always
     factor: float = 1.0
-    role: Literal["resistance", "drive"] = "resistance"  # what the user takes it for; the work tells
+    role: Role = "resistance"  # what the user takes it for; the work tells
     against: int = FRAME  # the link that takes the opposite load, on the same line
 
 
@@ -82,10 +85,11 @@ class Coupling:
 class GearDrive:
     """A gear on the crank: the mesh force acts along the line of action at the pitch point."""
 
-    radius: float  # operating pitch radius r_w of the gear on the crank [m]
-    mesh_angle: float  # alpha_w [rad]
+    radius: float = quantity("r_w_gear[m]", "operating pitch radius of the gear on the crank")
+    mesh_angle: float = quantity("alpha_w_gear[rad]", "operating pressure angle of its mesh")
     pinion: float  # direction from the crank's pivot to the centre of the pinion [rad], fixed axes
     internal: bool = False  # the gear on the crank has internal teeth
+    open: str = quantity("gear_of", "open pair whose radius and angle these are; empty: as given", default="")
 
 
 @record

@@ -53,6 +53,10 @@ class Joint:
     points: tuple[complex, complex]
     directions: tuple[complex, complex] = (1 + 0j, 1 + 0j)
 
+    def other(self, link: int) -> int:
+        """The link that it joins with this one."""
+        return self.links[1 - self.links.index(link)]
+
 
 @record
 class Input:
@@ -65,6 +69,7 @@ class Input:
     speed: float  # mean speed [rad/s] or [m/s], not zero; positive counter-clockwise
     acceleration: float = 0.0  # [rad/s^2] or [m/s^2]
     start: float | None = None  # coordinate of position 0; None: the dead centre before the working stroke
+    given: bool = True  # False: no speed is asked for, that of 1 makes the rates those by the input coordinate
 
 
 @record
@@ -92,7 +97,7 @@ class Output:
 class Grid:
     """Positions of the input: ``positions`` equal steps over ``span``, or ``working`` + ``idle`` steps.
 
-    ``extra`` lists additional positions, counted from position 0; ``extremes`` adds the dead centres.
+    ``extra`` lists additional positions, counted from position 0; ``extremes`` adds the dead centres of all outputs.
     """
 
     positions: int = 24

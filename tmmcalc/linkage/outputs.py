@@ -14,7 +14,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.numerics.extrema import around, maxima, refine, with_turning_points
 from tmmcalc.core.numerics.roots import Indices, bracketed
 from tmmcalc.core.plane import Real
@@ -62,6 +62,21 @@ def default_outputs(chain: Chain) -> tuple[Output, ...]:
     return ()
 
 
+def output_named(chain: Chain, name: str | None, where: str) -> Output:
+    """The output of this name, the first one for None.
+
+    Raises `UsageError` for another name, `NoSolutionError` if there is no output.
+    """
+    outputs = default_outputs(chain)
+    found = next((output for output in outputs if name in {None, output.name}), None)
+    if found is not None:
+        return found
+    if not outputs:
+        raise NoSolutionError("the mechanism has no output", where=where, remedy="name one in [[mechanism.outputs]]")
+    known = ", ".join(output.name for output in outputs)
+    raise UsageError(f"there is no output {name!r}", where=where, remedy=f"outputs: {known}")
+
+
 def sampled(chain: Chain, output: Output, dense: Survey) -> Coordinates:
     """Value (angles continuous) and both derivatives of an output over the survey, each (m,)."""
     value, rate, rate2 = coordinate_of(chain, output, dense.configuration)
@@ -85,7 +100,9 @@ def dead_centres(chain: Chain, output: Output, dense: Survey, rate: Real) -> Rea
     x, rate = with_turning_points(rates, dense.x, rate, near=0.02 * largest, period=period)
     sign = _signs(rate, dense.full)
     change = np.flatnonzero(sign[1:] != sign[:-1])
-    return bracketed(rates, x[change], x[change + 1])
+    low, high = rate[change], rate[change + 1]
+    first = x[change] + (x[change + 1] - x[change]) * (low / (low - high))
+    return bracketed(rates, x[change], x[change + 1], known=(low, high, first))
 
 
 def _signs(rate: Real, periodic: bool) -> Real:
@@ -130,8 +147,8 @@ def order_from_working(chain: Chain, output: Output, centres: Real, values: Real
     return np.roll(centres, -int(np.argmax(keys)))
 
 
-def working_start(chain: Chain, dense: Survey) -> float:
-    """Input coordinate of the dead centre before the working stroke of the first output, over a full turn.
+def working_centres(chain: Chain, dense: Survey) -> Real:
+    """Dead centres (k,) of the first output over a full turn, the one before the working stroke first.
 
     Raises `NoSolutionError` if there is no output or it never reverses.
     """
@@ -151,7 +168,7 @@ def working_start(chain: Chain, dense: Survey) -> float:
             remedy='give input.start as a number, e.g. start = "0 deg"',
         )
     values = values_at(chain, outputs[0], centres, dense)
-    return float(order_from_working(chain, outputs[0], centres, values, gain_of(outputs[0], value))[0])
+    return order_from_working(chain, outputs[0], centres, values, gain_of(outputs[0], value))
 
 
 def gain_of(output: Output, track: Real) -> float:
@@ -159,10 +176,16 @@ def gain_of(output: Output, track: Real) -> float:
     return TURN * round(float(track[-1] - track[0]) / TURN) if output.link is not None else 0.0
 
 
-def summarise(chain: Chain, output: Output, dense: Survey, start: float) -> OutputSummary:
-    """Dead centres, strokes and extremes of an output over the survey of a range that begins at ``start``."""
+def summarise(chain: Chain, output: Output, dense: Survey, start: float, known: Real | None = None) -> OutputSummary:
+    """Dead centres, strokes and extremes of an output over the survey of a range that begins at ``start``.
+
+    ``known`` are its dead centres (k,) of a full turn, if they have been searched before.
+    """
     samples = sampled(chain, output, dense)
-    centres = dead_centres(chain, output, dense, samples[1])
+    if known is not None and dense.full and chain.structure.dyads_only:
+        centres = np.sort(known)
+    else:  # a chain of a higher group may come back after several turns, of which each is another one
+        centres = dead_centres(chain, output, dense, samples[1])
     values = values_at(chain, output, centres, dense)
     gain, ends = gain_of(output, samples[0]), samples[0][[0, -1]]
     stroke = stroke_of(values, gain) if dense.full else float(np.ptp(np.append(values, ends)))

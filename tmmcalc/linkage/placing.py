@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -17,13 +17,12 @@ from tmmcalc.core.errors import AssemblyError, NoSolutionError, SingularityError
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assemblies import assemblies_of, chosen
 from tmmcalc.linkage.assembly import TURN, check_range, coordinate, find_domain
-from tmmcalc.linkage.chain import Chain
+from tmmcalc.linkage.chain import Chain, step_of
 from tmmcalc.linkage.grid import analysed_range
 from tmmcalc.linkage.model import FRAME, Mechanism
-from tmmcalc.linkage.outputs import working_start
-from tmmcalc.linkage.quality import assess, check_regular
+from tmmcalc.linkage.outputs import working_centres
+from tmmcalc.linkage.quality import assess, check_regular, passes_clearly
 from tmmcalc.linkage.results import Domain, Interval, Limit
-from tmmcalc.linkage.steps import build
 from tmmcalc.linkage.structure import Group, Structure
 from tmmcalc.linkage.survey import survey
 from tmmcalc.linkage.trace import principal
@@ -37,14 +36,25 @@ if TYPE_CHECKING:
 SEAM = 0.01  # the search for assembly intervals starts at an angle where nothing special happens [rad]
 
 
-def placed(mechanism: Mechanism, structure: Structure) -> tuple[Chain, Domain, float]:
-    """The chain on its assembly, where it assembles, and the input coordinate of position 0."""
+class Placed(NamedTuple):
+    """A mechanism in place."""
+
+    chain: Chain  # on its assembly
+    domain: Domain  # where it assembles
+    start: float  # input coordinate of position 0
+    centres: (
+        Real | None
+    )  # dead centres (k,) of the first output over a turn, that of position 0 first; None: it is given
+
+
+def placed(mechanism: Mechanism, structure: Structure) -> Placed:
+    """The mechanism in place; raises what says why it has no position 0."""
     told = given_variants(mechanism, structure)
     if chosen_at(mechanism, structure) is None and structure.dyads_only:
         told = _at_extremes(mechanism, structure, told)
     chain = assembled(mechanism, structure, told)
     domain = domain_of(chain)
-    return chain, domain, _start(chain, domain)
+    return Placed(chain, domain, *_start(chain, domain))
 
 
 def assembled(mechanism: Mechanism, structure: Structure, told: Mapping[str, int]) -> Chain:
@@ -63,7 +73,7 @@ def assembled(mechanism: Mechanism, structure: Structure, told: Mapping[str, int
         if at is not None and group in sketched:
             motions = chain.evaluate(np.array([at]), order=0).motions
             variant = chosen(chain, group, assemblies_of(mechanism, group, motions, np.array([at])), at, None).variant
-        chain = chain.joined(build(mechanism, group, 1 if variant is None else variant))
+        chain = chain.joined(step_of(mechanism, group, 1 if variant is None else variant))
     return chain
 
 
@@ -157,20 +167,22 @@ def _at_extremes(mechanism: Mechanism, structure: Structure, told: dict[str, int
     return nearest(tried, groups) if tried else told
 
 
-def _start(chain: Chain, domain: Domain) -> float:
-    """Input coordinate of position 0: given, or the dead centre before the working stroke."""
+def _start(chain: Chain, domain: Domain) -> tuple[float, Real | None]:
+    """Input coordinate of position 0: given, or the dead centre before the working stroke, with all dead centres."""
     given = chain.mechanism.input.start
     if given is not None:
-        return given
+        return given, None
     check_range(chain, domain, -math.pi, math.pi)
     dense = survey(chain, -math.pi, math.pi)
-    check_regular(chain, assess(chain, dense, -math.pi))
-    return float(principal(np.asarray(working_start(chain, dense))))
+    if not passes_clearly(chain, dense):
+        check_regular(chain, assess(chain, dense, -math.pi))
+    centres = working_centres(chain, dense)
+    return float(principal(centres[:1])[0]), centres
 
 
 def _start_or_none(chain: Chain) -> float | None:
     """The extreme start of a candidate variant, None if that variant does not turn or never reverses."""
     try:
-        return _start(chain, domain_of(chain))
+        return _start(chain, domain_of(chain))[0]
     except (AssemblyError, SingularityError, NoSolutionError):
         return None

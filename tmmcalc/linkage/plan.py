@@ -10,7 +10,6 @@ import math
 
 import numpy as np
 
-from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.plane import Real
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
@@ -18,13 +17,13 @@ from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.grid import SAME
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.outputs import coordinate_of, default_outputs
+from tmmcalc.linkage.outputs import coordinate_of, output_named
 from tmmcalc.linkage.results import Kinematics
 
 
 @record
 class PositionPlan:
-    """n positions in the order of the motion, for the first output."""
+    """n positions in the order of the motion, for one output."""
 
     output: str = quantity("output", "the output")
     angular: bool  # whether the output is an angle
@@ -43,22 +42,17 @@ class PositionPlan:
     time_ratio: float | None = quantity("K", "ratio of the times of the strokes")
 
 
-def position_plan(mechanism: Mechanism, result: Kinematics) -> PositionPlan:
-    """The plan of a kinematics result; raises `NoSolutionError` if the mechanism has no output."""
-    if not result.outputs:
-        raise NoSolutionError(
-            "there is no output whose strokes could be told",
-            where="kinematics, --plan",
-            remedy="name one in [[mechanism.outputs]]",
-        )
+def position_plan(mechanism: Mechanism, result: Kinematics, output: str | None = None) -> PositionPlan:
+    """The plan of a kinematics result for an output, the first by default; raises what `output_named` does."""
     chain = chain_of(mechanism, result)
+    told = output_named(chain, output, "kinematics, --plan")
+    summary = next(each for each in result.summaries if each.name == told.name)
     full = result.turns and abs(abs(float(result.phi[-1] - result.phi[0])) - TURN) < SAME
     count = len(result.x) - full
-    output, summary = default_outputs(chain)[0], result.summaries[0]
-    if output.link is not None:
-        value = result.trace.angle[result.trace.link_ids.index(output.link)]
+    if told.link is not None:
+        value = result.trace.angle[result.trace.link_ids.index(told.link)]
     else:
-        value = np.broadcast_to(coordinate_of(chain, output, chain.evaluate(result.x))[0], result.x.shape)
+        value = np.broadcast_to(coordinate_of(chain, told, chain.evaluate(result.x))[0], result.x.shape)
     centres = np.array([centre.x for centre in summary.dead_centres])
     strokes, extremes = _strokes(result, centres, count, full)
     return PositionPlan(

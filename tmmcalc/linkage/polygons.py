@@ -20,10 +20,10 @@ import numpy as np
 
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.instant import LinkState, in_time, turning_links
-from tmmcalc.linkage.model import FRAME, Joint, Mechanism
+from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.linkage.structure import Group
+from tmmcalc.linkage.turning import slider_pin, turnings
 from tmmcalc.linkage.vectors import Polygon, Vector, VectorPolygons
 
 
@@ -37,9 +37,7 @@ def polygons(mechanism: Mechanism, result: Kinematics, position: int) -> VectorP
     motions = chain.evaluate(np.atleast_1d(result.x[position])).motions
     plan = _Plan(mechanism, result, {k: in_time(motion, result) for k, motion in motions.items()})
     plan.name_vertices()
-    for group in result.structure.groups:
-        plan.add_group(group)
-    plan.add_crank()
+    plan.add_turning()
     plan.add_sliding()
     plan.add_rest()
     return plan.finished(position)
@@ -66,7 +64,7 @@ class _Plan:
         """One vertex for every pin and point that moves, one more for the guide's point of a moving slider."""
         taken = {"p", "pi", *(f"n{link.id}" for link in self.mechanism.links), *self._coriolis_names()}
         for joint in self.sliding:
-            pin = self._slider_pin(joint)
+            pin = slider_pin(joint, self.pins)
             if pin not in self.names:
                 self._add(pin, _free(f"{pin.name.lower()}{joint.links[0]}", taken), joint.links[0])
             vertex = _free(f"{pin.name.lower()}{joint.links[1]}", taken)
@@ -81,14 +79,6 @@ class _Plan:
         turning = [j for j in self.sliding if j.links[1] in self.turning]
         return ["k"] if len(turning) == 1 else [f"k{j.links[0]}" for j in turning]
 
-    def _slider_pin(self, joint: Joint) -> Pin:
-        """The point of the slider that is compared with the guide: its pin, else a point of its line."""
-        own = [pin for pin in self.pins if joint.links[0] in pin.at]
-        pivots = [pin for pin in own if pin.joints]
-        there = [pin for pin in own if pin.at[joint.links[0]] == joint.points[0]]
-        candidates = [pin for pin in there if pin.joints] or pivots or there
-        return candidates[0] if candidates else Pin(joint.name, {joint.links[0]: joint.points[0]}, ())
-
     def _place(self, pin: Pin) -> complex:
         link, p = next(iter(pin.at.items()))
         state = self.states[link]
@@ -98,42 +88,17 @@ class _Plan:
         self.names[pin] = vertex
         self.velocity[vertex], self.acceleration[vertex] = self.states[link].point(pin.at[link])
 
-    def add_group(self, group: Group) -> None:
-        """The turning links of a group: of a dyad from the attachment point to the inner joint."""
-        if not group.kind:
-            self._add_higher(group)
-            return
-        inner = self.mechanism.joint(group.inner[0])
-        for link, outer in zip(group.links, (self.mechanism.joint(name) for name in group.outer), strict=True):
-            if link not in self.turning or outer.kind != "revolute":
+    def add_turning(self) -> None:
+        """The parts of links that turn; that of the crank, which is at constant speed normal alone, if it has two."""
+        crank = self.result.structure.input_link if self.result.turns else None
+        for each in turnings(self.mechanism, self.result.structure, self.pins):
+            if each.link == crank and not self.result.acceleration:
                 continue
-            base = self._pin_of(outer)
-            if inner.kind == "revolute":
-                pin = self._pin_of(inner)
-                self._turn(link, base, self.names[pin], pin.at[link])
-            elif link == inner.links[1]:
-                pin, vertex = self.guides[inner.name]
-                self._turn(link, base, vertex, self.states[link].own(self._place(pin)))
-
-    def _add_higher(self, group: Group) -> None:
-        """The turning links of a higher group: each from its attachment point, or its first pin, to its next pin."""
-        outer = set(group.outer)
-        for link in group.links:
-            own = [pin for pin in self.pins if link in pin.at and pin.joints]
-            own.sort(key=lambda pin: not outer & set(pin.joints))
-            if link in self.turning and len(own) > 1:
-                self._turn(link, own[0], self.names[own[1]], own[1].at[link])
-
-    def add_crank(self) -> None:
-        """The parts of the acceleration of the crank pin, which are two only if the crank is accelerated."""
-        drive = self.mechanism.joint(self.result.input_joint)
-        if not self.result.turns or not self.result.acceleration:
-            return
-        link = self.result.structure.input_link
-        pivot = self._pin_of(drive)
-        pins = [pin for pin in self.pins if link in pin.at and pin is not pivot and pin.joints]
-        if pins:
-            self._turn(link, pivot, self.names[pins[0]], pins[0].at[link])
+            if each.joint:
+                pin, vertex = self.guides[each.joint]
+                self._turn(each.link, each.base, vertex, self.states[each.link].own(self._place(pin)))
+            else:
+                self._turn(each.link, each.base, self.names[each.head], each.head.at[each.link])
 
     def _turn(self, link: int, base: Pin, head: str, p: complex) -> None:
         """Normal and tangential part of the acceleration of point p of a link about its attachment point."""
@@ -148,9 +113,6 @@ class _Plan:
 
     def _vertex(self, pin: Pin, pole: str) -> str:
         return pole if pin.fixed else self.names[pin]
-
-    def _pin_of(self, joint: Joint) -> Pin:
-        return next(pin for pin in self.pins if joint.name in pin.joints)
 
     def add_sliding(self) -> None:
         """Relative velocity; relative and Coriolis acceleration, the latter with its head in the slider's vertex."""

@@ -20,9 +20,8 @@ from tmmcalc.core.numerics.extrema import around, maxima, refine
 from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Real, square
 from tmmcalc.linkage.assembly import coordinate
-from tmmcalc.linkage.chain import Chain, Configuration
+from tmmcalc.linkage.chain import Chain, Configuration, Step
 from tmmcalc.linkage.results import Extreme, Grade, GroupQuality
-from tmmcalc.linkage.steps import Step
 from tmmcalc.linkage.survey import Evaluate, Survey, alone, along_motion
 
 SINGULAR = 1e-6  # regularity of a dead point: below it velocities have no trustworthy digits
@@ -68,16 +67,27 @@ def kinds_of(chain: Chain) -> list[tuple[int, bool]]:
     return found
 
 
+def passes_clearly(chain: Chain, dense: Survey) -> bool:
+    """Whether the range is far from any dead point: no squared sine is as small as it changes between two samples."""
+    squares = _sampled(chain, dense)[1]
+    return bool(np.all(np.min(squares, axis=2) > np.max(np.abs(np.diff(squares, axis=2)), axis=2)))
+
+
 def assess(chain: Chain, dense: Survey, start: float) -> tuple[GroupQuality, ...]:
     """Transmission and regularity of every dyad over the surveyed range, which begins at ``start``."""
+    measures, squares = _sampled(chain, dense)
+    return assessed(chain, alone(chain), measures, dense.x[None], squares, np.array([start]), full=dense.full)[0]
+
+
+def _sampled(chain: Chain, dense: Survey) -> tuple[list[Measure], Real]:
+    """The measures of a chain, and their samples (M, 1, m) over the surveyed range."""
     pivots = dense.configuration.placed
     measures = [
         Measure(k, regularity, float(np.max(np.abs(pivots[k].q))) if regularity and chain.steps[k].group.kind else 0.0)
         for k, regularity in kinds_of(chain)
     ]
     squares = np.array([measure(chain, dense.configuration, dense.x) for measure in measures])
-    squares = squares.reshape(len(measures), 1, len(dense.x))
-    return assessed(chain, alone(chain), measures, dense.x[None], squares, np.array([start]), full=dense.full)[0]
+    return measures, squares.reshape(len(measures), 1, len(dense.x))
 
 
 def assessed(

@@ -182,13 +182,33 @@ class Grade:
 
 
 @record
+class LastDigit:
+    """What a unit in the last place of every length, direction and input coordinate does to the motion, at most [-].
+
+    Relative to the largest value of each kind, as errors are; 1 where no digit is left.
+    """
+
+    position: float = quantity("position", "relative change of positions by the last digit of the data")
+    velocity: float = quantity("velocity", "relative change of velocities by the last digit of the data")
+    acceleration: float = quantity("acceleration", "relative change of accelerations by the last digit of the data")
+
+
+@record
 class ErrorEstimate:
-    """Estimated largest error of points over all positions, relative to the largest value of each kind [-]."""
+    """Estimated largest error over all positions, relative to the largest value of each kind [-].
+
+    The kinds are points with prismatic joints, and links, whose angles are told against one radian. The data are taken
+    as exact: ``last_digit`` is what their own rounding may do beside it; None where the transmission keeps it as small
+    as rounding, and in variants that are solved together.
+    """
 
     position: float = quantity("position", "relative error of positions")
     velocity: float = quantity("velocity", "relative error of velocities")
     acceleration: float = quantity("acceleration", "relative error of accelerations")
     reference: str
+    last_digit: LastDigit | None = quantity(
+        "last_digit", "what a unit in the last place of the data changes", default=None
+    )
 
 
 @record
@@ -228,6 +248,7 @@ class Kinematics:
     crank_length: float | None = quantity(  # None for a driven slider
         "l_1[m]", "length of the crank, the unit of dimensionless results"
     )
+    frame_points: dict[str, tuple[float, float]] = quantity("frame_points[m]", "coordinates x, y of the fixed points")
     labels: tuple[str, ...]  # (n,) position labels
     phi: Real  # (n,) input coordinate counted from position 0 [rad or m]
     x: Real = quantity("{input}[{unit}]", "input coordinate")  # (n,)

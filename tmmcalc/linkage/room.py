@@ -11,6 +11,7 @@ from tmmcalc.core.stage import Picture, Stage
 if TYPE_CHECKING:
     from tmmcalc.feasibility.room import FeasibilityTables
     from tmmcalc.linkage.tables.drive import DriveTable
+    from tmmcalc.linkage.tables.dyad import DyadTable
     from tmmcalc.linkage.tables.loads import LoadTable
     from tmmcalc.linkage.tables.mechanism import MechanismTable
     from tmmcalc.linkage.tables.springs import SpringTable
@@ -31,12 +32,16 @@ class LinkageTables(FeasibilityTables):
         subject=True,
         describes="a linkage to be found",
         checks=("synthesis", "dwell"),
+        gives="mechanism",
+    )
+    dyad: DyadTable | None = table(
+        "A dyad by itself, moved by its outer joints.", subject=True, describes="a dyad by itself"
     )
     loads: list[LoadTable] = table(
         "Technological forces and moments on the links.",
         belongs_to=LINKS,
         why="loads act on the links of a mechanism",
-        checks=("loads", "laws", "windows", "lawdata"),
+        checks=("loads", "laws"),
         files=("table.file",),
         named=("load_names", "name", "link"),
         after="torque",
@@ -75,6 +80,7 @@ ROOM = Room(
             "synthesis",
             "a linkage by what it is to do; checks; ready specs",
             asked=("synthesis", "no linkage is to be found"),
+            settles=True,
             another=True,
             picture=Picture(
                 "the linkage found in its extreme positions with dimensions, or at its points with the coupler curve",
@@ -113,9 +119,16 @@ ROOM = Room(
             after="transient",
             picture=Picture("input, outputs and links over the time"),
         ),
+        Stage(
+            "dyad",
+            "motion of a dyad with given states of its outer joints",
+            asked=("dyad", "no dyad by itself is asked for"),
+            picture=Picture("the dyad to scale with the velocities and the accelerations of its points"),
+        ),
     ),
     (
         Command("synth", "Linkages by stroke, swing, path, function or motion."),
+        Command("dyad", "A dyad with given states of its outer joints."),
         Command("structure", "Mobility, Assur groups, structural formula."),
         Command("kinematics", "Positions, velocities, accelerations, dead centres, strokes."),
         Command("forces", "Reactions in the pairs, friction, driving moment."),

@@ -53,6 +53,7 @@ class Structure:
     joints: int = quantity("joints", "number of lower pairs", symbol="p")
     input_link: int  # the slider, where the drive acts between two moving links
     groups: tuple[Group, ...]  # in order of assembly
+    names: dict[str, str] = quantity("links_named", "names of the moving links by their numbers", default_factory=dict)
 
     @property
     def driven(self) -> Group | None:
@@ -83,7 +84,7 @@ def skeleton(mechanism: Mechanism) -> Mechanism:
     """The mechanism without its metric, motion and assembly: all that the structure depends on."""
     return Mechanism(
         Link(FRAME),
-        tuple(Link(link.id) for link in mechanism.links),
+        tuple(Link(link.id, name=link.name) for link in mechanism.links),
         tuple(Joint(joint.name, joint.kind, joint.links, (0j, 0j)) for joint in mechanism.joints),
         Input(mechanism.input.joint, 1.0),
     )
@@ -108,7 +109,8 @@ def solve_structure(mechanism: Mechanism) -> Structure:
         groups.append(_group(mechanism, component, known, driver if within else None))
         known = (*known, *sorted(component))
     n, p = len(mechanism.links), len(mechanism.joints)
-    return Structure(3 * n - 2 * p, n, p, input_link, tuple(groups))
+    names = {str(link.id): link.name for link in mechanism.links if link.name}
+    return Structure(3 * n - 2 * p, n, p, input_link, tuple(groups), names)
 
 
 def _group(mechanism: Mechanism, links: tuple[int, ...], known: tuple[int, ...], driver: Joint | None) -> Group:

@@ -36,9 +36,10 @@ def layout(chain: Chain) -> Layout:
     owners: dict[str, tuple[int, complex]] = {}
     links = (chain.structure.input_link, *(k for group in chain.structure.groups for k in group.links))
     order = tuple(dict.fromkeys(links))
+    points, fixed = {link.id: link.points for link in chain.mechanism.links}, chain.mechanism.frame.points
     for k in order:
-        for name, p in chain.mechanism.link(k).points.items():
-            if name not in chain.mechanism.frame.points:
+        for name, p in points[k].items():
+            if name not in fixed:
                 owners.setdefault(name, (k, p))
     return Layout(
         tuple((name, *owners[name]) for name in sorted(owners, key=_natural)),

@@ -7,6 +7,7 @@ omega = dtheta/dt is positive, and a positive moment drives. All functions are h
 from __future__ import annotations
 
 import math
+from functools import cached_property
 
 from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.core.records import record
@@ -34,6 +35,11 @@ class Cycle:
     def period(self) -> float:
         """Angle of one cycle [rad]: 2 pi, of a four-stroke engine 4 pi."""
         return float(self.panels.edges[-1] - self.panels.edges[0])
+
+    @cached_property
+    def finer(self) -> list[Cycle]:
+        """The same on further panels, at most once: on those that were asked for last, which many motions share."""
+        return []
 
 
 def place(theta: float, sense: float) -> str:

@@ -34,6 +34,8 @@ class ConstantInertia:
     flywheel: float = quantity("J_flywheel[kg*m^2]", "inertia of the flywheel", default=0.0)
     train: str = quantity("gear_train", "gear train whose inertia that of the gears is; empty: as given", default="")
 
+    open: str = quantity("open_pair", "open pair that is in that of the gears; empty: none", default="")
+
     @derived("J_c[kg*m^2]", "constant inertia")
     def total(self) -> float:
         """The sum of the parts."""

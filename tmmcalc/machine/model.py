@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
+    from tmmcalc.gears.openpair import OpenPair
     from tmmcalc.machine.balance.cylinders import Cylinder
     from tmmcalc.machine.balance.rotors import Rotor
     from tmmcalc.machine.motors.model import CharacteristicKind, Motor
@@ -66,17 +67,17 @@ class MotorChoice:
     time_constant: float | None = 0.0  # electromagnetic tau_e [s]; None: by the formula, from the critical slip
     catalogue: tuple[Motor, ...] = ()  # of the user's own; empty: the program's
     synchronous: float | None = None  # of the motor to choose [rad/s]
+    reserve: float = 0.0  # part by which the motor to choose exceeds what is asked of it
 
 
 @record
 class Gears:
-    """The gears between the motor and the input shaft; what is None is that of a gear train, if there is one."""
+    """What the spec gives of the gears between the motor and the input shaft; None: nothing, see `drive_line`."""
 
-    ratio: float | None = None  # motor speed over input speed; None: rated speed over the mean input speed
-    efficiency: float = 1.0
-    inertia: float | None = None  # reduced to the input shaft [kg*m^2]; None: none
-    ratio_of: str = ""  # the gear train whose ratio that is; empty: as given
-    inertia_of: str = ""  # the gear train whose inertia that is; empty: as given
+    ratio: float | None = None  # motor speed over input speed, an open pair included
+    efficiency: float | None = None  # of the gears before the open pair
+    inertia: float | None = None  # of the same, reduced to the input shaft [kg*m^2]
+    open: OpenPair | None = None  # on the crank; None: the output shaft of these gears is the input shaft
 
 
 @record
@@ -103,6 +104,16 @@ class MotionTask:
     inertia: float = 0.0  # further constant inertia of the input shaft [kg*m^2]
     speed: float | None = None  # mean speed of the positional motion [rad/s]; None: that of the input
     undriven: bool = False  # nothing drives but the loads, which set the speed
+
+
+@record
+class TrialTask:
+    """What a motor to choose has to do in the machine: its steady motion, and the starts that are asked for."""
+
+    motion: MotionTask
+    wheel: FlywheelTask | None
+    starts: tuple[TransientTask, ...]
+    shafts: tuple[DriveShaft, ...]
 
 
 @record

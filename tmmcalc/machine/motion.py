@@ -15,7 +15,6 @@ from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver
 from tmmcalc.machine.motorside import MotorSide, motor_side
 from tmmcalc.machine.offspeed import INPUT, off_speed
-from tmmcalc.machine.positional import positional
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.textbook import Textbook, Turn
 from tmmcalc.machine.timescales import TimeScales
@@ -159,6 +158,8 @@ def _regime(
     cycle: Cycle, inertia: ConstantInertia, driver: Driver | None, speed: float, sense: float, tolerance: float
 ) -> Regime:
     if driver is None:
+        from tmmcalc.machine.positional import positional
+
         return positional(cycle, inertia.total, speed, sense=sense)
     from tmmcalc.machine.steady import driven
 

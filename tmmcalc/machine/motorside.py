@@ -14,6 +14,7 @@ from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
+    from tmmcalc.core.numerics.panels import Values
     from tmmcalc.machine.driver import Driver
     from tmmcalc.machine.regime import Regime
 
@@ -38,7 +39,11 @@ class MotorSide:
 def motor_side(regime: Regime, driver: Driver) -> MotorSide:
     """The regime of a motor as its own shaft feels it."""
     u, eta, on = driver.ratio, driver.efficiency, regime.panels
-    moment = regime.driving / u * np.where(regime.driving > 0, 1 / eta, eta)
+
+    def through_gears(driving: Values) -> Values:
+        return driving / u * np.where(driving > 0, 1 / eta, eta)
+
+    moment, largest = through_gears(regime.driving), np.array(regime.driving_extremes[1][0])
     work, heat = on.total(np.stack((moment * u, moment * moment / regime.omega)))
     nominal = driver.characteristic.nominal
     return MotorSide(
@@ -46,6 +51,6 @@ def motor_side(regime: Regime, driver: Driver) -> MotorSide:
         efficiency=eta,
         mean_power=float(work) / regime.cycle_time,
         rms_moment=float(heat / regime.cycle_time) ** 0.5,
-        largest=on.extremes(moment)[1][0],
+        largest=float(through_gears(largest)),
         rated_moment=None if nominal is None else float(driver.characteristic.moment(nominal)) / (u * eta),
     )

@@ -1,8 +1,8 @@
 """The speed that the spec asks for against the speed that the machine really keeps.
 
 Friction, inertia forces, the work of loads that depend on speed, and power are computed at the speed of the spec; a
-motor with its gears turns the input at another one. What differs by the slip of a motor is worth a note, more is a
-fault of the ratio or of the speed.
+motor with its gears turns the input at another one. Half a per cent is worth a note: forces of inertia differ by
+a whole one; more than the slip of a motor is a fault of the ratio or of the speed.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import math
 
 from tmmcalc.machine.verdicts import Verdict
 
-TOLD = 0.02  # relative difference of the speeds that is worth a note: more than most motors slip
+TOLD = 0.005  # relative difference of the speeds that is worth a note
 GRAVE = 0.05  # and from which results of the other speed mislead
 RPM = 30 / math.pi
 INPUT = "mechanism.input.speed"  # where the spec gives the speed; of a diagram ``torque.speed``
@@ -31,11 +31,12 @@ def off_speed(mean: float, asked: float, ratio: float | None, sense: float, key:
         return None
     above = f"{100 * abs(off):.3g} % {'above' if off > 0 else 'below'}"
     at = "loads, friction, inertia forces and power are" if key == INPUT else "work and power are"
+    itself = ', or to "by the motor" where the ratio is given,' if ratio else ""
     gears = f", or take the gear ratio {ratio * mean / asked:.5g} in place of {ratio:.5g}" if ratio else ""
     return Verdict(
         "warning" if abs(off) > GRAVE else "note",
         f"the mean speed {mean * RPM:.6g} rpm lies {above} the {asked * RPM:.6g} rpm of the spec, at which {at} "
-        f'computed: set {key} to "{sense * mean * RPM:.6g} rpm" and run again{gears}',
+        f'computed: set {key} to "{sense * mean * RPM:.6g} rpm"{itself} and run again{gears}',
     )
 
 

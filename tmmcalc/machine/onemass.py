@@ -69,11 +69,7 @@ class OneMass:
 
     def inertia_on(self, panels: Panels) -> Values:
         """Total inertia (K, N) [kg*m^2] on other panels."""
-        cycle = self.cycle
-        if panels is cycle.panels:
-            return cycle.inertia + self.constant
-        inertia = cycle.panels.at(cycle.inertia, panels.x.ravel())
-        return inertia.reshape(panels.count, panels.order) + self.constant
+        return onto(self.cycle, panels).inertia + self.constant
 
     def speed(self, panels: Panels, energy: Values) -> Values:
         """Angular speed (K, N) [rad/s] of the kinetic energy on ``panels``."""
@@ -163,12 +159,14 @@ class OneMass:
 
 def onto(cycle: Cycle, panels: Panels) -> Cycle:
     """The cycle on panels that refine its own, or a part of them."""
-    if panels is cycle.panels:
-        return cycle
+    for known in (cycle, *cycle.finer):
+        if panels is known.panels:
+            return known
     rows = np.stack((cycle.inertia, cycle.slope, cycle.moment, cycle.viscous, cycle.quadratic))
     inside = cycle.panels.at(rows, panels.x.ravel()).reshape(5, panels.count, panels.order)
     inertia, slope, moment, viscous, quadratic = inside
-    return Cycle(panels, inertia, slope, moment, viscous, quadratic, cycle.speed, cycle.error)
+    cycle.finer[:] = [Cycle(panels, inertia, slope, moment, viscous, quadratic, cycle.speed, cycle.error)]
+    return cycle.finer[0]
 
 
 def vanishing(cycle: Cycle, constant: float) -> tuple[float, float, float] | None:

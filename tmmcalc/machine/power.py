@@ -22,11 +22,13 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.driveline import DriveLine, Round
+from tmmcalc.machine.judged import Judged, Taken
 from tmmcalc.machine.motors.model import CharacteristicKind, Motor
 from tmmcalc.machine.motors.plausibility import Curve, contradictions, curve_of
 
 if TYPE_CHECKING:
-    from tmmcalc.machine.motors.choice import Choice
+    from tmmcalc.machine.motors.choice import Choice, Trial
 
 LOSSES = ("friction", "damper")
 STORES = ("weight", "spring")
@@ -62,6 +64,10 @@ class MotorDuty:
     contradictions: tuple[str, ...] = ()  # among the data of the motor
     ratio_of: str = quantity("u_of", "gear train whose ratio u is; empty: given, or of the speeds", default="")
     off_speed: str | None = None  # what is wrong with its speed against that of the spec
+    judged: tuple[Judged, ...] = ()  # of a motor that was chosen: itself and all smaller ones, by their power
+    taken: tuple[Taken, ...] = ()  # of a motor that was chosen: what each rule of choice would take
+    rounds: tuple[Round, ...] = ()  # in which motor, ratio and train settled
+    in_turn: tuple[str, ...] = ()  # motors that came in turn, so that they did not; the strongest is taken
 
 
 @record
@@ -95,7 +101,7 @@ class Power:
     peak_moment: float = quantity("M_peak[N*m]", "largest resisting reduced moment")
     peak_at: float  # theta there [rad]
     start_moment: float  # resisting reduced moment in position 0, 0 if none resists there [N*m]
-    transmission: float = quantity("eta_gears", "efficiency of the gears to the motor")
+    line: DriveLine  # between the motor and the input shaft
     motor_power: float | None = quantity(  # None where the loads leave power over
         "P_required[W]", "power required of the motor, P_mean/eta_gears"
     )
@@ -123,6 +129,11 @@ class Power:
         """At the mean speed."""
         return self.balancing * self.speed
 
+    @property
+    def transmission(self) -> float:
+        """Efficiency of the gears to the motor."""
+        return self.line.efficiency
+
     @derived("M_N_input[N*m]", "rated moment of the motor at the input shaft")
     def rated_moment(self) -> float | None:
         """M_N u eta_gears; None without a motor."""
@@ -138,15 +149,16 @@ def moment_at(cycle: Cycle, speed: float) -> Values:
 def solve_power(
     cycle: Cycle,
     parts: tuple[WorkPart, ...],
-    transmission: float = 1.0,
+    line: DriveLine | None = None,
     sense: float = 1.0,
     rounding: float = 0.0,
 ) -> Power:
     """Work, efficiency and power of a cycle at its mean speed.
 
-    ``transmission`` is the efficiency of the gears, ``sense`` -1 where the input turns clockwise. ``rounding`` is
-    that of moments, against the largest of one cause.
+    ``line`` is between the motor and the input shaft, None: nothing; ``sense`` is -1 where the input turns clockwise.
+    ``rounding`` is that of moments, against the largest of one cause.
     """
+    line = line or DriveLine()
     scale = max((max(part.turnover, abs(part.work)) for part in parts), default=0.0)
     loads = [part.work for part in parts if part.kind == "load" and abs(part.work) > NOTHING * scale]
     driving, resisting = sum((w for w in loads if w > 0), 0.0), sum((w for w in loads if w < 0), 0.0)
@@ -174,8 +186,8 @@ def solve_power(
         peak_moment=max(-least, 0.0),
         peak_at=least_at,
         start_moment=max(-float(cycle.panels.at(moment, np.zeros(1))[0]), 0.0),
-        transmission=transmission,
-        motor_power=mean_power / transmission if total <= 0 and not cycle.balancing else None,
+        line=line,
+        motor_power=mean_power / line.efficiency if total <= 0 and not cycle.balancing else None,
         duty=None,
         error=PowerError(
             _of_work(parts), _of_ratio(parts, driving, resisting, total, left) if efficiency else 0.0, of_peak
@@ -247,12 +259,18 @@ def duty_of(
 
 
 def chosen_motor(
-    power: Power, catalogue: tuple[Motor, ...], input_speed: float, ratio: float | None, synchronous: float | None
+    power: Power,
+    catalogue: tuple[Motor, ...],
+    input_speed: float,
+    ratio: float | None,
+    synchronous: float | None,
+    reserve: float = 0.0,
+    trial: Trial | None = None,
 ) -> Choice:
-    """The least motor of a catalogue that covers the required power and starts the machine in position 0.
+    """The least motor of a catalogue that covers the required power, starts in position 0 and stands the ``trial``.
 
-    Peaks of the load on the way are the flywheel's business; how far they exceed the rated moment stands in the duty.
-    Raises `NoSolutionError` if no motor does.
+    Peaks of the load on the way are shared with the kinetic energy of the machine: what is left of them for the motor
+    the trial tells, which finds the motion. Raises `NoSolutionError` if no motor does.
     """
     from tmmcalc.machine.motors.choice import choose
 
@@ -273,4 +291,6 @@ def chosen_motor(
         input_speed=input_speed,
         ratio=ratio,
         start_moment=start if asked else None,
+        reserve=reserve,
+        trial=trial,
     )

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import cmath
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from tmmcalc.core.numerics.panels import Panels, Values
+from tmmcalc.core.numerics.panels import Extreme, Panels, Values
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
@@ -64,6 +65,11 @@ class Regime:
     def error(self) -> float:
         """Estimated relative error of omega [-]."""
         return self.errors.speed
+
+    @cached_property
+    def driving_extremes(self) -> tuple[Extreme, Extreme]:
+        """Least and largest driving moment [N*m], each with its place [rad]."""
+        return self.panels.extremes(self.driving)
 
     def omega_at(self, theta: Values) -> Values:
         """Angular speed (m,) [rad/s] at angles (m,) [rad] within the cycle."""

@@ -9,7 +9,6 @@ from tmmcalc.core.stage import TOLERANCE, Picture, Stage
 
 if TYPE_CHECKING:
     from tmmcalc.gears.room import GearTables
-    from tmmcalc.linkage.room import LinkageTables
     from tmmcalc.machine.tables.balance import BalanceTable
     from tmmcalc.machine.tables.engine import EngineTable
     from tmmcalc.machine.tables.flywheel import FlywheelTable
@@ -21,15 +20,13 @@ if TYPE_CHECKING:
     from tmmcalc.machine.tables.torque import TorqueTable
     from tmmcalc.machine.tables.transients import TransientTable
     from tmmcalc.machine.tables.transmission import TransmissionTable
-
-    class _Read(LinkageTables, GearTables): ...
 else:
-    _Read = object
+    GearTables = object
 
 LINKS, MACHINE = ("mechanism",), ("mechanism", "torque")
 
 
-class MachineTables(_Read):
+class MachineTables(GearTables):
     """The tables of the room, beside those that its stages read of others."""
 
     torque: TorqueTable | None = table(
@@ -40,7 +37,7 @@ class MachineTables(_Read):
         belongs_to=MACHINE,
         why="there is nothing that it drives",
         read_with=("vibrator",),
-        files=("catalogue",),
+        files=("catalogue", "table.file"),
         after="drive",
     )
     transmission: TransmissionTable | None = table(
@@ -92,14 +89,22 @@ ROOM = Room(
             "reduced moments and inertia, work per cycle",
             uses=("kinematics",),
             wanted="reduction",
+            after="cam_load",
             picture=Picture("reduced moments and inertia"),
             studied=True,
+        ),
+        Stage(
+            "drive",
+            "the ratio that motor and crank give the train; a motor to choose is settled with it",
+            uses=("reduction",),
+            reads="read_by_drive",
+            wanted="drive",
         ),
         Stage(
             "power",
             "work per cycle, efficiency, power, the motor",
             needs=("reduction",),
-            uses=("criteria",),
+            uses=("criteria", "drive"),
             reads="read_by_power",
             wanted="power",
             after="profile",
@@ -109,8 +114,6 @@ ROOM = Room(
             "flywheel",
             "the flywheel for the allowed unevenness, by all methods",
             needs=("reduction", "power"),
-            uses=("criteria",),
-            reads="read_by_flywheel",
             wanted="flywheel",
             picture=Picture("energy-mass curve with its tangents, work over the cycle, all methods"),
             studied=True,
@@ -119,7 +122,7 @@ ROOM = Room(
             "motion",
             "steady motion of the machine: speed over the cycle",
             needs=("reduction", "power"),
-            uses=("criteria", "flywheel"),
+            uses=("flywheel",),
             reads="read_by_motion",
             wanted="motion",
             settings=TOLERANCE,
@@ -130,7 +133,7 @@ ROOM = Room(
             "transient",
             "start-up, braking, run-down, load changes in time",
             needs=("reduction", "power"),
-            uses=("criteria", "flywheel"),
+            uses=("flywheel",),
             reads="read_by_motion",
             wanted="transient",
             settings=TOLERANCE,

@@ -32,6 +32,7 @@ BETWEEN = np.linspace(0.0, 1.0, 9)[:, None, None]  # motions looked at between t
 RINGING = 20.0  # time constants after which swings of a lagging motor have died down
 SWINGS = 200.0  # of them that can be followed within seconds
 UNRESOLVED = 30.0  # error of the regime over what its panels leave unresolved, at most: a weak motor adds it up
+SWING = 0.5  # of the mean speed: more than that a guess does not leave it
 NEAR = 0.05  # largest relative distance of a lagging motion from the regime it is to settle in
 
 
@@ -44,6 +45,15 @@ class Halt(NamedTuple):
 
 
 Guess = tuple[Panels, Values]  # panels that refine those of the cycle, and a speed (K, N) on them
+
+
+def guessed(machine: OneMass, motion: Guess, constant: float) -> Guess:
+    """A guess from the motion with another ``constant`` inertia: with more of it the speed swings less."""
+    panels, omega = motion
+    links, mean = float(np.mean(machine.cycle.inertia)), float(np.mean(omega))
+    largest = float(np.max(np.abs(omega - mean)))
+    factor = (constant + links) / (machine.constant + links)
+    return panels, mean + (omega - mean) * (min(factor, SWING * mean / largest) if largest > 0 else factor)
 
 
 def settled(machine: OneMass, guess: Guess | None = None) -> Orbit | Halt:

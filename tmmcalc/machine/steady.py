@@ -17,7 +17,7 @@ from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.onemass import SPEEDS, OneMass, balanced_speed, check_inertia, onto
 from tmmcalc.machine.regime import Regime, multipliers, regime_of
-from tmmcalc.machine.settling import Guess, Halt, settled
+from tmmcalc.machine.settling import Guess, Halt, guessed, settled
 from tmmcalc.machine.stall import check_mean_load, halted
 
 if TYPE_CHECKING:
@@ -64,10 +64,11 @@ def driven(
         return free
     if balanced_speed(machine) is None:
         check_mean_load(machine)
-    found = settled(machine, None if guess is None else _guess(cycle, guess))
+    near = None if guess is None else guessed(machine, _guess(cycle, guess), guess.constant_inertia)
+    found = settled(machine, near)
     if isinstance(found, Halt):
         raise halted(machine, found)
-    regime = _regime(machine, found)
+    regime = regime_on(machine, found)
     if 0 < tolerance < regime.errors.largest:
         return driven(cycle, constant_inertia, characteristic, time_constant=time_constant, guess=regime, sense=sense)
     return regime
@@ -102,7 +103,8 @@ def _guess(cycle: Cycle, regime: Regime) -> Guess:
     return cycle.panels, regime.panels.at(regime.omega, x.ravel()).reshape(x.shape)
 
 
-def _regime(machine: OneMass, orbit: Orbit) -> Regime:
+def regime_on(machine: OneMass, orbit: Orbit) -> Regime:
+    """The regime that a machine settles in on an orbit; of one so steep that digits are lost it is regained."""
     motor, panels = machine.characteristic, orbit.panels
     omega = machine.speed(panels, orbit.y[0])
     driving, excess, last, noise = orbit.y[1] if machine.lag else motor.moment(omega), None, orbit, 0.0

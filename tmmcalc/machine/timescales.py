@@ -12,7 +12,6 @@ import numpy as np
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
-from tmmcalc.machine.transient.stability import stable_step
 
 
 @record
@@ -43,5 +42,7 @@ def time_scales(values: Values, duration: float) -> TimeScales | None:
     told = size[size * duration >= 1]
     if not len(told):
         return None
+    from tmmcalc.machine.transient.stability import stable_step  # a stored result is loaded without it
+
     step = min(stable_step("merson", values, duration), duration)
     return TimeScales(1 / float(told.max()), 1 / float(told.min()), duration, step, duration / step)

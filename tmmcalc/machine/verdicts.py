@@ -76,7 +76,7 @@ def _moments(regime: Regime, motor: Characteristic) -> Iterator[Verdict]:
     if motor.nominal is None:
         return
     rated = float(motor.moment(motor.nominal))
-    peak = regime.panels.extremes(regime.driving)[1][0]
+    peak = regime.driving_extremes[1][0]
     if _less(rated, regime.mean_moment):
         yield Verdict(
             "warning",

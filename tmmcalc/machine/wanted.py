@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from tmmcalc.gears.wanted import TRAIN
+from tmmcalc.gears.wanted import TRAIN, ratio_of_drive
 from tmmcalc.gears.wanted import strength as unchosen
 from tmmcalc.linkage.wanted import SLIDES, acyclic, forces, has_masses, slides
 
@@ -28,8 +28,28 @@ def power(spec: MachineTables) -> str | None:
 
 
 def read_by_power(spec: MachineTables) -> tuple[str, ...]:
-    """The ratio of the gears matters to a motor, and is given or that of the train."""
-    return () if spec.motor is None or _ratio_given(spec) else TRAIN
+    """Ratio, efficiency and inertia of the drive line are given, or else those of the train."""
+    table = spec.transmission
+    given = table is not None and table.efficiency is not None and table.inertia is not None
+    train = () if given and _ratio_given(spec) else TRAIN
+    return (*train, "drive") if ratio_of_drive(spec) and _to_choose(spec) and not _ratio_given(spec) else train
+
+
+def drive(spec: MachineTables) -> str | None:
+    """Speeds of motor and crank give a ratio to a train that has none."""
+    if spec.train is None:
+        return "no [train]: it is given no ratio"
+    return None if ratio_of_drive(spec) else "the ratio of the train is given"
+
+
+def read_by_drive(spec: MachineTables) -> tuple[str, ...]:
+    """What loads the machine matters to a motor that is chosen."""
+    return ("reduction",) if _to_choose(spec) and not _ratio_given(spec) else ()
+
+
+def _to_choose(spec: MachineTables) -> bool:
+    """Whether a motor is to be chosen."""
+    return spec.motor is not None and spec.motor.name == "choose"
 
 
 def flywheel(spec: MachineTables) -> str | None:
@@ -41,12 +61,6 @@ def flywheel(spec: MachineTables) -> str | None:
     if spec.flywheel.delta is None:
         return "[flywheel] has no delta: no unevenness to keep"
     return power(spec)
-
-
-def read_by_flywheel(spec: MachineTables) -> tuple[str, ...]:
-    """The gears have an inertia and a ratio, both given, or else those of the train."""
-    table = spec.transmission
-    return () if table is not None and table.inertia is not None and _ratio_given(spec) else TRAIN
 
 
 def motion(spec: MachineTables) -> str | None:
@@ -65,10 +79,9 @@ def motion(spec: MachineTables) -> str | None:
 
 
 def read_by_motion(spec: MachineTables) -> tuple[str, ...]:
-    """As of the flywheel; and a flywheel that is there need not be sized."""
+    """A flywheel that is there need not be sized."""
     there = spec.flywheel is not None and bool(spec.flywheel.inertia)
-    train = read_by_flywheel(spec)
-    return train if there else (*train, "flywheel")
+    return () if there else ("flywheel",)
 
 
 def transient(spec: MachineTables) -> str | None:

@@ -32,7 +32,9 @@ def inside(obstacle: Obstacle, p: Values) -> Flags:
     with np.errstate(divide="ignore", invalid="ignore"):
         right = z.real < a.real + (z.imag - a.imag) * (b.real - a.real) / (b.imag - a.imag)
     odd = np.count_nonzero(upright & right, axis=0) % 2 == 1
-    along = np.clip(((z - a) * np.conj(b - a)).real / np.abs(b - a) ** 2, 0.0, 1.0)
+    length = np.abs(b - a)
+    # an edge between two corners at one place is that place
+    along = np.clip(((z - a) * np.conj(b - a)).real / np.where(length > 0, length, 1.0) ** 2, 0.0, 1.0)
     on_border = np.any(np.abs(z - a - along * (b - a)) <= NEAR * size, axis=0)
     flat = odd | on_border
     return flat if len(p) == 2 else flat & (p[2] >= obstacle.low - NEAR * size) & (p[2] <= obstacle.high + NEAR * size)

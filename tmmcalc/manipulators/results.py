@@ -48,8 +48,13 @@ class SingularPlace:
     # "r" and "l_3": the distance from base or shoulder [m]; "elbow": the sine of the angle of the arms
     what: str = quantity("what", "what is small at the singular place")
     t: float = quantity("t[s]", "time of the singular place")
-    value: float = quantity("value", "how small it is")  # [m] or [-]
+    value: float = quantity("value[{unit}]", "how small it is")
     relative: float = quantity("relative", "how small it is against the size of the motion; 0: singular")
+
+    @property
+    def unit(self) -> str:
+        """Of a distance, or that of the sine: none."""
+        return "" if self.what == "elbow" else "m"
 
 
 @record
@@ -58,17 +63,17 @@ class LimitExcess:
 
     joint: str = quantity("joint", "joint coordinate")
     angular: bool
-    limit: float = quantity("limit", "limit of the joint coordinate")  # [rad or m]
-    value: float = quantity("value", "the farthest beyond the limit")
+    limit: float = quantity("limit[{unit}]", "limit of the joint coordinate")  # [rad or m]
+    value: float = quantity("value[{unit}]", "the farthest beyond the limit")
     t: float = quantity("t[s]", "time of the farthest")
     first: float = quantity("first[s]", "time at which the limit is passed first")
 
-    @derived("unit", "unit of limit and value")
+    @property
     def unit(self) -> str:
         """Of a joint that turns, or that slides."""
         return "rad" if self.angular else "m"
 
-    @derived("excess", "how far the joint is beyond its limit")
+    @derived("excess[{unit}]", "how far the joint is beyond its limit")
     def excess(self) -> float:
         """Above zero [rad or m]."""
         return abs(self.value - self.limit)
@@ -80,7 +85,14 @@ class Contact:
 
     obstacle: str
     what: str  # "path", "straight line" from start to end (in parts of its length), "arm"
-    intervals: tuple[tuple[float, float], ...]  # [s]; of the straight line [-]
+    intervals: tuple[tuple[float, float], ...] = quantity(
+        "{obstacle}_{part}[{unit}]", "when {part} crosses the obstacle; of a straight line, in parts of its length"
+    )
+
+    @property
+    def unit(self) -> str:
+        """Of the time; a straight line has none."""
+        return "" if self.what == "straight line" else "s"
 
 
 @record

@@ -7,14 +7,17 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from tmmcalc._version import __version__
+from tmmcalc.core.files import open_own
+from tmmcalc.core.printable import printable
 from tmmcalc.core.stage import Stage
 from tmmcalc.pipeline.hashing import stage_hash
+from tmmcalc.pipeline.lock import WAIT
 from tmmcalc.pipeline.manifest import Provenance
 from tmmcalc.pipeline.outcome import Event, Outcome
 from tmmcalc.pipeline.store import Damaged, Missing, Store
@@ -23,10 +26,20 @@ LOG_NAME = "run.log"
 
 
 class Archive:
-    """Results of earlier runs in ``folder`` and of this one; ``csv`` and ``columns`` as in :meth:`Store.save`."""
+    """Results of earlier runs in ``folder`` and of this one; ``csv`` and ``columns`` as in :meth:`Store.save`.
 
-    def __init__(self, folder: Path, csv: bool | None, columns: Sequence[str] = ()) -> None:
-        self.store = Store(folder)
+    ``wait`` and ``waiting`` are those of `locked`.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        csv: bool | None,
+        columns: Sequence[str] = (),
+        wait: float = WAIT,
+        waiting: Callable[[float], None] = lambda seconds: None,
+    ) -> None:
+        self.store = Store(folder, wait, waiting)
         self.csv = csv
         self.columns = tuple(columns)
         self._provenance: dict[str, Provenance] = {}  # of the stages so far
@@ -50,7 +63,7 @@ class Archive:
             return None, "its files were damaged"
         if isinstance(found, Missing):
             return None, found.reason
-        outcome = Outcome(stage, found.record)
+        outcome = Outcome(stage, found.record, self.store.folder)
         if self.store.csv_differs(found, self.csv, self.columns):
             self.save(outcome)
         return outcome, "files are valid"
@@ -63,13 +76,20 @@ class Archive:
     def log(self, event: Event) -> None:
         """Append one line with the local time to the log; a log that cannot be written stops no run."""
         stamp = time.strftime("%Y-%m-%dT%H:%M:%S%z")
-        line = f"{stamp} {event.stage} {event.kind} {event.seconds:.6f} s: {event.message}\n"
+        told = " ".join(printable(event.message).split())
+        line = f"{stamp} {event.stage} {event.kind} {event.seconds:.6f} s: {told}\n"
         with suppress(OSError):
-            handle = os.open(self.store.folder / LOG_NAME, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o666)
+            handle = open_own(self.store.folder / LOG_NAME, os.O_WRONLY | os.O_APPEND)
             try:
                 os.write(handle, line.encode())  # one call: lines of two runs do not mix
             finally:
                 os.close(handle)
+
+    def clear(self, stages: Collection[str], tell: Callable[[Event], None]) -> None:
+        """Remove the files of all stages but these, as :meth:`Store.remove_others` does, and tell of each."""
+        for stage, gone, kept in self.store.remove_others(stages):
+            changed = f"; {', '.join(kept)} was changed by hand and stays" if kept else ""
+            tell(Event(stage, "removed", f"the spec has it no more; removed {', '.join(gone)}{changed}"))
 
     def files(self, stages: Iterable[str]) -> tuple[Path, ...]:
         """Return the files of these stages."""

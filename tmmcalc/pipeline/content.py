@@ -33,7 +33,16 @@ def npz_bytes(arrays: Mapping[str, Any]) -> bytes:
 
 
 def npz_arrays(data: bytes) -> dict[str, Any]:
-    """Return the arrays of an npz archive as `npz_bytes` makes it, read-only."""
+    """Return the arrays of an npz archive as `npz_bytes` makes it, read-only; raises ValueError if it is none."""
+    import zipfile
+
+    try:
+        return _unpacked(data)
+    except (zipfile.BadZipFile, NotImplementedError, EOFError) as error:
+        raise ValueError(f"no archive of arrays: {error}") from None
+
+
+def _unpacked(data: bytes) -> dict[str, Any]:
     import zipfile
 
     import numpy as np
@@ -69,9 +78,11 @@ def csv_bytes(table: Table) -> bytes:
     lengths = [len(column) for column in columns]
     if len(columns) != len(table.header) or len(set(lengths)) > 1:
         raise ValueError(f"{len(table.header)} headers over columns of {lengths} rows")
-    blocks = [",".join(_cell(name) for name in table.header).encode()]
-    blocks += [_lines([c[at : at + BLOCK] for c in columns]) for at in range(0, lengths[0] if lengths else 0, BLOCK)]
-    return b"\n".join([*blocks, b""])
+    text = io.BytesIO()  # grows in place, and hands out what it holds without a copy
+    text.write(",".join(_cell(name) for name in table.header).encode() + b"\n")
+    for at in range(0, lengths[0] if lengths else 0, BLOCK):
+        text.write(_lines([c[at : at + BLOCK] for c in columns]) + b"\n")
+    return text.getvalue()
 
 
 def _lines(columns: Sequence[Any]) -> bytes:

@@ -12,9 +12,10 @@ from __future__ import annotations
 
 import hashlib
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from enum import Enum
 from fractions import Fraction
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc._version import __version__
@@ -22,6 +23,8 @@ from tmmcalc.core.records import names_of
 
 if TYPE_CHECKING:
     from tmmcalc.core.stage import Stage
+
+Writer = Callable[[Any], bytes]
 
 FORMAT = 2  # of the stored files: a new layout makes every older file stale
 
@@ -50,45 +53,30 @@ def content_hash(value: object) -> str:
     return hashlib.sha256(_encoded(value)).hexdigest()
 
 
-def _encoded(value: object) -> bytes:
-    if isinstance(value, (str, int, float, complex, bytes, Enum)) or value is None:
-        return _atom(value)
-    if isinstance(value, (tuple, list)):
-        return _group(b"t", (_encoded(item) for item in value))
-    if isinstance(value, (set, frozenset)):
-        return _group(b"u", sorted(_encoded(item) for item in value))
-    if isinstance(value, Mapping):
-        return _group(b"m", (_encoded(part) for item in value.items() for part in item))
-    if isinstance(value, Fraction):
-        return _group(b"q", (_encoded(value.numerator), _encoded(value.denominator)))
-    names = names_of(type(value))
-    return _numpy(value) if names is None else _dataclass(value, names)
+def _encoded(value: Any) -> bytes:
+    return _writer(value.__class__)(value)
 
 
-def _atom(value: object) -> bytes:
-    """Encode a value without parts; float.__repr__ because a numpy float, also a float, prints otherwise."""
-    if isinstance(value, Enum):
-        return _group(b"e", (_encoded(type(value).__qualname__), _encoded(value.name)))
-    if value is None or isinstance(value, bool):
-        return _sized(b"n", repr(value).encode())
-    if isinstance(value, int):
-        return _sized(b"i", int.__repr__(value).encode())
-    if isinstance(value, float):
-        return _sized(b"f", float.__repr__(value).encode())
-    if isinstance(value, complex):
-        return _group(b"c", (_encoded(value.real), _encoded(value.imag)))
-    if isinstance(value, bytes):
-        return _sized(b"b", value)
-    if isinstance(value, str):
-        return _sized(b"s", value.encode())
-    raise TypeError(f"{type(value).__qualname__} is not a plain value: it cannot be hashed")
+@cache
+def _writer(kind: Any) -> Writer:
+    """What encodes the values of a type; a project has thousands of values of a few types."""
+    for base, writer in _WRITERS.items():
+        if issubclass(kind, base):
+            return writer
+    names = names_of(kind)
+    return _numpy if names is None else _record(kind, names)
 
 
-def _dataclass(value: Any, names: Iterable[str]) -> bytes:
-    parts = [_encoded(type(value).__qualname__)]
-    for name in names:
-        parts += _encoded(name), _encoded(getattr(value, name))
-    return _group(b"d", parts)
+def _record(kind: type, names: Iterable[str]) -> Writer:
+    head, fields = _encoded(kind.__qualname__), [(_encoded(name), name) for name in names]
+
+    def written(value: object) -> bytes:
+        parts = [head]
+        for key, name in fields:
+            parts += key, _encoded(getattr(value, name))
+        return _group(b"d", parts)
+
+    return written
 
 
 def _numpy(value: Any) -> bytes:
@@ -97,8 +85,11 @@ def _numpy(value: Any) -> bytes:
     if numpy is not None and isinstance(value, numpy.ndarray) and not value.dtype.hasobject:
         data = value.tobytes(order="C")
         return _group(b"a", (_encoded(value.dtype.str), _encoded(value.shape), _sized(b"b", data)))
-    scalar = numpy is not None and isinstance(value, (numpy.number, numpy.bool_))
-    return _atom(value.item() if scalar else value)
+    if numpy is not None and isinstance(value, (numpy.number, numpy.bool_)):
+        number = value.item()
+        if not isinstance(number, numpy.generic):  # as of extended precision it is
+            return _encoded(number)
+    raise TypeError(f"{type(value).__qualname__} is not a plain value: it cannot be hashed")
 
 
 def _group(tag: bytes, parts: Iterable[bytes]) -> bytes:
@@ -107,3 +98,22 @@ def _group(tag: bytes, parts: Iterable[bytes]) -> bytes:
 
 def _sized(tag: bytes, data: bytes) -> bytes:
     return b"%b%d:%b" % (tag, len(data), data)
+
+
+# by the first base that a type has; float.__repr__ because a numpy float, also a float, prints otherwise
+_WRITERS: Mapping[type, Writer] = {
+    Enum: lambda value: _group(b"e", (_encoded(type(value).__qualname__), _encoded(value.name))),
+    type(None): lambda value: _sized(b"n", b"None"),
+    bool: lambda value: _sized(b"n", repr(value).encode()),
+    int: lambda value: _sized(b"i", int.__repr__(value).encode()),
+    float: lambda value: _sized(b"f", float.__repr__(value).encode()),
+    complex: lambda value: _group(b"c", (_encoded(value.real), _encoded(value.imag))),
+    bytes: lambda value: _sized(b"b", value),
+    str: lambda value: _sized(b"s", value.encode()),
+    tuple: lambda value: _group(b"t", map(_encoded, value)),
+    list: lambda value: _group(b"t", map(_encoded, value)),
+    set: lambda value: _group(b"u", sorted(map(_encoded, value))),
+    frozenset: lambda value: _group(b"u", sorted(map(_encoded, value))),
+    Mapping: lambda value: _group(b"m", (_encoded(part) for item in value.items() for part in item)),
+    Fraction: lambda value: _group(b"q", (_encoded(value.numerator), _encoded(value.denominator))),
+}

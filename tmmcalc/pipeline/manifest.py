@@ -17,11 +17,12 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
+from tmmcalc.core.plain import plain_table
 from tmmcalc.core.records import record
 from tmmcalc.core.stored import Record
-from tmmcalc.pipeline.plain import plain_table
 
 _HEAD = "# Written by tmmcalc. A change by hand is noticed, and the stage is computed again.\n\n"
+DATA = ("npz", "csv")  # the files that a manifest vouches for, by extension
 _DIGEST = b'\n[digest]\nsha256 = "'
 _END = b'"\n'
 
@@ -81,7 +82,10 @@ def read(data: bytes) -> Manifest:
     expected, found = tail[: -len(_END)].decode(errors="replace"), hashlib.sha256(body).hexdigest()
     if expected != found:
         raise ManifestError(f"SHA-256 is {found[:12]}..., expected {expected[:12]}...: edited by hand")
-    return _manifest(body.decode())
+    try:
+        return _manifest(body.decode())
+    except (ValueError, AttributeError, TypeError) as error:  # the digest is right: somebody has made it
+        raise ManifestError(f"it is no record of a stage ({error})") from None
 
 
 def _tables(manifest: Manifest) -> dict[str, Any]:
@@ -100,18 +104,33 @@ def _tables(manifest: Manifest) -> dict[str, Any]:
     return {name: table for name, table in tables.items() if table}
 
 
+def _check(name: str, value: Any, *kinds: type) -> Any:
+    """The value; raises TypeError if it is of none of the kinds."""
+    if not isinstance(value, kinds):
+        raise TypeError(f"{name} is of another type")
+    return value
+
+
+def _sealed(kind: str, value: Any) -> Seal:
+    if kind not in DATA:
+        raise ValueError(f"no file of a stage ends in .{kind}")
+    return Seal(_check("size", value.get("size", 0), int), _check("sha256", value.get("sha256", ""), str))
+
+
 def _manifest(text: str) -> Manifest:
     """Read a text whose digest is right; a field that another version of the program lacks reads as empty."""
     import tomllib
 
     tables = tomllib.loads(text)
+    for name, table in tables.items():
+        _check(name, table, dict)
     origin = tables.get("provenance", {})
     return Manifest(
         Provenance(
-            stage=origin.get("stage", ""),
-            program=origin.get("program", ""),
-            hash=origin.get("hash", ""),
-            upstream=origin.get("upstream", {}),
+            stage=_check("stage", origin.get("stage", ""), str),
+            program=_check("program", origin.get("program", ""), str),
+            hash=_check("hash", origin.get("hash", ""), str),
+            upstream=_check("upstream", origin.get("upstream", {}), dict),
             settings=tables.get("settings", {}),
         ),
         Record(
@@ -119,7 +138,7 @@ def _manifest(text: str) -> Manifest:
             error=tables.get("error", {}),
             counters=tables.get("counters", {}),
         ),
-        {kind: Seal(value.get("size", 0), value.get("sha256", "")) for kind, value in tables.get("files", {}).items()},
-        tables.get("table", {}).get("rows"),
+        {kind: _sealed(kind, value) for kind, value in tables.get("files", {}).items()},
+        _check("rows", tables.get("table", {}).get("rows"), int, type(None)),
         tuple(tables.get("table", {}).get("columns", ())),
     )

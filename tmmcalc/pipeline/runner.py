@@ -8,15 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from time import perf_counter
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
-from tmmcalc.core.plan import Plan, known_stage, plan
+from tmmcalc.core.plan import Plan, Step, known_stage, plan
 from tmmcalc.core.stage import Stage, arguments, of_scene
 from tmmcalc.core.stored import matches
 from tmmcalc.pipeline.accuracy import check_accuracy
-from tmmcalc.pipeline.outcome import Event, Outcome, Results, RunResult
-from tmmcalc.pipeline.plain import plain_record
+from tmmcalc.pipeline.outcome import Event, Outcome, Results, RunResult, UnfitError, believed
+from tmmcalc.pipeline.settling import planned, settled, settling
 from tmmcalc.rooms import STAGES
 
 if TYPE_CHECKING:
@@ -30,7 +30,8 @@ Settings = Mapping[str, Mapping[str, Any]]
 def run(
     spec: object,
     *,
-    target: str | None = None,
+    target: str | Sequence[str] | None = None,
+    scene: Plan | None = None,
     out: Path | None = None,
     fresh: bool = False,
     from_stage: str | None = None,
@@ -42,114 +43,182 @@ def run(
     on_start: Callable[[str], None] | None = None,
     on_event: Callable[[Event], None] | None = None,
     keep_going: bool = False,
+    wait: float | None = None,
     stages: Mapping[str, Stage] = STAGES,
 ) -> RunResult:
     """Run every stage that ``target`` needs (None: all that the scene has) and return their results.
 
+    ``scene`` is the plan of ``target`` and ``skip`` where it is made already; of several targets none need be there.
     With ``out`` each stage leaves its files there, and one whose files are valid is loaded, not computed.
     ``fresh`` computes all; ``from_stage`` that stage and all after it. ``csv``: True, False, or None for up
     to 2000 rows; ``columns``: names and wildcards of those that a CSV has (empty: all). ``skip``: stages that are left
     out, with all that read them. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``tolerance``
     is the relative error asked of every stage: one with a choice takes the cheapest method for it. ``on_start`` is
     called with the name of a stage before it runs, ``on_event`` as soon as it is done. ``keep_going``: a stage without
-    a solution ends only those that read it, and is told in ``failures``.
+    a solution ends only those that read it, and is told in ``failures``. ``wait``: seconds that a folder is waited for
+    while another process works in it.
+
+    Stored files that are whole but do not make a result are told as damaged, and all is computed afresh. Without a
+    ``target`` the files that an earlier run left of stages that the scene has no more are removed.
 
     Raises UsageError for an unknown stage or option, a target that the scene leaves out, and files that
     cannot be read or written; AccuracyError for a stage that does not reach ``tolerance`` by its own estimate; and
-    what a stage raises, unless it is to keep going. The files of earlier stages stay
-    valid.
+    what a stage raises, unless it is to keep going. The files of earlier stages stay valid.
     """
-    stages = of_scene(stages, spec)
-    scene = plan(spec, target, stages, skip)
-    options = _options(settings or {}, stages, tolerance)
-    forced = _forced(fresh, from_stage, stages)
-    _check_target(scene)
-    archive = _archive(out, csv, columns)
-    work = _Run(spec, options, forced, archive, tolerance, on_event)
-    for step in scene.steps:
-        if not step.runs:
-            if step.asked:
-                work.tell(Event(step.stage, "left out", step.reason))
-        elif not work.spoilt(stages[step.stage]):
-            if on_start is not None:
-                on_start(step.stage)
-            work.do(stages[step.stage], keep_going)
+    first = settling(spec, target, stages, skip)
+    asked = scene or plan(spec, target, stages, skip)
+    if first is None:
+        _check_target(asked)
+    options, forced = _options(settings or {}, stages, tolerance), _forced(fresh, from_stage, stages)
+    work = _Run(spec, stages, options, tolerance, keep_going, on_start, on_event)
+    archive = work.archive = _archive(out, csv, columns, wait, work.wait)
+
+    def settled_and_done(forced: Mapping[str, str]) -> Plan:
+        """Do the plan, and where a stage settles the spec the plan of what it found; return the one that was done."""
+        if first is None or not work.settle(first, forced):
+            work.through(asked, forced)
+            return asked
+        rest = planned(work.spec, target, stages, skip, first)
+        _check_target(rest)
+        work.through(rest, forced)
+        return rest
+
+    try:
+        done = settled_and_done(forced)
+    except UnfitError as error:
+        work.begin_afresh(spec, error)
+        done = settled_and_done(dict.fromkeys(stages, "stored files do not fit"))
     if columns:
         _check_columns(columns, work.outcomes)
+    if archive is not None and target is None:
+        archive.clear(plan(work.spec, None, stages).running if skip else done.running, work.tell)
     files = () if archive is None else archive.files(work.outcomes)
-    return RunResult(work.outcomes, scene, tuple(work.events), files, work.failures)
+    return RunResult(work.outcomes, done, tuple(work.events), files, work.failures, work.spec, work.told, work.alone)
 
 
 class _Run:
-    """The state of a run: what is done so far. ``forced`` says why a stage is computed whatever is stored."""
+    """How a run works, and what it has done so far."""
 
     def __init__(
         self,
         spec: object,
+        stages: Mapping[str, Stage],
         options: Settings,
-        forced: Mapping[str, str],
-        archive: Archive | None,
         tolerance: float | None,
+        keep_going: bool,
+        on_start: Callable[[str], None] | None,
         on_event: Callable[[Event], None] | None,
     ) -> None:
         self.spec = spec
+        self.stages = stages
         self.options = options
-        self.forced = forced
-        self.archive = archive
         self.tolerance = tolerance
+        self.keep_going = keep_going
+        self.on_start = on_start
         self.on_event = on_event
+        self.archive: Archive | None = None
         self.outcomes: dict[str, Outcome] = {}
         self.events: list[Event] = []
         self.failures: dict[str, TmmError] = {}
+        self.told: tuple[str, ...] = ()
+        self.alone: dict[str, Any] = {}  # of stages that settled the spec the result with the one that was taken
         self._lost: set[str] = set()
+
+    def through(self, scene: Plan, forced: Mapping[str, str]) -> None:
+        """Load or compute every stage of a plan; ``forced`` says why some are computed whatever is stored."""
+        own, archive = of_scene(self.stages, self.spec), self.archive
+        for step in scene.steps:
+            stage = own[step.stage]
+            if stage.name in self.known or self.leaves_out(step, stage):
+                continue
+            if self.on_start is not None:
+                self.on_start(stage.name)
+            began = perf_counter()
+            inputs, chosen = stage.inputs(self.spec), self.options[stage.name]
+            outcome, reason = None, "not stored"
+            try:
+                if archive is not None:
+                    outcome, reason = archive.valid(stage, inputs, chosen, forced.get(stage.name), self.tell)
+                loaded = outcome is not None
+                if outcome is None:
+                    outcome = self.computed(stage, inputs, chosen)
+                if self.tolerance is not None:
+                    check_accuracy(outcome, self.tolerance)
+            except TmmError as error:
+                if not self.keep_going or error.exit_code < NoSolutionError.exit_code:
+                    raise
+                self.failed(stage, error, perf_counter() - began)
+                continue
+            self.outcomes[stage.name] = outcome
+            self.tell(Event(stage.name, "loaded" if loaded else "computed", reason, perf_counter() - began))
+
+    def computed(self, stage: Stage, inputs: Any, chosen: Mapping[str, Any]) -> Outcome:
+        """What goes on of a result, stored where there is an archive: its record."""
+        upstream = upstream_of(stage, Results(self.outcomes, self.alone))
+        with believed([self.outcomes[name] for name in upstream if name in self.outcomes]):
+            record = stage.dump(stage.solve(*arguments(inputs), **upstream, **chosen))
+        outcome = Outcome(stage, lambda: record)
+        if self.archive is not None:
+            self.archive.save(outcome)
+        return outcome
+
+    @property
+    def known(self) -> set[str]:
+        """The stages of which it is known what became of them."""
+        return {*self.outcomes, *self.failures}
+
+    def settle(self, stage: Stage, forced: Mapping[str, str]) -> bool:
+        """Do a stage first, and put what it found into the spec; False where it found nothing."""
+        self.through(Plan(None, (Step(stage.name, stage.title, True, "settles the spec"),)), forced)
+        if stage.name not in self.outcomes:
+            return False
+        found = stage.part("found")(self.spec, self.outcomes[stage.name].result, None)
+        self.spec = settled(self.spec, found)
+        self.alone[stage.name] = found.alone
+        key = f"{stage.asked[0]}.choose"
+        self.told = (*self.told, f"note: the mechanism is {found.of}; --set {key}=N takes another")
+        return True
+
+    def begin_afresh(self, spec: object, error: UnfitError) -> None:
+        """Forget what was loaded."""
+        stage = next(reversed(self.outcomes), next(iter(self.stages)))
+        self.tell(Event(stage, "damaged", f"{error.message}: all is computed again"))
+        self.outcomes, self.events, self.failures = {}, self.events[-1:], {}
+        self.spec, self.told, self.alone, self._lost = spec, (), {}, set()
+
+    def wait(self, seconds: float) -> None:
+        """Tell that another process works in the folder."""
+        self.tell(Event("", "waiting", f"another process works in the output folder; waiting up to {seconds:g} s"))
 
     def tell(self, event: Event) -> None:
         self.events.append(event)
-        if self.archive is not None and event.kind != "left out":
+        if self.archive is not None and event.kind not in ("left out", "lost", "waiting"):
             self.archive.log(event)
         if self.on_event is not None:
             self.on_event(event)
 
-    def spoilt(self, stage: Stage) -> bool:
-        """Whether a result that the stage reads could not be had; then tell so."""
+    def leaves_out(self, step: Step, stage: Stage) -> bool:
+        """Whether the scene has no such stage, or a result that it reads could not be had; then tell so."""
+        if not step.runs:
+            if step.asked:
+                self.tell(Event(stage.name, "left out", step.reason))
+            return True
         missing = [name for name in (*stage.needs, *stage.uses) if name in self._lost]
         if missing:
             self._lost.add(stage.name)
-            self.tell(Event(stage.name, "left out", f"it reads {', '.join(missing)}"))
+            self.tell(Event(stage.name, "lost", f"it reads {', '.join(missing)}"))
         return bool(missing)
 
-    def do(self, stage: Stage, keep_going: bool) -> None:
-        """Load a stage from its files if they are valid, else compute and store it; tell what was done."""
-        began = perf_counter()
-        inputs, settings, archive = stage.inputs(self.spec), self.options[stage.name], self.archive
-        kind: Literal["loaded", "computed"] = "loaded"
-        outcome, reason = None, "not stored"
-        try:
-            if archive is not None:
-                outcome, reason = archive.valid(stage, inputs, settings, self.forced.get(stage.name), self.tell)
-            if outcome is None:
-                upstream = upstream_of(stage, Results(self.outcomes))
-                result = stage.solve(*arguments(inputs), **upstream, **settings)
-                record, kind = plain_record(stage.dump(result)), "computed"
-                outcome = Outcome(stage, lambda: record)
-                if archive is not None:
-                    archive.save(outcome)
-            if self.tolerance is not None:
-                check_accuracy(outcome, self.tolerance)
-        except TmmError as error:
-            if not keep_going or error.exit_code < NoSolutionError.exit_code:
-                raise
-            self.failures[stage.name] = error
-            self._lost.add(stage.name)
-            self.tell(Event(stage.name, "failed", "no result: the error stands at the end", perf_counter() - began))
-            return
-        self.outcomes[stage.name] = outcome
-        self.tell(Event(stage.name, kind, reason, perf_counter() - began))
+    def failed(self, stage: Stage, error: TmmError, seconds: float) -> None:
+        """Keep the error of a stage without a result for the end, and tell so."""
+        self.failures[stage.name] = error
+        self._lost.add(stage.name)
+        self.tell(Event(stage.name, "failed", "no result: the error stands at the end", seconds))
 
 
 def upstream_of(stage: Stage, results: Mapping[str, Any]) -> dict[str, Any]:
     """What of the results a stage reads, as its function is given it, with the pipeline if it asks for that."""
-    read = {name: results[name] for name in stage.upstream(results)}
+    read = stage.given(results)
     return {**read, "another": _another} if stage.another else read
 
 
@@ -165,12 +234,19 @@ def _another(text: str, stages: Sequence[str]) -> dict[str, Any]:
     return {name: found[name] for name in stages}
 
 
-def _archive(out: Path | None, csv: bool | None, columns: Sequence[str]) -> Archive | None:
+def _archive(
+    out: Path | None,
+    csv: bool | None,
+    columns: Sequence[str],
+    wait: float | None,
+    waiting: Callable[[float], None],
+) -> Archive | None:
     if out is None:
         return None
     from tmmcalc.pipeline.archive import Archive
+    from tmmcalc.pipeline.lock import WAIT
 
-    return Archive(out, csv, columns)
+    return Archive(out, csv, columns, WAIT if wait is None else wait, waiting)
 
 
 def _check_columns(columns: Sequence[str], outcomes: Mapping[str, Outcome]) -> None:

@@ -8,21 +8,24 @@ the ones beside it. A stage without arrays has no npz. The hidden file ``.lock``
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
+from functools import partial
 from pathlib import Path
 
 from tmmcalc.core.atomic import blamed_on, remove_leftovers, replace_file
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.files import other_kind, read_file
+from tmmcalc.core.plain import plain_table
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import CSV_ROWS
 from tmmcalc.core.stored import Record, Table
 from tmmcalc.pipeline import content, manifest
-from tmmcalc.pipeline.lock import locked
+from tmmcalc.pipeline.lock import WAIT, locked
 from tmmcalc.pipeline.manifest import Manifest, Provenance, Seal
-from tmmcalc.pipeline.plain import plain_table
 
-_KINDS = ("toml", "npz", "csv")
+_LARGEST = 100_000_000  # bytes of a record of a stage
+_KINDS = ("toml", *manifest.DATA)
 
 
 @record
@@ -57,9 +60,15 @@ class Found:
 class Store:
     """An output folder; it is created when the first stage is saved."""
 
-    def __init__(self, folder: Path) -> None:
-        """Raise UsageError if ``folder`` cannot be a folder because a file is in its place."""
+    def __init__(
+        self, folder: Path, wait: float = WAIT, waiting: Callable[[float], None] = lambda seconds: None
+    ) -> None:
+        """Raise UsageError if ``folder`` cannot be a folder because a file is in its place.
+
+        ``wait`` and ``waiting`` are those of `locked`.
+        """
         self.folder = Path(folder)
+        self._lock = partial(locked, self.folder, wait, waiting)
         with blamed_on(self.folder, "used"):
             taken = next((path for path in (self.folder, *self.folder.parents) if path.exists()), None)
         if taken is not None and not taken.is_dir():
@@ -83,7 +92,7 @@ class Store:
             if not path.exists():
                 return Missing("no stored result")
             try:
-                stored = manifest.read(path.read_bytes())
+                stored = manifest.read(read_file(path))
             except manifest.ManifestError as fault:
                 return Damaged(f"{path}: {fault}")
             if stored.provenance.hash != wanted.hash:
@@ -107,9 +116,42 @@ class Store:
         contents = _contents(provenance, record, table, csv, tuple(columns))
         with blamed_on(self.folder, "written"):
             self.folder.mkdir(parents=True, exist_ok=True)
-            with locked(self.folder):
+            with self._lock():
                 remove_leftovers(self.folder)
                 self._replace(provenance.stage, contents)
+
+    def remove_others(self, stages: Collection[str]) -> Iterator[tuple[str, list[str], list[str]]]:
+        """Remove the files of every stage but these; yield each stage with the names of what went and what stays.
+
+        Only files that the record of their stage vouches for are the program's own: one that was changed stays. Raises
+        UsageError if a file cannot be removed.
+        """
+        with blamed_on(self.folder, "cleared"):
+            there = [path for path in sorted(self.folder.glob("*.toml")) if path.stem not in stages]
+            if not there:
+                return
+            with self._lock():
+                for path in there:
+                    with suppress(manifest.ManifestError, OSError):
+                        stored = manifest.read(read_file(path, _LARGEST))
+                        if stored.provenance.stage == path.stem:
+                            yield path.stem, *self._remove(stored)
+
+    def _remove(self, stored: Manifest) -> tuple[list[str], list[str]]:
+        """Remove the files of a stage, the record last; names of those that went, and of those that were changed."""
+        stage = stored.provenance.stage
+        gone: list[str] = []
+        kept: list[str] = []
+        for kind, expected in stored.files.items():
+            path = self.path(stage, kind)
+            if not path.exists():
+                continue
+            own = not other_kind(path) and _mismatch(path.read_bytes(), expected) is None
+            (gone if own else kept).append(path.name)
+            if own:
+                path.unlink()
+        self.path(stage, "toml").unlink()
+        return [f"{stage}.toml", *gone], kept
 
     def csv_differs(self, found: Found, csv: bool | None, columns: Sequence[str] = ()) -> bool:
         """Tell whether the CSV that this run is to have is not the one that is there."""
@@ -125,7 +167,7 @@ class Store:
         """Lock the folder; where nobody can write there is no lock to have, and nothing to wait for."""
         with ExitStack() as stack:
             with suppress(OSError):
-                stack.enter_context(locked(self.folder))
+                stack.enter_context(self._lock())
                 remove_leftovers(self.folder)
             yield
 
@@ -138,7 +180,7 @@ class Store:
                 continue
             if not path.exists():
                 return Damaged(f"{path}: is missing, expected {expected.size} bytes")
-            data[kind] = path.read_bytes()
+            data[kind] = read_file(path)
             if (fault := _mismatch(data[kind], expected)) is not None:
                 return Damaged(f"{path}: {fault}")
         return Found(stored, data.get("npz"), self.path(stage, "csv").exists())

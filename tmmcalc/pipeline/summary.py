@@ -17,7 +17,7 @@ def run_document(run: RunResult, title: str) -> Document:
     parts: list[Document] = []
     said: set[str] = set()
     for stage, outcome in run.outcomes.items():
-        part = outcome.stage.summary(outcome.result, stage)
+        part = outcome.stage.summary(run.results[stage], stage)
         facts = tuple(fact for fact in part.facts if fact.label not in said)
         said |= {fact.label for fact in facts}
         parts.append(with_errors(replace(part, facts=facts), run.record(stage).error))

@@ -59,10 +59,11 @@ def check_subject(outline: Outline) -> Iterator[Finding]:
 def check_needs(outline: Outline) -> Iterator[Finding]:
     """Tables that belong to others have one of them."""
     document = outline.document
+    there = {*document, *(entry.gives for entry in TABLES.values() if entry.name in document)}
     lost = not {*SUBJECTS} & {*document}  # without any subject that is the fault
     for entry in TABLES.values():
         homes = {*entry.belongs_to, *entry.read_with}
-        if entry.name not in document or not homes or homes & {*document} or (lost and MAIN in homes):
+        if entry.name not in document or not homes or homes & there or (lost and MAIN in homes):
             continue
         tables = " or ".join(f"[{name}]" for name in entry.belongs_to)
         rule = f"{entry.header} without {tables}: {entry.why}"

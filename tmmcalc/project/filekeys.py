@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tmmcalc.core.manifest import Entry
 from tmmcalc.rooms import ROOMS
+from tmmcalc.spec.csvtables import CHOICE
 from tmmcalc.spec.outline import Raw, subtable, tables
 from tmmcalc.spec.phrases import Path
 
@@ -13,8 +14,8 @@ TABLE = "file"  # the key of a table in CSV; other keys name files that a room r
 
 
 def names_files(data: Raw) -> bool:
-    """Whether a document names a file; what is misplaced is none."""
-    return any(key in table for entry, steps, key in keys() for _, table in places(data, entry, steps))
+    """Whether a document names a file, or columns of one; what is misplaced is none."""
+    return any({key, CHOICE} & {*table} for entry, steps, key in keys() for _, table in places(data, entry, steps))
 
 
 def keys() -> list[tuple[Entry, list[str], str]]:

@@ -7,6 +7,8 @@ under a header ``name[unit]``, separated by commas, semicolons or tabs:
     0,0
     30,1500
 
+Of a file with more columns the key ``columns`` names two; labels of positions, ``i``, are passed over.
+
 Its values take their place in the document as numbers in SI, so that checks, tables and hashes see them as if they
 stood in the spec. Blank lines, and lines that begin with ``#``, are passed over.
 """
@@ -17,8 +19,9 @@ from importlib import import_module
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
+from tmmcalc.core.files import other_kind, read_file
 from tmmcalc.project.filekeys import TABLE, keys, places
-from tmmcalc.spec.csvtables import FileError, Form, are_numbers, cells, columns_of
+from tmmcalc.spec.csvtables import CHOICE, FileError, Form, are_numbers, cells, columns_of
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Raw, Rows, word
 from tmmcalc.spec.phrases import Path, show
@@ -27,7 +30,9 @@ from tmmcalc.spec.units import UnitError
 if TYPE_CHECKING:
     from tmmcalc.project.root import Spec
 
-LARGEST_FILE = 10_000_000  # bytes
+MOST_BYTES = 10_000_000
+MOST_ROWS = 100_000
+MOST_SIGNS = 1000  # of a line
 _MOST_FAULTS = 10  # of one file; the rest is counted
 
 
@@ -41,6 +46,8 @@ def read_files(data: Raw, folder: FilePath) -> tuple[list[Finding], dict[Path, R
     for entry, steps, key in keys():
         for path, table in places(data, entry, steps):
             file = table.get(key)
+            if key == TABLE and CHOICE in table and TABLE not in table:
+                found.append(Finding((*path, CHOICE), f"{CHOICE} without file: of which table", 'add file = "x.csv"'))
             if not isinstance(file, str):
                 continue
             if key != TABLE:
@@ -90,43 +97,58 @@ def _read_table(table: Raw, folder: FilePath, form: Form) -> tuple[Rows | None, 
         number, first = split[0]
         named = form.by_name
         header, body = (named.without, split) if named and are_numbers(first) else (first, split[1:])
-        columns = columns_of(header, word(table, "of", "angle"), number, form)
+        columns = columns_of(header, word(table, "of", "angle"), number, form, word(table, CHOICE))
     except FileError as fault:
         return None, [fault]
-    pairs: list[tuple[float, float]] = []
+    pairs: dict[int, tuple[float, float]] = {}  # by the line
     for line, row in body:
         try:
-            pairs.append(columns.pair(row))
+            pair = columns.pair(row)
         except UnitError as error:
             faults.append(FileError(line, error.message, error.remedy))
+        else:
+            # a position has two rows where some column jumps: of one that does not they are the same
+            if not pairs or pair != next(reversed(pairs.values())):
+                pairs[line] = pair
+    along = form.by_name is None and "angle" in form.x and word(table, "of", "angle") == "angle"
+    if along and pairs and max(at for at, _ in pairs.values()) <= 0:
+        # phi falls where the input turns clockwise; a table counts along the motion
+        pairs = {line: (0.0 - at, value) for line, (at, value) in pairs.items()}
+    for line, row in body:
+        if line in pairs and pairs[line][0] < 0:
+            negative = columns.negative(row)
+            faults.append(FileError(line, negative.message, negative.remedy))
+    faults.sort(key=lambda fault: fault.line)
     if not faults and len(pairs) < 2:
         faults.append(FileError(number, "fewer than two rows under the header", "write one row for each x"))
     if faults:
         return None, faults
     if form.by_name:
-        table[columns.key] = [[*pair] for pair in pairs]
+        table[columns.key] = [[*pair] for pair in pairs.values()]
     else:
-        at, table[columns.key] = map(list, zip(*pairs, strict=True))
+        at, table[columns.key] = map(list, zip(*pairs.values(), strict=True))
         table[form.key] = [f"{angle!r} rad" for angle in at] if form.turns else at
-    return Rows(table["file"], [line for line, _ in body], f"1 {columns.x.unit}" if columns.x.unit else ""), []
+    return Rows(table["file"], [*pairs], f"1 {columns.x.unit}" if columns.x.unit else ""), []
 
 
 def _absent(file: FilePath) -> list[FileError]:
     try:
-        there, size = file.is_file(), file.stat().st_size
+        there, size = file.exists(), file.stat().st_size
     except (OSError, ValueError):
         there, size = False, 0
+    if kind := other_kind(file):
+        return [FileError(0, f"{show(str(file))} is {kind}, not a file", "name a CSV file")]
     if not there:
         return [FileError(0, f"there is no file {show(str(file))}", "its path counts from the folder of the spec")]
-    if size > LARGEST_FILE:
-        return [FileError(0, f"{file} is larger than {LARGEST_FILE // 10**6} MB", "thin it out")]
+    if size > MOST_BYTES:
+        return [FileError(0, f"{file} is larger than {MOST_BYTES // 10**6} MB", "thin it out")]
     return []
 
 
 def _lines(file: FilePath, form: Form) -> list[tuple[int, str]]:
     """Return the lines that hold something, each with its number."""
     try:
-        text = file.read_text("utf-8-sig")
+        text = read_file(file, MOST_BYTES).decode("utf-8-sig")
     except UnicodeDecodeError:
         raise FileError(0, f"{file} is not UTF-8 text", "save it as CSV in UTF-8") from None
     except OSError as error:
@@ -134,4 +156,8 @@ def _lines(file: FilePath, form: Form) -> list[tuple[int, str]]:
     held = [(n, line) for n, line in enumerate(text.split("\n"), 1) if line.strip() and line.lstrip()[0] != "#"]
     if not held:
         raise FileError(0, f"{file} is empty", form.example)
+    if len(held) > MOST_ROWS + 1:
+        raise FileError(0, f"{file} has {len(held)} rows, more than {MOST_ROWS}", "thin it out")
+    if long := next((n for n, line in held if len(line) > MOST_SIGNS), 0):
+        raise FileError(long, f"a row of more than {MOST_SIGNS} characters", "write one row for each x, a line each")
     return held

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path as FilePath
 from types import GenericAlias
 from typing import TYPE_CHECKING
 
-from pydantic import Field
+from pydantic import Field, PrivateAttr
 
 from tmmcalc.rooms import ROOMS, TABLES
 from tmmcalc.spec.deferred import deferred
+from tmmcalc.spec.outline import Raw
+from tmmcalc.spec.phrases import Path
 from tmmcalc.spec.project import ProjectTable
 from tmmcalc.spec.table import Table
 
@@ -18,6 +21,7 @@ def _gathered() -> dict[str, object]:
     body: dict[str, object] = {
         "__doc__": "A project spec of tmmcalc: one TOML file that holds the whole task.",
         "__module__": __name__,
+        "_written": PrivateAttr(default=None),
         "project": Field(default_factory=ProjectTable, description="What the work is called."),
     }
     annotations: dict[str, object] = {"project": ProjectTable}
@@ -30,6 +34,23 @@ def _gathered() -> dict[str, object]:
     return {"__annotations__": annotations, **body}
 
 
+class Written:
+    """The text that a spec was read from, and its document with overrides and with what its files hold.
+
+    ``changed`` are the paths that do not stand in the text. Two specs of the same values are equal, wherever they come
+    from, so any two of these are.
+    """
+
+    def __init__(self, document: Raw, text: str, file: str, changed: tuple[Path, ...], folder: FilePath) -> None:
+        self.document, self.text, self.file, self.changed, self.folder = document, text, file, changed, folder
+
+    def __eq__(self, other: object) -> bool:
+        return other is None or isinstance(other, Written)
+
+    def __hash__(self) -> int:
+        return 0
+
+
 if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
     from tmmcalc.extras.room import ExtraTables
@@ -40,5 +61,6 @@ if TYPE_CHECKING:
         """The root as type checkers see it."""
 
         project: ProjectTable
+        _written: Written | None
 else:
     Spec = type(Table)("Spec", (Table,), _gathered())

@@ -8,7 +8,8 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.spec.phrases import did_you_mean, listing
 
 _PACKAGE = Path(__file__).resolve().parent.parent
-_DIRECTIVE = "#:schema "  # of the editors: the file that follows describes the spec
+_DIRECTIVE = "#:schema "  # of the editors: what follows, a path from the spec or a URL, describes the spec
+_SCHEMA = "tmmcalc.schema.json"  # among the ready specs
 
 
 def folder() -> Path:
@@ -35,13 +36,15 @@ def path(name: str) -> Path:
 
 
 def text(name: str) -> str:
-    """Return the text of a ready spec; the schema that its first line names stands beside it, as ``init`` writes both.
+    """Return the text of a ready spec; its first line names the schema of this installation, wherever it will stand.
 
-    >>> text("extreme/slip").splitlines()[0]
-    '#:schema ./tmmcalc.schema.json'
+    >>> text("extreme/slip").splitlines()[1]
+    '# Extreme: a motor whose rated slip is one hundred-thousandth: the speed hardly knows of the load.'
     """
     whole = path(name).read_text(encoding="utf-8")
-    return whole.replace(f"{_DIRECTIVE}../", f"{_DIRECTIVE}./", 1) if whole.startswith(_DIRECTIVE) else whole
+    if not whole.startswith(_DIRECTIVE):
+        return whole
+    return f"{_DIRECTIVE}{(folder() / _SCHEMA).as_uri()}\n{whole.partition(chr(10))[2]}"
 
 
 def beside(name: str) -> list[Path]:
@@ -58,10 +61,17 @@ def beside(name: str) -> list[Path]:
 
 
 def description(name: str) -> str:
-    """Return the one-line description of a ready spec: the first line of its first comment."""
+    """Return the description of a ready spec: its first comment up to the line that ends a sentence."""
+    told: list[str] = []
     for line in text(name).splitlines():
-        if line.startswith("#") and not line.startswith(_DIRECTIVE):
-            return line.lstrip("# ").rstrip()
-        if line.strip() and not line.startswith("#"):
+        if line.startswith(_DIRECTIVE):
+            continue
+        said = line.removeprefix("#").strip()
+        if not line.startswith("#") or not said:
+            if said or told:
+                break
+            continue
+        told.append(said)
+        if said.endswith((".", "?")):
             break
-    return ""
+    return " ".join(told)

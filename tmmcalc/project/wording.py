@@ -12,6 +12,7 @@ from pydantic import ValidationError
 
 from tmmcalc.project.tables import homes, is_list, tables_at
 from tmmcalc.project.words import words_of
+from tmmcalc.spec.cyrillic import latin_key, stranger
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.phrases import Path, either, listing, nearest, show
 from tmmcalc.spec.table import TAGS, Table
@@ -73,7 +74,9 @@ def _no_kind(item: Item, path: Path) -> Finding:
 
 def _wrong_kind(item: Item, path: Path) -> Finding:
     what, remedy = words_of(path[0]).kinds[_key(path)]
-    return Finding((*path, "kind"), f"{show(item['input'].get('kind'))} is not {what}", remedy)
+    kind = item["input"].get("kind")
+    alike = stranger(kind) if isinstance(kind, str) else ""
+    return Finding((*path, "kind"), f"{show(kind)} is not {what}{alike}", remedy)
 
 
 def _quantity(item: Item, path: Path) -> Finding:
@@ -140,7 +143,9 @@ def _not_bool(item: Item, path: Path) -> Finding:
 
 def _not_listed(item: Item, path: Path) -> Finding:
     expected = item["ctx"]["expected"].replace("'", '"')
-    return Finding(path, f"{show(item['input'])} is not allowed here; the value is {expected}", f"write {expected}")
+    value = item["input"]
+    alike = stranger(value) if isinstance(value, str) else ""
+    return Finding(path, f"{show(value)} is not allowed here{alike}; the value is {expected}", f"write {expected}")
 
 
 def _too_small(item: Item, path: Path) -> Finding:
@@ -164,8 +169,8 @@ def _unknown_key(item: Item, path: Path) -> Finding:
     known = _keys_at(item["loc"])
     if foreign := _of_other_kind(item["loc"], key):
         return Finding(path, *foreign)
-    message = f"unknown key {show(key)}{f' in {_header(table)}' if table else ''}"
-    if guess := nearest(key, known) or _longer(key, known):
+    message = f"unknown key {show(key)}{f' in {_header(table)}' if table else ''}{stranger(key)}"
+    if guess := nearest(key, known) or _longer(key, known) or nearest(latin_key(key), known):
         return Finding(path, message, f'did you mean "{guess}"?')
     others = [_header(home) for home, table in homes() if key in _keys(table)]
     remedy = f"{key} belongs in {either(others)}" if others else f"the keys here are: {listing(known)}"
@@ -180,7 +185,8 @@ def _longer(key: str, known: list[str]) -> str | None:
 
 def _meant(item: Item) -> Path | None:
     """Return the path that a misspelt key was meant to have, None if no key is near."""
-    path, key = _place(item["loc"]), nearest(str(item["loc"][-1]), _keys_at(item["loc"]))
+    path, known = _place(item["loc"]), _keys_at(item["loc"])
+    key = nearest(str(item["loc"][-1]), known) or nearest(latin_key(str(item["loc"][-1])), known)
     return (*path[:-1], key) if key else None
 
 

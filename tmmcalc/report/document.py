@@ -6,10 +6,10 @@ A fact has a text for people and values for programs, so that ``--format json`` 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from typing import Any
 
-from tmmcalc.core.quantity import quantities
+from tmmcalc.core.quantity import in_degrees, quantities
 from tmmcalc.core.records import record
 from tmmcalc.report.numbers import number
 
@@ -31,13 +31,21 @@ class View:
 
     ``peaks`` are the largest magnitudes of the columns that these rows were chosen from: what is noise against
     them is printed as 0. ``scientific`` names the headers of columns of many magnitudes, such as errors, which
-    are printed in powers of ten.
+    are printed in powers of ten. Of many rows one in ``every`` is there.
     """
 
     headers: Sequence[str]
     columns: Sequence[Sequence[Any]]
     peaks: Sequence[float] = ()
     scientific: Sequence[str] = ()
+    every: int = 1
+
+
+def said_of_rows(view: View | None) -> str:
+    """What stands under a table of which not all rows are shown; nothing under another."""
+    if view is None or view.every == 1:
+        return ""
+    return f"one position in {view.every}: --positions names others, --csv writes all of them to a file"
 
 
 @record
@@ -51,6 +59,16 @@ class Document:
     wide: bool = False  # the table may be cut to the width of the terminal
     more: str = ""  # said under a table that was cut
     parts: tuple[Document, ...] = ()  # each under its own title; programs find them by it
+
+
+def angles_in_degrees(document: Document) -> Document:
+    """The document with the angles of its facts and its table in deg for programs too."""
+    facts = tuple(replace(fact, values=in_degrees(fact.values)) for fact in document.facts)
+    table = document.table
+    if table is not None:
+        columns = in_degrees(dict(zip(table.headers, table.columns, strict=True)))
+        table = replace(table, headers=[*columns], columns=[*columns.values()])
+    return replace(document, facts=facts, table=table, parts=tuple(map(angles_in_degrees, document.parts)))
 
 
 def untold(facts: Iterable[Fact], of: Any, but: Collection[str] = ()) -> Iterator[Fact]:

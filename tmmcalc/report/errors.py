@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from tmmcalc.core.stored import estimates
+from tmmcalc.core.stored import LAST_DIGIT, estimates, last_digits
 from tmmcalc.report.document import Document, Fact
 
 FEW = 6  # errors that are all told; of more the largest
@@ -18,9 +18,15 @@ def with_errors(document: Document, error: Mapping[str, Any]) -> Document:
     if not told:
         return document
     own = [k for k, fact in enumerate(document.facts) if isinstance(fact.values.get("error"), Mapping)]
-    fact = Fact("error estimate", _text(told), {"error": told})
     at = own[0] if own else len(document.facts)
-    return replace(document, facts=(*document.facts[:at], fact, *document.facts[at + 1 :]))
+    rest = [fact for fact in document.facts[at + 1 :] if LAST_DIGIT not in fact.values]
+    fact = Fact("error estimate", _text(told), {"error": told})
+    return replace(document, facts=(*document.facts[:at], fact, *digit_facts(dict(last_digits(error))), *rest))
+
+
+def digit_facts(told: Mapping[str, float]) -> list[Fact]:
+    """What a unit in the last place of the data does to the quantities of a stage, where it is told at all."""
+    return [Fact("last digit of the data", _text(told), {LAST_DIGIT: dict(told)})] if told else []
 
 
 def _text(told: Mapping[str, float]) -> str:

@@ -9,6 +9,7 @@ DIGITS = 6  # significant digits of the largest value of a column
 MIDDLE_DIGITS = 4  # at least, of a value of middle size, where a few tower above the rest
 NOISE = 1e-12  # a value this small against the largest of its column is zero
 ANGLE_DECIMALS = 5  # of an angle in degrees
+ROUND = (1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)  # scales of drawings
 
 
 def number(value: float, digits: int = 7, peak: float = 0.0) -> str:
@@ -52,6 +53,18 @@ def column(values: Sequence[float], peak: float = 0.0) -> list[str]:
 def scientific(values: Sequence[float], digits: int = 3) -> list[str]:
     """Numbers in powers of ten; zero stays 0."""
     return [f"{v:.{digits - 1}e}" if v else "0" for v in values]
+
+
+def round_scale(value: float) -> float:
+    """The next scale above, out of a series of round numbers.
+
+    >>> round_scale(0.0173), round_scale(0.0)
+    (0.02, 1.0)
+    """
+    if value <= 0:
+        return 1.0
+    power = 10.0 ** math.floor(math.log10(value))
+    return next(m * power for m in ROUND if m * power >= value * (1 - 1e-9))
 
 
 def _exponent(size: float) -> int:

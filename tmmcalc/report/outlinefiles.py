@@ -15,6 +15,7 @@ import numpy as np
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.curves import Plane
+from tmmcalc.core.printable import printable
 from tmmcalc.report.outlines import Bow, Cubics, Line, Outline, Piece
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ def svg(outlines: Sequence[Outline], tolerance: float, title: str) -> bytes:
     paths = "\n".join(f'<path id={quoteattr(outline.name)} d="{_path(outline, places)}"/>' for outline in outlines)
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{size.real:.6g}mm" height="{size.imag:.6g}mm" '
-        f'viewBox="{box}">\n<title>{escape(title)}</title>\n'
+        f'viewBox="{box}">\n<title>{escape(printable(title))}</title>\n'
         f'<g fill="none" stroke="black" stroke-width="{STROKE * max(size.real, size.imag):.3g}">\n'
         f"{paths}\n</g>\n</svg>\n"
     ).encode()
@@ -92,9 +93,9 @@ def require_dxf() -> None:
     try:
         import ezdxf  # noqa: F401
     except ImportError:
-        raise UsageError(
-            "DXF drawings need the package ezdxf", where="--dxf", remedy='pip install "tmmcalc[cad]"'
-        ) from None
+        from tmmcalc.core.installation import install
+
+        raise UsageError("DXF drawings need the package ezdxf", where="--dxf", remedy=install("cad")) from None
 
 
 def dxf(outlines: Sequence[Outline]) -> bytes:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import zip_longest
 from textwrap import wrap
 
-from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.document import Document, Fact, said_of_rows
 from tmmcalc.report.layout import GAP, Cells, fitted
 
 WIDTH = 80
@@ -33,6 +33,8 @@ def _blocks(document: Document) -> Iterator[list[str]]:
     columns, cut = fitted(document, WIDTH)
     yield list(_table(columns))
     yield _wrapped(f"{cut} more columns: {document.more}", WIDTH) if cut and document.more else []
+    rows = said_of_rows(document.table)
+    yield _wrapped(rows, WIDTH) if rows else []
 
 
 def _fact(fact: Fact, label: int) -> Iterator[str]:
@@ -43,6 +45,8 @@ def _fact(fact: Fact, label: int) -> Iterator[str]:
 
 
 def _wrapped(text: str, width: int, indent: str = "") -> list[str]:
+    if len(text) <= width and text.isprintable() and not text.endswith(" "):
+        return [text]  # as most are, and as `wrap` gives it back from words
     return wrap(text, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False) or [""]
 
 

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 
 from tmmcalc.core.errors import UsageError
 
+LISTED = 2000  # positions of a table for people, as in a CSV that nobody asked for
+
 
 def rows_of(positions: str | None, labels: Sequence[str], flag: str = "--positions") -> list[int] | None:
     """Indices of the positions that ``'0,6,18'`` or ``'0:24:2'`` name; None for None.
@@ -21,6 +23,15 @@ def rows_of(positions: str | None, labels: Sequence[str], flag: str = "--positio
     for part in (p.strip() for p in positions.split(",")):
         rows += _range(part, labels, flag) if ":" in part else [_row(part, part, labels, flag)]
     return rows
+
+
+def listed(count: int, everything: bool) -> range:
+    """Positions that a table lists unless some are named: all, for people at most `LISTED` in even steps.
+
+    >>> listed(25, False), listed(10_001, False), listed(10_001, True)
+    (range(0, 25), range(0, 10001, 6), range(0, 10001))
+    """
+    return range(0, count, 1 if everything else max(-(-count // LISTED), 1))
 
 
 def _row(label: str, part: str, labels: Sequence[str], flag: str) -> int:

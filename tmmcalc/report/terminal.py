@@ -8,28 +8,32 @@ from rich import box
 from rich.console import Console
 from rich.table import Table
 
-from tmmcalc.report.document import Document, Fact
+from tmmcalc.core.printable import printable
+from tmmcalc.report.document import Document, Fact, said_of_rows
 from tmmcalc.report.layout import GAP, Cells, fitted
 
 
 def draw(document: Document, stream: TextIO) -> None:
-    """Print title, facts, notes and table, then the parts."""
-    _draw(document, Console(file=stream, highlight=False))
+    """Print title, facts, notes and table, then the parts; what looks like markup of rich is the user's own text."""
+    _draw(document, Console(file=stream, highlight=False, markup=False, emoji=False))
 
 
 def _draw(document: Document, out: Console) -> None:
-    out.print(document.title, style="bold", markup=False)
+    out.print(printable(document.title), style="bold")
     if document.facts:
         out.print(_facts(document.facts))
     for note in document.notes:
-        out.print(note, style="yellow" if note.startswith("warning") else "cyan", markup=False)
+        out.print(printable(note), style="yellow" if note.startswith("warning") else "cyan")
     columns, cut = fitted(document, out.width)
     if columns:
         out.print()
         out.print(_table(columns))
     if cut and document.more:
         out.print()
-        out.print(f"{cut} more columns: {document.more}", style="dim", markup=False)
+        out.print(f"{cut} more columns: {document.more}", style="dim")
+    if rows := said_of_rows(document.table):
+        out.print()
+        out.print(rows, style="dim")
     for part in document.parts:
         out.print()
         _draw(part, out)
@@ -40,7 +44,7 @@ def _facts(facts: tuple[Fact, ...]) -> Table:
     table.add_column(no_wrap=True, style="dim")
     table.add_column()
     for fact in facts:
-        table.add_row(fact.label, fact.text)
+        table.add_row(printable(fact.label), printable(fact.text))
     return table
 
 
@@ -56,11 +60,11 @@ def _table(columns: list[Cells]) -> Table:
     for k, c in enumerate(columns):
         wraps = c.text and k == len(columns) - 1
         table.add_column(
-            f"{c.name}\n{c.unit}" if units else c.name,
+            printable(f"{c.name}\n{c.unit}" if units else c.name),
             justify="left" if c.text else "right",
             min_width=None if wraps else c.width,
             no_wrap=not wraps,
         )
     for row in zip(*(c.cells for c in columns), strict=True):
-        table.add_row(*row)
+        table.add_row(*map(printable, row))
     return table

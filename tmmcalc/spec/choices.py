@@ -60,10 +60,12 @@ class Exact(Reader):
         if isinstance(value, bool) or not isinstance(value, int | float | str):
             raise UnitError(f"{show(value)} is not {self.noun}", self._advice())
         text = str(value).replace("−", "-").strip()
+        if len(text) > _LONGEST:
+            raise UnitError(f"{show(value)} is not a finite number of ordinary size", self._advice())
         parts = re.fullmatch(rf"({_DECIMAL})(?:\s*/\s*({_DECIMAL}))?\s*(%?)", text, re.ASCII)
         if parts is None or (parts[7] and not self.percent):
             raise UnitError(f"{show(value)} is not {self.noun}", self._advice())
-        if len(text) > _LONGEST or (parts[4] and not Fraction(parts[4])):
+        if parts[4] and not Fraction(parts[4]):
             raise UnitError(f"{show(value)} is not a finite number of ordinary size", self._advice())
         number = Fraction(parts[1]) / Fraction(parts[4] or 1) / (100 if parts[7] else 1)
         if number and not Fraction(1, 10**100) <= abs(number) <= 10**100:
@@ -148,7 +150,10 @@ class Known(Reader):
             return value
         close = nearest(value, self.words) if isinstance(value, str) else None
         guess = f'did you mean "{close}"? ' if close else ""
-        raise UnitError(f"{show(value)} is no {self.noun}", f"{guess}there are: {listing(self.words)}")
+        from tmmcalc.spec.cyrillic import stranger  # late: only faults need it
+
+        alike = stranger(value) if isinstance(value, str) else ""
+        raise UnitError(f"{show(value)} is no {self.noun}{alike}", f"{guess}there are: {listing(self.words)}")
 
     def describe(self) -> dict[str, Any]:
         """Return the JSON Schema: one of the words."""

@@ -27,8 +27,10 @@ class Name(Reader):
             raise UnitError(f"{show(value)} is not a name", f'write the name of a {self.noun} in quotes, such as "A"')
         if NAME.fullmatch(value):
             return value
+        from tmmcalc.spec.cyrillic import stranger  # late: only faults need it
+
         raise UnitError(
-            f"{show(value)} cannot name a {self.noun}{_stranger(value)}",
+            f"{show(value)} cannot name a {self.noun}{stranger(value)}",
             "a name is a Latin letter, then letters, digits, _ or '",
         )
 
@@ -48,8 +50,10 @@ class Words(Name):
             return value
         if not isinstance(value, str):
             return super().read(value)
+        from tmmcalc.spec.cyrillic import stranger  # late: only faults need it
+
         remedy = "a name is words of Latin letters, digits, _ or ', with single spaces or hyphens between them"
-        raise UnitError(f"{show(value)} cannot name a {self.noun}{_stranger(value)}", remedy)
+        raise UnitError(f"{show(value)} cannot name a {self.noun}{stranger(value)}", remedy)
 
     def describe(self) -> dict[str, Any]:
         """Return the JSON Schema of a name."""
@@ -72,16 +76,6 @@ class Label(Reader):
         """Return the JSON Schema: a whole number or a label."""
         kinds = [{"type": "integer", "minimum": 0}, {"type": "string", "pattern": f"^{self.PATTERN}$"}]
         return {"anyOf": kinds, "description": "Number or label of a position."}
-
-
-def _stranger(name: str) -> str:
-    """Name the first letter that only looks Latin: it cannot be told from the Latin one by eye."""
-    from unicodedata import name as name_of  # late: only faults need it
-
-    for character in name:
-        if character.isalpha() and not character.isascii():
-            return f": it holds {name_of(character, 'a letter').capitalize()}"
-    return ""
 
 
 PointName = Annotated[str, Name("point")]

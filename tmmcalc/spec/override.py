@@ -18,10 +18,13 @@ from typing import Any, NamedTuple
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.manifest import TABLES
 from tmmcalc.core.stage import resolve
+from tmmcalc.spec.limits import MOST_PARTS, beyond
 from tmmcalc.spec.phrases import Path, listing, show, show_path
 
 _KEY = re.compile(r"""[A-Za-z0-9_-]+|"[^"]*"|'[^']*'""")
-_SELECTOR = re.compile(r"""\[\s*(?:(-?\d+)|([A-Za-z0-9_-]+)\s*=\s*("[^"]*"|'[^']*'|[^\]"']+?))\s*\]""")
+_SELECTOR = re.compile(r"""\[((?:[^\]"']|"[^"]*+"|'[^']*+')++)\]""")
+_INDEX = re.compile(r"-?[0-9]{1,9}")
+_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 
 class _Where(NamedTuple):
@@ -140,42 +143,62 @@ def _path(assignment: str) -> tuple[list[Step], int]:
     """The steps of the path, and where it ends."""
     steps: list[Step] = []
     at = 0
-    while True:
-        match = _SELECTOR.match(assignment, at) if steps else None
-        if match:
-            steps.append(_selector(match))
-        elif match := _KEY.match(assignment, at):
-            steps.append(_plain(match.group()))
-        else:
-            raise _refusal(assignment, "the path cannot be read", "write it as mechanism.links[id=3].mass=50")
+    while len(steps) <= MOST_PARTS:
+        selector = _SELECTOR.match(assignment, at) if steps else None
+        if selector:
+            steps.append(_selector(selector[1].strip(), assignment))
+        key = None if selector else _KEY.match(assignment, at)
+        if key:
+            steps.append(_plain(key.group()))
+        match = selector or key
+        if match is None:
+            raise _unreadable(assignment)
         at = match.end()
         rest = assignment[at:].lstrip()
         if rest.startswith("="):
             return steps, at
         at += assignment[at:].startswith(".")
+    raise _refusal(
+        assignment,
+        f"the path has more than {MOST_PARTS} parts",
+        "the keys of a spec have up to five, with indices",
+    )
+
+
+def _unreadable(assignment: str) -> UsageError:
+    from tmmcalc.spec.cyrillic import stranger  # late: only faults need it
+
+    alike = stranger(assignment.partition("=")[0])
+    return _refusal(assignment, f"the path cannot be read{alike}", "write it as mechanism.links[id=3].mass=50")
 
 
 def _plain(key: str) -> str:
     return key[1:-1] if key[0] in "\"'" else key
 
 
-def _selector(match: re.Match[str]) -> Step:
-    index, key, value = match.groups()
-    if index is not None:
-        return int(index)
+def _selector(inside: str, assignment: str) -> Step:
+    """What stands between brackets: an index, or a key and its value."""
+    if _INDEX.fullmatch(inside):
+        return int(inside)
+    key, _, value = (part.strip() for part in inside.partition("="))
+    quoted = value[:1] in ("'", '"') and value.find(value[0], 1) == len(value) - 1
+    if not _BARE_KEY.fullmatch(key) or not value or (not quoted and any(sign in value for sign in "\"'")):
+        raise _unreadable(assignment)
     try:
-        return _Where(key, tomllib.loads(f"value = {value}")["value"])
-    except tomllib.TOMLDecodeError:
+        return _Where(key, tomllib.loads(f"value = {value}")["value"] if beyond(value) is None else value)
+    except ValueError:
         return _Where(key, value)  # a bare word: quotes inside a shell's quotes are a nuisance
 
 
 def _value(assignment: str, text: str) -> object:
+    if (found := beyond(text)) is not None:
+        raise _refusal(assignment, found.message, found.remedy)
     try:
         document = tomllib.loads(f"value = {text.strip()}")
-    except (tomllib.TOMLDecodeError, ValueError, RecursionError):
+    except ValueError:
         document = {}
     if [*document] != ["value"]:
-        quoted = f'"{text.strip()}"'
+        quoted = f'"{text.strip()}"' if len(text) < 60 else '"..."'
         raise _refusal(
             assignment,
             f"{show(text.strip())} is not a TOML value",

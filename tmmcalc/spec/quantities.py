@@ -16,7 +16,7 @@ from pydantic_core import core_schema
 from tmmcalc.spec.dimensions import DIMENSIONS, UNITS
 from tmmcalc.spec.phrases import either, nearest, show
 from tmmcalc.spec.reader import Reader
-from tmmcalc.spec.units import LARGEST, UnitError, parse, unit_direction
+from tmmcalc.spec.units import LARGEST, LONGEST, UnitError, parse, unit_direction
 
 if TYPE_CHECKING:
     from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -26,19 +26,19 @@ _QUOTIENT = rf"\s*(?P<above>{_NUMBER_PATTERN})\s*/\s*(?P<below>{_NUMBER_PATTERN}
 
 
 class Quantity(Reader):
-    """A number with a unit of one of ``dimensions``, or ``word`` if that is allowed in its place."""
+    """A number with a unit of one of ``dimensions``, or one of ``words`` that are allowed in its place."""
 
     def __init__(
-        self, *dimensions: str, at_least_zero: bool = False, nonzero: bool = False, word: str | None = None
+        self, *dimensions: str, at_least_zero: bool = False, nonzero: bool = False, words: tuple[str, ...] = ()
     ) -> None:
         self.dimensions = dimensions
         self.at_least_zero = at_least_zero
         self.nonzero = nonzero
-        self.word = word
+        self.words = words
 
     def read(self, value: object) -> float | str:
         """Return the value in SI; raise UnitError (a ValueError) with the fault in plain words."""
-        if self.word is not None and isinstance(value, str) and value == self.word:
+        if isinstance(value, str) and value in self.words:
             return value
         try:
             number = parse(value, *self.dimensions)
@@ -59,8 +59,7 @@ class Quantity(Reader):
             number["not"] = {"const": 0}
         si = either(DIMENSIONS[dimension].si for dimension in self.dimensions)
         kinds: list[dict[str, Any]] = [number, {"type": "string", "pattern": self._pattern()}]
-        if self.word is not None:
-            kinds.append({"const": self.word})
+        kinds += [{"const": word} for word in self.words]
         noun = self._noun().capitalize()
         example = DIMENSIONS[self.dimensions[0]].example
         return {"anyOf": kinds, "description": f'{noun}: a number in {si}, or a string such as "{example}".'}
@@ -73,11 +72,12 @@ class Quantity(Reader):
         return f"write {examples}, for example"
 
     def _with_word(self, fault: UnitError, value: object) -> UnitError:
-        if self.word is None:
+        if not self.words:
             return fault
-        if isinstance(value, str) and nearest(value.strip(), [self.word]):
-            return UnitError(fault.message, f'did you mean "{self.word}"?')
-        return UnitError(fault.message, f'{fault.remedy}, or "{self.word}"')
+        close = nearest(value.strip(), self.words) if isinstance(value, str) else None
+        if close:
+            return UnitError(fault.message, f'did you mean "{close}"?')
+        return UnitError(fault.message, f'{fault.remedy}, or "{self.words[0]}"')
 
     def _pattern(self) -> str:
         units = (unit for dimension in self.dimensions for unit in UNITS[dimension])
@@ -121,7 +121,8 @@ class Number(Reader):
     def _number(self, value: object) -> float:
         if isinstance(value, bool) or not isinstance(value, int | float | str):
             raise UnitError(f"{show(value)} is not {self.noun}", self._advice())
-        parts = re.fullmatch(_QUOTIENT, value, re.ASCII) if isinstance(value, str) else None
+        text = value if isinstance(value, str) and len(value) <= LONGEST else ""
+        parts = re.fullmatch(_QUOTIENT, text, re.ASCII)
         if isinstance(value, str) and (parts is None or float(parts["below"]) == 0):
             raise UnitError(f"{show(value)} is not {self.noun}", f"{self._advice()}; it has no quotes and no unit")
         number = float(parts["above"]) / float(parts["below"]) if parts else value
@@ -172,7 +173,8 @@ class QualityGrade(Reader):
 
     def read(self, value: object) -> float:
         """Return the number of the grade; raise UnitError if the value is none."""
-        match = re.fullmatch(self.PATTERN, value, re.ASCII) if isinstance(value, str) else None
+        text = value if isinstance(value, str) and len(value) <= LONGEST else ""
+        match = re.fullmatch(self.PATTERN, text, re.ASCII)
         number = float(match[1]) if match else value
         if isinstance(number, bool) or not isinstance(number, int | float):
             raise UnitError(f"{show(value)} is not a balance quality grade", 'write "G6.3", or 6.3')
@@ -205,8 +207,11 @@ Inertia = Annotated[float, Quantity("inertia", at_least_zero=True)]
 InputCoordinate = Annotated[float, Quantity("angle", "length")]
 InputDistance = Annotated[float, Quantity("angle", "length", at_least_zero=True)]
 InputSpan = Annotated[float, Quantity("angle", "length", at_least_zero=True, nonzero=True)]
-InputStart = Annotated[float | Literal["extreme"], Quantity("angle", "length", word="extreme")]
-InputSpeed = Annotated[float, Quantity("angular speed", "speed", nonzero=True)]
+InputStart = Annotated[float | Literal["extreme"], Quantity("angle", "length", words=("extreme",))]
+# words for a mean speed that is found when the spec is loaded, the second for a crank that turns clockwise
+BY_MOTOR, CLOCKWISE = "by the motor", "by the motor, clockwise"
+InputSpeed = Annotated[float, Quantity("angular speed", "speed", nonzero=True, words=(BY_MOTOR, CLOCKWISE))]
+ShaftSpeed = Annotated[float, Quantity("angular speed", at_least_zero=True, nonzero=True, words=(BY_MOTOR,))]
 InputAcceleration = Annotated[float, Quantity("angular acceleration", "acceleration")]
 
 Ratio = Annotated[float, Number("a ratio", "26.4", above=0)]

@@ -12,6 +12,8 @@ from __future__ import annotations
 import cmath
 import math
 import re
+from decimal import Context, Decimal
+from fractions import Fraction
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -21,6 +23,7 @@ from tmmcalc.spec.phrases import either, nearest, show
 _QUARTERS = (1 + 0j, 1j, -1 + 0j, -1j)
 FULL_TURN = 2 * math.pi * (1 + 1e-12)  # a bare angle above it is degrees in disguise
 LARGEST = 1e250  # larger and smaller (1/LARGEST) magnitudes are slips, and their squares overflow
+LONGEST = 400  # characters of a number, or of a unit
 
 _PI_NUM = 3141592653589793238462643383279502884197169399375105820974944
 _PI_DEN = 10**60
@@ -40,7 +43,7 @@ _DIMENSION_OF = {unit: dimension for dimension, units in UNITS.items() for unit 
 _SPELLINGS = str.maketrans(
     {"·": "*", "⋅": "*", "×": "*", "²": "^2", "³": "^3", "¹": "^1", "⁻": "^-", "µ": "u", "μ": "u", "º": "°"}
 )
-_QUANTITY = re.compile(r"\s*([+-]?)(\d+\.?\d*|\.\d+)(?:[eE]([+-]?\d+))?\s*(.*?)\s*", re.ASCII | re.DOTALL)
+_QUANTITY = re.compile(r"([+-]?)(\d++(?:\.\d*+)?|\.\d++)(?:[eE]([+-]?\d++))?\s*+(.*)", re.ASCII | re.DOTALL)
 
 
 class _Reading(NamedTuple):
@@ -75,6 +78,35 @@ def dimension_of(value: object) -> str | None:
     if not isinstance(value, str) or (reading := _take_apart(value)) is None:
         return None
     return _DIMENSION_OF.get(reading.unit)
+
+
+def unit_of(value: object) -> str:
+    """Return the unit of a quantity string as the table spells it; empty for anything else.
+
+    >>> unit_of("4.5 kg·m²"), unit_of("crank")
+    ('kg*m^2', '')
+    """
+    reading = _take_apart(value) if isinstance(value, str) else None
+    return reading.unit if reading is not None and reading.unit in _DIMENSION_OF else ""
+
+
+def written(value: float, unit: str) -> str:
+    """Return the shortest string of a number and this unit that is read as exactly ``value`` [SI].
+
+    >>> written(0.29, "mm"), written(math.pi / 2, "deg"), written(1 / 3, "mm")
+    ('290 mm', '90 deg', '333.3333333333333 mm')
+    """
+    dimension = _DIMENSION_OF[unit]
+    factor = UNITS[dimension][unit]
+    number = Fraction(value) * Fraction(factor.den, factor.num)
+    if factor.pi:
+        number *= Fraction(_PI_DEN, _PI_NUM)
+    digits, text = 0, f"0 {unit}"
+    while parse(text, dimension) != value:
+        digits += 1
+        shown = Context(prec=digits).divide(Decimal(number.numerator), Decimal(number.denominator)).normalize()
+        text = f"{shown:f} {unit}" if -6 <= shown.adjusted() < 16 else f"{shown} {unit}"
+    return text
 
 
 def unit_direction(angle: float) -> complex:
@@ -117,10 +149,12 @@ def _parse_text(text: str, dimensions: tuple[str, ...]) -> float:
 
 def _take_apart(text: str) -> _Reading | None:
     # A minus copied from a printed page is U+2212.
-    match = _QUANTITY.fullmatch(text.replace("−", "-"))
+    match = _QUANTITY.fullmatch(text.replace("−", "-").strip())
     if match is None:
         return None
     sign, digits, exponent, unit = match.groups()
+    if len(unit) > LONGEST:  # no unit; a search for spaces in it would take the square of their number
+        return _Reading(sign, digits, exponent or "0", unit)
     unit = re.sub(r"\s*([*/^])\s*", r"\1", unit.translate(_SPELLINGS)).replace("^-^", "^-").replace("**", "^")
     return _Reading(sign, digits, exponent or "0", unit)
 
@@ -130,7 +164,7 @@ def _convert(text: str, reading: _Reading, factor: Factor, dimensions: tuple[str
     approximate = float(f"{reading.digits}e{reading.exponent}")
     if approximate == 0 and not reading.digits.strip("0."):
         return 0.0
-    if len(reading.digits) > 400 or not 1 / LARGEST <= approximate <= LARGEST:
+    if max(len(reading.digits), len(reading.exponent)) > LONGEST or not 1 / LARGEST <= approximate <= LARGEST:
         raise UnitError(f"{show(text)} is not a finite number of ordinary size", _advice(dimensions))
     whole, _, fraction = reading.digits.partition(".")
     num, den = int(whole + fraction) * factor.num, factor.den
@@ -148,10 +182,22 @@ def _unit_fault(text: str, reading: _Reading, dimensions: tuple[str, ...]) -> Un
         if not reading.digits.strip("0."):
             return UnitError(f"{show(text)} has no unit", f"write 0 without quotes, or {advice.removeprefix('write ')}")
         return UnitError(f"{show(text)} has no unit", f"{advice}; a number without quotes is in {si}")
+    from tmmcalc.spec.cyrillic import latin_units  # late: only faults need it
+
     if re.match(r",\d", reading.unit):
-        return UnitError(f"{show(text)} has a decimal comma", f'write a point: "{text.replace(",", ".", 1)}"')
+        pointed = latin_units(text.replace(",", ".", 1))
+        return UnitError(f"{show(text)} has a decimal comma", f'write a point: "{pointed}"')
     if re.match(r"[\d.,/]", reading.unit):
         return UnitError(f"{show(text)} does not start with one plain number", _advice(dimensions))
+    latin = _take_apart(latin_units(text))
+    if latin is not None and latin != reading and latin.unit in _DIMENSION_OF:
+        dimension = _DIMENSION_OF[latin.unit]
+        if dimension not in dimensions:
+            return UnitError(
+                f"{show(text)} is {DIMENSIONS[dimension].noun}, {_wanted(dimensions)} is needed", _advice(dimensions)
+            )
+        told = f"{show(text)}: the unit {show(reading.unit)} is in Cyrillic letters"
+        return UnitError(told, f'write it in Latin ones: "{latin_units(text)}"')
     own = [unit for dimension in dimensions for unit in UNITS[dimension]]
     guess = nearest(reading.unit, own) or nearest(reading.unit, list(_DIMENSION_OF))
     remedy = f'did you mean "{guess}"? ' if guess else ""

@@ -32,13 +32,19 @@ def amounts(listed: object, *dimensions: str) -> list[float] | None:
     return numbers if len(numbers) == len(found) else None
 
 
-def first_disorder(numbers: list[float]) -> int | None:
+def first_disorder(numbers: list[float], *, jumps: bool = False) -> int | None:
     """Return the index of the first number that does not come after the one before it; None if all ascend.
 
-    >>> first_disorder([0.0, 1.0, 1.0, 2.0])
-    2
+    Where the values may jump (``jumps``) two numbers may be equal, and no three.
+
+    >>> first_disorder([0.0, 1.0, 1.0, 2.0]), first_disorder([0.0, 1.0, 1.0, 2.0, 2.0, 2.0], jumps=True)
+    (2, 5)
     """
-    return next((i for i in range(1, len(numbers)) if not numbers[i] > numbers[i - 1]), None)
+    for i in range(1, len(numbers)):
+        twice = jumps and numbers[i] == numbers[i - 1] and (i == 1 or numbers[i] > numbers[i - 2])
+        if not (numbers[i] > numbers[i - 1] or twice):
+            return i
+    return None
 
 
 def check_bare_speed(value: object, path: Path) -> Iterator[Finding]:

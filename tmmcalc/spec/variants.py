@@ -22,8 +22,7 @@ from tmmcalc.spec.override import split, value_at
 from tmmcalc.spec.phrases import show
 
 MOST = 1_000_000  # values of one range: more is a slip of the pen
-_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
-_QUANTITY = re.compile(rf"\s*[\"']?\s*({_NUMBER})\s*([^:\"']*?)\s*[\"']?\s*")
+_QUANTITY = re.compile(r"([+-]?(?:\d++(?:\.\d*+)?|\.\d++)(?:[eE][+-]?\d++)?)\s*+([^:\"']*+)", re.ASCII)
 
 
 @record
@@ -101,18 +100,26 @@ def _parts(text: str, assignment: str) -> tuple[tuple[float, ...], str] | None:
     if body.count(":") == 2:
         low, high, number = body.split(":")
         return _steps(low, high, number, assignment)
-    listed = [_QUANTITY.fullmatch(item) for item in body.split(",")]
+    listed = [_read(item) for item in body.split(",")]
     if len(listed) < 2 or not all(listed):
         return None
     numbers, units = zip(*(match.groups() for match in listed if match), strict=True)
     return tuple(map(float, numbers)), _one_unit(units, assignment)
 
 
+def _read(text: str) -> re.Match[str] | None:
+    """Number and unit of a text, with quotes or without."""
+    text = text.strip()
+    text = text[1:].lstrip() if text[:1] in ("'", '"') else text
+    return _QUANTITY.fullmatch(text[:-1].rstrip() if text[-1:] in ("'", '"') else text)
+
+
 def _steps(low: str, high: str, number: str, assignment: str) -> tuple[tuple[float, ...], str] | None:
-    first, last = _QUANTITY.fullmatch(low), _QUANTITY.fullmatch(high)
+    first, last = _read(low), _read(high)
     if not (first and last):
         return None
-    if not number.strip().isdecimal() or not 2 <= int(number) <= MOST:
+    steps = number.strip()
+    if not (steps.isdecimal() and len(steps) < 10) or not 2 <= int(steps) <= MOST:
         raise _refusal(assignment, f"{show(number)} values", f"the count is a whole number from 2 to {MOST}")
     unit = _one_unit((first.group(2), last.group(2)), assignment)
     a, b, n = float(first.group(1)), float(last.group(1)), int(number) - 1
@@ -129,7 +136,7 @@ def _one_unit(units: Sequence[str], assignment: str) -> str:
 
 def _quantity(value: object, assignment: str) -> tuple[float, str]:
     """Number and unit of a value of the spec."""
-    match = _QUANTITY.fullmatch(value) if isinstance(value, str) else None
+    match = _read(value) if isinstance(value, str) else None
     if match:
         return float(match.group(1)), match.group(2)
     if isinstance(value, int | float) and not isinstance(value, bool):

@@ -29,7 +29,7 @@ INDEX = ("i", "phase", "motion")  # columns that say which row it is
 # what is found by a rule of thumb on the grid, counts, places of extremes (flat: half of the digits) and arms there,
 # and estimates
 SKIPPED = re.compile(
-    r"_at_|_at$|error|counters|Simpson|textbook|_off$|steps|residual|evaluations|lumped|_given$|(^|_)rim_|power_balance|turns$|_dphi_"
+    r"_at_|_at$|error|counters|Simpson|textbook|_off$|steps|residual|evaluations|lumped|lumping|_given$|(^|_)rim_|power_balance|turns$|_dphi_"
     r"|^equilibrium$|^virtual$|^h_(?!T$|t_)|^(S0|r2|l)_least$"
 )
 BY_FACTS = ("vibrator", "pendulum", "transient")  # rows of forms without a size, of instants chosen by the steps

@@ -1,7 +1,8 @@
 """The document of a stress test: where digits go, and every rung of every ladder.
 
 The table on top has a row for every stage that loses more than three digits on a ladder: what it loses on an ordinary
-rung and on its worst, with the condition number and the stage's own estimate there, and whether the program tells it.
+rung and on its worst, with the condition number, the stage's own estimate and what it says of the last digit of the
+data there, and whether the program tells it: the loss is compared with the sum of both.
 """
 
 from __future__ import annotations
@@ -14,15 +15,16 @@ from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.stress.results import DISPUTED, ERROR, FAULT, LIMITS, WARNING, Ladder, Loss, Met, Rung, Stress
 
 TOLD = (
-    "ladder", "setting", "size", "condition", "stage", "status", "code", "error", "quantity", "estimate", "told",
-    "message", "skipped",
+    "ladder", "setting", "size", "condition", "stage", "status", "code", "error", "quantity", "estimate", "last_digit",
+    "told", "message", "skipped",
 )  # fmt: skip
 KEPT = 1e-12  # observed errors up to that are no loss to speak of
 # how reasons begin that say no more than the name of a ladder
 LACKS = ("the scene has n", "the motor of the scene has no", "no linkage is sought")
-LOSSES = ("ladder", "stage", "error at first", "at worst", "condition", "estimate", "told by", "of", "on rung")
-POWERS = ("error at first", "at worst", "condition", "estimate")  # columns of many magnitudes
-SELDOM = ("not compared", "answer")  # columns that are left out where they say nothing
+DIGIT = "last digit"  # column of what the last digit of the data does
+LOSSES = ("ladder", "stage", "error at first", "at worst", "condition", "estimate", DIGIT, "told by", "of", "on rung")
+POWERS = ("error at first", "at worst", "condition", "estimate", DIGIT)  # columns of many magnitudes
+SELDOM = ("not compared", "answer", DIGIT)  # columns that are left out where they say nothing
 MOST_NAMED = 4  # quantities in a note
 
 
@@ -45,7 +47,7 @@ def tidy_stress(result: Stress, title: str) -> Document:
     """One table of all stages on all rungs, for programs; what does not apply is empty."""
     rows = [
         (ladder.name, rung.setting, rung.size, rung.condition, met.stage, met.status, met.code, met.error, met.quantity,
-         met.estimate, met.told, met.message, "; ".join(met.skipped) or rung.note)
+         met.estimate, met.last_digit, met.told, met.message, "; ".join(met.skipped) or rung.note)
         for ladder in result.ladders
         for rung in ladder.rungs
         for met in rung.met
@@ -90,15 +92,18 @@ def _digits_kept(result: Stress, lost: set[tuple[str, str]]) -> Fact:
 def _row(ladder: Ladder, loss: Loss) -> list[Any]:
     met = loss.met
     return _cells((
-        ladder.name, loss.stage, loss.ordinary, met.error, loss.rung.condition, met.estimate, _teller(met),
-        met.quantity, loss.rung.setting,
+        ladder.name, loss.stage, loss.ordinary, met.error, loss.rung.condition, met.estimate, met.last_digit,
+        _teller(met), met.quantity, loss.rung.setting,
     ))  # fmt: skip
 
 
 def _teller(met: Met) -> str:
-    """What tells of the loss: the estimate that is as large, a warning, or nothing."""
-    if met.estimate is not None and met.error is not None and met.estimate >= met.error:
-        return "estimate"
+    """What tells of the loss: the estimate, alone or with the last digit of the data, a warning, or nothing."""
+    if met.error is not None and met.estimate is not None and met.covered is not None:
+        if met.estimate >= met.error:
+            return "estimate"
+        if met.covered >= met.error:
+            return "both"
     return "warning" if met.status == WARNING else "nothing"
 
 
@@ -175,12 +180,13 @@ def _view(ladder: Ladder) -> View:
         "worst": ["" if met is None else f"{met.stage}, {met.quantity}" for met in worst],
         "error": _cells([None if met is None else met.error for met in worst]),
         "estimate": _cells([None if met is None else met.estimate for met in worst]),
+        DIGIT: _cells([None if met is None else met.last_digit for met in worst]),
         "ends": [_ends(rung) for rung in ladder.rungs],
         "not compared": [sum(len(met.skipped) for met in rung.met) for rung in ladder.rungs],
         "answer": [rung.answer for rung in ladder.rungs],
     }
     told = {name: cells for name, cells in columns.items() if name not in SELDOM or any(cells)}
-    return View(list(told), list(told.values()), scientific=(ladder.condition, "error", "estimate"))
+    return View(list(told), list(told.values()), scientific=(ladder.condition, "error", "estimate", DIGIT))
 
 
 def _worst(rung: Rung) -> Met | None:

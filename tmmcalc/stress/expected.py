@@ -15,7 +15,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from tmmcalc.batch.quantities import told
+from tmmcalc.batch.quantities import anew, told
 from tmmcalc.core.errors import TmmError
 from tmmcalc.core.records import record
 from tmmcalc.pipeline.outcome import RunResult
@@ -93,7 +93,7 @@ def _differences(run: RunResult, wanted: Value) -> Iterator[str]:
     if stage not in run.outcomes:
         yield f"{wanted.name}: there is no result of {stage}"
         return
-    met = dict(told(stage, run.results[stage], [wanted.name]))
+    met = dict(told(stage, run.results, [wanted.name], anew(run.spec, [wanted.name])))
     if wanted.name not in met:
         yield f"{wanted.name}: {stage} tells no such quantity"
         return

@@ -1,4 +1,4 @@
-"""Observed error over the condition number, one panel a ladder, one curve a stage; estimates dotted beside it."""
+"""Observed error over the condition number, one panel a ladder, one curve a stage; what it expects dotted beside it."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def stress_figure(result: Stress, heading: str) -> Figure:
     sheets = max(-(-len(ladders) // (COLUMNS * ROWS)), 1)
     figure, pages = blank(sheets)
     for at, page in enumerate(pages):
-        page.suptitle(heading, fontsize=10)
+        page.suptitle(heading, fontsize=10, parse_math=False)  # a title is the user's own text
         shown = ladders[at * COLUMNS * ROWS : (at + 1) * COLUMNS * ROWS]
         wide = min(len(shown), COLUMNS) or 1
         panels = page.subplots(-(-len(shown) // wide) or 1, wide, squeeze=False).ravel().tolist()
@@ -66,9 +66,9 @@ def _level(ladder: Ladder) -> bool:
 
 
 def _curve(axes: Axes, ladder: Ladder, stage: str, style: dict[str, Any], level: bool) -> bool:
-    """The observed errors of a stage, and thin beside them its own estimates."""
+    """The observed errors of a stage, and thin beside them its estimates with what the last digit of the data does."""
     told = [
-        (rung.size if level else rung.condition, met.error, met.estimate)
+        (rung.size if level else rung.condition, met.error, met.covered)
         for rung, met in ladder.track(stage)
         if met.error is not None and rung.condition is not None
     ]

@@ -2,7 +2,8 @@
 
 The observed error of a stage is the largest difference of its quantities from those of an equivalent scene (in other
 units, mirrored, begun elsewhere, on another grid), relative to the largest magnitude of the same unit in that stage.
-It is what the arithmetic loses. Beside it stand the stage's own estimate and the condition number of the rung.
+The equivalent scene is written in other digits, so that it differs by what the arithmetic loses and by what the last
+digit of the data does. Beside it stand the stage's own estimates of both, and the condition number of the rung.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from collections.abc import Iterator
 from tmmcalc.core.records import record
 
 LIMITS = (1e-9, 1e-6, 1e-3)  # observed errors at which accuracy counts as degraded
+SETTLED = 16 * 2.0**-52  # what the last digit of the data may do to a stage that says nothing of it
 OK, WARNING, DISPUTED, ERROR, FAULT = "ok", "warning", "disputed", "error", "fault"
 
 
@@ -28,16 +30,24 @@ class Met:
     error: float | None = None  # observed, relative; None: nothing to compare
     quantity: str = ""  # of which it is observed
     estimate: float | None = None  # largest of its own estimates, relative; None: it gives none
+    last_digit: float | None = None  # largest of what it says of the last digit of the data; None: nothing
     skipped: tuple[str, ...] = ()  # quantities that could not be compared, each with the reason
 
     @property
+    def covered(self) -> float | None:
+        """What the stage lets expect: its estimate and what the last digit of the data does."""
+        return (
+            None if self.estimate is None else self.estimate + (SETTLED if self.last_digit is None else self.last_digit)
+        )
+
+    @property
     def told(self) -> bool:
-        """Whether the estimate is as large as the observed error, or a warning or an error says it."""
+        """Whether what the stage lets expect is as large as the observed error, or a warning or an error says it."""
         if self.status == DISPUTED:
             return False
         if self.error is None or self.status != OK:
             return True
-        return self.estimate is not None and self.estimate >= self.error
+        return self.covered is not None and self.covered >= self.error
 
 
 @record

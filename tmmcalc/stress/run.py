@@ -11,7 +11,7 @@ from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.plan import known_stage
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import resolve
-from tmmcalc.core.stored import estimates
+from tmmcalc.core.stored import estimates, last_digits
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.runner import run
 from tmmcalc.rooms import STAGES
@@ -167,12 +167,14 @@ def _of_stage(result: RunResult, beside: Equivalent, name: str) -> Met:
         return Met(name, FAULT, 1, f"{broken} is no finite number")
     found = _difference(result, beside, name)
     observed = None if found.size is None else max(found.size, FLOOR)
-    own = [size for _, size in estimates(result.record(name).error)]
+    record = result.record(name).error
+    own, digits = ([size for _, size in told_of(record)] for told_of in (estimates, last_digits))
     told = next(iter(_warnings(result, name)), "")
     refused = _refused_beside(beside, name)
     status = WARNING if told else DISPUTED if refused else OK
     message = "; ".join(filter(None, (told, refused)))
-    return Met(name, status, 0, message, observed, found.quantity, max(own, default=None), found.skipped)
+    errors = max(own, default=None), max(digits, default=None)
+    return Met(name, status, 0, message, observed, found.quantity, *errors, found.skipped)
 
 
 def _broken_beside(beside: Equivalent, name: str) -> str | None:

@@ -18,7 +18,9 @@ if TYPE_CHECKING:
 Document = dict[str, Any]
 
 DISTANCES = (1.0, 1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 0.0)  # parts of the way to an edge that are left
-OWN_TWIN = "the same scene in units of a third of a metre, 1/7 kg, 1/1.7 s: what the arithmetic loses"
+OWN_TWIN = (
+    "the same scene in units of a third of a metre, 1/7 kg, 1/1.7 s: what the arithmetic and the last digits lose"
+)
 NUDGED_TWIN = "the same scene in other units, its pure numbers a rounding away: what digits there can be"
 
 

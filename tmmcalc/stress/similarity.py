@@ -33,6 +33,7 @@ BOUND: dict[str, str] = {
     "strength": "modules are standard, and strength is empirical",
     "criteria": "modules are standard, and strength is empirical",
     "reliability": "it has no lengths",
+    "transloader": "its usual speeds and capacities are in SI",
     "falling_ball": "its laws are formulas in SI",
     "indexing": "its search is set in metres",
     "engine": "what is balanced is zero but for rounding",
@@ -103,7 +104,7 @@ class _Scale:
         if not isinstance(value, str) and value == 0:  # in every unit
             return value
         quantity = reader.quantity if isinstance(reader, Within) else reader
-        if not isinstance(quantity, Quantity) or value == quantity.word or isinstance(value, bool):
+        if not isinstance(quantity, Quantity) or value in quantity.words or isinstance(value, bool):
             return value
         dimension = self._dimension(quantity, value, parent, root)
         unit = DIMENSIONS[dimension].si

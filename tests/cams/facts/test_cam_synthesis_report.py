@@ -32,8 +32,8 @@ def test_sizes_and_designs(kind):
     document = synthesis_document(found, "synthesis")
     values = payload(document)
     for size in found.sizes:
-        unit = "rad" if size.symbol == "psi0" else "m"
-        assert values[f"{size.symbol}[{unit}]"] == size.value
+        unit, told = ("deg", degrees(size.value)) if size.symbol == "psi0" else ("m", size.value)
+        assert values[f"{size.symbol}[{unit}]"] == pytest.approx(told, rel=1e-15)
     assert values["governs"] == found.governs
     assert len(values["designs"]) == len(found.designs)
     assert all(fact.label for fact in document.facts)

@@ -131,7 +131,7 @@ def test_a_picture_shows_the_speed_that_the_stage_had(
 
 def test_every_stage_of_a_cam_has_its_public_function() -> None:
     stages = [stage.name for stage in STAGES.values() if stage.name.startswith("cam_")]
-    assert len(stages) == 8
+    assert len(stages) == 9
     for stage in stages:
         assert f"solve_{stage}" in tmmcalc.__all__
     spec = tmmcalc.load_spec(CONFIGS / "cam-translating.toml")

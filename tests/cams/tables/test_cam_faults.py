@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from typing import get_args, get_type_hints
 
 import pytest
 from faults import HOSTILE, Faults, check_fault
+from project.scenes import CONFIGS
 from sparing import sparing
 
 from tmmcalc.cams import follower, task
@@ -31,8 +33,37 @@ def own(law: str) -> str:
     return RT.replace('"sine"', f"{{ {law} }}")
 
 
+TURNED = '[torque]\nspeed = "60 rpm"\nformula = "1"\n'
+MASS = '[cam.loads]\nmass = "0.2 kg"\n'
+
+
+def driven(lines: str, torque: str = TURNED, loads: str = MASS) -> str:
+    return f"{RT}{lines}\n{loads}{torque}"
+
+
 # the whole spec; then the path of its one fault, a piece of its message and of its remedy
 FAULTS = [
+    # a shaft of the machine
+    (driven('shaft = "gear"'), "cam.shaft", "'gear' is no shaft of the machine", "crank, motor"),
+    (driven("ratio = 2"), "cam.ratio", "ratio without shaft", 'shaft = "crank"'),
+    (driven('shaft = "crank"', ""), "cam.shaft", "there is no shaft that turns", "[mechanism]"),
+    (driven('shaft = "crank"\nspeed = "10 rpm"'), "cam.speed", "speed together with shaft", "remove it"),
+    (driven('shaft = "crank"', loads=""), "cam.shaft", "shaft without [cam.loads]", "add [cam.loads]"),
+    (driven('shaft = "motor"'), "cam.shaft", "without the ratio of the gears", "[transmission]"),
+    (driven('shaft = "crank"\nratio = 0'), "cam.ratio", "0 is out of range; a ratio of speeds is above 0", "0.5"),
+    (driven('shaft = "crank"\nratio = 0.377'), "cam.ratio", "turns 0.377 times in a turn of the crank", '"1/3"'),
+    (
+        driven('shaft = "motor"\nratio = 0.5', f"{TURNED}[transmission]\nratio = 3.1\n"),
+        "cam.ratio",
+        "with a ratio of 0.5 and a ratio of 3.1 of the gears the cam turns 1.55 times",
+        "quotient",
+    ),
+    (
+        driven('shaft = "crank"\nratio = 0.5'),
+        "cam.ratio",
+        "the cam repeats after 720 deg of the shaft, the cycle of [torque] is 360 deg",
+        'period = "720 deg"',
+    ),
     # what is missing
     (RT.replace('follower = "translating"\n', ""), "cam.follower", "missing key: a cam has a follower", "flat"),
     (RT.replace('stroke = "30 mm"\n', ""), "cam.stroke", "missing key: a follower has its stroke", '"30 mm"'),
@@ -416,6 +447,32 @@ FAULTS = [
         'mass = "0.2 kg"',
     ),
     (f'{RT}{LOADS}[cam.spring]\nwire = "2 mm"\n', "cam.spring.wire", "wire without coil", "coil ="),
+    (
+        f'{RT}{LOADS}[cam.requirements]\ncontact = "400 MPa"\n'
+        'material = { treatment = "improved", hardness = "300 HB" }\n',
+        "cam.requirements.contact",
+        "together with material",
+        "remove",
+    ),
+    (
+        f'{RT}{LOADS}[cam.requirements]\nmaterial = {{ treatment = "carburised", hardness = "40 HRC" }}\n',
+        "cam.requirements.material.hardness",
+        "outside the tables",
+        "change the hardness",
+    ),
+    (
+        f'{RT}{LOADS}[cam.requirements]\nmaterial = {{ treatment = "improved", hardness = "hard" }}\n',
+        "cam.requirements.material.hardness",
+        "is not a hardness",
+        "change the hardness",
+    ),
+    (f"{RT}{LOADS}[cam.spring]\ndead_coils = 2\n", "cam.spring.dead_coils", "without shear_stress", "shear_stress ="),
+    (
+        f"{RK}{ROCKING}[cam.spring]\nshear_stress = 5e8\n",
+        "cam.spring.shear_stress",
+        "a rocker's spring turns",
+        "remove",
+    ),
     (f"{RT}{LOADS}[cam.spring]\nshear_modulus = 8e10\n", "cam.spring.shear_modulus", "without wire and coil", "coil"),
     (
         f'{RT}{LOADS}[cam.spring]\nwire = "2 mm"\ncoil = "2 mm"\n',
@@ -683,3 +740,10 @@ def test_a_knife_edge_is_a_number_without_quotes() -> None:
     assert fault.remedy.startswith("write 0 without quotes")
     parse_spec(f"{RT}roller_radius = 0\n")
     parse_spec(f'{RT}roller_radius = "0 mm"\n')
+
+
+@pytest.mark.parametrize("key", ["rise", "return_angle"])
+def test_a_phase_that_moves_takes_a_part_of_the_turn(key: str) -> None:
+    text = (CONFIGS / "cam-flat.toml").read_text("utf-8")
+    changed = re.sub(rf'(?m)^{key} = "[^"]*"', f'{key} = "1e-6 deg"', text)
+    check_fault(changed, f"cam.{key}", "is no phase of a cam; one that moves takes 0.001 deg", '"120 deg"')

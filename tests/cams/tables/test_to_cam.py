@@ -54,6 +54,9 @@ CASES = {case["id"]: case for case in json.loads((CONFIGS.parent / "tests" / "ca
 TURN = 2 * math.pi
 
 
+SHAFT = '[cam.loads]\nmass = "0.2 kg"\n[torque]\nspeed = "60 rpm"\nformula = "1"\nperiod = "720 deg"\n'
+
+
 def asked(key: str) -> Callable[[CamTask], Any]:
     return lambda task: getattr(task.asked, key)
 
@@ -77,6 +80,8 @@ KEYS: dict[str, tuple[str, str, Callable[[CamTask], Any], Any]] = {
     "closure": ('closure = "groove"', "RT", asked("closure"), "groove"),
     "stroke": ("", "RK", lambda task: task.program.stroke, 20 * DEGREE),
     "speed": ('speed = "60 rpm"', "RT", lambda task: task.loads, Loads(TURN, spring=Spring("none"))),
+    "shaft": (f'shaft = "crank"\n{SHAFT}', "RT", lambda task: task.turns, 1),
+    "ratio": (f'shaft = "crank"\nratio = "3/2"\n{SHAFT}', "RT", lambda task: (task.ratio, task.turns), (1.5, 2)),
     "crank_angle": ('crank_angle = "90 deg"', "RT", lambda task: task.begin, 90 * DEGREE),
     "start_distance": ('start_distance = "50 mm"', "RT", asked("start"), 0.05),
     "start_angle": ('start_angle = "35 deg"', "RK", asked("start"), 35 * DEGREE),
@@ -143,6 +148,8 @@ KEYS: dict[str, tuple[str, str, Callable[[CamTask], Any], Any]] = {
     "spring.deflection": (f'{LOADS}[cam.spring]\ndeflection = "16 mm"', "RT", pressed("deflection"), 0.016),
     "spring.least_contact": (f"{LOADS}[cam.spring]\nleast_contact = 7", "RT", pressed("least"), 7.0),
     "spring.wire": (f"{LOADS}[cam.spring]\nwire = 0.002\ncoil = 0.016", "RT", pressed("wire"), 0.002),
+    "spring.shear_stress": (f'{LOADS}[cam.spring]\nshear_stress = "500 MPa"', "RT", pressed("allowed"), 5e8),
+    "spring.dead_coils": (f"{LOADS}[cam.spring]\nshear_stress = 5e8\ndead_coils = 1.5", "PT", pressed("dead"), 1.5),
     "spring.coil": (f"{LOADS}[cam.spring]\nwire = 0.002\ncoil = 0.016", "PT", pressed("coil"), 0.016),
     "spring.shear_modulus": (
         f'{LOADS}[cam.spring]\nwire = 0.002\ncoil = 0.016\nshear_modulus = "75000 MPa"',
@@ -230,10 +237,15 @@ for _key, _value in _GUIDES.items():
     _reads = (f"[cam.guide]\n{_key} = {_value}", "RT", lambda task: task.guide, Guide(**{_name: _value}))
     KEYS[f"guide.{_key}"] = _reads
 _REQUIREMENTS = {field.name: 0.013 * (place + 1) for place, field in enumerate(fields(Requirements))}
+del _REQUIREMENTS["contact_source"]  # of the material
 for _key, _value in _REQUIREMENTS.items():
     _kept = Requirements(**{_key: _value})
     _reads = (f"{LOADS}[cam.requirements]\n{_key} = {_value!r}", "RT", lambda task: task.requirements, _kept)
     KEYS[f"requirements.{_key}"] = _reads
+_STEEL = 'material = { treatment = "improved", hardness = "HB 300", failure = "severe" }'
+KEYS["requirements.material"] = (
+    f"{LOADS}[cam.requirements]\n{_STEEL}", "RT", lambda task: task.requirements.contact, 670e6 / 1.25,
+)  # fmt: skip
 # what the search needs beside its own keys
 SEARCHED = (
     '[cam.guide]\nstem_radius = "4 mm"\nland = "4 mm"\n[cam.requirements]\nwidth = "7 mm"\n'

@@ -41,7 +41,7 @@ def scalar(f: Scalar) -> Callable[[Panels], Rates]:
 
 def settle(f: Scalar, guess: float = 0.0, on: Panels | None = None, **options: object) -> Orbit:
     mesh = panels(0.0, TURN) if on is None else on
-    return solve(scalar(f), mesh, np.full((1, *mesh.x.shape), guess), **options)  # type: ignore[arg-type]
+    return solve(scalar(f), mesh, np.full((1, *mesh.x.shape), guess), **options)
 
 
 @pytest.mark.parametrize("n", [2, 3, 5, 16, 24])
@@ -241,8 +241,12 @@ def test_kinks_at_the_solution_s_own_places() -> None:
         i = np.flatnonzero((y[:-1] < 0) != (y[1:] < 0))
         return x[i] - y[i] * (x[i + 1] - x[i]) / (y[i + 1] - y[i])
 
-    plain, told = settle(bent), settle(bent, kinks=crossings)
-    for orbit in (plain, told):
+    def twice(x: np.ndarray, watched: np.ndarray) -> np.ndarray:
+        return np.repeat(crossings(x, watched), 2)  # as of two equations that bend together
+
+    plain, told, again = settle(bent), settle(bent, kinks=crossings), settle(bent, kinks=twice)
+    assert np.all(again.panels.width > 0)
+    for orbit in (plain, told, again):
         assert np.max(np.abs(orbit.panels.at(orbit.y[0], np.array([up, down])))) < 2e-12
     assert told.passes < plain.passes
     assert told.panels.count < plain.panels.count

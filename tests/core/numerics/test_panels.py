@@ -11,8 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from properties import examples
 
+from tmmcalc.core.errors import AccuracyError
 from tmmcalc.core.numerics.gauss import ORDER, rule
-from tmmcalc.core.numerics.panels import NARROWEST, Panels, panels, resolved
+from tmmcalc.core.numerics.panels import LAID, MOST, NARROWEST, Panels, UnresolvedError, panels, resolved
 from tmmcalc.core.numerics.peaks import peaks
 
 TURN = 2 * math.pi
@@ -261,3 +262,25 @@ def test_primitive_of_a_jump() -> None:
     step = np.where(on.x < 0.7, 2.0, -1.0)
     x = np.array([0.3, 0.7, 1.0, 2.0])
     np.testing.assert_allclose(on.primitive_at(step, x), [0.6, 1.4, 1.1, 0.1], atol=1e-15)
+
+
+def test_what_turns_too_often_is_given_up_with_its_number() -> None:
+    with pytest.raises(UnresolvedError, match=f"{MOST} panels do not resolve it") as told:
+        resolved(lambda x: np.sin(1e7 * x)[None], panels(0.0, TURN))
+    assert told.value.turns > MOST
+    assert 0 <= told.value.at < TURN
+    assert told.value.exit_code == 4
+
+
+def test_as_many_turns_as_there_is_room_for() -> None:
+    on, values, left = resolved(lambda x: np.sin(2000 * x)[None] ** 2, panels(0.0, TURN))
+    assert on.count < MOST
+    assert left < 1e-12
+    assert on.total(values[0]) == pytest.approx(math.pi, rel=1e-12)
+
+
+def test_no_range_takes_panels_without_end() -> None:
+    with pytest.raises(AccuracyError, match="takes more than"):
+        panels(0.0, 1e12, widest=1.0)
+    with pytest.raises(AccuracyError, match="jumps and kinks"):
+        panels(0.0, 1.0, np.linspace(0.0, 1.0, LAID + 3))

@@ -78,7 +78,7 @@ def test_a_design_that_cannot_be_judged_is_last(monkeypatch: pytest.MonkeyPatch)
 
     monkeypatch.setattr(runner, "run", refusing)
     upstream = {"synthesis": run.results["synthesis"]}
-    result = solve(inputs(scene), **upstream_of(STAGES["feasibility"], upstream))
+    result = solve(*inputs(scene), **upstream_of(STAGES["feasibility"], upstream))
     assert [each.number for each in result.candidates] == [1, 2]
     assert result.candidates[1].refused == "kinematics: dead point"
     assert result.candidates[1].function is None
@@ -89,4 +89,4 @@ def test_a_design_that_cannot_be_judged_is_last(monkeypatch: pytest.MonkeyPatch)
 
     monkeypatch.setattr(runner, "run", never)
     with pytest.raises(NoSolutionError, match="no design can be judged; the first: kinematics: dead point"):
-        solve(inputs(scene), **upstream_of(STAGES["feasibility"], upstream))
+        solve(*inputs(scene), **upstream_of(STAGES["feasibility"], upstream))

@@ -9,9 +9,10 @@ import pytest
 
 from gears.criteria.worked import TEETH, lengths, sets
 from tmmcalc.core.errors import NoSolutionError, UsageError
-from tmmcalc.gears.criteria.choice import OBJECTIVES, costs, front, least, minima, ranked
+from tmmcalc.gears.criteria.choice import costs, front, least, minima, ranked
 from tmmcalc.gears.criteria.comparison import compare
 from tmmcalc.gears.criteria.evaluate import Assumptions, Criteria, evaluate, ratio_error
+from tmmcalc.gears.criteria.objectives import OBJECTIVES
 from tmmcalc.gears.model import Values
 
 

@@ -10,9 +10,10 @@ import pytest
 from gears.criteria.worked import TEETH, lengths, sets, task
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.criteria import series as module
-from tmmcalc.gears.criteria.choice import OBJECTIVES, front, least
+from tmmcalc.gears.criteria.choice import front, least
 from tmmcalc.gears.criteria.comparison import compare
 from tmmcalc.gears.criteria.evaluate import Criteria, evaluate
+from tmmcalc.gears.criteria.objectives import OBJECTIVES
 from tmmcalc.gears.criteria.series import series
 from tmmcalc.gears.exact import around
 from tmmcalc.gears.model import Interval, ToothSets

@@ -26,7 +26,7 @@ from tmmcalc.gears.pictures.criteria import criteria_figure
 from tmmcalc.gears.pictures.endview import extent
 from tmmcalc.gears.pictures.placed import PlacedTrain, placed
 from tmmcalc.gears.pictures.scheme import scheme_sheet
-from tmmcalc.gears.pictures.train import train_figure
+from tmmcalc.gears.pictures.train import chosen_rows, numbered_rows, train_figure
 from tmmcalc.gears.scheme import layout_of
 from tmmcalc.gears.trains import Trains
 from tmmcalc.project import load_spec
@@ -204,7 +204,7 @@ def order(tmp_path_factory: pytest.TempPathFactory) -> Ordered:
 
 @pytest.fixture(scope="module")
 def of_train(order: Ordered) -> Figure:
-    return train_figure(order.results["train"], 2)
+    return train_figure(order.results["train"], numbered_rows(order.results["train"], 2))
 
 
 @pytest.fixture(scope="module")
@@ -258,7 +258,21 @@ class TestTrain:
         most = max(len(variant.sets) for variant in order.results["train"].variants)
         for choose in (0, most + 1):
             with pytest.raises(UsageError, match=f"no tooth set {choose}"):
-                train_figure(order.results["train"], choose)
+                numbered_rows(order.results["train"], choose)
+
+    def test_of_compared_trains_the_one_that_is_chosen(self, order: Ordered) -> None:
+        """Every row of the trains compared, found among all sets of its variant by its teeth and modules."""
+        result, selection = order.results["train"], order.results["criteria"]
+        pool = selection.pool
+        for choose in (None, *range(1, len(pool) + 1)):
+            rows = chosen_rows(result, selection, choose)
+            place = selection.winner.place if choose is None else choose - 1
+            (at,) = [k for k, row in enumerate(rows) if row is not None]
+            teeth = result.variants[at].sets.teeth[rows[at]]
+            assert teeth.tolist() == selection.variants[at].sets.teeth[pool.row[place]].tolist()
+        assert rows != chosen_rows(result, selection)
+        with pytest.raises(UsageError, match=r"no row 0 of criteria\.csv"):
+            chosen_rows(result, selection, 0)
 
 
 class TestCriteria:
@@ -287,6 +301,17 @@ class TestCriteria:
         ]
         assert len(named) == 2
         assert sum(bool(axes.lines) and axes.axison for axes in of_criteria.axes) == 1 + 6
+
+    def test_rows_are_numbered_from_1(self, order: Ordered, of_criteria: Figure) -> None:
+        """As in criteria.csv and in the text, of which the winner is row ``place + 1``."""
+        result = order.results["criteria"]
+        axes = axes_of(of_criteria, "mass of moving wheels $M$, kg")
+        legend = axes.get_legend()
+        assert legend is not None
+        assert f"row {result.winner.place + 1}, chosen" in [text.get_text() for text in legend.get_texts()]
+        numbers = {int(text) for text in texts(axes) if text.isdigit()}
+        assert numbers
+        assert numbers <= {row + 1 for row in result.front.tolist() if row != result.winner.place}
 
     @pytest.mark.slow
     def test_the_train_that_is_drawn(self, order: Ordered) -> None:

@@ -90,7 +90,7 @@ class TestPair:
         for key, name in (("eta", "eta"), ("y", "y"), ("dy", "delta_y"), ("x_sum", "x_sum")):
             assert found[key] == pytest.approx(expected[name], abs=1e-6)
         for key in ("alpha_t", "alpha_tw"):
-            assert found[f"{key}[deg]"] == pytest.approx(expected[f"{key}_deg"], abs=1e-6)
+            assert found[f"{key}[rad]"] == pytest.approx(math.radians(expected[f"{key}_deg"]), abs=1e-8)
         for number in ("1", "2"):
             wheel = found["wheels"][number]
             for key in ("r", "r_w", "r_a", "r_f", "r_b"):

@@ -15,7 +15,7 @@ TWO = '[train]\nlayout = ["coaxial", "unfolded2"]\nratio = "8.15"\nmodule = "2 m
 
 def document(text: str, **flags: object) -> Document:
     result = run(tmmcalc.parse_spec(text), target="train").results["train"]
-    return train_document(result, "title", **flags)  # type: ignore[arg-type]
+    return train_document(result, "title", **flags)
 
 
 def facts(part: Document) -> dict[str, str]:

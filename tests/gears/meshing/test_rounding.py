@@ -108,7 +108,7 @@ def _random(kind: str) -> Iterator[MeshPair]:
             more = {"strategy": "given_aw", "distance": (z1 + z2) / 2 * rng.uniform(0.995, 1.03) * 0.004}
             given = {"shifts": (given["shifts"][0], None)}
             helix = 0.0
-        task = PairTask((z1, z2), 0.004, kind=kind, helix=helix, refuse=False, **given, **more)  # type: ignore[arg-type]
+        task = PairTask((z1, z2), 0.004, kind=kind, helix=helix, refuse=False, **given, **more)
         try:
             pair = solve_pair(task)
         except NoSolutionError:

@@ -238,4 +238,4 @@ class TestFaults:
     )
     def test_model(self, build: object, match: str) -> None:
         with pytest.raises(UsageError, match=match):
-            build()  # type: ignore[operator]
+            build()

@@ -95,13 +95,13 @@ class TestFormulas:
     )
     def test_faults(self, call: object, error: type[Exception], match: str) -> None:
         with pytest.raises(error, match=match):
-            call()  # type: ignore[operator]
+            call()
 
 
 class TestChoice:
     @staticmethod
     def layouts(required: float, **options: object) -> list[tuple[str, str]]:
-        return [(p.layout, p.driver) for p in proposals(required, **options) if p.admissible]  # type: ignore[arg-type]
+        return [(p.layout, p.driver) for p in proposals(required, **options) if p.admissible]
 
     def test_power(self) -> None:
         assert self.layouts(7.29) == [("AIbar", "1"), ("AI", "1"), ("2A-AA", "1"), ("AII", "1")]

@@ -94,7 +94,7 @@ def test_files(name: str, tmp_path: Path) -> None:
     assert one.motion.transfer == other.motion.transfer
     np.testing.assert_array_equal(one.flow.mesh_torques, other.flow.mesh_torques)
     lines = (tmp_path / "gearing.csv").read_text().splitlines()
-    assert lines[0].startswith("member,n[rpm],n_rel[rpm],")
+    assert lines[0].startswith("member,omega[rad/s],omega_rel[rad/s],")
     assert len(lines) == 1 + len(one.motion.members)
 
 

@@ -181,7 +181,7 @@ def test_standard_modules_and_torque() -> None:
         ("row1_only", 1, 0.0),
         ("both_rows_with_0p5_percent_underrun", 2, inputs["unround_tol"]),
     ):
-        module, found = round_up(required, rows, underrun)  # type: ignore[arg-type]
+        module, found = round_up(required, rows, underrun)
         assert found.all()
         # m_std >= m (1 - tol) admits 6 for 6.01 (0.17 % below), where the case, against its own rule, has 7
         by_rule = [6.0 if underrun and m == 6.01 else e for m, e in zip(inputs["required"], expected[key], strict=True)]

@@ -13,7 +13,7 @@ from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.strength.series import EIGHTHS, Outcome, choose, choose_tied, eighths, round_up, tied
 from tmmcalc.gears.strength.solve import adapted, face_width
 
-SERIES = {rows: [Fraction(m, EIGHTHS) for m in eighths(rows)] for rows in (1, 2)}  # type: ignore[arg-type]
+SERIES = {rows: [Fraction(m, EIGHTHS) for m in eighths(rows)] for rows in (1, 2)}
 PROPORTIONS = [(1, 1), (2, 3), (4, 7), (3, 4), (5, 8), (9, 14), (2, 1), (11, 13), (1, 40), (7, 5)]
 
 
@@ -29,7 +29,7 @@ def test_pairs_against_enumeration(rows: int) -> None:
     rng = np.random.default_rng(3)
     required = np.exp(rng.uniform(np.log(0.3e-3), np.log(50e-3), (300, 2)))
     mu = np.array([PROPORTIONS[k] for k in rng.integers(0, len(PROPORTIONS), 300)])
-    module, outcome = choose_tied(required, mu, rows, 0.0, scale=True)  # type: ignore[arg-type]
+    module, outcome = choose_tied(required, mu, rows, 0.0, scale=True)
     counts = {int(kind): 0 for kind in Outcome}
     for k in range(300):
         best = smallest_pair(tuple(required[k]), tuple(mu[k].tolist()), rows)
@@ -62,10 +62,10 @@ def test_modules_that_stages_choose_for_themselves() -> None:
 
 def test_a_standard_module_is_enough_for_itself() -> None:
     for rows in (1, 2):
-        series = np.array(eighths(rows)) / EIGHTHS  # type: ignore[arg-type]
+        series = np.array(eighths(rows)) / EIGHTHS
         for slip in (1.0, 1 + 2e-16, 1 - 2e-16):
-            np.testing.assert_array_equal(round_up(series * slip, rows)[0], series)  # type: ignore[arg-type]
-        above, found = round_up(series * (1 + 1e-9), rows)  # type: ignore[arg-type]
+            np.testing.assert_array_equal(round_up(series * slip, rows)[0], series)
+        above, found = round_up(series * (1 + 1e-9), rows)
         np.testing.assert_array_equal(above[:-1], series[1:])
         assert list(found) == [True] * (len(series) - 1) + [False]
 

@@ -118,7 +118,7 @@ def test_a_damaged_table_is_told(text: str, says: str) -> None:
 
 
 def test_flags_and_empty_cells() -> None:
-    names = ",".join(field.name for field in fields(BendingRow))  # type: ignore[arg-type]
+    names = ",".join(field.name for field in fields(BendingRow))
     (row,) = parse(f"{names}\nx,a b,,,,S T,,yes,1,2,0,,1,1,y\n", BendingRow, "own.csv")
     assert (row.treatments, row.low, row.similar, row.doubtful) == (("a", "b"), None, True, ())
     with pytest.raises(UsageError, match="neither yes nor no"):

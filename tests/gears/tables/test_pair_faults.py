@@ -10,8 +10,8 @@ from faults import HOSTILE, Faults, check_fault
 
 from tmmcalc.core.errors import Fault, SpecError
 from tmmcalc.gears.involute.internal.shifts import INTERNAL_STRATEGIES
-from tmmcalc.gears.involute.shifts import STRATEGIES as CHOICES
-from tmmcalc.gears.involute.shifts import Split
+from tmmcalc.gears.involute.strategies import STRATEGIES as CHOICES
+from tmmcalc.gears.involute.strategies import Split
 from tmmcalc.gears.tables.shifting import OF_KIND, SPLITS, STRATEGIES
 from tmmcalc.project import parse_spec
 

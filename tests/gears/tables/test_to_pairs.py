@@ -192,8 +192,8 @@ def test_the_rack_of_a_train_is_that_of_its_teeth() -> None:
 def test_pairs_beside_a_train() -> None:
     text = TRAIN + 'teeth = [14, 27]\nmodule = "5 mm"\n'
     assert to_pairs(parse_spec(text)).pairs == (PLAIN,)
-    assert not parse_spec(text).pair.of_train  # type: ignore[union-attr]
-    assert parse_spec(TRAIN).pair.of_train  # type: ignore[union-attr]
+    assert not parse_spec(text).pair.of_train
+    assert parse_spec(TRAIN).pair.of_train
 
 
 def test_without_pairs(shaper: str) -> None:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import pytest
 from faults import HOSTILE, check_fault
-from project.scenes import TRAIN
+from project.scenes import CONFIGS, TRAIN
 
-from tmmcalc.core.errors import Fault, SpecError
-from tmmcalc.project import parse_spec
+from tmmcalc.core.errors import Fault, NoSolutionError, SpecError
+from tmmcalc.pipeline.runner import run
+from tmmcalc.project import load_spec, parse_spec
 
 AI = '[train]\nlayout = "AI"\n'
 RADIAL = '[train]\nlayout = "2A-AA"\nratio = 5\nradial = '
@@ -168,3 +169,21 @@ def test_a_train_stands_alone_and_beside_anything(shaper: str) -> None:
         assert train is not None
         assert train.layout == ["AI", "AIbar"]
         assert train.constraints.envelope is False
+
+
+def test_modules_are_in_a_ratio_of_whole_numbers() -> None:
+    text = (CONFIGS / "gears-coaxial.toml").read_text("utf-8")
+    check_fault(
+        text.replace("[[2, 3]]", "[[2, 1e-13]]"),
+        "train.module_ratios[0]",
+        "[2, 1e-13] is no ratio of whole numbers up to 1000000000000",
+        "fewer digits",
+    )
+
+
+@pytest.mark.parametrize("ratio", ["[1000000, 3]", "[3, 1000000]", "[2, 1e-6]"])
+@pytest.mark.parametrize("name", ["gears-coaxial", "gears-three-centrals", "gears-double-planets"])
+def test_modules_far_apart_leave_no_tooth_set(name: str, ratio: str) -> None:
+    spec = load_spec(CONFIGS / f"{name}.toml", (f"train.module_ratios=[{ratio}]",))
+    with pytest.raises(NoSolutionError, match="no tooth set"):
+        run(spec, target="train")

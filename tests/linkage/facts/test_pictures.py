@@ -15,6 +15,7 @@ from loaded import READY, anything, press, ready, statics
 from sparing import sparing
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.installation import install
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.kinematics import solve_kinematics
@@ -178,7 +179,7 @@ def test_a_missing_matplotlib_gets_one_sentence(shaper, tmp_path: Path, monkeypa
     )
     with pytest.raises(UsageError) as caught:
         draw_kinematics(*shaper, tmp_path / "a.svg")
-    assert str(caught.value) == 'pictures need matplotlib: pip install "tmmcalc[plot]"'
+    assert str(caught.value) == f"plot: pictures need matplotlib, which is not installed\n  -> {install('plot')}"
 
 
 def test_a_missing_folder_is_the_users_fault(shaper, tmp_path: Path) -> None:

@@ -14,6 +14,7 @@ from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
 from tmmcalc.linkage.forces.solve import solve_forces
+from tmmcalc.linkage.lastdigit import in_full
 from tmmcalc.linkage.loads.scene import compile_scene
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(not WIDER, reason="no wider float here")]
@@ -48,7 +49,8 @@ def ratios() -> np.ndarray:
             continue
         statics = compile_statics(compile_scene(scene.mechanism, loading, kinematics))
         theta = statics.scene.travel.rows(kinematics)[0]
-        (reactions, drive), (exact, exact_drive) = (solved(statics, at) for at in (theta, theta.astype(np.longdouble)))
+        reactions, drive = solved(statics, theta)
+        exact, exact_drive = solved(statics.on(in_full(statics.scene.chain)), theta.astype(np.longdouble))
         assert exact.dtype == np.clongdouble
         rows.append((error / off(reactions, exact), error / off(drive, exact_drive)))
     assert len(rows) > 200

@@ -249,7 +249,7 @@ def miss(pairs: list[Rubbing], solution: Solution) -> Any:
 def test_the_law_holds_wherever_there_is_a_solution(seed: int, k: int, size: float) -> None:
     rng = np.random.default_rng(seed)
     pairs = system(rng, k, 30, size)
-    solution = solve(pairs, 30)
+    solution = solve(pairs, (30,))
     free = ~solution.locked
     scale = 1 + np.max(np.abs(solution.values), axis=0)
     assert np.all(miss(pairs, solution)[free] <= 1e-12 * scale[free])
@@ -265,7 +265,7 @@ def test_the_solution_grows_out_of_no_friction(seed: int, k: int) -> None:
     """From a little friction to the full one in small steps, by the plain fixed point where that converges."""
     rng = np.random.default_rng(seed)
     pairs = system(rng, k, 8, 0.12)
-    full = solve(pairs, 8)
+    full = solve(pairs, (8,))
     q = np.zeros((k, 8))
     for part_of in np.linspace(0, 1, 11)[1:]:
         scaled = [pair._replace(c=pair.c * part_of) for pair in pairs]
@@ -297,7 +297,7 @@ def test_one_pair_in_closed_form(tips: bool) -> None:
     def wrench(size: Any) -> Wrench:
         return Wrench(1e-3j * size, 0.7 * size) if tips else Wrench(1j * size, np.zeros(n))
 
-    solution = solve([Rubbing(seat, c, wrench(base), (wrench(response),), 0.7 if tips else None)], n)
+    solution = solve([Rubbing(seat, c, wrench(base), (wrench(response),), 0.7 if tips else None)], (n,))
     denominator = 1 + c * response * np.sign(base)  # of |N| = |N0| - c S sgn(N0) |N|
     np.testing.assert_array_equal(solution.locked, denominator <= 0)
     free = denominator > 0
@@ -337,7 +337,7 @@ def test_strong_friction_against_a_path_of_small_steps() -> None:
     rng = np.random.default_rng(12)
     n, steps = 60, 2000
     pairs = system(rng, 2, n, 1.2)
-    solution = solve(pairs, n)
+    solution = solve(pairs, (n,))
     q, alive, end = np.zeros((2, n)), np.ones(n, bool), np.ones(n)
     for part_of in np.linspace(0, 1, steps + 1)[1:]:
         tried = q.copy()

@@ -22,6 +22,7 @@ from linkage.forces.worked import press, press_loading
 from linkage.scenes import CONFIGS, driven_rod, full_turn, shaper, with_grid, with_input
 from linkage.test_properties import regular
 from tmmcalc import solve_kinematics
+from tmmcalc.linkage.forces.columns import columns
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.forces.solve import solve_forces
@@ -402,3 +403,22 @@ def test_a_rigid_link_may_have_its_mass_in_parts() -> None:
     one, two = (solve_forces(mechanism, loading, kinematics) for loading in (parts, whole))
     close(one.reaction, two.reaction, "reactions", 1e-12)
     close(one.drive, two.drive, "drive", 1e-12)
+
+
+def test_senses_of_the_normal_force_and_the_couple_of_a_guide() -> None:
+    """Both act on the link with the higher number: the ram, in the frame, and the slotted link, on its block.
+
+    The cut of 7500 N is 0.2 m above the pin D of the ram, so that the frame turns it back with 0.2 m times the cut.
+    """
+    spec = tmmcalc.load_spec(CONFIGS / "shaper.toml", ["loads[name=Q5].point=[0, 0.2]", "mechanism.grid.positions=8"])
+    kinematics, forces = tmmcalc.solve_kinematics(spec), tmmcalc.solve_forces(spec)
+    told = {column.name: column.make() for column in columns(forces)}
+    rows = [forces.labels.index(label) for label in kinematics.labels]
+    assert told["N_D0"] == pytest.approx(told["R_D0_y"], rel=1e-12)
+    slot = np.exp(1j * kinematics.trace.angle[kinematics.trace.link_ids.index(3)])
+    reaction = (told["R_A3_x"] + 1j * told["R_A3_y"])[rows]
+    assert told["N_A3"][rows] == pytest.approx((np.conj(1j * slot) * reaction).real, abs=1e-9)
+    cut = np.zeros(len(forces.labels))
+    cut[(forces.theta > np.radians(30) + 1e-9) & (forces.theta < np.radians(180) - 1e-9)] = 7500
+    inside = np.abs(forces.theta[:, None] - np.radians([30.0, 180.0])).min(axis=1) > 1e-6
+    assert told["M_D0"][inside] == pytest.approx(0.2 * cut[inside], abs=1e-9)

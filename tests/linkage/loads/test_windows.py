@@ -42,7 +42,7 @@ def crank_angle(theta: Array, start: float, speed: float) -> Array:
 
 
 def push(window: Window | None, law: object = Constant(7.0)) -> Load:
-    return Load("Q", 3, "force", law, window=window)  # type: ignore[arg-type]
+    return Load("Q", 3, "force", law, window=window)
 
 
 def angles(low: float, high: float) -> Window:

@@ -7,6 +7,7 @@ precision, and the linear equations of their rates.
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from bounding import assert_bounds, part
 from linkage.loops.groups import CLASS_III, CLASS_IV, CLASS_VI, MARK, scene
 from linkage.scenes import with_grid
 from tmmcalc import TmmError, solve_kinematics
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.model import Mechanism
@@ -116,19 +118,30 @@ def truth(mechanism: Mechanism, chain: Chain, x: Array) -> tuple[Array, Array, A
     return r.T, v.T, a.T
 
 
-def check(seeds: range, scenes: int) -> None:
+def near_limit(seed: int) -> Mechanism:
+    """The same, up to the limit position of its branch but for 1e-2 to 1e-11 rad."""
+    mechanism = with_grid(drawn(seed), positions=12)
+    result = solve_kinematics(mechanism)
+    branch = next(iter(result.branches.values()))
+    left = 10 ** np.random.default_rng(seed).uniform(-11, -2)
+    if branch.high not in (limit.x for limit in branch.limits):
+        raise NoSolutionError("the branch has no limit ahead")
+    return with_grid(mechanism, span=branch.high - float(result.x[0]) - left)
+
+
+def check(seeds: range, scenes: int, make: Callable[[int], Mechanism] = drawn, every: int = 4) -> None:
     pairs = defaultdict(list)
     for seed in seeds:
-        mechanism = drawn(seed)
         try:
+            mechanism = make(seed)
             result = solve_kinematics(mechanism)
         except TmmError:
             continue
         told, chain = result.trace, chain_of(mechanism, result)
         rows = [told.point_names.index(f"P{link.id}") for link in mechanism.links]
-        exact = truth(mechanism, chain, result.x[::4])
+        exact = truth(mechanism, chain, result.x[::every])
         for kind, found, true in zip(KINDS, (told.r, told.dr, told.ddr), exact, strict=True):
-            error = float(np.max(np.abs(found[rows, ::4] - true)) / np.max(np.abs(true)))
+            error = float(np.max(np.abs(found[rows, ::every] - true)) / np.max(np.abs(true)))
             pairs[kind].append((getattr(result.error, kind), error))
     for kind, values in pairs.items():
         assert_bounds(values, kind, scenes=scenes)
@@ -141,3 +154,12 @@ def test_estimates_of_some_groups() -> None:
 @pytest.mark.slow
 def test_estimates_of_many_groups() -> None:
     check(range(part(250, 8)), part(200, 10))
+
+
+def test_estimates_of_some_groups_near_their_limits() -> None:
+    check(range(6), 2, near_limit, 1)
+
+
+@pytest.mark.slow
+def test_estimates_of_groups_near_their_limits() -> None:
+    check(range(110), 50, near_limit, 1)

@@ -43,11 +43,11 @@ def settled(f: Equations, x: Sequence[Any], steps: int = 6) -> list[Any]:
 
 
 def _slopes(f: Equations, x: list[Any]) -> Any:
-    """Derivatives of the equations by the unknowns, from both sides."""
-    h, columns = mpf(10) ** -20, []
+    """Derivatives of the equations by the unknowns, to some twenty digits."""
+    h, here, columns = mpf(10) ** -20, f(x), []
     for k in range(len(x)):
-        ahead, behind = ([*x[:k], x[k] + way * h, *x[k + 1 :]] for way in (1, -1))
-        columns.append([(a - b) / (2 * h) for a, b in zip(f(ahead), f(behind), strict=True)])
+        ahead = f([*x[:k], x[k] + h, *x[k + 1 :]])
+        columns.append([(a - b) / h for a, b in zip(ahead, here, strict=True)])
     return mp.matrix(columns).T
 
 
@@ -113,7 +113,7 @@ def rotating(asked: RotatingTask, unit: float) -> Equations:
             if wanted is not None:
                 found.append(value - mpf(wanted) / unit)
         if asked.rod is None:
-            found.append(mp.asin((arm + abs(e)) / rod) - mpf(asked.pressure))  # type: ignore[arg-type]
+            found.append(mp.asin((arm + abs(e)) / rod) - mpf(asked.pressure))
         return found
 
     return missed

@@ -123,8 +123,8 @@ FAULTS = [
     (
         FORCE + 'role = "both"\n',
         "loads[0].role",
-        '\'both\' is not allowed here; the value is "resistance" or "drive"',
-        'write "resistance" or "drive"',
+        '\'both\' is not allowed here; the value is "resistance", "drive" or "neutral"',
+        'write "resistance", "drive" or "neutral"',
     ),
     (
         FORCE + "factor = -1\n",
@@ -434,7 +434,13 @@ FAULTS = [
         "write one value for each abscissa",
     ),
     (
-        TABLE + 'x = ["0 deg", "90 deg", "90 deg"]\nforce = [1, 2, 3]\n',
+        TABLE + 'x = ["0 deg", "90 deg", "90 deg", "90 deg"]\nforce = [1, 2, 3, 4]\n',
+        "loads[0].table.x[3]",
+        "'90 deg' does not come after '90 deg'; at most two values at one angle, a jump",
+        "put the values in order",
+    ),
+    (
+        TABLE + 'interpolation = "pchip"\nx = ["0 deg", "90 deg", "90 deg"]\nforce = [1, 2, 3]\n',
         "loads[0].table.x[2]",
         "'90 deg' does not come after '90 deg'; x ascends",
         "put the values in order; a jump is two loads, each between its own angles",

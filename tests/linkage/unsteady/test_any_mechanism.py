@@ -24,7 +24,7 @@ TURN = 2 * math.pi
 
 def solved(name: str, **task: object) -> tmmcalc.Unsteady:
     mechanism = to_linkage(tmmcalc.load_spec(CONFIGS / f"{name}.toml").linkage)
-    return solve_unsteady(mechanism, UnsteadyTask(**task))  # type: ignore[arg-type]
+    return solve_unsteady(mechanism, UnsteadyTask(**task))
 
 
 def derivative(f, t: np.ndarray, h: float) -> np.ndarray:
@@ -47,7 +47,7 @@ def derivative(f, t: np.ndarray, h: float) -> np.ndarray:
 def test_rates_are_the_derivatives_in_time(name: str, task: dict[str, float]) -> None:
     mechanism = to_linkage(tmmcalc.load_spec(CONFIGS / f"{name}.toml").linkage)
     kinematics = tmmcalc.solve_kinematics(mechanism)
-    result = solve_unsteady(mechanism, UnsteadyTask(**task), kinematics)  # type: ignore[arg-type]
+    result = solve_unsteady(mechanism, UnsteadyTask(**task), kinematics)
     chain, h = chain_of(mechanism, kinematics), 2e-3 * result.law.duration
     far = np.min(np.abs(result.t - np.array(result.law.instants)[:, None]), axis=0) > 5 * h
     t = result.t[far]

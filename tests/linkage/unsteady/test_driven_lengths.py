@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import tmmcalc
-from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.errors import NoSolutionError, SingularityError
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.timelaw import motion
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
@@ -143,7 +143,37 @@ def test_extremes_against_a_dense_table() -> None:
 def test_an_outreach_that_is_not_reached() -> None:
     with pytest.raises(NoSolutionError, match="output C never is 18 m: it reaches from") as caught:
         crane_of('to = "18 m"')
-    assert caught.value.limit == pytest.approx(17, abs=1e-6)
+    assert caught.value.limit == pytest.approx(17, rel=1e-12)
+
+
+def test_the_limit_of_an_outreach_is_told_with_all_its_digits() -> None:
+    """With the boom along the mast, at 125 deg, its tip is farthest back."""
+    limit = 17 * math.cos(math.radians(125))
+    with pytest.raises(NoSolutionError, match=f"from {limit:.9g} to 17 m") as caught:
+        crane_of('to = "-9.7508 m"')
+    assert caught.value.limit == pytest.approx(limit, rel=2e-11)
+
+
+@pytest.mark.parametrize("short", [1e-2, 1e-4])
+def test_an_outreach_near_its_limit_is_reached(short: float) -> None:
+    asked = 17 * math.cos(math.radians(125)) + short
+    result = crane_of(f'to = "{asked!r} m"')
+    assert result.coordinate[0, 0, -1] == pytest.approx(asked, abs=1e-9)
+    assert result.end == pytest.approx(BOOK.rack(asked), abs=1e-12)
+
+
+def test_nearer_to_a_limit_than_rounding_is_told() -> None:
+    with pytest.raises(SingularityError, match="a limit position is so near that a rounding decides"):
+        crane_of('to = "-9.75079 m"')
+
+
+@pytest.mark.parametrize("lines", ['duration = "12 s"', 'to = "6 m"', 'to = "-7.276 m"'])
+def test_extremes_at_the_end_stand_at_the_end(lines: str) -> None:
+    result = crane_of(lines)
+    end = result.law.duration
+    times = [at for each in result.extremes for at in (each.least_at, each.largest_at)]
+    assert any(at == end for at in times)
+    assert not [at for at in times if 0 < end - at < 1e-6 * end]
 
 
 def test_from_a_limit_position_there_is_no_way_beyond_it() -> None:

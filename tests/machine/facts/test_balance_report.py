@@ -330,7 +330,8 @@ def test_a_rotor_by_the_moments_about_its_bearings() -> None:
     pair = abs(sum(one * (at - 0.18) for one, at in zip(u, z, strict=True))) / 0.4 * square
     assert (column(document, "A[N]")[1], column(document, "B[N]")[1]) == (pytest.approx(pair), pytest.approx(pair))
     assert found["eccentricity[m]"] == pytest.approx(abs(sum(u)) / 40)
-    assert column(document, "e[um]") == [pytest.approx(abs(sum(u)) / 40 * 1e6), 0, 0]
+    assert column(document, "e[m]") == [pytest.approx(abs(sum(u)) / 40), 0, 0]
+    assert column(balance_document(rotor(), "t"), "e[um]") == pytest.approx([1e6 * e for e in column(document, "e[m]")])
     (one,) = found["correction_static"]
     assert (one["mass[kg]"], one["z[m]"]) == (pytest.approx(abs(sum(u)) / 0.12), 0.18)
     assert one["moment_angle[deg]"] == pytest.approx(math.degrees(np.angle(-sum(u))))

@@ -20,6 +20,7 @@ from machine.flywheel.scenes import parabola, upsetter, upsetter_cycle
 from machine.motion import shaper
 from tmmcalc.api import run
 from tmmcalc.core.errors import UsageError
+from tmmcalc.machine.driveline import DriveLine
 from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
 from tmmcalc.machine.facts.flywheel import document as flywheel_document
 from tmmcalc.machine.facts.flywheel import summary as flywheel_summary
@@ -72,7 +73,7 @@ class TestPower:
         return Motor("M", 600.0, 955 * RPM, 1000 * RPM, **more)
 
     def duty(self, motor: Motor, ratio: float = 10.0) -> Power:
-        power = self.stepped(transmission=0.8)
+        power = self.stepped(line=DriveLine(efficiency=0.8))
         return replace(power, duty=duty_of(power, motor, ratio, (), False))
 
     def test_the_press_of_the_textbook(self) -> None:
@@ -90,7 +91,7 @@ class TestPower:
         assert found["P_required[W]"] == found["P_mean[W]"]
 
     def test_two_steps_of_load(self) -> None:
-        document = power_summary(self.stepped(transmission=0.8), "t")
+        document = power_summary(self.stepped(line=DriveLine(efficiency=0.8)), "t")
         found = values(document)
         assert found["eta"] == pytest.approx(0.8)
         assert text(document, "efficiency") == "0.8 = A_c/(A_c + A_F)"
@@ -224,7 +225,7 @@ class TestPower:
 
     def test_a_chosen_motor_comes_with_the_reasons(self) -> None:
         catalogue = (replace(self.motor(), name="small", power=400.0), replace(self.motor(), name="large"))
-        power = self.stepped(transmission=1.0)
+        power = self.stepped()
         choice = chosen_motor(power, catalogue, 10.0, None, None)
         duty = duty_of(power, choice.motor, 955 * RPM / 10, choice.reasons, True)
         document = power_summary(replace(power, duty=duty), "t")

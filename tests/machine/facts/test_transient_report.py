@@ -171,7 +171,7 @@ def test_a_moment_that_comes_suddenly_twists_the_shaft_twice_as_much() -> None:
     (course,) = document.parts
     assert text(course, "masses") == "1 rotor, 2 crank"
     assert course.table is not None
-    assert course.table.headers[:5] == ["t[s]", "theta_2[rad]", "omega_2[rad/s]", "omega_1[rad/s]", "M_1_2[N*m]"]
+    assert course.table.headers[:5] == ["t[s]", "theta_2[deg]", "omega_2[rad/s]", "omega_1[rad/s]", "M_1_2[N*m]"]
 
 
 def test_a_shaft_taken_as_rigid_is_named() -> None:
@@ -222,7 +222,7 @@ def test_csv_holds_every_row_of_every_motion() -> None:
     result = moved(START, STOP)
     document = transient_document(result, "t", everything=True)
     header, *rows = csv.reader(io.StringIO(printed(document, "csv")))
-    assert header[:4] == ["motion", "t[s]", "theta[rad]", "omega[rad/s]"]
+    assert header[:4] == ["motion", "t[s]", "theta[deg]", "omega[rad/s]"]
     assert [row[0] for row in rows] == ["start"] * len(result.motions[0].t) + ["stop"] * len(result.motions[1].t)
     omega = np.concatenate([motion.omega[0] for motion in result.motions])
     assert [float(row[3]) for row in rows] == omega.tolist()

@@ -232,7 +232,7 @@ def test_faults_of_tables(points: list[tuple[float, float]], says: str) -> None:
 
 def test_unknown_interpolation() -> None:
     with pytest.raises(UsageError, match="spline") as error:
-        table(CURVE, "spline")  # type: ignore[arg-type]
+        table(CURVE, "spline")
     assert "pchip" in error.value.remedy
 
 

@@ -64,7 +64,7 @@ def test_every_kind_passes_the_rated_point() -> None:
     points = ((0.0, 80.0), (152.0, 7500 / 152), (157.08, 0.0))
     motor = Motor(**GOOD, points=points)
     for kind in ("parabolic", "linear", "kloss", "constant", "table"):
-        made = characteristic(motor, kind)  # type: ignore[arg-type]
+        made = characteristic(motor, kind)
         assert made.moment(152.0) == pytest.approx(7500 / 152, rel=1e-12)
         assert made.nominal == 152.0
         assert made.name == kind

@@ -15,6 +15,7 @@ from random_mechanisms import build
 
 from tmmcalc import TmmError, solve_kinematics
 from tmmcalc.core.plane import Real
+from tmmcalc.linkage.lastdigit import in_full
 from tmmcalc.linkage.loading import Body, Load, Loading, Pair, Spring, Window
 from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.loadlaws.law import Law
@@ -145,11 +146,12 @@ def _pairs(rng: np.random.Generator, mechanism: Mechanism, size: float) -> tuple
 
 @cache
 def solved(seed: int) -> tuple[Reduction, Causes] | None:
-    """A drawn scene as the program reduces it, and its causes; None if it refuses."""
+    """A drawn scene as the program reduces it, and its causes in extended precision; None if it refuses."""
     mechanism, loading = drawn(seed)
     try:
         kinematics = solve_kinematics(mechanism)
-        return solve_reduction(mechanism, loading, kinematics), causes_of(compile_scene(mechanism, loading, kinematics))
+        causes = causes_of(compile_scene(mechanism, loading, kinematics))
+        return solve_reduction(mechanism, loading, kinematics), causes.on(in_full(causes.scene.chain))
     except TmmError:
         return None
 

@@ -393,7 +393,8 @@ class TestGrades:
 
     @pytest.mark.parametrize(
         ("force", "role", "wrong"),
-        [(250.0, "resistance", False), (-250.0, "resistance", True), (250.0, "drive", True), (-250.0, "drive", False)],
+        [(250.0, "resistance", False), (-250.0, "resistance", True), (250.0, "drive", True), (-250.0, "drive", False)]
+        + [(force, "neutral", False) for force in (250.0, -250.0)],
     )
     def test_a_wrong_sign_is_told(self, force: float, role: Any, wrong: bool) -> None:
         """On the working stroke the slider moves against the axis: a positive force resists."""
@@ -412,6 +413,9 @@ class TestGrades:
         # the crank begins at 0.7 rad, so that the dead centres lie at theta = pi - 0.7 and 2 pi - 0.7
         assert "drives from 139.89 deg to 319.89 deg: +50 J, 100 % of what it takes elsewhere" in grade.message
         assert "does no work in all" in grade.message
+
+    def test_a_neutral_load_may_drive_and_resist(self) -> None:
+        assert not self.result(role="neutral").grades
 
     def test_a_gas_may_drive_on_a_stroke(self) -> None:
         """The pressure of a compressor drives its piston back where it expands again."""

@@ -185,4 +185,4 @@ def test_closed_form_of_a_crank_slider() -> None:
     result = solve_reduction(mechanism, Loading(bodies=(Body(3, 7.0, 0.0, 0j),)), kinematics)
     np.testing.assert_allclose(result.inertia, 7.0 * kinematics.ds[0] ** 2, atol=1e-16)
     np.testing.assert_allclose(result.slope, 14.0 * kinematics.ds[0] * kinematics.dds[0], atol=1e-16)
-    assert reduced_inertia((), None, 3)[0].tolist() == [0.0, 0.0, 0.0]  # type: ignore[arg-type]
+    assert reduced_inertia((), None, 3)[0].tolist() == [0.0, 0.0, 0.0]

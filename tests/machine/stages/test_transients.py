@@ -184,7 +184,7 @@ def test_a_crank_turned_back_against_another_integration() -> None:
         def rest(_: float, state: np.ndarray) -> float:
             return float(state[1])
 
-        rest.terminal, rest.direction = True, -sign  # type: ignore[attr-defined]
+        rest.terminal, rest.direction = True, -sign
         piece = solve_ivp(
             f(forward if sign > 0 else back), (t, 30.0), y, events=rest, rtol=1e-10, atol=1e-12, max_step=0.1
         )

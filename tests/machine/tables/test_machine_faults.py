@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
-from faults import HOSTILE, Faults, check_lines, check_only_fault
+from faults import HOSTILE, Faults, check_fault, check_lines, check_only_fault
 from project.scenes import CONFIGS
 from sparing import sparing
 
@@ -179,7 +181,7 @@ FAULTS = [
         GEAR + 'pinion = "90 deg"\n',
         "drive.radius",
         "missing key: a gear has its pitch radius",
-        'add radius = "150 mm"',
+        'add radius = "150 mm", or [open_pair]',
     ),
     (
         GEAR + 'radius = "150 mm"\n',
@@ -438,7 +440,8 @@ FAULTS = [
         '[motor]\nname = "choose"\npower = "5 kW"\n',
         "motor.power",
         'power together with name = "choose": the catalogue gives the data of the motor that is chosen',
-        "remove it; beside the choice there may be synchronous_speed, catalogue, characteristic, time_constant",
+        "remove it; beside the choice there may be synchronous_speed, catalogue, reserve, characteristic, "
+        "time_constant",
     ),
     (
         "[motor]\nname = 5\n",
@@ -447,13 +450,13 @@ FAULTS = [
         "write a text in quotes",
     ),
     (
-        '[motor]\nname = "X"\ncharacteristic = "table"\n',
+        '[motor]\nname = "4A132S4"\ncharacteristic = "table"\n',
         "motor.table",
         "missing key: a table characteristic needs table",
         'add table = { speed = ["0 rpm", "1500 rpm"], moment = ["15 N*m", 0] }',
     ),
     (
-        '[motor]\nname = "X"\nkind = "series"\ncharacteristic = "kloss"\n',
+        '[motor]\nname = "4A132S4"\nkind = "series"\ncharacteristic = "kloss"\n',
         "motor.characteristic",
         "'kloss' is a characteristic of an induction motor, not of a series one",
         'write "series", or kind = "induction"',
@@ -480,13 +483,13 @@ FAULTS = [
         POINTS + "table = { speed = [0, 10] }\n",
         "motor.table.moment",
         "missing key: a characteristic has its moments",
-        'add moment = ["15 N*m", "7.5 N*m", 0]',
+        'add moment = ["15 N*m", "7.5 N*m", 0], or both in a file, file = "m.csv"',
     ),
     (
         POINTS + "table = { moment = [0, 10] }\n",
         "motor.table.speed",
         "missing key: a characteristic has its speeds",
-        'add speed = ["0 rpm", "1400 rpm", "1500 rpm"]',
+        'add speed = ["0 rpm", "1400 rpm", "1500 rpm"], or both in a file, file = "m.csv"',
     ),
     (
         POINTS + "table = 5\n",
@@ -692,7 +695,9 @@ def test_a_key_in_the_wrong_table_has_a_home(shaper: str, faults_of: Faults) -> 
     assert fault.remedy.startswith("stiffness belongs in [[springs]], [[shafts]], ")
     assert fault.remedy.endswith(", [cam.spring] or [cam.elastic]")
     (fault,) = faults_of(f"{shaper}\n[weather]\n")
-    assert fault.remedy.startswith("the keys here are: project, mechanism, synthesis, torque, loads, springs, drive")
+    assert fault.remedy.startswith(
+        "the keys here are: project, mechanism, synthesis, dyad, torque, loads, springs, drive"
+    )
 
 
 @pytest.mark.parametrize(
@@ -783,3 +788,11 @@ def test_no_value_breaks_the_checks(shaper: str, table: str, key: str) -> None:
 def test_no_table_of_another_type_breaks_the_checks(faults_of: Faults, table: str) -> None:
     for value in HOSTILE:
         assert faults_of(f"mechanism = {value}\n{table} = {value}\n")
+
+
+def test_a_motor_that_no_catalogue_has_is_a_fault_of_the_spec(shaper: str, tmp_path: Path) -> None:
+    check_fault(f'{shaper}\n[motor]\nname = "4A132S5"\n', "motor.name", "the catalogue has no motor", "4A132S")
+    own = tmp_path / "own.csv"
+    own.write_text("name,power_kW,synchronous_rpm,speed_rpm\nM1,1,1500,x\n", "utf-8")
+    text = f'{shaper}\n[motor]\nname = "M1"\ncatalogue = "{own.as_posix()}"\n'
+    check_fault(text, "motor.catalogue", "'x' is not a number", "")

@@ -364,8 +364,8 @@ def test_a_misspelt_key_is_not_missing_as_well(faults_of: Faults) -> None:
 
 NO_SUBJECT = (
     "mechanism",
-    "missing key: a spec describes a mechanism, or else a linkage to be found, a torque diagram, an engine, a rotor, "
-    "gears, cams, a vibratory device, a pendulum-rotor or an arm",
+    "missing key: a spec describes a mechanism, or else a linkage to be found, a dyad by itself, a torque diagram, an "
+    "engine, a rotor, gears, cams, a vibratory device, a pendulum-rotor, an arm or constraints on given values",
 )
 MOTOR = '[motor]\nname = "4A132S4"\n'
 

@@ -29,7 +29,7 @@ FAULTS = [
         'add [motor] with inertia = "0.03 kg*m^2"',
     ),
     (
-        MOTOR + SHAFT,
+        MOTOR + SHAFT + FREE,
         "motor",
         "missing key: the rotor is the first mass of [[shafts]]",
         'add inertia = "0.03 kg*m^2"',
@@ -41,7 +41,7 @@ FAULTS = [
         'write "0.03 kg*m^2", for example',
     ),
     (
-        ROTOR + SHAFT + SHAFT,
+        ROTOR + SHAFT + SHAFT + FREE,
         "shafts[0]",
         "missing key: the mass between this shaft and the next has its moment of inertia",
         'add inertia = "0.5 kg*m^2"; join two shafts in series into one',

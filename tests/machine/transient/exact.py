@@ -22,6 +22,7 @@ EDGE = 1e-6  # of a step: a top nearer to its ends is as high as they are
 CLOSE = 1e-8  # of a step, to a top
 NEAR = 0.99  # of the largest so far: lower tops are not found exactly
 BUDGET = 40_000  # evaluations
+EARLY, PACE = 4_000, 1 / 30  # evaluations, and the part of the motion that has to be done by then
 REST = 1e-9  # of the speed: a crank that turns back so fast has come to rest before
 PROBE = 1e-4  # of a step: for a slope by differences
 State = list[float]
@@ -94,7 +95,8 @@ def exact_motion(of: Numbers, fine: float = FINE, budget: int = BUDGET) -> Exact
             before = t, y
             solver.step()
             t, y = solver.t, solver.y
-            if drive.evaluations > budget or solver.status == "failed" or y[2 * n - 1] < -REST * of.speed:
+            slow = drive.evaluations > EARLY and t < PACE * of.duration
+            if slow or drive.evaluations > budget or solver.status == "failed" or y[2 * n - 1] < -REST * of.speed:
                 return None
             over = gap(y) >= 0
             if over:

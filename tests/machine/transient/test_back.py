@@ -71,7 +71,7 @@ def pendulum(back: bool = True) -> Drive:
 
 def _with(turned: object, inertia: float) -> object:
     def made() -> tuple[Cycle, Cycle | None]:
-        one, _ = turned()  # type: ignore[operator]
+        one, _ = turned()
         return replace(one, inertia=one.inertia + inertia), None
 
     return made

@@ -190,7 +190,7 @@ def elastic_reference() -> np.ndarray:
         x = np.array([min(q, stop) - stop + (math.pi if half % 2 else PERIOD)])
         inertia, slope, moment = (crank.panels.at(g, x, before=True)[0] for g in functions)
         shaft = c * (p - q) + k * (w - v)
-        drive_moment = 15 * float(motor.moment(15 * w))  # type: ignore[union-attr]
+        drive_moment = 15 * float(motor.moment(15 * w))
         return [w, v, (drive_moment - shaft) / 20, (shaft + moment - slope * v * v / 2) / (10.6 + inertia)]
 
     t, y, half = 0.0, np.array([0.0, 0.0, 10.0, 10.0]), 0
@@ -201,7 +201,7 @@ def elastic_reference() -> np.ndarray:
         def edge(_: float, y: np.ndarray, stop: float = stop) -> float:
             return float(y[1] - stop)
 
-        edge.terminal = True  # type: ignore[attr-defined]
+        edge.terminal = True
         piece = solve_ivp(f, (t, 1.0), y, method="DOP853", events=edge, rtol=1e-12, atol=1e-13, max_step=0.01)
         t, y = float(piece.t[-1]), piece.y[:, -1]
     return y

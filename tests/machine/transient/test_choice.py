@@ -131,7 +131,7 @@ def test_an_equilibrium_on_a_jump_is_named() -> None:
         (lambda: Scenario("x", 1.0, motor=((2.0, 1.0),)), "motor is 2"),
         (lambda: Scenario("x", 1.0, load=()), "no load factor at the start"),
         (lambda: Scenario("x", 1.0, load=(LoadStep(1.0, time=1.0),)), "no load factor at the start"),
-        (lambda: Method("euler"), "no method 'euler'"),  # type: ignore[arg-type]
+        (lambda: Method("euler"), "no method 'euler'"),
         (lambda: Method("rk4"), "rk4 with the step None"),
         (lambda: Method("merson", step=-0.1), "merson with the step -0.1"),
         (lambda: Method("Radau", step=0.1), "takes no step of 0.1 s"),
@@ -142,7 +142,7 @@ def test_an_equilibrium_on_a_jump_is_named() -> None:
 )
 def test_refusals(make: object, message: str) -> None:
     with pytest.raises(UsageError) as caught:
-        make()  # type: ignore[operator]
+        make()
     assert message in str(caught.value)
     assert caught.value.remedy
 

@@ -65,7 +65,7 @@ def reference(inertia: float, motor: Any, start: tuple[float, float], span: floa
         def edge(_: float, y: np.ndarray, half: int = half) -> float:
             return float(y[0] - half * math.pi)
 
-        edge.terminal = True  # type: ignore[attr-defined]
+        edge.terminal = True
         piece = solve_ivp(f, (t, span), y, method="DOP853", events=edge, rtol=2.3e-14, atol=1e-14)
         t, y = float(piece.t[-1]), piece.y[:, -1]
     return y

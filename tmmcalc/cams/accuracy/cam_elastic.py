@@ -24,7 +24,6 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import TURN, Program
 from tmmcalc.cams.response import Response, kicks_of, steady
 from tmmcalc.cams.speed import Speed, constant_speed
-from tmmcalc.cams.stages.parts import at_speed
 from tmmcalc.cams.task import CamTask
 from tmmcalc.cams.wide import wide
 from tmmcalc.core.numerics.extended import WIDER
@@ -39,7 +38,7 @@ JUMPS = "of order 2 where the acceleration jumps at positions alone; of order 1 
 
 def studies(scene: Scene) -> Iterator[Study]:
     """The steady vibration of a cam that turns evenly."""
-    task: CamTask = at_speed(scene.inputs, scene.results.get("motion"))
+    task: CamTask = scene.inputs.at_speed(scene.results.get("motion"))
     result: ElasticResult = scene.results["cam_elastic"]
     if task.turning is not None or not WIDER:
         return

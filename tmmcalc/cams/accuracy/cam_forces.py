@@ -20,7 +20,6 @@ from tmmcalc.cams.forces.turn import at_rows, loads_of
 from tmmcalc.cams.forces.turnforces import turn_forces
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import TURN, Positions, of_step
-from tmmcalc.cams.stages.parts import at_speed
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.studies.measure import Way, relative, series
 from tmmcalc.core.studies.sampled import COUNTS, of_positions, summit
@@ -30,7 +29,7 @@ from tmmcalc.core.studies.study import Reference, Study
 
 def studies(scene: Scene) -> Iterator[Study]:
     """The largest contact force and the largest driving torque."""
-    task: CamTask = at_speed(scene.inputs, scene.results.get("motion"))
+    task: CamTask = scene.inputs.at_speed(scene.results.get("motion"))
     found: CamForces = scene.results["cam_forces"]
     loads = loads_of(task)
 

@@ -17,6 +17,7 @@ from tmmcalc.cams.laws.own import of_points
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.wide import wide
 from tmmcalc.core.numerics.extended import WIDER
+from tmmcalc.core.numerics.simpson import running_simpson
 from tmmcalc.core.studies.measure import Clock, Way, relative, series
 from tmmcalc.core.studies.scene import Scene
 from tmmcalc.core.studies.study import Reference, Series, Study
@@ -108,7 +109,7 @@ def _integrals(program: Program, clock: Clock) -> tuple[Series, ...]:
 
     return (
         series("trapezoid, twice", ways(_trapezoid), error, clock, expected=2.0),
-        series("Simpson, twice", ways(_simpson), error, clock, expected=4.0),
+        series("Simpson, twice", ways(running_simpson), error, clock, expected=4.0),
     )
 
 
@@ -116,17 +117,6 @@ def _trapezoid(values: Values, step: Values) -> Values:
     """The integral (P, n + 1) from the first node to every node of values (P, n + 1)."""
     parts = (values[:, 1:] + values[:, :-1]) / 2 * step[:, None]
     return np.concatenate((np.zeros((len(values), 1)), np.cumsum(parts, axis=1)), axis=1)
-
-
-def _simpson(values: Values, step: Values) -> Values:
-    """The same with a parabola through three nodes; an even number of steps."""
-    first, middle, last = values[:, :-1:2], values[:, 1::2], values[:, 2::2]
-    half = (5 * first + 8 * middle - last) / 12 * step[:, None]
-    pair = (first + 4 * middle + last) / 3 * step[:, None]
-    found = np.zeros_like(values)
-    found[:, 2::2] = np.cumsum(pair, axis=1)
-    found[:, 1::2] = found[:, :-1:2] + half
-    return found
 
 
 def _by_points(law: Law, clock: Clock) -> tuple[Series, ...]:

@@ -19,7 +19,6 @@ from tmmcalc.cams.optimum.margins import SLACK, margins
 from tmmcalc.cams.optimum.results import CamOptimum
 from tmmcalc.cams.optimum.scene import Phases, Scene, scene_of
 from tmmcalc.cams.optimum.wholesteps import search
-from tmmcalc.cams.stages.parts import at_speed
 from tmmcalc.cams.task import CamTask, Optimum
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.studies.measure import Way, relative, series
@@ -35,7 +34,7 @@ AROUND = 0.25  # of the sizes of the lowest: how far the complete grid reaches
 
 def studies(studied: Studied) -> Iterator[Study]:
     """The least H2 of the task as it is asked for."""
-    task: CamTask = at_speed(studied.inputs, studied.results.get("motion"))
+    task: CamTask = studied.inputs.at_speed(studied.results.get("motion"))
     found: CamOptimum = studied.results["cam_optimum"]
     if found.refused:
         return

@@ -8,9 +8,9 @@ from math import degrees, pi
 from tmmcalc.cams.facts.rows import with_rows
 from tmmcalc.cams.follower import along
 from tmmcalc.cams.forces.columns import force_columns
-from tmmcalc.cams.forces.results import CamForces, ForceExtreme, Governing, SpringFound
+from tmmcalc.cams.forces.results import CamForces, ForceExtreme, Governing, SpringFound, WireSize
 from tmmcalc.core.quantity import keyed
-from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.document import Document, Fact, angles_in_degrees
 from tmmcalc.report.numbers import angle, number
 from tmmcalc.report.sizes import quantity
 
@@ -26,7 +26,7 @@ METHODS = {
 
 def summary(result: CamForces, title: str) -> Document:
     """Facts and warnings without the table."""
-    return Document(title, tuple(_facts(result)), result.notes)
+    return angles_in_degrees(Document(title, tuple(_facts(result)), result.notes))
 
 
 def document(
@@ -45,7 +45,7 @@ def document(
     columns = force_columns(result)
     if not everything and not patterns:
         columns = dict(sorted(columns.items(), key=lambda column: column[0].startswith(LAST)))
-    told, ends = Document(title, tuple(_facts(result)), result.notes), [degrees(end) for end in result.ends]
+    told, ends = summary(result, title), [degrees(end) for end in result.ends]
     return with_rows(told, columns, patterns, rows, ends=ends, everything=everything, example="phi,R,T", where=where)
 
 
@@ -70,7 +70,7 @@ def _facts(result: CamForces) -> Iterator[Fact]:
 def _spring_facts(result: CamForces) -> Iterator[Fact]:
     found, turns = result.spring, result.follower.kind == "oscillating"
     if found.method == "none" or not (found.stiffness or found.preload):
-        yield Fact("spring", "none", {"c": 0.0, "Q0": 0.0})
+        yield Fact("spring", "none", keyed(found, "stiffness", "preload", **along(turns)))
         return
     places = along(turns)
     force, letter = places["force"], places["spring"]
@@ -100,6 +100,16 @@ def _spring_facts(result: CamForces) -> Iterator[Fact]:
             f"tau from {quantity(wire.stress_low, 'Pa')} to {quantity(wire.stress, 'Pa')}"
         )
         yield Fact("wire of the spring", text, keyed(wire, "coils", "factor", "stress", "stress_low"))
+    if found.sizes:
+        yield Fact(
+            "springs by D/d", "\n".join(map(_size, found.sizes[::2])), {"springs": list(map(keyed, found.sizes))}
+        )
+
+
+def _size(spring: WireSize) -> str:
+    """A spring that has the allowed stress at the highest position."""
+    wire, solid, free = (number(1e3 * size, 4) for size in (spring.wire, spring.solid, spring.free))
+    return f"{spring.index:g}: d = {wire}, n = {number(spring.coils, 4)}, height {solid} solid, {free} free"
 
 
 def _stiffness(value: float, turns: bool) -> str:

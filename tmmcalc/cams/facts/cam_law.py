@@ -20,7 +20,7 @@ from tmmcalc.cams.lawresult import (
 from tmmcalc.cams.laws.catalogue import NAMES, title_of
 from tmmcalc.cams.laws.constants import LawConstants
 from tmmcalc.core.quantity import keyed
-from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.document import Document, Fact, angles_in_degrees
 from tmmcalc.report.numbers import angle, number
 
 CONSTANTS = (
@@ -32,7 +32,7 @@ TIMED = ("velocity", "acceleration", "jerk")
 
 def summary(result: LawResult, title: str) -> Document:
     """Phases, extremes and shocks, without the table."""
-    return Document(title, tuple(_facts(result, constants=False)), result.remarks)
+    return angles_in_degrees(Document(title, tuple(_facts(result, constants=False)), result.remarks))
 
 
 def document(
@@ -52,7 +52,7 @@ def document(
     if not everything and not patterns:
         del columns["phase"]
     ends = [degrees(each.begin) for each in result.phases] + [degrees(result.phases[-1].end)]
-    told = Document(title, tuple(_facts(result)), result.remarks)
+    told = angles_in_degrees(Document(title, tuple(_facts(result)), result.remarks))
     return with_rows(told, columns, patterns, rows, ends=ends, everything=everything, example="phi,d*", where=where)
 
 
@@ -133,5 +133,5 @@ def _shock_fact(result: LawResult) -> Fact:
     ]
     if jerks:
         lines.append(f"the jerk jumps at {jerks} places, the acceleration does not there")
-    values = [keyed(shock, "order", "phi[deg]", "jump") for shock in result.shocks]
+    values = [keyed(shock, "order", "phi[deg]", "jump", **along(result.turns)) for shock in result.shocks]
     return Fact("shocks", "\n".join(lines) or "none", {"shocks": values})

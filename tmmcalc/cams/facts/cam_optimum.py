@@ -110,7 +110,9 @@ def _relaxed_facts(result: CamOptimum) -> Iterator[Fact]:
     if not result.relaxations:
         return
     lines = [_relaxed(each) for each in result.relaxations]
-    values = [keyed(each, "number", "key", "before", "after", "height", "gain") for each in result.relaxations]
+    values = [
+        keyed(each, "number", "key", "before", "after", "height", "gain", unit=each.unit) for each in result.relaxations
+    ]
     yield Fact("relaxing would buy", "\n".join(lines), {"relaxations": values})
 
 
@@ -145,7 +147,7 @@ def _check_values(each: Check) -> dict[str, Any]:
     found = keyed(each, "number", "name", "judged", "margin")
     if each.judged:
         found |= keyed(each, "value", "relation", symbol=each.symbol, unit=each.unit)
-    return found | (keyed(each, "limit") if each.limit is not None else {})
+    return found | (keyed(each, "limit", unit=each.unit) if each.limit is not None else {})
 
 
 def _contour_part(contour: Contour) -> Document:

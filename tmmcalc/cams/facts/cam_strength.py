@@ -69,7 +69,7 @@ def _margins_view(result: CamStrength) -> View:
     rows = [_cells(each) for each in result.margins]
     units = {"margin": "%", "phi": "deg"}
     told = {name: quantity_of(Margin, name) for name in ("name", "value", "limit", "margin", "phi", "verdict")}
-    headers = [each.shown(units[name])[0] if name in units else each.key for name, each in told.items()]
+    headers = [each.shown(units[name])[0] if name in units else each.name for name, each in told.items()]
     return View(headers, [list(column) for column in zip(*rows, strict=True)])
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from math import degrees
 from typing import Any
 
@@ -10,7 +11,7 @@ from tmmcalc.cams.facts.cam_pressure import extreme_values, reached_fact
 from tmmcalc.cams.facts.pivot import pivot_fact
 from tmmcalc.cams.synthesis.results import Convexity, Design, Region, RollerChoice, Size, Synthesis, region_columns
 from tmmcalc.core.quantity import Quantity, keyed, quantity_of
-from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.document import Document, Fact, View, angles_in_degrees
 from tmmcalc.report.numbers import angle, number
 
 ROUNDING = 1e-14  # [deg]
@@ -34,17 +35,17 @@ def summary(result: Synthesis, title: str) -> Document:
     """Sizes, angles and warnings."""
     facts = (_kind_fact(result), *(_size_fact(size) for size in result.sizes))
     warnings = tuple(note for note in result.notes if note.startswith("warning"))
-    return Document(title, facts, warnings)
+    return angles_in_degrees(Document(title, facts, warnings))
 
 
 def document(result: Synthesis, title: str, *, everything: bool = False) -> Document:
     """All of it; the table compares the designs, with ``everything`` it is the corners of the admissible region."""
-    facts = tuple(_facts(result))
+    told = angles_in_degrees(Document(title, tuple(_facts(result)), result.notes))
     if everything:
         columns = region_columns(result)
         view = View(list(columns), [column.tolist() for column in columns.values()])
-        return Document(title, facts, result.notes, view if result.region is not None else None)
-    return Document(title, facts, result.notes, _designs_view(result))
+        return replace(told, table=view if result.region is not None else None)
+    return replace(told, table=_designs_view(result))
 
 
 def _facts(result: Synthesis) -> Iterator[Fact]:

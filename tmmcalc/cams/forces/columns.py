@@ -13,7 +13,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import along
 from tmmcalc.cams.forces.results import CamForces
-from tmmcalc.core.quantity import headed
+from tmmcalc.core.quantity import headed, in_degrees
 
 
 def force_columns(result: CamForces) -> dict[str, np.ndarray]:
@@ -26,4 +26,5 @@ def force_columns(result: CamForces) -> dict[str, np.ndarray]:
     if result.pivot is not None:
         shown += ["pivot_x", "pivot_y", "pivot_force"]
     rows = {"i": np.array(result.positions.labels), **headed(result.positions, "phi[deg]")}
-    return rows | headed(result, *shown, "torque", "driving", **along(result.follower.kind == "oscillating"))
+    along_lift = headed(result, *shown, "torque", "driving", **along(result.follower.kind == "oscillating"))
+    return rows | in_degrees(along_lift)

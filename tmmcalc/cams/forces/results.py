@@ -24,6 +24,18 @@ class Wire:
 
 
 @record
+class WireSize:
+    """A compression spring whose stress at the highest position is the allowed one."""
+
+    index: float = quantity("index", "D/d of the spring", symbol="D/d")
+    wire: float = quantity("d[m]", "diameter of the wire")
+    coil: float = quantity("D[m]", "mean diameter of the coils")
+    coils: float = quantity("n", "number of working coils")
+    solid: float = quantity("H_solid[m]", "height with all coils in touch")
+    free: float = quantity("H_free[m]", "height without a force")
+
+
+@record
 class Governing:
     """The phase that asks for the stiffness, where that is not the phase of the largest lifting force."""
 
@@ -57,6 +69,7 @@ class SpringFound:
     reached: float | None = quantity("K_min", "least |Q_spring|/P where P > 0")
     reached_phi: float | None = quantity("K_min_at_phi[rad]", "angle of the least safety")
     wire: Wire | None
+    sizes: tuple[WireSize, ...] = ()  # of the usual D/d, where a stress is allowed
 
 
 @record

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import pi
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,16 +15,20 @@ from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.state import pivot_force, state
 from tmmcalc.cams.forces.turn import at_rows, loads_of, spans
 from tmmcalc.cams.forces.turnforces import NOTHING, TurnForces, reserve_of, turn_forces
-from tmmcalc.cams.forces.verdicts import force_notes
+from tmmcalc.cams.forces.verdicts import force_notes, several_turns
 from tmmcalc.cams.task import CamTask, Loads
 
+if TYPE_CHECKING:
+    from tmmcalc.machine.motion import Motion
 
-def solve_forces(task: CamTask, follower: Follower) -> CamForces:
-    """Forces on the follower at the positions and over the whole turn.
+
+def solve_forces(task: CamTask, follower: Follower, motion: Motion | None = None) -> CamForces:
+    """Forces on the follower at the positions and over the whole turn, at the speed of the machine if it is known.
 
     Raises `UsageError` without a speed, or without the guide that friction needs; `NoSolutionError` for a guide
     without length or a spring that there is not; `SingularityError` where the follower jams or comes to the axis.
     """
+    task = task.at_speed(motion)
     loads = loads_of(task)
     spring = solve_spring(task, loads)
     course = turn_forces(task, follower, loads, spring)
@@ -63,7 +68,7 @@ def solve_forces(task: CamTask, follower: Follower) -> CamForces:
         reserve=reserve,
         work=work,
         verdict="loss_of_contact" if lost else "ok",
-        notes=tuple(force_notes(task, spring, lost, reversals, reserve)),
+        notes=(*force_notes(task, spring, lost, reversals, reserve), *several_turns(task, motion)),
         error=force_errors(task, loads, course, spring, points, found, extremes, work),
     )
 

@@ -16,11 +16,10 @@ that are convex, so Newton's steps from one side reach them; each asks for one e
 
 from __future__ import annotations
 
-from math import pi
-
 import numpy as np
 
-from tmmcalc.cams.forces.results import Governing, SpringFound, Wire
+from tmmcalc.cams.forces.coils import by_index, wound
+from tmmcalc.cams.forces.results import Governing, SpringFound
 from tmmcalc.cams.forces.turn import at_angles, smooth_panels, weight
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure.angle import on_phase
@@ -74,7 +73,7 @@ def solve_spring(task: CamTask, loads: Loads) -> SpringFound:
 
     Raises `NoSolutionError` where no stiffness keeps the follower on the cam.
     """
-    asked, lifted = loads.spring, lifting(task, loads)
+    asked, lifted = loads.spring, lifting(task.sprung, loads)
     tops = peaks_of(task, lifted)
     top = max(tops, key=lambda each: each.force) if tops else None
     place, governing = top, None
@@ -86,7 +85,7 @@ def solve_spring(task: CamTask, loads: Loads) -> SpringFound:
         stiffness, preload = (asked.stiffness, asked.preload) if asked.method == "given" else (0.0, 0.0)
     safety = asked.safety if asked.method == "safety" and top else None
     exact = _least(lifted, safety * lifted.force - preload, 0.0) if safety is not None else None
-    reached = _reached(lifted, stiffness, preload) if top else None
+    reached = _reached(lifted if task.turning is None else lifting(task, loads), stiffness, preload) if top else None
     highest = preload + stiffness * task.program.highest
     return SpringFound(
         method=asked.method,
@@ -103,7 +102,8 @@ def solve_spring(task: CamTask, loads: Loads) -> SpringFound:
         exact_phi=exact[1] if exact else None,
         reached=reached[0] if reached else None,
         reached_phi=reached[1] if reached else None,
-        wire=_wire(task, asked, stiffness, preload, highest),
+        wire=wound(task, asked, stiffness, preload, highest),
+        sizes=by_index(task, asked, stiffness, highest),
     )
 
 
@@ -225,23 +225,3 @@ def _before_and_after(on: Panels, values: Values, at: float) -> float:
     """The larger of the two limits at a place."""
     x = np.array([at])
     return float(max(on.at(values, x)[0], on.at(values, x, before=True)[0]))
-
-
-def _wire(task: CamTask, asked: Spring, stiffness: float, preload: float, highest: float) -> Wire | None:
-    """Coils and stresses of a compression spring: c = G d^4/(8 D^3 n), tau = 8 Q D k_w/(pi d^3)."""
-    d, coil = asked.wire, asked.coil
-    if d is None or coil is None or stiffness <= 0 or task.asked.kind == "oscillating":
-        return None
-    index = coil / d
-    if index <= 1:
-        raise NoSolutionError(
-            f"the wire of {1e3 * d:g} mm does not wind to coils of {1e3 * coil:g} mm mean diameter",
-            where="cam_forces, spring",
-            value=index,
-            limit=1.0,
-            remedy="a thinner wire or larger coils; usual is coil/wire = 4 to 12",
-        )
-    factor = (4 * index - 1) / (4 * index - 4) + 0.615 / index
-    stress = 8 * coil * factor / (pi * d**3)
-    coils = asked.shear * d**4 / (8 * coil**3 * stiffness)
-    return Wire(index, coils, factor, stress * highest, stress * preload)

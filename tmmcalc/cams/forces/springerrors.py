@@ -45,7 +45,7 @@ def exact_spring(task: CamTask, loads: Loads, spring: SpringFound) -> WideSpring
     asked, given = wide(loads.spring), WideSpring(np.longdouble(spring.stiffness), np.longdouble(spring.preload))
     if spring.method in ("none", "given") or spring.phi is None or not spring.stiffness or spring.lifting is None:
         return given
-    turn = _Turn(task, wide(loads))
+    turn = _Turn(task.sprung, wide(loads))
     if spring.method == "preload":
         first = wide(DEFLECTION * task.program.stroke) if asked.deflection is None else asked.deflection
         c = turn.peak(lambda force, lift: (force + asked.least) / (first + lift), spring.phi, spring.stiffness)
@@ -73,7 +73,7 @@ def spring_error(task: CamTask, loads: Loads, spring: SpringFound, exact: WideSp
 
 
 def _misses(task: CamTask, loads: Loads, spring: SpringFound, exact: WideSpring) -> Iterator[float]:
-    turn = _Turn(task, wide(loads))
+    turn, moving = _Turn(task.sprung, wide(loads)), _Turn(task, wide(loads))
     for found, true in ((spring.stiffness, exact.stiffness), (spring.preload, exact.preload)):
         if found and spring.method not in ("none", "given"):
             yield relative([found], [true])
@@ -86,7 +86,7 @@ def _misses(task: CamTask, loads: Loads, spring: SpringFound, exact: WideSpring)
             held: Values = -(exact.preload + exact.stiffness * lift) / np.where(pressed, force, 1.0)
             return np.where(pressed, held, -np.inf)
 
-        yield relative([spring.reached], [-turn.peak(ratio, spring.reached_phi, -spring.reached)])
+        yield relative([spring.reached], [-moving.peak(ratio, spring.reached_phi, -spring.reached)])
 
 
 @record

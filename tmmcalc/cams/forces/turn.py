@@ -66,8 +66,8 @@ def _points(task: CamTask, loads: Loads, phi: Values, piece: Indices, motion: Va
     sense = np.array([SENSES[each.kind] for each in program.phases])[phase]
     for part in task.backward:
         sense[(phi > part.begin) & (phi < part.end)] *= -1
-    if force.phi is not None and force.values is not None:
-        own = np.interp(phi, force.phi, force.values, period=TURN)
+    if force.phi is not None:
+        own = force.tabulated(phi)
     else:
         own = np.array([force.rise if each.kind in LIFTED else force.back for each in program.phases])[phase]
     return Points(phi, motion, sense, own + weight(task, loads), acceleration(task, loads, phi, motion))

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import degrees
+from typing import TYPE_CHECKING
 
+from tmmcalc.cams.forces.coils import INDEX
 from tmmcalc.cams.forces.results import Reserve, SpringFound
+from tmmcalc.cams.speed import TURN
 from tmmcalc.cams.task import CamTask
 
+if TYPE_CHECKING:
+    from tmmcalc.machine.motion import Motion
+
 EATEN, MUCH = 0.5, 0.8  # parts of the useful component that friction takes: a note, a warning
-INDEX = (4, 16)  # usual D/d of a spring
 
 
 def force_notes(
@@ -44,6 +49,17 @@ def force_notes(
         )
     if task.loads is None or not task.loads.mass:
         yield "note: the follower has no mass: give mass or inertia in [cam.loads]"
+
+
+def several_turns(task: CamTask, motion: Motion | None) -> Iterator[str]:
+    """A machine whose speed repeats after several turns of the cam gives it no speed over one."""
+    if motion is None or task.turning is not None:
+        return
+    times = float(motion.regime.panels.edges[-1]) * task.ratio / TURN
+    yield (
+        f"note: the speed of the machine repeats after {times:.6g} turns of the cam, no two of which are alike: its "
+        "forces are those of the mean speed"
+    )
 
 
 def _spring_notes(task: CamTask, spring: SpringFound) -> Iterator[str]:

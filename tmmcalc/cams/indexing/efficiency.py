@@ -89,8 +89,9 @@ class _Drawn:
             *sign_changes(flank.pressure, drive, low, high),
             *sign_changes(lambda k: flank.rise(k).real, drive, low, high),
         ]
-        zero = sign_changes(lambda k: self.terms(k)[0], drive, low, high, *kinks)
-        one = sign_changes(lambda k: np.subtract(*self.terms(k)), drive, low, high, *kinks)
+        # both terms are of the size of 1: with little friction their difference is rounding, which no panel resolves
+        zero = sign_changes(lambda k: self.terms(k)[0], drive, low, high, *kinks, scale=1.0)
+        one = sign_changes(lambda k: np.subtract(*self.terms(k)), drive, low, high, *kinks, scale=1.0)
         on, values = on_panels(lambda k: cut(*self.terms(k))[0], drive, low, high, *kinks, *zero, *one)
         flags = cut(*self.terms(on.x[:, on.order // 2]))[1]
         return np.array([on.total(values), np.sum(on.width[flags])])

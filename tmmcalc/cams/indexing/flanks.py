@@ -147,16 +147,24 @@ class Flank:
         return np.asarray(np.conj(place) * (place * (1 + rate) - self.drive.centres * rate))
 
 
-def on_panels(f: Function, drive: Drive, low: float, high: float, *breaks: float) -> tuple[Panels, Values]:
-    """Panels from ``low`` to ``high`` of the step that resolve f, and its values (K, N)."""
+def on_panels(
+    f: Function, drive: Drive, low: float, high: float, *breaks: float, scale: float | None = None
+) -> tuple[Panels, Values]:
+    """Panels from ``low`` to ``high`` of the step that resolve f, and its values (K, N).
+
+    Its size is ``scale``, by default its largest value.
+    """
     edges = [*drive.law.breaks.tolist(), 0.5, *breaks]
-    on, values, _ = resolved(lambda k: f(k)[None], panels(low, high, edges, WIDEST))
+    size = None if scale is None else np.array([scale])
+    on, values, _ = resolved(lambda k: f(k)[None], panels(low, high, edges, WIDEST), scale=size)
     return on, values[0]
 
 
-def sign_changes(f: Function, drive: Drive, low: float, high: float, *breaks: float) -> list[float]:
-    """All k between ``low`` and ``high`` at which f changes sign, ascending; ``breaks`` are its kinks."""
-    on, values = on_panels(f, drive, low, high, *breaks)
+def sign_changes(
+    f: Function, drive: Drive, low: float, high: float, *breaks: float, scale: float | None = None
+) -> list[float]:
+    """All k between ``low`` and ``high`` at which f, of the size ``scale``, changes sign; ``breaks`` are its kinks."""
+    on, values = on_panels(f, drive, low, high, *breaks, scale=scale)
     at, found = on.turning(values)
     k = np.concatenate((on.x.ravel(), at))
     order = np.argsort(k, kind="stable")

@@ -7,6 +7,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from math import floor, log10
+from typing import Any
 
 from tmmcalc.cams.optimum.leastheight import QUICK, least_heights
 from tmmcalc.cams.optimum.results import Choice, Relaxation
@@ -71,7 +72,8 @@ def relaxed(scene: Scene, key: str, value: float) -> Scene:
     elif key == "concave_radius":
         limits = replace(limits, concave=value)
     else:
-        need = replace(need, **{key: value})
+        change: dict[str, Any] = {key: value}
+        need = replace(need, **change)
     return replace(scene, limits=limits, requirements=need)
 
 

@@ -29,7 +29,7 @@ class Check:
     symbol: str  # of the value
     value: float | None = quantity("{symbol}[{unit}]", "value that is judged")  # None: not judged, for want of data
     relation: str = quantity("relation", "<= or >=")
-    limit: float | None = quantity("limit", "its limit")  # None: nothing limits it
+    limit: float | None = quantity("limit[{unit}]", "its limit")  # None: nothing limits it
     unit: str
     margin: float = quantity("margin", "relative margin; 0 at the limit")
 
@@ -80,8 +80,8 @@ class Relaxation:
     number: int = quantity("constraint", "number of the constraint in table 5.5")
     key: str = quantity("key", "what is changed, as in the spec")
     unit: str
-    before: float = quantity("from", "limit before")
-    after: float = quantity("to", "limit after")
+    before: float = quantity("from[{unit}]", "limit before")
+    after: float = quantity("to[{unit}]", "limit after")
     preferred: bool  # to the next preferred number, else by 1 %
     height: float = quantity("H2[m]", "least height of the mechanism then", symbol="H_2")
     gain: float = quantity("gain[m]", "by how much the height falls")

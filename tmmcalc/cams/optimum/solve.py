@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -27,17 +28,24 @@ from tmmcalc.cams.pressure.angle import reached
 from tmmcalc.cams.task import CamTask, Optimum
 from tmmcalc.core.errors import NoSolutionError, UsageError
 
+if TYPE_CHECKING:
+    from tmmcalc.machine.motion import Motion
+
 FEW = 24  # candidates that are judged at a time
 
 
-def solve_optimum(task: CamTask, follower: Follower, phases: Phases | None = None) -> CamOptimum:
+def solve_optimum(
+    task: CamTask, follower: Follower, phases: Phases | None = None, *, motion: Motion | None = None
+) -> CamOptimum:
     """The lowest mechanism, its blocking contours, what relaxing buys, and the options compared.
 
     ``follower`` gives its kind and offset; ``phases``, in place of the task's own, is what of the turn is examined:
-    all of it, or, as in the textbook, the rise alone. Raises `UsageError` for a rocker, a groove, without loads, and
-    for too many options; `NoSolutionError`, which names the constraints, where no sizes keep them all, whatever the
-    option. Where an option has a solution and what is asked has none, the result is that of the lowest option.
+    all of it, or, as in the textbook, the rise alone. The speed is that of the machine if it is known.
+    Raises `UsageError` for a rocker, a groove, without loads, and for too many options; `NoSolutionError`, which names
+    the constraints, where no sizes keep them all, whatever the option. Where an option has a solution and what is asked
+    has none, the result is that of the lowest option.
     """
+    task = task.at_speed(motion)
     _check(task, follower)
     asked = Optimum() if task.optimum is None else task.optimum
     phases = asked.phases if phases is None else phases

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-from tmmcalc.cams.forces.results import CamForces
+from tmmcalc.cams.forces.results import CamForces, WireSize
 from tmmcalc.cams.forces.spring import lifting_force
 from tmmcalc.cams.forces.state import pivot_force
 from tmmcalc.cams.forces.turn import at_angles, loads_of
@@ -21,6 +21,7 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.ordered import cam_of
 from tmmcalc.cams.pressure.angle import on_phase
 from tmmcalc.cams.task import CamTask, Loads
+from tmmcalc.report.drawing.axes import diagram
 from tmmcalc.report.drawing.curves import Diagram, Line, bottom, mark
 from tmmcalc.report.drawing.labels import Labels, signed
 from tmmcalc.report.drawing.limits import places, with_limits
@@ -44,21 +45,25 @@ def forces_figure(task: CamTask, result: CamForces) -> Figure:
     figure, (sheet,) = blank(1)
     sheet.suptitle(_heading(result), fontsize=9)
     left, right = sheet.subfigures(1, 2, squeeze=False, width_ratios=[1.0, 1.55])[0]
-    plane = left.subplots(1, 1)
+    if result.spring.sizes:
+        plane, heights = left.subplots(2, 1, height_ratios=[1.7, 1.0])
+        _draw_heights(heights, result.spring.sizes)
+    else:
+        plane = left.subplots(1, 1)
     diagrams = _diagrams(result, course)
     panels = right.subplots(len(diagrams), 1, sharex=True).tolist()
     finish = _draw_spring(plane, task, loads, result)
-    for axes, diagram in zip(panels, diagrams, strict=True):
-        diagram.draw(axes)
-        diagram.legend(axes, 4)
+    for axes, each in zip(panels, diagrams, strict=True):
+        each.draw(axes)
+        each.legend(axes, 4)
         phase_ends(axes, result.ends)
         for a, b in result.lost:
             axes.axvspan(degrees(a), degrees(b), color=MARK, alpha=0.15, zorder=0.5)
     bottom(panels, True)
     settle(figure)
     finish()
-    for axes, diagram in zip(panels, diagrams, strict=True):
-        diagram.label(axes)
+    for axes, each in zip(panels, diagrams, strict=True):
+        each.label(axes)
     return figure
 
 
@@ -109,6 +114,16 @@ def _diagrams(result: CamForces, course: TurnForces) -> list[Diagram]:
     torque = _line("driving torque", course, now.driving, result.driving, CURVES[4])
     plain = _line("$-T$, without friction", course, now.torque, -result.torque, CURVES[7], marked=False)
     return [*found, diagram("M", "N*m", torque, *((plain,) if course.carried.rubs else ()))]
+
+
+def _draw_heights(axes: Axes, sizes: Sequence[WireSize]) -> None:
+    """Heights of the springs that have the allowed stress, over D/d."""
+    index = np.array([each.index for each in sizes])
+    lines = [("free", np.array([1e3 * each.free for each in sizes]))]
+    lines += [("solid", np.array([1e3 * each.solid for each in sizes]))]
+    diagram(axes, index, lines, "height of the spring, mm")
+    axes.set_ylim(bottom=0)
+    axes.set_xlabel("$D/d$")
 
 
 def _draw_spring(axes: Axes, task: CamTask, loads: Loads, result: CamForces) -> Any:

@@ -77,7 +77,7 @@ def _label_judged(axes: Axes, diagram: Diagram, limit: float | None) -> None:
 
 def _judged_diagrams(case: Case, result: CamStrength) -> list[tuple[Diagram, float | None]]:
     """Slip, contact stress and M_E as far as their data is there, each with its limit."""
-    course, needs = case.course, case.needs
+    course, needs = case.course, case.task.requirements
     now = course.state
     phi, nodes = places(course.on), result.positions.phi
     found: list[tuple[Diagram, float | None]] = []

@@ -21,6 +21,7 @@ DENSE = 160  # points of a piece of the motion
 PITCH: dict[str, Any] = {"color": PATH, "linestyle": "-"}
 WORKING: dict[str, Any] = {"color": INK, "linestyle": "-"}
 CUSP: dict[str, Any] = {"color": MARK, "linewidth": 1.0, "linestyle": (0, (6, 2)), "zorder": 3}
+CUSPED = 0.02  # of the pitch curve's radius: a working profile that is sharper has a cusp, without end on paper
 NEAR_CUSP = 2.5  # 1/r2 against the largest curvature of the pitch curve, where it is drawn
 
 
@@ -37,7 +38,7 @@ def _bend(rim: Rim, result: Profile, phi: Values, piece: np.ndarray) -> list[Val
         return [1e3 * here.speed]
     kappa = here.bend
     gap = 1 - kappa * result.follower.roller
-    working = np.where(gap > 0.02, kappa / np.where(gap > 0.02, gap, 1.0), np.nan)
+    working = np.where(gap > CUSPED, kappa / np.where(gap > CUSPED, gap, 1.0), np.nan)
     return [kappa / 1e3, working / 1e3] if result.follower.roller else [kappa / 1e3]
 
 
@@ -55,15 +56,14 @@ def draw_bends(axes: Axes, rim: Rim, result: Profile) -> None:
 
 def _limit_bends(axes: Axes, result: Profile) -> None:
     """The curvature of the pitch curve that would be a cusp, where it is near; the heights, endless with a cusp."""
-    roller, peak = result.follower.roller, result.sharpest.value / 1e3
+    roller = result.follower.roller
+    peak = max(result.sharpest.value / 1e3, _working_peak(result) or 0.0)
     names = (("pitch curve", PITCH), ("working profile", WORKING))
     handles = [Line2D([], [], label=name, linewidth=1.3, **style) for name, style in names[: 2 if roller else 1]]
-    if roller and 1e-3 / roller < NEAR_CUSP * peak:
+    if roller and 1 / roller < NEAR_CUSP * result.sharpest.value:
         axes.axhline(1e-3 / roller, **CUSP)
         handles.append(Line2D([], [], label="$1/r_2$: cusp of the pitch curve", **CUSP))
         peak = max(peak, 1e-3 / roller)
-    elif roller:
-        peak /= 1 - result.sharpest.value * roller
     low = 0.0 if result.hollowest is None else result.hollowest.value / 1e3
     axes.set_ylim(1.6 * low - 0.08 * peak, 1.25 * peak)
     axes.legend(
@@ -71,16 +71,26 @@ def _limit_bends(axes: Axes, result: Profile) -> None:
     )
 
 
+def _working_peak(result: Profile) -> float | None:
+    """The largest curvature of the working profile [1/mm], where that of the pitch curve is; None by a cusp."""
+    gap = 1 - result.sharpest.value * result.follower.roller
+    return result.sharpest.value / gap / 1e3 if gap > CUSPED else None
+
+
 def name_bends(axes: Axes, rim: Rim, result: Profile) -> None:
-    """Mark the sharpest and the hollowest place."""
+    """Mark the sharpest and the hollowest place, of the working profile the sharpest."""
     labels = Labels(axes)
     for phi, piece in pieces_of(rim):
-        labels.avoid(np.degrees(phi) + 1j * _bend(rim, result, phi, piece)[0], 0.7)
+        for values in _bend(rim, result, phi, piece):
+            labels.avoid((np.degrees(phi) + 1j * values)[np.isfinite(values)], 0.7)
     factor = 1e3 if result.flat else 1e-3
     for place in (result.sharpest, result.hollowest):
         if place is not None:
             at = complex(degrees(place.phi), factor * place.value)
             mark(axes, labels, at, WORKING if result.flat else PITCH)
+    worked = None if result.flat or not result.follower.roller else _working_peak(result)
+    if worked is not None:
+        mark(axes, labels, complex(degrees(result.sharpest.phi), worked), WORKING)
 
 
 def draw_distance(axes: Axes, rim: Rim, result: Profile) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from tmmcalc.cams.stages.parts import at_speed
 from tmmcalc.cams.tables.tasks.cam import to_cam
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.order import Order
@@ -10,4 +9,4 @@ from tmmcalc.report.drawing.order import Order
 
 def cam_of(order: Order) -> CamTask:
     """The cam of the spec at the speed that the machine has, if it turns with the crank."""
-    return at_speed(to_cam(order.spec), order.results.get("motion"))
+    return to_cam(order.spec).at_speed(order.results.get("motion"))

@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tmmcalc.cams.forces.results import CamForces
-from tmmcalc.cams.stages.parts import at_speed, cam_of
+from tmmcalc.cams.stages.parts import cam_of
 from tmmcalc.cams.task import CamTask
 
 if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
-    from tmmcalc.cams.synthesis.results import Synthesis
-    from tmmcalc.machine.motion import Motion
 
+solve = "tmmcalc.cams.forces.solve:solve_forces"
+takes = {"cam_synthesis": "follower"}
 kind = CamForces
 columns = "tmmcalc.cams.forces.columns:force_columns"
 
@@ -20,10 +20,3 @@ columns = "tmmcalc.cams.forces.columns:force_columns"
 def inputs(spec: CamTables) -> CamTask:
     """The motion, masses, forces, spring, friction, guide."""
     return cam_of(spec, "asked", "limits", "loads", "guide")
-
-
-def solve(task: CamTask, cam_synthesis: Synthesis, motion: Motion | None = None) -> CamForces:
-    """Everything that acts on the follower over the turn."""
-    from tmmcalc.cams.forces.solve import solve_forces
-
-    return solve_forces(at_speed(task, motion), cam_synthesis.follower)

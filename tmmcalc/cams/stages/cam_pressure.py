@@ -10,8 +10,9 @@ from tmmcalc.cams.task import CamTask
 
 if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
-    from tmmcalc.cams.synthesis.results import Synthesis
 
+solve = "tmmcalc.cams.pressure.solve:solve_pressure"
+takes = {"cam_synthesis": "follower"}
 kind = Pressure
 columns = "tmmcalc.cams.pressure.solve:pressure_columns"
 
@@ -19,10 +20,3 @@ columns = "tmmcalc.cams.pressure.solve:pressure_columns"
 def inputs(spec: CamTables) -> CamTask:
     """The motion and the limits."""
     return cam_of(spec, "limits")
-
-
-def solve(task: CamTask, cam_synthesis: Synthesis) -> Pressure:
-    """The angle at all rows, its largest values on rise and return."""
-    from tmmcalc.cams.pressure.solve import solve_pressure
-
-    return solve_pressure(task, cam_synthesis.follower)

@@ -10,8 +10,9 @@ from tmmcalc.cams.task import CamTask
 
 if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
-    from tmmcalc.cams.synthesis.results import Synthesis
 
+solve = "tmmcalc.cams.profile.solve:solve_profile"
+takes = {"cam_synthesis": "follower"}
 kind = Profile
 columns = "tmmcalc.cams.profile.columns:profile_columns"
 
@@ -19,10 +20,3 @@ columns = "tmmcalc.cams.profile.columns:profile_columns"
 def inputs(spec: CamTables) -> CamTask:
     """The motion, the tool, limits of radii."""
     return cam_of(spec, "asked", "limits")
-
-
-def solve(task: CamTask, cam_synthesis: Synthesis) -> Profile:
-    """All profiles, where they fail, the largest roller."""
-    from tmmcalc.cams.profile.solve import solve_profile
-
-    return solve_profile(task, cam_synthesis.follower)

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from tmmcalc.cams.stages.parts import at_speed, cam_of
+from tmmcalc.cams.stages.parts import cam_of
 from tmmcalc.cams.strength.results import CamStrength
 from tmmcalc.cams.task import CamTask
 
 if TYPE_CHECKING:
-    from tmmcalc.cams.forces.results import CamForces
     from tmmcalc.cams.room import CamTables
-    from tmmcalc.cams.synthesis.results import Synthesis
-    from tmmcalc.machine.motion import Motion
 
+solve = "tmmcalc.cams.strength.solve:solve_strength"
+takes = {"cam_synthesis": "follower"}
 kind = CamStrength
 columns = "tmmcalc.cams.strength.columns:strength_columns"
 
@@ -21,10 +20,3 @@ columns = "tmmcalc.cams.strength.columns:strength_columns"
 def inputs(spec: CamTables) -> CamTask:
     """The loads, and what shaft, stem, roller and contact have to bear."""
     return cam_of(spec, "asked", "limits", "loads", "guide", "requirements")
-
-
-def solve(task: CamTask, cam_synthesis: Synthesis, cam_forces: CamForces, motion: Motion | None = None) -> CamStrength:
-    """Every requirement with its margin."""
-    from tmmcalc.cams.strength.solve import solve_strength
-
-    return solve_strength(at_speed(task, motion), cam_synthesis.follower, cam_forces)

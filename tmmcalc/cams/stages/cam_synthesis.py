@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 solve = "tmmcalc.cams.synthesis.solve:solve_synthesis"
 kind = Synthesis
+found = "tmmcalc.cams.tables.found:of_synthesis"
 
 
 def inputs(spec: CamTables) -> CamTask:

@@ -5,13 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.cams.program import SAME
-from tmmcalc.cams.speed import TURN, Speed
 from tmmcalc.cams.task import AngleLimits, Asked, CamTask, Guide, Loads, Requirements
 
 if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
-    from tmmcalc.machine.motion import Motion
 
 NO_LIMITS = AngleLimits(rise=0.0, back=None)
 
@@ -31,13 +28,3 @@ def cam_of(spec: CamTables, *parts: str) -> CamTask:
         "elastic": None,
     }
     return replace(task, **{name: value for name, value in nothing.items() if name not in parts})
-
-
-def at_speed(task: CamTask, motion: Motion | None) -> CamTask:
-    """The cam at the speed that the machine has over its cycle, if that is known and one turn of its crank."""
-    if motion is None:
-        return task
-    regime = motion.regime
-    if abs(regime.panels.edges[-1] - TURN) > SAME * TURN:
-        return task
-    return replace(task, turning=Speed(regime.panels, regime.omega, regime.acceleration, task.begin))

@@ -15,7 +15,7 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure.angle import tangent_terms
 from tmmcalc.cams.program import levelled
 from tmmcalc.cams.strength.formulas import contact_square, flat_radius, rolling
-from tmmcalc.cams.task import CamTask, Loads, Requirements
+from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.core.numerics.panels import Panels, resolved
 from tmmcalc.core.records import record
 
@@ -93,11 +93,6 @@ class Case:
     run: Values  # (K N,) A [m] of the roller
     pressing: TurnExtremes  # R [N]
     touches: bool  # a force presses the follower on the cam all over the turn, or walls hold it
-
-    @property
-    def needs(self) -> Requirements:
-        """Data of the requirements."""
-        return self.task.requirements
 
     @property
     def flat(self) -> bool:

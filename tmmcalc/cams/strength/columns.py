@@ -10,7 +10,7 @@ from tmmcalc.cams.strength.results import CamStrength
 from tmmcalc.core.quantity import headed, keyed, keys
 
 MARGIN = (
-    *("name", "constraint", "verdict", "formula", "symbol", "unit", "value", "limit", "margin", "phi[deg]"),
+    *("name", "constraint", "verdict", "formula", "symbol", "value", "limit", "margin", "phi[deg]"),
     *("why", "advice"),
 )
 
@@ -33,5 +33,5 @@ def _with_gaps(values: np.ndarray, known: np.ndarray) -> np.ndarray:
 def margin_rows(result: CamStrength) -> list[dict[str, Any]]:
     """The margins as plain values in SI; what is not known is left out."""
     unknown = (None, "", False)
-    rows = (keyed(each, *MARGIN) for each in result.margins)
+    rows = (keyed(each, *MARGIN, unit=each.unit) for each in result.margins)
     return [{key: value for key, value in row.items() if not any(value is each for each in unknown)} for row in rows]

@@ -72,14 +72,14 @@ def strength_errors(
 
 def _widened(case: Case, of: Carried, rolling: Rolling | None) -> tuple[Case, Rolling | None]:
     """Data of the case and constants of the slip, its pin by the largest R itself, in extended precision."""
-    given = replace(case.task, requirements=wide(case.needs), guide=wide(case.task.guide))
+    given = replace(case.task, requirements=wide(case.task.requirements), guide=wide(case.task.guide))
     there = replace(case, task=given, loads=wide(case.loads), follower=of.follower)
     if rolling is None:
         return there, None
     pressing = np.abs(state(of, at_sides(case.task, case.loads, np.array([case.pressing.place]))).contact)
     largest = pressing[int(np.argmin(np.abs(pressing - case.pressing.size)))]
-    known = case.needs.pin is not None or case.needs.pin_pressure is not None
-    found = factors(there, pin_of(there.needs, largest) if known else None)
+    known = case.task.requirements.pin is not None or case.task.requirements.pin_pressure is not None
+    found = factors(there, pin_of(there.task.requirements, largest) if known else None)
     return there, rolling if found is None else Rolling(*found, rolling.slipping)
 
 

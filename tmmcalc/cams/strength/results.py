@@ -23,9 +23,9 @@ class Margin:
     verdict: str = quantity("verdict", "ok, not judged, or what is wrong: slip, undercut, tool_interference, exceeded")
     formula: str = quantity("formula", "formula of the requirement")
     symbol: str = quantity("symbol", "symbol of the value", default="")
-    unit: str = quantity("unit", "SI unit of value and limit", default="")
-    value: float | None = quantity("value", "value that is judged", default=None)
-    limit: float | None = quantity("limit", "its limit", default=None)
+    unit: str = ""  # SI unit of value and limit
+    value: float | None = quantity("value[{unit}]", "value that is judged", default=None)
+    limit: float | None = quantity("limit[{unit}]", "its limit", default=None)
     margin: float | None = quantity(
         "margin", "1 - value/limit, or 1 - limit/value of what has to be large", default=None
     )

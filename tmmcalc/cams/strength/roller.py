@@ -35,7 +35,7 @@ FLAT = "0.418 sqrt(E_n R/(b rho)) (5.90)"
 
 def roller_unit(case: Case) -> RollerUnit | None:
     """Pin as given, or by the pressure on it; None without data (5.82 to 5.84)."""
-    needs = case.needs
+    needs = case.task.requirements
     if case.flat or not case.follower.roller:
         return None
     if needs.pin is None and needs.pin_pressure is None:
@@ -58,9 +58,9 @@ def unit_margins(case: Case, unit: RollerUnit | None) -> Iterator[Margin]:
         return
     roller, at = case.follower.roller, case.pressing.place
     yield judged(name, 5, formula, "r2*", "m", unit.least, roller, float(unused(unit.least, roller)), at)
-    limit = case.needs.pin_pressure
+    limit = case.task.requirements.pin_pressure
     if unit.given and limit is not None:
-        value = float(pin_pressure(case.pressing.size, unit.pin, case.needs.pin_ratio))
+        value = float(pin_pressure(case.pressing.size, unit.pin, case.task.requirements.pin_ratio))
         formula = "R/(4 alpha2 r0^2) <= [sigma_0] (5.82)"
         yield judged("pressure on the pin", 5, formula, "p", "Pa", value, limit, float(unused(value, limit)), at)
 
@@ -78,7 +78,7 @@ def rolling_of(case: Case, unit: RollerUnit | None) -> Rolling | None:
 
 def factors(case: Case, pin: Number | None) -> tuple[Any, Any, Any] | None:
     """C1, C2 [N/m] and the inertia J [kg*m^2] of the roller on a pin of radius r0 [m]; None without data."""
-    needs, roller = case.needs, case.follower.roller
+    needs, roller = case.task.requirements, case.follower.roller
     inertia = _inertia(case, pin)
     if needs.rolling_arm is None or needs.roller_friction is None or inertia is None or not roller:
         return None
@@ -89,7 +89,7 @@ def factors(case: Case, pin: Number | None) -> tuple[Any, Any, Any] | None:
 
 def _inertia(case: Case, pin: Number | None) -> Any:
     """Of the roller: given, or of a hollow cylinder; None without data."""
-    needs = case.needs
+    needs = case.task.requirements
     if needs.roller_inertia is not None or needs.width is None or pin is None:
         return needs.roller_inertia
     return cylinder(needs.width, needs.roller_density, case.follower.roller, pin)
@@ -115,7 +115,9 @@ def slip_margin(case: Case, unit: RollerUnit | None, rolling: Rolling | None) ->
 
 def contact_margin(case: Case) -> Margin:
     """Constraint 9, of a roller on either wall and of a flat face."""
-    needs, formula = case.needs, FLAT if case.flat else CONTACT
+    needs, formula = case.task.requirements, FLAT if case.flat else CONTACT
+    if needs.contact_source:
+        formula = f"{formula}, [sigma_H] = {needs.contact_source}"
     why = "a knife edge has no contact stress by Hertz" if not case.flat and not case.follower.roller else ""
     if not why and needs.width is None:
         why = "give width and contact in [cam.requirements]"

@@ -40,14 +40,14 @@ def rows_of(case: Case, rolling: Rolling | None, at: Points, now: State) -> Requ
     """The rows at points with the forces there."""
     kappa = contact_curvature(case.follower, at.motion)
     run = roller_acceleration(case.task, case.loads, case.follower, at, now.contact)
-    span = case.needs.span
+    span = case.task.requirements.span
     touching = np.abs(now.contact) > 0 if case.grooved else now.contact > 0
     return RequirementRows(
         curvature=kappa,
         run=None if case.flat else run,
         slip=_slip(case, rolling, now, run),
         stress=_stress(case, now, kappa, touching),
-        reduced=None if span is None else reduced_moment(now.contact, now.torque, span, case.needs.torsion),
+        reduced=None if span is None else reduced_moment(now.contact, now.torque, span, case.task.requirements.torsion),
         bending=bending_of(case, now, at.motion),
         pressure=pressure_of(case, now),
         touching=touching,
@@ -57,7 +57,7 @@ def rows_of(case: Case, rolling: Rolling | None, at: Points, now: State) -> Requ
 def _slip(case: Case, rolling: Rolling | None, now: State, run: Values) -> Values | None:
     if rolling is None:
         return None
-    friction = case.needs.roller_friction or 1.0
+    friction = case.task.requirements.roller_friction or 1.0
     grown, works = slip(
         now.contact, run, rolling.resisting, rolling.inertia, case.loads.speed, friction, case.follower.roller
     )
@@ -66,7 +66,7 @@ def _slip(case: Case, rolling: Rolling | None, now: State, run: Values) -> Value
 
 def _stress(case: Case, now: State, kappa: Values, touching: Mask) -> Values | None:
     """sigma_H at the rows; None without its data or with a cusp."""
-    width, modulus = case.needs.width, case.needs.modulus
+    width, modulus = case.task.requirements.width, case.task.requirements.modulus
     if width is None or case.cusped or not (case.flat or case.follower.roller):
         return None
     if case.flat:

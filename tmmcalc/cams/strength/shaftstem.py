@@ -28,7 +28,7 @@ STIFFNESS = "r1 >= (R l_s^3/(12 pi E [Delta]))^(1/4) (5.78)"
 
 def shaft_of(case: Case) -> ShaftFound | None:
     """Radii by strength and stiffness; None without data."""
-    needs = case.needs
+    needs = case.task.requirements
     if needs.span is None or (needs.bending is None and needs.deflection is None):
         return None
     moment = rubbed = phi = strength = stiffness = None
@@ -44,7 +44,7 @@ def shaft_of(case: Case) -> ShaftFound | None:
 
 def _moment(case: Case, *, rubbed: bool = False) -> TurnExtremes:
     """M_E over the turn: extremes of its square, which is smooth."""
-    now, needs = case.course.state, case.needs
+    now, needs = case.course.state, case.task.requirements
     torque = now.driving if rubbed else now.torque
     found = case.over((now.contact * ((needs.span or 0.0) / 4)) ** 2 + needs.torsion * torque * torque)
     return TurnExtremes(sqrt(max(found.least, 0.0)), found.least_phi, sqrt(found.largest), found.largest_phi)
@@ -102,7 +102,7 @@ def stem_margins(case: Case) -> Iterator[Margin]:
     moment = "R S'" if case.flat else "R sin(theta) q"
     formula = f"{moment}/W <= [sigma_F], W = pi r_T^3/4 (5.79)"
     pressed = "N1/(2 l_H r_T) <= [sigma_cm]"
-    guide, needs, now = case.task.guide, case.needs, case.course.state
+    guide, needs, now = case.task.guide, case.task.requirements, case.course.state
     if case.course.carried.guide is None:
         why = "a rocker has none" if case.follower.kind == "oscillating" else "give top or length in [cam.guide]"
         yield Margin("bending of the stem", 7, OPEN, formula, why=why)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import degrees
+from typing import TYPE_CHECKING
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.results import CamForces
@@ -21,6 +22,9 @@ from tmmcalc.cams.strength.rows import rows_of
 from tmmcalc.cams.strength.shaftstem import shaft_margins, shaft_of, stem_margins
 from tmmcalc.cams.task import CamTask
 
+if TYPE_CHECKING:
+    from tmmcalc.machine.motion import Motion
+
 FAULTS = {  # the gravest first
     "undercut": "the profile is undercut, or nearly so",
     "tool_interference": "the tool is too large",
@@ -29,13 +33,16 @@ FAULTS = {  # the gravest first
 }
 
 
-def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None = None) -> CamStrength:
-    """All requirements of a follower on its cam; ``forces`` are those of the same task, if they are known.
+def solve_strength(
+    task: CamTask, follower: Follower, cam_forces: CamForces | None = None, motion: Motion | None = None
+) -> CamStrength:
+    """All requirements of a follower on its cam, at the speed of the machine if it is known.
 
-    Raises what `solve_forces` raises.
+    ``cam_forces`` are the forces of the same task, if they are known. Raises what `solve_forces` raises.
     """
+    task = task.at_speed(motion)
     loads = loads_of(task, "cam_strength")
-    spring = forces.spring if forces else solve_spring(task, loads)
+    spring = cam_forces.spring if cam_forces else solve_spring(task, loads)
     case = case_of(task, follower, loads, turn_forces(task, follower, loads, spring))
     unit, shaft = roller_unit(case), shaft_of(case)
     rolling = rolling_of(case, unit)
@@ -47,7 +54,7 @@ def solve_strength(task: CamTask, follower: Follower, forces: CamForces | None =
         *stem_margins(case),
         contact_margin(case),
     )
-    rows = forces.positions if forces else task.positions
+    rows = cam_forces.positions if cam_forces else task.positions
     points = at_rows(task, loads, rows)
     now = state(case.course.carried, points)
     found = rows_of(case, rolling, points, now)
@@ -106,9 +113,9 @@ def _notes(case: Case, margins: tuple[Margin, ...], rolling: Rolling | None, sha
 
 def _shaft_notes(case: Case, shaft: ShaftFound | None) -> Iterator[str]:
     """What friction adds to the torque, where that asks for a thicker shaft."""
-    if shaft is None or shaft.moment_rubbed is None or case.needs.bending is None:
+    if shaft is None or shaft.moment_rubbed is None or case.task.requirements.bending is None:
         return
-    radius = float(whole(shaft_by_strength(shaft.moment_rubbed, case.needs.bending)))
+    radius = float(whole(shaft_by_strength(shaft.moment_rubbed, case.task.requirements.bending)))
     if radius > shaft.radius:
         yield (
             f"note: with the torque that friction adds M_E reaches {shaft.moment_rubbed:.6g} N*m, which asks for "

@@ -1,6 +1,7 @@
 """``[cam]``: a disk cam and its follower: the motion, the sizes that are given, what it carries."""
 
 import math
+from fractions import Fraction
 from typing import Annotated
 
 from pydantic import Field
@@ -17,12 +18,14 @@ from tmmcalc.cams.tables.cam_parts import (
     Distance,
     Size,
 )
-from tmmcalc.spec.choices import Known, Whole, Within
+from tmmcalc.spec.choices import Exact, Known, Whole, Within
 from tmmcalc.spec.quantities import Quantity
 from tmmcalc.spec.table import Table
 
 FOLLOWERS = ("translating", "oscillating", "flat")
 CLOSURES = ("force", "groove")
+SHAFTS = ("crank", "motor")
+MOST_TURNS = 12  # of the crank until a cam on a shaft of the machine repeats
 _ANGLE = ("angle", "deg", math.pi / 180)
 _POSITIVE = {"at_least_zero": True, "nonzero": True}
 
@@ -35,10 +38,21 @@ Speed = Annotated[float, Quantity("angular speed", **_POSITIVE)]
 PhaseAngle = Annotated[float, Quantity("angle", **_POSITIVE)]
 Dwell = Annotated[float, Quantity("angle", at_least_zero=True)]
 SwingAngle = Annotated[float, Within(*_ANGLE, 1e-3, 179.999)]
-CrankAngle = Annotated[float, Within(*_ANGLE, 0, 360)]
+CrankAngle = Annotated[float, Within(*_ANGLE, 0, 360 * MOST_TURNS)]
+Shaft = Annotated[str, Known("shaft of the machine", SHAFTS)]
+Ratio = Annotated[Fraction, Exact("a ratio of speeds", "0.5", above=0)]
 Offset = Annotated[float, Within("length", "mm", 1e-3, -1e5, 1e5, bare=2.0)]
 Steps = Annotated[int, Whole("a number of steps", 2, 100_000)]
 Step = Annotated[float, Within(*_ANGLE, 1e-3, 90)]
+
+
+def closed_ratio(ratio: Fraction, gears: float) -> Fraction:
+    """The ratio of a cam behind gears of a ratio, as the nearest quotient that closes in a few turns of the crank.
+
+    >>> closed_ratio(Fraction(1, 3), 18.0)
+    Fraction(6, 1)
+    """
+    return (ratio * Fraction(gears)).limit_denominator(MOST_TURNS)
 
 
 class CamTable(Table):
@@ -63,9 +77,21 @@ class CamTable(Table):
         "Without one the cam turns with the crank, and where the spec has a motor its forces take the "
         "speed that the stage `motion` finds.",
     )
+    shaft: Shaft | None = Field(
+        default=None,
+        description='Shaft of the machine that drives the cam, which then loads it: `"crank"`, also the shaft of '
+        '`[torque]`, or `"motor"`, before the gears, reduced by their ratio alone as its rotor is. The stages from '
+        "`reduction` on include the follower's inertia, spring, weight, forces and friction "
+        "(default: the machine does not feel the cam).",
+    )
+    ratio: Ratio = Field(
+        default=Fraction(1),
+        description='Speed of the cam over that of its `shaft`: `0.5` of a four-stroke engine, `"1/3"`. The cycle of '
+        f"the machine gets as long as the cam needs to repeat, up to {MOST_TURNS} turns of the crank.",
+    )
     crank_angle: CrankAngle = Field(
         default=0.0,
-        description="Angle of the crank from position 0 at which the rise begins, where the cam turns with it.",
+        description="Phase: angle of the crank from position 0 at which the rise begins, where the cam turns with it.",
     )
     rise: PhaseAngle = Field(description="Angle of the cam during the rise.")
     high_dwell: Dwell = Field(default=0.0, description="Angle of the cam while the follower rests at the top.")

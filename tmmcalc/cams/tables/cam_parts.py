@@ -1,7 +1,7 @@
 """The tables in ``[cam]``: limits, loads, spring, guide, requirements, search for the best, elastic follower."""
 
 import math
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
@@ -75,7 +75,8 @@ class ForceTable(Table):
     phi: list[Place] | None = Field(
         default=None,
         min_length=2,
-        description="Angles from the start of the rise, ascending (default: n values are n equal steps).",
+        description="Angles from the start of the rise, ascending; two equal ones are a jump (default: n values are n "
+        "equal steps).",
     )
     force: list[Load] | None = Field(
         default=None, min_length=2, description="Force at each angle, straight lines between, repeated every turn."
@@ -85,6 +86,11 @@ class ForceTable(Table):
         default=None,
         description='CSV file in place of the values, `{ file = "q.csv" }`: two columns under a header such as '
         "`phi[deg],Q[N]`; its path counts from the folder of the spec.",
+    )
+    columns: str | None = Field(
+        default=None,
+        description="Columns of a file that has more than two: of the values, or of both, as `--columns` names them, "
+        '`"phi,Q"`.',
     )
 
 
@@ -125,6 +131,9 @@ class CamLoadsTable(Table):
     )
 
 
+DeadCoils = Annotated[float, Number("a number of coils", "2", at_least=0, at_most=20)]
+
+
 class CamSpringTable(Table):
     """The spring that keeps the follower on the cam: sized, or given."""
 
@@ -163,6 +172,12 @@ class CamSpringTable(Table):
     )
     coil: Size | None = Field(default=None, description="Mean diameter of the coils.")
     shear_modulus: Stress = Field(default=8e10, description="Shear modulus of the wire.")
+    shear_stress: Stress | None = Field(
+        default=None,
+        description="Allowed shear stress of the wire: wire, coils and height of the springs that have it at the "
+        "highest position follow, for D/d from 4 to 16; not of a rocker.",
+    )
+    dead_coils: DeadCoils = Field(default=2.0, description="Coils at the ends that do not work, of these springs.")
 
 
 class CamGuideTable(Table):
@@ -175,12 +190,31 @@ class CamGuideTable(Table):
     land: Size | None = Field(default=None, description="l_H: length of each of the two ground lands of the stem.")
 
 
+class CamMaterialTable(Table):
+    """The steel of the softer one of cam and roller."""
+
+    treatment: Literal[
+        "annealed", "normalised", "improved", "surface-hardened", "carburised", "nitrocarburised", "nitrided"
+    ] = Field(
+        description='Heat treatment: `"annealed"`, `"normalised"`, `"improved"`, `"surface-hardened"`, `"carburised"`, '
+        '`"nitrocarburised"`, `"nitrided"`.',
+    )
+    hardness: str = Field(description='Hardness of the surface: `"300 HB"`, `"52 HRC"`, `"750 HV"`.')
+    failure: Literal["ordinary", "severe"] = Field(
+        default="ordinary", description='Consequences of a failure: `"ordinary"` or `"severe"`.'
+    )
+
+
 class CamRequirementsTable(Table):
     """Data of slip, shaft, stem, pin and contact; what is not said is not judged."""
 
     width: Size | None = Field(default=None, description="b: length of the line of contact.")
     modulus: Stress = Field(default=2e11, description="E_n: reduced modulus of elasticity of cam and roller.")
-    contact: Stress | None = Field(default=None, description="Allowed contact stress.")
+    contact: Stress | None = Field(default=None, description="Allowed contact stress; or `material`.")
+    material: CamMaterialTable | None = Field(
+        default=None,
+        description="The steel whose allowed contact stress it is, sigma_Hlim/S_H of the tables of gears.",
+    )
     rolling_arm: Distance | None = Field(
         default=None, description="k: arm of the rolling resistance of the roller that shall not slip."
     )

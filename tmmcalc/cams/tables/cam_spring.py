@@ -11,7 +11,7 @@ SPRING_KEYS = {
     "preload": ("deflection", "least_contact"),
     "none": (),
 }
-WIRE_KEYS = ("wire", "coil", "shear_modulus")
+WIRE_KEYS = ("wire", "coil", "shear_modulus", "shear_stress", "dead_coils")
 
 
 def spring_method(keys: Container[str]) -> str:

@@ -7,13 +7,14 @@ from tmmcalc.cli.options import Format
 from tmmcalc.report.document import Document
 
 
-@of_stage("cam_pressure", "synthesis of the cam")
+@of_stage("cam_pressure", "synthesis of the cam", found="cam_synthesis")
 def command(solved: Solved) -> Document:
     """Sizes of the cam by its pressure angle, textbook and exact optimum side by side; the roller; the angle over phi.
 
     --format csv prints the pressure angle at all positions, json and toml the admissible region of the axis as well.
+    --spec writes the spec with the sizes that were found.
 
-    Example: tmmcalc cam synth my.toml
+    Example: tmmcalc cam synth my.toml --spec sized.toml
     """
     from tmmcalc.cams.facts.cam_pressure import document as pressure_document
     from tmmcalc.cams.facts.cam_synthesis import document as synthesis_document

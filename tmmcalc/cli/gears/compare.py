@@ -10,7 +10,7 @@ from tmmcalc.cli.job import Solved, of_stage
 from tmmcalc.report.document import Document
 
 
-@of_stage("criteria", "comparison of gears")
+@of_stage("criteria", "comparison of gears", found="criteria", several=True)
 def command(
     solved: Solved,
     rows: Annotated[
@@ -19,7 +19,8 @@ def command(
 ) -> Document:
     """Mass, inertia, size and efficiency of all trains that are strong enough; Pareto front, minima, the best train.
 
-    The table shows the Pareto front; --format csv, json or toml prints all trains.
+    The table shows the Pareto front; --format csv, json or toml prints all trains. --spec writes the spec with the
+    teeth of the best train, or of the one that --choose names by its row i in criteria.csv.
 
     Example: tmmcalc gears compare my.toml
     """

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from tmmcalc.cli.gears.drawn import length_of
-from tmmcalc.cli.gears.known import check_pair
+from tmmcalc.cli.gears.known import Row, check_pair, of_pairs
 from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.output import title
@@ -21,6 +21,7 @@ def command(
         str | None,
         typer.Option("--pair", metavar="NAME", help="This pair alone, where there are several.", show_default=False),
     ] = None,
+    choose: Row = None,
     wheel: Annotated[
         str | None, typer.Option("--wheel", metavar="NAME", help="This wheel alone.", show_default=False)
     ] = None,
@@ -46,7 +47,7 @@ def command(
     """
     diameter = None if ball is None else length_of(ball, "--ball", "8.5 mm")
     radii = [length_of(text, "--radius", "67 mm") for text in radius or ()]
-    scene = job.spec()
+    job, scene = of_pairs(job, job.spec(), choose)
     check_pair(scene, pair)
     run = job.run(scene, "pair")
     from tmmcalc.gears.facts.measure import measure_document

@@ -7,22 +7,25 @@ from typing import Annotated
 import typer
 
 from tmmcalc.cli.gears.drawn import length_of
-from tmmcalc.cli.gears.known import check_pair
-from tmmcalc.cli.job import Solved, of_stage
-from tmmcalc.report.document import Document
+from tmmcalc.cli.gears.known import Row, check_pair, of_pairs
+from tmmcalc.cli.job import Job, with_flags
+from tmmcalc.cli.options import Form, Format
+from tmmcalc.cli.output import title
 
 
 def _length(text: str) -> float:
     return length_of(text, "--sliding-step", "2 mm")
 
 
-@of_stage("pair", "pairs of gears", check_pair)
+@with_flags
 def command(
-    solved: Solved,
+    job: Job,
+    form: Form = Format.table,
     pair: Annotated[
         str | None,
         typer.Option("--pair", metavar="NAME", help="This pair alone, where there are several.", show_default=False),
     ] = None,
+    choose: Row = None,
     step: Annotated[
         float | None,
         typer.Option(
@@ -33,7 +36,7 @@ def command(
             show_default=False,
         ),
     ] = None,
-) -> Document:
+) -> None:
     """Pairs of gears: shifts, centre distance, radii, contact ratios, sliding; every condition with its margin.
 
     Of a [train] every mesh of the tooth set that was chosen. The table shows the radii; --format csv prints the
@@ -42,6 +45,10 @@ def command(
 
     Example: tmmcalc gears pair my.toml --pair 1-2 --sliding-step '2 mm'
     """
+    job, scene = of_pairs(job, job.spec(), choose)
+    check_pair(scene, pair)
+    run = job.run(scene, "pair")
     from tmmcalc.gears.facts.pair import chosen_pairs, document
 
-    return document(chosen_pairs(solved.result, pair), solved.title, everything=solved.everything, step=step)
+    result, heading = chosen_pairs(run.results["pair"], pair), title(scene, job.file, "pairs of gears")
+    job.finish(document(result, heading, everything=form is not Format.table, step=step), run, form)

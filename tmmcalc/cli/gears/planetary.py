@@ -6,25 +6,30 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from tmmcalc.cli.gears.known import Row, of_row
 from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.output import title
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
+    from tmmcalc.gears.facts.planetary import ChosenTrain
     from tmmcalc.pipeline.outcome import RunResult
     from tmmcalc.project import Spec
     from tmmcalc.report.document import Document
+
+SOURCES = {
+    "given": "as [strength] gives it",
+    "moment": "of the moment that [strength] gives",
+    "reduction": "of the largest reduced moment of the machine",
+}
 
 
 @with_flags
 def command(
     job: Job,
     form: Form = Format.table,
-    choose: Annotated[
-        int,
-        typer.Option("--choose", metavar="N", min=1, help="Of a [train]: which tooth set, as gears synth lists them."),
-    ] = 1,
+    choose: Row = None,
     power: Annotated[bool, typer.Option("--power/--kinematic", help="Of a [train]: what the drive is for.")] = True,
     internal: Annotated[
         bool, typer.Option("--internal/--external", help="Of a [train]: whether internal wheels can be cut.")
@@ -33,7 +38,8 @@ def command(
     """Any train: exact ratios, speeds, torques, power flow, efficiency both ways.
 
     Of a [gearing] all of it. Of a [train] the types that suit its ratio, how many planets go in, and the motion of
-    one of its tooth sets.
+    the one that gears compare chooses, at the speed of its motor and under the torque of its teeth; without [strength]
+    of one of its tooth sets, the first if none is asked for.
 
     Example: tmmcalc gears planetary my.toml --choose 2
     """
@@ -44,20 +50,50 @@ def command(
             where="gears planetary",
             remedy="write the train out in [gearing], or ask for tooth numbers in [train]",
         )
-    run = job.run(scene, "gearing" if scene.gearing is not None else "train")
+    if scene.gearing is not None:
+        run = job.run(scene, "gearing")
+    else:
+        job, scene = of_row(job, scene, choose)
+        run = job.run(scene, _target(scene))
     job.finish(_printed(run, scene, title(scene, job.file, "gears"), choose, power, internal, form), run, form)
 
 
+def _target(scene: Spec) -> str:
+    """The stage that tells most of the train: the motor that drives it, its choice, or its tooth sets alone."""
+    from tmmcalc.core.plan import plan
+
+    running = plan(scene).running
+    wanted = ("power", "criteria") if scene.motor is not None else ("criteria",)
+    return next((stage for stage in wanted if stage in running and "criteria" in running), "train")
+
+
 def _printed(
-    run: RunResult, scene: Spec, heading: str, choose: int, power: bool, internal: bool, form: Format
+    run: RunResult, scene: Spec, heading: str, choose: int | None, power: bool, internal: bool, form: Format
 ) -> Document:
     if scene.gearing is not None:
         from tmmcalc.gears.facts.gearing import document as gearing_document
 
-        return gearing_document(run.results["gearing"], heading)
+        return gearing_document(run.results["gearing"], heading, everything=form is not Format.table)
     from tmmcalc.gears.facts.planetary import planetary_document
 
     assert scene.train is not None
-    speed = scene.train.input_speed
+    chosen = _chosen(run, scene) if "criteria" in run.outcomes else None
     asked = {"power": power, "internal": internal, "everything": form is not Format.table}
-    return planetary_document(run.results["train"], heading, speed, choose=choose, **asked)
+    speed = scene.train.input_speed
+    return planetary_document(run.results["train"], heading, speed, choose=choose or 1, chosen=chosen, **asked)
+
+
+def _chosen(run: RunResult, scene: Spec) -> ChosenTrain:
+    """The train that was chosen, with the torque that its teeth are sized for and the speed of its motor."""
+    from tmmcalc.gears.facts.planetary import ChosenTrain
+    from tmmcalc.gears.tables.tasks.sizing import to_selection
+
+    assert scene.train is not None
+    selection, duty = run.results["criteria"], run.results["power"].duty if "power" in run.outcomes else None
+    torque = run.results["strength"].variants[selection.winner.variant].torque
+    source = SOURCES[torque.source]
+    speed, driven = scene.train.input_speed, "at input_speed"
+    if duty is not None:
+        speed, driven = duty.motor.speed, f"at the rated {duty.motor.rated_rpm:.6g} rpm of motor {duty.motor.name}"
+    meshes = to_selection(scene).meshes
+    return ChosenTrain(selection, meshes, torque.value, source, speed, driven if speed is not None else "")

@@ -220,7 +220,8 @@ def _refined(mesh: Panels, rough: NDArray[np.bool_], look: _Look, fixed: Values)
             cuts.append(bent)
         else:
             cuts.append(low + (high - low) * 0.5 ** np.arange(1, max(int(np.ceil(count)), 1) + 1))
-    return Panels(np.sort(np.concatenate((mesh.edges[stays], *cuts))), mesh.order)
+    # several bends may stand at one place
+    return Panels(np.unique(np.concatenate((mesh.edges[stays], *cuts))), mesh.order)
 
 
 def _moved(scheme: Radau, mesh: Panels, state: State, finer: Panels) -> State:

@@ -73,7 +73,10 @@ def _one_pass(f: Problems, centre: Values, radius: Values, which: Indices) -> tu
 
     at = np.where(slopes[:, NODES // 2] == 0, 0.0, np.where(np.abs(slopes[:, 0]) < np.abs(slopes[:, -1]), -1.0, 1.0))
     rows = np.flatnonzero(inside)
-    at[rows] = bracketed(lambda s, k: slope(s, rows[k]), t[cell[rows]], t[cell[rows] + 1], absolute=1e-16)
+    low, high = t[cell[rows]], t[cell[rows] + 1]
+    below, above = slopes[rows, cell[rows]], slopes[rows, cell[rows] + 1]
+    first = low + (high - low) * below / np.where(below == above, 1.0, below - above)
+    at[rows] = bracketed(lambda s, k: slope(s, rows[k]), low, high, absolute=1e-16, known=(below, above, first))
     coefficients = np.abs(values @ to_coefficients.T)
     resolved = coefficients[:, -3:].max(axis=1) <= RESOLVED * coefficients.max(axis=1)
     return centre + radius * at, _interpolate(values, at, t, weights), resolved

@@ -158,11 +158,12 @@ def _chain(last: Values) -> Values:
     ``last`` (K, m, 1 + m) holds the constant and the matrix of each panel.
     """
     count, m, _ = last.shape
-    steps = np.zeros((count, 1 + m, 1 + m))
-    steps[:, 0, 0] = 1.0
-    steps[:, 1:] = last
-    chain = np.empty((count + 1, 1 + m, 1 + m))
+    chain = np.zeros((count + 1, 1 + m, 1 + m))
     chain[0] = np.eye(1 + m)
-    for k in range(count):
-        np.dot(steps[k], chain[k], out=chain[k + 1])
+    chain[1:, 0, 0] = 1.0
+    chain[1:, 1:] = last
+    reach = 1  # every map takes the one before it as well, then the two before these, the four ...
+    while reach < count:
+        chain[1 + reach :] = chain[1 + reach :] @ chain[1:-reach]
+        reach *= 2
     return chain

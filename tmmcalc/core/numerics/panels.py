@@ -18,6 +18,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.errors import AccuracyError
 from tmmcalc.core.numerics.gauss import ORDER, legendre, rule, tail
 from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.records import record
@@ -28,8 +29,25 @@ Extreme = tuple[float, float]  # value and place
 WIDEST = np.pi / 6  # of a first panel, in the variable's unit
 NARROWEST = 2.0**-24  # of the whole range: a panel is not halved below it
 PASSES = 40
+LAID = 1 << 16  # first panels of a range, at most
+MOST = 1 << 14  # panels that halving may add to them: what changes faster cannot be followed in reasonable time
 NEWTON = 4  # steps to an extreme
 SLOWEST = 0.25  # fall of the coefficients of a kink, which go with the square of the degree
+
+
+class UnresolvedError(AccuracyError):
+    """A function that `MOST` panels do not resolve: it turns ``turns`` times or more, most densely near ``at``."""
+
+    def __init__(self, turns: int, at: float) -> None:
+        self.turns = turns
+        self.at = at
+        super().__init__(
+            f"a function changes its sense {turns} times or more over its range, most densely near {at:.6g}: "
+            f"{MOST} panels do not resolve it",
+            value=turns,
+            limit=MOST,
+            remedy="make what changes so fast smoother, or take it as its mean value",
+        )
 
 
 @record
@@ -188,14 +206,29 @@ class Panels:
 def panels(low: float, high: float, breaks: Iterable[float] = (), widest: float = WIDEST) -> Panels:
     """Panels of [low, high] with an edge at every break inside it, none wider than ``widest``.
 
-    Breaks nearer to each other than the narrowest panel count as one.
+    Breaks nearer to each other than the narrowest panel count as one. Raises `AccuracyError` for more than `LAID` of
+    them, and for a range of more than `LAID` times the widest panel.
     """
+    if not (high - low) / widest <= LAID:
+        raise AccuracyError(
+            f"a range of {high - low:.6g} in panels of {widest:.6g} at most takes more than {LAID} of them",
+            value=(high - low) / widest,
+            limit=LAID,
+            remedy="ask for a shorter range, or for scales that are nearer to each other",
+        )
     least = NARROWEST * (high - low)
     edges = [low]
     for b in sorted(b for b in breaks if low + least < b < high - least):
         if b - edges[-1] > least:
             edges.append(b)
     edges.append(high)
+    if len(edges) > LAID:
+        raise AccuracyError(
+            f"a function has {len(edges) - 2} jumps and kinks over its range, which take a panel each",
+            value=len(edges) - 2,
+            limit=LAID,
+            remedy="thin out the table or the pieces that it is given by",
+        )
     parts = [_parts(a, b, widest) for a, b in pairwise(edges)]
     return Panels(np.append(np.concatenate(parts), high))
 
@@ -213,7 +246,8 @@ def resolved(
 
     Returns the panels, the values (F, K, N) and the largest tail left, each in proportion to the width of its panel
     and relative to ``scale`` (F,), by default the largest value of the function. A panel at the narrowest width
-    is left as it is: it holds a jump that no edge marks.
+    is left as it is: it holds a jump that no edge marks. Raises `UnresolvedError` where this takes more than `MOST`
+    panels.
     """
     now, values = first, _sampled(f, first)
     span = float(np.max(first.width))
@@ -225,6 +259,8 @@ def resolved(
         rough = (left > tolerance) & (now.width > NARROWEST * (now.edges[-1] - now.edges[0]))
         if not rough.any():
             break
+        if now.count + np.count_nonzero(rough) > first.count + MOST:
+            raise unresolved(now, values)
         finer = now.split(rough)
         kept = np.repeat(~rough, np.where(rough, 2, 1))
         fresh = f(finer.x[~kept].ravel())
@@ -233,6 +269,15 @@ def resolved(
         grown[:, ~kept] = fresh.reshape(len(values), -1, now.order)
         now, values = finer, grown
     return now, values, float(np.max(left))
+
+
+def unresolved(on: Panels, values: Values) -> UnresolvedError:
+    """What is to be said of functions (F, K, N) that turn more often than can be followed."""
+    steps = np.diff(values.reshape(len(values), -1), axis=1)
+    turns = np.signbit(steps[:, 1:]) != np.signbit(steps[:, :-1])
+    worst = int(np.argmax(np.count_nonzero(turns, axis=1)))
+    most = int(np.count_nonzero(turns[worst]))
+    return UnresolvedError(most, float(on.edges[np.argmin(on.width)]))
 
 
 def _sampled(f: Callable[[Values], Values], at: Panels) -> Values:

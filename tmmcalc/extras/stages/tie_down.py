@@ -10,6 +10,7 @@ from tmmcalc.extras.tie_down import TieDown, solve_tie_down
 inputs = to_tie_down
 solve = solve_tie_down
 kind = TieDown
+columns = "tmmcalc.extras.columns:tie_down_columns"
 
 
 def errors(result: TieDown) -> dict[str, Any]:

@@ -19,6 +19,8 @@ Elevation = Annotated[float, Within(*_ANGLE, 0, 89)]
 Base = Annotated[float, Quantity("length", **_POSITIVE)]
 Arm = Annotated[float, Quantity("length", at_least_zero=True)]
 Moment = Annotated[float, Quantity("moment", **_POSITIVE)]
+Section = Annotated[float, Quantity("area", **_POSITIVE)]
+Stress = Annotated[float, Quantity("pressure", **_POSITIVE)]
 Sharp = Annotated[float, Within(*_ANGLE, 0, 44)]
 
 
@@ -53,6 +55,10 @@ class TieDownTable(Table):
     preload: OwnWeight | None = Field(
         default=None,
         description="P0: preload to which each of the four ties is tightened (default: 0); or `[tie_down.thread]`.",
+    )
+    section: Section | None = Field(default=None, description="Section of a tie, which gives its stress.")
+    strength: Stress | None = Field(
+        default=None, description="Yield stress of a tie, with `section`: its safety, and from which k on it yields."
     )
     thread: ThreadTable | None = Field(default=None, description="The thread that gives the preload.")
     support: SupportTable | None = Field(default=None, description="A sliding support that carries a part of the load.")

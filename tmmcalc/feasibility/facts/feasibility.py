@@ -9,6 +9,8 @@ from tmmcalc.feasibility.judge import Candidate, Feasibility, Verdict
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
+TRUTH = "given truth"  # the quantity of a constraint whose truth is given
+
 
 def document(result: Feasibility, title: str) -> Document:
     """One row a constraint, a warning for each that fails; of several designs a second table."""
@@ -58,7 +60,7 @@ def _count(result: Feasibility) -> Fact:
 
 def _verdict_fact(verdict: Verdict) -> Fact:
     values = keyed(verdict, "value", "unit", "margin", "holds")
-    text = f"{measured(verdict)}, {' and '.join(limits_in_words(verdict))}: {'holds' if verdict.holds else 'fails'}"
+    text = f"{', '.join([measured(verdict), *_limits(verdict)])}: {'holds' if verdict.holds else 'fails'}"
     return Fact(verdict.name, text, {f"constraint_{verdict.name}": values})
 
 
@@ -104,16 +106,25 @@ def _notes(result: Feasibility) -> tuple[str, ...]:
 
 def _words(verdict: Verdict) -> str:
     state = "must not hold" if verdict.holds else "asked"
-    return f"{verdict.name}: {measured(verdict)}; {state}: {' and '.join(limits_in_words(verdict))}"
+    return f"{verdict.name}: {measured(verdict)}; {': '.join([state, *_limits(verdict)])}"
+
+
+def _limits(verdict: Verdict) -> list[str]:
+    """The limits in one text, if there are any: a truth has none."""
+    return [" and ".join(words)] if (words := limits_in_words(verdict)) else []
 
 
 def measured(verdict: Verdict) -> str:
     """The quantity with its value: ``kinematics stroke_D is 0.658 m``."""
+    if verdict.quantity == TRUTH:
+        return f"given as {str(verdict.value > 0).lower()}"
     return f"{verdict.quantity} is {number(verdict.value)} {verdict.unit}".rstrip()
 
 
 def limits_in_words(verdict: Verdict) -> list[str]:
     """The limits that there are: ``at most 2 m/s``."""
+    if verdict.quantity == TRUTH:
+        return []
     pairs = (("at least", verdict.at_least), ("at most", verdict.at_most))
     return [f"{word} {number(limit)} {verdict.unit}".rstrip() for word, limit in pairs if limit is not None]
 

@@ -14,6 +14,7 @@ from tmmcalc.core.errors import NoSolutionError, TmmError
 from tmmcalc.core.stage import Another
 from tmmcalc.feasibility.judge import Candidate, Feasibility, FeasibilityTask
 from tmmcalc.feasibility.stages.judged import judged
+from tmmcalc.spec.naming import ANY
 
 
 def judge_designs(task: FeasibilityTask, upstream: Mapping[str, Any], another: Another) -> Feasibility:
@@ -54,5 +55,6 @@ def _rank(candidate: Candidate) -> tuple[int, float]:
 
 def of_ready(task: FeasibilityTask, design: Any, own: Mapping[str, Any], another: Another) -> Mapping[str, Any]:
     """Results of the ready spec of a solution for stages that constraints ask about and the scene itself has not."""
-    asked = [name for name in dict.fromkeys(each.stage for each in task.constraints) if name not in own]
+    known = {"", ANY, *own}
+    asked = [name for name in dict.fromkeys(each.stage for each in task.constraints) if name not in known]
     return another(design.spec, asked) if asked else {}

@@ -28,7 +28,8 @@ PARTS = (0.4, 0.6, 0.8, 1.0)  # of the largest number of teeth
 
 def studies(scene: Scene) -> Iterator[Study]:
     """The ratio of every layout that has tooth sets at all."""
-    for request in scene.inputs.requests:
+    for asked in scene.inputs.requests:
+        request = replace(asked, task=replace(asked.task, teeth=None))  # of given ones there is nothing to seek
         best = _deviation(request, _complete(request))
         if best is None:
             continue

@@ -10,7 +10,8 @@ from typing import TypeVar
 
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.records import record
-from tmmcalc.gears.criteria.choice import OBJECTIVES, Measured, least
+from tmmcalc.gears.criteria.choice import least
+from tmmcalc.gears.criteria.objectives import OBJECTIVES, Measured
 
 Option = TypeVar("Option", int, str)
 

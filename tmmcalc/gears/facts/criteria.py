@@ -6,9 +6,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from tmmcalc.core.quantity import keyed
-from tmmcalc.gears.criteria.choice import OBJECTIVES, Reason
+from tmmcalc.core.quantity import Quantity, keyed, quantity_of
+from tmmcalc.gears.criteria.choice import Reason
 from tmmcalc.gears.criteria.comparison import Comparison
+from tmmcalc.gears.criteria.objectives import OBJECTIVES
 from tmmcalc.gears.selection.columns import YES, chosen_columns, pair_columns
 from tmmcalc.gears.selection.results import Guide, Selection, SeriesChoice, Weighed
 from tmmcalc.gears.selection.series import SERIES
@@ -20,6 +21,9 @@ from tmmcalc.report.sizes import drawn, lengths, plain, quantity
 ROWS, FEW = 20, 5  # rows of the table; of the summary of a whole run
 BEST = 3  # trains of the ranking that are named
 DIGITS = 5
+
+CRITERION = Quantity("{criterion}[{unit}]", "criterion of a train")
+EXTREME = Quantity("best_{criterion}[{unit}]", "best value of a criterion among all trains")
 
 
 def summary(result: Selection, title: str) -> Document:
@@ -59,6 +63,11 @@ def _value(key: str, value: float) -> str:
     return quantity(value, OBJECTIVES[key].unit, DIGITS)
 
 
+def _key(criterion: str, told: Quantity = CRITERION) -> str:
+    """The key of a criterion for programs."""
+    return told.of(criterion=criterion, unit=OBJECTIVES[criterion].unit.removesuffix("-")).key
+
+
 def _called(key: str) -> str:
     return key.replace("_", " ")
 
@@ -84,7 +93,7 @@ def _winner_facts(result: Selection) -> Iterator[Fact]:
     yield Fact("best train", text, values)
     yield Fact("because", _because(result), {"choose": result.choose})
     criteria = [f"{_called(key)} {_value(key, best.values[key])}" for key in OBJECTIVES if key != "width_deviation"]
-    yield Fact("its criteria", ", ".join(criteria), {key: best.values[key] for key in OBJECTIVES})
+    yield Fact("its criteria", ", ".join(criteria), {_key(key): best.values[key] for key in OBJECTIVES})
     exact = f" = {best.ratio}" if best.ratio.denominator > 1 else ""
     values = {"ratio": float(best.ratio), "ratio_exact": str(best.ratio)}
     yield Fact("its ratio", f"{number(float(best.ratio), 10)}{exact}", values)
@@ -119,7 +128,7 @@ def _minimum_facts(result: Selection, columns: dict[str, np.ndarray]) -> Iterato
     for reason in result.minima:
         key = reason.criterion
         text = f"{_value(key, reason.value)}: {_train(columns, reason.winner)}{_tied(reason)}"
-        values = {f"best_{key}": reason.value, f"best_{key}_row": reason.winner + 1}
+        values = {_key(key, EXTREME): reason.value, f"best_{key}_row": reason.winner + 1}
         yield Fact(f"{_extreme(key)} {_called(key)}", text, values)
 
 
@@ -162,7 +171,7 @@ def _comparison_facts(what: str, compared: Sequence[Comparison]) -> Iterator[Fac
         best = {str(option.option): option.values.get(key) for option in each.options}
         told = ", ".join(f"{name}: {'none' if v is None else _value(key, v)}" for name, v in best.items())
         lines.append(f"{_called(key)} - {told}; best {each.winner}")
-        values[key] = {"best": each.winner, **{name: v for name, v in best.items() if v is not None}}
+        values[_key(key)] = {"best": each.winner, **{name: v for name, v in best.items() if v is not None}}
     yield Fact(what, "\n".join(lines), {f"by_{what}": values})
 
 
@@ -196,7 +205,8 @@ def _pair_facts(pairs: SeriesChoice) -> Iterator[Fact]:
     text = f"{SERIES}, each of i_1H near {number(float(pairs.single), DIGITS)}, {pairs.planets} planets\n"
     text += f"{one} and {two} trains, {pairs.admitted} of {pairs.tried} pairs within the tolerance\n"
     text += ", ".join(f"{_extreme(key)} {_called(key)} {_value(key, value)}" for key, value in pairs.best.items())
-    yield Fact("two in series", text, keyed(pairs, "admitted", "tried", "best"))
+    best = {quantity_of(SeriesChoice, "best").key: {_key(key): value for key, value in pairs.best.items()}}
+    yield Fact("two in series", text, keyed(pairs, "admitted", "tried") | best)
 
 
 def _pair_documents(pairs: SeriesChoice, rows: int) -> Iterator[Document]:

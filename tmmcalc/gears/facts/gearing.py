@@ -21,11 +21,11 @@ NOISE = 1e-10  # part of the power put in: what is below it is the rounding of t
 LONGEST = 24  # characters of a fraction that is printed; longer ones go to programs alone
 
 
-def summary(result: Gearing, title: str) -> Document:
-    """Facts and the table of members."""
+def summary(result: Gearing, title: str, people: bool = False) -> Document:
+    """Facts and the table of members, for people with their speeds in rpm."""
     facts = (*_train_facts(result), *_ratio_facts(result), *_efficiency_facts(result), *_power_facts(result))
-    legend = "n_rel against its own carrier"
-    columns = member_columns(result)
+    legend = f"{'n_rel' if people else 'omega_rel'} against its own carrier"
+    columns = member_columns(result, people)
     if "i" in columns:
         legend += f"; i: speed of {result.input} over that of the member"
     if result.flow is not None:
@@ -34,9 +34,9 @@ def summary(result: Gearing, title: str) -> Document:
     return Document(title, facts, tuple(_notes(result)), _view(columns), wide=True, more=MORE)
 
 
-def document(result: Gearing, title: str) -> Document:
-    """Facts, the table of members, and those of meshes: torques, powers, frequencies."""
-    return replace(summary(result, title), parts=tuple(_mesh_parts(result)))
+def document(result: Gearing, title: str, *, everything: bool = False) -> Document:
+    """Facts, the table of members, and those of meshes: torques, powers, frequencies; ``everything`` is all in SI."""
+    return replace(summary(result, title, people=not everything), parts=tuple(_mesh_parts(result)))
 
 
 def _train_facts(result: Gearing) -> Iterator[Fact]:

@@ -13,6 +13,7 @@ from tmmcalc.core.quantity import Quantity, keyed, quantities, table
 from tmmcalc.gears.facts.meshes import known, places, titles, wheel_names
 from tmmcalc.gears.facts.pair_checks import VERDICTS, checks_document, checks_values, pair_notes
 from tmmcalc.gears.facts.pair_facts import pair_facts
+from tmmcalc.gears.layouts.open_pair import GEAR_NAME, PINION_NAME
 from tmmcalc.gears.meshing.results import Measures, MeshPair, Pairs, WheelSizes
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.sizes import drawn, plain
@@ -23,6 +24,7 @@ SIZES = (  # lengths, down the table
     *("thickness", "tip_thickness", "limit"),
 )
 ARC = Quantity("r_gamma[m]", "arc between the points of a flank on reference and operating circle", source="(4.74)")
+ON_CRANK = (PINION_NAME, GEAR_NAME)  # wheels of the open pair, which are none of the train
 MORE = ("arc", "tip_arc", "half_angle", "operating_half_angle", "least_teeth")  # for programs
 
 
@@ -91,7 +93,7 @@ def _whole(found: MeshPair, title: str) -> Document:
 
 
 def _train_facts(result: Pairs) -> Iterator[Fact]:
-    if result.train:
+    if result.train and any(found.task.wheels != ON_CRANK for found in result.pairs):
         yield Fact("meshes of", result.train, {"train": result.train})
 
 

@@ -145,8 +145,8 @@ def _angle_facts(found: MeshPair) -> Iterator[Fact]:
     told = quantities(MeshPair)
     for label, name in (("transverse angle", "angle_t"), ("operating angle", "angle_w")):
         value: float = getattr(found, name)
-        symbol, (in_degrees, factor) = told[name].name, told[name].shown("deg")
-        values = {**keyed(found, name), in_degrees: factor * value, f"{symbol}_dms": list(sexagesimal(value)[1:])}
+        symbol = told[name].name
+        values = {**keyed(found, name), f"{symbol}_dms": list(sexagesimal(value)[1:])}
         yield Fact(label, f"{symbol} = {written(value)}", values)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.bounds import single_planet_limits
@@ -16,11 +16,23 @@ from tmmcalc.gears.gearingtask import layout_task
 from tmmcalc.gears.kinds import from_tooth_ratio, to_tooth_ratio
 from tmmcalc.gears.losses import layout_efficiencies, usual_efficiencies
 from tmmcalc.gears.network.choice import proposals
+from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.trains import Request, Trains, Variant
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
 PLANETS = range(2, 9)  # of the textbook's table 4.7
+
+
+class ChosenTrain(NamedTuple):
+    """The train that criteria chose, as it is driven."""
+
+    selection: Selection
+    meshes: MeshEfficiency
+    torque: float  # T1 on wheel 1 [N*m]
+    source: str  # of T1, in words
+    speed: float | None  # of the driver [rad/s]; None: not known
+    driven: str = ""  # by whom, in words
 
 
 def planetary_document(
@@ -29,24 +41,28 @@ def planetary_document(
     speed: float | None = None,
     *,
     choose: int = 1,
+    chosen: ChosenTrain | None = None,
     power: bool = True,
     internal: bool = True,
     everything: bool = False,
 ) -> Document:
-    """Types for every ratio, limits by the number of planets, the motion of set ``choose`` of every variant.
+    """Types for every ratio, limits by the number of planets, the motion of the ``chosen`` train.
 
-    ``speed`` [rad/s] is that of the driver, 1 rad/s without it; with ``everything`` all numbers keep all digits.
-    Raises `UsageError` if no variant has such a set.
+    Without one that of set ``choose`` of every variant, with ``speed`` [rad/s] of the driver, 1 rad/s without it. With
+    ``everything`` all numbers keep all digits. Raises `UsageError` if no variant has such a set.
     """
     most = max(len(variant.sets) for variant in result.variants)
-    if choose > most:
+    if chosen is None and choose > most:
         raise UsageError(
             f"tooth set {choose} is asked for", where="--choose", value=choose, limit=most, remedy=f"there are {most}"
         )
     requests = [variant.request for variant in result.variants if variant.request.scheme.planetary]
     parts = [*_type_parts(requests, power, internal, everything), *_limit_parts(requests)]
     parts += [radial_document(request, everything) for request in requests if request.scheme.paired]
-    parts += [_variant_part(variant, choose, speed) for variant in result.variants]
+    if chosen is not None:
+        parts.append(_chosen_part(chosen, result.variants[chosen.selection.winner.variant].request))
+    else:
+        parts += [_variant_part(variant, choose, speed) for variant in result.variants]
     return Document(title, parts=tuple(parts))
 
 
@@ -113,6 +129,26 @@ def _limit_parts(requests: list[Request]) -> Iterator[Document]:
         Fact("in the table", f"rational: with a sun of {task.limits.least} teeth; permissible: with some sun (4.33)"),
     )
     yield Document("limits of AIbar by the number of planets", facts, (), View(list(columns), list(columns.values())))
+
+
+def _chosen_part(chosen: ChosenTrain, request: Request) -> Document:
+    """The motion of the train that was chosen, at the speed of its motor, under the torque of its teeth."""
+    winner, scheme = chosen.selection.winner, request.scheme
+    meshes = [chosen.meshes.internal if mesh.internal else chosen.meshes.external for mesh in scheme.meshes]
+    driver = "H" if request.kind == "i_H1" else "1"
+    task = layout_task(winner.layout, winner.teeth, winner.planets, {driver: chosen.speed or 1.0}, efficiency=meshes)
+    told = f"{driver} turns {chosen.driven}" if chosen.driven else f"no speed is given: {driver} turns at 1 rad/s"
+    remarks = [told, f"efficiencies of meshes are those of criteria: {_of_meshes(chosen.meshes)}"]
+    if driver == "1":
+        task = replace(task, torques={"1": chosen.torque})
+        remarks.insert(1, f"T1 = {number(chosen.torque)} N*m on wheel 1, {chosen.source}")
+    task = replace(task, remarks=tuple(remarks))
+    row = f"row {winner.place + 1} of {len(chosen.selection.pool)}"
+    return gearing_document(solve_gearing(task), f"{winner.title}: {'/'.join(map(str, winner.teeth))}, {row}")
+
+
+def _of_meshes(meshes: MeshEfficiency) -> str:
+    return f"{meshes.external:g}, of internal ones {meshes.internal:g}"
 
 
 def _variant_part(variant: Variant, choose: int, speed: float | None) -> Document:

@@ -74,13 +74,13 @@ def _one_document(sized: Sized, title: str, at: int) -> Document:
         Fact("outcome", reason(found, at), {"accepted": bool(found.accepted[at])}),
         Fact("modules", lengths(found.module[at].tolist()), {told["module"].key: found.module[at].tolist()}),
         Fact("face widths", lengths(found.width[at].tolist()), {told["width"].key: found.width[at].tolist()}),
-        *_stress_facts(found, at),
-        *_coefficient_facts(coefficients(sized.sets, sized.task, at)),
+        *stress_facts(found, at),
+        *coefficient_facts(coefficients(sized.sets, sized.task, at)),
     ]
     return Document(title, tuple(facts), tuple(f"warning: {remark}" for remark in remarks(found, at)))
 
 
-def _stress_facts(found: Strength, at: int) -> Iterator[Fact]:
+def stress_facts(found: Strength, at: int) -> Iterator[Fact]:
     """Stresses of all stages beside the permissible ones, with the unused part of these."""
     told = quantities(Strength)
     for kind in ("contact", "bending"):
@@ -99,7 +99,7 @@ def _variant_document(sized: Sized, before: int, rows: int) -> Document:
     told = sized.strength.coefficients
     if real_width(sized.task):  # each train has its own
         told = tuple(each for each in told if each.symbol not in SPREADS)
-    facts = (_torque_fact(sized), *_count_facts(sized), *_coefficient_facts(told))
+    facts = (_torque_fact(sized), *_count_facts(sized), *coefficient_facts(told))
     shown = _by_stages if sized.strength.checked else _ordered
     view = drawn(shown(sized, before, rows)) if rows and len(sized.sets) else None
     more = "--format csv prints all of them"
@@ -114,6 +114,11 @@ def _torque_fact(sized: Sized) -> Fact:
         values |= keyed(torque, "moment", "ratio")
         text = f"{number(torque.value)} N*m = {number(torque.moment)} N*m / {number(torque.ratio)}, "
         text += WHENCE[torque.source]
+        if sized.beyond != 1:
+            to_output = number(torque.ratio / sized.beyond)
+            text += (
+                f"\nratio to the crank {number(torque.ratio)} = {to_output} of the train times {number(sized.beyond)}"
+            )
     return Fact("torque on wheel 1", text, values)
 
 
@@ -135,7 +140,7 @@ def _count_facts(sized: Sized) -> Iterator[Fact]:
         yield Fact(f"- {OUTCOMES[Outcome(outcome)]}", f"{times}, first {teeth}: {reason(found, at)}")
 
 
-def _coefficient_facts(listed: Sequence[Coefficient]) -> Iterator[Fact]:
+def coefficient_facts(listed: Sequence[Coefficient]) -> Iterator[Fact]:
     """Coefficients with their sources; wheels that have the same ones are told together."""
     told: dict[tuple[tuple[str, float, str, str], ...], list[str]] = {}
     for of in dict.fromkeys(each.of for each in listed):

@@ -78,6 +78,8 @@ def _task_facts(request: Request) -> Iterator[Fact]:
     if limits.largest_sum is not None:
         text += f", Z1 + Z2 to {limits.largest_sum}"
         values["sum_max"] = limits.largest_sum
+    if task.teeth is not None:
+        text, values = f"{', '.join(map(str, task.teeth))} as given; no others are sought", {"teeth": list(task.teeth)}
     yield Fact("numbers of teeth", text, values)
     if scheme.branched and scheme.stages > 1:
         yield _modules_fact(task.proportions)
@@ -111,6 +113,9 @@ def _ratio(request: Request) -> tuple[str, dict[str, Any]]:
         "ratio_exact": str(request.nominal),
         "ratio_admitted": _ends(request.admitted),
     }
+    if request.origin:
+        text += f"\n{request.origin}"
+        values["ratio_of"] = request.origin
     if kind not in ("u", "i_14"):
         text += f"\nU = {number(float(request.task.nominal), 10)}, {_interval(request.task.ratio)}"
         values["U_admitted"] = _ends(request.task.ratio)
@@ -139,6 +144,8 @@ def _removal_facts(variant: Variant) -> Iterator[Fact]:
     steps = removals(variant)
     by_program = variant.request.method == "textbook"
     what = "found by the textbook's program" if by_program else "combinations of wheels"
+    if variant.request.task.teeth is not None:
+        what = "of the given teeth, one a proportion of modules"
     yield Fact(
         "candidates",
         f"{synthesis.candidates} {what}",

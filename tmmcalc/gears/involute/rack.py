@@ -94,7 +94,7 @@ class Section:
         """Transverse module m_t over the normal one."""
         return 1 / cos(self.helix)
 
-    @derived("rho_t", "radius of the circle that stands for the ellipse of the tip rounding", symbol="rho_t^*")
+    @derived("rho_t*", "radius of the circle that stands for the ellipse of the tip rounding", symbol="rho_t^*")
     def radius(self) -> float:
         """rho_t*: the circle that stands for the ellipse of the tip rounding, of the same height of its end."""
         return self.rack.rounded / (1 - sin(self.angle))

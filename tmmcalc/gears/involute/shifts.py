@@ -1,16 +1,8 @@
-"""Choice of the shifts x1, x2 of a pair by the rules of a course project, each checked against the contour.
-
-given                 x1 and x2 as they are           max_contact_strength  the largest x1 + x2 (point C)
-given_aw              a centre distance               equal_sliding         theta1 = theta2 at a contact ratio (D)
-zero                  x1 = x2 = 0                     max_contact_ratio     the largest eps_alpha (E)
-equal_shift           x1 = -x2                        equal_strength        the largest x1 + x2 with Y_F1 = Y_F2
-balanced              farthest from every limit
-"""
+"""Choice of the shifts x1, x2 of a pair by the rules of a course project, each checked against the contour."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Literal, get_args
 
 import numpy as np
 
@@ -32,22 +24,9 @@ from tmmcalc.gears.involute.contour.points import (
 )
 from tmmcalc.gears.involute.contour.task import LINES, Task
 from tmmcalc.gears.involute.pair import sum_from_distance
+from tmmcalc.gears.involute.strategies import DESIRED, STRATEGIES, Split
 from tmmcalc.gears.model import Values
 
-Strategy = Literal[
-    "given",
-    "given_aw",
-    "max_contact_strength",
-    "equal_sliding",
-    "max_contact_ratio",
-    "zero",
-    "equal_shift",
-    "equal_strength",
-    "balanced",
-]
-Split = Literal["equal_sliding", "equal_strength", "max_contact_ratio", "middle"]
-STRATEGIES: tuple[str, ...] = get_args(Strategy)
-DESIRED = 1.2  # contact ratio of point D
 NARROWING = 5  # rounds, each eight times finer
 ROUNDING = 1e-9  # by which a point on the contour itself may miss it
 

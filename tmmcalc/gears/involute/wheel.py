@@ -83,8 +83,8 @@ class Wheel:
         return (pi / 2 + 2 * self.shift * tan(self.rack.angle)) / self.teeth
 
     def half_angle_at(self, radius: Number) -> Number:
-        """theta [rad]: half the angle of the tooth at a radius of at least r_b."""
-        turned = involute(np.arccos(np.minimum(self.base / np.asarray(radius, dtype=float), 1.0)))
+        """theta [rad]: half the angle of the tooth at a radius of at least r_b; without meaning below, but finite."""
+        turned = involute(np.arccos(np.clip(self.base / np.asarray(radius, dtype=float), -1.0, 1.0)))
         half: Values = self.half_angle + involute(self.transverse_angle) - turned
         return half
 

@@ -12,18 +12,21 @@ operations however many wheels follow.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from tmmcalc.gears.exact import edges
-from tmmcalc.gears.model import Integers, TrainTask
 from tmmcalc.gears.scheme import PINION, RING, WHEEL, Layout, Lengths, Teeth, around_planets, mesh
-from tmmcalc.gears.search.blocks import Block, Tally, begin, closed, number_between, numbers, spread
+
+if TYPE_CHECKING:
+    from tmmcalc.gears.model import Integers, TrainTask
+    from tmmcalc.gears.search.blocks import Block, Tally
 
 
 def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> Iterator[Block]:
     """The sums of both stages by coaxiality, the pinion 2' by the ratio, wheel 3 by its sum."""
+    import numpy as np
+
+    from tmmcalc.gears.search.blocks import begin, closed, number_between, numbers, spread
+
     wheels, side = numbers(task), _side(task)
     start = begin(task, proportion, tally, wheels)
     others = len(wheels["2'"]) * len(wheels["3"])
@@ -47,6 +50,8 @@ def _side(task: TrainTask) -> int:
 
 def _partners(task: TrainTask, sums: Integers, wheels: dict[str, range]) -> tuple[Integers, Integers]:
     """The least and the greatest pinion 2' for which both wheels of the last pair keep their limits."""
+    import numpy as np
+
     small, large = wheels["2'"], wheels["3"]
     if _side(task) > 0:
         low, high = large.start - sums, large.stop - 1 - sums
@@ -57,6 +62,10 @@ def _partners(task: TrainTask, sums: Integers, wheels: dict[str, range]) -> tupl
 
 def _pinions_of_ratio(task: TrainTask, block: Block) -> tuple[Integers, Integers]:
     """The least and the greatest Z2' within the ratio: Z2 (S +- Z2')/(Z1 Z2') falls with Z2' (4.16)."""
+    import numpy as np
+
+    from tmmcalc.gears.exact import edges
+
     side = _side(task)
     limits = edges(task.ratio, int(block["1"].max(initial=1)) * task.limits.largest)
     product = block["2"] * block["sum"]
@@ -69,12 +78,16 @@ def _pinions_of_ratio(task: TrainTask, block: Block) -> tuple[Integers, Integers
 
 def external_assembly(teeth: Teeth, planets: int) -> list[tuple[Any, Any]]:
     """R of two external (or two internal) meshes (4.25)."""
+    import numpy as np
+
     common = planets * np.gcd(teeth["2"], teeth["2'"])
     return [(teeth["2"] * teeth["3"] - teeth["1"] * teeth["2'"], common)]
 
 
 def internal_assembly(teeth: Teeth, planets: int) -> list[tuple[Any, Any]]:
     """R of an external and an internal mesh (4.25)."""
+    import numpy as np
+
     common = planets * np.gcd(teeth["2"], teeth["2'"])
     return [(teeth["2"] * teeth["3"] + teeth["1"] * teeth["2'"], common)]
 
@@ -88,6 +101,8 @@ def across_layshafts(teeth: Teeth, m: Lengths, stretch: Lengths, planets: int) -
 
 def larger_ring(teeth: Teeth, m: Lengths, stretch: Lengths, planets: int) -> Any:
     """D of two rings: the pitch circle of the larger one."""
+    import numpy as np
+
     return np.maximum(m[0] * teeth["1"], m[1] * teeth["3"])
 
 

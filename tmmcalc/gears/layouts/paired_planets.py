@@ -7,18 +7,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from tmmcalc.gears.exact import edges
-from tmmcalc.gears.model import TrainTask
 from tmmcalc.gears.scheme import PINION, WHEEL, Layout, Lengths, MovingWheel, Teeth, mesh
-from tmmcalc.gears.search.blocks import SLACK, Block, Tally, closeness, external, number_between, spread
+
+if TYPE_CHECKING:
+    from tmmcalc.gears.model import TrainTask
+    from tmmcalc.gears.search.blocks import Block, Tally
 
 
 def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> Iterator[Block]:
     """The suns by the ratio, planet 3 free, planet 2 by coaxiality."""
+    import numpy as np
+
+    from tmmcalc.gears.exact import edges
+    from tmmcalc.gears.search.blocks import SLACK, Block, closeness, external, number_between, spread
+
     teeth = external(task)
     count = len(teeth)
     tally.begin(count**4)

@@ -6,18 +6,22 @@ Z1 + Z2 = Z3 - Z2                    U = Z3/Z1                               (4.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from tmmcalc.gears.exact import edges
-from tmmcalc.gears.model import Integers, TrainTask
 from tmmcalc.gears.scheme import PINION, WHEEL, Layout, Teeth, mesh
-from tmmcalc.gears.search.blocks import SLACK, Block, Tally, closeness, external, number_between, ring, spread
+
+if TYPE_CHECKING:
+    from tmmcalc.gears.model import Integers, TrainTask
+    from tmmcalc.gears.search.blocks import Block, Tally
 
 
 def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> Iterator[Block]:
     """The ring by the ratio, the planet by coaxiality."""
+    import numpy as np
+
+    from tmmcalc.gears.exact import edges
+    from tmmcalc.gears.search.blocks import Block, closeness, external, number_between, ring, spread
+
     suns, rings = external(task), ring(task)
     tally.begin(len(suns) ** 2 * len(rings))
     sun = Block({"1": np.arange(suns.start, suns.stop)}, proportion)
@@ -38,6 +42,10 @@ def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> It
 
 def _between(outer: Integers, inner: Integers, c: float) -> tuple[Integers, Integers]:
     """Planets between two wheels whose centre distances differ by c at most; c = 1: (outer - inner)/2 if whole."""
+    import numpy as np
+
+    from tmmcalc.gears.search.blocks import SLACK
+
     if c == 1.0:
         return -((inner - outer) // 2), (outer - inner) // 2
     low, high = (c * outer - inner) / (1 + c), (outer - c * inner) / (1 + c)

@@ -7,18 +7,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from tmmcalc.gears.exact import within
-from tmmcalc.gears.model import Integers, Interval, TrainTask
 from tmmcalc.gears.scheme import PINION, RING, WHEEL, Layout, Teeth, mesh
-from tmmcalc.gears.search.blocks import SLACK, Block, Tally, begin, closed, closeness, number_between, numbers, spread
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from tmmcalc.gears.model import Integers, TrainTask
+    from tmmcalc.gears.search.blocks import Block, Tally
 
 
 def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> Iterator[Block]:
     """The fixed ring 3 and the sum of the last pair by coaxiality, the planet 2' by the ratio."""
+    import numpy as np
+
+    from tmmcalc.gears.search.blocks import SLACK, begin, closed, closeness, number_between, numbers, spread
+
     wheels = numbers(task)
     start = begin(task, proportion, tally, wheels)
     tally.remove("coaxiality", len(start) * len(wheels["2'"]) * len(wheels["3"]) * len(wheels["4"]))
@@ -44,6 +49,8 @@ def candidates(task: TrainTask, proportion: tuple[int, ...], tally: Tally) -> It
 
 def _planets_of_ratio(task: TrainTask, block: Block) -> tuple[Integers, Integers]:
     """A little more than the planets 2' within the ratio; 1/i_14 is linear in q = Z2'/(S + Z2')."""
+    import numpy as np
+
     inverse = sorted((1 / float(task.ratio.low), 1 / float(task.ratio.high)))
     first, planet, fixed = block["1"], block["2"], block["3"]
     turn = (first + fixed) / first  # 1 + Z3/Z1
@@ -58,6 +65,11 @@ def _planets_of_ratio(task: TrainTask, block: Block) -> tuple[Integers, Integers
 
 def _within_ratio(task: TrainTask, block: Block) -> np.ndarray:
     """Where i_14 = Z2 Z4 (Z1 + Z3)/(Z1 (Z2 Z4 - Z3 Z2')) lies within the limits, exactly."""
+    import numpy as np
+
+    from tmmcalc.gears.exact import within
+    from tmmcalc.gears.model import Interval
+
     numerator = block["2"] * block["4"] * (block["1"] + block["3"])
     denominator = block["1"] * (block["2"] * block["4"] - block["3"] * block["2'"])
     ratio = task.ratio if task.ratio.low > 0 else Interval(-task.ratio.high, -task.ratio.low)
@@ -69,6 +81,8 @@ def _within_ratio(task: TrainTask, block: Block) -> np.ndarray:
 
 def tooth_ratio(teeth: Teeth) -> tuple[Any, Any]:
     """i_14 with its sign, the denominator without."""
+    import numpy as np
+
     numerator = teeth["2"] * teeth["4"] * (teeth["1"] + teeth["3"])
     denominator = teeth["1"] * (teeth["2"] * teeth["4"] - teeth["3"] * teeth["2'"])
     return numerator * np.sign(denominator), abs(denominator)
@@ -76,6 +90,8 @@ def tooth_ratio(teeth: Teeth) -> tuple[Any, Any]:
 
 def assembly(teeth: Teeth, planets: int) -> list[tuple[Any, Any]]:
     """The planets 2 between sun and ring 3, and R of their blocks between both rings (4.25, 4.26)."""
+    import numpy as np
+
     common = planets * np.gcd(teeth["2"], teeth["2'"])
     return [
         (teeth["1"] + teeth["3"], planets),

@@ -9,7 +9,7 @@ import numpy as np
 
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
-from tmmcalc.gears.involute.contour.errors import ContourError
+from tmmcalc.gears.involute.contour.results import ContourError
 from tmmcalc.gears.involute.rack import Rack
 from tmmcalc.gears.model import Values
 

@@ -16,21 +16,35 @@ if TYPE_CHECKING:
     from tmmcalc.gears.selection.results import Selection
 
 
+APART = (
+    "the pairs that [pair] writes out are no part of the drive, and the meshes of the train are not shown; a pair "
+    "between the train and the crank is [open_pair]"
+)
+
+
 def solve_pairs(task: PairsTask, criteria: Selection | None = None) -> Pairs:
-    """All pairs: those written out, else the meshes of the chosen train.
+    """All pairs: those written out, else the meshes of the chosen train; and the open pair on the crank.
 
     Raises `NoSolutionError` with every pair that cannot be made.
     """
-    if task.pairs:
-        found, errors = [], []
-        for pair in task.pairs:
-            try:
-                found.append(solve_pair(pair))
-            except NoSolutionError as error:
-                errors.append(error)
-        if errors:
-            raise error_of_all(errors, len(task.pairs))
-        return Pairs(tuple(found), "", ())
+    if task.usual is not None or not (task.pairs or task.on_crank):
+        meshes = _meshes(task, criteria)
+        beside = () if task.on_crank is None else (solve_pair(task.on_crank),)
+        return replace(meshes, pairs=(*meshes.pairs, *beside))
+    written = (*task.pairs, *(() if task.on_crank is None else (task.on_crank,)))
+    found, errors = [], []
+    for pair in written:
+        try:
+            found.append(solve_pair(pair))
+        except NoSolutionError as error:
+            errors.append(error)
+    if errors:
+        raise error_of_all(errors, len(written))
+    return Pairs(tuple(found), "", (APART,) if task.beside_train and task.on_crank is None else ())
+
+
+def _meshes(task: PairsTask, criteria: Selection | None) -> Pairs:
+    """The meshes of the chosen train."""
     if criteria is None:
         raise UsageError(
             "there is neither a pair nor a train",

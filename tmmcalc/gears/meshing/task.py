@@ -14,7 +14,7 @@ from tmmcalc.gears.involute.measure.span import Rule
 from tmmcalc.gears.involute.profile.rounding import Shape
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits
 from tmmcalc.gears.involute.rack import Rack, Section
-from tmmcalc.gears.involute.shifts import DESIRED, Split, Strategy
+from tmmcalc.gears.involute.strategies import DESIRED, Split, Strategy
 
 Kind = Literal["external", "internal", "rack"]
 Two = tuple[float | None, float | None]
@@ -106,3 +106,5 @@ class PairsTask:
     pairs: tuple[PairTask, ...] = ()  # written out; none: those of the train
     usual: PairTask | None = None  # of a train: what holds for every mesh, whatever its teeth, module and face width
     own: dict[str, PairTask] = field(default_factory=dict)  # the same of single meshes by their names, such as 2'-3
+    on_crank: PairTask | None = None  # the open pair between the reducer and the crank, beside the others
+    beside_train: bool = False  # whether those written out stand beside a train whose meshes they are not

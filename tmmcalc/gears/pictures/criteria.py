@@ -33,16 +33,8 @@ def criteria_figure(result: Selection, trains: Trains, choose: int | None = None
 
     Raises `UsageError` for a row that there is not.
     """
-    count = len(result.pool)
     place = result.winner.place if choose is None else choose - 1
-    if not 0 <= place < count:
-        raise UsageError(
-            f"there is no row {place + 1} of criteria.csv",
-            where="plot",
-            value=place + 1,
-            limit=count,
-            remedy=f"1 to {count}",
-        )
+    check_row(place, len(result.pool))
     more = len(result.objectives) > USUAL or bool(set(result.objectives) - {"mass", "inertia", "size"})
     paired = more and len(result.objectives) > 1
     figure, sheets = blank(3 if paired else 2)
@@ -54,6 +46,18 @@ def criteria_figure(result: Selection, trains: Trains, choose: int | None = None
     for draw in finish:
         draw()
     return figure
+
+
+def check_row(place: int, count: int) -> None:
+    """Raise `UsageError` for a row, from 0, that the ``count`` trains have not."""
+    if not 0 <= place < count:
+        raise UsageError(
+            f"there is no row {place + 1} of criteria.csv",
+            where="plot",
+            value=place + 1,
+            limit=count,
+            remedy=f"1 to {count}",
+        )
 
 
 def _heading(result: Selection, place: int) -> str:

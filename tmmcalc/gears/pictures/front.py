@@ -13,7 +13,8 @@ from matplotlib.figure import SubFigure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, MaxNLocator, NullFormatter
 
-from tmmcalc.gears.criteria.choice import OBJECTIVES, front
+from tmmcalc.gears.criteria.choice import front
+from tmmcalc.gears.criteria.objectives import OBJECTIVES
 from tmmcalc.gears.pictures.words import CRITERIA, axis_name, teeth_text
 from tmmcalc.gears.selection.results import Pool, Selection
 from tmmcalc.report.drawing.labels import Labels, signed
@@ -178,14 +179,14 @@ def _legend(axes: Axes, result: Selection, place: int) -> None:
     handles.append(Line2D([], [], label=f"front in {said}: {len(result.front)}, numbered by rows", **FRONT))
     handles.append(Line2D([], [], label="border in mass and inertia", **EDGE))
     chosen = "chosen" if place == result.winner.place else "drawn"
-    handles.append(Line2D([], [], label=f"row {place}, {chosen}", **WINNER))
+    handles.append(Line2D([], [], label=f"row {place + 1}, {chosen}", **WINNER))
     axes.legend(
         handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, columnspacing=1.4, handlelength=2
     )
 
 
 def _label(axes: Axes, result: Selection, place: int, near: np.ndarray) -> None:
-    """The train that is drawn by its teeth, some members of the front by their rows."""
+    """The train that is drawn by its teeth, some members of the front by their rows, from 1."""
     pool, labels = result.pool, Labels(axes)
     cloud = (pool.mass + 1j * pool.inertia)[near]
     for at in cloud[:: max(1, len(cloud) // MANY)].tolist():
@@ -201,4 +202,4 @@ def _label(axes: Axes, result: Selection, place: int, near: np.ndarray) -> None:
     chosen = others[:: max(1, -(-len(others) // NAMED))]
     for row in chosen:
         spot = complex(pool.mass[row], pool.inertia[row])
-        labels.put(str(row), [spot], size=6.5, gaps=(2.0, 3.0, 4.4), color=MARK)
+        labels.put(str(row + 1), [spot], size=6.5, gaps=(2.0, 3.0, 4.4), color=MARK)

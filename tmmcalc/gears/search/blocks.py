@@ -140,6 +140,10 @@ def closed(task: TrainTask, block: Block, sums: Integers, name: str) -> Iterator
     """The sums of the second stage that close with those of the first."""
     mu1, mu2 = block.proportion
     c = closeness(task)
+    # two wheels have no more teeth than their limits: modules far apart would ask for sums beyond all integers
+    most = 2 * max(task.limits.largest, task.limits.largest_ring)
+    within = sums * float(mu1 / mu2) * c <= most + 1
+    block, sums = block.take(within), sums[within]
     if c == 1.0:
         exact = (sums * mu1 % mu2 == 0) & (sums > 0)
         yield block.take(exact).join(**{name: sums[exact] * mu1 // mu2})

@@ -39,34 +39,33 @@ def synthesise(task: TrainTask, keep: int = KEPT, progress: Progress | None = No
     """Every tooth set of the task; at most ``keep`` of them are held, those with the least Z1 + Z2.
 
     The search is complete: each combination within the tooth limits is either among the sets or counted under the
-    first constraint that it breaks.
+    first constraint that it breaks. Of a task with given teeth these are the only candidate.
     """
-    tally = Tally()
-    held = _Held(keep)
-    count = 0
-    for done, block in _found(task, tally):
-        count += len(block)
-        held.add(_rows(task, block))
-        if progress is not None:
-            progress(done, count)
+    tally, held, count = Tally(), _Held(keep), 0
+    candidates = task.scheme.candidates
+    if task.teeth is not None:
+        from tmmcalc.gears.search.given import given_candidates as candidates  # late: most tasks give none
+    for done, proportion in enumerate(task.proportions, 1):
+        for block in candidates(task, proportion, tally):
+            found = sieve(task, block, tally)
+            if not len(found):
+                continue
+            count += len(found)
+            held.add(_rows(task, found))
+            if progress is not None:
+                progress(done / len(task.proportions), count)
     removed = {name: number for name, number in tally.removed.items() if number}
     return Synthesis(_sets(task, held.rows()), count, tally.candidates, removed)
 
 
 def every_set(task: TrainTask) -> Iterator[ToothSets]:
     """All tooth sets of the task block by block, in no order: for what needs to see each of them once."""
-    for _, block in _found(task, Tally(counts=False)):
-        yield _sets(task, _rows(task, block))
-
-
-def _found(task: TrainTask, tally: Tally) -> Iterator[tuple[float, Block]]:
-    """Blocks of tooth sets that meet everything, with the part of the proportions that is done."""
-    total = len(task.proportions)
-    for place, proportion in enumerate(task.proportions):
+    tally = Tally(counts=False)
+    for proportion in task.proportions:
         for block in task.scheme.candidates(task, proportion, tally):
-            left = sieve(task, block, tally)
-            if len(left):
-                yield (place + 1) / total, left
+            found = sieve(task, block, tally)
+            if len(found):
+                yield _sets(task, _rows(task, found))
 
 
 def _rows(task: TrainTask, block: Block) -> np.ndarray:

@@ -14,8 +14,9 @@ import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.records import record
-from tmmcalc.gears.criteria.choice import OBJECTIVES, front
+from tmmcalc.gears.criteria.choice import front
 from tmmcalc.gears.criteria.evaluate import Assumptions, Criteria, evaluate
+from tmmcalc.gears.criteria.objectives import OBJECTIVES
 from tmmcalc.gears.criteria.series import Series, series
 from tmmcalc.gears.exact import around
 from tmmcalc.gears.model import Interval, ToothSets, TrainTask, Values
@@ -104,7 +105,14 @@ def _single(task: TrainTask, whole: _Whole, each: Fraction, planets: int) -> Tra
     ratio = Interval(max(admitted.low - 1, Fraction(1, DENOMINATOR)), admitted.high - 1)
     demands = replace(task.demands, largest_angle=None, stage_ratio=None, diameter_band=None, envelope=None)
     return replace(
-        task, layout=LAYOUT, nominal=each - 1, ratio=ratio, proportions=((1,),), planets=planets, demands=demands
+        task,
+        layout=LAYOUT,
+        nominal=each - 1,
+        ratio=ratio,
+        proportions=((1,),),
+        planets=planets,
+        demands=demands,
+        teeth=None,  # given ones are those of the whole train
     )
 
 

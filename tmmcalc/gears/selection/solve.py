@@ -13,11 +13,12 @@ import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.gears.columns import ratios
-from tmmcalc.gears.criteria.choice import Measured, Ranking, Reason, front, least, minima, ranked
+from tmmcalc.gears.criteria.choice import Ranking, Reason, front, least, minima, ranked
 from tmmcalc.gears.criteria.comparison import Comparison, compare
 from tmmcalc.gears.criteria.efficiency import efficiency
 from tmmcalc.gears.criteria.errors import criteria_error
 from tmmcalc.gears.criteria.evaluate import Assumptions, evaluate
+from tmmcalc.gears.criteria.objectives import Measured
 from tmmcalc.gears.criteria.speeds import speeds
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.proportion import equal_strength

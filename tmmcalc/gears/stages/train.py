@@ -4,46 +4,25 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.core.records import record
 from tmmcalc.core.stage import said
 from tmmcalc.feasibility.tables.tasks.kept_rows import kept_rows
-from tmmcalc.gears.trains import Request, Trains
-from tmmcalc.gears.wanted import NO_KEPT
+from tmmcalc.gears.trains import Asked, Trains
+from tmmcalc.gears.wanted import NO_KEPT, ratio_of_drive
 
 if TYPE_CHECKING:
-    from tmmcalc.feasibility.judge import FeasibilityTask
     from tmmcalc.gears.room import GearTables
 
+solve = "tmmcalc.gears.train:solve_train"
 kind = Trains
 columns = "tmmcalc.gears.columns:stacked"
-
-
-@record
-class Asked:
-    """What is asked of every layout, and the user's constraints on tooth sets, if there are any."""
-
-    requests: tuple[Request, ...]
-    kept: FeasibilityTask | None = None
+found = "tmmcalc.gears.tables.found:of_train"
 
 
 def inputs(spec: GearTables) -> Asked:
     """What is asked of every layout: ratios, limits and tolerances as exact fractions; constraints on tooth sets."""
     from tmmcalc.gears.tables.tasks.train import to_train
 
-    return Asked(to_train(spec), kept_rows(spec, "train"))
-
-
-def solve(given: Asked) -> Trains:
-    """All tooth sets of every variant that keep the user's constraints."""
-    from tmmcalc.core.progress import tell
-    from tmmcalc.gears.train import solve_train
-
-    found = solve_train(given.requests, tell)
-    if given.kept is None:
-        return found
-    from tmmcalc.gears.userconstraints import kept_sets
-
-    return kept_sets(found, given.kept)
+    return Asked(to_train(spec), kept_rows(spec, "train"), ratio_of_drive(spec))
 
 
 def errors(result: Trains) -> dict[str, Any]:
@@ -53,6 +32,4 @@ def errors(result: Trains) -> dict[str, Any]:
 
 def omits(spec: GearTables) -> tuple[str, ...]:
     """Constraints on tooth sets."""
-    from tmmcalc.feasibility.tables.tasks.kept_rows import kept_rows
-
     return said((kept_rows(spec, "train") is None, NO_KEPT))

@@ -92,7 +92,7 @@ def _on_first(sets: ToothSets, layout: Layout) -> Values:
     """Torque (n, meshes) on the first wheel of every mesh over T1."""
     if layout.three_centrals:
         return _on_first_of_three(sets)
-    on_shaft = {"1": np.ones(len(sets))}
+    on_shaft = {_shaft(layout.wheels[0]): np.ones(len(sets))}
     torques = []
     for mesh in layout.meshes:
         torque = on_shaft[_shaft(mesh.first)]

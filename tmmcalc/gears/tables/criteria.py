@@ -4,7 +4,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from tmmcalc.gears.criteria.choice import OBJECTIVES
+from tmmcalc.gears.criteria.objectives import OBJECTIVES
 from tmmcalc.spec.choices import Known, OneOrMore
 from tmmcalc.spec.phrases import listing, nearest, show
 from tmmcalc.spec.quantities import Number

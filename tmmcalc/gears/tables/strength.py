@@ -171,7 +171,7 @@ class StrengthTable(Table):
         default=None,
         description="Speed of wheel 1 over that of the shaft to which the moment is reduced, the crank; "
         "another one says that a gear stands between the train's output shaft and the crank (default: "
-        "that of the train).",
+        "that of the train, times that of `[open_pair]`).",
     )
     material: MaterialTable | None = Field(
         default=None, description="Material of all wheels; or `pinion` and `wheel` apart."

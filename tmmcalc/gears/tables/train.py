@@ -105,7 +105,11 @@ class TrainTable(Table):
         description='Layout of the train, or a list of several that are compared: `["AI", "AIbar"]`.'
     )
     ratio: Ratio | None = Field(
-        default=None, description='Ratio of the train, `"8.15"`, `8.15` or `"163/20"`, exact as written.'
+        default=None,
+        description='Ratio of the train, `"8.15"`, `8.15` or `"163/20"`, exact as written (default: of the speeds of '
+        "its shafts; beside `[motor]` and `[mechanism]`, or `[torque]`, that of the drive: given in `[transmission]`, "
+        "that of `[[shafts]]`, or the rated speed of the motor over the mean speed of the crank, each "
+        "without that of `[open_pair]`).",
     )
     ratio_kind: Literal["u", "i_1H", "i_H1", "i_14"] | None = Field(
         default=None,
@@ -142,6 +146,12 @@ class TrainTable(Table):
     module_ratio_range: ModuleRange | None = Field(
         default=None,
         description="Or all ratios m2/m1 that standard modules have between these (default: `[1.0, 2.5]`).",
+    )
+    teeth: list[RingTeeth] | None = Field(
+        default=None,
+        min_length=2,
+        description="Given numbers of teeth, in the order of the wheels of the one layout, `[18, 48, 114]`: they are "
+        "tested, and no others are sought (default: all that keep the constraints).",
     )
     z_min: Teeth | None = Field(default=None, description="Least number of teeth of external wheels (default: 17).")
     z_max: Teeth = Field(default=150, description="Largest number of teeth of external wheels.")

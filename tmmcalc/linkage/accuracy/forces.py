@@ -89,7 +89,7 @@ def _friction(statics: Statics, name: str, theta: Real, clock: Clock) -> Study:
 
 def _by_newton(cut: Equilibrium, count: int) -> Real:
     """Friction (k, n) of the joints that rub."""
-    friction = cut.solve(count).friction
+    friction = cut.solve((count,)).friction
     return np.array([np.broadcast_to(friction[k], count) for k in cut.c])
 
 

@@ -24,6 +24,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple, Protocol
 
+from tmmcalc.core.errors import StructureError
 from tmmcalc.core.plane import Guide, LinkMotion, Point, Real
 from tmmcalc.linkage.model import Joint
 from tmmcalc.linkage.solvers import Method
@@ -127,11 +128,11 @@ class Dyad(Protocol):
     def regularity(self, placed: Any) -> Real:
         """Distance from a dead point, 1 the best, 0 singular."""
 
-    def limit(self, a: int, b: int, port1: Any, port2: Any) -> str:
-        """What holds the links numbered a and b at a limit position; ports at that position."""
+    def limit(self, a: int | str, b: int | str, port1: Any, port2: Any) -> str:
+        """What holds the links named a and b at a limit position; ports at that position."""
 
-    def gap(self, a: int, b: int, port1: Any, port2: Any) -> str:
-        """By how much the links numbered a and b miss each other; ports at one position."""
+    def gap(self, a: int | str, b: int | str, port1: Any, port2: Any) -> str:
+        """By how much the links named a and b miss each other; ports at one position."""
 
     def dead_point(self) -> str:
         """What makes a dead point."""
@@ -160,6 +161,20 @@ def slid(guide: Guide, s: Real, rate: Real, rate2: Real) -> Point:
 def signed(sign: int, s: Real, rate: Real, rate2: Real) -> Slide:
     """A coordinate that is counted along the line or against it."""
     return Slide(s, rate, rate2) if sign > 0 else Slide(-s, -rate, -rate2)
+
+
+def length_of(vector: complex, link: int, group: Group) -> float:
+    """Length [m] of a rod by the vector between its pins; raises `StructureError` for one of no length."""
+    length = abs(vector)
+    if length * length == 0:  # its square is what the positions are divided by
+        raise StructureError(
+            f"the two pins of link {link} in this group are at one place: the link is a rod of no length there",
+            where=f"kinematics, group {group.name}",
+            value=length,
+            limit=0.0,
+            remedy='give its points their distance, such as A = ["200 mm", 0]',
+        )
+    return length
 
 
 def mm(length: float) -> str:

@@ -108,11 +108,11 @@ class PRP(NamedTuple):
         """|sin| of the angle between the guides."""
         return np.abs(cross(placed.e1, placed.e2))
 
-    def limit(self, a: int, b: int, port1: Guide, port2: Guide) -> str:
+    def limit(self, a: int | str, b: int | str, port1: Guide, port2: Guide) -> str:
         """Parallel guides, the only way in which two lines fail to meet."""
         return f"the guides of links {a} and {b} are parallel"
 
-    def gap(self, a: int, b: int, port1: Guide, port2: Guide) -> str:
+    def gap(self, a: int | str, b: int | str, port1: Guide, port2: Guide) -> str:
         """Parallel guides."""
         return self.limit(a, b, port1, port2)
 

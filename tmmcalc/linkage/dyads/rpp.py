@@ -100,11 +100,11 @@ class RPP(NamedTuple):
         """|sin| of the constant angle between the two lines."""
         return np.abs(cross(placed.e1, placed.e2))
 
-    def limit(self, a: int, b: int, port1: Point, port2: Guide) -> str:
+    def limit(self, a: int | str, b: int | str, port1: Point, port2: Guide) -> str:
         """Parallel lines of the slider, at every position or at none."""
         return f"the two lines of link {b} are parallel"
 
-    def gap(self, a: int, b: int, port1: Point, port2: Guide) -> str:
+    def gap(self, a: int | str, b: int | str, port1: Point, port2: Guide) -> str:
         """Parallel lines of the slider."""
         return self.limit(a, b, port1, port2)
 

@@ -96,11 +96,11 @@ class RPR(NamedTuple):
         """|s| over the largest distance of the pivots: the pin on the pivot is singular."""
         return np.abs(placed.s) / float(np.max(np.abs(placed.q)))
 
-    def limit(self, a: int, b: int, port1: Point, port2: Point) -> str:
+    def limit(self, a: int | str, b: int | str, port1: Point, port2: Point) -> str:
         """The pivots at the distance of the offset."""
         return f"the pivots of links {a} and {b} come as near as the offset of the guide, {mm(abs(self.h))}"
 
-    def gap(self, a: int, b: int, port1: Point, port2: Point) -> str:
+    def gap(self, a: int | str, b: int | str, port1: Point, port2: Point) -> str:
         """The pivots nearer than the offset."""
         return f"the pivots are always nearer to each other than the offset {mm(abs(self.h))} of the guide"
 

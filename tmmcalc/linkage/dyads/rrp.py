@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.plane import Guide, Plane, Point, Real, rotated
-from tmmcalc.linkage.dyads.base import Elements, Motions, Rates, Sites, Slides, carried, mm, signed
+from tmmcalc.linkage.dyads.base import Elements, Motions, Rates, Sites, Slides, carried, length_of, mm, signed
 from tmmcalc.linkage.solvers import Method
 from tmmcalc.linkage.structure import Group
 
@@ -74,7 +74,7 @@ class RRP(NamedTuple):
             outer=group.outer[1],
             sign=elements.outer_b.sign,
         )
-        return cls(abs(vector), pin.imag, variant), mount
+        return cls(length_of(vector, group.links[0], group), pin.imag, variant), mount
 
     def _in_guide(self, port1: Point, port2: Guide) -> Plane:
         return (port1.r - port2.r) * np.conj(port2.e)
@@ -107,14 +107,14 @@ class RRP(NamedTuple):
         """|cos| of the angle between rod and guide."""
         return np.abs(placed.along) / self.l
 
-    def limit(self, a: int, b: int, port1: Point, port2: Guide) -> str:
+    def limit(self, a: int | str, b: int | str, port1: Point, port2: Guide) -> str:
         """The rod across the guide."""
         return (
             f"link {a} stands perpendicular to the guide of link {b}: the distance of its outer pin from the pin's "
             f"line reaches l_{a} = {mm(self.l)}"
         )
 
-    def gap(self, a: int, b: int, port1: Point, port2: Guide) -> str:
+    def gap(self, a: int | str, b: int | str, port1: Point, port2: Guide) -> str:
         """The distance of the outer pin from the line against the rod's length."""
         off = float(np.abs(self.h - self._in_guide(port1, port2).imag).item())
         return f"the pin is {mm(off)} off its line, more than l_{a} = {mm(self.l)}"

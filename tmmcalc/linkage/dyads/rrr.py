@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.plane import Plane, Point, Real, cross, rotated, square
-from tmmcalc.linkage.dyads.base import Elements, Motions, Rates, Sites, Slides, mm
+from tmmcalc.linkage.dyads.base import Elements, Motions, Rates, Sites, Slides, length_of, mm
 from tmmcalc.linkage.solvers import Method
 from tmmcalc.linkage.structure import Group
 
@@ -57,7 +57,8 @@ class RRR(NamedTuple):
             elements.inner_b.point - elements.outer_b.point,
         )
         mount = RRRMount(elements.outer_a.point, elements.outer_b.point, vector_a, vector_b)
-        return cls(abs(vector_a), abs(vector_b), variant), mount
+        a, b = (length_of(each, link, group) for each, link in zip((vector_a, vector_b), group.links, strict=True))
+        return cls(a, b, variant), mount
 
     def margin(self, port1: Point, port2: Point) -> Real:
         """Squared sine of the angle at B; negative where q is outside [|l_a - l_b|, l_a + l_b]."""
@@ -91,7 +92,7 @@ class RRR(NamedTuple):
     def _distance(self, port1: Point, port2: Point) -> float:
         return float(np.abs(port2.r - port1.r).item())
 
-    def limit(self, a: int, b: int, port1: Point, port2: Point) -> str:
+    def limit(self, a: int | str, b: int | str, port1: Point, port2: Point) -> str:
         """Stretched or folded, with the lengths."""
         most, least = self.l_a + self.l_b, abs(self.l_a - self.l_b)
         q = self._distance(port1, port2)
@@ -105,7 +106,7 @@ class RRR(NamedTuple):
             f"|l_{a} - l_{b}| = |{mm(self.l_a)} - {mm(self.l_b)}| = {mm(least)}"
         )
 
-    def gap(self, a: int, b: int, port1: Point, port2: Point) -> str:
+    def gap(self, a: int | str, b: int | str, port1: Point, port2: Point) -> str:
         """The distance of the outer pins against the sum or difference of the lengths."""
         q, most, least = self._distance(port1, port2), self.l_a + self.l_b, abs(self.l_a - self.l_b)
         if q > most:

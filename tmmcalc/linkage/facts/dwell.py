@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 from tmmcalc.core.columns import select
 from tmmcalc.core.quantity import keyed
@@ -19,9 +20,9 @@ def dwell_facts(dwell: Dwell) -> Iterator[Fact]:
     """Facts of one linkage; angles of the crank count from position 1 along the motion."""
     unit = "m" if dwell.output == "slider" else "rad"
     listed = [_at(each, f"{_amount(each.value, unit)}") for each in dwell.extremes]
-    yield Fact("extreme positions", "\n".join(listed), {"extremes": [keyed(each) for each in dwell.extremes]})
+    yield Fact("extreme positions", "\n".join(listed), {"extremes": [*map(_values, dwell.extremes)]})
     largest = [_at(each, f"{each.name} {_amount(each.value, each.unit)}") for each in dwell.maxima]
-    yield Fact("largest values", "\n".join(largest), {"maxima": [keyed(each) for each in dwell.maxima]})
+    yield Fact("largest values", "\n".join(largest), {"maxima": [*map(_values, dwell.maxima)]})
     for name, window in (("working", dwell.working), ("idle", dwell.idle)):
         low, high = (ANGLE * end for end in window)
         text = f"{angle(low)} to {angle(high)} deg, {angle(high - low)} deg"
@@ -33,6 +34,10 @@ def dwell_facts(dwell: Dwell) -> Iterator[Fact]:
         f"virtual work {found.virtual_work:.0e}; S in positions 2 and 3 {found.positions:.0e} h"
     )
     yield Fact("agreement", text, {"agreement": keyed(found)})
+
+
+def _values(each: Largest) -> dict[str, Any]:
+    return keyed(each, unit="" if each.unit == "-" else each.unit)
 
 
 def _check_fact(dwell: Dwell) -> Fact:
@@ -55,7 +60,7 @@ def _amount(value: float, unit: str) -> str:
     """A value for people: mm, deg, N."""
     if unit == "rad":
         return f"{number(ANGLE * value, 6)} deg"
-    return f"{number(1e3 * value, 6)} mm" if unit == "m" else f"{number(value, 6)} {unit}"
+    return f"{number(1e3 * value, 6)} mm" if unit == "m" else f"{number(value, 6)} {unit}".removesuffix(" -")
 
 
 def dwell_table(dwell: Dwell, patterns: Sequence[str], everything: bool) -> View:
@@ -69,8 +74,8 @@ def dwell_table(dwell: Dwell, patterns: Sequence[str], everything: bool) -> View
     headers, columns = ["i"], [list(dwell.motion.labels)]
     for column in chosen:
         values = column.make()
-        if not everything and column.unit in ("m", "rad"):
-            header, factor = column.shown("mm" if column.unit == "m" else "deg")
+        if not everything and column.unit == "m":
+            header, factor = column.shown("mm")
             headers.append(header)
             columns.append((factor * values).tolist())
         else:

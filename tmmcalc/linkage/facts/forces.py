@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -13,9 +14,11 @@ from tmmcalc.core.quantity import Quantity, keyed, quantity_of
 from tmmcalc.linkage.columns import PHI
 from tmmcalc.linkage.facts.places import extreme_values, place, span_fact, speed_text
 from tmmcalc.linkage.forces.columns import REACTION, columns, drive_of
-from tmmcalc.linkage.forces.results import Forces, PairForces
+from tmmcalc.linkage.forces.results import LEAST_ARM, Forces, PairForces
+from tmmcalc.linkage.loading import GearDrive
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.errors import digit_facts
 from tmmcalc.report.numbers import NOISE, number
 from tmmcalc.report.positions import with_positions
 
@@ -48,16 +51,29 @@ def document(
     rows: Sequence[int] | None = None,
     everything: bool = False,
     where: str = "",
+    further: Sequence[Column] = (),
 ) -> Document:
     """Summary and table of positions; drive and sizes of the reactions come first.
 
     ``patterns`` choose columns by name, header or wildcard, ``rows`` positions by index; ``everything`` takes all
-    columns in their order (for csv, json, toml). ``where`` is the file that has them all.
+    columns in their order (for csv, json, toml). ``where`` is the file that has them all. ``further`` columns are
+    there if ``patterns`` name them.
     """
     available = columns(result)
     usual = available if everything else _first(result, available)
     told, example = summary(result, title), "phi,M_drive,R_*" if result.turns else "phi,F_drive,R_*"
-    return with_positions(told, result.labels, available, patterns, rows, usual=usual, example=example, where=where)
+    return with_positions(
+        told,
+        result.labels,
+        available,
+        patterns,
+        rows,
+        usual=usual,
+        example=example,
+        everything=everything,
+        where=where,
+        further=further,
+    )
 
 
 def _first(result: Forces, available: list[Column]) -> list[Column]:
@@ -83,9 +99,18 @@ def _drive_facts(result: Forces) -> list[Fact]:
         span_fact(result, f"{label} of the drive", drive.name, drive.unit, result.drive_extremes),
         power,
     ]
+    if result.gear is not None:
+        facts.append(_gear_fact(result.gear))
     if result.mesh is not None:
         facts.append(_mesh_fact(result, np.abs(result.mesh)))
     return facts
+
+
+def _gear_fact(gear: GearDrive) -> Fact:
+    """Pitch radius and pressure angle of the gear on the crank, and whose they are."""
+    sizes = f"r_w = {number(1e3 * gear.radius)} mm, alpha_w = {number(math.degrees(gear.mesh_angle))} deg"
+    text = f"{sizes}, of the {gear.open}" if gear.open else sizes
+    return Fact("gear on the crank", text, keyed(gear, "radius", "mesh_angle[deg]", *(["open"] if gear.open else [])))
 
 
 def _mesh_fact(result: Forces, mesh: np.ndarray) -> Fact:
@@ -125,9 +150,6 @@ def _couple(result: Forces, pair: PairForces, couple: Extreme) -> tuple[str, dic
     if couple.value <= _no_couple(result):
         return "no couple: the resultant goes through the slider's point", values
     return f"max couple {number(couple.value)} N*m at {place(result, couple.x)}", values
-
-
-LEAST_ARM = 1e-13  # of a force that rounding alone moves off the slider's point [m]
 
 
 def _no_couple(result: Forces) -> float:
@@ -189,4 +211,5 @@ def _check_facts(result: Forces) -> list[Fact]:
     return [
         Fact("residuals", text, {"residual": {"equilibrium": balance, "virtual_power": virtual}}),
         Fact("error of reactions (est.)", f"{result.error:.0e} (relative)", {"error": keyed(result, "error")}),
+        *digit_facts({} if result.last_digit is None else keyed(result, "last_digit")),
     ]

@@ -27,12 +27,13 @@ def document(
     dimensionless: bool = False,
     everything: bool = False,
     where: str = "",
+    further: Sequence[Column] = (),
 ) -> Document:
     """Summary and table of positions.
 
     ``patterns`` choose columns by name, header or wildcard, ``rows`` positions by index; ``everything`` takes
     all columns (for csv, json, toml). Without either the columns that a reader looks at first come first and
-    the terminal cuts the rest.
+    the terminal cuts the rest. ``further`` columns are there if ``patterns`` name them.
     """
     available = columns(result, dimensionless=dimensionless)
     told = summary(result, title)
@@ -45,6 +46,8 @@ def document(
             usual=available if everything else _first(result, available),
             patterns=patterns,
             rows=rows,
+            everything=everything,
+            further=further,
         ),
         wide=not patterns,
         more=more(where),

@@ -10,8 +10,10 @@ import math
 
 from tmmcalc.core.quantity import Quantity, keyed, quantity_of
 from tmmcalc.linkage.columns import OMEGA_1
+from tmmcalc.linkage.facts.structure import named_links
 from tmmcalc.linkage.results import Extreme, GroupQuality, Kinematics, OutputSummary
 from tmmcalc.report.document import Fact
+from tmmcalc.report.errors import digit_facts
 from tmmcalc.report.numbers import angle, number
 
 
@@ -50,6 +52,8 @@ def facts_of(result: Kinematics) -> list[Fact]:
     formula = result.structure.formula
     facts = [
         Fact("structural formula", formula, keyed(result.structure, "formula")),
+        *named_links(result.structure),
+        *_frame(result),
         Fact("position 0", _place(result, start), _at(result, start, "start")),
         Fact("speed of the input", f"{number(result.speed)} {unit}/s{rpm}", keyed(result, "speed", unit=unit)),
     ]
@@ -62,7 +66,20 @@ def facts_of(result: Kinematics) -> list[Fact]:
     for summary in result.summaries:
         facts += _output_facts(result, summary)
     facts += [_quality_fact(result, quality) for quality in result.qualities]
-    return [*facts, _error_fact(result)]
+    digit = result.error.last_digit
+    return [*facts, _error_fact(result), *digit_facts({} if digit is None else keyed(digit))]
+
+
+def _frame(result: Kinematics) -> list[Fact]:
+    """The fixed points, which no column of the table has."""
+    if not result.frame_points:
+        return []
+    size = max(abs(coordinate) for at in result.frame_points.values() for coordinate in at)
+    places = (
+        f"{name} ({', '.join(number(coordinate, peak=size) for coordinate in at)})"
+        for name, at in result.frame_points.items()
+    )
+    return [Fact("fixed points", f"{', '.join(places)} m", keyed(result, "frame_points"))]
 
 
 def _method_facts(result: Kinematics) -> list[Fact]:
@@ -82,7 +99,7 @@ def _error_fact(result: Kinematics) -> Fact:
     """Estimates are orders of magnitude: one digit is enough for people."""
     e = result.error
     text = f"position {e.position:.0e}, velocity {e.velocity:.0e}, acceleration {e.acceleration:.0e}"
-    return Fact("error estimate", text, {"error": keyed(e)})
+    return Fact("error estimate", text, {"error": keyed(e, "position", "velocity", "acceleration")})
 
 
 def unit_fact(result: Kinematics) -> Fact:

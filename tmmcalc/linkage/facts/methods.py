@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from tmmcalc.core.columns import select
 from tmmcalc.core.quantity import Quantity, keyed, table
 from tmmcalc.linkage.columns import columns
 from tmmcalc.linkage.differentiation import DifferenceError, StepError
+from tmmcalc.linkage.facts.kinematics_facts import unit_fact
 from tmmcalc.linkage.kinematics import solve_kinematics, step_study
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Kinematics
@@ -19,23 +21,36 @@ SHARE = Quantity("{column}_diff[%]", "its difference from the exact {column}, ag
 DIFFERENCE = Quantity("difference_{column}[{unit}]", "difference of {column} by the method from the exact one")
 
 
-def comparison_document(mechanism: Mechanism, result: Kinematics, title: str) -> Document:
-    """Each output's v and a by the result's method beside the exact ones; differences against the largest value.
+def comparison_document(
+    mechanism: Mechanism,
+    result: Kinematics,
+    title: str,
+    *,
+    patterns: Sequence[str] = (),
+    rows: Sequence[int] | None = None,
+    dimensionless: bool = False,
+) -> Document:
+    """Columns by the result's method beside the exact ones; differences against the largest value.
 
+    ``patterns`` name the columns, by default v and a of each output; ``rows`` are positions by index, None for all.
     Relative differences refer to the maximum over the cycle: near a zero of v a pointwise one means nothing.
     """
     exact = solve_kinematics(mechanism, result.structure)
+    kept = list(range(len(result.labels)) if rows is None else rows)
     headers: list[str] = ["i"]
-    columns_: list[list[Any]] = [list(result.labels)]
+    columns_: list[list[Any]] = [[result.labels[k] for k in kept]]
     facts = [Fact("method", result.method.name, keyed(result.method, "name"))]
-    wanted = [f"{kind}S_{name}" for name in result.outputs for kind in ("v", "a")]
-    for theirs, ours in zip(select(columns(exact), wanted), select(columns(result), wanted), strict=True):
+    if dimensionless:
+        facts.append(unit_fact(result))
+    wanted = patterns or [f"{kind}S_{name}" for name in result.outputs for kind in ("v", "a")]
+    both = (select(columns(each, dimensionless=dimensionless), wanted) for each in (exact, result))
+    for theirs, ours in zip(*both, strict=True):
         a, b = theirs.make(), ours.make()
         difference, largest = b - a, float(abs(a).max())
         places = {"column": ours.name, "unit": ours.unit, "method": result.method.name}
         headers += [theirs.header, *(told.of(**places).key for told in (BY_METHOD, SHARE))]
         share = 100 * difference / largest if largest else difference
-        columns_ += [a.tolist(), b.tolist(), share.tolist()]
+        columns_ += [each[kept].tolist() for each in (a, b, share)]
         worst, mean = float(abs(difference).max()), float(abs(difference).mean())
         text = f"max {number(worst, 4)} {ours.unit} ({number(float(abs(share).max()), 3)} %), mean {number(mean, 4)}"
         told = DIFFERENCE.of(**places)
@@ -45,16 +60,19 @@ def comparison_document(mechanism: Mechanism, result: Kinematics, title: str) ->
     return Document(title, tuple(facts), notes, View(headers, columns_), wide=True, more="print them with --format csv")
 
 
-def study_document(mechanism: Mechanism, result: Kinematics, title: str, decimals: int | None) -> Document:
-    """Error of central differences of the first output against their step, exact and rounded positions."""
+def study_document(
+    mechanism: Mechanism, result: Kinematics, title: str, decimals: int | None, output: str | None = None
+) -> Document:
+    """Error of central differences of an output, the first by default, against their step, exact and rounded."""
     decimals = 6 if decimals is None else decimals
-    rows = step_study(mechanism, result, decimals)
+    output = output or next(iter(result.outputs), None)
+    rows = step_study(mechanism, result, decimals, output)
     best = min(range(len(rows)), key=lambda k: rows[k].rounded.second)
     steps = table(rows, StepError, "step[deg]" if result.turns else "step", unit="rad" if result.turns else "m")
     ((key, sizes),) = steps.items()
     shown = f"{number(sizes[best], 4)} {'deg' if result.turns else 'm'} with positions rounded to {decimals} decimals"
     facts = (
-        Fact("output", result.outputs[0], {"output": result.outputs[0]}),
+        Fact("output", str(output), {"output": output}),
         Fact("errors", "largest over the positions, of the transfer functions in units of l_1"),
         Fact("best step for S''", shown, {f"best_{key}": sizes[best]}),
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from tmmcalc.core.quantity import keyed
@@ -10,8 +11,8 @@ from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
 
 
-def plan_document(plan: PositionPlan, title: str) -> Document:
-    """Facts of the strokes and one row a position."""
+def plan_document(plan: PositionPlan, title: str, rows: Sequence[int] | None = None) -> Document:
+    """Facts of the strokes and one row a position, or for the ``rows`` alone."""
     places = {"output": plan.output, "per": "rad" if plan.turns else "m", "unit": "rad" if plan.angular else "m"}
 
     def told(name: str, angular: bool) -> dict[str, Any]:
@@ -35,5 +36,6 @@ def plan_document(plan: PositionPlan, title: str) -> Document:
         *told("value", plan.angular).items(),
         *keyed(plan, "strokes", "extremes").items(),
     ]
-    view = View([header for header, _ in columns], [values for _, values in columns])
+    kept = range(len(plan.labels)) if rows is None else rows
+    view = View([header for header, _ in columns], [[values[k] for k in kept] for _, values in columns])
     return Document(title, tuple(facts), table=view)

@@ -26,6 +26,7 @@ def summary(result: Structure, title: str) -> Document:
         ),
         Fact("structural formula", result.formula, keyed(result, "formula")),
         Fact("class of the mechanism", roman, keyed(result, "class_number")),
+        *named_links(result),
     )
     groups = result.groups
     view = View(
@@ -42,8 +43,19 @@ def summary(result: Structure, title: str) -> Document:
     return Document(title, facts, (), view)
 
 
-def assemblies_document(listing: Listing, structure: Structure, title: str) -> Document:
-    """All assemblies of every group, one row each, with the places of their points."""
+def named_links(result: Structure) -> list[Fact]:
+    """The numbers of the links that columns carry, with the names that the spec gives them."""
+    if not result.names:
+        return []
+    text = ", ".join(f"{number} {name}" for number, name in result.names.items())
+    return [Fact("links", text, keyed(result, "names"))]
+
+
+def assemblies_document(listing: Listing, structure: Structure, title: str, *, everything: bool = False) -> Document:
+    """All assemblies of every group, one row each, with the places of their points.
+
+    ``everything`` writes values for programs: numbers, truth values, two columns a point [m].
+    """
     from tmmcalc.linkage.listing import GroupAssembly
 
     place = f"{number(math.degrees(listing.x))} deg" if listing.turns else f"{number(listing.x)} m"
@@ -61,6 +73,16 @@ def assemblies_document(listing: Listing, structure: Structure, title: str) -> D
             "sketch its points in assembly.sketch, or give its variant in assembly.variants"
         )
     rows = listing.assemblies
+    if everything:
+        from tmmcalc.linkage.columns import POINT
+
+        columns = table(rows, GroupAssembly, "group", "variant", "taken", "regularity", "determinant")
+        for name in dict.fromkeys(name for one in rows for name in one.points):
+            places = [one.points.get(name) for one in rows]
+            for axis, part in (("x", "real"), ("y", "imag")):
+                key = POINT[0].of(axis=axis, point=name, length="m").key
+                columns[key] = [None if z is None else getattr(z, part) for z in places]
+        return Document(title, facts, tuple(notes), View(list(columns), list(columns.values())))
     size = max((abs(z) * 1e3 for one in rows for z in one.points.values()), default=0.0)
     view = View(
         list(table((), GroupAssembly, "group", "variant", "taken", "regularity", "determinant", "points[mm]")),

@@ -12,7 +12,7 @@ from tmmcalc.core.columns import picked
 from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.linkage.synthesis.columns import columns
 from tmmcalc.linkage.synthesis.results import Check, Design, Precision, Size, StrokeTimes, Synthesis, check_key
-from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.document import Document, Fact, View, angles_in_degrees
 from tmmcalc.report.numbers import angle, number
 
 ANGLE = math.degrees(1.0)
@@ -25,7 +25,7 @@ def summary(result: Synthesis, title: str) -> Document:
     merits = () if best.dwell is None else _merit_facts(best)
     facts = (_kind_fact(result), *(_size_fact(size) for size in best.sizes), *map(_check_fact, best.checks), *merits)
     warnings = tuple(note for note in result.notes if note.startswith("warning"))
-    return Document(title, facts, warnings)
+    return angles_in_degrees(Document(title, facts, warnings))
 
 
 def document(
@@ -40,7 +40,7 @@ def document(
         table = dwell_table(design.dwell, patterns, everything)
     else:
         table = _table(result, patterns, everything)
-    return Document(title, facts, result.notes, table, wide=not patterns)
+    return angles_in_degrees(Document(title, facts, result.notes, table, wide=not patterns))
 
 
 def _facts(result: Synthesis, design: Design, choose: int) -> Iterator[Fact]:
@@ -75,8 +75,9 @@ def _facts(result: Synthesis, design: Design, choose: int) -> Iterator[Fact]:
 
 def _merit_facts(design: Design) -> Iterator[Fact]:
     for name, value in design.merits.items():
-        label, unit = name.rstrip("]").replace("_", " ").partition("[")[::2]
-        yield Fact(label, f"{number(value, 6)} {unit}".strip(), {name: value})
+        told = Quantity(name, "")
+        unit, factor = ("mm", 1e3) if told.unit == "m" else (told.unit, 1.0)
+        yield Fact(told.name.replace("_", " "), f"{number(factor * value, 6)} {unit}".strip(), {name: value})
 
 
 def _kind_fact(result: Synthesis) -> Fact:
@@ -95,7 +96,7 @@ def _size_fact(size: Size) -> Fact:
 
 
 def _time_facts(times: StrokeTimes) -> Iterator[Fact]:
-    yield Fact("speed of the crank", f"{number(times.rpm)} rpm", keyed(times, "rpm", "crank_speed"))
+    yield Fact("speed of the crank", f"{number(times.rpm)} rpm", keyed(times, "crank_speed"))
     text = f"working {number(times.working_time)} s, idle {number(times.idle_time)} s, cycle {number(times.period)} s"
     yield Fact("times", text, keyed(times, "working_time", "idle_time", "period"))
     text = f"working {angle(times.working_angle * ANGLE)} deg, idle {angle(times.idle_angle * ANGLE)} deg of the crank"
@@ -108,10 +109,11 @@ def _time_facts(times: StrokeTimes) -> Iterator[Fact]:
 
 def _check_fact(found: Check) -> Fact:
     text = f"{shown(found.achieved, found.unit)} by simulation"
-    values = keyed(found, "achieved", "unit")
+    unit = "" if found.unit == "-" else found.unit
+    values = keyed(found, "achieved", unit=unit)
     if found.target is not None and found.residual is not None:
         text += f", wanted {shown(found.target, found.unit)} (residual {found.residual:.0e})"
-        values |= keyed(found, "target", "residual")
+        values |= keyed(found, "target", "residual", unit=unit)
     return Fact(f"check: {found.name}", text, {check_key(found.name): values})
 
 
@@ -162,9 +164,8 @@ def _table(result: Synthesis, patterns: Sequence[str], everything: bool) -> View
 
 
 def _drawn(header: str, values: Sequence[Any]) -> tuple[str, Sequence[Any]]:
-    """A column for people: mm and degrees."""
-    for unit, new in (("m", "mm"), ("rad", "deg")):
-        if header.endswith(f"[{unit}]"):
-            told, factor = Quantity(header, "").shown(new)
-            return told, [factor * value for value in values]
+    """A column for people: lengths in mm."""
+    if header.endswith("[m]"):
+        told, factor = Quantity(header, "").shown("mm")
+        return told, [factor * value for value in values]
     return header, values

@@ -10,7 +10,8 @@ from tmmcalc.core.columns import Column
 from tmmcalc.core.quantity import keyed
 from tmmcalc.linkage.unsteady.columns import OUTPUT, unsteady_columns
 from tmmcalc.linkage.unsteady.results import Unsteady
-from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.document import Document, Fact, angles_in_degrees
+from tmmcalc.report.errors import digit_facts
 from tmmcalc.report.numbers import angle, number
 from tmmcalc.report.positions import with_positions
 from tmmcalc.report.timelaw import extreme_lines, extreme_values, law_facts
@@ -21,7 +22,7 @@ CENTRE = re.compile(r"(speed|acceleration)_S\d+")  # of a centre of mass
 
 def summary(result: Unsteady, title: str) -> Document:
     """Facts and notes, without the table."""
-    return Document(title, tuple(_facts(result)), tuple(str(grade) for grade in result.grades))
+    return angles_in_degrees(Document(title, tuple(_facts(result)), tuple(str(grade) for grade in result.grades)))
 
 
 def document(
@@ -37,7 +38,9 @@ def document(
     told, available = summary(result, title), unsteady_columns(result)
     usual = available if everything else _first(result, available)
     example = "t,x,v,a,omega_*"
-    return with_positions(told, result.labels, available, patterns, rows, usual=usual, example=example, where=where)
+    return with_positions(
+        told, result.labels, available, patterns, rows, usual=usual, example=example, everything=everything, where=where
+    )
 
 
 def _first(result: Unsteady, available: list[Column]) -> list[Column]:
@@ -56,7 +59,9 @@ def _facts(result: Unsteady) -> Iterator[Fact]:
     yield from _extreme_facts(result)
     e = result.error
     text = f"position {e.position:.0e}, velocity {e.velocity:.0e}, acceleration {e.acceleration:.0e}"
-    yield Fact("error (est.)", f"{text} (relative)", {"error": keyed(e)})
+    yield Fact("error (est.)", f"{text} (relative)", {"error": keyed(e, "position", "velocity", "acceleration")})
+    if e.last_digit is not None:
+        yield from digit_facts(keyed(e.last_digit))
 
 
 def _ends_fact(result: Unsteady) -> Fact:

@@ -1,4 +1,9 @@
-"""The columns of the forces table; a reaction is the force of the lower-numbered link on the higher-numbered one."""
+"""The columns of the forces table; a reaction is the force of the lower-numbered link on the higher-numbered one.
+
+In a prismatic pair that force is given by its normal part too, positive along the left normal of the line (a quarter
+turn counter-clockwise from the direction of its guide), and by the couple of the same link on the same one, positive
+counter-clockwise, about the slider's point.
+"""
 
 from __future__ import annotations
 
@@ -16,8 +21,16 @@ REACTION = (
     Quantity("R_{joint}_y[N]", "reaction in {joint} along y"),
     Quantity("R_{joint}[N]", "magnitude of the reaction in {joint}"),
 )
-NORMAL = Quantity("N_{joint}[N]", "normal force in prismatic pair {joint}")
-COUPLE = Quantity("M_{joint}[N*m]", "couple in prismatic pair {joint} about the slider's point")
+NORMAL = Quantity(
+    "N_{joint}[N]",
+    "normal part of the reaction in prismatic pair {joint}, of the lower-numbered link on the other, along the left "
+    "normal of its guide",
+)
+COUPLE = Quantity(
+    "M_{joint}[N*m]",
+    "couple of the lower-numbered link on the other in prismatic pair {joint} about the slider's point, "
+    "counter-clockwise",
+)
 EDGES = (
     Quantity("N'_{joint}[N]", "reaction of the edge ahead in {joint}"),
     Quantity("N''_{joint}[N]", "reaction of the edge behind in {joint}"),

@@ -58,7 +58,7 @@ def _with_bearing(load: Wrench, gear: GearDrive, c: Real) -> tuple[Real, Solutio
     """
     from tmmcalc.linkage.forces.friction import Solution  # only what rubs needs it
 
-    sense, tau, n = np.where(c < 0, -1.0, 1.0), np.asarray(c**2), np.size(load.moment)
+    sense, tau, shape = np.where(c < 0, -1.0, 1.0), np.asarray(c**2), np.shape(load.moment)
     ideal, own = -sense * load.moment, square(load.force)
     braking = ideal + np.sqrt(tau * own) <= 0
     u = np.where(braking, -mesh_force(gear, -sense), mesh_force(gear, sense))
@@ -70,7 +70,7 @@ def _with_bearing(load: Wrench, gear: GearDrive, c: Real) -> tuple[Real, Solutio
         a, h, q = 1 - tau * square(u), ideal + tau * along, ideal**2 - tau * own
         root = np.sqrt(np.maximum(tau * bare - tau**2 * across, 0.0))
         moment = np.where(limit < 1, ideal, np.where(h < 0, q / (h - root), (h + root) / a))
-    return sense * moment, Solution(np.zeros((1, n)), limit < 1, limit, np.zeros(n, bool), np.ones(n), 1)
+    return sense * moment, Solution(np.zeros((1, *shape)), limit < 1, limit, np.zeros(shape, bool), np.ones(shape), 1)
 
 
 def slider(load: Wrench, seat: Slideway, sense: float, c: Real, half: float | None) -> Driven:
@@ -93,4 +93,4 @@ def _rubbing(seat: Slideway, c: Real, frame: Wrench, half: float | None) -> Solu
     """Friction of a driven slider, whose normal force it does not change."""
     from tmmcalc.linkage.forces.friction import Rubbing, solve  # only what rubs needs it
 
-    return solve([Rubbing(seat, c, frame, (NOTHING,), half)], np.size(frame.moment))
+    return solve([Rubbing(seat, c, frame, (NOTHING,), half)], np.shape(frame.moment))

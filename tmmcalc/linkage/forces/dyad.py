@@ -59,8 +59,8 @@ class DyadEquilibrium(NamedTuple):
     loads: tuple[Wrench, Wrench]  # on a and b
     c: dict[int, Real]  # of every rubbing joint: coefficient times the sense of the receiver's motion in it, (n,)
 
-    def solve(self, n: int) -> GroupReactions:
-        """Reactions at n positions with the friction in them."""
+    def solve(self, shape: tuple[int, ...]) -> GroupReactions:
+        """Reactions at (n,) positions, or (C, n) in cases of load, with the friction in them."""
         rows = self.rows()
         units = self.of_units(rows)
         inner = units[0].times(rows[0].value).plus(units[1].times(rows[1].value))
@@ -81,7 +81,7 @@ class DyadEquilibrium(NamedTuple):
             )
             for k, c in self.c.items()
         ]
-        solution = solve(pairs, n)
+        solution = solve(pairs, shape)
         for response, value in zip(responses, solution.values, strict=True):
             inner = inner.plus(response.times(value))
         friction = self.in_joints(solution.values)

@@ -58,8 +58,8 @@ class Solution(NamedTuple):
     amplification: Real  # (n,) factor by which errors of the loads grow in the friction, at most
     passes: int
 
-    def rows(self, which: slice) -> Solution:
-        """The same at some of the positions."""
+    def rows(self, which: slice | int) -> Solution:
+        """The same at some of the positions, or in one of the cases of load."""
         return self._replace(
             values=self.values[:, which],
             locked=self.locked[which],
@@ -69,9 +69,13 @@ class Solution(NamedTuple):
         )
 
 
-def solve(pairs: Sequence[Rubbing], n: int) -> Solution:
-    """Solve n positions at once; values of locked positions are those of no friction."""
-    problem = _problem(pairs, n)
+def solve(pairs: Sequence[Rubbing], shape: tuple[int, ...]) -> Solution:
+    """Solve all positions at once; values of locked positions are those of no friction.
+
+    ``shape`` is (n,), or (C, n) of C cases of load at n positions, in place of every (n,).
+    """
+    problem = _problem(pairs, shape)
+    n = problem.c.shape[1]
     with np.errstate(divide="ignore", invalid="ignore"):
         values, done, passes = problem.newton(problem.first(), np.ones(n))
         gain = problem.gain()
@@ -83,7 +87,8 @@ def solve(pairs: Sequence[Rubbing], n: int) -> Solution:
             values[:, wild], limit[wild], locked[wild] = found, reached, reached < 1
             ambiguous[wild] = further & (reached == 1)
             amplification[wild] = np.where(reached == 1, np.maximum(1.0, 1 / hard.determinant(found, reached)), 1.0)
-    return Solution(values, locked, limit, ambiguous, amplification, passes)
+    flags = (locked.reshape(shape), limit.reshape(shape), ambiguous.reshape(shape), amplification.reshape(shape))
+    return Solution(values.reshape(len(values), *shape), *flags, passes)
 
 
 def joined(parts: Sequence[Solution]) -> Solution:
@@ -246,10 +251,11 @@ def one_pair(base: Real, response: Real, c: Real) -> tuple[Real, Real, Flags]:
     return -(c * size)[None], np.where(moves, 1.0, end), moves & (leading < 0) & (own > 0)
 
 
-def _problem(pairs: Sequence[Rubbing], n: int) -> _Problem:
+def _problem(pairs: Sequence[Rubbing], shape: tuple[int, ...]) -> _Problem:
+    """The equations of the pairs, the positions of all cases one behind the other."""
     tipping = [(j, pair.half) for j, pair in enumerate(pairs) if pair.half is not None]
     k = len(pairs)
-    base, response = np.zeros((2, k + len(tipping), n)), np.zeros((2, k + len(tipping), k, n))
+    base, response = np.zeros((2, k + len(tipping), *shape)), np.zeros((2, k + len(tipping), k, *shape))
     for j, pair in enumerate(pairs):
         _write(pair.seat, pair.base, base[:, j])
         for i, wrench in enumerate(pair.responses):
@@ -258,14 +264,15 @@ def _problem(pairs: Sequence[Rubbing], n: int) -> _Problem:
         base[0, row] = pairs[j].base.moment / half
         for i, wrench in enumerate(pairs[j].responses):
             response[0, row, i] = wrench.moment / half
-    c = np.empty((k, n))
+    c = np.empty((k, *shape))
     for j, pair in enumerate(pairs):
         c[j] = pair.c
+    base, response, c = (part.reshape(*part.shape[: -len(shape)], -1) for part in (base, response, c))
     return _Problem(base, response, tuple((j, row) for row, (j, _) in enumerate(tipping, k)), c)
 
 
 def _write(seat: Seat, wrench: Wrench, z: Real) -> None:
-    """What friction is proportional to, as a vector z (2, n): the force in a pin, on a guide its normal part."""
+    """What friction is proportional to, as a vector z (2, ...): the force in a pin, on a guide its normal part."""
     if isinstance(seat, Slideway):
         z[0] = (np.conj(1j * seat.e) * wrench.force).real
     else:

@@ -30,26 +30,26 @@ class GroupEquilibrium(NamedTuple):
     c: dict[int, Real]  # of every rubbing joint: coefficient times the sense of the receiver's motion in it, (n,)
     pole: complex
 
-    def solve(self, n: int) -> GroupReactions:
-        """Reactions at n positions with the friction in them."""
-        bare, responses = self._solved(n)
+    def solve(self, shape: tuple[int, ...]) -> GroupReactions:
+        """Reactions at (n,) positions, or (C, n) in cases of load, with the friction in them."""
+        bare, responses = self._solved(shape)
         if not self.c:
             return self._held(bare, (_NONE,) * len(self.seats), None)
         from tmmcalc.linkage.forces.friction import solve  # only what rubs needs it
 
-        solution = solve(self._rubbing(bare, responses), n)
+        solution = solve(self._rubbing(bare, responses), shape)
         return self._with(bare, responses, solution.values)._replace(solution=solution)
 
     def under(self, values: Real) -> GroupReactions:
         """Reactions under friction values (k, n) of the joints that rub."""
-        return self._with(*self._solved(values.shape[1]), values)
+        return self._with(*self._solved(values.shape[1:]), values)
 
     def _with(self, bare: Real, responses: Real, values: Real) -> GroupReactions:
         """Reactions under friction values (k, n), from those without friction and those to a unit of each."""
         friction = [_NONE] * len(self.seats)
         for k, value in zip(self.c, values, strict=True):
             friction[k] = value
-        return self._held(bare + np.einsum("kcn,kn->cn", responses, values), tuple(friction), None)
+        return self._held(bare + np.einsum("kc...,k...->c...", responses, values), tuple(friction), None)
 
     def _rubbing(self, bare: Real, responses: Real) -> list[Rubbing]:
         """The pairs that rub."""
@@ -62,9 +62,9 @@ class GroupEquilibrium(NamedTuple):
             for k, c in self.c.items()
         ]
 
-    def _solved(self, n: int) -> tuple[Real, Real]:
+    def _solved(self, shape: tuple[int, ...]) -> tuple[Real, Real]:
         """Components of the reactions (3 L, n) under the loads; (k, 3 L, n) under a unit of friction in each pair."""
-        table = _Table(self, n)
+        table = _Table(self, shape)
         for k, seat in enumerate(self.seats):
             for column, (force, couple) in enumerate(_units(seat), 2 * k):
                 table.write(table.matrix[..., column], k, force, couple)
@@ -75,7 +75,9 @@ class GroupEquilibrium(NamedTuple):
             force, couple = (seat.e, _NONE) if isinstance(seat, Slideway) else (_NONE + 0j, _ONE)
             table.write(table.sides[..., column], k, -force, -couple)
         found = np.linalg.solve(table.matrix, table.sides)
-        return np.ascontiguousarray(found[..., 0].T), np.ascontiguousarray(np.moveaxis(found[..., 1:], (0, 2), (2, 0)))
+        return np.ascontiguousarray(np.moveaxis(found[..., 0], -1, 0)), np.ascontiguousarray(
+            np.moveaxis(found[..., 1:], (-1, -2), (0, 1))
+        )
 
     def _drive_direction(self) -> Plane:
         """Direction (n,) of the drive's force on the receiver of its joint, which pushes the slider ahead."""
@@ -100,12 +102,12 @@ class GroupEquilibrium(NamedTuple):
 class _Table:
     """The equations of equilibrium: three rows a link, one column an unknown, and the right sides."""
 
-    def __init__(self, group: GroupEquilibrium, n: int) -> None:
+    def __init__(self, group: GroupEquilibrium, shape: tuple[int, ...]) -> None:
         links = group.plan.group.links
         self.group, self.rows = group, {link: 3 * i for i, link in enumerate(links)}
         self.reach = float(max(np.max(np.abs(seat.r - group.pole)) for seat in group.seats)) or 1.0
-        self.matrix = np.zeros((n, 3 * len(links), 3 * len(links)))
-        self.sides = np.zeros((n, 3 * len(links), 1 + len(group.c)))
+        self.matrix = np.zeros((shape[-1], 3 * len(links), 3 * len(links)))
+        self.sides = np.zeros((*shape, 3 * len(links), 1 + len(group.c)))
         for link, row in self.rows.items():
             load = group.loads[link]
             self._add(self.sides[..., 0], row, -1.0, load.force, load.moment)
@@ -119,9 +121,9 @@ class _Table:
                 self._add(column, self.rows[link], sign, force, moment)
 
     def _add(self, column: Real, row: int, sign: float, force: Plane, moment: Real) -> None:
-        column[:, row] += sign * force.real
-        column[:, row + 1] += sign * force.imag
-        column[:, row + 2] += sign * moment / self.reach
+        column[..., row] += sign * force.real
+        column[..., row + 1] += sign * force.imag
+        column[..., row + 2] += sign * moment / self.reach
 
 
 def _units(seat: Seat) -> tuple[tuple[Plane, Real], tuple[Plane, Real]]:

@@ -95,7 +95,7 @@ def textbook_iteration(
 
 def _exact(cut: Equilibrium) -> tuple[Real, Real] | None:
     """The unknowns and the friction (k,) of the solution; None if the group locks itself."""
-    held = cut.solve(1)
+    held = cut.solve((1,))
     if held.solution is not None and held.solution.locked.any():
         return None
     return _unknowns(cut, held.reactions), np.array([_one(held.friction[k]).real for k in cut.c])

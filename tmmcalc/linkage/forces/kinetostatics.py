@@ -14,7 +14,7 @@ import numpy as np
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.memory import keep_pages
 from tmmcalc.core.plane import Plane, Real, cross
-from tmmcalc.linkage.chain import Configuration
+from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.crossings import STILL
 from tmmcalc.linkage.forces import drive as driving
 from tmmcalc.linkage.forces.dyad import DyadEquilibrium, GroupReactions
@@ -56,7 +56,7 @@ class Reaction(NamedTuple):
 class Given(NamedTuple):
     """The given loads: every action with the factor of its order in the speed, their sums by link about the pole."""
 
-    actions: list[tuple[Action, float]]
+    actions: list[tuple[Action, float | Real]]
     loads: dict[int, Wrench]
 
 
@@ -80,6 +80,8 @@ class Statics(NamedTuple):
     scales: dict[str, float]  # largest relative rate in every rubbing joint, over the survey
     plans: tuple[Plan, ...]  # of the groups, in the order in which they are solved
     driver: Post  # the joint of the input link
+    # (C, 1) parts of the technological loads that act, in C cases that are solved together: all is (C, n) then
+    cases: Real | None = None
 
     @property
     def joints(self) -> tuple[Joint, ...]:
@@ -91,6 +93,12 @@ class Statics(NamedTuple):
         """The joints with friction."""
         return tuple(joint for joint in self.joints if joint.name in self.scales)
 
+    def on(self, chain: Chain) -> Statics:
+        """The same forces on a chain whose metric differs from that of the scene in its digits alone."""
+        plans = tuple(plan_of(chain.mechanism, plan.group, self.pairs) for plan in self.plans)
+        driver = post_of(chain.input_joint, chain.structure.input_link, self.pairs)
+        return self._replace(scene=self.scene._replace(chain=chain), plans=plans, driver=driver)
+
     def solve(self, place: Place, side: Real | float = 1.0) -> ForceState:
         """Reactions at a place; ``side`` (n,) or one number is +1 or -1."""
         pole = self.pole(place)
@@ -100,7 +108,9 @@ class Statics(NamedTuple):
         solutions: dict[str, Solution] = {}
         drive: Real | None = None
         for plan in self.plans:
-            held = self._solve(plan, place, side, pole, carried, reactions)
+            group = self.equilibrium(plan, place, side, pole, carried)
+            held = group.solve(self.shape(place))
+            _hand_on(group, held, pole, carried, reactions)
             if held.solution is not None:
                 solutions[plan.group.name] = held.solution
             drive = held.drive if held.drive is not None else drive
@@ -111,6 +121,11 @@ class Statics(NamedTuple):
             solutions[self.driver.joint.name] = driven.solution
         return ForceState(reactions, driven.drive, driven.mesh, solutions, given, pole)
 
+    def shape(self, place: Place) -> tuple[int, ...]:
+        """Shape of what acts at a place: (n,), or (C, n) in cases."""
+        n = len(place.theta)
+        return (n,) if self.cases is None else (len(self.cases), n)
+
     def pole(self, place: Place) -> complex:
         """The point that moments are taken about: the input joint's, where it stands first."""
         return complex(seat_of(self.driver.joint, place.configuration).r.flat[0])
@@ -120,7 +135,9 @@ class Statics(NamedTuple):
         total = {link.id: NOTHING for link in self.scene.chain.mechanism.links}
         actions = []
         for source in self.sources:
-            factor = source.factor(self.scene.travel.speed)
+            factor: float | Real = source.factor(self.scene.travel.speed)
+            if self.cases is not None and source.kind == "load":
+                factor = factor * self.cases
             for action in source.actions(place):
                 actions.append((action, factor))
                 wrench = _wrench(action, factor, pole)
@@ -163,33 +180,15 @@ class Statics(NamedTuple):
         pole = self.pole(place)
         carried, reactions = self.given(place, pole).loads, dict[str, Reaction]()
         for plan in self.plans:
+            group = self.equilibrium(plan, place, side, pole, carried)
             if plan.group.name == name:
-                return self.equilibrium(plan, place, side, pole, carried)
-            self._solve(plan, place, side, pole, carried, reactions)
+                return group
+            _hand_on(group, group.solve(self.shape(place)), pole, carried, reactions)
         raise UsageError(
             f"there is no group {name!r}",
             where="forces",
             remedy=f"groups: {', '.join(plan.group.name for plan in reversed(self.plans))}",
         )
-
-    def _solve(
-        self,
-        plan: Plan,
-        place: Place,
-        side: Real | float,
-        pole: complex,
-        carried: dict[int, Wrench],
-        reactions: dict[str, Reaction],
-    ) -> GroupReactions:
-        """Solve one group and hand its reactions on to the links that carry it."""
-        group = self.equilibrium(plan, place, side, pole, carried)
-        held = group.solve(len(place.theta))
-        for post, wrench, value, seat in zip(plan.posts, held.reactions, held.friction, group.seats, strict=True):
-            on_higher = (wrench, value) if post.sign > 0 else (wrench.reversed(), -value)
-            reactions[post.joint.name] = Reaction(*on_higher, seat)
-            if post.giver not in (FRAME, *plan.group.links):
-                carried[post.giver] = carried[post.giver].plus(wrench.reversed().about(pole - seat.r))
-        return held
 
     def _drive(
         self,
@@ -200,11 +199,11 @@ class Statics(NamedTuple):
         reactions: dict[str, Reaction],
     ) -> driving.Driven:
         """The input link: its reaction with the frame, and the drive."""
-        joint, n = self.driver.joint, len(place.theta)
+        joint, shape = self.driver.joint, self.shape(place)
         seat = seat_of(joint, place.configuration)
         load = carried[self.driver.receiver].about(seat.r - pole)
-        if not load.force.ndim or not load.moment.ndim:
-            load = Wrench(np.broadcast_to(load.force, n), np.broadcast_to(load.moment, n))
+        if load.force.shape != shape or load.moment.shape != shape:
+            load = Wrench(np.broadcast_to(load.force, shape), np.broadcast_to(load.moment, shape))
         rubs = self.driver.coefficient > 0
         c = self.driver.coefficient * self.sense(joint, place.configuration, side) if rubs else np.zeros(())
         if isinstance(seat, Slideway):
@@ -216,9 +215,26 @@ class Statics(NamedTuple):
         return driven
 
 
-def _wrench(action: Action, factor: float, pole: complex) -> Wrench:
-    force = action.force if factor == 1 else action.force * factor
-    moment = action.moment if factor == 1 else action.moment * factor
+def _hand_on(
+    group: Equilibrium,
+    held: GroupReactions,
+    pole: complex,
+    carried: dict[int, Wrench],
+    reactions: dict[str, Reaction],
+) -> None:
+    """Enter the reactions of a group that is solved, and load with them the links that carry it."""
+    plan = group.plan
+    for post, wrench, value, seat in zip(plan.posts, held.reactions, held.friction, group.seats, strict=True):
+        on_higher = (wrench, value) if post.sign > 0 else (wrench.reversed(), -value)
+        reactions[post.joint.name] = Reaction(*on_higher, seat)
+        if post.giver not in (FRAME, *plan.group.links):
+            carried[post.giver] = carried[post.giver].plus(wrench.reversed().about(pole - seat.r))
+
+
+def _wrench(action: Action, factor: float | Real, pole: complex) -> Wrench:
+    as_it_is = isinstance(factor, float | int) and factor == 1
+    force = action.force if as_it_is else action.force * factor
+    moment = action.moment if as_it_is else action.moment * factor
     if not action.pure:
         moment = moment + cross(action.at.r - pole, force)
     return Wrench(force, moment)

@@ -25,8 +25,11 @@ NOISE = 1e-9  # part of its largest value below which the sign of a force says n
 Flags = NDArray[np.bool_]
 
 
-def faces(statics: Statics, state: ForceState, n: int) -> Real:
-    """The forces (F, n) whose signs rubbing sliders depend on: N, or N' and N'' of a slider of given length."""
+def faces(statics: Statics, state: ForceState, shape: tuple[int, ...]) -> Real:
+    """The forces (F, n) whose signs rubbing sliders depend on: N, or N' and N'' of a slider of given length.
+
+    ``shape`` is (n,), or (C, n) in cases of load, in place of every (n,).
+    """
     found = []
     for joint in statics.rubbing:
         reaction, pair = state.reactions[joint.name], statics.pairs[joint.name]
@@ -37,14 +40,17 @@ def faces(statics: Statics, state: ForceState, n: int) -> Real:
             found.append(normal)
             continue
         found += edge_reactions(normal, reaction.wrench.moment, pair.length)
-    return np.array([np.broadcast_to(force, n) for force in found]).reshape(len(found), n)
+    return np.array([np.broadcast_to(force, shape) for force in found]).reshape(len(found), *shape)
 
 
-def pins(statics: Statics, state: ForceState, n: int) -> Plane:
-    """The reactions (F, n) in rubbing pins, whose friction goes with their size: it has a kink where they pass zero."""
+def pins(statics: Statics, state: ForceState, shape: tuple[int, ...]) -> Plane:
+    """The reactions (F, n) in rubbing pins, whose friction goes with their size: it has a kink where they pass zero.
+
+    ``shape`` is as of `faces`.
+    """
     forces = (state.reactions[joint.name].wrench.force for joint in statics.rubbing if joint.kind == "revolute")
-    found = [np.broadcast_to(force, n) for force in forces]
-    return np.array(found).reshape(len(found), n)
+    found = [np.broadcast_to(force, shape) for force in forces]
+    return np.array(found).reshape(len(found), *shape)
 
 
 def kinks(on: Mesh, forces: Real | Plane, largest: Real) -> tuple[Indices, Real]:

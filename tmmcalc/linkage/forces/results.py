@@ -7,7 +7,10 @@ from typing import Literal
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
+from tmmcalc.linkage.loading import GearDrive
 from tmmcalc.linkage.results import Extreme, Grade
+
+LEAST_ARM = 1e-13  # of a force that rounding alone moves off the slider's point [m]
 
 
 @record
@@ -64,6 +67,7 @@ class Forces:
         "F_mesh[N]", "force of the pinion on the crank's gear"
     )
     drive_kind: Literal["coupling", "gear", "slider"] = quantity("drive", "how the drive acts")
+    gear: GearDrive | None  # the gear on the crank; None: there is none
     equilibrium: Real = quantity(  # (n,)
         "equilibrium[-]", "largest residual of a link, against the largest force or moment"
     )
@@ -76,6 +80,14 @@ class Forces:
     grades: tuple[Grade, ...]
     counters: dict[str, int]
     error: float = quantity("reactions", "estimated relative error of the reactions")
+    last_digit: float | None = quantity(  # None: no more than rounding
+        "reactions", "relative change of the reactions by the last digit of the metric", default=None
+    )
+
+
+def side_of(result: Forces, row: int) -> float:
+    """The side from which a row is taken where friction jumps: -1 just before, at the very end too, else +1."""
+    return -1.0 if result.labels[row].endswith("-") or row == len(result.labels) - 1 else 1.0
 
 
 def edge_reactions(normal: Real, couple: Real, length: float) -> tuple[Real, Real]:

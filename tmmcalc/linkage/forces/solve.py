@@ -12,6 +12,7 @@ from tmmcalc.core.numerics.mesh import Mesh, laid
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
+from tmmcalc.linkage.forces.errors import last_digit
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
 from tmmcalc.linkage.forces.maxima import ForceFunctions, force_functions, maxima, pairs_of
 from tmmcalc.linkage.forces.refinement import PARTS, Sample, resolved, sample_of
@@ -64,9 +65,8 @@ def solve_forces(mechanism: Mechanism, loading: Loading, kinematics: Kinematics)
     grades = (*scene.grades, *_grades(scene, seen, labels))
     passes = max((s.passes for _, solutions in seen[:1] for s in solutions.values()), default=0)
     error = _amplified(seen, kinematics.error.acceleration)
-    return forces_of(
-        statics, rows, theta, labels, (mesh.panels_of(0)[0], functions, bool(clear[0])), error, passes, grades
-    )
+    over_panels, digit = (mesh.panels_of(0)[0], functions, bool(clear[0])), last_digit(statics, theta, side, kinematics)
+    return forces_of(statics, rows, theta, labels, over_panels, error, passes, grades, digit)
 
 
 def forces_of(
@@ -78,10 +78,11 @@ def forces_of(
     error: float,
     passes: int,
     grades: tuple[Grade, ...],
+    digit: float | None = None,
 ) -> Forces:
     """The result from the reactions in the ``rows`` at theta (n,) and ``over`` panels, which are resolved or not.
 
-    ``error`` is what the loads of inertia leave of theirs in the reactions.
+    ``error`` is what the loads of inertia leave of theirs in the reactions, ``digit`` what the last of the data does.
     """
     scene, (dense, functions, resolved) = statics.scene, over
     found = maxima(statics, dense, functions, resolved)
@@ -102,6 +103,7 @@ def forces_of(
         power=rows.drive * scene.travel.speed,
         mesh=rows.mesh,
         drive_kind=_drive_kind(scene),
+        gear=scene.loading.drive if isinstance(scene.loading.drive, GearDrive) else None,
         equilibrium=rows.equilibrium,
         virtual=virtual,
         drive_extremes=found.drive,
@@ -110,6 +112,7 @@ def forces_of(
         grades=grades,
         counters={"rows": len(theta), "dense": dense.x.size, "passes": passes},
         error=MARGIN * max(_largest(rows.equilibrium), _largest(virtual), error),
+        last_digit=digit,
     )
 
 

@@ -90,5 +90,5 @@ def _stack(statics: Statics, state: ForceState, place: Place, checked: bool = Tr
         state.mesh,
         balance,
         virtual_drive(statics, state, place) if checked else state.drive,
-        faces(statics, state, n),
+        faces(statics, state, (n,)),
     )

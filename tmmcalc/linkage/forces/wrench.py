@@ -84,7 +84,7 @@ class Plan(NamedTuple):
 
 def post_of(joint: Joint, receiver: int, pairs: dict[str, Pair]) -> Post:
     """The joint with the friction of its pair."""
-    giver = joint.links[1 - joint.links.index(receiver)]
+    giver = joint.other(receiver)
     pair = pairs.get(joint.name)
     if pair is None:
         return Post(joint, receiver, giver, 0.0, None)

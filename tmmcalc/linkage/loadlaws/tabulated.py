@@ -38,8 +38,8 @@ class LoadCurveTable(Table):
     x: list[InputDistance] | None = Field(
         default=None,
         min_length=2,
-        description="Abscissae, ascending (default: equal steps of the period, the positions 0, 1, 2 ..., or the "
-        "stroke from 0 to 1).",
+        description="Abscissae, ascending; two equal angles are a jump of straight lines (default: equal steps of the "
+        "period, the positions 0, 1, 2 ..., or the stroke from 0 to 1).",
     )
     force: list[Force] | None = Field(default=None, min_length=2, description="Values of a force, one for each `x`.")
     moment: list[Moment] | None = Field(default=None, min_length=2, description="Values of a moment, one for each `x`.")
@@ -47,6 +47,11 @@ class LoadCurveTable(Table):
         default=None,
         description="CSV file of two columns with a header `name[unit]`, in place of `x` and the values; "
         "its path counts from the folder of the spec.",
+    )
+    columns: str | None = Field(
+        default=None,
+        description="Columns of a file that has more than two: of the values, or of both, as `--columns` names them, "
+        '`"phi,M_drive"`.',
     )
     interpolation: Literal["linear", "pchip"] = Field(
         default="linear", description='`"linear"`: straight lines, or `"pchip"`, a smooth monotone curve.'

@@ -66,10 +66,13 @@ class _Part(NamedTuple):
     grades: tuple[Grade, ...] = ()
 
 
-def compile_scene(mechanism: Mechanism, loading: Loading, kinematics: Kinematics) -> Scene:
-    """The scene of a mechanism whose kinematics is solved; raises `NoSolutionError` for a load without a place."""
+def compile_scene(mechanism: Mechanism, loading: Loading, kinematics: Kinematics, turns: int = 1) -> Scene:
+    """The scene of a mechanism whose kinematics is solved; raises `NoSolutionError` for a load without a place.
+
+    ``turns`` of the crank are those after which all that is beside it repeats.
+    """
     compiled = chain_of(mechanism, kinematics)
-    travel = travel_of(compiled, kinematics, loading.loads)
+    travel = travel_of(compiled, kinematics, loading.loads, turns)
     return scene_of(compiled, loading, travel, surveyed(compiled, travel), kinematics)
 
 

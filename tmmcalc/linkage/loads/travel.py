@@ -102,8 +102,11 @@ class Travel(NamedTuple):
         return [f"{math.degrees(t):.5g} deg" if self.turns else f"{1e3 * t:.5g} mm" for t in theta]
 
 
-def travel_of(chain: Chain, kinematics: Kinematics, loads: Sequence[Load]) -> Travel:
-    """The travel of a solved mechanism; four-stroke indicators and longer tables make its period longer."""
+def travel_of(chain: Chain, kinematics: Kinematics, loads: Sequence[Load], turns: int = 1) -> Travel:
+    """The travel of a solved mechanism; four-stroke indicators and longer tables make its period longer.
+
+    So does what else repeats after these ``turns`` of the crank.
+    """
     along = kinematics.phi * math.copysign(1.0, kinematics.speed)
     begin = int(np.argmin(along))
     along = along - along[begin]
@@ -115,7 +118,7 @@ def travel_of(chain: Chain, kinematics: Kinematics, loads: Sequence[Load]) -> Tr
         acceleration=kinematics.acceleration,
         turns=chain.turns,
         whole=whole,
-        period=TURN * math.lcm(*(load.law.turns for load in loads)) if whole else float(np.max(along)),
+        period=TURN * math.lcm(turns, *(load.law.turns for load in loads)) if whole else float(np.max(along)),
         names=kinematics.labels,
         along=along,
     )

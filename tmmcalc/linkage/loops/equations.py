@@ -117,7 +117,8 @@ def equations_of(mechanism: Mechanism, group: Group) -> Equations:
 
 def _table(rows: Sequence[Mapping[K, complex]], keys: Sequence[K]) -> Plane:
     """Multiples (L, keys) of the loops."""
-    return np.array([[row.get(key, 0) for key in keys] for row in rows], complex).reshape(len(rows), len(keys))
+    table = np.array([[row.get(key, 0j) for key in keys] for row in rows]).reshape(len(rows), len(keys))
+    return table.astype(np.result_type(table, np.complex128), copy=False)
 
 
 def _turnings(group: Group, joints: list[Joint]) -> tuple[dict[int, Turning], int]:

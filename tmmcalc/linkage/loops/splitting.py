@@ -20,9 +20,9 @@ from itertools import product
 from typing import NamedTuple
 
 from tmmcalc.core.errors import StructureError, UsageError
+from tmmcalc.linkage.chain import Step, step_of
 from tmmcalc.linkage.dyads.base import Element, element
 from tmmcalc.linkage.model import FRAME, Input, Joint, Link, Mechanism
-from tmmcalc.linkage.steps import Step, build
 from tmmcalc.linkage.structure import Group, solve_structure
 
 
@@ -87,12 +87,8 @@ def _split(
 ) -> Split:
     removed, trial = links
     own = [element(joint, removed).point for joint in pins]
-    freed = [element(joint, _other(joint, removed)) for joint in pins]
+    freed = [element(joint, joint.other(removed)) for joint in pins]
     signs = product((1, -1), repeat=len(dyads))
-    variants = tuple(tuple(build(mechanism, group, k) for group, k in zip(dyads, row, strict=True)) for row in signs)
-    outer = element(pivot, trial), element(pivot, _other(pivot, trial))
+    variants = tuple(tuple(step_of(mechanism, group, k) for group, k in zip(dyads, row, strict=True)) for row in signs)
+    outer = element(pivot, trial), element(pivot, pivot.other(trial))
     return Split(removed, (own[0], own[1]), (freed[0], freed[1]), trial, outer, variants)
-
-
-def _other(joint: Joint, link: int) -> int:
-    return joint.links[1 - joint.links.index(link)]

@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 
 from tmmcalc.core.records import record
 from tmmcalc.linkage.forces.kinetostatics import Statics
-from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.forces.results import Forces, side_of
 from tmmcalc.linkage.freebody import Acting, Couple, FreeBody, cleared, free_bodies
 from tmmcalc.linkage.pictures.cycle import LinkageMotion, motion_at, whole_cycle
 from tmmcalc.linkage.pictures.forcepolygon import draw_force_polygon
@@ -56,10 +56,9 @@ class Sheet:
 def sheets_of(statics: Statics, kinematics: Kinematics, result: Forces, row: int) -> list[Sheet]:
     """The free bodies of one row of the result, a few to a sheet, with the other limit where friction jumps there."""
     theta, chain = float(result.theta[row]), statics.scene.chain
-    before = result.labels[row].endswith("-") or row == len(result.labels) - 1
-    side = -1.0 if before else 1.0
+    side = side_of(result, row)
     bodies, others = (cleared(free_bodies(statics, theta, s), SEEN) for s in (side, -side))
-    limits = ("just before", "just after") if before else ("just after", "just before")
+    limits = ("just before", "just after") if side < 0 else ("just after", "just before")
     if not _differ(bodies, others):
         others = ()
     motion, cycle = motion_at(chain, statics.scene.travel.x(result.theta[[row]])), whole_cycle(chain, kinematics)

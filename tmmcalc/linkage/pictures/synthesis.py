@@ -161,7 +161,8 @@ def _parts(design: Design) -> list[Part]:
     merits = []
     for name, value in design.merits.items():
         label, unit = name.rstrip("]").replace("_", " ").partition("[")[::2]
-        merits.append((label, f"{signed(value, 5)} {unit.replace('deg', '°')}".strip()))
+        shown, unit = (1e3 * value, "mm") if unit == "m" else (value, unit.replace("deg", "°"))
+        merits.append((label, f"{signed(shown, 5)} {unit}".strip()))
     checks = [
         (check.name, f"{_shown(check.achieved, check.unit)}" + ("" if check.target is None else "  ✓"))
         for check in design.checks

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from tmmcalc.core.quantity import keyed
 from tmmcalc.core.stage import said
+from tmmcalc.core.stored import LAST_DIGIT
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.wanted import FRICTION, NO_CSV, SPRINGS, interpolated, is_long
 
@@ -20,6 +22,7 @@ GEAR = "no gear on the crank: no force of a mesh"
 solve = "tmmcalc.linkage.forces.solve:solve_forces"
 kind = Forces
 columns = "tmmcalc.linkage.forces.columns:columns"
+placed = "tmmcalc.linkage.tables.tasks.placed:with_position"
 
 
 def inputs(spec: LinkageTables) -> tuple[Mechanism, Loading]:
@@ -31,8 +34,10 @@ def inputs(spec: LinkageTables) -> tuple[Mechanism, Loading]:
 
 
 def errors(result: Forces) -> dict[str, Any]:
-    """Estimates of its errors."""
-    return {"reactions": result.error}
+    """Estimates of its errors, and what the last digit of the data does where it is more."""
+    if result.last_digit is None:
+        return keyed(result, "error")
+    return {**keyed(result, "error"), LAST_DIGIT: keyed(result, "last_digit")}
 
 
 def omits(spec: LinkageTables) -> tuple[str, ...]:

@@ -10,13 +10,12 @@ import numpy as np
 from tmmcalc.core.conversion import plain, restore
 from tmmcalc.core.stage import said
 from tmmcalc.core.stored import Record
-from tmmcalc.linkage.results import Kinematics, Method, Trace
+from tmmcalc.linkage.results import Kinematics, Trace
 from tmmcalc.linkage.wanted import NO_CSV, is_long
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.model import Mechanism
     from tmmcalc.linkage.room import LinkageTables
-    from tmmcalc.linkage.structure import Structure
 
 LOOPS = "all groups are dyads, in closed form: no loops are iterated, no branches followed"
 EXTRA = "no extra positions and no dead centres among the positions: equal steps alone"
@@ -26,8 +25,10 @@ _TRACE_ARRAYS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "joint_s", "joi
 _TRACE_FIELDS = ("r", "dr", "ddr", "angle", "dangle", "ddangle", "s", "ds", "dds")
 _OUTPUT_ARRAYS = ("s", "ds", "dds")
 
+solve = "tmmcalc.linkage.kinematics:solve_kinematics"
 kind = Kinematics
 columns = "tmmcalc.linkage.columns:columns"
+placed = "tmmcalc.linkage.tables.tasks.placed:with_position"
 
 
 def inputs(spec: LinkageTables) -> Mechanism:
@@ -35,14 +36,6 @@ def inputs(spec: LinkageTables) -> Mechanism:
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     return to_linkage(spec.linkage)
-
-
-def solve(mechanism: Mechanism, structure: Structure, **settings: Any) -> Kinematics:
-    """Solve all positions by the method of the settings; a step or decimals of 0 mean the default and none."""
-    from tmmcalc.linkage.kinematics import solve_kinematics  # a stored result is loaded without it
-
-    method = Method(settings["method"], settings["step"] or None, settings["decimals"] or None)
-    return solve_kinematics(mechanism, structure, method)
 
 
 def dump(result: Kinematics) -> Record:

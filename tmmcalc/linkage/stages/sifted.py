@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from tmmcalc.core.errors import NoSolutionError, TmmError
+from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
 from tmmcalc.core.stage import Another
 from tmmcalc.feasibility.judge import Feasibility, FeasibilityTask
 from tmmcalc.feasibility.rule import failing, may_hold
@@ -27,9 +27,11 @@ REFUSED = "no result"  # of a design whose ready spec cannot be solved
 def sifted(task: FeasibilityTask, found: Synthesis, own: frozenset[str], count: int, another: Another) -> Synthesis:
     """The first ``count`` designs: those with which the rule may hold, then the others, the nearest to it first.
 
-    ``own`` are the stages that the scene itself has: their constraints are left open.
+    ``own`` are the stages that the scene itself has: their constraints are left open, and those of stages that a
+    linkage alone has not, such as the flywheel of its machine.
     """
-    known = tuple(each for each in task.constraints if each.stage == "synthesis" or each.stage not in own)
+    open_stages = own | {each.stage for each in task.constraints if not _has(found.designs[0], each.stage, another)}
+    known = tuple(each for each in task.constraints if each.stage == "synthesis" or each.stage not in open_stages)
     names = {each.name for each in task.constraints}
     if not known:
         return replace(found, designs=found.designs[:count])
@@ -60,6 +62,17 @@ def sifted(task: FeasibilityTask, found: Synthesis, own: frozenset[str], count: 
     counters = {**found.counters, "passed over": len(passed)}
     rest = [design for _, design in sorted(passed, key=lambda each: each[0])]
     return replace(found, designs=tuple([*kept, *rest][:count]), notes=(*found.notes, note), counters=counters)
+
+
+def _has(design: Design, stage: str, another: Another) -> bool:
+    """Whether a stage is one of the ready spec, with a result or without."""
+    try:
+        another(design.spec, [stage])
+    except UsageError:
+        return False
+    except TmmError:
+        return True
+    return True
 
 
 def _judged(task: FeasibilityTask, found: Synthesis, design: Design, another: Another) -> Feasibility | None:

@@ -22,6 +22,8 @@ CLOSED = "solutions in closed form, all listed: they are not sifted by the const
 NO_SEARCH = "no [synthesis.dwell.optimum]: no search for the best dwell"
 
 kind = Synthesis
+found = "tmmcalc.linkage.tables.found:of_synthesis"
+outlook = "tmmcalc.linkage.tables.found:outlook"
 
 
 @record

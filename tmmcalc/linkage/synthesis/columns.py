@@ -1,8 +1,8 @@
-"""The columns of the table of solutions: number, sizes in SI, figures of merit, number of defects."""
+"""The columns of the table of solutions: number, sizes in m and deg, figures of merit, number of defects."""
 
 from __future__ import annotations
 
-from tmmcalc.core.quantity import quantity_of
+from tmmcalc.core.quantity import in_degrees, quantity_of
 from tmmcalc.linkage.synthesis.results import Design, Synthesis
 
 
@@ -14,4 +14,4 @@ def columns(result: Synthesis) -> dict[str, list[float] | list[str]]:
     for name in result.best.merits:
         found[name] = [design.merits[name] for design in result.designs]
     found[quantity_of(Design, "defects").key] = [float(len(design.defects)) for design in result.designs]
-    return found
+    return in_degrees(found)

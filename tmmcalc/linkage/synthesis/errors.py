@@ -70,7 +70,10 @@ def missed(conditions: Conditions) -> float:
     told = np.array(conditions.found, np.longdouble)
     x = told.copy()
     for _ in range(CORRECTIONS):
-        slopes, open_ = _slopes(conditions.equations, x).astype(float), conditions.equations(x).astype(float)
+        with np.errstate(invalid="ignore"):
+            slopes, open_ = _slopes(conditions.equations, x).astype(float), conditions.equations(x).astype(float)
+        if not (np.all(np.isfinite(slopes)) and np.all(np.isfinite(open_))):
+            return 1.0  # sizes so far apart that a step beside one of them leaves the mechanism: nothing is known
         x = x - np.linalg.lstsq(slopes, open_, rcond=RANK)[0]
     away = float(np.max(np.abs(x - told)[: conditions.sizes]))
     return MARGIN * away + (EPS if WIDER else CHAIN)

@@ -107,13 +107,12 @@ def coefficients(closure: Closure, u: Real, v: Real) -> Coefficients:
     return Coefficients(solved[..., 0], places)
 
 
-def _gap(closure: Closure, u: Real, v: Real, last: int) -> Real:
-    """Determinant (k,) of the rows of the points 0, 1, 2 and ``last`` with their right sides: zero if all are met."""
+def _gaps(closure: Closure, u: Real, v: Real) -> Real:
+    """Determinants (k, n - 3) of three points and each further one: rows with right sides, zero if all are met."""
     matrix, right = closure.system(u, v)
-    rows = [0, 1, 2, last]
-    whole = np.concatenate((matrix[:, rows], right[:, rows, None]), axis=2)
+    whole = np.concatenate((matrix, right[..., None]), axis=2)
     whole = whole / np.linalg.norm(whole, axis=2, keepdims=True)
-    return np.linalg.det(whole)
+    return np.stack([np.linalg.det(whole[:, [0, 1, 2, last]]) for last in range(3, whole.shape[1])], axis=1)
 
 
 def _one_root(closure: Closure, grid: int) -> tuple[Real, Real]:
@@ -135,7 +134,8 @@ def _along(closure: Closure, axis: int, moving: Real, fixed: Real) -> tuple[Real
     other = np.repeat(fixed, cells)
 
     def gap(at: Real, which: np.ndarray) -> Real:
-        return _gap(closure, at, other[which], 3) if axis == 0 else _gap(closure, other[which], at, 3)
+        places = (at, other[which]) if axis == 0 else (other[which], at)
+        return _gaps(closure, *places)[:, 0]
 
     every = np.arange(len(low))
     change = np.flatnonzero(np.signbit(gap(low, every)) != np.signbit(gap(high, every)))
@@ -149,7 +149,7 @@ def _both_roots(closure: Closure, grid: int) -> tuple[Real, Real]:
     x = np.stack((u.ravel(), v.ravel()), axis=1)
 
     def gaps(at: Real) -> Real:
-        return np.stack([_gap(closure, at[:, 0], at[:, 1], last) for last in (3, 4)], axis=1)
+        return _gaps(closure, at[:, 0], at[:, 1])
 
     h = 1e-7
     for _ in range(STEPS):

@@ -53,7 +53,7 @@ def design_of(task: SynthesisTask, closure: Closure, fitted: Fitted, k: int) -> 
     )
     transmission = result.qualities[0].transmission or 0.0
     sizes = _sizes(closure, fitted, k)
-    told, factor = structural_error(closure), 1e3 if closure.slides else math.degrees(1.0)
+    told, factor = structural_error(closure), 1.0 if closure.slides else math.degrees(1.0)
     merits = {
         told.marked("max").key: factor * float(np.max(np.abs(error))),
         told.marked("rms").key: factor * float(np.sqrt(np.mean(error**2))),
@@ -70,8 +70,8 @@ def design_of(task: SynthesisTask, closure: Closure, fitted: Fitted, k: int) -> 
 
 
 def structural_error(closure: Closure) -> Quantity:
-    """The figure of merit of a function generator, in the unit of people."""
-    return STRUCTURAL_ERROR.of(unit="mm" if closure.slides else "deg")
+    """The figure of merit of a function generator."""
+    return STRUCTURAL_ERROR.of(unit="m" if closure.slides else "deg")
 
 
 def _sense(asked: FunctionTask) -> int:

@@ -41,7 +41,7 @@ def designed(task: SynthesisTask, bars: Bars, rating: Rating, title: str) -> Des
     rating = rating._replace(transmission=np.array([transmission]))
     distance = float(precision.found.max())
     merits = {TRANSMISSION.key: math.degrees(transmission), "longest/shortest": float(rating.ratio[0])}
-    merits[DISTANCE.key] = 1e3 * distance
+    merits[DISTANCE.key] = distance
     checks: tuple[Check, ...] = (check("largest distance from the points", distance, "m"),)
     if len(precision.angle_errors):
         drift = float(np.max(np.abs(precision.angle_errors)))

@@ -17,6 +17,7 @@ from tmmcalc.linkage.synthesis.planar import Bars
 WAY = 91  # places between the first and the last position at which margins are taken
 TURN = 2 * np.pi
 SAME = 1e-9  # angles of the crank nearer than this [rad] are one position
+NONE = 1e-15  # of the longest bar: what is shorter has no length
 
 
 class Asked(NamedTuple):
@@ -99,13 +100,15 @@ def rate(bars: Bars, b: Plane, c: Plane) -> tuple[Bars, Rating]:
     whole = bars.at(np.linspace(0, TURN, WAY)[None, :]).margin
     least = np.where(turns, whole.min(axis=1), margin.min(axis=1))
     lengths = bars.lengths()
+    longest = lengths.max(axis=0)
+    shortest = np.maximum(lengths.min(axis=0), np.maximum(NONE * longest, np.finfo(float).tiny))
     return bars, Rating(
         order,
         branch,
         np.all(margin > 0, axis=1),
         turns,
         np.arcsin(np.sqrt(np.clip(least, 0, 1))),
-        lengths.max(axis=0) / np.maximum(lengths.min(axis=0), 1e-300),
+        longest / shortest,
         phi,
         sense,
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from tmmcalc.core.plane import Plane, Real
-from tmmcalc.core.quantity import Quantity, derived, quantity
+from tmmcalc.core.quantity import Quantity, quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.synthesis.dwell.results import Dwell
 
@@ -35,9 +35,9 @@ class Check:
     """
 
     name: str
-    achieved: float = quantity("achieved", "value of the simulated mechanism")
-    unit: str = quantity("unit", "unit of the value")
-    target: float | None = quantity("target", "value that was asked for", default=None)
+    achieved: float = quantity("achieved[{unit}]", "value of the simulated mechanism")
+    unit: str  # m, rad or - for a number
+    target: float | None = quantity("target[{unit}]", "value that was asked for", default=None)
     residual: float | None = quantity("residual", "difference of the two, relative to the target", default=None)
 
 
@@ -68,7 +68,7 @@ class StrokeTimes:
     idle_angle: float = quantity("alpha_x[rad]", "angle of the crank over the idle stroke")
     overlap: float  # psi [rad]
 
-    @derived("n[rpm]", "speed of the crank")
+    @property
     def rpm(self) -> float:
         """Turns of the crank a minute."""
         return self.crank_speed * 30 / math.pi
@@ -94,7 +94,7 @@ class Precision:
 TRANSMISSION = Quantity("transmission_min[deg]", "smallest transmission angle")
 PRESSURE = Quantity("pressure_max[deg]", "largest pressure angle")
 STRUCTURAL_ERROR = Quantity("structural_error[{unit}]", "error of the output over the range of the function")
-DISTANCE = Quantity("error_max[mm]", "largest distance from the points")
+DISTANCE = Quantity("error_max[m]", "largest distance from the points")
 ANGLE_ERROR = Quantity("angle_error_max[deg]", "largest error of the body's angle")
 
 

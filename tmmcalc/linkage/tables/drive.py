@@ -1,9 +1,8 @@
 """``[drive]``: how the drive acts on the crank."""
 
-import math
 from typing import Literal
 
-from pydantic import Field
+from pydantic import Field, PrivateAttr
 
 from tmmcalc.spec.quantities import Angle, Size
 from tmmcalc.spec.table import Table
@@ -17,9 +16,17 @@ class DriveTable(Table):
         description='Kind of the drive, `"coupling"`: a moment; or `"gear"`: a force in the mesh of a gear that the '
         "crank carries.",
     )
-    radius: Size | None = Field(default=None, description="Operating pitch radius of the gear on the crank.")
-    mesh_angle: Angle = Field(default=math.pi / 9, description="Operating pressure angle of the mesh.")
+    radius: Size | None = Field(
+        default=None, description="Operating pitch radius of the gear on the crank (default: that of `[open_pair]`)."
+    )
+    mesh_angle: Angle | None = Field(
+        default=None, description="Operating pressure angle of the mesh (default: that of `[open_pair]`, or 20 deg)."
+    )
     pinion: Angle | None = Field(
         default=None, description="Direction from the crank's pivot to the centre of the pinion, from the x axis."
     )
-    internal: bool = Field(default=False, description="Whether the gear on the crank has internal teeth.")
+    internal: bool | None = Field(
+        default=None,
+        description="Whether the gear on the crank has internal teeth (default: as `[open_pair]` has it, or `false`).",
+    )
+    _open: str = PrivateAttr(default="")  # the open pair that radius and angle are of; empty: given

@@ -38,5 +38,5 @@ class GridTable(Table):
     )
     extremes: bool = Field(
         default=False,
-        description="Whether the dead centres of the outputs are added as positions if they are not among them.",
+        description="Whether the dead centres of all outputs are added as positions if they are not among them.",
     )

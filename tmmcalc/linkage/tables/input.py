@@ -15,7 +15,11 @@ class InputTable(Table):
         "driven slider; or of a driven length between moving links."
     )
     speed: InputSpeed = Field(
-        description="Mean speed, not zero; its sign is the sense of the motion, counter-clockwise positive.",
+        default=1.0,
+        description="Mean speed, not zero; its sign is the sense of the motion, counter-clockwise positive. A "
+        "mechanism without masses and loads may leave it out: its velocities are then those at 1 rad/s or 1 m/s. Or "
+        '`"by the motor"`, or `"by the motor, clockwise"`: of a crank, the mean speed of the motion that the motor '
+        "gives it through the ratio that is given, in `[transmission]`, `[[shafts]]` or `[train]`.",
     )
     acceleration: InputAcceleration = Field(
         default=0.0,

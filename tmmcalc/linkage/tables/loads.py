@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field
 
+from tmmcalc.linkage.loading import Role
 from tmmcalc.linkage.loadlaws import laws
 from tmmcalc.linkage.tables.joints import Place
 from tmmcalc.spec.identifiers import Name, PositionLabel
@@ -32,9 +33,10 @@ class ActingTable(Table):
         description="Link in whose axes the direction is given, so that it turns with it; 0: the fixed axes.",
     )
     against: int = Field(default=0, ge=0, description="Link that takes the opposite load, in the same line.")
-    role: Literal["resistance", "drive"] = Field(
+    role: Role = Field(
         default="resistance",
-        description='Whether the load is a useful `"resistance"` or a `"drive"` in the balance of work.',
+        description='Whether the load is a useful `"resistance"`, a `"drive"`, or `"neutral"`, as a dead weight '
+        "that is lifted and let down: its work is told either way, and a neutral load may do either.",
     )
     factor: Factor = Field(default=1.0, description="Load factor.")
 

@@ -33,6 +33,7 @@ else:
 KINDS = ("slider_crank", "slotted_link", "rotating_slotted_link", "crank_rocker", "path", "function", "motion", "dwell")
 
 Solutions = Annotated[int, Whole("a number of solutions", 1, 50)]
+Choose = Annotated[int, Whole("the number of a solution", 1, 50)]
 Seed = Annotated[int, Whole("a seed", 0, 2**31 - 1)]
 Positions = Annotated[int, Whole("a number of positions", 4, 100_000)]
 Transmission = Annotated[float, Within("angle", "deg", math.pi / 180, 0, 89.9)]
@@ -45,6 +46,10 @@ class LinkSynthesisTable(Table):
         default=None, description="Speed of the crank in the ready spec (default: 1 rad/s, or by `working_speed`)."
     )
     solutions: Solutions = Field(default=5, description="Solutions that are listed, the best first.")
+    choose: Choose | None = Field(
+        default=None,
+        description="Solution that the other tables of the spec are about, from 1 (default: the best).",
+    )
     seed: Seed = Field(default=1, description="Seed of the random starts: equal seeds give equal results.")
     transmission: Transmission | None = Field(
         default=None,

@@ -7,25 +7,28 @@ asked side if there is one.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.numerics.extrema import around, refine, turning
 from tmmcalc.core.numerics.roots import Problems, bracketed
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN, coordinate, describe
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.model import Output
-from tmmcalc.linkage.outputs import coordinate_of, default_outputs
+from tmmcalc.linkage.outputs import coordinate_of, output_named
 from tmmcalc.linkage.results import Domain, Interval
 from tmmcalc.linkage.survey import survey
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
 
 WHERE = "unsteady"
 SAME = 1e-9  # of the searched range: nearer coordinates are one
-CLEAR = 1e-9  # of an interval: the search keeps so far from its limits
+CLEAR = 1e-9  # of a range: the survey keeps so far from its ends, which may be limit positions; no way is shorter
+LAST = 1e-14  # of the searched range: so near to a limit position rounding may part the links
+NEAR_LIMIT = 1e-10  # of the searched range: from where values are carried on to a limit position
 REACHED = 1e-12  # of the range of an output: a value beyond it by less is its extreme
 
 
@@ -41,7 +44,7 @@ def find_ends(chain: Chain, domain: Domain, task: UnsteadyTask, reference: float
 
     Raises `NoSolutionError` for a value that the output does not reach, `UsageError` for an output that is none.
     """
-    output = None if task.output is None else _output(chain, task.output)
+    output = None if task.output is None else output_named(chain, task.output, WHERE)
     start = reference
     if task.start is not None:
         start = task.start if output is None else _nearest(chain, domain, output, task.start, reference, None)
@@ -52,15 +55,6 @@ def find_ends(chain: Chain, domain: Domain, task: UnsteadyTask, reference: float
     if output is not None:
         return Ends(start, _nearest(chain, domain, output, task.end, start, task.sense))
     return Ends(start, start + _way(chain, task.end - start, task.sense))
-
-
-def _output(chain: Chain, name: str) -> Output:
-    outputs = default_outputs(chain)
-    found = next((output for output in outputs if output.name == name), None)
-    if found is None:
-        known = ", ".join(output.name for output in outputs) or "none"
-        raise UsageError(f"there is no output {name!r}", where=WHERE, remedy=f"outputs: {known}")
-    return found
 
 
 def _way(chain: Chain, travel: float, sense: int | None) -> float:
@@ -80,9 +74,12 @@ def _way(chain: Chain, travel: float, sense: int | None) -> float:
 def _nearest(chain: Chain, domain: Domain, output: Output, value: float, near: float, sense: int | None) -> float:
     """The input coordinate nearest to ``near`` at which the output has this value."""
     low, high = _range(chain, domain, near)
+    least_way = CLEAR * (high - low)
     if sense is not None:
         low, high = (near, high) if sense > 0 else (low, near)
     side = "" if sense is None else f" on the {'positive' if sense > 0 else 'negative'} side"
+    if high - low <= least_way:
+        raise _outside(chain, domain.intervals, near, f"from {coordinate(chain, near)} the mechanism has no way{side}")
     found, least, largest = _roots(chain, output, value, low, high)
     if math.isnan(least):
         raise _outside(chain, domain.intervals, near, f"from {coordinate(chain, near)} the mechanism has no way{side}")
@@ -108,9 +105,7 @@ def _range(chain: Chain, domain: Domain, near: float) -> tuple[float, float]:
     for interval in domain.intervals:
         shift = TURN * math.floor((near - interval.low) / TURN) if chain.turns else 0.0
         if interval.low <= near - shift <= interval.high:
-            clear = CLEAR * (interval.high - interval.low)
-            low, high = interval.low + shift + clear, interval.high + shift - clear
-            return min(low, near), max(high, near)
+            return interval.low + shift, interval.high + shift
     raise _outside(chain, domain.intervals, near, "the motion would begin where the mechanism does not assemble")
 
 
@@ -124,24 +119,28 @@ def _outside(chain: Chain, intervals: tuple[Interval, ...], near: float, fault: 
 def _roots(chain: Chain, output: Output, value: float, low: float, high: float) -> tuple[Real, float, float]:
     """Coordinates (m,) in the range at which the output has the value, and its extremes; angles modulo 2 pi.
 
-    The extremes are not a number where the range has no length, or is so short that rounding parts its links.
+    The extremes are not a number where the range is so short that rounding parts its links.
     """
-    nothing = np.empty(0), math.nan, math.nan
-    if high - low <= 0:
-        return nothing
-    dense = survey(chain, low, high)
-    x = dense.x if not dense.full else np.linspace(low, high, len(dense.x))
+    clear = CLEAR * (high - low)
+    dense = survey(chain, low + clear, high - clear)
     track = dense.angle(output.link) if output.link is not None else None
 
-    def f(at: Real, _: object) -> Real:
+    def inside(at: Real) -> Real:
         raw = np.broadcast_to(coordinate_of(chain, output, chain.evaluate(at, order=0))[0], at.shape)
         if track is None:
             return raw
         return raw + TURN * np.rint((np.interp(at, dense.x, track) - raw) / TURN)
 
-    x, values = _with_extremes(f, x)
+    ends = np.array([low, high])
+    limits = _carried_on(inside, low, high)
+
+    def f(at: Real, _: object) -> Real:
+        end = np.argmin(np.abs(at - ends[:, None]), axis=0)
+        return np.where(np.abs(at - ends[end]) <= LAST * (high - low), limits[end], inside(at))
+
+    x, values = _with_extremes(f, np.concatenate(([low], dense.x, [high])))
     if not len(x):
-        return nothing
+        return np.empty(0), math.nan, math.nan
     least, largest = float(values.min()), float(values.max())
     touch = REACHED * (largest - least)
     turns = [0.0]
@@ -149,6 +148,16 @@ def _roots(chain: Chain, output: Output, value: float, low: float, high: float) 
         turns = [TURN * k for k in range(math.ceil((least - value) / TURN), math.floor((largest - value) / TURN) + 1)]
     parts = [_level(f, x, values, value + turn, touch) for turn in turns]
     return np.sort(np.concatenate([np.empty(0), *parts])), least, largest
+
+
+def _carried_on(f: Callable[[Real], Real], low: float, high: float) -> Real:
+    """Values (2,) of a function at the ends of a range, which may be limit positions: there it goes as sqrt(distance).
+
+    They are carried on from three points inside at equal steps of that root, exactly for squares of it.
+    """
+    step = math.sqrt(NEAR_LIMIT * (high - low))
+    inner = (step * np.arange(1, 4)) ** 2
+    return np.array([np.dot((3.0, -3.0, 1.0), f(end + side * inner)) for end, side in ((low, 1), (high, -1))])
 
 
 def _with_extremes(f: Problems, x: Real) -> tuple[Real, Real]:

@@ -11,7 +11,8 @@ import numpy as np
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.timelaw import TimeLaw
-from tmmcalc.linkage.results import ErrorEstimate, Trace
+from tmmcalc.linkage.lastdigit import LOST
+from tmmcalc.linkage.results import ErrorEstimate, LastDigit, Trace
 
 ROUNDINGS = 2.0  # of a sum or a product of three
 
@@ -33,8 +34,19 @@ def with_law(error: ErrorEstimate, law: TimeLaw, start: float, found: Trace, mov
         moved.ddr,
     )
     return ErrorEstimate(
-        error.position + position, error.velocity + velocity, error.acceleration + acceleration, error.reference
+        error.position + position,
+        error.velocity + velocity,
+        error.acceleration + acceleration,
+        error.reference,
+        None if error.last_digit is None else _in_time(error.last_digit, law, found, moved),
     )
+
+
+def _in_time(digit: LastDigit, law: TimeLaw, found: Trace, moved: Trace) -> LastDigit:
+    """What the last digit of the data does to motion in time, from what it does to the transfer functions."""
+    first, second = digit.velocity * _largest(found.dr), digit.acceleration * _largest(found.ddr)
+    off = second * law.speed**2 + first * law.acceleration
+    return LastDigit(digit.position, digit.velocity, min(max(digit.acceleration, _relative(off, moved.ddr)), LOST))
 
 
 def _largest(values: Plane | Real) -> float:

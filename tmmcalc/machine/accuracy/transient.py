@@ -40,7 +40,7 @@ BUDGET = 40_000  # evaluations after which a method is given up
 def studies(scene: Scene) -> Iterator[Study | Ladder]:
     """The speeds of every motion that the scene asks for, and the first one on ladders of stiffness."""
     machine, tasks = machine_of(scene.inputs, scene.results), scene.inputs[0]
-    speed = mean_speed(scene.results, scene.inputs[4])
+    speed = mean_speed(scene.results, scene.inputs[3])
     motions, begun = scene.results["transient"].motions, beginning(machine, tasks, speed)
     for (drive, scenario), found in zip(begun, motions, strict=True):
         yield _study(drive, scenario, found, scene)

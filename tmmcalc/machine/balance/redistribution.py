@@ -9,6 +9,7 @@ mu_j = |q_j| / rho_j is found by Newton's method.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,11 +17,13 @@ from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.plane import Real
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
-from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.loading import Body
-from tmmcalc.machine.balance.moments import EXACT, MassMoments, default_pin, least, mass_moments, sufficient_links
 from tmmcalc.machine.balance.shaking import WHERE, Shaking, check_balanceable, shaking
 from tmmcalc.machine.balance.weights import check_choice
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.chain import Chain
+    from tmmcalc.machine.balance.moments import MassMoments
 
 ITERATIONS = 60
 NEAR = 1e-10  # one more step of Newton's method from here is exact
@@ -85,6 +88,8 @@ def redistribute(
     A link that does not turn gets no static moment. Raises `UsageError` for a link that is not there or named twice;
     `NoSolutionError` if no masses go with the chosen radii; and what `shaking` raises.
     """
+    from tmmcalc.machine.balance.moments import EXACT, default_pin, mass_moments, sufficient_links
+
     check_balanceable(chain, bodies, speed, acceleration)
     links = [place.link for place in places]
     _check_places(chain, places)
@@ -125,6 +130,8 @@ def _masses(terms: MassMoments, places: Sequence[Place]) -> Real:
 
 def _matched(terms: MassMoments, masses: Real, free: list[int], radii: Real) -> bool:
     """Set the ``free`` masses so that their moments are at their radii; False if there are none such."""
+    from tmmcalc.machine.balance.moments import least
+
     response = least(terms.units, terms.moved)[np.ix_(free, free)]
     for _ in range(ITERATIONS):
         q = terms.solve(masses)[0][free]

@@ -12,6 +12,7 @@ hodograph in the crank frame, c_-1 the part that turns at the same rate against 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,11 +22,11 @@ from tmmcalc.core.numerics.fourier import FEWEST, TURN, Complex, Magnitude, Seri
 from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
-from tmmcalc.linkage.assembly import check_range, find_domain
-from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.loading import Body
-from tmmcalc.linkage.loads.sources import inertia_load
 from tmmcalc.linkage.model import FRAME
+
+if TYPE_CHECKING:
+    from tmmcalc.linkage.chain import Chain
 
 WHERE = "balance"
 CHECKED = 12  # angles spread over the turn where the series is compared with extended precision
@@ -99,6 +100,8 @@ def _terms(
     chain: Chain, bodies: Sequence[Body], x: Real, speed: float, acceleration: float, about: complex
 ) -> tuple[Plane, Real, Real]:
     """Inertia forces, their moments, and the size of these before cancellation, each (bodies, n)."""
+    from tmmcalc.linkage.loads.sources import inertia_load  # a stored result is loaded without it
+
     motions = chain.evaluate(x).motions
     forces = np.zeros((len(bodies), *x.shape), np.result_type(x.dtype, np.complex64))
     moments, sizes = np.zeros(forces.shape, x.dtype), np.zeros(forces.shape, x.dtype)
@@ -226,6 +229,8 @@ def check_sound(chain: Chain, *values: Plane | Real) -> None:
     """Raise the reason why the crank cannot turn fully if one of the values is not a number."""
     if all(np.isfinite(v).all() for v in values):
         return
+    from tmmcalc.linkage.assembly import check_range, find_domain
+
     check_range(chain, find_domain(chain, -TURN / 2, TURN / 2), -TURN / 2, TURN / 2)
     raise SingularityError(
         "the turn passes through a dead point, where accelerations are not defined",

@@ -10,7 +10,6 @@ import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.records import record
-from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.loading import Body
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import Kinematics
@@ -92,6 +91,8 @@ def solve_balance(mechanism: Mechanism, bodies: Sequence[Body], kinematics: Kine
 
     Raises `NoSolutionError` for a mechanism without masses or without a crank that turns fully.
     """
+    from tmmcalc.linkage.chain import chain_of  # a stored result is loaded without it
+
     chain = chain_of(mechanism, kinematics)
     x, speed, acceleration = kinematics.x, kinematics.speed, kinematics.acceleration
     found = shaking(chain, bodies, x, speed, acceleration, about=task.point)

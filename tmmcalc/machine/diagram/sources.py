@@ -9,7 +9,7 @@ import numpy as np
 
 from tmmcalc.core.errors import AccuracyError, UsageError
 from tmmcalc.core.expression import parse
-from tmmcalc.core.numerics.panels import Panels, Values, panels, resolved
+from tmmcalc.core.numerics.panels import MOST, Panels, UnresolvedError, Values, panels, resolved
 from tmmcalc.machine.cycle import Cycle
 
 TURN = 2 * math.pi
@@ -24,7 +24,7 @@ def from_formula(
 
     The formula need not be periodic: the moment may jump from the end of the cycle to its beginning. What it may hold
     says `expression.parse`. Raises `UsageError` for a formula that cannot be read or has no finite value somewhere,
-    and `AccuracyError` for one with a pole.
+    and `AccuracyError` for one with a pole, or that changes too fast to be followed.
 
     >>> cycle = from_formula("100*abs(sin(theta))", speed=10)
     >>> round(float(cycle.panels.total(cycle.moment)), 9)
@@ -32,7 +32,10 @@ def from_formula(
     """
     _check(speed, period)
     formula = parse(expression, constants)
-    return _resolved(lambda x: formula(x)[None], panels(0.0, period, formula.breaks(0.0, period)), speed)
+    breaks = formula.breaks(0.0, period)
+    if len(breaks) > MOST:
+        raise _too_fast(len(breaks), float(breaks[0]), period)
+    return _resolved(lambda x: formula(x)[None], panels(0.0, period, breaks), speed)
 
 
 def from_harmonics(
@@ -49,7 +52,7 @@ def from_harmonics(
     """
     _check(speed, period)
     table = np.array(list(terms), float).reshape(-1, 3)
-    k, a, b = table.T
+    k = table[:, 0]
     turns = k * period / TURN
     if np.any(np.abs(turns - np.round(turns)) > 1e-9 * np.maximum(1.0, np.abs(turns))):
         odd = float(k[np.argmax(np.abs(turns - np.round(turns)))])
@@ -61,8 +64,10 @@ def from_harmonics(
         )
 
     def moment(x: Values) -> Values:
-        argument = np.multiply.outer(x, k)
-        return (constant + np.cos(argument) @ a + np.sin(argument) @ b)[None]
+        found = np.full(x.shape, constant, float)
+        for order, cosine, sine in table.tolist():  # one by one: all at once would take their number times the memory
+            found += cosine * np.cos(order * x) + sine * np.sin(order * x)
+        return found[None]
 
     return _resolved(moment, panels(0.0, period), speed)
 
@@ -169,7 +174,10 @@ def _check(speed: float, period: float) -> None:
 
 
 def _resolved(f: Callable[[Values], Values], first: Panels, speed: float) -> Cycle:
-    on, values, error = resolved(f, first)
+    try:
+        on, values, error = resolved(f, first)
+    except UnresolvedError as fault:
+        raise _too_fast(fault.turns, fault.at, float(first.edges[-1] - first.edges[0])) from None
     doubtful = on.tail(values[0]) * on.width
     work = float(on.total(np.abs(values[0])))
     if np.max(doubtful) > UNRESOLVED * work:
@@ -182,6 +190,18 @@ def _resolved(f: Callable[[Values], Values], first: Panels, speed: float) -> Cyc
             remedy="a torque diagram has no poles; limit the moment there",
         )
     return _cycle(on, values[0], speed, error)
+
+
+def _too_fast(turns: int, at: float, period: float) -> AccuracyError:
+    """The fault of a moment that turns more often than a cycle can be followed."""
+    return AccuracyError(
+        f"the moment changes its sense {turns} times or more in the cycle of {math.degrees(period):.6g} deg, most "
+        f"densely near theta = {at:.6g} rad ({math.degrees(at):.4g} deg); {MOST} panels do not resolve it",
+        where="torque diagram",
+        value=turns,
+        limit=MOST,
+        remedy="lower the factors of theta: what changes so fast is no moment of a machine, its mean value serves",
+    )
 
 
 def _cycle(on: Panels, moment: Values, speed: float, error: float = 0.0) -> Cycle:

@@ -43,9 +43,9 @@ X = Quantity("x[m]", "x of a counterweight in the axes of its link")
 Y = Quantity("y[m]", "y of a counterweight in the axes of its link")
 
 
-def summary(result: Balances, title: str) -> Document:
-    """Facts and notes of all that is balanced, without the table of positions."""
-    parts = tuple(_others(result))
+def summary(result: Balances, title: str, *, everything: bool = True) -> Document:
+    """Facts and notes of all that is balanced, without the table of positions; ``everything`` is all in SI."""
+    parts = tuple(_others(result, everything))
     if result.linkage is None:
         return replace(parts[0], title=title) if len(parts) == 1 else Document(title, parts=parts)
     found = result.linkage
@@ -78,7 +78,7 @@ def document(
     columns in their order (for csv, json, toml). ``where`` is the file that has them all. Raises `UsageError` for
     columns or rows without a linkage.
     """
-    told = summary(result, title)
+    told = summary(result, title, everything=everything)
     if result.linkage is None:
         if patterns or rows is not None:
             text = "an engine and a rotor have no table of positions"
@@ -86,7 +86,17 @@ def document(
         return told
     available = columns(result.linkage)
     usual = available if everything else _first(available)
-    told = with_positions(told, result.labels, available, patterns, rows, usual=usual, example="phi,R,D_*", where=where)
+    told = with_positions(
+        told,
+        result.labels,
+        available,
+        patterns,
+        rows,
+        usual=usual,
+        example="phi,R,D_*",
+        everything=everything,
+        where=where,
+    )
     assert told.table is not None
     return replace(told, table=replace(told.table, peaks=_peaks(told.table, result.linkage.shaking.scale)))
 
@@ -99,7 +109,7 @@ def _peaks(view: View, scale: float) -> list[float]:
     ]
 
 
-def _others(result: Balances) -> Iterator[Document]:
+def _others(result: Balances, everything: bool) -> Iterator[Document]:
     """The documents of an engine and of a rotor."""
     if result.engine is not None:
         from tmmcalc.machine.facts.engine import engine_document
@@ -108,7 +118,7 @@ def _others(result: Balances) -> Iterator[Document]:
     if result.rotor is not None:
         from tmmcalc.machine.facts.rotor import rotor_document
 
-        yield rotor_document(result.rotor, "rotor")
+        yield rotor_document(result.rotor, "rotor", everything=everything)
 
 
 def _first(available: list[Column]) -> list[Column]:

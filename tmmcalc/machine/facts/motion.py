@@ -79,7 +79,9 @@ def document(
     as far as they fit, so ``everything`` changes nothing here. ``where`` is the file that has them all.
     """
     told, available = summary(result, title), motion_columns(result)
-    return with_positions(told, result.labels, available, patterns, rows, example="phi,omega*", where=where)
+    return with_positions(
+        told, result.labels, available, patterns, rows, example="phi,omega*", everything=everything, where=where
+    )
 
 
 def unevenness(delta: float, digits: int = 7) -> str:
@@ -90,9 +92,10 @@ def unevenness(delta: float, digits: int = 7) -> str:
 def inertia_fact(label: str, total: Mapping[str, Any], inertia: ConstantInertia) -> Fact:
     """A constant inertia, its ``total`` under its key, and its parts."""
     parts = {name: getattr(inertia, name) for name in ("rotor", "gears", "further", "flywheel")}
-    whence = {"gears": f" (gear train {inertia.train})" if inertia.train else ""}
+    trains = " and ".join(filter(None, (inertia.train and f"gear train {inertia.train}", inertia.open)))
+    whence = {"gears": f" ({trains})" if trains else ""}
     text = " + ".join(f"{name} {number(value)}{whence.get(name, '')}" for name, value in parts.items() if value)
-    values = {**total, **{key: value for key, value in keyed(inertia, *parts, "train").items() if value}}
+    values = {**total, **{key: value for key, value in keyed(inertia, *parts, "train", "open").items() if value}}
     return Fact(label, f"{number(inertia.total)} kg*m^2{f' = {text}' if text else ''}", values)
 
 
@@ -139,7 +142,7 @@ def _mean_facts(regime: Regime) -> list[Fact]:
 
 def _driving_facts(shaft: Shaft, regime: Regime) -> list[Fact]:
     """Moment and power of the drive."""
-    (least, least_at), (largest, largest_at) = regime.panels.extremes(regime.driving)
+    (least, least_at), (largest, largest_at) = regime.driving_extremes
     mean, rms = regime.mean_moment, regime.rms_moment
     extremes = Extreme(least, least_at), Extreme(largest, largest_at)
     fact = span_fact(shaft, "driving moment", DRIVING.name, DRIVING.unit, extremes)

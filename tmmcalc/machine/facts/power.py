@@ -7,16 +7,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.quantity import keyed, quantities
+from tmmcalc.core.quantity import keyed, quantities, table
 from tmmcalc.linkage.facts.places import Shaft, extreme_values, place
 from tmmcalc.linkage.results import Extreme
+from tmmcalc.machine.facts.drive import rounds_fact, turn_notes
+from tmmcalc.machine.judged import Judged
 from tmmcalc.machine.motors.plausibility import Curve
 from tmmcalc.machine.power import MotorDuty, Power, WorkPart
-from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
 MACHINES = {
@@ -27,6 +29,8 @@ MACHINES = {
 UNNAMED = "motor"  # name of a motor that the spec gives by its data alone
 STORED = 1e-9  # of what the loads could do: less is no work that weights and springs keep
 
+MORE = "--format csv prints all columns, with what speaks against each motor"
+JUDGED = ("name", "power", "rated_rpm", "ratio", "load", "heating", "largest", "peak", "starts", "reason")
 PEAK, REASONS = quantities(Power)["peak_moment"], quantities(MotorDuty)["reasons"]
 
 
@@ -58,6 +62,8 @@ PLATE = (  # a line each
 def summary(result: Power, title: str) -> Document:
     """Facts and notes; the work of every cause is left to the summary of the reduction."""
     facts = [*_work_facts(result), *_power_facts(result), *_motor_facts(result)]
+    if result.line.parts:
+        facts.append(_line_fact(result))
     facts.append(
         Fact("error of work (est.)", f"{result.error.work:.0e} (relative)", {"error": {"work": result.error.work}})
     )
@@ -69,7 +75,22 @@ def document(result: Power, title: str) -> Document:
     """The summary with the work of every cause."""
     told = summary(result, title)
     machine, *rest = told.facts
-    return replace(told, facts=(machine, *(_part_fact(result, part) for part in result.parts), *rest))
+    facts = (machine, *(_part_fact(result, part) for part in result.parts), *rest)
+    return replace(told, facts=facts, table=_trial_table(result.duty), wide=True, more=MORE)
+
+
+def _trial_table(duty: MotorDuty | None) -> View | None:
+    """The motors that were tried, and those of the next smaller power; None where none was chosen."""
+    if duty is None or not duty.judged:
+        return None
+    weaker = max((each.power for each in duty.judged if each.load > 1), default=0.0)
+    shown = [each for each in duty.judged if each.power >= weaker]
+    columns = table(shown, Judged, *JUDGED)
+    words: dict[Any, Any] = {None: "", True: "yes", False: "no"}
+    told = [
+        [words.get(value, value) if not isinstance(value, float) else value for value in c] for c in columns.values()
+    ]
+    return View(list(columns), told)
 
 
 def _scale(result: Power) -> float:
@@ -142,9 +163,36 @@ def _power_facts(result: Power) -> list[Fact]:
     if result.motor_power is not None:
         gears = result.transmission
         over = f", through gears of the efficiency {number(gears)}" if gears != 1 else ""
-        values = keyed(result, "motor_power", "transmission")
+        of, pair = result.line.efficiency_of, result.line.open
+        over += _of_gears(of, pair)
+        told = [name for name, there in (("efficiency_of", of), ("open", pair)) if there]
+        values = keyed(result, "motor_power") | keyed(result.line, "efficiency", *told)
         facts.append(Fact("required motor power", f"{number(result.motor_power)} W{over}", values))
     return facts
+
+
+def _of_gears(train: str, pair: str) -> str:
+    """Whose a value of the drive line is: of the train that was chosen, of the open pair."""
+    of = " and ".join(filter(None, (train and f"gear train {train}", pair and f"the {pair}")))
+    return f", of {of}" if train else f", with {of}" if of else ""
+
+
+def _line_fact(result: Power) -> Fact:
+    """Reducer and open pair with ratio, efficiency and inertia, each with where it comes from; and both together."""
+    line = result.line
+    ratio = result.duty.ratio if result.duty is not None else line.ratio
+    parts = line.parts if ratio is None else line.with_ratio(ratio)
+    lines = [
+        f"{part.name}: "
+        + (f"u = {number(part.ratio)}, {part.ratio_of}; " if part.ratio is not None else "")
+        + f"efficiency {number(part.efficiency)}, {part.efficiency_of}; "
+        + f"inertia at the crank {number(part.inertia)} kg*m^2, {part.inertia_of}"
+        for part in parts
+    ]
+    whole = [f"u = {number(ratio)}"] if ratio is not None else []
+    whole += [f"efficiency {number(line.efficiency)}", f"inertia at the crank {number(line.inertia)} kg*m^2"]
+    told = [{key: value for key, value in keyed(part).items() if value is not None} for part in parts]
+    return Fact("drive line", "\n".join([*lines, f"together: {', '.join(whole)}"]), {"drive_line": told})
 
 
 def _whose(result: Power) -> str:
@@ -172,9 +220,13 @@ def _motor_facts(result: Power) -> list[Fact]:
         facts.append(_curve_fact(duty.curve))
     if duty.reasons:
         facts.append(Fact("chosen because", "\n".join(duty.reasons), {REASONS.key: list(duty.reasons)}))
+    if duty.taken:
+        facts += [_rules_fact(duty), _refused_fact(duty)]
+    if duty.rounds:
+        facts.append(rounds_fact(duty.rounds, duty.in_turn))
     text = f"mean {number(duty.mean_load, 4)}, peak {number(duty.peak_load, 4)} of the rated moment"
     facts += [
-        _ratio_fact(duty),
+        _ratio_fact(duty, result.line.open),
         Fact("rated at the input", f"{number(result.rated_moment or 0.0)} N*m", keyed(result, "rated_moment")),
         Fact("load of the motor", text, keyed(duty, "mean_load", "peak_load")),
     ]
@@ -184,9 +236,25 @@ def _motor_facts(result: Power) -> list[Fact]:
     return facts
 
 
-def _ratio_fact(duty: MotorDuty) -> Fact:
+def _rules_fact(duty: MotorDuty) -> Fact:
+    """What each rule of choice would take."""
+    lines = [f"{each.rule}: {each.motor}, {number(each.power / 1000)} kW" for each in duty.taken]
+    return Fact("by each rule alone", "\n".join(lines), {"rules": [keyed(each) for each in duty.taken]})
+
+
+def _refused_fact(duty: MotorDuty) -> Fact:
+    """The smaller motors with what speaks against them; those that are too weak by their power together."""
+    weak = [each for each in duty.judged if each.load > 1]
+    tried = [each for each in duty.judged if each.load <= 1 and each.motor.power < duty.motor.power]
+    lines = [f"{len(weak)} motors up to {number(max(each.power for each in weak) / 1000)} kW: too weak"] if weak else []
+    lines += [f"{each.name}, {number(each.power / 1000)} kW: {each.reason}" for each in tried]
+    values = {"judged": [keyed(each, *JUDGED) for each in duty.judged]}
+    return Fact("smaller ones", "\n".join(lines) or "there are none", values)
+
+
+def _ratio_fact(duty: MotorDuty, pair: str) -> Fact:
     """The ratio of the gears, and whose it is."""
-    whose = f", of gear train {duty.ratio_of}" if duty.ratio_of else ""
+    whose = _of_gears(duty.ratio_of, pair)
     values = keyed(duty, "ratio", *(("ratio_of",) if duty.ratio_of else ()))
     return Fact("gear ratio u", f"{number(duty.ratio)}, motor over input shaft{whose}", values)
 
@@ -220,6 +288,9 @@ def _curve_fact(curve: Curve) -> Fact:
 def _notes(duty: MotorDuty) -> Iterator[str]:
     """What the numbers of the motor mean for the machine."""
     motor = duty.motor
+    yield from turn_notes(duty.in_turn)
+    if duty.rounds and duty.judged and duty.judged[-1].reason:
+        yield f"warning: with the ratio {number(duty.ratio)} of the train itself it fails: {duty.judged[-1].reason}"
     if duty.off_speed is not None:
         yield f"warning: {duty.off_speed}"
     for contradiction in duty.contradictions:

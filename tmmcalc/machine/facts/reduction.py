@@ -15,6 +15,7 @@ from tmmcalc.linkage.results import Extreme
 from tmmcalc.machine.reduction.columns import EFFICIENCY, cells, columns, contribution_name, reduced
 from tmmcalc.machine.reduction.results import Contribution, Reduction
 from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.errors import digit_facts
 from tmmcalc.report.numbers import NOISE, number
 from tmmcalc.report.positions import with_positions
 
@@ -63,7 +64,9 @@ def document(
     as far as they fit, so ``everything`` changes nothing here. ``where`` is the file that has them all.
     """
     told, example = summary(result, title), "phi,M_red*,J_red" if result.turns else "phi,F_red*,m_red"
-    told = with_positions(told, result.labels, columns(result), patterns, rows, example=example, where=where)
+    told = with_positions(
+        told, result.labels, columns(result), patterns, rows, example=example, everything=everything, where=where
+    )
     assert told.table is not None
     return replace(told, table=_blanked(result, told.table, rows))
 
@@ -173,8 +176,9 @@ def _largest(values: Real) -> float:
 
 
 def _check_facts(result: Reduction) -> list[Fact]:
-    panels, error = result.cycle.panels, result.cycle.error
+    panels, error, digit = result.cycle.panels, result.cycle.error, result.error.last_digit
     return [
         Fact("resolved by", f"{panels.count} panels of {panels.order} points", {"panels": panels.count}),
         Fact("error of functions (est.)", f"{error:.0e} (relative)", {"error": {"functions": error}}),
+        *digit_facts({} if digit is None else keyed(digit)),
     ]

@@ -21,8 +21,8 @@ UNBALANCE = Quantity("U[kg*m]", "resultant of the unbalances")
 COUPLE = Quantity("U_couple[kg*m^2]", "couple of the unbalances about the centre of mass")
 
 
-def rotor_document(result: BalancedRotor, title: str) -> Document:
-    """Facts, and the table of the rotor as it is and after either balancing."""
+def rotor_document(result: BalancedRotor, title: str, *, everything: bool = True) -> Document:
+    """Facts, and the table of the rotor as it is and after either balancing; ``everything`` is all in SI."""
     balance = result.balance
     peak = _peak(result)
     one = [(balance.static_plane, balance.static_moment)]
@@ -34,7 +34,7 @@ def rotor_document(result: BalancedRotor, title: str) -> Document:
         *_grade_facts(result.grade),
         Fact("columns", _legend(result)),
     )
-    return Document(title, facts, tuple(_notes(result.grade)), _states_view(result))
+    return Document(title, facts, tuple(_notes(result.grade)), _states_view(result, everything))
 
 
 def _peak(result: BalancedRotor) -> float:
@@ -102,12 +102,13 @@ def _legend(result: BalancedRotor) -> str:
     return f"{text}; A_part, B_part: unbalance in their planes over the allowed one" if result.grade else text
 
 
-def _states_view(result: BalancedRotor) -> View:
-    """One row a state."""
+def _states_view(result: BalancedRotor, everything: bool) -> View:
+    """One row a state; for people the shift of the centre of mass in um."""
+    shift = "eccentricity" if everything else "eccentricity[um]"
     states = (result.balance.before, result.balance.static, result.balance.dynamic)
     shifted = [abs(state.resultant) > NOISE * _peak(result) for state in states]
     loads = table(states, RotorState, "load_a", "load_b")
-    columns = {"state": list(STATES), **_noiseless(table(states, RotorState, "eccentricity[um]"), shifted), **loads}
+    columns = {"state": list(STATES), **_noiseless(table(states, RotorState, shift), shifted), **loads}
     largest = max(value for load in loads.values() for value in load)
     peaks = [0.0, 0.0, largest, largest]
     if result.grade:

@@ -9,9 +9,11 @@ inertias between are probed for an earlier root, and the result says whether del
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.numerics.collocation import Orbit
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.curve import energy_curve
 from tmmcalc.machine.flywheel.methods import METHODS, check, tangents
@@ -20,9 +22,9 @@ from tmmcalc.machine.flywheel.search import Model, inertia_between, least_inerti
 from tmmcalc.machine.motors.characteristics import Characteristic
 from tmmcalc.machine.onemass import OneMass, vanishing
 from tmmcalc.machine.regime import Regime
-from tmmcalc.machine.settling import Guess, Halt, settled
+from tmmcalc.machine.settling import Halt, guessed, settled
 from tmmcalc.machine.stall import stall_inertia
-from tmmcalc.machine.steady import driven
+from tmmcalc.machine.steady import driven, regime_on
 
 PROBES = 1  # inertias tried between the one at hand and the root
 PROBES_LAGGING = 5  # the same where the motor lags, so that a resonance may stand between
@@ -47,51 +49,63 @@ def required_inertia(
     *,
     probes: int | None = None,
     sense: float = 1.0,
+    remarked: bool = True,
 ) -> RequiredInertia:
     """Least constant inertia, not below ``constant_inertia`` [kg*m^2], with delta <= ``delta`` under the motor.
 
     ``characteristic`` is the motor's moment on the input shaft, ``time_constant`` its lag [s]; ``probes`` inertias in
-    between are tried for an earlier root; ``sense`` is -1 where the input turns clockwise. Raises `NoSolutionError` if
-    the motor cannot carry the load with any inertia, `UsageError` for a ``delta`` outside (0, 1).
+    between are tried for an earlier root; ``sense`` is -1 where the input turns clockwise; ``remarked``: of a machine
+    that stalls without a flywheel the inertia is found that just carries it, which costs most. Raises
+    `NoSolutionError` if the motor cannot carry the load with any inertia, `UsageError` for a ``delta`` outside (0, 1).
     """
     check(delta, cycle.speed, constant_inertia)
     trials, near = _ample(cycle, characteristic, delta, constant_inertia, time_constant, sense)
-    model, start = fluctuation(cycle, characteristic, time_constant, near), trials[-1]
-    first, root = searched(model, delta, constant_inertia, trials, lagging=time_constant > 0, probes=probes)
-    regime = near
-    if root is not start:
-        regime = driven(cycle, root.inertia, characteristic, time_constant=time_constant, guess=near)
+    motions, start = Motions(cycle, characteristic, time_constant, near), trials[-1]
+    first, root = searched(motions.delta, delta, constant_inertia, trials, lagging=time_constant > 0, probes=probes)
+    regime = near if root is start else motions.regime(root.inertia)
     carrying = None
-    if first.delta is None:
+    if first.delta is None and remarked:
         carrying = _carrying(cycle, characteristic, time_constant, first.inertia)
     return result_of(first, root, regime, trials, carrying, delta)
 
 
-def fluctuation(
-    cycle: Cycle, characteristic: Characteristic, time_constant: float = 0.0, near: Regime | None = None
-) -> Model:
+def fluctuation(cycle: Cycle, characteristic: Characteristic, time_constant: float = 0.0) -> Model:
     """The function constant inertia [kg*m^2] -> delta of the steady motion.
 
     None where the machine stalls or runs away, or where its inertia vanishes and nothing bounds the speed.
-
-    Each motion is the first guess of the next, and ``near`` that of the first.
     """
-    last: Guess | None = None if near is None else (near.panels, near.omega)
+    return Motions(cycle, characteristic, time_constant).delta
 
-    def delta(inertia: float) -> float | None:
-        nonlocal last
-        if vanishing(cycle, inertia) is not None:
+
+class Motions:
+    """Steady motions of a machine with one constant inertia or another; each is guessed from the nearest of before."""
+
+    def __init__(
+        self, cycle: Cycle, characteristic: Characteristic, time_constant: float, near: Regime | None = None
+    ) -> None:
+        self._machine = OneMass(cycle, 0.0, characteristic, time_constant)
+        self._known = {} if near is None else {near.constant_inertia: (near.panels, near.omega)}
+        self._orbits: dict[float, Orbit] = {}
+
+    def delta(self, inertia: float) -> float | None:
+        """Unevenness with a constant inertia [kg*m^2], as `fluctuation` gives it."""
+        if vanishing(self._machine.cycle, inertia) is not None:
             return None
-        machine = OneMass(cycle, inertia, characteristic, time_constant)
-        orbit = settled(machine, last)
+        machine, guess = replace(self._machine, constant=inertia), None
+        if self._known:
+            beside = min(self._known, key=lambda each: abs(each - inertia))
+            guess = guessed(machine, self._known[beside], beside)
+        orbit = settled(machine, guess)
         if isinstance(orbit, Halt):
             return None
         omega = machine.speed(orbit.panels, orbit.y[0])
-        last = orbit.panels, omega
+        self._known[inertia], self._orbits[inertia] = (orbit.panels, omega), orbit
         (slowest, _), (fastest, _) = orbit.panels.extremes(omega)
         return 2 * (fastest - slowest) / (fastest + slowest)
 
-    return delta
+    def regime(self, inertia: float) -> Regime:
+        """The regime with an inertia whose unevenness was asked for."""
+        return regime_on(replace(self._machine, constant=inertia), self._orbits[inertia])
 
 
 def searched(

@@ -13,12 +13,15 @@ from functools import cache
 from pathlib import Path
 
 from tmmcalc.core.errors import Fault, SpecError, UsageError
+from tmmcalc.core.files import read_file
 from tmmcalc.machine.motors.model import Motor
 
 REQUIRED = ("name", "power_kW", "synchronous_rpm", "speed_rpm")
 OPTIONAL = ("overload", "start", "inertia_kgm2", "source")
 COLUMNS = REQUIRED + OPTIONAL
 TEXTS = ("name", "source")
+
+MOST_BYTES = 1_000_000  # of a catalogue: some ten thousand motors
 
 _RPM = math.pi / 30  # [rad/s]
 _LOOKALIKES = str.maketrans("АВЕКМНОРСТУХ", "ABEKMHOPCTYX", " -_")
@@ -35,12 +38,16 @@ def load_catalogue(path: str | Path | None = None) -> tuple[Motor, ...]:
     if path is None:
         return _packaged()
     try:
-        text = Path(path).read_text(encoding="utf-8-sig")
+        content = read_file(Path(path), MOST_BYTES)
+        text = content.decode("utf-8-sig")
     except OSError as error:
         raise UsageError(f"cannot read the motor catalogue {path}: {error.strerror}", where="motor catalogue") from None
     except UnicodeDecodeError:
         remedy = "save it as CSV in UTF-8"
         raise UsageError(f"the motor catalogue {path} is not text in UTF-8", remedy=remedy) from None
+    if len(content) > MOST_BYTES:
+        limit = f"{MOST_BYTES // 10**6} MB"
+        raise UsageError(f"the motor catalogue {path} is larger than {limit}", remedy="keep motors that may be chosen")
     return _parsed(text, str(path))
 
 
@@ -53,8 +60,7 @@ def find(name: str, catalogue: Sequence[Motor] | None = None) -> Motor:
     >>> find("4a 132 s4").speed == find("4А132S4У3").speed
     True
     """
-    motors = load_catalogue() if catalogue is None else catalogue
-    named = {_key(motor.name): motor for motor in reversed(motors)}
+    named = _known() if catalogue is None else _named(catalogue)
     key = _key(name)
     motor = named.get(key) or named.get(key[:-2] if key[-2:-1] in {"Y", "U"} else key)
     if motor is not None:
@@ -74,6 +80,16 @@ def _key(name: str) -> str:
 def _packaged() -> tuple[Motor, ...]:
     file = Path(__file__).with_name("catalogue.csv")
     return _parsed(file.read_text(encoding="utf-8"), file.name)
+
+
+@cache
+def _known() -> dict[str, Motor]:
+    return _named(_packaged())
+
+
+def _named(motors: Sequence[Motor]) -> dict[str, Motor]:
+    """The motors by what distinguishes their names, of two alike the first."""
+    return {_key(motor.name): motor for motor in reversed(motors)}
 
 
 def _parsed(text: str, file: str) -> tuple[Motor, ...]:

@@ -1,14 +1,15 @@
 """Choice of a motor from a catalogue: the smallest power that suffices, and why every other one was refused.
 
-A motor suffices if its power covers the required one, its break-down moment the peak of the load and its starting
-moment the load at standstill, both reduced to its shaft. The ratio of the gearing is given, or follows from the speed
-of the input shaft: u = omega_N/omega_1.
+A motor suffices if its power covers the required one with the reserve that is asked for, its break-down moment the peak
+of the load and its starting moment the load at standstill, both reduced to its shaft, and if it stands the trial in the
+machine, where there is one. The ratio of the gearing is given, or follows from the speed of the input shaft:
+u = omega_N/omega_1.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.records import record
@@ -18,6 +19,8 @@ USUAL = 50 * math.pi  # synchronous speed that is preferred among equals: 1500 r
 SPEED_MARGIN = 0.05  # of the input speed that a given ratio may miss [-]
 
 WHERE = "choice of the motor"
+
+Trial = Callable[[Motor, float | None], str]  # (motor, gear ratio) -> what speaks against it; empty: nothing
 
 
 @record
@@ -30,6 +33,12 @@ class Demand:
     ratio: float | None  # u [-]
     peak: float | None  # largest resisting moment [N*m]
     start: float | None  # resisting moment at standstill [N*m]
+    reserve: float = 0.0  # part of the required power that is asked for beyond it
+
+    @property
+    def whole(self) -> float:
+        """Required power with its reserve [W]."""
+        return self.power * (1 + self.reserve)
 
 
 @record
@@ -48,6 +57,7 @@ class Choice:
     ratio: float | None  # gear ratio u [-]; None: neither a ratio nor an input speed was given
     reasons: tuple[str, ...]
     refused: tuple[Refusal, ...]
+    fit: tuple[Motor, ...] = ()  # against which nothing speaks but a trial, in the order in which they are tried
 
 
 def choose(
@@ -59,11 +69,15 @@ def choose(
     ratio: float | None = None,
     peak_moment: float | None = None,
     start_moment: float | None = None,
+    reserve: float = 0.0,
+    trial: Trial | None = None,
 ) -> Choice:
     """Choose the motor of smallest power that suffices.
 
     ``required_power`` [W]; ``synchronous`` speed of the motor [rad/s]; ``input_speed`` [rad/s], ``peak_moment`` and
-    ``start_moment`` [N*m] of the input shaft, resistance positive. Of equal powers that motor is taken whose rotor
+    ``start_moment`` [N*m] of the input shaft, resistance positive; ``reserve`` part of the power beyond the required
+    one. The ``trial`` is made of those that nothing else speaks against, one after the other up to the first that
+    stands it. Of equal powers that motor is taken whose rotor
     inertia is known, then the synchronous speed nearest to 1500 rpm, then the earlier one. Raises `NoSolutionError` if
     none suffices, `UsageError` for demands that are not positive or moments without a ratio or an input speed.
 
@@ -72,17 +86,23 @@ def choose(
     >>> choose(6200.0, motors, synchronous=157.08).motor.name
     '4A132S4'
     """
-    demand = Demand(required_power, synchronous, input_speed, ratio, peak_moment, start_moment)
+    demand = Demand(required_power, synchronous, input_speed, ratio, peak_moment, start_moment, reserve)
     _check(demand)
     verdicts = [(motor, next(_objections(demand, motor), None)) for motor in catalogue]
-    fit = [motor for motor, objection in verdicts if objection is None]
-    if not fit:
+    fit = sorted((motor for motor, objection in verdicts if objection is None), key=_preference)
+    failed = {}
+    for chosen in fit:
+        against = trial(chosen, _ratio(demand, chosen)) if trial is not None else ""
+        if not against:
+            break
+        failed[chosen] = against
+    verdicts = [(motor, failed.get(motor, objection)) for motor, objection in verdicts]
+    if len(failed) == len(fit):
         raise _none(demand, verdicts)
-    chosen = min(fit, key=_preference)
     refused = tuple(
         Refusal(motor, objection or _second(chosen, motor)) for motor, objection in verdicts if motor is not chosen
     )
-    return Choice(chosen, _ratio(demand, chosen), _reasons(demand, chosen, verdicts), refused)
+    return Choice(chosen, _ratio(demand, chosen), _reasons(demand, chosen, verdicts, failed), refused, tuple(fit))
 
 
 def _preference(motor: Motor) -> tuple[float, bool, float]:
@@ -101,8 +121,9 @@ def _objections(demand: Demand, motor: Motor) -> Iterator[str]:
     wanted, has = demand.synchronous, motor.synchronous
     if wanted is not None and not _runs_at(motor, wanted):
         yield f"its synchronous speed is {_rpm(has)}, not {_rpm(wanted)}" if has else "it has no synchronous speed"
-    if motor.power < demand.power:
-        yield f"its {_kw(motor.power)} are less than the required {_kw(demand.power)}"
+    if motor.power < demand.whole:
+        more = f" with a reserve of {demand.reserve:.3g}" if demand.reserve else ""
+        yield f"its {_kw(motor.power)} are less than the required {_kw(demand.power)}{more}"
     ratio = _ratio(demand, motor)
     if ratio is None:
         return
@@ -139,17 +160,20 @@ def _second(chosen: Motor, motor: Motor) -> str:
     return f"it suffices too; {chosen.name} of the same power comes first"
 
 
-def _reasons(demand: Demand, motor: Motor, verdicts: Sequence[tuple[Motor, str | None]]) -> tuple[str, ...]:
+def _reasons(
+    demand: Demand, motor: Motor, verdicts: Sequence[tuple[Motor, str | None]], failed: Collection[Motor]
+) -> tuple[str, ...]:
+    """Why the motor was chosen; of smaller ones those that ``failed`` a trial tell most."""
     reserve = motor.power / demand.power - 1
     reasons = [f"{_kw(motor.power)} cover the required {_kw(demand.power)} with {reserve:.0%} in reserve"]
     smaller = [
-        (other.power, objection)
+        (other.power, other in failed, objection)
         for other, objection in verdicts
-        if demand.power <= other.power < motor.power
+        if demand.whole <= other.power < motor.power
         and (demand.synchronous is None or _runs_at(other, demand.synchronous))
     ]
     if smaller:
-        power, objection = max(smaller, key=lambda pair: pair[0])
+        power, _, objection = max(smaller, key=lambda each: each[:2])
         reasons.append(f"the next smaller of enough power, {_kw(power)}, is refused: {objection}")
     ratio = _ratio(demand, motor)
     if ratio is None:
@@ -185,7 +209,7 @@ def _none(demand: Demand, verdicts: Sequence[tuple[Motor, str | None]]) -> NoSol
             remedy=f"synchronous speeds in the catalogue: {', '.join(map(_rpm, speeds)) or 'none'}",
         )
     largest, why = max(turning, key=lambda pair: pair[0].power)
-    if largest.power < demand.power:
+    if largest.power < demand.whole:
         remedy = "give a catalogue with larger motors"
     else:
         relief = ", or a flywheel that takes the peak off the motor" if demand.peak is not None else ""

@@ -109,7 +109,9 @@ def draw_whole(axes: Axes, motor: MotorCurves) -> float:
     whole = motor.kloss
     assert whole is not None
     low, high = motor.range
-    omega = np.linspace(0.0, high, SAMPLES)
+    # the peak of a motor with little slip is a line, which even steps would miss
+    marked = [speed for speed in (whole.nominal, whole.critical) if speed is not None]
+    omega = np.union1d(np.linspace(0.0, high, SAMPLES), marked)
     moment = whole.moment(omega)
     factor, unit = suited(float(np.max(np.abs(moment))), "N*m")
     inside = np.linspace(max(low, 0.0), high, SAMPLES)

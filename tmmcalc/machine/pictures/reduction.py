@@ -58,7 +58,7 @@ def reduction_figure(result: Reduction) -> Figure:
 
 def _heading(result: Reduction) -> str:
     what = "Reduced moments and reduced inertia" if result.turns else "Reduced forces and reduced mass"
-    text = f"{what} of the linkage at {speed_text(result)}".replace("-", "\N{MINUS SIGN}")
+    text = f"{what} at {speed_text(result)}".replace("-", "\N{MINUS SIGN}")
     # the moments are algebraic: power over the speed, which is negative here
     return text if result.speed > 0 else f"{text}; a positive {'moment' if result.turns else 'force'} resists"
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from tmmcalc.core.numerics.mesh import Cut, Mesh
 from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Plane, Real
+from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
 from tmmcalc.linkage.forces.kinks import faces, pins
 from tmmcalc.linkage.forces.verification import friction_power
@@ -20,6 +21,7 @@ from tmmcalc.linkage.trace import BLOCK
 from tmmcalc.machine.reduction.inertia import reduced_inertia
 
 MOMENTS = 3  # rows of a sample before those of the causes
+LOADED = np.array([[1.0], [0.0]])  # cases of friction: with the technological loads, and without
 
 Names = tuple[tuple[str, str, int], ...]
 Named = Callable[[NDArray[np.intp]], list[str]]
@@ -81,9 +83,13 @@ class Causes(NamedTuple):
     """
 
     scene: Scene
-    statics: Statics
-    quiet: Statics | None  # without technological loads; None if nothing rubs, or nothing but them is there
+    statics: Statics  # in the cases with and without technological loads, where friction differs in them
     names: Names  # name, kind, order in the speed of every contribution
+
+    @property
+    def alone(self) -> bool:
+        """Whether friction is that with the technological loads alone."""
+        return self.statics.cases is None
 
     @property
     def orders(self) -> Indices:
@@ -99,6 +105,10 @@ class Causes(NamedTuple):
     def loaded(self) -> bool:
         """Whether there is a technological load."""
         return any(kind == "load" for _, kind, _ in self.names)
+
+    def on(self, chain: Chain) -> Causes:
+        """The same causes on a chain whose metric differs from that of the scene in its digits alone."""
+        return self._replace(scene=self.scene._replace(chain=chain), statics=self.statics.on(chain))
 
     def sampled(self, theta: Real, side: Real, named: Named) -> Sample:
         """Everything at theta (n,), each from its side, in blocks that stay in cache; ``named`` tells locked rows."""
@@ -131,25 +141,22 @@ class Causes(NamedTuple):
         if not self.statics.scales:
             none = np.zeros((0, n))
             return Sample(rows, none, none + 0j, np.ones(n))
+        statics = self.statics._replace(sources=tuple(known[source] for source in self.statics.sources))
+        state, shape, count = statics.solve(place, side), statics.shape(place), 1 if self.alone else len(LOADED)
+        if named is not None:
+            from tmmcalc.linkage.forces.locking import refuse_locked  # only what rubs needs it
 
-        def rubbed(statics: Statics, named: Named | None) -> tuple[Real, Real, Plane, Real]:
-            """Moment of friction along the motion (n,), forces on faces and in pins, growth of errors (n,)."""
-            statics = statics._replace(sources=tuple(known[source] for source in statics.sources))
-            state = statics.solve(place, side)
-            if named is not None:
-                from tmmcalc.linkage.forces.locking import refuse_locked  # only what rubs needs it
-
-                refuse_locked(statics, state.solutions, named)
-            lost = np.asarray(sense * sum(friction_power(statics, state, place).values()))
-            growths = [np.where(found.locked, np.inf, found.amplification) for found in state.solutions.values()]
-            return lost, faces(statics, state, n), pins(statics, state, n), np.max(growths, axis=0)
-
-        rows[-1], on_faces, in_pins, growth = rubbed(self.statics, named)
-        if self.quiet is None:
-            return Sample(rows, on_faces, in_pins, growth)
-        rows[2], *forces, further = rubbed(self.quiet, None)
-        on_faces, in_pins = (np.concatenate(pair) for pair in zip((on_faces, in_pins), forces, strict=True))
-        return Sample(rows, on_faces, in_pins, np.maximum(growth, further))
+            loaded = state.solutions if self.alone else {k: found.rows(0) for k, found in state.solutions.items()}
+            refuse_locked(statics, loaded, named)
+        lost = np.broadcast_to(sense * sum(friction_power(statics, state, place).values()), shape).reshape(count, n)
+        rows[-1] = lost[0]
+        if not self.alone:
+            rows[2] = lost[1]
+        forces: list[Any] = [faces(statics, state, shape), pins(statics, state, shape)]
+        on_faces, in_pins = (np.moveaxis(part.reshape(-1, count, n), 1, 0).reshape(-1, n) for part in forces)
+        growths = [np.where(found.locked, np.inf, found.amplification) for found in state.solutions.values()]
+        growth = np.max(growths, axis=0).reshape(count, n).max(axis=0)
+        return Sample(rows, on_faces, in_pins, growth)
 
     def possible(self, theta: Real) -> Real:
         """What the moment of a source could be at theta (n,) if its forces lay along the motion of their points."""
@@ -183,6 +190,6 @@ def causes_in(statics: Statics) -> Causes:
     """The same of a scene whose force analysis is compiled."""
     names = dict.fromkeys((source.name, source.kind, source.order) for source in statics.scene.sources)
     friction = (("friction", "friction", 0),) if statics.scales else ()
-    others = tuple(source for source in statics.sources if source.kind != "load")
-    apart = bool(friction and others) and len(others) < len(statics.sources)
-    return Causes(statics.scene, statics, statics._replace(sources=others) if apart else None, (*names, *friction))
+    kinds = {source.kind for source in statics.sources}
+    apart = friction and "load" in kinds and len(kinds) > 1
+    return Causes(statics.scene, statics._replace(cases=LOADED) if apart else statics, (*names, *friction))

@@ -2,7 +2,8 @@
 
 The formulas are exact, so that at a position there is rounding alone. It is measured: some rows, the least regular ones
 among them, and points of every panel are computed again with a mantissa of 64 bits. Where the platform has no wider
-float the errors of the kinematics stand for it.
+float the errors of the kinematics stand for it. What the last digit of the metric does near a dead point is found at
+the same places.
 
 Work is an integral by Gauss's rule, exact to twice the degree of a panel. The coefficients of a smooth function fall by
 as much from one half of that degree to the next; near a kink they do not fall, and the last ones stand for the rest.
@@ -11,22 +12,28 @@ A kink that lies beside its edge shows in neither: there the polynomials of both
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.core.numerics.extended import EPS, WIDER
 from tmmcalc.core.numerics.gauss import ORDER, rule
 from tmmcalc.core.numerics.mesh import SLIVER
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.errors import MARGIN, choice, regularity_of
-from tmmcalc.linkage.results import ErrorEstimate
+from tmmcalc.linkage.chain import Chain
+from tmmcalc.linkage.errors import MARGIN, centre_of, chosen_of
+from tmmcalc.linkage.lastdigit import against, effects, in_full
+from tmmcalc.linkage.loads.sources import Place
+from tmmcalc.linkage.results import ErrorEstimate, Kinematics
 from tmmcalc.machine.reduction.causes import Causes, Sample
 from tmmcalc.machine.reduction.inertia import slope_size
-from tmmcalc.machine.reduction.results import ReductionError
+from tmmcalc.machine.reduction.results import ReductionDigit, ReductionError
 
 POINTS = 2  # of a panel that are computed again
+FEW = 2.0  # of a mean over so few
 SOME = slice(ORDER // 4, ORDER, ORDER // POINTS)
 MEAN = (2 * ORDER + 1) ** -0.5  # root mean square of the first Legendre polynomial that is left out, at most
 LAST = 3  # coefficients that are taken together: every other one of an even function is nothing
@@ -46,27 +53,39 @@ class Solved(NamedTuple):
     tail: float  # of the panels
 
 
+class Again(NamedTuple):
+    """What is computed again: some rows, and points of every panel after them."""
+
+    rows: NDArray[np.intp]
+    theta: Real  # (m,) of the rows and of the points
+    side: Real
+
+
 def unmeasured(tail: float, kinematics: ErrorEstimate) -> ReductionError:
     """The errors where nothing is computed again: those of the kinematics, and the last coefficients of the panels."""
     far = MARGIN * max(kinematics.velocity, kinematics.acceleration)
     return ReductionError(far, far, far, max(tail, far), max(tail, far), max(tail, far))
 
 
-def estimate(causes: Causes, found: Solved, scale: float, kinematics: ErrorEstimate) -> tuple[ReductionError, Real]:
+def estimate(causes: Causes, found: Solved, scale: float, kinematics: Kinematics) -> tuple[ReductionError, Real]:
     """The errors of a reduction, those of moments against ``scale`` [N*m]; those of the works (S,) [J]."""
     # a scale alone: across a change of sign the rule is good enough for it, and far cheaper than `signs.turnover`
     turnover = found.dense.total(np.abs(found.values[3:])) * causes.powers
-    if not WIDER:
-        error = unmeasured(found.tail, kinematics)
-        return error, error.work * turnover
     on, count = found.dense, len(found.values) - 3
-    off, steep, inertia = _measured(causes, found)
+    again, digit = _again(causes, found), None
+    if kinematics.error.last_digit is not None:
+        centre = centre_of(causes.scene.chain, kinematics)
+        digit = _last_digit(causes, again, scale, (on.width, float(np.max(turnover, initial=0.0))), centre)
+    if not WIDER:
+        error = replace(unmeasured(found.tail, kinematics.error), last_digit=digit)
+        return error, error.work * turnover
+    off, steep, inertia = _measured(causes, found, again)
     sizes = np.array([inertia, steep, *[scale] * (1 + count)])
     sizes = np.where(sizes > 0, sizes, 1.0)[:, None]
     worst = np.maximum(MARGIN * np.max(np.abs(off) / sizes, axis=1), EPS)
     inner = off[:, -on.count * POINTS :].reshape(len(off), on.count, POINTS)
     values = found.values * np.concatenate((np.ones(3), causes.powers))[:, None, None]
-    missed, turned = on.left_out(values) / sizes, np.abs(inner).mean(axis=2) / sizes
+    missed, turned = on.left_out(values) / sizes, FEW * np.abs(inner).mean(axis=2) / sizes
     gaps, areas = _at_kinks(on, values)
     mean = np.max((turned + MEAN * missed) @ on.width + areas / sizes[:, 0]) / causes.scene.travel.period
     works = SUMMED * turnover + _work(on, values[3:], inner[3:]) + areas[3:]
@@ -77,24 +96,56 @@ def estimate(causes: Causes, found: Solved, scale: float, kinematics: ErrorEstim
         functions=EPS + float(mean),
         between=float(np.max(worst) + max(np.max(missed), np.max(gaps / sizes[:, 0]))),
         work=max(float(np.max(works, initial=0.0) / (np.max(turnover, initial=0.0) or 1.0)), EPS),
+        last_digit=digit,
     )
     return error, works
 
 
-def _measured(causes: Causes, found: Solved) -> tuple[Real, float, float]:
-    """Rounding of all functions (3 + S, m) at some rows and points of the panels, largest parts of dJ, largest J."""
-    travel, chain = causes.scene.travel, causes.scene.chain
-    x = travel.x(found.theta)
-    rows = choice(x, lambda coarse: regularity_of(chain, x[coarse]), (), turns=chain.turns)
+def _last_digit(
+    causes: Causes, again: Again, scale: float, cycle: tuple[Real, float], centre: float | None
+) -> ReductionDigit:
+    """What the last digit of the metric does at the same places, moments against ``scale`` [N*m].
+
+    ``cycle`` are the widths of the panels and the largest turnover [J].
+    """
+    theta, side = again.theta, again.side
+
+    def functions(of: Chain, x: Real) -> tuple[Real, Real, Real]:
+        configuration = of.evaluate(x)
+        own = causes.on(of).at(Place(theta, configuration, side), side).rows
+        return own[0], own[1], own[2:]
+
+    chain, x = causes.scene.chain, causes.scene.travel.x(theta)
+    inertia, slope, moments = effects(chain, x, functions, centre)
+    steep = slope_size(causes.scene.loading.heavy, chain.evaluate(x), len(x))
+    widths, turnover = cycle
+    moments[1:] *= causes.powers[:, None]
+    inner = moments[:, -POINTS * len(widths) :].reshape(len(moments), len(widths), POINTS)
+    return ReductionDigit(
+        against(inertia, float(np.max(functions(chain, x)[0]))),
+        against(slope, float(np.max(steep))),
+        against(moments, scale),
+        against(inner[1:].mean(axis=2) @ widths, turnover),
+    )
+
+
+def _again(causes: Causes, found: Solved) -> Again:
+    """The least regular of the rows and an even spread, and points of every panel."""
+    rows = chosen_of(causes.scene.chain, causes.scene.travel.x(found.theta), ())
     points = _points(found.dense).ravel()
     theta = np.concatenate((found.theta[rows], points))
-    side = np.concatenate((found.side[rows], np.ones(len(points))))
+    return Again(rows, theta, np.concatenate((found.side[rows], np.ones(len(points)))))
+
+
+def _measured(causes: Causes, found: Solved, again: Again) -> tuple[Real, float, float]:
+    """Rounding of all functions (3 + S, m) at these places, largest parts of dJ, largest J."""
+    exact = causes.on(in_full(causes.scene.chain))
     inner = found.values[:, :, SOME].reshape(len(found.values), -1)
-    place = causes.scene.place(theta, side)
-    wide = causes.at(place, side, lambda at: travel.named(theta[at])).rows
-    off = np.asarray(np.concatenate((found.nodes.rows[:, rows], inner), axis=1) - wide, float)
+    place = exact.scene.place(again.theta, again.side)
+    wide = exact.at(place, again.side, lambda at: exact.scene.travel.named(again.theta[at])).rows
+    off = np.asarray(np.concatenate((found.nodes.rows[:, again.rows], inner), axis=1) - wide, float)
     off[3:] *= causes.powers[:, None]
-    steep = slope_size(causes.scene.loading.heavy, place.configuration, len(theta))
+    steep = slope_size(causes.scene.loading.heavy, place.configuration, len(again.theta))
     return off, float(np.max(steep)), float(np.max(wide[0]))
 
 

@@ -7,6 +7,7 @@ from typing import Literal
 from tmmcalc.core.plane import Real
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
+from tmmcalc.linkage.loading import Role
 from tmmcalc.linkage.results import Extreme, Grade
 from tmmcalc.machine.cycle import Cycle
 
@@ -21,7 +22,7 @@ class Contribution:
 
     name: str
     kind: Literal["load", "weight", "spring", "damper", "friction", "balance"]
-    role: Literal["resistance", "drive"] | None  # what the spec takes a load for
+    role: Role | None  # what the spec takes a load for
     order: int  # of the speed that it is multiplied by
     work: float = quantity("work_{cause}[J]", "work of {cause} over the cycle")
     error: float  # estimated, of the work [J]
@@ -42,8 +43,21 @@ class Rods:
 
 
 @record
+class ReductionDigit:
+    """What a unit in the last place of the metric and of the input coordinate does to a reduction, at most [-].
+
+    Relative to what the errors are told against; 1 where no digit is left.
+    """
+
+    inertia: float = quantity("inertia", "relative change of the reduced inertia by the last digit of the metric")
+    slope: float = quantity("slope", "relative change of its derivative by the last digit of the metric")
+    moment: float = quantity("moment", "relative change of the reduced moments by the last digit of the metric")
+    work: float = quantity("work", "relative change of the works by the last digit of the metric")
+
+
+@record
 class ReductionError:
-    """Relative errors of a reduction.
+    """Relative errors of a reduction, its data taken as exact.
 
     Moments are told against the largest of all causes, or a small part of what cancels in them; the slope
     against the largest sum of what the links add to it without their signs; works against the largest work of the
@@ -56,6 +70,9 @@ class ReductionError:
     functions: float  # of all these over the cycle, in the mean
     between: float  # of all these between the positions at the worst place, and so of their extremes
     work: float  # of all works over the cycle
+    last_digit: ReductionDigit | None = quantity(  # None: no more than rounding
+        "last_digit", "what a unit in the last place of the metric changes", default=None
+    )
 
 
 @record

@@ -37,7 +37,9 @@ def wrong_signs(
 
 
 def _of_work(load: Load, dense: Panels, part: Values) -> Grade | None:
-    """The sign of the work over the whole cycle."""
+    """The sign of the work over the whole cycle; a neutral load may do any."""
+    if load.role == "neutral":
+        return None
     work = float(dense.total(part))
     against = -work if load.role == "drive" else work
     if against <= NOTHING * float(dense.total(np.abs(part))):
@@ -49,7 +51,7 @@ def _of_work(load: Load, dense: Panels, part: Values) -> Grade | None:
 
 def _of_part(travel: Travel, load: Load, dense: Panels, part: Values) -> Grade | None:
     """The part of the cycle on which a resistance drives."""
-    if load.role == "drive" or not load.law.judged or float(np.max(part)) <= 0:
+    if load.role != "resistance" or not load.law.judged or float(np.max(part)) <= 0:
         return None
     ranges = driving(dense, part, whole=travel.whole)
     gained, work = sum(done for _, _, done in ranges), float(dense.total(part))
@@ -59,7 +61,8 @@ def _of_part(travel: Travel, load: Load, dense: Panels, part: Values) -> Grade |
     net = f"does {work:+.6g} J in all" if work < -NOTHING * gained else "does no work in all"
     text = f"is called a resistance but drives {_named(travel, ranges)}: {gained:+.6g} J, {100 * share:.3g} % of what"
     remedy = (
-        'is the window of its stroke missing (stroke = "working"), or is a sign wrong? role = "drive" if it is meant so'
+        'is the window of its stroke missing (stroke = "working"), or is a sign wrong? If it is meant so, write '
+        'role = "drive", or "neutral" for what is lifted and let down'
     )
     return Grade(
         "warning" if share > GRAVE else "note",
@@ -111,4 +114,6 @@ def _changes(dense: Panels, part: Values) -> Values:
     inner = np.nextafter(dense.edges[1:], dense.edges[:-1])  # what is read on the edge itself is the panel after it
     at = np.concatenate((dense.edges[:-1, None], dense.x, inner[:, None]), axis=1)
     k, i = np.nonzero(np.signbit(values[:, 1:]) != np.signbit(values[:, :-1]))
-    return bracketed(lambda x, _: dense.at(part, x), at[k, i], at[k, i + 1])
+    low, high, below, above = at[k, i], at[k, i + 1], values[k, i], values[k, i + 1]
+    first = low + (high - low) * (below / np.where(below == above, 1.0, below - above))
+    return bracketed(lambda x, _: dense.at(part, x), low, high, known=(below, above, first))

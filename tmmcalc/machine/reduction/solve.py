@@ -19,7 +19,6 @@ from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.numerics.peaks import peaks
 from tmmcalc.core.numerics.simpson import simpson
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.loads.scene import Scene, compile_scene
 from tmmcalc.linkage.model import Mechanism
@@ -33,22 +32,25 @@ from tmmcalc.machine.reduction.results import Contribution, Reduction, Reduction
 from tmmcalc.machine.reduction.signs import wrong_signs
 
 
-def solve_reduction(mechanism: Mechanism, loading: Loading, kinematics: Kinematics, rods: str = "exact") -> Reduction:
+def solve_reduction(
+    mechanism: Mechanism, loading: Loading, kinematics: Kinematics, rods: str = "exact", turns: int = 1
+) -> Reduction:
     """Reduced moments and inertia over the cycle; ``rods`` is "exact" or "lumped" (static lumping of rods).
 
-    Raises `NoSolutionError` for self-locking, and for a load that cannot be placed.
+    The cycle is a whole number of these ``turns`` of the crank. Raises `NoSolutionError` for self-locking, and for a
+    load that cannot be placed.
     """
     links = rods_of(mechanism, loading)
     static = lumped(mechanism, loading, links) if links else loading.bodies
     taken = replace(loading, bodies=static) if rods == "lumped" else loading
-    scene = compile_scene(mechanism, taken, kinematics)
+    scene = compile_scene(mechanism, taken, kinematics, turns)
     causes = causes_of(scene)
     theta, labels = scene.travel.rows(kinematics)
     nodes, dense, values, (tail, stuck, scale) = reduced(causes, theta, labels)
     found = Solved(theta, scene.travel.sides(theta), nodes, dense, values, tail)
     beside = loading.bodies if rods == "lumped" else static
     other = reduced_inertia(beside, scene.place(theta).configuration, len(theta))[0] if links else None
-    error, errors = estimate(causes, found, scale, kinematics.error)
+    error, errors = estimate(causes, found, scale, kinematics)
     how = Rods("lumped" if rods == "lumped" and links else "exact", links, other)
     return reduction_of(causes, (theta, labels, nodes), (dense, values), error, how, errors, stuck=stuck)
 
@@ -119,7 +121,7 @@ def _contributions(
 
 
 def solve_back(
-    mechanism: Mechanism, loading: Loading, kinematics: Kinematics, rods: str = "exact"
+    mechanism: Mechanism, loading: Loading, kinematics: Kinematics, rods: str = "exact", turns: int = 1
 ) -> tuple[Cycle, Cycle | None]:
     """The cycle of the input turned back, and that without loads: the same angles and loads, the friction turned round.
 
@@ -127,7 +129,7 @@ def solve_back(
     where the linkage locks itself backwards.
     """
     taken = replace(loading, bodies=lumped(mechanism, loading, rods_of(mechanism, loading)))
-    scene = compile_scene(mechanism, taken if rods == "lumped" else loading, kinematics)
+    scene = compile_scene(mechanism, taken if rods == "lumped" else loading, kinematics, turns)
     causes = _turned_back(causes_of(scene))
     try:
         _, dense, values, (tail, stuck, _) = reduced(causes, np.empty(0), ())
@@ -145,13 +147,9 @@ def solve_back(
 
 def _turned_back(causes: Causes) -> Causes:
     """The causes with reactions and friction of the same angles passed at the opposite speed."""
-
-    def back(statics: Statics) -> Statics:
-        travel = statics.scene.travel
-        return statics._replace(scene=statics.scene._replace(travel=travel._replace(speed=-travel.speed)))
-
-    quiet = causes.quiet
-    return causes._replace(statics=back(causes.statics), quiet=back(quiet) if quiet is not None else None)
+    travel = causes.statics.scene.travel
+    scene = causes.statics.scene._replace(travel=travel._replace(speed=-travel.speed))
+    return causes._replace(statics=causes.statics._replace(scene=scene))
 
 
 def _cycles(causes: Causes, dense: Panels, values: Real, error: float) -> tuple[Cycle, Real, Cycle]:

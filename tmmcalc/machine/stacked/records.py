@@ -20,6 +20,7 @@ from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.forces.solve import ROUNDING, forces_of
 from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.kinematics import crank_length
+from tmmcalc.linkage.lastdigit import in_full
 from tmmcalc.linkage.results import ErrorEstimate, Kinematics, Trace
 from tmmcalc.linkage.stacked.dense import dense_of, evaluated
 from tmmcalc.linkage.stacked.reactions import reactions_of
@@ -53,6 +54,7 @@ def kinematics_records(block: Block, variants: Indices) -> list[Kinematics]:
                 speed=float(drive.speed),
                 acceleration=float(drive.acceleration),
                 crank_length=crank_length(chain),
+                frame_points={name: (at.real, at.imag) for name, at in chain.mechanism.frame.points.items()},
                 phi=whole.phi[rows],
                 x=whole.x[rows],
                 trace=_rows(whole.trace, rows),
@@ -73,7 +75,10 @@ def _rows(values: Trace, rows: Any) -> Trace:
 
 
 def _errors(block: Block, variants: Indices, x: Real, weakest: Sequence[Sequence[float]]) -> list[ErrorEstimate]:
-    """The estimated errors of kinematics at x (v, n), in extended precision of all together."""
+    """The estimated errors of kinematics at x (v, n), in extended precision of all together.
+
+    What the last digit of the data does costs more than a variant, and is told of one that is solved alone.
+    """
     if not WIDER:
         owns = [block.chain(v) for v in variants.tolist()]
         return [
@@ -92,7 +97,7 @@ def _errors(block: Block, variants: Indices, x: Real, weakest: Sequence[Sequence
     ]
     ends = np.cumsum([0, *map(len, chosen)]).tolist()
     at, chain = np.concatenate(chosen), block.chain(np.repeat(variants, np.diff(ends)))
-    found, exact = trace(chain, at), trace(chain, at.astype(np.longdouble))
+    found, exact = trace(chain, at), trace(in_full(chain), at.astype(np.longdouble))
     parts = [np.s_[..., low:high] for low, high in pairwise(ends)]
     return [between(_rows(found, part), _rows(exact, part)) for part in parts]
 

@@ -78,6 +78,6 @@ def sampled(block: Block, owner: Indices, theta: Real, side: Real, *, idle: bool
     parts = []
     for rows in np.split(np.arange(len(theta)), range(AT_ONCE, len(theta), AT_ONCE)):
         causes = causes_in(block.statics(owner[rows]))
-        causes = causes if idle else causes._replace(quiet=None)
+        causes = causes if idle else causes._replace(statics=causes.statics._replace(cases=None))
         parts.append(causes.at(causes.scene.place(theta[rows], side[rows]), side[rows]))
     return joined(parts)

@@ -6,6 +6,7 @@ A moment that balances the diagram is a cause of its own beside it: its work and
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -21,8 +22,11 @@ POSITIONS = 24  # equal steps of a turn that are tabulated
 BALANCE = "balancing moment"
 
 
-def reduced_diagram(name: str, cycle: Cycle) -> Reduction:
-    """The reduction of a shaft with a moment diagram; its inertia is constant."""
+def reduced_diagram(name: str, cycle: Cycle, *, alone: bool = True) -> Reduction:
+    """The reduction of a shaft with a moment diagram; its inertia is constant.
+
+    A shaft that is not ``alone`` drives something more, which goes on where the diagram is switched off.
+    """
     on = cycle.panels
     steps = POSITIONS * max(1, round(cycle.period / (2 * math.pi)))
     theta = np.linspace(0.0, cycle.period, steps + 1)
@@ -49,7 +53,7 @@ def reduced_diagram(name: str, cycle: Cycle) -> Reduction:
         slope=np.zeros(steps + 1),
         parts=parts,
         cycle=cycle,
-        idle=None,
+        idle=None if alone else replace(cycle, moment=np.zeros_like(cycle.moment), balancing=0.0),
         inertia_range=(Extreme(inertia, 0.0), Extreme(inertia, 0.0)),
         rods="exact",
         rod_links=(),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from tmmcalc.core.stage import said
 from tmmcalc.machine.flywheel.results import Flywheel
 from tmmcalc.machine.flywheel.solve import Machine, flywheel_of, solve_flywheel
-from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
+from tmmcalc.machine.model import FlywheelTask, MotionTask, MotorChoice
 from tmmcalc.machine.wanted import NO_REGIME, constant_moment, curved
 
 if TYPE_CHECKING:
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 
 kind = Flywheel
+found = "tmmcalc.machine.tables.found:of_flywheel"
 
 
 class Asked(NamedTuple):
@@ -28,16 +29,16 @@ class Asked(NamedTuple):
     speed: float
 
 
-Given = tuple[FlywheelTask, MotorChoice | None, Gears, MotionTask]
+Given = tuple[FlywheelTask, MotorChoice | None, MotionTask]
 
 
 def inputs(spec: MachineTables) -> Given:
-    """The flywheel's table, the motor, the gears, the constant inertia."""
-    from tmmcalc.machine.tables.tasks.machine import to_flywheel, to_gears, to_motion, to_motor
+    """The flywheel's table, the motor, the constant inertia."""
+    from tmmcalc.machine.tables.tasks.machine import to_flywheel, to_motion, to_motor
 
     task = to_flywheel(spec)
     assert task is not None
-    return task, to_motor(spec), to_gears(spec), to_motion(spec)
+    return task, to_motor(spec), to_motion(spec)
 
 
 def solve(*given: *Given, **upstream: Any) -> Flywheel:
@@ -53,10 +54,9 @@ def of_searches(
 
 
 def _machine(given: Given, upstream: Mapping[str, Any]) -> Machine:
-    from tmmcalc.machine.stages.shaft import equal_steps, geared, motor_ratio, sense, shaft_ratio
+    from tmmcalc.machine.stages.shaft import equal_steps, motor_ratio, sense, shaft_ratio
 
     task, machine = given[0], asked(given, upstream)
-    gears = geared(given[2], upstream.get("criteria"))
     reduction, power = upstream["reduction"], upstream["power"]
     return Machine(
         reduction.cycle,
@@ -64,26 +64,25 @@ def _machine(given: Given, upstream: Mapping[str, Any]) -> Machine:
         task,
         machine.driver,
         machine.speed,
-        shaft_ratio(task, power, gears),
-        motor_ratio(power, gears),
+        shaft_ratio(task, power),
+        motor_ratio(power),
         equal_steps(reduction),
         sense(reduction),
     )
 
 
 def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
-    """The machine with the gears that earlier stages found, without a flywheel."""
-    from tmmcalc.machine.stages.shaft import constant_inertia, driver, geared, mean_speed
+    """The machine with the drive line that earlier stages found, without a flywheel."""
+    from tmmcalc.machine.stages.shaft import constant_inertia, driver, mean_speed
 
-    _, wish, gears, motion = given
-    gears = geared(gears, upstream.get("criteria"))
+    _, wish, motion = given
     if motion.undriven:
         from tmmcalc.machine.selfregulation import undriven_driver
 
         moved: Driver | None = undriven_driver(upstream["reduction"].cycle)
     else:
-        moved = driver(upstream, wish, gears, motion)
-    return Asked(constant_inertia(upstream, gears, motion), moved, mean_speed(upstream, motion))
+        moved = driver(upstream, wish, motion)
+    return Asked(constant_inertia(upstream, motion), moved, mean_speed(upstream, motion))
 
 
 def errors(result: Flywheel) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from tmmcalc.core.conversion import plain
 from tmmcalc.core.stage import said
 from tmmcalc.linkage.wanted import NO_CSV, is_long
 from tmmcalc.machine.columns import motion_columns
-from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
+from tmmcalc.machine.model import FlywheelTask, MotionTask, MotorChoice
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.wanted import NO_REGIME, constant_moment, curved
 
@@ -34,14 +34,14 @@ class Asked(NamedTuple):
     speed: float
 
 
-Given = tuple[MotorChoice | None, Gears, MotionTask, FlywheelTask | None, str]
+Given = tuple[MotorChoice | None, MotionTask, FlywheelTask | None, str]
 
 
 def inputs(spec: MachineTables) -> Given:
-    """The motor, the gears, the constant inertia, a flywheel that is there, where the spec gives the speed."""
-    from tmmcalc.machine.tables.tasks.machine import speed_key, to_flywheel, to_gears, to_motion, to_motor
+    """The motor, the constant inertia, a flywheel that is there, where the spec gives the speed."""
+    from tmmcalc.machine.tables.tasks.machine import speed_key, to_flywheel, to_motion, to_motor
 
-    return to_motor(spec), to_gears(spec), to_motion(spec), to_flywheel(spec), speed_key(spec)
+    return to_motor(spec), to_motion(spec), to_flywheel(spec), speed_key(spec)
 
 
 def solve(*given: *Given, tolerance: float, **upstream: Any) -> Motion:
@@ -58,20 +58,19 @@ def solve(*given: *Given, tolerance: float, **upstream: Any) -> Motion:
         machine.driver,
         machine.speed,
         (reduction.labels, reduction.phi, theta),
-        given[4],
-        undriven=given[2].undriven,
+        given[3],
+        undriven=given[1].undriven,
         tolerance=tolerance,
     )
 
 
 def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
-    """The machine with the gears and the flywheel that earlier stages found."""
-    from tmmcalc.machine.stages.shaft import constant_inertia, driver, flywheel_inertia, geared, mean_speed
+    """The machine with the drive line and the flywheel that earlier stages found."""
+    from tmmcalc.machine.stages.shaft import constant_inertia, driver, flywheel_inertia, mean_speed
 
-    wish, gears, task, wheel, _ = given
-    gears = geared(gears, upstream.get("criteria"))
-    inertia = constant_inertia(upstream, gears, task, flywheel_inertia(upstream, wheel, gears))
-    return Asked(inertia, driver(upstream, wish, gears, task), mean_speed(upstream, task))
+    wish, task, wheel, _ = given
+    inertia = constant_inertia(upstream, task, flywheel_inertia(upstream, wheel))
+    return Asked(inertia, driver(upstream, wish, task), mean_speed(upstream, task))
 
 
 def errors(result: Motion) -> dict[str, Any]:

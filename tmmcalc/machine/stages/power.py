@@ -11,10 +11,12 @@ from tmmcalc.machine.wanted import curved
 
 if TYPE_CHECKING:
     from tmmcalc.gears.selection.results import Selection
-    from tmmcalc.machine.model import Gears, MotorChoice
+    from tmmcalc.machine.driveline import DriveLine
+    from tmmcalc.machine.model import Gears, MotorChoice, TrialTask
     from tmmcalc.machine.power import MotorDuty
     from tmmcalc.machine.reduction.results import Reduction
     from tmmcalc.machine.room import MachineTables
+    from tmmcalc.machine.settled import MotorFound, Settled
 
 kind = Power
 
@@ -23,56 +25,83 @@ NO_MOTOR = "no [motor]: it is not asked for power and speed"
 GIVEN_MOTOR = "the motor is given: none is chosen from the catalogue"
 
 
-Given = tuple["MotorChoice | None", "Gears", str]
+Given = tuple["MotorChoice | None", "Gears", str, "TrialTask | None"]
 
 
 def inputs(spec: MachineTables) -> Given:
-    """The motor or the wish for one, the gears, and where the spec gives the speed."""
-    from tmmcalc.machine.tables.tasks.machine import speed_key, to_gears, to_motor
+    """The motor or the wish for one, the gears, where the spec gives the speed, what a motor is tried by."""
+    from tmmcalc.machine.tables.tasks.machine import speed_key, to_gears, to_motor, to_trial
 
-    return to_motor(spec), to_gears(spec), speed_key(spec)
+    return to_motor(spec), to_gears(spec), speed_key(spec), to_trial(spec)
 
 
 def solve(
-    wish: MotorChoice | None, gears: Gears, key: str, *, reduction: Reduction, criteria: Selection | None = None
+    wish: MotorChoice | None,
+    gears: Gears,
+    key: str,
+    trial: TrialTask | None = None,
+    *,
+    reduction: Reduction,
+    criteria: Selection | None = None,
+    drive: Settled | None = None,
 ) -> Power:
     """Work and power of the cycle, and how the motor stands to them."""
-    from tmmcalc.linkage.errors import MARGIN
-    from tmmcalc.machine.power import WorkPart, chosen_motor, duty_of, solve_power
-    from tmmcalc.machine.reduction.signs import turnover
-    from tmmcalc.machine.stages.shaft import geared, sense
+    from tmmcalc.machine.driveline import drive_line
+    from tmmcalc.machine.motors.model import with_lag
+    from tmmcalc.machine.power import duty_of
+    from tmmcalc.machine.stages.shaft import sense
 
-    gears = geared(gears, criteria)
+    power = power_of(reduction, drive_line(gears, None if criteria is None else criteria.winner))
+    if wish is None:
+        return power
+    speed = reduction.cycle.speed
+    found = None if trial is None else _chosen(power, reduction, wish, trial, drive)
+    motor = wish.motor if found is None else with_lag(found.motor, wish.time_constant)
+    assert motor is not None
+    ratio = power.line.ratio or motor.speed / speed
+    reasons = () if found is None else found.reasons
+    duty = duty_of(power, motor, ratio, reasons, found is not None, wish.characteristic)
+    if found is not None:
+        duty = replace(duty, judged=found.judged, taken=found.taken)
+    if drive is not None:
+        duty = replace(duty, rounds=drive.rounds, in_turn=drive.alternating)
+    return replace(power, duty=_told(duty, power.line, speed, sense(reduction), key))
+
+
+def _chosen(
+    power: Power, reduction: Reduction, wish: MotorChoice, trial: TrialTask, drive: Settled | None
+) -> MotorFound:
+    """The motor that is chosen here, or was with the ratio of the train: that is judged again with the train itself."""
+    from tmmcalc.machine.stages.trial import ChosenMotor, judge_motor
+
+    found = None if drive is None else drive.found
+    if found is None:
+        return ChosenMotor(power, reduction, wish, trial).told()
+    own = judge_motor(power, reduction, wish, trial, found.motor)
+    return replace(found, judged=(*(each for each in found.judged if each.motor != own.motor), own))
+
+
+def power_of(reduction: Reduction, line: DriveLine) -> Power:
+    """Work and power of the cycle, without a motor."""
+    from tmmcalc.linkage.errors import MARGIN
+    from tmmcalc.machine.power import WorkPart, solve_power
+    from tmmcalc.machine.reduction.signs import turnover
+    from tmmcalc.machine.stages.shaft import sense
+
     parts = tuple(
         WorkPart(c.name, c.kind, c.work, turnover(reduction.cycle.panels, part), c.error)
         for c, part in zip(reduction.contributions, reduction.parts, strict=True)
     )
-    turns = sense(reduction)
     # the margin is for worse places that were not looked at; at one place those of all causes add up by their squares
     rounding = reduction.error.moment / MARGIN * len(parts) ** 0.5
-    power = solve_power(reduction.cycle, parts, gears.efficiency, turns, rounding)
-    if wish is None:
-        return power
-    speed = reduction.cycle.speed
-    if wish.motor is not None:
-        ratio = gears.ratio or wish.motor.speed / speed
-        duty = duty_of(power, wish.motor, ratio, (), False, wish.characteristic)
-        return replace(power, duty=_told(duty, gears, speed, turns, key))
-    from tmmcalc.machine.motors.catalogue import load_catalogue
-    from tmmcalc.machine.motors.model import with_lag
-
-    choice = chosen_motor(power, wish.catalogue or load_catalogue(), speed, gears.ratio, wish.synchronous)
-    motor = with_lag(choice.motor, wish.time_constant)
-    ratio = gears.ratio or motor.speed / speed
-    duty = duty_of(power, motor, ratio, choice.reasons, True, wish.characteristic)
-    return replace(power, duty=_told(duty, gears, speed, turns, key))
+    return solve_power(reduction.cycle, parts, line, sense(reduction), rounding)
 
 
-def _told(duty: MotorDuty, gears: Gears, speed: float, turns: float, key: str) -> MotorDuty:
+def _told(duty: MotorDuty, line: DriveLine, speed: float, turns: float, key: str) -> MotorDuty:
     """The duty with whose ratio it has, and how far the motor misses the speed of the spec."""
     from tmmcalc.machine.offspeed import off_rated
 
-    return replace(duty, ratio_of=gears.ratio_of, off_speed=off_rated(duty.motor.speed, duty.ratio, speed, turns, key))
+    return replace(duty, ratio_of=line.ratio_of, off_speed=off_rated(duty.motor.speed, duty.ratio, speed, turns, key))
 
 
 def omits(spec: MachineTables) -> tuple[str, ...]:

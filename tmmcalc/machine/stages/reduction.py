@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.loading import Loading
     from tmmcalc.linkage.model import Mechanism
     from tmmcalc.linkage.results import Kinematics
+    from tmmcalc.machine.attached import Attached
     from tmmcalc.machine.room import MachineTables
 
 
@@ -31,6 +33,7 @@ DIAGRAM = "[torque] in place of a linkage: nothing is reduced, the diagram is ta
 Given = tuple["Mechanism", "Loading", str] | TorqueTask
 
 kind = Reduction
+placed = "tmmcalc.linkage.tables.tasks.placed:with_position"
 
 
 def inputs(spec: MachineTables) -> Given:
@@ -53,18 +56,26 @@ def solve(
     rods: str = "exact",
     *,
     kinematics: Kinematics | None = None,
+    **attached: Attached,
 ) -> Reduction:
-    """Reduce everything to the input link."""
+    """Reduce everything to the input link, with what is attached to it beside the linkage."""
+    turns = math.lcm(1, *(each.turns for each in attached.values()))
     if isinstance(given, TorqueTask):
         from tmmcalc.machine.diagram.solve import cycle_of
         from tmmcalc.machine.stages.diagram import reduced_diagram
 
-        return reduced_diagram(given.name, cycle_of(given))
-    from tmmcalc.machine.reduction.solve import solve_reduction  # a stored result is loaded without it
+        result = reduced_diagram(given.name, cycle_of(given), alone=not attached)
+    else:
+        from tmmcalc.machine.reduction.solve import solve_reduction  # a stored result is loaded without it
 
-    assert loading is not None
-    assert kinematics is not None
-    return solve_reduction(given, loading, kinematics, rods)
+        assert loading is not None
+        assert kinematics is not None
+        result = solve_reduction(given, loading, kinematics, rods, turns)
+    for each in attached.values():
+        from tmmcalc.machine.attached import with_attached
+
+        result = with_attached(result, each)
+    return result
 
 
 def columns(result: Reduction) -> Sequence[Column]:

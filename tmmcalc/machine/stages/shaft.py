@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,41 +11,29 @@ import numpy as np
 from tmmcalc.machine.driver import ConstantInertia, Driver, driver_of
 
 if TYPE_CHECKING:
-    from tmmcalc.gears.selection.results import Selection
     from tmmcalc.machine.flywheel.results import Flywheel
-    from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
+    from tmmcalc.machine.model import FlywheelTask, MotionTask, MotorChoice
     from tmmcalc.machine.power import Power
     from tmmcalc.machine.reduction.results import Reduction
 
 EQUAL = 1e-9  # relative difference of steps that count as equal
 
 
-def geared(gears: Gears, found: Selection | None) -> Gears:
-    """The gears; the ratio and the inertia that the spec does not give are those of the best gear train."""
-    if found is None:
-        return gears
-    train = found.winner
-    if gears.inertia is None:
-        gears = replace(gears, inertia=train.on_crank, inertia_of=train.name)
-    return gears if gears.ratio is not None else replace(gears, ratio=train.to_crank, ratio_of=train.name)
-
-
-def driver(upstream: Mapping[str, Any], wish: MotorChoice | None, gears: Gears, task: MotionTask) -> Driver | None:
+def driver(upstream: Mapping[str, Any], wish: MotorChoice | None, task: MotionTask) -> Driver | None:
     """The motor on the input shaft; None if the motion is positional."""
     power: Power = upstream["power"]
     if task.positional or wish is None or power.duty is None:
         return None
     duty = power.duty
-    return driver_of(duty.motor, wish.characteristic, duty.ratio, gears.efficiency, duty.motor.time_constant)
+    return driver_of(duty.motor, wish.characteristic, duty.ratio, power.line.efficiency, duty.motor.time_constant)
 
 
-def constant_inertia(
-    upstream: Mapping[str, Any], gears: Gears, task: MotionTask, flywheel: float = 0.0
-) -> ConstantInertia:
+def constant_inertia(upstream: Mapping[str, Any], task: MotionTask, flywheel: float = 0.0) -> ConstantInertia:
     """Rotor, gears, further inertia of the spec, and the flywheel, all at the input shaft."""
     power: Power = upstream["power"]
     rotor = power.duty.rotor if power.duty is not None else 0.0
-    return ConstantInertia(rotor, gears.inertia or 0.0, task.inertia, flywheel, gears.inertia_of)
+    line = power.line
+    return ConstantInertia(rotor, line.inertia, task.inertia, flywheel, line.inertia_of, line.open)
 
 
 def sense(reduction: Reduction) -> float:
@@ -61,20 +48,20 @@ def equal_steps(reduction: Reduction) -> int | None:
     return n if n > 2 and float(np.max(np.abs(steps - step))) < EQUAL * step else None
 
 
-def motor_ratio(power: Power, gears: Gears) -> float | None:
+def motor_ratio(power: Power) -> float | None:
     """Speed of the motor's shaft over that of the input shaft; None if there is none."""
-    return power.duty.ratio if power.duty is not None else gears.ratio
+    return power.duty.ratio if power.duty is not None else power.line.ratio
 
 
-def shaft_ratio(task: FlywheelTask, power: Power, gears: Gears) -> float:
+def shaft_ratio(task: FlywheelTask, power: Power) -> float:
     """Speed of the flywheel's shaft over that of the input shaft."""
-    return (motor_ratio(power, gears) if task.shaft == "motor" else task.ratio) or 1.0
+    return (motor_ratio(power) if task.shaft == "motor" else task.ratio) or 1.0
 
 
-def flywheel_inertia(upstream: Mapping[str, Any], wheel: FlywheelTask | None, gears: Gears) -> float:
+def flywheel_inertia(upstream: Mapping[str, Any], wheel: FlywheelTask | None) -> float:
     """Inertia at the input shaft of the flywheel that is there, or else of the one that was found [kg*m^2]."""
     if wheel is not None and wheel.inertia:
-        return wheel.inertia * shaft_ratio(wheel, upstream["power"], gears) ** 2
+        return wheel.inertia * shaft_ratio(wheel, upstream["power"]) ** 2
     found: Flywheel | None = upstream.get("flywheel")
     return found.addition if found is not None else 0.0
 

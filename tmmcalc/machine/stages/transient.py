@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
@@ -12,7 +13,8 @@ import numpy as np
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.stage import said
 from tmmcalc.core.stored import Table
-from tmmcalc.machine.model import DriveShaft, FlywheelTask, Gears, MotionTask, MotorChoice, TransientTask
+from tmmcalc.machine.attached import Attached
+from tmmcalc.machine.model import DriveShaft, FlywheelTask, MotionTask, MotorChoice, TransientTask
 from tmmcalc.machine.transient.columns import timed_columns
 from tmmcalc.machine.transient.timed import TimedMotions
 from tmmcalc.machine.wanted import curved
@@ -36,7 +38,6 @@ Given = tuple[
     tuple[TransientTask, ...],
     tuple[DriveShaft, ...],
     MotorChoice | None,
-    Gears,
     MotionTask,
     FlywheelTask | None,
     Linkage | None,
@@ -52,14 +53,13 @@ POSITIONAL = (
 
 
 def inputs(spec: MachineTables) -> Given:
-    """The scenarios, shafts, motor, gears, constant inertia, a flywheel, a linkage that may turn back."""
-    from tmmcalc.machine.tables.tasks.machine import to_flywheel, to_gears, to_motion, to_motor, to_scenarios, to_shafts
+    """The scenarios, shafts, motor, constant inertia, a flywheel, a linkage that may turn back."""
+    from tmmcalc.machine.tables.tasks.machine import to_flywheel, to_motion, to_motor, to_scenarios, to_shafts
 
     return (
         to_scenarios(spec),
         to_shafts(spec),
         to_motor(spec),
-        to_gears(spec),
         to_motion(spec),
         to_flywheel(spec),
         _linkage(spec),
@@ -81,48 +81,60 @@ def solve(*given: *Given, tolerance: float, **upstream: Any) -> TimedMotions:
     from tmmcalc.machine.stages.shaft import mean_speed
     from tmmcalc.machine.transient.solve import solve_transients
 
-    tasks, motion = given[0], given[4]
+    tasks, motion = given[0], given[3]
     return solve_transients(machine_of(given, upstream), tasks, mean_speed(upstream, motion), tolerance)
 
 
 def machine_of(given: Given, upstream: Mapping[str, Any]) -> Machine:
-    """The machine with the gears and the flywheel that earlier stages found, the motor by its whole curve."""
-    from tmmcalc.machine.stages.shaft import constant_inertia, driver, flywheel_inertia, geared
+    """The machine with the drive line and the flywheel that earlier stages found, the motor by its whole curve."""
+    from tmmcalc.machine.stages.shaft import constant_inertia, driver, flywheel_inertia
     from tmmcalc.machine.transient.solve import Machine
 
-    tasks, shafts, wish, gears, motion, wheel, linkage = given
-    gears = geared(gears, upstream.get("criteria"))
-    reduction, duty = upstream["reduction"], upstream["power"].duty
+    tasks, shafts, wish, motion, wheel, linkage = given
+    reduction, power = upstream["reduction"], upstream["power"]
+    duty = power.duty
     wish = _whole_curve(wish, duty)
-    moved = driver(upstream, wish, gears, replace(motion, positional=False))
+    moved = driver(upstream, wish, replace(motion, positional=False))
     rubs = any(part.kind == "friction" for part in reduction.contributions)
+    attached = tuple(each for each in upstream.values() if isinstance(each, Attached))
     return Machine(
         cycle=reduction.cycle,
         idle=_idle(reduction, tasks),
-        inertia=constant_inertia(upstream, gears, motion, flywheel_inertia(upstream, wheel, gears)),
-        motor=_on_motor_shaft(duty, wish, gears),
+        inertia=constant_inertia(upstream, motion, flywheel_inertia(upstream, wheel)),
+        motor=_on_motor_shaft(duty, wish, power.line.efficiency),
         reduced=moved.characteristic if moved is not None else None,
         time_constant=moved.time_constant if moved is not None else 0.0,
         ratio=duty.ratio if duty is not None else 1.0,
         shafts=shafts,
         wheel_at_motor=wheel is not None and wheel.shaft == "motor",
-        back=partial(back_of, linkage, reduction) if rubs else None,
+        back=partial(back_of, linkage, reduction, attached) if rubs else None,
         undriven=motion.undriven and moved is None,
         notes=(POSITIONAL,) if motion.positional and moved is not None else (),
     )
 
 
-def back_of(linkage: Linkage | None, reduction: Reduction) -> tuple[Cycle, Cycle | None]:
-    """Both cycles of the crank turned back; it is never asked for where it may not turn back."""
+def back_of(
+    linkage: Linkage | None, reduction: Reduction, attached: Sequence[Attached] = ()
+) -> tuple[Cycle, Cycle | None]:
+    """Both cycles of the crank turned back; it is never asked for where it may not turn back.
+
+    Raises `NoSolutionError` where what is ``attached`` cannot be turned back.
+    """
+    from tmmcalc.machine.attached import backwards
+
     if linkage is None:
-        return reduction.cycle, reduction.idle
+        return backwards(reduction.cycle, reduction.idle, attached)
     from tmmcalc.linkage.kinematics import solve_kinematics
     from tmmcalc.linkage.structure import solve_structure
     from tmmcalc.machine.reduction.solve import solve_back
 
     mechanism, loading, rods = linkage
-    cycle, idle = solve_back(mechanism, loading, solve_kinematics(mechanism, solve_structure(mechanism)), rods)
-    return cycle, idle if reduction.idle is not None else cycle
+    loaded = any(load.factor for load in loading.loads)
+    turns = math.lcm(1, *(each.turns for each in attached))
+    kinematics = solve_kinematics(mechanism, solve_structure(mechanism))
+    cycle, quiet = solve_back(mechanism, loading, kinematics, rods, turns)
+    idle = quiet if loaded and reduction.idle is not None else cycle
+    return backwards(cycle, idle, attached, joined_already=False)
 
 
 def _whole_curve(wish: MotorChoice | None, duty: MotorDuty | None) -> MotorChoice | None:
@@ -160,14 +172,14 @@ def _idle(reduction: Reduction, tasks: Sequence[TransientTask]) -> Cycle | None:
     return reduction.idle
 
 
-def _on_motor_shaft(duty: MotorDuty | None, wish: MotorChoice | None, gears: Gears) -> Characteristic | None:
+def _on_motor_shaft(duty: MotorDuty | None, wish: MotorChoice | None, efficiency: float) -> Characteristic | None:
     """The motor on its own shaft, the losses of the gears taken from its moment."""
     if duty is None or wish is None:
         return None
     from tmmcalc.machine.motors.gearing import reduced
     from tmmcalc.machine.motors.model import characteristic
 
-    return reduced(characteristic(duty.motor, wish.characteristic), 1.0, gears.efficiency)
+    return reduced(characteristic(duty.motor, wish.characteristic), 1.0, efficiency)
 
 
 def errors(result: TimedMotions) -> dict[str, Any]:

@@ -6,4 +6,11 @@ FORMS = {
     "torque.table": Form(
         "a torque diagram", "theta", ("angle",), ("moment",), "write a header such as theta[deg],M[N*m]", turns=True
     ),
+    "motor.table": Form(
+        "the characteristic of a motor",
+        "speed",
+        ("angular speed",),
+        ("moment",),
+        "write a header such as n[rpm],M[N*m]",
+    ),
 }

@@ -8,7 +8,7 @@ from tmmcalc.spec.quantities import AngularSpeed, Inertia, Moment, Number, Quant
 from tmmcalc.spec.table import Table
 
 Power = Annotated[float, Quantity("power", at_least_zero=True, nonzero=True)]
-TimeConstant = Annotated[float | Literal["auto"], Quantity("time", at_least_zero=True, word="auto")]
+TimeConstant = Annotated[float | Literal["auto"], Quantity("time", at_least_zero=True, words=("auto",))]
 FlywheelMoment = Annotated[float, Quantity("flywheel moment", at_least_zero=True)]
 CurveSpeed = Annotated[float, Quantity("angular speed", at_least_zero=True)]
 Overload = Annotated[float, Number("an overload ratio", "2.2", above=1)]
@@ -16,14 +16,25 @@ Efficiency = Annotated[float, Number("the efficiency of a motor", "0.88", above=
 Voltage = Annotated[float, Quantity("voltage", at_least_zero=True, nonzero=True)]
 Resistance = Annotated[float, Quantity("resistance", at_least_zero=True, nonzero=True)]
 MotorConstant = Annotated[float, Quantity("motor constant", at_least_zero=True, nonzero=True)]
+Reserve = Annotated[float, Number("a reserve", "0.2", at_least=0, at_most=5)]
 Start = Annotated[float, Number("a starting ratio", "1.8", above=0)]
 
 
 class CurveTable(Table):
-    """A characteristic by points: moments of the motor at its speeds."""
+    """A characteristic by points, in the table itself or in a file: moments of the motor at its speeds."""
 
-    speed: list[CurveSpeed] = Field(min_length=2, description="Speeds of the motor, ascending.")
-    moment: list[Moment] = Field(min_length=2, description="Moment of the motor at each speed.")
+    speed: list[CurveSpeed] | None = Field(default=None, min_length=2, description="Speeds of the motor, ascending.")
+    moment: list[Moment] | None = Field(default=None, min_length=2, description="Moment of the motor at each speed.")
+    file: str | None = Field(
+        default=None,
+        description="CSV file in place of the values: two columns under a header such as `n[rpm],M[N*m]`; "
+        "its path counts from the folder of the spec.",
+    )
+    columns: str | None = Field(
+        default=None,
+        description="Columns of a file that has more than two: of the values, or of both, as `--columns` names them, "
+        '`"omega,M_d"`.',
+    )
     interpolation: Literal["linear", "pchip"] = Field(
         default="pchip", description='`"pchip"`: a smooth monotone curve, or `"linear"`, straight lines.'
     )
@@ -40,6 +51,11 @@ class MotorTable(Table):
     catalogue: str | None = Field(
         default=None,
         description="CSV file of motors (default: built in); its path counts from the folder of the spec.",
+    )
+    reserve: Reserve | None = Field(
+        default=None,
+        description='Beside `name = "choose"`: the part by which rated power and rated moment exceed the mean power '
+        "and the rms moment, `0.2` (default: 0).",
     )
     kind: Literal["induction", "shunt", "series"] | None = Field(
         default=None,

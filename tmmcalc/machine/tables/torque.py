@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from tmmcalc.spec.identifiers import Name
-from tmmcalc.spec.quantities import Angle, AngularSpeed, Inertia, Moment, Number, Quantity
+from tmmcalc.spec.quantities import Angle, Inertia, Moment, Number, Quantity, ShaftSpeed
 from tmmcalc.spec.table import Table
 
 DiagramName = Annotated[str, Name("torque diagram")]
@@ -57,6 +57,11 @@ class TorqueCurveTable(Table):
         description="CSV file in place of the values: two columns under a header such as `theta[deg],M[N*m]`; "
         "its path counts from the folder of the spec.",
     )
+    columns: str | None = Field(
+        default=None,
+        description="Columns of a file that has more than two: of the values, or of both, as `--columns` names them, "
+        '`"phi,M_red"`.',
+    )
     interpolation: Literal["linear", "pchip"] = Field(
         default="linear", description='`"linear"`: straight lines, or `"pchip"`, a smooth monotone curve.'
     )
@@ -66,7 +71,10 @@ class TorqueTable(Table):
     """The moment on the input shaft over one cycle, by exactly one law; a positive moment drives."""
 
     name: DiagramName = Field(default="torque", description="What the diagram is called in tables.")
-    speed: AngularSpeed = Field(description="Mean speed of the shaft.")
+    speed: ShaftSpeed = Field(
+        description='Mean speed of the shaft; `"by the motor"`: that of the motion that the motor gives it through the '
+        "ratio that is given."
+    )
     period: Period = Field(default=2 * math.pi, description='Angle of the cycle; `"720 deg"` for a four-stroke engine.')
     formula: str | None = Field(
         default=None, description='Moment in N*m over `theta` (or `phi`) in rad, such as `"500*sin(theta)^2 - 120"`.'

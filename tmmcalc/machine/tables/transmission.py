@@ -1,4 +1,4 @@
-"""``[transmission]``: the gears between the motor and the crank."""
+"""``[transmission]``: the gears between the motor and the crank, or the pinion of an open pair on it."""
 
 from typing import Annotated
 
@@ -15,11 +15,15 @@ class TransmissionTable(Table):
 
     ratio: Ratio | None = Field(
         default=None,
-        description="Speed of the motor over that of the crank (default: that of `[[shafts]]`, of the best train of "
-        "`[criteria]`, or rated speed over the input's mean speed).",
+        description="Speed of the motor over that of the crank, or of the pinion of `[open_pair]` (default: that of "
+        "`[[shafts]]`, of the best train of `[criteria]`, or rated speed over the input's mean speed, each without "
+        "that of `[open_pair]`).",
     )
-    efficiency: Efficiency = Field(default=1.0, description="Efficiency of the gears.")
+    efficiency: Efficiency | None = Field(
+        default=None, description="Efficiency of the gears (default: that of the best train, or 1)."
+    )
     inertia: Inertia | None = Field(
         default=None,
-        description="Moment of inertia of the gears, reduced to the crank (default: that of the best train, or 0).",
+        description="Moment of inertia of the gears, reduced to the crank, or to the pinion of `[open_pair]` (default: "
+        "that of the best train, or 0).",
     )

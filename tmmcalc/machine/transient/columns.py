@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from functools import partial
 
+import numpy as np
+
 from tmmcalc.core.columns import Column, column, columns_of
 from tmmcalc.core.quantity import Quantity
 from tmmcalc.machine.transient.timed import TimedMotion
 
-ANGLE = Quantity("theta{mass}[rad]", "angle of a rotating mass; 1 is the motor's")
+ANGLE = Quantity("theta{mass}[deg]", "angle of a rotating mass; 1 is the motor's")
 SPEED = Quantity("omega{mass}[rad/s]", "speed of a rotating mass")
 ACCELERATION = Quantity("alpha{mass}[rad/s^2]", "acceleration of a rotating mass")
 SHAFT = Quantity("M_{before}_{after}[N*m]", "moment of the shaft between masses {before} and {after} towards the crank")
@@ -16,7 +18,7 @@ SHAFT = Quantity("M_{before}_{after}[N*m]", "moment of the shaft between masses 
 
 def timed_columns(motion: TimedMotion) -> list[Column]:
     """All columns of a motion in time in their usual order."""
-    rows = ((ANGLE, motion.theta), (SPEED, motion.omega), (ACCELERATION, motion.alpha))
+    rows = ((ANGLE, np.degrees(motion.theta)), (SPEED, motion.omega), (ACCELERATION, motion.alpha))
     masses = [
         column(told.of(mass=f"_{k + 1}" if len(motion.masses) > 1 else ""), partial(row.__getitem__, k))
         for k in range(len(motion.masses))

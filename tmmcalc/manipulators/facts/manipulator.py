@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from tmmcalc.core.quantity import keyed
 from tmmcalc.manipulators.columns import manipulator_columns
 from tmmcalc.manipulators.results import LegFacts, Manipulator, PieceFacts
-from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.document import Document, Fact, angles_in_degrees
 from tmmcalc.report.numbers import angle, number
 from tmmcalc.report.positions import with_positions
 from tmmcalc.report.timelaw import extreme_lines, extreme_values, law_facts
@@ -23,7 +23,7 @@ GRIPPER = ("speed", "acceleration", "a_tangential", "a_normal")
 
 def summary(result: Manipulator, title: str) -> Document:
     """Facts and notes, without the table."""
-    return Document(title, tuple(_facts(result)), tuple(str(grade) for grade in result.grades))
+    return angles_in_degrees(Document(title, tuple(_facts(result)), tuple(str(grade) for grade in result.grades)))
 
 
 def document(
@@ -38,7 +38,9 @@ def document(
     """Summary and table; ``patterns`` choose columns, ``rows`` instants by index; there are no further columns."""
     told, available = summary(result, title), manipulator_columns(result)
     example = f"t,{','.join(result.joints)}"
-    return with_positions(told, result.labels, available, patterns, rows, example=example, where=where)
+    return with_positions(
+        told, result.labels, available, patterns, rows, example=example, everything=everything, where=where
+    )
 
 
 def _facts(result: Manipulator) -> Iterator[Fact]:
@@ -120,10 +122,10 @@ def _extreme_facts(result: Manipulator) -> Iterator[Fact]:
 
 def _place_facts(result: Manipulator) -> Iterator[Fact]:
     """Singular places and passed limits: for programs; people read the notes."""
-    singular = [keyed(each) for each in result.singular]
+    singular = [keyed(each, unit=each.unit) for each in result.singular]
     text = "none" if not singular else f"{len(singular)} nearly singular or singular, see the notes"
     yield Fact("singular places", text, {"singular": singular})
-    excesses = [keyed(each, "joint", "unit", "limit", "value", "excess", "t", "first") for each in result.excesses]
+    excesses = [keyed(each, unit=each.unit) for each in result.excesses]
     if excesses:
         yield Fact("joint limits", f"{len(excesses)} passed, see the notes", {"limits_passed": excesses})
 
@@ -132,7 +134,7 @@ def _contact_facts(result: Manipulator) -> Iterator[Fact]:
     for name in dict.fromkeys(contact.obstacle for contact in result.contacts):
         own = [contact for contact in result.contacts if contact.obstacle == name]
         lines = [f"{each.what}: {'crosses it' if each.intervals else 'clear'}" for each in own]
-        values = {
-            f"{name}_{each.what.replace(' ', '_')}": [list(interval) for interval in each.intervals] for each in own
-        }
+        values: dict[str, object] = {}
+        for each in own:
+            values |= keyed(each, obstacle=name, part=each.what.replace(" ", "_"), unit=each.unit)
         yield Fact(f"obstacle {name}" if not name.startswith("obstacle") else name, "\n".join(lines), values)

@@ -46,4 +46,6 @@ def form_of(file: Path) -> str:
 def check_matplotlib() -> None:
     """Raise `UsageError` where matplotlib is not installed."""
     if find_spec("matplotlib") is None:
-        raise UsageError('pictures need matplotlib: pip install "tmmcalc[plot]"')
+        from tmmcalc.core.installation import install
+
+        raise UsageError("pictures need matplotlib, which is not installed", where="plot", remedy=install("plot"))

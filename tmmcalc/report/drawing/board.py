@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -14,8 +13,7 @@ from matplotlib.patches import Circle, Polygon
 from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.labels import MM, Labels
 from tmmcalc.report.drawing.style import INK
-
-ROUND = (1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
+from tmmcalc.report.numbers import round_scale
 
 
 class Board:
@@ -69,14 +67,6 @@ class Board:
         e = direction / abs(direction) * length * self.mu
         style = {"facecolor": INK, "edgecolor": "none", "zorder": 12, **style}
         self.area([tip, tip - e + 0.28j * e, tip - e - 0.28j * e], **style)
-
-
-def round_scale(value: float) -> float:
-    """The next scale above, out of a series of round numbers."""
-    if value <= 0:
-        return 1.0
-    power = 10.0 ** math.floor(math.log10(value))
-    return next(m * power for m in ROUND if m * power >= value * (1 - 1e-9))
 
 
 def _corners(content: Plane) -> tuple[complex, complex]:

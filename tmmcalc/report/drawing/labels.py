@@ -7,7 +7,7 @@ covers least. The layout of the figure must be settled before.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -23,7 +23,11 @@ from tmmcalc.report.numbers import number
 
 MM = 25.4
 NEAR = 20.0  # what lies farther from an anchor cannot be covered [mm]
+BEYOND = 100.0  # of what is drawn beyond the axes so much counts as near to them [mm]
 STEP = 0.5  # spacing of the points that stand for a line [mm]
+CLEARLY = 0.8  # so much nearer to its own stroke than to another a name is told apart [mm]
+ASTRAY = 15.0  # what a mm less costs
+WRONG = 50.0  # and what it costs to be nearer to another one
 RING = 0.33  # radius of the ring around a number, mm to a point of its size
 NUMBERED = re.compile("([A-Za-z])([0-9]+'*)")  # a name that reads as a letter with an index
 AROUND = np.exp(1j * np.radians([45, 135, -45, -135, 90, 0, 180, -90, 22, 68, 112, 158, -22, -68, -112, -158]))
@@ -54,11 +58,30 @@ class Labels:
         z = self._paper(np.atleast_1d(np.asarray(list(line), dtype=complex)))
         pieces = [z[:1]]
         for a, b in pairwise(z):
-            count = max(1, int(abs(b - a) / STEP))
-            pieces.append(a + (b - a) * np.arange(1, count + 1) / count)
+            first, last = self._within(a, b)
+            count = max(1, int(abs(b - a) * (last - first) / STEP))
+            pieces.append(a + (b - a) * (first + (last - first) * np.arange(1, count + 1) / count))
         points = np.concatenate(pieces)
         self._points.append(points)
         self._weights.append(np.full(len(points), weight))
+
+    def _within(self, a: complex, b: complex) -> tuple[float, float]:
+        """The part of a line on paper, from 0 to 1, that may come near to the axes.
+
+        A steep curve leaves them by kilometres, which would take points by the hundred million.
+        """
+        x0, x1, y0, y1 = self._frame
+        first, last = 0.0, 1.0
+        for low, high, start, way in (
+            (x0 - BEYOND, x1 + BEYOND, a.real, (b - a).real),
+            (y0 - BEYOND, y1 + BEYOND, a.imag, (b - a).imag),
+        ):
+            if way:
+                ends = sorted(((low - start) / way, (high - start) / way))
+                first, last = max(first, ends[0]), min(last, ends[1])
+            elif not low <= start <= high:
+                return 0.0, 0.0
+        return (first, last) if first < last else (0.0, 0.0)
 
     def _around(self, line: Plane, reach: float) -> tuple[Plane, Real]:
         """The points that stand for what is drawn, with their weights: those within ``reach`` mm of a line and more."""
@@ -73,8 +96,9 @@ class Labels:
     def crowded(self, line: Iterable[complex], reach: float) -> float:
         """How much of what is drawn lies within ``reach`` mm of a line (data coordinates), by weight."""
         z = self._paper(np.array(list(line), dtype=complex))
-        count = max(2, int(abs(z[-1] - z[0]) / STEP))
-        along = z[0] + (z[-1] - z[0]) * np.linspace(0, 1, count)
+        first, last = self._within(z[0], z[-1])
+        count = max(2, int(abs(z[-1] - z[0]) * (last - first) / STEP))
+        along = z[0] + (z[-1] - z[0]) * np.linspace(first, last, count)
         points, weights = self._around(along, reach)
         near = np.min(np.abs(points[:, None] - along), axis=1) < reach
         x0, x1, y0, y1 = self._frame
@@ -90,13 +114,21 @@ class Labels:
         gaps: tuple[float, ...] = (1.5, 2.4, 3.6),
         prefer: complex = 1 + 1j,
         ring: bool = False,
+        own: Sequence[complex] = (),
+        others: Sequence[Sequence[complex]] = (),
         **style: Any,
     ) -> None:
-        """Write a text near one of the anchors (data coordinates), ``gaps`` mm away; a ``ring`` goes around it."""
+        """Write a text near one of the anchors (data coordinates), ``gaps`` mm away; a ``ring`` goes around it.
+
+        ``own`` is the stroke, from end to end, that it names among the ``others``: it stands nearer to that one.
+        """
         half = (RING * size, RING * size) if ring else half_size(text, size)
+        strokes = [self._paper(np.array([line[0], line[-1]], dtype=complex)) for line in (own, *others) if len(line)]
         centres, costs = [], []
         for rank, anchor in enumerate(self._paper(np.array(list(anchors), dtype=complex))):
             tried, cost = self._tried(complex(anchor), half, gaps, prefer)
+            if own:
+                cost += _astray(tried, strokes)
             centres.append(tried)
             costs.append(cost + 0.4 * rank)
         at = complex(np.concatenate(centres)[int(np.argmin(np.concatenate(costs)))])
@@ -136,6 +168,22 @@ class Labels:
             | (centres.imag + height > y1)
         )
         return np.asarray(cost + 60.0 * outside)
+
+
+def _astray(centres: Plane, strokes: Sequence[Plane]) -> Real:
+    """What it costs a text to stand nearer to another stroke than to its own, the first of them."""
+    own, *others = (_distance(centres, stroke) for stroke in strokes)
+    nearest = np.min(others, axis=0) if others else np.full(len(centres), np.inf)
+    short = np.maximum(CLEARLY - (nearest - own), 0.0)
+    return np.asarray(ASTRAY * short + WRONG * (nearest < own))
+
+
+def _distance(at: Plane, stroke: Plane) -> Real:
+    """Distances of places from a straight stroke between two ends."""
+    tail, along = stroke[0], stroke[1] - stroke[0]
+    size = abs(along) ** 2
+    part = np.clip(((at - tail) * np.conj(along)).real / size, 0.0, 1.0) if size else 0.0
+    return np.asarray(np.abs(at - tail - part * along))
 
 
 def _outward(directions: Plane, half: tuple[float, float], gap: float) -> Plane:

@@ -126,11 +126,10 @@ def _steady(steady: Steady, result: VibratorResult) -> Fact:
     lines.append(
         f"power of unbalance and dampers differ by {abs(steady.balance):.0e}; error est. {result.amplitude_error:.0e}"
     )
-    phase, factor = quantity_of(Steady, "phase").shown("deg")
     values = {
         **keyed(steady, "speed"),
         "amplitude": dict(zip(HEADERS, steady.amplitude.tolist(), strict=True)),
-        phase: dict(zip(COORDINATES, (factor * steady.phase).tolist(), strict=True)),
+        quantity_of(Steady, "phase").key: dict(zip(COORDINATES, steady.phase.tolist(), strict=True)),
         **keyed(steady, "power", "moment", "balance"),
         **keyed(result, "amplitude_error"),
     }

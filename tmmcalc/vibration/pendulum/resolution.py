@@ -52,7 +52,9 @@ def resolved(task: PendulumTask, number: int) -> tuple[Plane, float]:
             return found, left
     if change > ALLOWED:
         raise AccuracyError(
-            f"{found.basis.count} functions leave an error of {change:.2g} in the natural frequencies",
+            f"{found.basis.count} functions leave an error of {change:.2g} in the natural frequencies"
+            if np.isfinite(change)
+            else f"the number of natural frequencies does not settle with {found.basis.count} functions",
             where="pendulum",
             value=float(change),
             limit=ALLOWED,

@@ -25,7 +25,7 @@ Inertias = Annotated[list[float], OneOrMore(Quantity("inertia", at_least_zero=Tr
 Density = Annotated[float, Quantity("density", **_POSITIVE)]
 Modulus = Annotated[float, Quantity("pressure", **_POSITIVE)]
 JointStiffness = Annotated[
-    float | Literal["clamped"], Quantity("torsional stiffness", at_least_zero=True, word="clamped")
+    float | Literal["clamped"], Quantity("torsional stiffness", at_least_zero=True, words=("clamped",))
 ]
 Spin = Annotated[float, Quantity("angular speed")]
 LowSpeed = Annotated[float, Quantity("angular speed", at_least_zero=True)]

@@ -10,7 +10,7 @@ dampers take; that is integrated beside the motion, and the difference is the ch
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import cos, sin
+from math import cos, isfinite, sin
 
 import numpy as np
 
@@ -52,15 +52,16 @@ def driven(modes: Modes, excitation: Excitation, asked: Drive, gravity: float) -
     start[2 * COUNT + 1] = asked.initial
     weight = excitation.moment * gravity * excitation.rise
     scale = _scale(excitation, asked, weight)
-    done = solve_ivp(
-        _slopes(modes, excitation, asked, weight),
-        (0.0, asked.duration),
-        start,
-        method="DOP853",
-        t_eval=t,
-        rtol=RELATIVE,
-        atol=ABSOLUTE * scale,
-    )
+    with np.errstate(over="ignore", invalid="ignore"):  # a motion that runs away ends with a message of its own
+        done = solve_ivp(
+            _slopes(modes, excitation, asked, weight),
+            (0.0, asked.duration),
+            start,
+            method="DOP853",
+            t_eval=t,
+            rtol=RELATIVE,
+            atol=ABSOLUTE * scale,
+        )
     if not done.success:
         raise AccuracyError(
             f"the integration ends at t = {done.t[-1] if len(done.t) else 0.0:.6g} s: {done.message}",
@@ -69,6 +70,16 @@ def driven(modes: Modes, excitation: Excitation, asked: Drive, gravity: float) -
         )
     course = _course(modes, excitation, done.t, done.y, weight, asked.initial)
     return Driven(course, motor_moments(asked, course.omega), int(done.nfev))
+
+
+def _runs_away(asked: Drive) -> AccuracyError:
+    """The fault of a rotor whose speed leaves all bounds within a step."""
+    return AccuracyError(
+        f"with a drag of {asked.drag:.6g} N*m*s/rad the speed of the rotor changes too fast to be followed",
+        where="vibrator.drive",
+        value=asked.drag,
+        remedy="check the drag and the characteristic of the motor, with their units",
+    )
 
 
 def motor_moments(asked: Drive, omega: Values) -> Values:
@@ -120,6 +131,8 @@ def _slopes(modes: Modes, excitation: Excitation, asked: Drive, weight: float) -
     def slopes(_: float, y: Values) -> Values:
         displaced, velocity = y[:COUNT], y[COUNT : 2 * COUNT]
         angle, speed = float(y[2 * COUNT]), float(y[2 * COUNT + 1])
+        if not (isfinite(angle) and isfinite(speed)):
+            raise _runs_away(asked)
         c, s = cos(angle), sin(angle)
         resisted = damping @ velocity
         pull = speed * speed * (c * to_cosine + s * to_sine) - w * displaced - resisted

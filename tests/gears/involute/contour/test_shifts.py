@@ -15,7 +15,8 @@ from tmmcalc.gears.involute.contour.curves import contact_ratio_line, sliding_li
 from tmmcalc.gears.involute.contour.margins import margins
 from tmmcalc.gears.involute.formfactor import tooth_form
 from tmmcalc.gears.involute.pair import pair_of_shifts
-from tmmcalc.gears.involute.shifts import STRATEGIES, choose
+from tmmcalc.gears.involute.shifts import choose
+from tmmcalc.gears.involute.strategies import STRATEGIES
 from tmmcalc.gears.involute.wheel import Wheel
 
 

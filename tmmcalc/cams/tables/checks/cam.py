@@ -15,6 +15,8 @@ from tmmcalc.spec.units import dimension_of
 from tmmcalc.spec.values import bare_number, check_bare_speed
 
 TURN = 2 * math.pi
+_MOVING = ("rise", "return_angle")
+SHORTEST = math.radians(1e-3)  # of a phase that moves: a shorter one is no part of a turn in panels
 _PHASES = ("rise", "high_dwell", "return_angle")
 _LONGEST_BARE = 2.0  # m: a larger bare stroke is in mm
 _ROLLER = ("translating", "oscillating")
@@ -59,6 +61,8 @@ _USES: dict[tuple[str, str], _Use] = {
     ("spring", "wire"): _NO_WIRE,
     ("spring", "coil"): _NO_WIRE,
     ("spring", "shear_modulus"): _NO_WIRE,
+    ("spring", "shear_stress"): _NO_WIRE,
+    ("spring", "dead_coils"): _NO_WIRE,
     **{
         ("requirements", key): _NO_ROLLER
         for key in (
@@ -94,6 +98,10 @@ def check_phases(outline: Outline) -> Iterator[Finding]:
     """Rise, high dwell and return fit into a turn."""
     cam = written_cam(outline)
     angles = [0.0 if phase not in cam.table else cam.amount(phase, "angle") for phase in _PHASES]
+    for phase, angle in zip(_PHASES, angles, strict=True):
+        if phase in _MOVING and angle is not None and 0 < angle < SHORTEST:
+            rule = f"{show(cam.table[phase])} is no phase of a cam; one that moves takes {math.degrees(SHORTEST):g} deg"
+            yield Finding(place("", phase), f"{rule} or more", 'write "120 deg", for example')
     known = [angle for angle in angles if angle is not None]
     if len(known) == len(_PHASES) and min(known) >= 0 and sum(known) > TURN * (1 + 1e-12):
         last = next(phase for phase in reversed(_PHASES) if phase in cam.table)

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator
 
 from tmmcalc.cams.tables.cam_spring import SPRING_KEYS, WIRE_KEYS, spring_method
-from tmmcalc.cams.tables.checks.written_cam import A_FOLLOWER, WrittenCam, place, written_cam
+from tmmcalc.cams.tables.checks.written_cam import A_FOLLOWER, WrittenCam, place, turning_shaft, written_cam
+from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.tables.checks.curves import Curve
-from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, subtable, word
 from tmmcalc.spec.phrases import listing
@@ -24,7 +24,7 @@ def check_needs(outline: Outline) -> Iterator[Finding]:
     """Forces need a speed; a spring and requirements need forces."""
     cam = written_cam(outline)
     for part in ("loads", "elastic"):
-        if cam.has(part) and "speed" not in cam.table and not _turns(outline):
+        if cam.has(part) and not {"speed", "shaft"} & {*cam.table} and not turning_shaft(outline):
             rule = f"[cam.{part}] without speed: inertia forces depend on it"
             yield Finding(place(part), rule, 'add speed = "120 rpm" to [cam]')
     for part, why in (("spring", "it presses against them"), ("requirements", "they are judged by the forces")):
@@ -33,11 +33,6 @@ def check_needs(outline: Outline) -> Iterator[Finding]:
     elastic = cam.part("elastic")
     if cam.has("elastic") and "mass" not in elastic and not _has_mass(cam):
         yield Finding(place("elastic"), "missing key: what swings on the elastic train", f"add {_mass(cam)}")
-
-
-def _turns(outline: Outline) -> bool:
-    """Whether there is a crank, or the shaft of a torque diagram, whose speed a cam may have."""
-    return ("mechanism" in outline.document and not written_linkage(outline).slides) or "torque" in outline.document
 
 
 def _has_mass(cam: WrittenCam) -> bool:
@@ -120,15 +115,19 @@ def _check_angles(curve: Curve, key: str) -> Iterator[Finding]:
     if not angles or len(angles) < 2 or not numbers:
         return
     last = len(angles) - 1
-    back = first_disorder(angles)
+    back = first_disorder(angles, jumps=True)
     if back is not None:
         later, before = (f"{_degrees(angles[i])} deg" for i in (back, back - 1))
-        rule = f"{curve.at(back)}{later} does not come after {before}; the angles ascend"
-        yield Finding(curve.place("phi", back), rule, "put the values in order; a jump is two angles close together")
+        rule = f"{curve.at(back)}{later} does not come after {before}; the angles ascend, two equal ones are a jump"
+        yield Finding(curve.place("phi", back), rule, "put the values in order")
     elif angles[last] > FULL_TURN:
         rule = f"{curve.at(last)}{_degrees(angles[last])} deg is more than a turn"
         yield Finding(curve.place("phi", last), rule, "count from the start of the rise, 0 to 360 deg")
-    elif angles[last] - angles[0] > TURN * (1 - 1e-12) and not _close(numbers[0], numbers[last], numbers):
+    elif (
+        curve.path not in curve.outline.rows  # tables of a cam jump there where its phases do
+        and angles[last] - angles[0] > TURN * (1 - 1e-12)
+        and not _close(numbers[0], numbers[last], numbers)
+    ):
         rule = f"{curve.at(last)}the values at 0 and at 360 deg differ, and the cam repeats its turn"
         yield Finding(curve.place(key, last), rule, "make the two equal")
 
@@ -163,7 +162,7 @@ def check_spring(outline: Outline) -> Iterator[Finding]:
 
 
 def _check_wire(cam: WrittenCam, method: str) -> Iterator[Finding]:
-    """Wire and coil go together, the wire inside the coil."""
+    """Wire and coil go together, the wire inside the coil; dead coils are those of springs by the allowed stress."""
     spring = cam.part("spring")
     given = [key for key in WIRE_KEYS if key in spring]
     if cam.kind == "oscillating" or not given:
@@ -171,7 +170,13 @@ def _check_wire(cam: WrittenCam, method: str) -> Iterator[Finding]:
     if method == "none":
         yield Finding(place("spring", given[0]), f'{given[0]} is of no use with method = "none"', "remove it")
         return
+    if "dead_coils" in spring and "shear_stress" not in spring:
+        rule = "dead_coils without shear_stress: no spring is sized by it"
+        yield Finding(place("spring", "dead_coils"), rule, 'add shear_stress = "500 MPa", or remove it')
+    given = [key for key in given if key not in ("shear_stress", "dead_coils")]
     absent = [key for key in ("wire", "coil") if key not in spring]
+    if not given or (given == ["shear_modulus"] and "shear_stress" in spring):
+        return
     if absent:
         rule = f"{' and '.join(given)} without {' and '.join(absent)}"
         yield Finding(place("spring", given[0]), rule, 'write wire = "2 mm" and coil = "16 mm", or remove it')
@@ -210,4 +215,24 @@ def check_pin(outline: Outline) -> Iterator[Finding]:
         yield Finding(place("requirements", "pin"), rule, f'write less than "{roller * 1e3:.6g} mm"')
 
 
-CHECKS = (check_needs, check_forces, check_table, check_spring, check_guide, check_limits, check_pin)
+def check_material(outline: Outline) -> Iterator[Finding]:
+    """The contact stress is given or that of a steel, whose hardness its treatment gives."""
+    needs = written_cam(outline).part("requirements")
+    steel = subtable(needs, "material")
+    if "material" in needs and "contact" in needs:
+        yield Finding(place("requirements", "contact"), "contact together with material: it gives it", "remove one")
+    treatment, hardness = word(steel, "treatment"), word(steel, "hardness")
+    if not treatment or not hardness:
+        return
+    from tmmcalc.cams.strength.material import TREATMENTS, allowed_contact  # late: few cams are told by their steel
+
+    if treatment not in TREATMENTS:
+        return
+    try:
+        allowed_contact(treatment, hardness, "ordinary")
+    except UsageError as fault:
+        remedy = "change the hardness or the treatment, or give contact in place of material"
+        yield Finding((*place("requirements", "material"), "hardness"), fault.message, remedy)
+
+
+CHECKS = (check_needs, check_forces, check_table, check_spring, check_guide, check_limits, check_pin, check_material)

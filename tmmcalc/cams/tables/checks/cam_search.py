@@ -25,7 +25,10 @@ def check_optimum(outline: Outline) -> Iterator[Finding]:
     if cam.has("optimum") and cam.kind in ("translating", "flat"):
         pinned = cam.kind == "flat" or "pin_pressure" in cam.part("requirements")
         needed = _GUIDED if pinned else (*_GUIDED, *_ROLLING)
-        absent = [f"{key} in [cam.{part}]" for part, key in needed if key not in cam.part(part)]
+        known = {("requirements", "contact")} if "material" in cam.part("requirements") else set()
+        absent = [
+            f"{key} in [cam.{part}]" for part, key in needed if key not in cam.part(part) and (part, key) not in known
+        ]
         if absent:
             rule = "[cam.optimum] without what holds the sizes: guide and roller would become as small as you please"
             yield Finding(place("optimum"), rule, f"add {listing(absent)}")
@@ -55,6 +58,9 @@ def check_game(outline: Outline) -> Iterator[Finding]:
     if "contacts" in optimum and "width" not in needs:
         rule = "contacts without the width of the line of contact: there is no contact stress"
         yield Finding(place("optimum", "contacts"), rule, "add width in [cam.requirements]")
+    if "contacts" in optimum and "material" in needs:
+        rule = "contacts together with material: they are allowed stresses of other materials than one that is given"
+        yield Finding(place("requirements", "material"), rule, "write contact, its allowed stress, in its place")
     together = prod(count + 1 for count in counts) if optimum.get("combine") is True else 1 + sum(counts)
     if together > MOST_OPTIONS:
         rule = f"{together} mechanisms with what is asked are too many, at most are {MOST_OPTIONS}"

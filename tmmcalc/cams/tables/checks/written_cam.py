@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tmmcalc.cams.tables.cam import CLOSURES, FOLLOWERS
 from tmmcalc.core.records import record
+from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.outline import Outline, Raw, subtable, word
 from tmmcalc.spec.phrases import Path
 from tmmcalc.spec.values import amount
@@ -41,6 +42,12 @@ def written_cam(outline: Outline) -> WrittenCam:
     table = subtable(outline.document, "cam")
     kind, closure = word(table, "follower"), word(table, "closure") if "closure" in table else CLOSURES[0]
     return WrittenCam(table, kind if kind in FOLLOWERS else "", closure if closure in CLOSURES else "")
+
+
+def turning_shaft(outline: Outline) -> bool:
+    """Whether there is a crank, of a linkage that is written or sought, or the shaft of a torque diagram."""
+    there = {"mechanism", "synthesis", "torque"} & {*outline.document}
+    return bool(there) and not written_linkage(outline).slides
 
 
 def place(part: str, key: str = "") -> Path:

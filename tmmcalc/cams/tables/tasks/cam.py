@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import fields, replace
 from math import pi
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
 from tmmcalc.cams.program import SAME, TURN, Phase, Program
+from tmmcalc.cams.tables.cam import closed_ratio
 from tmmcalc.cams.tables.cam_spring import spring_method
 from tmmcalc.cams.tables.tasks.own_law import to_law
 from tmmcalc.cams.task import (
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from tmmcalc.cams.tables.cam_parts import CamLoadsTable, ForceTable
     from tmmcalc.spec.table import Table
 
+CLOSED = 1e-9  # of the largest force: values at both ends of a turn that are the same
 T = TypeVar("T")
 RIGHT_WAY = {"clockwise": 1, "with": 1, "counter-clockwise": -1, "against": -1}
 
@@ -43,7 +45,8 @@ def to_cam(spec: CamTables) -> CamTask:
     if table is None:
         remedy = "add [cam] with follower, stroke, rise, return_angle and law"
         raise UsageError("the spec has no [cam]", remedy=remedy)
-    speed, remarks = _speed(spec, table)
+    ratio, turns = shaft_ratio(spec, table)
+    speed, remarks = _speed(spec, table, ratio)
     return CamTask(
         program=_program(table),
         asked=_asked(table),
@@ -52,12 +55,30 @@ def to_cam(spec: CamTables) -> CamTask:
         step=table.step,
         loads=None if speed is None else _loads(table, speed),
         guide=_plain(Guide, table.guide, stem="stem_radius"),
-        requirements=Requirements() if table.requirements is None else _plain(Requirements, table.requirements),
+        requirements=_requirements(table),
         optimum=_optimum(table),
         elastic=None if table.elastic is None else _plain(Elastic, table.elastic),
         begin=table.crank_angle,
+        ratio=ratio,
+        turns=turns,
         remarks=remarks,
     )
+
+
+def _requirements(table: CamTable) -> Requirements:
+    """What is judged; the contact stress is given, or that of the steel."""
+    given = table.requirements
+    if given is None:
+        return Requirements()
+    names = [field.name for field in fields(Requirements) if field.name != "contact_source"]
+    needs = Requirements(**{name: getattr(given, name) for name in names})
+    if given.material is None:
+        return needs
+    from tmmcalc.cams.strength.material import allowed_contact  # late: few cams are told by their steel
+
+    steel = given.material
+    contact, source = allowed_contact(steel.treatment, steel.hardness, steel.failure)
+    return replace(needs, contact=contact, contact_source=source)
 
 
 def _plain(record: type[T], table: Table, **renamed: str) -> T:
@@ -66,7 +87,23 @@ def _plain(record: type[T], table: Table, **renamed: str) -> T:
     return record(**{name: getattr(table, renamed.get(name, name)) for name in names})
 
 
-def _speed(spec: CamTables, table: CamTable) -> tuple[float | None, tuple[str, ...]]:
+def shaft_ratio(spec: CamTables, table: CamTable) -> tuple[float, int]:
+    """Speed of the cam over that of the crank, and after how many turns of the crank a cam that loads it repeats.
+
+    On the motor's shaft the ratio of the gears, which the checks ask for, comes to that of the cam.
+    """
+    if table.shaft is None:
+        return 1.0, 0
+    gears = None
+    if table.shaft == "motor":
+        from tmmcalc.machine.tables.tasks.machine import to_gears  # a cam alone is asked for without the machine
+
+        gears = to_gears(spec).ratio
+    exact = closed_ratio(table.ratio, 1.0 if gears is None else gears)
+    return float(exact), exact.denominator
+
+
+def _speed(spec: CamTables, table: CamTable, ratio: float) -> tuple[float | None, tuple[str, ...]]:
     """The cam's own speed, or that of the shaft that the spec is about, which is told."""
     if table.speed is not None:
         return table.speed, ()
@@ -77,7 +114,10 @@ def _speed(spec: CamTables, table: CamTable) -> tuple[float | None, tuple[str, .
         shaft, speed = "shaft", spec.torque.speed
     if not shaft:
         return None, ()
-    return speed, (f"[cam] has no speed: the cam turns as the {shaft} does, at {speed * 30 / pi:.6g} rpm",)
+    speed *= ratio
+    how = f"as the {shaft} does" if ratio == 1 else f"at {ratio:.6g} of the speed of the {shaft}"
+    why = "[cam] has no speed" if table.shaft is None else f'[cam] shaft = "{table.shaft}"'
+    return speed, (f"{why}: the cam turns {how}, at {speed * 30 / pi:.6g} rpm",)
 
 
 def _slides(spec: CamTables) -> bool:
@@ -169,12 +209,15 @@ def _force(given: CamLoadsTable) -> Force:
 
 
 def _curve(table: ForceTable) -> tuple[Any, Any]:
-    """Angles and values over a turn; without angles they are equal steps, and the end of the turn is its begin."""
+    """Angles and values over a turn; without angles they are equal steps, and the end of the turn is its begin.
+
+    Where the values there differ they jump, and both are kept.
+    """
     values = np.array(table.force or table.moment, float)
     if table.phi is None:
         return np.arange(len(values)) * (TURN / len(values)), values
     phi = np.array(table.phi, float)
-    closed = phi[-1] - phi[0] > TURN * (1 - SAME)
+    closed = phi[-1] - phi[0] > TURN * (1 - SAME) and abs(values[-1] - values[0]) <= CLOSED * np.max(np.abs(values))
     return (phi[:-1], values[:-1]) if closed else (phi, values)
 
 
@@ -195,6 +238,8 @@ def _spring(table: CamTable, mass: float | None) -> Spring:
         wire=given.wire,
         coil=given.coil,
         shear=given.shear_modulus,
+        allowed=given.shear_stress,
+        dead=given.dead_coils,
     )
 
 

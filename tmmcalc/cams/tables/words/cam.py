@@ -13,6 +13,8 @@ MISSING = {
     "stroke": ("a follower has its stroke", 'add stroke = "30 mm", or "20 deg" of an oscillating one'),
     "rise": ("the rise takes an angle of the cam", 'add rise = "60 deg"'),
     "return_angle": ("the return takes an angle of the cam", 'add return_angle = "60 deg"'),
+    "requirements.material.treatment": ("a limit depends on the heat treatment", 'add treatment = "improved"'),
+    "requirements.material.hardness": ("a limit depends on the hardness", 'add hardness = "300 HB"'),
     "elastic.stiffness": ("an elastic follower has its stiffness", 'add stiffness = "2000 N/mm"'),
 }
 
@@ -24,5 +26,6 @@ LISTS = {
 }
 
 INLINE = {
+    "requirements.material": 'material = { treatment = "improved", hardness = "300 HB" }',
     "loads.force_table": 'force_table = { phi = ["0 deg", "180 deg"], force = ["-150 N", 0] }',
 }

@@ -34,4 +34,6 @@ def to_tie_down(spec: ExtraTables) -> TieDownTask:
         support=None
         if held is None
         else Support(held.weight, held.friction, held.base, held.arm, held.cradle_arm, held.diameter),
+        section=table.section,
+        strength=table.strength,
     )

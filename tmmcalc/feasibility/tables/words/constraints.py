@@ -2,5 +2,4 @@
 
 MISSING = {
     "name": ("the rule calls every constraint by its name", 'add name = "calm"'),
-    "stage": ("a constraint is on the result of a stage", 'add stage = "kinematics"'),
 }

@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 
 from tmmcalc.core.numerics.extended import CHAIN, EPS, MARGIN, WIDER
 from tmmcalc.core.numerics.gauss import rule
-from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import cuts
 from tmmcalc.gears.involute.contour.contour import Contour
 from tmmcalc.gears.involute.contour.corners import SLOPE, equations, stacked
 from tmmcalc.gears.involute.contour.exact import Exact, exact_of
 from tmmcalc.gears.involute.contour.frame import Frame
 from tmmcalc.gears.involute.contour.regions import Region
+from tmmcalc.gears.involute.contour.results import ContourError
 from tmmcalc.gears.involute.contour.side import Side
 from tmmcalc.gears.involute.contour.trace import POINTS, ContourPart
 from tmmcalc.gears.model import Values
@@ -33,14 +33,6 @@ TAIL = 3  # coefficients at the end of a series that tell what is missing
 FLAT = 1e-9  # slope that is none
 TINY = 1e-300  # a coefficient that is none
 PRODUCT = 8  # roundings, of half a unit at most, in a term of the area
-
-
-@record
-class ContourError:
-    """Relative errors of a contour."""
-
-    area: float
-    corners: float  # of the shifts, to the largest of them
 
 
 def contour_error(found: Contour) -> ContourError | None:

@@ -23,7 +23,7 @@ from tmmcalc.gears.involute.internal.pair import Tips
 from tmmcalc.gears.involute.internal.ring import Ring, angle_of_distance
 from tmmcalc.gears.involute.profile.rounding import Shape
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits
-from tmmcalc.gears.involute.shifts import Split
+from tmmcalc.gears.involute.strategies import Split
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.model import Values
 

@@ -38,7 +38,11 @@ _LIMITS = (
 
 def check_pairs(outline: Outline) -> Iterator[Finding]:
     """All faults of the pairs, each once."""
-    pairs = written_pairs(outline)
+    yield from faults(written_pairs(outline))
+
+
+def faults(pairs: list[Written]) -> Iterator[Finding]:
+    """The same of pairs as they are written."""
     found = [finding for pair in pairs for rule in RULES for finding in rule(pair)]
     yield from dict.fromkeys([*found, *_check_used(pairs)])
 

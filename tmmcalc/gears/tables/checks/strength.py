@@ -33,12 +33,15 @@ _BARE = {
 def check_torque(outline: Outline) -> Iterator[Finding]:
     """The torque is given, or follows from a moment and its ratio; the reduction may give the moment."""
     strength = subtable(outline.document, "strength")
+    if "moment_ratio" in strength and "open_pair" in outline.document:
+        rule = "moment_ratio beside [open_pair]: the ratio to the crank is that of the train times that of the pair"
+        yield Finding(("strength", "moment_ratio"), rule, "remove it")
     for key in ("moment", "moment_ratio"):
         if "torque" in strength and key in strength:
             rule = f"torque together with {key}: the torque on wheel 1 is the moment over the ratio"
             yield Finding(("strength", key), rule, f"remove {key}, or remove torque")
             return
-    if not {"torque", "moment"} & {*strength} and not {"mechanism", "torque"} & {*outline.document}:
+    if not {"torque", "moment"} & {*strength} and not {"mechanism", "synthesis", "torque"} & {*outline.document}:
         rule = "missing key: the torque on wheel 1"
         yield Finding(("strength",), rule, 'add torque = "22 N*m", or moment = "1980 N*m" of the output shaft')
 
@@ -58,10 +61,11 @@ def check_materials(outline: Outline) -> Iterator[Finding]:
         yield Finding(("strength",), rule, remedy)
     for key in given:
         if isinstance(strength[key], dict):
-            yield from _check_material(strength[key], ("strength", key))
+            yield from check_material(strength[key], ("strength", key))
 
 
-def _check_material(material: Raw, path: Path) -> Iterator[Finding]:
+def check_material(material: Raw, path: Path) -> Iterator[Finding]:
+    """A material has what the tables ask for, and they know it."""
     missing = [
         Finding(path, f"missing key: {rule}", f"add {key} = {example}")
         for key, rule, example in _needed(material)

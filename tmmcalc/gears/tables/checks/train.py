@@ -11,11 +11,12 @@ from tmmcalc.gears.scheme import Layout, known_layouts
 from tmmcalc.spec.choices import Exact
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, is_integer, subtable, word
-from tmmcalc.spec.phrases import listing, show
+from tmmcalc.spec.phrases import Path, listing, show
 from tmmcalc.spec.units import UnitError
 from tmmcalc.spec.values import amount, amounts, check_bare_speed
 
 _NUMBER, _TOLERANCE = Exact("a number", "1"), Exact("a tolerance", "1 %", percent=True)
+LARGEST_TERM = 10**12  # of a ratio of modules in whole numbers
 FLATTEST, STEEPEST = math.radians(10), math.radians(44)  # of operating pressure angles
 
 
@@ -49,6 +50,11 @@ _USES: dict[str, tuple[Callable[[Layout], bool], str]] = {
     "constraints.equal_pinions": (_unfolded, "the pinions of an unfolded train alone can be made equal"),
     "constraints.envelope": (lambda layout: layout.branched, "it has no circle around it"),
 }
+
+
+def useless(layout: Layout) -> list[tuple[str, ...]]:
+    """The keys of `[train]` that are of no use to a layout."""
+    return [tuple(key.split(".")) for key, (uses, _) in _USES.items() if not uses(layout)]
 
 
 def _train(outline: Outline) -> Raw:
@@ -113,15 +119,37 @@ def check_ratio(outline: Outline) -> Iterator[Finding]:
             ("train", "ratio"), f"ratio together with {' and '.join(speeds)}: they give it", "remove one of them"
         )
         return
+    if not speeds and "ratio" not in train and _of_machine(outline.document):
+        yield from _check_machine(outline.document, train, layouts)
+        return
     if "ratio" not in train and len(speeds) < 2:
         rule = "missing key: a train has its ratio, or the speeds of its input and output"
-        yield Finding(("train",), rule, 'add ratio = "8.15", or input_speed = "1450 rpm" and output_speed = "178 rpm"')
+        more = ", or [motor] beside [mechanism]: its rated speed over the mean speed of the crank is the ratio"
+        remedy = 'add ratio = "8.15", or input_speed = "1450 rpm" and output_speed = "178 rpm"'
+        yield Finding(("train",), rule, remedy + ("" if speeds else more))
         return
     yield from _check_kind(train, layouts)
     if speeds:
         yield from _check_speeds(train, layouts)
     else:
         yield from _check_possible(train, layouts)
+
+
+def _of_machine(document: Raw) -> bool:
+    """Whether a machine gives the ratio: that of its drive, or of the speeds of motor and crank."""
+    drives = "motor" in document or "shafts" in document or "ratio" in subtable(document, "transmission")
+    return drives and ("mechanism" in document or "torque" in document)
+
+
+def _check_machine(document: Raw, train: Raw, layouts: list[Layout]) -> Iterator[Finding]:
+    """A ratio of speeds is no ratio of the teeth of a planetary train, nor of a gear that stands between."""
+    yield from _check_kind(train, layouts)
+    if any(layout.planetary and _kind(train, layout) == "u" for layout in layouts):
+        rule = "the ratio of teeth of a planetary train is not the ratio of the speeds of motor and crank"
+        yield Finding(("train", "ratio_kind"), rule, 'write "i_1H", or "i_H1" if the carrier drives; or add ratio')
+    if "moment_ratio" in subtable(document, "strength") and "open_pair" not in document:
+        rule = "moment_ratio beside a train without ratio: what is left of the drive for the train is not known"
+        yield Finding(("strength", "moment_ratio"), rule, "add ratio to [train], or remove moment_ratio")
 
 
 def _check_kind(train: Raw, layouts: list[Layout]) -> Iterator[Finding]:
@@ -212,6 +240,31 @@ def check_limits(outline: Outline) -> Iterator[Finding]:
         yield Finding(("train", "module_ratio_range"), f"{show(span)} runs backwards", "write the smaller ratio first")
 
 
+def check_teeth(outline: Outline) -> Iterator[Finding]:
+    """Given teeth are those of one layout, one number a wheel, within the limits that are written."""
+    train = _train(outline)
+    teeth, layouts = train.get("teeth"), written_layouts(train)
+    if not isinstance(teeth, list) or not layouts:
+        return
+    path = ("train", "teeth")
+    if len(layouts) > 1:
+        rule = f"given teeth are those of one layout, not of {_keys(layouts)}"
+        yield Finding(path, rule, "keep one layout, or remove teeth")
+        return
+    wheels, rings = layouts[0].wheels, layouts[0].rings
+    if len(teeth) != len(wheels):
+        rule = f"{len(teeth)} numbers of teeth: layout {layouts[0].key} has the {len(wheels)} wheels {listing(wheels)}"
+        yield Finding(path, rule, "write one number for each of them")
+        return
+    for index, (wheel, z) in enumerate(zip(wheels, teeth, strict=True)):
+        low, high = ("ring_min", "ring_max") if wheel in rings else ("z_min", "z_max")
+        for key, sign, where in ((low, 1, "below"), (high, -1, "above")):
+            limit = train.get(key)
+            if is_integer(z) and is_integer(limit) and sign * z < sign * limit:
+                rule = f"wheel {wheel} with {z} teeth is {where} {key} = {limit}"
+                yield Finding((*path, index), rule, f"write another number, or change {key}")
+
+
 def check_modules(outline: Outline) -> Iterator[Finding]:
     """Modules are given in one way; distances need one."""
     train = _train(outline)
@@ -221,6 +274,7 @@ def check_modules(outline: Outline) -> Iterator[Finding]:
         yield Finding(("train", given[-1]), rule, "keep one of them")
     if "module" in train and "modules" in train:
         yield Finding(("train", "module"), "module together with modules: the first of them is it", "remove it")
+    yield from _check_terms(train)
     constraints = subtable(train, "constraints")
     for key in ("centre_distance", "envelope"):
         if constraints.get(key, False) is not False and not {"module", "modules"} & {*train}:
@@ -230,6 +284,24 @@ def check_modules(outline: Outline) -> Iterator[Finding]:
     if pair is not None and len(pair) == 2 and pair[0] > pair[1]:
         rule = f"{show(constraints['centre_distance'])} runs backwards"
         yield Finding(("train", "constraints", "centre_distance"), rule, "write the smaller distance first")
+
+
+def _check_terms(train: Raw) -> Iterator[Finding]:
+    """Modules are in a ratio of whole numbers that the search, which is exact, can multiply tooth numbers by."""
+    ratios, modules = train.get("module_ratios"), amounts(train.get("modules"), "length")
+    pairs: list[tuple[Path, object, object]] = [
+        (("train", "module_ratios", k), pair, pair) for k, pair in enumerate(ratios if isinstance(ratios, list) else [])
+    ]
+    if modules is not None:
+        pairs.append((("train", "modules"), train["modules"], modules))
+    for path, written, pair in pairs:
+        terms = [exact(each) for each in pair] if isinstance(pair, list) else []
+        if len(terms) != 2 or not terms[0] or not terms[1]:
+            continue
+        ratio = abs(terms[0] / terms[1])
+        if max(ratio.numerator, ratio.denominator) > LARGEST_TERM:
+            said = f"{show(written)} is no ratio of whole numbers up to {LARGEST_TERM}"
+            yield Finding(path, said, "write the modules with fewer digits, such as [2, 3] or [2.5, 4]")
 
 
 def check_angles(outline: Outline) -> Iterator[Finding]:
@@ -263,4 +335,13 @@ def check_radial(outline: Outline) -> Iterator[Finding]:
         yield Finding(path, rule, 'write ["22 deg", "21 deg", "20 deg"], for example')
 
 
-CHECKS = (check_keys, check_ratio, check_tolerance, check_limits, check_modules, check_angles, check_radial)
+CHECKS = (
+    check_keys,
+    check_ratio,
+    check_tolerance,
+    check_limits,
+    check_teeth,
+    check_modules,
+    check_angles,
+    check_radial,
+)

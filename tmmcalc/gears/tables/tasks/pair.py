@@ -10,11 +10,13 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.involute.internal.ring import Cutter
 from tmmcalc.gears.involute.quality.verdicts import QualityLimits
 from tmmcalc.gears.involute.rack import RACKS, Rack
+from tmmcalc.gears.layouts.open_pair import GEAR_NAME, PINION_NAME
 from tmmcalc.gears.meshing.task import NEITHER, Measuring, PairsTask, PairTask
 from tmmcalc.gears.tables.shifting import usual_strategy
 
 if TYPE_CHECKING:
     from tmmcalc.gears.room import GearTables
+    from tmmcalc.gears.tables.open_pair import OpenPairTable
     from tmmcalc.gears.tables.pair import CutterTable, PairKeys, PairTable
 
 Given = dict[str, Any]  # what the keys of one pair say
@@ -42,21 +44,35 @@ OF_TRAIN = 1.0  # stands in for the module that strength gives
 
 
 def to_pairs(spec: GearTables) -> PairsTask:
-    """The pairs of the spec; raises `UsageError` if it has none."""
+    """The pairs of the spec, the open pair on the crank last; raises `UsageError` if it has none."""
+    on_crank = None if spec.open_pair is None else open_task(spec.open_pair)
+    if spec.pair is None and on_crank is not None:
+        return PairsTask(on_crank=on_crank)
     table = _table(spec)
     general = _given(table)
     if table.of_train:
         rack = _rack_of_train(spec)
-        own = {mesh.mesh or "": _task({**general, **_given(mesh)}, rack, table) for mesh in table.meshes}
-        return PairsTask(usual=_task(general, rack, table), own=own)
+        own = {mesh.mesh or "": _task({**general, **_given(mesh)}, rack, True, table.refuse) for mesh in table.meshes}
+        return PairsTask(usual=_task(general, rack, True, table.refuse), own=own, on_crank=on_crank)
     every = [{**general, **_given(mesh)} for mesh in table.meshes] or [general]
-    names = _names([given.get("name") for given in every])
+    names = _names([given.get("name") for given in every], on_crank is not None)
     named = ({**given, "name": name} for given, name in zip(every, names, strict=True))
-    return PairsTask(tuple(_task(given, Rack(), table) for given in named))
+    pairs = tuple(_task(given, Rack(), False, table.refuse) for given in named)
+    return PairsTask(pairs, on_crank=on_crank, beside_train=spec.train is not None)
+
+
+def open_task(table: OpenPairTable) -> PairTask:
+    """The open pair on the crank, with wheels of names that no train has."""
+    given = {"name": "open pair", **_given(table)}
+    return replace(_task(given, Rack(), False, True), wheels=(PINION_NAME, GEAR_NAME))
 
 
 def profile_points(spec: GearTables) -> int:
     """Points of each curve of a tooth profile; raises `UsageError` if the spec has no pairs."""
+    if spec.pair is None and spec.open_pair is not None:
+        from tmmcalc.gears.tables.pair import POINTS
+
+        return POINTS
     return _table(spec).points
 
 
@@ -79,7 +95,7 @@ def _rack_of_train(spec: GearTables) -> Rack:
     return Rack() if train is None else Rack(train.pressure_angle, float(train.addendum))
 
 
-def _task(given: Given, rack: Rack, table: PairTable) -> PairTask:
+def _task(given: Given, rack: Rack, of_train: bool, refuse: bool) -> PairTask:
     """One pair; of a train without its teeth and its module, and with the external kind until the mesh is known."""
     module = given.get("module", OF_TRAIN)
     named = {name: given[key] for key, name in _PLAIN.items() if key in given}
@@ -88,11 +104,11 @@ def _task(given: Given, rack: Rack, table: PairTable) -> PairTask:
         module=module,
         helix=abs(given.get("helix_angle", 0.0)),
         rack=_rack(given, rack),
-        strategy=_strategy(given, table.of_train),
+        strategy=_strategy(given, of_train),
         shifts=(given.get("x1"), given.get("x2")),
         strict=given.get("undercut") != "tolerated",
         limits=_limits(given),
-        refuse=table.refuse,
+        refuse=refuse,
         tips=_halves(given.get("tip_diameters")),
         cutter=_cutter(given["cutter"], module) if "cutter" in given else None,
         measuring=_measuring(given),
@@ -150,6 +166,7 @@ def _measuring(given: Given) -> Measuring:
     )
 
 
-def _names(names: Sequence[str | None]) -> list[str]:
-    """Pairs by their number in the spec; a single one needs no name."""
-    return [name or f"pair {i}" for i, name in enumerate(names, 1)] if len(names) > 1 else [names[0] or ""]
+def _names(names: Sequence[str | None], beside: bool) -> list[str]:
+    """Pairs by their number in the spec; a single one, with none ``beside`` it, needs no name."""
+    several = beside or len(names) > 1
+    return [name or f"pair {i}" for i, name in enumerate(names, 1)] if several else [names[0] or ""]

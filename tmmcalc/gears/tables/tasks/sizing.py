@@ -22,7 +22,9 @@ ANY = 1.0  # N*m: stands in for a torque that follows from the moment
 
 def to_sizing(spec: GearTables) -> SizingTask:
     """What is asked of the strength of a train; raises `UsageError` for a spec without it."""
-    table = _table(spec)
+    from tmmcalc.gears.tables.tasks.open_pair import to_open_pair
+
+    table, on_crank = _table(spec), to_open_pair(spec)
     torque = table.torque
     plain = {"torque": ANY if torque is None else torque, "moment": None, "moment_ratio": None}
     return SizingTask(
@@ -30,6 +32,7 @@ def to_sizing(spec: GearTables) -> SizingTask:
         torque=torque,
         moment=None if table.moment is None else abs(table.moment),
         ratio=None if table.moment_ratio is None else abs(table.moment_ratio),
+        beyond=1.0 if on_crank is None else on_crank.ratio,
     )
 
 

@@ -64,14 +64,15 @@ def _stages(table: StrengthTable) -> tuple[StageTask, ...]:
             what = f"{_OF_STAGE[name]} is given for {len(values)} stages, another key for {count}"
             raise UsageError(what, where="strength", remedy="give one value for all stages, or one for each")
     pinion = table.pinion if table.pinion is not None else table.material
-    materials = (_material(pinion), _material(table.wheel))
+    materials = (to_material(pinion), to_material(table.wheel))
     return tuple(
         StageTask(*materials, **{name: values[k if len(values) > 1 else 0] for name, values in own.items()})
         for k in range(count)
     )
 
 
-def _material(table: MaterialTable | None) -> Material | None:
+def to_material(table: MaterialTable | None) -> Material | None:
+    """A material of a wheel, None where none is given; raises `UsageError` for one without treatment or hardness."""
     if table is None:
         return None
     if table.treatment is None or table.hardness is None:

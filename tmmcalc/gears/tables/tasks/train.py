@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-from tmmcalc.gears.exact import around
-from tmmcalc.gears.kinds import kinds_of, to_tooth_ratio, turns_back
+from tmmcalc.gears.kinds import kinds_of, turns_back
 from tmmcalc.gears.model import Demands, Interval, Limits, TrainTask
+from tmmcalc.gears.nominal import SPEEDS, with_nominal
 from tmmcalc.gears.radial import RadialShape, angle_ratios
 from tmmcalc.gears.scheme import Layout, layout_of
 from tmmcalc.gears.strength.series import eighths
@@ -19,8 +19,7 @@ if TYPE_CHECKING:
     from tmmcalc.gears.room import GearTables
     from tmmcalc.gears.tables.train import ConstraintsTable, TrainTable
 
-SMALLEST = Fraction(1, 10**7)  # of tooth ratios within the limits that can be asked for
-SPEEDS = 10**6  # a ratio of speeds is the nearest fraction of smaller terms, which 1450 rpm to 178 rpm is exactly
+UNKNOWN = Fraction(2)  # stands in for a ratio that speeds of the machine give
 RANGE = (Fraction(1), Fraction(5, 2))  # of the ratio m2/m1 of standard modules
 TOLERANCE = {"unfolded3": Fraction(2, 100)}
 USUAL_TOLERANCE = Fraction(1, 100)
@@ -49,14 +48,12 @@ def _planets(table: TrainTable, layout: Layout) -> list[int]:
 def _request(table: TrainTable, layout: Layout, planets: int) -> Request:
     kind = table.ratio_kind or kinds_of(layout)[0]
     nominal = _nominal(table, layout)
-    relative = table.tolerance_kind == "relative"
     tolerance = TOLERANCE.get(layout.key, USUAL_TOLERANCE) if table.tolerance is None else table.tolerance
-    admitted = around(nominal, tolerance, relative=relative)
     least = _no_undercut(table)
     task = TrainTask(
         layout=layout.key,
-        nominal=to_tooth_ratio(layout, kind, nominal),
-        ratio=_tooth_ratios(layout, kind, admitted),
+        nominal=UNKNOWN,
+        ratio=Interval(UNKNOWN, UNKNOWN),
         proportions=_proportions(table, layout),
         planets=planets,
         limits=_limits(table),
@@ -64,9 +61,21 @@ def _request(table: TrainTable, layout: Layout, planets: int) -> Request:
         pressure_angle=table.pressure_angle,
         addendum=table.addendum,
         module=table.modules[0] if table.modules is not None else table.module,
+        teeth=None if table.teeth is None else tuple(table.teeth),
     )
-    remarks = tuple(_remarks(table, task, least))
-    return Request(task, kind, nominal, admitted, relative, table.method, table.keep, remarks, _radial(table, layout))
+    request = Request(
+        task=task,
+        kind=kind,
+        nominal=UNKNOWN,
+        admitted=task.ratio,
+        relative=table.tolerance_kind == "relative",
+        tolerance=tolerance,
+        method=table.method,
+        keep=table.keep,
+        remarks=tuple(_remarks(table, task, least)),
+        radial=_radial(table, layout),
+    )
+    return request if nominal is None else with_nominal(request, nominal)
 
 
 def _radial(table: TrainTable, layout: Layout) -> RadialShape | None:
@@ -81,20 +90,14 @@ def _radial(table: TrainTable, layout: Layout) -> RadialShape | None:
     return RadialShape(given.y, *angle_ratios(angles), given.assembly_number, angles)
 
 
-def _nominal(table: TrainTable, layout: Layout) -> Fraction:
-    """The ratio of its kind; that of speeds of fixed axes without its sign."""
+def _nominal(table: TrainTable, layout: Layout) -> Fraction | None:
+    """The ratio of its kind; that of speeds of fixed axes without its sign; None: speeds of the machine give it."""
     if table.ratio is not None:
         return table.ratio
-    assert table.input_speed is not None
-    assert table.output_speed is not None
+    if table.input_speed is None or table.output_speed is None:
+        return None
     ratio = Fraction(table.input_speed / table.output_speed).limit_denominator(SPEEDS)
     return -ratio if not layout.planetary and turns_back(layout) else ratio
-
-
-def _tooth_ratios(layout: Layout, kind: str, admitted: Interval) -> Interval:
-    """The admitted ratios as tooth ratios, exactly; where they reach below zero they end above it."""
-    low, high = sorted(to_tooth_ratio(layout, kind, end) for end in (admitted.low, admitted.high))
-    return Interval(low, high) if layout.planetary and not layout.sign else Interval(max(low, SMALLEST), high)
 
 
 def _proportions(table: TrainTable, layout: Layout) -> tuple[tuple[int, ...], ...]:
@@ -116,7 +119,7 @@ def _module_ratios(table: TrainTable) -> Iterator[Fraction]:
     else:
         low, high = table.module_ratio_range or RANGE
         series = eighths()
-        yield from (Fraction(b, a) for a in series for b in series if low <= Fraction(b, a) <= high)
+        yield from (ratio for ratio in {Fraction(b, a) for a in series for b in series} if low <= ratio <= high)
 
 
 def _limits(table: TrainTable) -> Limits:
@@ -174,6 +177,3 @@ def _remarks(table: TrainTable, task: TrainTask, least: int) -> Iterator[str]:
         slight = table.z_min >= math.ceil(SLIGHT * least)
         degree = "slight undercut" if slight else "undercut"
         yield f"{degree}: z_min = {table.z_min}, without a profile shift wheels of {least} teeth are free of it"
-    usual = task.scheme.usual_ratio
-    if usual is not None and task.nominal > usual:
-        yield f"U = {float(task.nominal):g} is large for {task.scheme.title}, which is usual up to {usual}"

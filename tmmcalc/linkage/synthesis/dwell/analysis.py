@@ -27,8 +27,8 @@ FINE = 360  # parts of a turn for drawing
 SLOT = 361  # places of a branch of Gamma
 # Largest values: the name, what it is, and its unit on a slider and on a rocker.
 MAXIMA = (
-    ("S'", "ds", "m", "rad"),
-    ("S''", "dds", "m", "rad"),
+    ("S'", "ds", "m", "-"),
+    ("S''", "dds", "m", "-"),
     ("f3", "f3", "N", "N"),
     ("f4", "f4", "N", "N"),
     ("R21", "r21", "N", "N"),
@@ -90,7 +90,7 @@ def _extremes(asked: DwellTask, found: Figures, length: float) -> list[Largest]:
 
 def _maxima(asked: DwellTask, found: Figures, scale: float) -> list[Largest]:
     rocks = asked.output == "rocker"
-    factors = {"m": scale, "rad": 1.0, "N": asked.resistance / (scale if rocks else 1.0)}
+    factors = {"m": scale, "rad": 1.0, "-": 1.0, "N": asked.resistance / (scale if rocks else 1.0)}
     listed = []
     for name, key, slides, turns in MAXIMA:
         unit = turns if rocks else slides

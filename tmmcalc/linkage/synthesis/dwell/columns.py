@@ -18,7 +18,8 @@ PIN = (Quantity("x_B[m]", "x of B"), Quantity("y_B[m]", "y of B"))
 def columns_of(m: DwellMotion, output: OutputKind) -> list[Column]:
     """The columns of the positions; those of the guide only of a slider."""
     slides = output == "slider"
-    known = {name: told.of(unit="m" if slides else "rad") for name, told in quantities(DwellMotion).items()}
+    places = {"unit": "m", "slope": "m"} if slides else {"unit": "deg", "slope": ""}
+    known = {name: told.of(**places) for name, told in quantities(DwellMotion).items()}
 
     def own(*names: str) -> list[Column]:
         return [column(known[name], partial(getattr, m, name)) for name in names]
@@ -27,7 +28,7 @@ def columns_of(m: DwellMotion, output: OutputKind) -> list[Column]:
         Column(known["phi"].name, "deg", lambda: degrees(m.phi)),
         Column(known["crank"].name, "deg", lambda: degrees(m.crank)),
         Column(known["theta"].name, "deg", lambda: degrees(m.theta)),
-        *own("s"),
+        column(known["s"], lambda: m.s if slides else np.degrees(m.s)),
         column(PIN[0], lambda: m.b.real),
         column(PIN[1], lambda: m.b.imag),
         *own("ds", "dds", "f3", "f4", "r21"),

@@ -9,7 +9,7 @@ minmax), and leads the search back where it is negative.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -29,6 +29,7 @@ from tmmcalc.linkage.synthesis.dwell.sizes import scale_of, sizes_of
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.synthesis.dwell.turn import Turn
 from tmmcalc.linkage.synthesis.results import check_key
+from tmmcalc.spec.telling import REDUCED
 
 Told = tuple[Real, str]  # values (k,) and their unit
 Quantity = tuple[float, str, float | None, float | None]  # value, unit, least, most
@@ -40,15 +41,6 @@ AS_WANTED: dict[bool, Quantity] = {
     True: (1.0, "", 0.0, None),
     False: (-1.0, "", 0.0, None),
 }  # a quantity that keeps, or breaks, its limit
-OF: dict[str, Callable[[Real], Real]] = {
-    "max": lambda values: np.max(values, axis=0),
-    "min": lambda values: np.min(values, axis=0),
-    "range": lambda values: np.ptp(values, axis=0),
-    "mean": lambda values: np.mean(values, axis=0),
-    "size": lambda values: np.max(np.abs(values), axis=0),
-    "first": lambda values: values[0],
-    "last": lambda values: values[-1],
-}
 
 
 class Rule:
@@ -90,17 +82,20 @@ def _wanted(task: FeasibilityTask, name: str) -> bool:
 
 
 def told_values(asked: DwellTask, turn: Turn, parameters: Mapping[str, Real], traits: Traits) -> dict[str, Told]:
-    """Sizes, checks and criteria (k,) by their names in the summary."""
+    """Sizes, checks and criteria (k,) by their names in the summary, angles in deg."""
     scale = scale_of(asked, traits.stroke)
     length = np.ones_like(scale) if turn.linkages.rocks else scale
-    found = {
-        size.symbol: (size.values, size.unit.replace("-", ""))
-        for size in sizes_of(asked, turn.linkages, parameters, scale)
-    }
+    sizes = sizes_of(asked, turn.linkages, parameters, scale)
+    found = {size.symbol: _shown(size.values, size.unit) for size in sizes}
     checks = achieved(asked, traits.stroke, traits.dwell, traits.far, length)
-    found |= {f"{check_key(name)}.achieved": (values, "") for name, (values, _) in checks.items()}
+    found |= {f"{check_key(name)}.achieved": _shown(*told) for name, told in checks.items()}
     found |= {name: (values, "") for name, values in zip(NAMES, traits.criteria, strict=True)}
     return found | {quantity_of(Dwell, "dwell_ratio").name: (100 * traits.criteria.f1, "%")}
+
+
+def _shown(values: Real, unit: str) -> Told:
+    """A size or check as the summary tells it."""
+    return (np.degrees(values), "deg") if unit == "rad" else (values, unit.removesuffix("-"))
 
 
 def told_columns(asked: DwellTask, turn: Turn, traits: Traits) -> dict[str, Column]:
@@ -118,8 +113,8 @@ def _told(constraint: Constraint, values: Mapping[str, Told], columns: Mapping[s
         return None
     if constraint.value is not None:
         return values.get(constraint.value)
-    column = columns.get(constraint.column or "")
+    column = columns.get(constraint.column or "") if constraint.of in REDUCED else None
     if column is None:
         return None
     count = next(iter(values.values()))[0].shape
-    return np.broadcast_to(OF[constraint.of](column.make()), count), column.unit
+    return np.broadcast_to(REDUCED[constraint.of](column.make().T), count), column.unit

@@ -13,8 +13,8 @@ class Largest:
     """A largest value, and where it stands."""
 
     name: str = quantity("name", "name of the quantity")
-    value: float = quantity("value", "its largest value")
-    unit: str = quantity("unit", "unit of the value")
+    value: float = quantity("value[{unit}]", "its largest value")
+    unit: str  # m, rad, N or - for a number
     at: float = quantity("at[rad]", "turn of the crank from position 1")
 
 
@@ -32,8 +32,8 @@ class DwellMotion:
     theta: Real = quantity("theta[rad]", "angle of A -> C")  # (n,)
     s: Real = quantity("S[{unit}]", "displacement of the output")  # (n,)
     b: Plane  # (n,) place of B [m]
-    ds: Real = quantity("dS[{unit}]", "first transfer function S'")  # (n,)
-    dds: Real = quantity("d2S[{unit}]", "second transfer function S''")  # (n,)
+    ds: Real = quantity("dS[{slope}]", "first transfer function S'")  # (n,)
+    dds: Real = quantity("d2S[{slope}]", "second transfer function S''")  # (n,)
     f3: Real = quantity("R35[N]", "compressive force of bar CB")  # (n,)
     f4: Real = quantity("R45[N]", "compressive force of bar DE")  # (n,)
     r21: Real = quantity("R21[N]", "force between crank and coupler")  # (n,)
@@ -52,8 +52,8 @@ class CrossCheck:
     # equal steps of bar BC, or of an angle around where the arc changes its branch
     uniform: float = quantity("uniform", "largest error with equal steps of the arc, against the stroke")
     cosine: float = quantity("cosine", "largest error with cosine spacing, against the stroke")
-    first: float = quantity("first", "angle of bar BC at the beginning of the arc, in rad")
-    last: float = quantity("last", "angle of bar BC at the end of the arc, in rad")
+    first: float = quantity("first[rad]", "angle of bar BC at the beginning of the arc")
+    last: float = quantity("last[rad]", "angle of bar BC at the end of the arc")
 
 
 @record

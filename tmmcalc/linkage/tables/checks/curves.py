@@ -121,12 +121,15 @@ def _check_abscissae(curve: Curve) -> Iterator[Finding]:
     numbers = amounts(listed, "angle", "length")
     if wrong or not numbers:
         return
-    disorder = first_disorder(numbers)
+    jumps = curve.of == "angle" and word(curve.table, "interpolation", "linear") == "linear"
+    disorder = first_disorder(numbers, jumps=jumps)
     if disorder is not None:
+        twice = jumps and numbers[disorder] == numbers[disorder - 1]
+        rule = "at most two values at one angle, a jump" if twice else "x ascends"
         yield Finding(
             curve.place("x", disorder),
-            f"{curve.at(disorder)}{show(listed[disorder])} does not come after {show(listed[disorder - 1])}; x ascends",
-            "put the values in order; a jump is two loads, each between its own angles",
+            f"{curve.at(disorder)}{show(listed[disorder])} does not come after {show(listed[disorder - 1])}; {rule}",
+            "put the values in order" + ("" if jumps else "; a jump is two loads, each between its own angles"),
         )
     else:
         yield from _check_range(curve, listed, numbers)

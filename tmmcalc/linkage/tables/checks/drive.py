@@ -33,8 +33,10 @@ def check_gear(outline: Outline) -> Iterator[Finding]:
             f'the input joint "{linkage.input_joint.name}" is prismatic; only a crank carries a gear',
             "remove [drive]: the slider is driven by a force along its guide",
         )
-    if "radius" not in drive:
-        yield Finding(("drive", "radius"), "missing key: a gear has its pitch radius", 'add radius = "150 mm"')
+    if "radius" not in drive and "open_pair" not in outline.document:
+        yield Finding(
+            ("drive", "radius"), "missing key: a gear has its pitch radius", 'add radius = "150 mm", or [open_pair]'
+        )
     if "pinion" not in drive:
         rule = "missing key: the mesh force depends on where the pinion is"
         yield Finding(("drive", "pinion"), rule, 'add pinion = "90 deg", the direction from the pivot to its centre')

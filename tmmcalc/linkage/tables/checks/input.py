@@ -6,17 +6,21 @@ The input joint decides what its quantities are: angles and angular speeds, or l
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TypeGuard
 
-from tmmcalc.linkage.tables.checks.written_linkage import FRAME, written_linkage
+from tmmcalc.linkage.tables.checks.written_linkage import FRAME, WrittenLinkage, written_linkage
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.outline import Outline, subtable
+from tmmcalc.spec.outline import Outline, is_integer, subtable, tables
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
+from tmmcalc.spec.quantities import BY_MOTOR, CLOCKWISE
 from tmmcalc.spec.units import FULL_TURN, UnitError, dimension_of, parse
 
 _INPUT = ("mechanism", "input")
+LARGEST = 2 * 10**9  # bytes that one computation may take
+MOST = 4_000_000  # positions of any linkage, as the table says
+PER_PART = 250  # bytes for each position and each link or joint: motions, forces, their copies and tables
 _GRID = ("mechanism", "grid")
 
 # Dimension of each derivative of the input coordinate, by the kind of the input joint.
@@ -44,6 +48,21 @@ def check_joint(outline: Outline) -> Iterator[Finding]:
             "a crank turns about the frame",
             known,
         )
+
+
+# tables beside [mechanism] that read no speed of its input; constraints may be on velocities
+_WITHOUT_SPEED = {"project", "mechanism", "unsteady"}
+
+
+def check_speed(outline: Outline) -> Iterator[Finding]:
+    """The input has its mean speed where forces, power or a motor depend on it; transfer functions do not."""
+    table = written_linkage(outline).table
+    given = subtable(table, "input")
+    if not given or "speed" in given:
+        return
+    loaded = any("mass" in link or "inertia" in link for _, link in tables(table, "links"))
+    if loaded or {*outline.document} - _WITHOUT_SPEED or "acceleration" in given:
+        yield Finding((*_INPUT, "speed"), "missing key: the input needs its mean speed", 'add speed = "55 rpm"')
 
 
 def check_dimensions(outline: Outline) -> Iterator[Finding]:
@@ -96,6 +115,34 @@ def _others(dimension: str) -> set[str]:
     return next({*pair.values()} for pair in (_COORDINATE, _SPEED, _ACCELERATION) if dimension in pair.values())
 
 
+def check_followed(outline: Outline) -> Iterator[Finding]:
+    """A speed by the motor is that of a crank."""
+    linkage = written_linkage(outline)
+    path = (*_INPUT, "speed")
+    if subtable(linkage.table, "input").get("speed") not in (BY_MOTOR, CLOCKWISE):
+        return
+    if linkage.slides:
+        yield Finding(path, f'"{BY_MOTOR}" of a driven slider: a motor turns a crank', 'write its speed: "0.2 m/s"')
+        return
+    yield from followed_speed(outline, path)
+
+
+def followed_speed(outline: Outline, path: Path) -> Iterator[Finding]:
+    """A speed by the motor has a motor that is given, and a ratio that does not hang on the speed."""
+    document = outline.document
+    motor, train = subtable(document, "motor"), subtable(document, "train")
+    if not motor:
+        yield Finding(path, f'"{BY_MOTOR}" without [motor]', 'add [motor], or write the speed: "55 rpm"')
+    elif motor.get("name") == "choose":
+        rule = f'"{BY_MOTOR}" together with a motor that is chosen: the choice asks for the speed'
+        yield Finding(path, rule, 'give the motor by its name, or write the speed: "55 rpm"')
+    of_train = "ratio" in train or {"input_speed", "output_speed"} <= {*train}
+    if not ("ratio" in subtable(document, "transmission") or "shafts" in document or of_train):
+        rule = f'"{BY_MOTOR}" without a ratio: it would follow from the speed'
+        remedy = 'add ratio to [transmission] or [train], or write the speed: "55 rpm"'
+        yield Finding(path, rule, remedy)
+
+
 def check_prismatic_input(outline: Outline) -> Iterator[Finding]:
     """A sliding input has no full turn and no dead centre to start from: it needs a span and a start."""
     linkage = written_linkage(outline)
@@ -145,6 +192,21 @@ def check_grid(outline: Outline) -> Iterator[Finding]:
                 f"{key} together with {' and '.join(strokes)}: there is one way to divide the turn",
                 f"remove {key}, or remove {' and '.join(strokes)}",
             )
+    yield from _check_size(linkage, strokes or ["positions"])
+
+
+def _check_size(linkage: WrittenLinkage, keys: Sequence[str]) -> Iterator[Finding]:
+    """All that is computed at the positions has room in the memory of an ordinary computer."""
+    grid = subtable(linkage.table, "grid")
+    counts = [grid[key] for key in keys if is_integer(grid.get(key)) and grid[key] <= MOST]  # more have their fault
+    parts = sum(len(listed) for key in ("links", "joints") if isinstance(listed := linkage.table.get(key), list))
+    most = LARGEST // (PER_PART * max(parts, 1))
+    if sum(counts) > most:
+        yield Finding(
+            (*_GRID, keys[0]),
+            f"{sum(counts)} positions of {parts} links and joints take more memory than {LARGEST // 10**9} GB",
+            f"write {most} or less: results between the positions are as exact with few of them",
+        )
 
 
 def check_reach(outline: Outline) -> Iterator[Finding]:

@@ -1,4 +1,4 @@
-"""Checks of ``[[loads]]``: each load has one law, and a force has a point."""
+"""Checks of ``[[loads]]``: a load has one law, acts in one window; a force has a point, a law what it asks for."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from tmmcalc.linkage.loadlaws import laws
 from tmmcalc.linkage.tables.checks.loads import loads
+from tmmcalc.linkage.tables.checks.windows import check_windows
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw
 from tmmcalc.spec.phrases import Path, either
@@ -42,4 +43,12 @@ def _check_kind(load: Raw, key: str, path: Path) -> Iterator[Finding]:
             yield Finding((*path, name), f"a moment has no {name}", "remove it, or give a force")
 
 
-CHECKS = (check_laws,)
+def check_data(outline: Outline) -> Iterator[Finding]:
+    """What the law of a load asks for, law by law."""
+    for key, law in laws().items():
+        for path, load in loads(outline):
+            if key in load:
+                yield from law.check(outline, load, path)
+
+
+CHECKS = (check_laws, check_windows, check_data)

@@ -7,10 +7,12 @@ from collections.abc import Callable, Iterator
 from tmmcalc.linkage.tables.checks.assembly import check_sketch, check_variants
 from tmmcalc.linkage.tables.checks.input import (
     check_dimensions,
+    check_followed,
     check_grid,
     check_joint,
     check_prismatic_input,
     check_reach,
+    check_speed,
 )
 from tmmcalc.linkage.tables.checks.joints import check_friction, check_lines, check_links, check_names, check_pins
 from tmmcalc.linkage.tables.checks.links import (
@@ -38,7 +40,9 @@ CHECKS: tuple[Callable[[Outline], Iterator[Finding]], ...] = (
     check_lines,
     check_friction,
     check_joint,
+    check_speed,
     check_dimensions,
+    check_followed,
     check_prismatic_input,
     check_grid,
     check_reach,

@@ -145,6 +145,3 @@ def grid_steps(outline: Outline) -> int | None:
     strokes = [grid[key] for key in ("working", "idle") if key in grid]
     parts = strokes or [grid.get("positions", 24)]
     return sum(parts) if all(map(is_integer, parts)) else None
-
-
-CHECKS = (check_windows,)

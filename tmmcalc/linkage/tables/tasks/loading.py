@@ -6,6 +6,7 @@ without a name get one here.
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from tmmcalc.linkage.loading import Body, Coupling, GearDrive, Load, Loading, Pair, Spring, Window
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.tables.links import LinkTable
     from tmmcalc.linkage.tables.loads import LoadTable
     from tmmcalc.linkage.tables.springs import SpringTable
+
+USUAL_ANGLE = math.pi / 9  # pressure angle of standard teeth
 
 
 def to_loading(spec: LinkageTables) -> Loading:
@@ -110,4 +113,5 @@ def _drive(table: DriveTable | None) -> Coupling | GearDrive:
     """A gear that has its radius and the place of its pinion; the checks see to both."""
     if table is None or table.radius is None or table.pinion is None:
         return Coupling()
-    return GearDrive(table.radius, table.mesh_angle, table.pinion, table.internal)
+    angle = USUAL_ANGLE if table.mesh_angle is None else table.mesh_angle
+    return GearDrive(table.radius, angle, table.pinion, bool(table.internal), table._open)

@@ -73,7 +73,7 @@ def _joint(table: RevoluteTable | PrismaticTable, points: Points) -> Joint:
 
 def _input(table: InputTable) -> Input:
     start = None if isinstance(table.start, str) else table.start
-    return Input(table.joint, table.speed, table.acceleration, start)
+    return Input(table.joint, table.speed, table.acceleration, start, "speed" in table.model_fields_set)
 
 
 def _output(table: OutputTable) -> Output:

@@ -8,7 +8,6 @@ MISSING = {
         'add [mechanism.input] with joint = "O" and speed = "55 rpm"',
     ),
     "input.joint": ("the input is named by its joint with the frame", 'add joint = "O"'),
-    "input.speed": ("the input needs its mean speed", 'add speed = "55 rpm"'),
     "links": ("every mechanism needs links", "add [[mechanism.links]], one for each moving link"),
     "links.id": ("every link needs its number", "add id = 1 (2, 3, ...); 0 is the frame"),
     "joints": (

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from pathlib import Path
 
+from tmmcalc.core.errors import SpecError, UsageError
+from tmmcalc.linkage.tables.checks.curves import Curve
 from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, subtable, word
@@ -13,7 +16,7 @@ from tmmcalc.spec.values import FASTEST_BARE, amount, amounts, bare_number, chec
 
 CHOOSE = "choose"
 _RATED = ("power", "speed")
-_BESIDE_CHOICE = ("synchronous_speed", "catalogue", "characteristic", "time_constant")
+_BESIDE_CHOICE = ("synchronous_speed", "catalogue", "reserve", "characteristic", "time_constant")
 
 # What a characteristic needs beside the rated power and speed: one of these sets of keys.
 _NEEDS: dict[str, tuple[tuple[str, ...], ...]] = {
@@ -69,6 +72,12 @@ def check_source(outline: Outline) -> Iterator[Finding]:
             "catalogue without name: nothing is read from it",
             f'add name = "{CHOOSE}", or the name of a motor in it',
         )
+    if "reserve" in motor and name != CHOOSE:
+        yield Finding(
+            ("motor", "reserve"),
+            "reserve beside a motor that is given: it says how far one that is chosen exceeds what is asked of it",
+            f'remove it, or write name = "{CHOOSE}" and none of its data',
+        )
     for key in motor if name == CHOOSE else ():
         if key not in (*_BESIDE_CHOICE, "name"):
             yield Finding(
@@ -88,6 +97,31 @@ def check_source(outline: Outline) -> Iterator[Finding]:
             f'the input joint "{linkage.input_joint.name}" is prismatic; a motor turns a crank',
             "remove [motor]",
         )
+
+
+def check_catalogue(outline: Outline) -> Iterator[Finding]:
+    """A catalogue of one's own can be read, and a motor without data stands in its catalogue."""
+    motor = subtable(outline.document, "motor")
+    name, file = motor.get("name"), motor.get("catalogue")
+    if not isinstance(name, str) or (isinstance(file, str) and not Path(file).is_file()):
+        return  # a file that is not there has its fault
+    from tmmcalc.machine.motors.catalogue import find, load_catalogue  # late: only named motors need it
+
+    try:
+        motors = load_catalogue(file) if isinstance(file, str) else None
+    except SpecError as error:
+        for fault in error.faults:
+            yield Finding(("motor", "catalogue"), f"{file}, {fault}".partition("\n")[0], fault.remedy)
+        return
+    except UsageError as error:
+        yield Finding(("motor", "catalogue"), error.message, error.remedy)
+        return
+    if name == CHOOSE or "power" in motor:
+        return
+    try:
+        find(name, motors)
+    except UsageError as error:
+        yield Finding(("motor", "name"), error.message, error.remedy)
 
 
 def check_characteristic(outline: Outline) -> Iterator[Finding]:
@@ -211,9 +245,25 @@ def check_circuit(outline: Outline) -> Iterator[Finding]:
     )
 
 
+_POINTS = {"speed": '["0 rpm", "1400 rpm", "1500 rpm"]', "moment": '["15 N*m", "7.5 N*m", 0]'}
+
+
 def check_curve(outline: Outline) -> Iterator[Finding]:
     """A characteristic by points has one moment for each speed, and its speeds ascend."""
-    table = subtable(subtable(outline.document, "motor"), "table")
+    motor = subtable(outline.document, "motor")
+    if not isinstance(motor.get("table"), dict):
+        return
+    table = subtable(motor, "table")
+    curve = Curve(outline, table, ("motor", "table"), "speed")
+    given = [key for key in ("speed", "moment") if key in table]
+    if "file" in table and given and curve.path not in outline.rows:
+        said = f"file together with {' and '.join(given)}: the file holds all values"
+        yield Finding((*curve.path, "file"), said, f"remove file, or remove {' and '.join(given)}")
+    elif "file" not in table:
+        for key in ("speed", "moment"):
+            if key not in table:
+                remedy = f'add {key} = {_POINTS[key]}, or both in a file, file = "m.csv"'
+                yield Finding(("motor", "table", key), f"missing key: a characteristic has its {key}s", remedy)
     speed, moment = table.get("speed"), table.get("moment")
     if isinstance(speed, list) and isinstance(moment, list) and len(speed) != len(moment) > 1 < len(speed):
         yield Finding(
@@ -224,11 +274,18 @@ def check_curve(outline: Outline) -> Iterator[Finding]:
     numbers = amounts(speed, "angular speed")
     disorder = first_disorder(numbers) if numbers else None
     if disorder is not None:
-        yield Finding(
-            ("motor", "table", "speed", disorder),
-            f"{show(table['speed'][disorder])} does not come after {show(table['speed'][disorder - 1])}; speeds ascend",
-            "put the points in order",
-        )
+        later, before = show(table["speed"][disorder]), show(table["speed"][disorder - 1])
+        rule = f"{curve.at(disorder)}{later} does not come after {before}; speeds ascend"
+        yield Finding(curve.place("speed", disorder), rule, "put the points in order")
 
 
-CHECKS = (check_source, check_characteristic, check_lag, check_bare_numbers, check_order, check_circuit, check_curve)
+CHECKS = (
+    check_source,
+    check_catalogue,
+    check_characteristic,
+    check_lag,
+    check_bare_numbers,
+    check_order,
+    check_circuit,
+    check_curve,
+)

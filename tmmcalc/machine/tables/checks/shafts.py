@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from tmmcalc.linkage.tables.checks import places
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.outline import Outline, Raw, subtable, tables
+from tmmcalc.spec.outline import Outline, Raw, is_integer, subtable, tables
 from tmmcalc.spec.phrases import Path, show
 from tmmcalc.spec.values import amount
 
@@ -20,14 +20,14 @@ def check_names(outline: Outline) -> Iterator[Finding]:
 
 
 def check_rotor(outline: Outline) -> Iterator[Finding]:
-    """The first mass is the rotor of the motor, which has a moment of inertia."""
+    """The first mass is the rotor of the motor, which has a moment of inertia where motions in time are asked for."""
     motor = subtable(outline.document, "motor")
     if "motor" not in outline.document:
         rule = "[[shafts]] without [motor]: the first mass of the drive is its rotor"
         yield Finding(("shafts",), rule, 'add [motor] with inertia = "0.03 kg*m^2"')
         return
     given = [key for key in ("inertia", "flywheel_moment") if key in motor]
-    if not given and "name" not in motor:  # a catalogue may tell it
+    if not given and "name" not in motor and _swings(outline):  # a catalogue may tell it
         rule = "missing key: the rotor is the first mass of [[shafts]]"
         yield Finding(("motor",), rule, 'add inertia = "0.03 kg*m^2"')
     for key in given:
@@ -37,7 +37,7 @@ def check_rotor(outline: Outline) -> Iterator[Finding]:
 
 
 def check_shafts(outline: Outline) -> Iterator[Finding]:
-    """A shaft carries a moment, and a mass between two shafts has inertia."""
+    """A shaft carries a moment, and a mass between two shafts has inertia, which motions in time need."""
     listed = outline.document["shafts"]
     last = len(listed) - 1 if isinstance(listed, list) else 0
     for index, shaft in tables(outline.document, "shafts"):
@@ -46,11 +46,18 @@ def check_shafts(outline: Outline) -> Iterator[Finding]:
         if index == last:
             continue
         if "inertia" not in shaft:
+            if not _swings(outline):
+                continue
             rule = "missing key: the mass between this shaft and the next has its moment of inertia"
             yield Finding(path, rule, 'add inertia = "0.5 kg*m^2"; join two shafts in series into one')
         elif amount(shaft["inertia"], "inertia") == 0:
             rule = f"{show(shaft['inertia'])} is no inertia of a mass between two shafts"
             yield Finding((*path, "inertia"), rule, 'write "0.5 kg*m^2", for example; join shafts in series into one')
+
+
+def _swings(outline: Outline) -> bool:
+    """Whether the masses of the drive move each by itself, as in motions in time alone."""
+    return "transients" in outline.document
 
 
 def _check_moment(shaft: Raw, path: Path) -> Iterator[Finding]:
@@ -66,7 +73,7 @@ def _check_moment(shaft: Raw, path: Path) -> Iterator[Finding]:
 
 
 def check_ratio(outline: Outline) -> Iterator[Finding]:
-    """The ratio of the gears, if it is given, is the product of those of the shafts."""
+    """The ratio of the gears, if it is given, is the product of those of the shafts, over that of an open pair."""
     shafts = tables(outline.document, "shafts")
     written = subtable(outline.document, "transmission").get("ratio")
     ratios = [amount(shaft.get("ratio", 1.0)) for _, shaft in shafts]
@@ -74,11 +81,14 @@ def check_ratio(outline: Outline) -> Iterator[Finding]:
     ratio = amount(written)
     if ratio is None or ratio <= 0 or not numbers or len(numbers) < len(ratios):
         return
-    product = math.prod(numbers)
-    if abs(product - ratio) > AGREE * ratio:
+    teeth = subtable(outline.document, "open_pair").get("teeth")
+    both = isinstance(teeth, list) and len(teeth) == 2 and all(is_integer(z) and z > 0 for z in teeth)
+    product, over = math.prod(numbers), teeth[1] / teeth[0] if isinstance(teeth, list) and both else 1.0
+    if abs(product / over - ratio) > AGREE * ratio:
+        of_pair = f", over {over:.6g} of [open_pair]" if both else ""
         yield Finding(
             ("transmission", "ratio"),
-            f"{show(written)} is not the product of the ratios of [[shafts]], which is {product:.10g}",
+            f"{show(written)} is not the product of the ratios of [[shafts]]{of_pair}, which is {product / over:.10g}",
             "remove it, or give the shafts their ratios: speed of the mass before over that of the mass behind",
         )
 

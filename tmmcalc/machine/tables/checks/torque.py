@@ -7,11 +7,13 @@ from collections.abc import Iterator, Mapping
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.tables.checks.curves import Curve
+from tmmcalc.linkage.tables.checks.input import followed_speed
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.identifiers import NAME
 from tmmcalc.spec.outline import Outline, Raw, subtable, tables, word
 from tmmcalc.spec.phrases import either, show
+from tmmcalc.spec.quantities import BY_MOTOR
 from tmmcalc.spec.units import FULL_TURN, dimension_of
 from tmmcalc.spec.values import amount, amounts, check_bare_speed
 
@@ -37,6 +39,8 @@ def check_laws(outline: Outline) -> Iterator[Finding]:
         said = "delays and count together: the delays tell how many there are"
         yield Finding(("torque", "count"), said, "remove count, or remove delays for even ones")
     yield from check_bare_speed(torque.get("speed"), ("torque", "speed"))
+    if torque.get("speed") == BY_MOTOR:
+        yield from followed_speed(outline, ("torque", "speed"))
 
 
 def check_formula(outline: Outline) -> Iterator[Finding]:
@@ -184,10 +188,11 @@ def _check_points(curve: Curve, period: float) -> Iterator[Finding]:
 
 def check_alone(outline: Outline) -> Iterator[Finding]:
     """A crank's moment has one source."""
-    if "mechanism" in outline.document and "torque" in outline.document:
+    other = next((name for name in ("mechanism", "synthesis") if name in outline.document), "")
+    if other and "torque" in outline.document:
         yield Finding(
             ("torque",),
-            "torque together with mechanism: a torque diagram stands in place of a mechanism",
+            f"torque together with {other}: a torque diagram stands in place of a mechanism",
             "remove one of them; a moment on a link of the mechanism is a load, [[loads]]",
         )
 

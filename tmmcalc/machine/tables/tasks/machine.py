@@ -20,6 +20,7 @@ from tmmcalc.machine.model import (
     TorquePoints,
     TorqueTask,
     TransientTask,
+    TrialTask,
 )
 from tmmcalc.machine.tables.names import shaft_names, transient_names
 
@@ -47,7 +48,9 @@ def to_motor(spec: MachineTables) -> MotorChoice | None:
 
     if table.name == CHOOSE:
         own = load_catalogue(table.catalogue) if table.catalogue is not None else ()
-        return MotorChoice(None, table.characteristic or "parabolic", _lag(table), own, table.synchronous_speed)
+        return MotorChoice(
+            None, table.characteristic or "parabolic", _lag(table), own, table.synchronous_speed, table.reserve or 0.0
+        )
     motor = with_lag(_motor(table), _lag(table))
     return MotorChoice(motor, table.characteristic or _USUAL[motor.kind], motor.time_constant)
 
@@ -80,16 +83,40 @@ def _data(table: MotorTable) -> dict[str, Any]:
 
         data["inertia"] = gd2(table.flywheel_moment)
     if table.table is not None:
-        data["points"] = tuple(zip(table.table.speed, table.table.moment, strict=True))
+        data["points"] = tuple(zip(table.table.speed or (), table.table.moment or (), strict=True))
         data["interpolation"] = table.table.interpolation
     return data
 
 
 def to_gears(spec: MachineTables) -> Gears:
-    """The gears; their ratio is given, or that of the shafts together, or follows from the speeds."""
-    table = spec.transmission
+    """What is given of the gears; their ratio by itself, or as that of the shafts together.
+
+    Those of [transmission] end at the pinion of an open pair, the shafts at the crank.
+    """
+    from tmmcalc.gears.tables.tasks.open_pair import to_open_pair
+
+    table, on_crank = spec.transmission, to_open_pair(spec)
+    u = 1.0 if on_crank is None else on_crank.ratio
     product = math.prod(shaft.ratio for shaft in spec.shafts) if spec.shafts else None
-    return Gears(table.ratio or product, table.efficiency, table.inertia) if table is not None else Gears(product)
+    if table is None:
+        return Gears(product, open=on_crank)
+    ratio = table.ratio * u if table.ratio else product
+    return Gears(ratio, table.efficiency, None if table.inertia is None else table.inertia * u**2, on_crank)
+
+
+def to_trial(spec: MachineTables) -> TrialTask | None:
+    """What the motor that is chosen is tried by; None: none is chosen.
+
+    A start is a motion in time from standstill with the motor on; its load never drives the crank backwards.
+    """
+    if spec.motor is None or spec.motor.name != CHOOSE:
+        return None
+    starts = tuple(
+        task._replace(scenario=replace(task.scenario, standstill="stop"))
+        for task in to_scenarios(spec)
+        if not task.steady and not task.scenario.speed and task.scenario.motor
+    )
+    return TrialTask(to_motion(spec), to_flywheel(spec), starts, to_shafts(spec))
 
 
 def to_shafts(spec: MachineTables) -> tuple[DriveShaft, ...]:

@@ -1,10 +1,5 @@
 """Words for faults in ``[motor]``: what a missing key is for, what to write in its lists and tables."""
 
-MISSING = {
-    "table.speed": ("a characteristic has its speeds", 'add speed = ["0 rpm", "1400 rpm", "1500 rpm"]'),
-    "table.moment": ("a characteristic has its moments", 'add moment = ["15 N*m", "7.5 N*m", 0]'),
-}
-
 LISTS = {
     "table.speed": ("a list of two speeds or more", 'speed = ["0 rpm", "1400 rpm", "1500 rpm"]'),
     "table.moment": ("a list of two moments or more", 'moment = ["15 N*m", "7.5 N*m", 0]'),

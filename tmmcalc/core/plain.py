@@ -20,7 +20,7 @@ def plain_record(record: Record) -> Record:
     """
     return Record(
         scalars=plain_table(record.scalars, "scalars"),
-        arrays={name: _plain_array(array, name) for name, array in record.arrays.items()},
+        arrays={name: plain_array(array, name) for name, array in record.arrays.items()},
         error=plain_table(record.error, "error"),
         counters=plain_table(record.counters, "counters"),
     )
@@ -28,7 +28,7 @@ def plain_record(record: Record) -> Record:
 
 def plain_table(table: Mapping[str, Any], where: str) -> dict[str, Any]:
     """Return the table with plain values only; ``where`` names it in a TypeError."""
-    return {_plain_key(key, where): _plain_value(value, f"{where}.{key}") for key, value in table.items()}
+    return {_plain_key(key, where): plain_value(value, f"{where}.{key}") for key, value in table.items()}
 
 
 def _plain_key(key: object, where: str) -> str:
@@ -37,14 +37,15 @@ def _plain_key(key: object, where: str) -> str:
     return str(key)
 
 
-def _plain_value(value: Any, where: str) -> Any:
+def plain_value(value: Any, where: str) -> Any:
+    """A value as TOML gives it back; ``where`` names it in a TypeError."""
     kind = type(value)
     if kind in (float, int, str, bool):
         return value
     if kind is dict or isinstance(value, Mapping):
         return plain_table(value, where)
     if isinstance(value, (list, tuple)):
-        return [_plain_value(item, f"{where}[{at}]") for at, item in enumerate(value)]
+        return [plain_value(item, f"{where}[{at}]") for at, item in enumerate(value)]
     if isinstance(value, str):
         return str.__str__(value)  # a member of a string enum is its value
     if isinstance(value, (int, float)):  # numpy.float64 is a float
@@ -57,10 +58,11 @@ def _plain_number(value: Any, where: str) -> Any:
     converted = value.tolist() if hasattr(value, "tolist") else value
     if type(converted) not in (bool, int, float, str, list):
         raise TypeError(f"{where}: TOML cannot hold {value!r} of type {type(value).__qualname__}")
-    return _plain_value(converted, where)
+    return plain_value(converted, where)
 
 
-def _plain_array(array: Any, name: str) -> Any:
+def plain_array(array: Any, name: str) -> Any:
+    """A read-only view of the array as npz gives it back; ``name`` names it in a TypeError."""
     import numpy as np
 
     view = np.asarray(array, order="C").view()

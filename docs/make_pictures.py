@@ -1,0 +1,39 @@
+"""Write the pictures of the README and of the guide: ``make pictures``.
+
+Each is that of ``tmmcalc plot configs/NAME.toml STAGE``, with the flags below, its text as text and in few bytes.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from light import light
+
+from tmmcalc import load_spec
+from tmmcalc.cli.plot import PICTURES
+from tmmcalc.core.atomic import replace_file
+from tmmcalc.core.stage import resolve
+from tmmcalc.pipeline.runner import run
+from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
+from tmmcalc.report.drawing.page import picture
+
+HOME = Path(__file__).parent
+DRAWN = {  # file: ready spec, stage, flags
+    "shaper.svg": ("shaper", "kinematics", {POSITIONS: "0:20:5"}),
+    "guide/cam.svg": ("cam", "cam_profile", {}),
+}
+
+
+def drawing(name: str, stage: str, given: dict[str, str]) -> str:
+    """The picture of a stage of a ready spec as text."""
+    spec = load_spec(HOME.parent / "configs" / f"{name}.toml")
+    results = run(spec, target=stage).results
+    flags = dict.fromkeys((POSITIONS, POLYGONS, CHOOSE, PHASE), None) | given
+    order = Order(spec, results, flags, results.__getitem__, lambda text: text)
+    shown = PICTURES[stage]
+    return light(picture("svg", lambda: resolve(shown.figure)(order), {"svg.fonttype": "none"}).decode(), places=1)
+
+
+if __name__ == "__main__":
+    for file, (name, stage, given) in DRAWN.items():
+        replace_file(HOME / file, drawing(name, stage, given).encode())

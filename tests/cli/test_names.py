@@ -1,0 +1,130 @@
+"""``tmmcalc names``, and the same names in sweeps and constraints, as a user writes them."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import pytest
+
+from tmmcalc.rooms import STAGES
+
+from .conftest import CONFIGS, Cli
+
+COUNT = 794  # of configs/course-project.toml: 491 facts, 303 columns
+SHAPER = CONFIGS / "shaper.toml"
+CRANK = "mechanism.links[id=1].points.A[0]"
+
+
+def rows(text: str) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+def test_all_that_a_project_can_tell(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    listed = rows(cli("names", str(CONFIGS / "course-project.toml"), "-f", "csv").out)
+    assert len(listed) == COUNT
+    assert len({(row["name"], row["how"]) for row in listed}) == COUNT  # criteria.mass is a fact and a column
+    order = [[*STAGES].index(row["name"].partition(".")[0]) for row in listed]
+    assert order == sorted(order)
+    named = {row["name"]: row for row in listed}
+    assert named["kinematics.S_D"]["meaning"] == "displacement of output D from position 0"
+    assert named["kinematics.stroke_D"]["unit"] == "m"
+    assert sum(bool(row["meaning"]) for row in listed) > 0.9 * len(listed)
+
+
+def test_names_and_patterns(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    asked = ("motion.delta", "forces.R_A", "forces.max(R_A)@2..12", "kinematics.vS_D[phi=50 deg]")
+    found = {row["name"]: row for row in rows(cli("names", str(SHAPER), *asked, "-f", "csv").out)}
+    assert set(found) == set(asked)
+    assert float(found["forces.R_A"]["max"]) == float(found["forces.max(R_A)@2..12"]["value"])
+    assert found["kinematics.vS_D[phi=50 deg]"]["how"] == "computed there"
+    people = cli("names", str(SHAPER), "motion.*").out
+    assert "motion.delta" in people
+    told = json.loads(cli("names", str(SHAPER), "motion.delta", "-f", "json").out)
+    assert told["columns"]["name"] == ["motion.delta"]
+
+
+@pytest.mark.parametrize(
+    ("pattern", "words"),
+    [("motion.dleta", "did you mean delta"), ("forces.max(R_Z)", "did you mean R_"), ("mx(R_A)", "did you mean max?")],
+)
+def test_the_nearest_names_are_told(cli: Cli, pattern: str, words: str) -> None:
+    end = cli("names", str(SHAPER), pattern, "--no-store")
+    assert end.code == 2
+    assert words in end.err
+
+
+def test_a_sweep_has_the_same_columns(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    asked = "kinematics.S_D@12,kinematics.vS_D[phi=50 deg],forces.max(R_A)@2..12,forces.at_max(R_A),max(R_A)"
+    cli("sweep", str(SHAPER), "--set", f"{CRANK}=*0.95:1.05:3", "--columns", asked, "-o", "t.csv", "-q")
+    table = rows((tmp_path / "t.csv").read_text())
+    header = list(table[0])
+    assert header[1:6] == [
+        "kinematics.S_D@12[m]",
+        "kinematics.vS_D[phi=50 deg][m/s]",
+        "forces.max(R_A)@2..12[N]",
+        "forces.at_max(R_A)[deg]",
+        "forces.max(R_A)[N]",
+    ]
+    middle = rows(cli("names", str(SHAPER), *asked.split(","), "-f", "csv").out)
+    for row in middle:
+        key = f"{row['name']}[{row['unit']}]"
+        assert float(table[1][key]) == pytest.approx(float(row["value"]), rel=1e-11)
+
+
+def test_a_row_is_solved_together_as_alone(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    ranged = ("--set", f"{CRANK}=*0.95:1.05:33", "--columns", "kinematics.S_D@12,forces.rms(R_A)", "-q")
+    cli("sweep", str(SHAPER), *ranged, "-o", "many.csv")
+    cli("sweep", str(SHAPER), "--set", f"{CRANK}=*0.95:1.05:3", *ranged[2:], "-o", "few.csv")
+    many, few = (rows((tmp_path / name).read_text()) for name in ("many.csv", "few.csv"))
+    for key in ("kinematics.S_D@12[m]", "forces.rms(R_A)[N]"):
+        assert float(many[16][key]) == pytest.approx(float(few[1][key]), rel=1e-11)
+
+
+def test_constraints_by_name(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    lines = {
+        "old": 'stage = "forces"\ncolumn = "R_A"\nof = "max"\nat_most = "20 kN"',
+        "new": 'value = "forces.max(R_A)"\nat_most = "20 kN"',
+        "mixed": 'stage = "forces"\nvalue = "max(R_A)"\nat_most = "20 kN"',
+        "lone": 'value = "max(R_A)"\nat_most = "20 kN"',
+        "there": 'value = "kinematics.vS_D[phi=50 deg]"\nat_most = "0 m/s"',
+        "some": 'value = "forces.max(R_A)@2..12"\nat_most = "20 kN"',
+        "delta": 'value = "delta"\nat_most = 0.1',
+    }
+    text = SHAPER.read_text().partition("[[constraints]]")[0]
+    spec = tmp_path / "my.toml"
+    spec.write_text(text + "".join(f'\n[[constraints]]\nname = "{name}"\n{line}\n' for name, line in lines.items()))
+    found = {row["constraint"]: row for row in rows(cli("feasibility", str(spec), "-f", "csv", "--no-store").out)}
+    assert len({found[name]["value"] for name in ("old", "new", "mixed", "lone", "some")}) == 1
+    names = ("kinematics.vS_D[phi=50 deg]", "motion.delta")
+    told = {row["name"]: row["value"] for row in rows(cli("names", str(SHAPER), *names, "-f", "csv").out)}
+    assert float(found["there"]["value"]) == pytest.approx(float(told[names[0]]), rel=1e-6)
+    assert float(found["delta"]["value"]) == pytest.approx(float(told[names[1]]), rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ('value = "forces.mx(R_A)"\nat_most = 1', "did you mean max?"),
+        ('value = "forces.max(R_*)"\nat_most = 1', "may name several results"),
+        ('value = "forces.max(R_A)"\nof = "max"\nat_most = 1', "of together with a value that is a name"),
+        ('value = "forces.max(R_Q)"\nat_most = 1', "forces tells no 'R_Q'"),
+        ('value = "max(phi)"\nat_most = 1', "is told by several stages"),
+        ('value = "motion.delta"\nat_most = "1 m"', "cannot be compared"),
+    ],
+)
+def test_a_wrong_name_in_a_constraint_is_one_error(cli: Cli, tmp_path: Path, line: str, words: str) -> None:
+    spec = tmp_path / "my.toml"
+    text = SHAPER.read_text().partition("[[constraints]]")[0]
+    spec.write_text(f'{text}\n[[constraints]]\nname = "calm"\n{line}\n')
+    end = cli("feasibility", str(spec), "--no-store")
+    assert end.code == 2
+    assert words in " ".join(end.err.split())
+    assert "Traceback" not in end.err

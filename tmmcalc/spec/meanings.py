@@ -1,0 +1,88 @@
+"""Meaning and symbol of what a stage tells, by its name: as they are declared on the fields of its results."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from inspect import getmodule
+from string import Formatter
+
+from tmmcalc.core.quantity import FORMS, Quantity, given_out, standing_in
+from tmmcalc.core.stage import STAGES
+
+AXES = ("x", "y")  # what stands in a place of this name
+
+
+@cache
+def described(stage: str, column: bool) -> Callable[[str, str], tuple[str, str]]:
+    """A function of the name and the unit of a fact, or of a column: meaning and symbol, empty if none is declared.
+
+    >>> import tmmcalc.rooms
+    >>> described("kinematics", True)("vx_D", "m/s")
+    ('velocity of point D along x', '')
+    """
+    own = STAGES[stage]
+    every = [each for kind in own.kinds for each in given_out(kind)]
+    if column and (columns := own.part("columns")):
+        every += standing_in(getmodule(columns))
+    plain = {each.name: each for each in every}
+    # what has most words of its own first: v{axis}_{point} before {axis}_{point}
+    forms = [each for each in every if "{" in each.name and (_literal(each.name) or "{axis}" in each.name)]
+    forms.sort(key=lambda each: -_literal(each.name))
+
+    def found(name: str, unit: str) -> tuple[str, str]:
+        unit = "" if unit == "-" else unit
+        if name in plain and _units(plain[name].unit, unit) is not None:
+            return plain[name].meaning, plain[name].symbol
+        for each in forms:
+            of_name, of_unit = _places(each.name, name), _units(each.unit, unit)
+            if of_name is None or of_unit is None:
+                continue
+            if column or not any("_" in word for word in of_name.values()):  # of S_{output} no fact is S_D_min
+                return _filled(each, {**of_unit, **of_name})
+        return "", ""
+
+    return cache(found)
+
+
+def _units(form: str, unit: str) -> dict[str, str] | None:
+    """The words in the places of a unit; a value may be told in the unit of people."""
+    found = _places(form, unit)
+    return {} if found is None and (form, unit) in FORMS else found
+
+
+def _literal(form: str) -> int:
+    return sum(len(words.strip("_")) for words, *_ in Formatter().parse(form))
+
+
+def _filled(form: Quantity, places: Mapping[str, str]) -> tuple[str, str]:
+    """Meaning and symbol with the names of the scene; a symbol has braces of its own."""
+    meaning = form.meaning
+    for place, name in places.items():
+        meaning = meaning.replace(f"{{{place}}}", name)
+    return meaning, form.symbol if "{" not in form.symbol else ""
+
+
+def _places(form: str, text: str) -> dict[str, str] | None:
+    """The words that stand in the places of a form; None if the text is not of this form.
+
+    >>> _places("v{axis}_{point}", "vx_D")
+    {'axis': 'x', 'point': 'D'}
+    """
+    return _matched([(words, place) for words, place, *_ in Formatter().parse(form)], text)
+
+
+def _matched(parts: Sequence[tuple[str, str | None]], text: str) -> dict[str, str] | None:
+    if not parts:
+        return None if text else {}
+    (words, place), *rest = parts
+    if not text.startswith(words):
+        return None
+    text = text[len(words) :]
+    if place is None:
+        return _matched(rest, text)
+    for end in range(1, len(text) + 1):
+        found = _matched(rest, text[end:])
+        if found is not None:
+            return {place: text[:end], **found} if place != "axis" or text[:end] in AXES else None
+    return None
