@@ -34,9 +34,10 @@ class Project:
     """A ready spec: its run, and the same from elsewhere."""
 
     def __init__(self, name: str) -> None:
-        text = (templates.folder() / f"{name}.toml").read_text(encoding="utf-8")
+        folder = templates.folder()
+        text = (folder / f"{name}.toml").read_text(encoding="utf-8")
         # what a cam loads the crank with has checks of its own; these are of links alone
-        self.spec = tmmcalc.parse_spec(text.replace('\nshaft = "crank"', ""))
+        self.spec = tmmcalc.parse_spec(text.replace('\nshaft = "crank"', ""), folder=folder)
         self.run: RunResult = tmmcalc.run(self.spec)
 
     @cached_property
