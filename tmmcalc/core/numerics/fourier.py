@@ -63,9 +63,7 @@ class Series:
         >>> Series(np.array([0.5, 0, 0.5])).at(np.array([0.0, math.pi])).real.tolist()
         [1.0, -1.0]
         """
-        rows = max(1, BLOCK // len(self.coefficients))
-        parts = [t[i : i + rows] for i in range(0, max(len(t), 1), rows)]
-        return np.concatenate([np.exp(1j * np.multiply.outer(part, self.orders)) @ self.coefficients for part in parts])
+        return _values(t, self.orders, self.coefficients)
 
     def even(self, count: int) -> Complex:
         """Values at ``count`` equal steps from 0, more than 2 K of them."""
@@ -145,19 +143,31 @@ def crests(series: Series, part: float = 0.0) -> tuple[Values, Values]:
     Where |f| is constant there may be none, or some that rounding makes.
     """
     n = 2 ** math.ceil(math.log2(FINENESS * (2 * series.highest + 1)))
-    slope = series.slope()
+    slope, orders = series.slope(), series.orders
     z, dz = series.even(n), slope.even(n)
-    rising = (np.conj(z) * dz).real > 0
-    height = np.abs(z)
-    high = np.maximum(height, np.roll(height, -1)) >= part * np.max(height)
-    cell = np.flatnonzero(rising & ~np.roll(rising, -1) & high)
+    growth = (np.conj(z) * dz).real
+    rising, height = growth > 0, np.abs(z)
+    tall = np.maximum(height, np.roll(height, -1)) >= part * np.max(height)
+    cell = np.flatnonzero(rising & ~np.roll(rising, -1) & tall)
+    if not cell.size:
+        return np.empty(0), np.empty(0)
+    both = np.stack((series.coefficients, slope.coefficients), axis=1)
 
-    def growth(t: Values, _: Indices) -> Values:
-        return (np.conj(series.at(t)) * slope.at(t)).real
+    def growing(t: Values, _: Indices) -> Values:
+        f = _values(t, orders, both)
+        return (np.conj(f[:, 0]) * f[:, 1]).real
 
-    step = TURN / n
-    at = bracketed(growth, cell * step, (cell + 1) * step) if cell.size else np.empty(0)
+    step, low, high = TURN / n, growth[cell], growth[(cell + 1) % n]
+    first = (cell + low / (low - high)) * step
+    at = bracketed(growing, cell * step, (cell + 1) * step, known=(low, high, first))
     return at, np.abs(series.at(at))
+
+
+def _values(t: Values, orders: NDArray[np.int_], coefficients: Complex) -> Complex:
+    """Sums of ``coefficients`` (k,) or (k, f) over the orders (k,), at angles (m,): (m,) or (m, f)."""
+    rows = max(1, BLOCK // len(orders))
+    parts = [t[i : i + rows] for i in range(0, max(len(t), 1), rows)]
+    return np.concatenate([np.exp(1j * np.multiply.outer(part, orders)) @ coefficients for part in parts])
 
 
 def magnitude(series: Series) -> Magnitude:
