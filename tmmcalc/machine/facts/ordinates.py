@@ -1,0 +1,70 @@
+"""The document of Simpson's rule: a row a position with the weighted ordinates of every cause, the sums above them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from tmmcalc.core.columns import Column
+from tmmcalc.core.quantity import in_degrees, keyed
+from tmmcalc.linkage.columns import phi_column
+from tmmcalc.machine.reduction.columns import columns, reduced
+from tmmcalc.machine.reduction.ordinates import ORDINATE, WEIGHT, Ordinates, ordinate_columns, ordinates
+from tmmcalc.machine.reduction.results import Reduction
+from tmmcalc.report.document import Document, Fact
+from tmmcalc.report.numbers import NOISE, number
+from tmmcalc.report.positions import with_positions
+
+
+def ordinates_document(
+    result: Reduction,
+    title: str,
+    *,
+    patterns: Sequence[str] = (),
+    rows: Sequence[int] | None = None,
+    everything: bool = False,
+) -> Document:
+    """Simpson's rule over the positions with these indices, by default all; ``patterns`` choose columns.
+
+    Raises `UsageError` unless the positions are equal steps of even number.
+    """
+    taken = range(len(result.phi)) if rows is None else rows
+    sums = ordinates(result, taken)
+    unit, coordinate = reduced(result).moment.unit, "rad" if result.turns else "m"
+    facts = tuple(_fact(cause, each, unit, coordinate) for cause, each in sums.items())
+    available = [phi_column(result.phi, result.turns), *columns(result)]
+    own = [*(_of(column, taken) for column in available), *ordinate_columns(result, taken)]
+    ordinary = {reduced(result).of_cause.of(cause=cause).name for cause in sums} | {reduced(result).moment.name}
+    weighted = {ORDINATE.of(cause=cause, unit=unit).name for cause in sums}
+    shown = {"phi", WEIGHT.name, *ordinary, *weighted}
+    return with_positions(
+        Document(title, facts),
+        [result.labels[row] for row in taken],
+        own,
+        patterns,
+        None,
+        usual=own if everything else [column for column in own if column.name in shown],
+        everything=True,
+        example="phi,M_red_*,Simpson_*" if result.turns else "phi,F_red_*,Simpson_*",
+        where="",
+    )
+
+
+def _of(column: Column, taken: Sequence[int]) -> Column:
+    """The column of some of the positions."""
+    return column._replace(make=lambda: column.make()[list(taken)])
+
+
+def _fact(cause: str, found: Ordinates, unit: str, coordinate: str) -> Fact:
+    """The sum in the letters of the rule, and the work beside the exact one."""
+    peak = abs(found.ends) + abs(found.odd) + abs(found.even)
+    ends, odd, even = (number(value, peak=peak) for value in (found.ends, found.odd, found.even))
+    lines = [
+        f"h/3 (ends {ends} + 4 * {odd} + 2 * {even}) {unit}",
+        f"= {number(found.step)}/3 {coordinate} * {number(found.weighted, peak=peak)} {unit}"
+        f" = {number(found.work, peak=peak * found.step)} J",
+    ]
+    exact = f"exactly {number(found.exact, peak=peak * found.step)} J"
+    if abs(found.exact) > NOISE * peak * found.step:
+        exact += f", {100 * (found.work / found.exact - 1):+.3g} %"
+    values = in_degrees(keyed(found, unit=unit, coordinate=coordinate))
+    return Fact(f"work of {cause}", "\n".join((*lines, exact)), {f"Simpson_{cause}": values})
