@@ -121,7 +121,7 @@ def turns(nodes: Nodes, start: float, tolerance: float = BOOK) -> tuple[Turn, ..
     Raises `AccuracyError` as `march` does, or if the speeds do not settle within 1000 cycles.
     """
     rest = _squares(nodes, 0.0)
-    gain = np.append(1.0, np.cumprod(_factors(nodes)))
+    gain = np.append(1.0, np.cumprod(factors(nodes)))
     history: list[Turn] = []
     for _ in range(TURNS):
         squares = gain * start**2 + rest
@@ -146,10 +146,10 @@ def warning(nodes: Nodes) -> float:
 
 def multiplier(nodes: Nodes) -> float:
     """Factor by which a deviation of w_0^2 changes over one cycle."""
-    return float(np.prod(_factors(nodes)))
+    return float(np.prod(factors(nodes)))
 
 
-def _factors(nodes: Nodes) -> Values:
+def factors(nodes: Nodes) -> Values:
     """By how much a deviation of w^2 changes over each step (n,)."""
     damping = nodes.b * nodes.step
     return (nodes.inertia[:-1] - damping) / (nodes.inertia[1:] + damping)
@@ -176,6 +176,6 @@ def _squares(nodes: Nodes, first: float) -> Values:
     damping = nodes.b * nodes.step
     rises = (nodes.moment[:-1] + nodes.moment[1:] + 2 * nodes.a) * nodes.step / (nodes.inertia[1:] + damping)
     squares = [first]
-    for factor, rise in zip(_factors(nodes).tolist(), rises.tolist(), strict=True):
+    for factor, rise in zip(factors(nodes).tolist(), rises.tolist(), strict=True):
         squares.append(factor * squares[-1] + rise)
     return np.array(squares)

@@ -6,9 +6,8 @@ from collections.abc import Sequence
 
 from tmmcalc.core.columns import Column
 from tmmcalc.core.quantity import in_degrees, keyed
-from tmmcalc.linkage.columns import phi_column
 from tmmcalc.machine.reduction.columns import columns, reduced
-from tmmcalc.machine.reduction.ordinates import ORDINATE, WEIGHT, Ordinates, ordinate_columns, ordinates
+from tmmcalc.machine.reduction.ordinates import FACTOR, ORDINATE, Ordinates, ordinate_columns, ordinates
 from tmmcalc.machine.reduction.results import Reduction
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import NOISE, number
@@ -31,20 +30,20 @@ def ordinates_document(
     sums = ordinates(result, taken)
     unit, coordinate = reduced(result).moment.unit, "rad" if result.turns else "m"
     facts = tuple(_fact(cause, each, unit, coordinate) for cause, each in sums.items())
-    available = [phi_column(result.phi, result.turns), *columns(result)]
-    own = [*(_of(column, taken) for column in available), *ordinate_columns(result, taken)]
-    ordinary = {reduced(result).of_cause.of(cause=cause).name for cause in sums} | {reduced(result).moment.name}
-    weighted = {ORDINATE.of(cause=cause, unit=unit).name for cause in sums}
-    shown = {"phi", WEIGHT.name, *ordinary, *weighted}
+    own = [*(_of(column, taken) for column in columns(result)), *ordinate_columns(result, taken)]
+    by_name = {column.name: column for column in own}
+    told = reduced(result)
+    pairs = ((told.of_cause.of(cause=cause).name, ORDINATE.of(cause=cause, unit=unit).name) for cause in sums)
+    shown = ("phi", FACTOR.name, *(name for pair in pairs for name in pair if name in by_name))
     return with_positions(
         Document(title, facts),
         [result.labels[row] for row in taken],
         own,
         patterns,
         None,
-        usual=own if everything else [column for column in own if column.name in shown],
+        usual=own if everything else [by_name[name] for name in shown],
         everything=True,
-        example="phi,M_red_*,Simpson_*" if result.turns else "phi,F_red_*,Simpson_*",
+        example="phi,Simpson,ordinate_*,sum_*",
         where="",
     )
 

@@ -52,6 +52,7 @@ TRANSFER = Quantity(
     "transfer function of the point of load {load} along its direction, or of the angle that its moment turns",
     source="(3.34)",
 )
+NOISE = 1e-12  # of what a weight could do: a moment that is rounding, where it moves sideways
 
 
 class Input(NamedTuple):
@@ -159,8 +160,10 @@ class _Parts:
     def weight(self, link: int) -> Real:
         """Reduced moment (n,) of the weight of a link."""
         source = next(source for source in self.scene.sources if source.kind == "weight")
-        powers = (each.power(self.place.configuration) for each in source.actions(self.place) if each.link == link)
-        return self._over(sum(powers, np.zeros(())))
+        own = [each for each in source.actions(self.place) if each.link == link]
+        power = self._over(sum((each.power(self.place.configuration) for each in own), np.zeros(())))
+        most = sum(float(np.max(np.abs(each.force) * np.abs(each.at.v))) for each in own)
+        return np.where(np.abs(power) > NOISE * most, power, 0.0)
 
     def value(self, load: Load) -> Real:
         """The load (n,) along its direction, at the mean speed."""

@@ -19,9 +19,9 @@ from tmmcalc.core.records import record
 from tmmcalc.machine.reduction.columns import contribution_name, reduced
 from tmmcalc.machine.reduction.results import Reduction
 
-WEIGHT = Quantity("Simpson_weight[-]", "what an ordinate is multiplied by in Simpson's rule", source="(3.38)")
-ORDINATE = Quantity("Simpson_{cause}[{unit}]", "ordinate of {cause} times its weight", source="(3.38)")
-SUM = Quantity("Simpson_sum_{cause}[{unit}]", "sum of the weighted ordinates of {cause} so far", source="(3.38)")
+FACTOR = Quantity("Simpson[-]", "what an ordinate is multiplied by in Simpson's rule", source="(3.38)")
+ORDINATE = Quantity("ordinate_{cause}[{unit}]", "ordinate of {cause} times its weight", source="(3.38)")
+SUM = Quantity("sum_ordinates_{cause}[{unit}]", "sum of the weighted ordinates of {cause} so far", source="(3.38)")
 EVERYTHING = "everything"
 
 
@@ -101,7 +101,7 @@ def ordinate_columns(result: Reduction, rows: Sequence[int] | None = None) -> It
         found = weights * values[taken]
         return np.cumsum(found) if summed else found
 
-    yield column(WEIGHT, lambda: weights)
+    yield column(FACTOR, lambda: weights)
     for cause, (values, _) in _causes(result).items():
         yield column(ORDINATE.of(cause=cause, unit=unit), partial(weighted, values, summed=False))
         yield column(SUM.of(cause=cause, unit=unit), partial(weighted, values, summed=True))
