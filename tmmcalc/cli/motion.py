@@ -24,8 +24,8 @@ def command(
 
     Example: tmmcalc motion my.toml --columns 'phi,omega*' --positions 0:24:4
 
-    By name alone: terms of the recurrence ('step_*'), its speeds turn by turn ('omega_turn_*') and without technological
-    loads ('omega_idle_t*').
+    By name alone: terms of the recurrence ('step_*'), its speeds turn by turn ('omega_turn_*'), the same without
+    technological loads ('omega_idle_t*').
     """
     if not recurrence:
         return positions_document(solved, columns, positions)

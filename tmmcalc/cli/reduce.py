@@ -25,7 +25,8 @@ def command(
     Example: tmmcalc reduce my.toml --columns 'phi,M_red*,J_red'
 
     By name alone: inertia by link, by its mass and turning ('J_red_*,dJ_red_*'), weight by link (M_red_weight_*), value
-    and transfer function of every load ('load_*,dS_of_*'), friction by pair (M_red_fr_*), ordinates of Simpson's rule ('Simpson,ordinate_*,sum_*').
+    and transfer function of every load ('load_*,dS_of_*'), friction by pair (M_red_fr_*), ordinates of Simpson's rule
+    ('Simpson,ordinate_*,sum_*').
     """
     if not ordinates:
         return positions_document(solved, columns, positions)

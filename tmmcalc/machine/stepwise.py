@@ -31,10 +31,8 @@ GAINED = Quantity("step_gained[J]", "(M_(i-1) + M_i + 2 A) dphi: what moments ad
 DIVISOR = Quantity("step_divisor[kg*m^2]", "J_i + B dphi: what their sum is divided by", source="(3.57)")
 SQUARE = Quantity("step_omega2[rad^2/s^2]", "square of the speed at the node", symbol=r"\omega^2", source="(3.57)")
 FACTOR = Quantity("step_factor[-]", "what a deviation of omega^2 is multiplied by on the step")
-TURN = Quantity("omega_turn_{turn}[rad/s]", "speed by the recurrence in turn {turn} from the rated one", source="(3.58)")
-IDLE = Quantity(
-    "omega_idle_textbook[rad/s]", "speed by the recurrence without technological loads", source="(3.57)"
-)
+TURN = Quantity("omega_turn_{turn}[rad/s]", "speed by the recurrence, turn {turn} from the rated one", source="(3.58)")
+IDLE = Quantity("omega_idle_textbook[rad/s]", "speed by the recurrence without technological loads", source="(3.57)")
 IDLE_TURN = Quantity(
     "omega_idle_turn_{turn}[rad/s]",
     "the same without technological loads, in turn {turn} from the rated speed",

@@ -1,8 +1,8 @@
 """What every method for the flywheel works out on the way to its inertia, and Wittenbauer's tangents on paper.
 
-    b_max = A - k_max J where the upper tangent touches     b_min = A - k_min J where the lower one does
-    J_F = (b_max - b_min) / (delta omega^2) = GH / (delta omega^2)                             (3.53), Fig. 3.17
-    tan psi = k mu_J / mu_T                                                                    (3.50)
+b_max = A - k_max J where the upper tangent touches     b_min = A - k_min J where the lower one does
+J_F = (b_max - b_min) / (delta omega^2) = GH / (delta omega^2)                             (3.53), Fig. 3.17
+tan psi = k mu_J / mu_T                                                                    (3.50)
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Simpson's rule as it is worked out on paper: the ordinates of a cause with their weights and their sum (3.38).
 
-    work = h/3 (y_0 + 4 y_1 + 2 y_2 + ... + 4 y_(n-1) + y_n)        h the step of the positions, n even
+work = h/3 (y_0 + 4 y_1 + 2 y_2 + ... + 4 y_(n-1) + y_n)        h the step of the positions, n even
 """
 
 from __future__ import annotations
@@ -52,8 +52,15 @@ def ordinates(result: Reduction, rows: Sequence[int] | None = None) -> dict[str,
         work = simpson(theta, np.copysign(1.0, result.speed) * y)  # done along the motion
         assert work is not None
         exact = np.diff(result.cycle.panels.primitive_at(part, theta[[0, -1]]))[0]
-        sums = (y[0] + y[-1], y[1:-1:2].sum(), y[2:-2:2].sum(), weights @ y)
-        found[cause] = Ordinates(float(theta[1] - theta[0]), *map(float, sums), work, float(exact))
+        found[cause] = Ordinates(
+            step=float(theta[1] - theta[0]),
+            ends=float(y[0] + y[-1]),
+            odd=float(y[1:-1:2].sum()),
+            even=float(y[2:-2:2].sum()),
+            weighted=float(weights @ y),
+            work=work,
+            exact=float(exact),
+        )
     return found
 
 
