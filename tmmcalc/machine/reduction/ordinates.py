@@ -44,9 +44,9 @@ def ordinates(result: Reduction, rows: Sequence[int] | None = None) -> dict[str,
     Raises `UsageError` unless these are equal steps of even number.
     """
     taken = _taken(result, rows)
-    theta, weights = _theta(result)[taken], simpson_weights(len(taken))
+    theta = _theta(result)[taken]
     _check(theta)
-    found = {}
+    weights, found = simpson_weights(len(taken)), {}
     for cause, (values, part) in _causes(result).items():
         y = values[taken]
         work = simpson(theta, np.copysign(1.0, result.speed) * y)  # done along the motion
