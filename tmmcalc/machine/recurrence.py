@@ -24,6 +24,7 @@ from tmmcalc.machine.textbook import NodalRegime, Turn
 WHERE = "recurrence (3.57)"
 BOOK = 1e-4  # largest difference of the speeds at both ends of a cycle, textbook program 2.1 [rad/s]
 TURNS = 1000
+NEAR = 1e-9  # of the period: a node so near to the edge of a panel, where a load may jump, lies on it
 
 
 @record
@@ -65,7 +66,9 @@ def nodal_tables(cycle: Cycle, n: int, speed: float) -> tuple[Values, Values]:
 
     Where the load jumps at a node the larger load counts, as the textbook counts it at both ends of its action.
     """
-    theta = np.linspace(0.0, cycle.period, n + 1)
+    theta, edges, near = np.linspace(0.0, cycle.period, n + 1), cycle.panels.edges, NEAR * cycle.period
+    nearest = edges[np.minimum(np.searchsorted(edges, theta - near), len(edges) - 1)]
+    theta = np.where(np.abs(nearest - theta) <= near, nearest, theta)
     moment = cycle.moment + (cycle.viscous + cycle.quadratic * speed) * speed
     after, inertia = cycle.panels.at(np.stack((moment, cycle.inertia)), theta)
     before = cycle.panels.at(moment, theta, before=True)
