@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from tmmcalc.core.columns import Column
 from tmmcalc.core.quantity import in_degrees, keyed
 from tmmcalc.machine.reduction.columns import columns, reduced
@@ -29,9 +31,10 @@ def ordinates_document(
     taken = range(len(result.phi)) if rows is None else rows
     sums = ordinates(result, taken)
     unit, coordinate = reduced(result).moment.unit, "rad" if result.turns else "m"
-    facts = tuple(_fact(cause, each, unit, coordinate) for cause, each in sums.items())
     own = [*(_of(column, taken) for column in columns(result)), *ordinate_columns(result, taken)]
     by_name = {column.name: column for column in own}
+    sizes = {c: float(np.sum(np.abs(by_name[ORDINATE.of(cause=c, unit=unit).name].make()))) for c in sums}
+    facts = tuple(_fact(cause, each, sizes[cause], unit, coordinate) for cause, each in sums.items())
     told = reduced(result)
     pairs = ((told.of_cause.of(cause=cause).name, ORDINATE.of(cause=cause, unit=unit).name) for cause in sums)
     shown = ("phi", FACTOR.name, *(name for pair in pairs for name in pair if name in by_name))
@@ -53,9 +56,8 @@ def _of(column: Column, taken: Sequence[int]) -> Column:
     return column._replace(make=lambda: column.make()[list(taken)])
 
 
-def _fact(cause: str, found: Ordinates, unit: str, coordinate: str) -> Fact:
-    """The sum in the letters of the rule, and the work beside the exact one."""
-    peak = abs(found.ends) + abs(found.odd) + abs(found.even)
+def _fact(cause: str, found: Ordinates, peak: float, unit: str, coordinate: str) -> Fact:
+    """The sum in the letters of the rule, and the work beside the exact one; less than noise of ``peak`` is none."""
     ends, odd, even = (number(value, peak=peak) for value in (found.ends, found.odd, found.even))
     lines = [
         f"h/3 (ends {ends} + 4 * {odd} + 2 * {even}) {unit}",
