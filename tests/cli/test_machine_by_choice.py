@@ -53,8 +53,9 @@ def test_tangents_of_wittenbauer(cli: Cli) -> None:
     assert columns["i"][-2:] == ["max", "min"]
     assert min(columns["below_max[J]"]) == pytest.approx(0, abs=1e-12)
     assert min(columns["above_min[J]"]) == pytest.approx(0, abs=1e-12)
-    angle = np.degrees(np.arctan(found["slope_max[rad^2/s^2]"] * found["mu_J[kg*m^2/mm]"] / found["mu_T[J/mm]"]))
-    assert found["psi_max[deg]"] == pytest.approx(angle)
+    drawn = found["tangents"]
+    angle = np.degrees(np.arctan(found["slope_max[rad^2/s^2]"] * drawn["mu_J[kg*m^2/mm]"] / drawn["mu_T[J/mm]"]))
+    assert drawn["psi_max[deg]"] == pytest.approx(angle)
 
 
 def test_numbers_of_the_methods(cli: Cli) -> None:

@@ -8,8 +8,16 @@ import numpy as np
 
 from tmmcalc.core.columns import Column
 from tmmcalc.core.quantity import in_degrees, keyed
-from tmmcalc.machine.reduction.columns import columns, reduced
-from tmmcalc.machine.reduction.ordinates import FACTOR, ORDINATE, Ordinates, ordinate_columns, ordinates
+from tmmcalc.machine.reduction.columns import EFFICIENCY, columns, reduced
+from tmmcalc.machine.reduction.ordinates import (
+    EVERYTHING,
+    FACTOR,
+    ORDINATE,
+    SUM,
+    Ordinates,
+    ordinate_columns,
+    ordinates,
+)
 from tmmcalc.machine.reduction.results import Reduction
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import NOISE, number
@@ -31,20 +39,24 @@ def ordinates_document(
     taken = range(len(result.phi)) if rows is None else rows
     sums = ordinates(result, taken)
     unit, coordinate = reduced(result).moment.unit, "rad" if result.turns else "m"
-    own = [*(_of(column, taken) for column in columns(result)), *ordinate_columns(result, taken)]
+    known = (column for column in columns(result) if column.name != EFFICIENCY.name)  # which has no value everywhere
+    own = [*(_of(column, taken) for column in known), *ordinate_columns(result, taken)]
     by_name = {column.name: column for column in own}
     sizes = {c: float(np.sum(np.abs(by_name[ORDINATE.of(cause=c, unit=unit).name].make()))) for c in sums}
     facts = tuple(_fact(cause, each, sizes[cause], unit, coordinate) for cause, each in sums.items())
     told = reduced(result)
-    pairs = ((told.of_cause.of(cause=cause).name, ORDINATE.of(cause=cause, unit=unit).name) for cause in sums)
-    shown = ("phi", FACTOR.name, *(name for pair in pairs for name in pair if name in by_name))
+    terms = (ORDINATE, SUM) if everything else (ORDINATE,)
+    shown = ["phi", FACTOR.name]
+    for cause in sums:
+        own_moment = told.moment if cause == EVERYTHING else told.of_cause.of(cause=cause)
+        shown += [own_moment.name, *(term.of(cause=cause, unit=unit).name for term in terms)]
     return with_positions(
         Document(title, facts),
         [result.labels[row] for row in taken],
         own,
         patterns,
         None,
-        usual=own if everything else [by_name[name] for name in shown],
+        usual=[by_name[name] for name in shown],
         everything=True,
         example="phi,Simpson,ordinate_*,sum_*",
         where="",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from tmmcalc.core.columns import Column
 from tmmcalc.core.errors import UsageError
@@ -55,7 +55,7 @@ def recurrence_document(
     idle = idle_run_of(result, reduction)
     own, motion = list(stepwise_columns(result, reduction)), motion_columns(result)
     return with_positions(
-        Document(title, tuple(_facts(run, idle))),
+        Document(title, tuple(_facts(run, idle, keyed(result.textbook, "a", "b")))),
         result.labels,
         _once([*motion, *own, *reduction_columns(reduction)]),
         patterns,
@@ -80,8 +80,8 @@ def _usual(motion: Sequence[Column], own: Sequence[Column]) -> list[Column]:
     return [motion[0], *(column for column in own if column.name in terms), *speeds, *after]
 
 
-def _facts(run: Run, idle: Run | None) -> list[Fact]:
-    """The formula with its constants, then how the speeds settle, loaded and idle."""
+def _facts(run: Run, idle: Run | None, book: Mapping[str, float]) -> list[Fact]:
+    """The formula with its constants, A and B of the ``book``, then how the speeds settle, loaded and idle."""
     told, nodes = run.told(), run.nodes
     formula = (
         "omega_i^2 = (kept + gained)/divisor",
@@ -93,11 +93,10 @@ def _facts(run: Run, idle: Run | None) -> list[Fact]:
         f"A = {number(nodes.a)} N*m, B = {number(nodes.b)} N*m*s^2, dphi = {number(nodes.step)} rad",
         f"B dphi = {number(told.damping)} kg*m^2, 2 A dphi = {number(told.driving)} J",
     )
-    values = in_degrees(keyed(told, "step", "damping", "driving"))
-    facts = [Fact("recurrence (3.57)", "\n".join(formula)), Fact("its constants", "\n".join(constants), values)]
+    facts = [Fact("recurrence (3.57)", "\n".join(formula)), Fact("its constants", "\n".join(constants), book)]
     for label, key, each in (("settled", "recurrence", run), ("settled when idle", "recurrence_idle", idle)):
         if each is not None:
-            facts.append(Fact(label, _settled(each), {key: keyed(each.told(), "start", "multiplier", "delta")}))
+            facts.append(Fact(label, _settled(each), {key: in_degrees(keyed(each.told()))}))
     return facts
 
 

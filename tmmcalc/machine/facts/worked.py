@@ -64,7 +64,7 @@ def _tangent_facts(result: Flywheel, drawn: Paper) -> list[Fact]:
         f"{number(picture.inertia)} kg*m^2, all constant inertia"
     )
     origin = f"x = {number(drawn.origin_x)} mm, y = {number(drawn.origin_y)} mm: J = -J_F, A = -T_0"
-    values = in_degrees(keyed(drawn))
+    values = {"tangents": in_degrees(keyed(drawn))}
     parts = keyed(picture, "slope_max", "slope_min", "upper", "lower", "inertia", "energy")
     return [
         Fact("scale", scale, values),
