@@ -38,12 +38,12 @@ def ordinates_document(
     """
     taken = range(len(result.phi)) if rows is None else rows
     sums = ordinates(result, taken)
-    unit, coordinate = reduced(result).moment.unit, "rad" if result.turns else "m"
+    unit = reduced(result).moment.unit
     known = (column for column in columns(result) if column.name != EFFICIENCY.name)  # which has no value everywhere
     own = [*(_of(column, taken) for column in known), *ordinate_columns(result, taken)]
     by_name = {column.name: column for column in own}
     sizes = {c: float(np.sum(np.abs(by_name[ORDINATE.of(cause=c, unit=unit).name].make()))) for c in sums}
-    facts = tuple(_fact(cause, each, sizes[cause], unit, coordinate) for cause, each in sums.items())
+    facts = tuple(_fact(cause, each, sizes[cause]) for cause, each in sums.items())
     told = reduced(result)
     terms = (ORDINATE, SUM) if everything else (ORDINATE,)
     shown = ["phi", FACTOR.name]
@@ -68,8 +68,9 @@ def _of(column: Column, taken: Sequence[int]) -> Column:
     return column._replace(make=lambda: column.make()[list(taken)])
 
 
-def _fact(cause: str, found: Ordinates, peak: float, unit: str, coordinate: str) -> Fact:
+def _fact(cause: str, found: Ordinates, peak: float) -> Fact:
     """The sum in the letters of the rule, and the work beside the exact one; less than noise of ``peak`` is none."""
+    unit, coordinate = found.unit, found.coordinate
     ends, odd, even = (number(value, peak=peak) for value in (found.ends, found.odd, found.even))
     lines = [
         f"h/3 (ends {ends} + 4 * {odd} + 2 * {even}) {unit}",

@@ -29,6 +29,8 @@ EVERYTHING = "everything"
 class Ordinates:
     """The sums of Simpson's rule for one cause over chosen positions; forces [N] for a driven slider."""
 
+    unit: str  # of the ordinates
+    coordinate: str  # unit of the input coordinate
     step: float = quantity("step[{coordinate}]", "step of the positions", symbol="h")
     ends: float = quantity("ordinates_ends[{unit}]", "first and last ordinate together")
     odd: float = quantity("ordinates_odd[{unit}]", "ordinates that are taken four times, together")
@@ -53,6 +55,8 @@ def ordinates(result: Reduction, rows: Sequence[int] | None = None) -> dict[str,
         assert work is not None
         exact = np.diff(result.cycle.panels.primitive_at(part, theta[[0, -1]]))[0]
         found[cause] = Ordinates(
+            unit=reduced(result).moment.unit,
+            coordinate="rad" if result.turns else "m",
             step=float(theta[1] - theta[0]),
             ends=float(y[0] + y[-1]),
             odd=float(y[1:-1:2].sum()),
