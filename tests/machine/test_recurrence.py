@@ -9,7 +9,9 @@ import pytest
 
 from machine.motion import CASES, TURN, Parabola, of_pieces, shaper_inertia, upsetter, upsetter_motor
 from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
-from tmmcalc.machine.recurrence import Nodes, march, multiplier, on_nodes, periodic, turns, warning
+from tmmcalc.core.numerics.panels import panels
+from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.recurrence import Nodes, march, multiplier, nodal_tables, on_nodes, periodic, turns, warning
 from tmmcalc.machine.steady import driven
 
 IDLE = CASES["dyn-shaper-motion-idle"]
@@ -161,3 +163,15 @@ def test_the_parabola_of_the_tests_is_the_textbook_s() -> None:
     assert isinstance(PARABOLA, Parabola)
     assert pytest.approx(moment * sync**2 / (sync**2 - nominal**2)) == PARABOLA.a
     assert pytest.approx(moment / (sync**2 - nominal**2)) == PARABOLA.b
+
+
+@pytest.mark.parametrize("beside", [-1, 0, 1])
+def test_a_load_that_begins_at_a_node_counts_there(beside: int) -> None:
+    """Whether rounding puts the jump on the node, before it or behind it: the larger load is that of the node."""
+    edge = np.linspace(0, TURN, 25)[2]
+    edge = edge if beside == 0 else np.nextafter(edge, np.inf * beside)
+    on = panels(0.0, TURN, (edge,))
+    load = np.where(on.x > edge, -100.0, 0.0)
+    nothing = np.zeros_like(load)
+    moment, _ = nodal_tables(Cycle(on, nothing + 1, nothing, load, nothing, nothing, 5.0), 24, 5.0)
+    assert moment[1:3].tolist() == pytest.approx([0.0, -100.0])

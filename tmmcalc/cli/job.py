@@ -40,6 +40,7 @@ from tmmcalc.core.records import record
 from tmmcalc.report.document import Document
 
 if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
     from tmmcalc.pipeline.outcome import Event, RunResult
     from tmmcalc.project import Spec
 
@@ -248,6 +249,12 @@ class Solved:
         """The file of the whole table; empty if it was not written."""
         return table_file(self.run, self.stage)
 
+    @property
+    def further(self) -> Sequence[Column]:
+        """The columns by choice of the stage; none are computed."""
+        own = self.run.outcomes[self.stage].stage.part("further")
+        return own(self.spec, self.run.results) if own else ()
+
     def document(self, **chosen: Any) -> Document:
         """The document of the stage, with a table of what is chosen."""
         found: Document = self.run.outcomes[self.stage].stage.document(self.result, self.title, **chosen)
@@ -314,17 +321,25 @@ def stage_command(stage: str, text: str, heading: str = "") -> Callable[..., Non
     """
 
     def body(solved: Solved, columns: Columns = None, positions: Positions = None) -> Document:
-        from tmmcalc.report.rows import rows_of
-
-        return solved.document(
-            patterns=patterns_of(columns),
-            rows=rows_of(positions, solved.result.labels),
-            everything=solved.everything,
-            where=solved.where,
-        )
+        return positions_document(solved, columns, positions)
 
     body.__doc__ = text
     return of_stage(stage, heading)(body)
+
+
+def positions_document(solved: Solved, columns: str | None, positions: str | None) -> Document:
+    """The document of a stage with positions, with the columns, those by choice among them, and rows that are named."""
+    from tmmcalc.report.rows import rows_of
+
+    patterns = patterns_of(columns)
+    chosen = {"further": found} if patterns and (found := solved.further) else {}
+    return solved.document(
+        patterns=patterns,
+        rows=rows_of(positions, solved.result.labels),
+        everything=solved.everything,
+        where=solved.where,
+        **chosen,
+    )
 
 
 def summary_command(

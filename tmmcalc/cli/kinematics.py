@@ -96,7 +96,8 @@ def command(
     Example: tmmcalc kinematics my.toml --columns 'phi,x_*' --positions 0:12:2
 
     By name alone: relative velocities of two points of a link (vrel_*), normal, tangential and Coriolis accelerations
-    (an_*,at_*,aK_*), outputs by numerical differentiation ('*_differences').
+    (an_*,at_*,aK_*), special points of groups of class III and IV ('*_W*'), outputs by numerical differentiation
+    ('*_differences').
     """
     _check_kind(plan, study, compare, columns, positions, dimensionless, output, polygons)
     crank = _crank_segment(polygons, scale)

@@ -1,4 +1,4 @@
-"""All columns by choice of the kinematics table: terms of the vector equations, outputs by differences of positions."""
+"""All columns by choice of the kinematics table: terms of vector equations, special points, outputs by differences."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.outputs import default_outputs
 from tmmcalc.linkage.relative import relative_columns
 from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.special import special_columns
 
 DIFFERENCES = (
     Quantity("vS_{output}_differences[{unit}]", "velocity of output {output} by central differences", source="(2.62)"),
@@ -29,6 +30,7 @@ def further_columns(mechanism: Mechanism, result: Kinematics, *, dimensionless: 
     """Columns that are made when they are asked for by name; raises `UsageError` for dimensionless driven sliders."""
     return [
         *relative_columns(mechanism, result, dimensionless=dimensionless),
+        *special_columns(mechanism, result, dimensionless=dimensionless),
         *_difference_columns(mechanism, result, dimensionless),
     ]
 

@@ -8,6 +8,7 @@ of the absolute velocity or acceleration of a point, drawn from the pole; points
     v_An = v_Ak + v_n-k                     slider n on guide k, coinciding points A_n and A_k, (2.34)
     a_An = a_Ak + a_n-k + a^K               vertex k between the parts, a^K = 2 omega_k x v_n-k, (2.35)
 
+Where they are asked for, the special point ``W3_2_4`` of a group of class III or IV has the vertex ``w3_2_4``.
 Point ``D`` has the vertex ``d``. The pin ``A`` of slider 2 on the moving guide 3 has two: ``a2``, and ``a3`` for
 the point of link 3 that coincides with it. A name that is taken keeps its capital letter.
 """
@@ -15,6 +16,7 @@ the point of link 3 that coincides with it. A name that is taken keeps its capit
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import isnan
 
 import numpy as np
 
@@ -23,23 +25,30 @@ from tmmcalc.linkage.instant import LinkState, in_time, turning_links
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.special import Special, meeting, special_points
 from tmmcalc.linkage.turning import slider_pin, turnings
 from tmmcalc.linkage.vectors import Polygon, Vector, VectorPolygons
 
 
-def polygons(mechanism: Mechanism, result: Kinematics, position: int) -> VectorPolygons:
+def polygons(mechanism: Mechanism, result: Kinematics, position: int, *, special: bool = False) -> VectorPolygons:
     """The polygons of the position with this index, at the speed and acceleration of the result.
 
     Derivatives are the exact ones of the chain, whatever the method
-    of the result. Raises `IndexError` for an index that the result does not have.
+    of the result. With ``special`` those of groups of class III and IV have their special points, each seen from the
+    pole and from the pins of its legs. Raises `IndexError` for an index that the result does not have.
     """
     chain = chain_of(mechanism, result)
-    motions = chain.evaluate(np.atleast_1d(result.x[position])).motions
-    plan = _Plan(mechanism, result, {k: in_time(motion, result) for k, motion in motions.items()})
+    configuration = chain.evaluate(np.atleast_1d(result.x[position]))
+    plan = _Plan(mechanism, result, {k: in_time(motion, result) for k, motion in configuration.motions.items()})
     plan.name_vertices()
     plan.add_turning()
     plan.add_sliding()
     plan.add_rest()
+    if special:
+        for point in special_points(mechanism, result.structure):
+            place = complex(meeting(configuration, point).r[0])
+            if not isnan(place.real):
+                plan.add_special(point, place)
     return plan.finished(position)
 
 
@@ -143,6 +152,15 @@ class _Plan:
         for vertex, link in points:
             self.v_vectors.append(Vector("p", vertex, "absolute", link))
             self.a_vectors.append(Vector("pi", vertex, "absolute", link))
+
+    def add_special(self, point: Special, place: complex) -> None:
+        """The point of a basic link at this place, from the pole and from the pins of both legs."""
+        state, vertex = self.states[point.link], point.name.lower()
+        self.velocity[vertex], self.acceleration[vertex] = state.point(state.own(place))
+        pins = (pin for leg in point.legs for pin in self.pins if leg.near.name in pin.joints)
+        tails = [self.names[pin] for pin in pins if pin in self.names]
+        for pole, vectors in (("p", self.v_vectors), ("pi", self.a_vectors)):
+            vectors += [Vector(tail, vertex, "special", point.link) for tail in (pole, *tails)]
 
     def _similar(self, link: int) -> Iterator[tuple[str, str]]:
         """Pairs of vertices of a floating link, from its first pin to every other point."""

@@ -35,7 +35,9 @@ class Segment:
     plan: str = quantity("plan", "of velocities or of accelerations: v or a")
     tail: str = quantity("from", "vertex where the vector begins")
     head: str = quantity("to", "vertex where the vector ends")
-    kind: Kind = quantity("kind", "what the vector is: absolute, relative, normal, tangential, sliding, coriolis")
+    kind: Kind = quantity(
+        "kind", "what the vector is: absolute, relative, normal, tangential, sliding, coriolis, special"
+    )
     link: int = quantity("link", "the link that turns or carries the point, or the slider")
     size: float = quantity("size", "size of the vector, in the unit of its row")
     x: float = quantity("x", "its component along x")
@@ -58,13 +60,17 @@ def crank_scale(result: Kinematics, length: float) -> PlanScale:
 
 
 def longest(plans: Sequence[VectorPolygons]) -> tuple[float, float]:
-    """Size of the longest vector of all plans of velocities, and of accelerations."""
+    """Size of the longest vector of all plans of velocities, and of accelerations.
+
+    Special points, which may lie far away, do not count.
+    """
     velocity, acceleration = ([getattr(plan, name) for plan in plans] for name in ("velocity", "acceleration"))
     return _longest(velocity), _longest(acceleration)
 
 
 def _longest(polygons: Sequence[Polygon]) -> float:
-    return max((abs(polygon.value(vector)) for polygon in polygons for vector in polygon.vectors), default=0.0)
+    drawn = ((polygon, vector) for polygon in polygons for vector in polygon.vectors if vector.kind != "special")
+    return max((abs(polygon.value(vector)) for polygon, vector in drawn), default=0.0)
 
 
 def segments(plan: VectorPolygons, position: str, scale: PlanScale) -> Iterator[Segment]:

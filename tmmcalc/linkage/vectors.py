@@ -6,7 +6,7 @@ from typing import Literal
 
 from tmmcalc.core.records import record
 
-Kind = Literal["absolute", "relative", "normal", "tangential", "sliding", "coriolis"]
+Kind = Literal["absolute", "relative", "normal", "tangential", "sliding", "coriolis", "special"]
 
 
 @record

@@ -24,6 +24,7 @@ from tmmcalc.machine.textbook import NodalRegime, Turn
 WHERE = "recurrence (3.57)"
 BOOK = 1e-4  # largest difference of the speeds at both ends of a cycle, textbook program 2.1 [rad/s]
 TURNS = 1000
+NEAR = 1e-9  # of the period: a node so near to the edge of a panel, where a load may jump, lies on it
 
 
 @record
@@ -65,7 +66,9 @@ def nodal_tables(cycle: Cycle, n: int, speed: float) -> tuple[Values, Values]:
 
     Where the load jumps at a node the larger load counts, as the textbook counts it at both ends of its action.
     """
-    theta = np.linspace(0.0, cycle.period, n + 1)
+    theta, edges, near = np.linspace(0.0, cycle.period, n + 1), cycle.panels.edges, NEAR * cycle.period
+    nearest = edges[np.minimum(np.searchsorted(edges, theta - near), len(edges) - 1)]
+    theta = np.where(np.abs(nearest - theta) <= near, nearest, theta)
     moment = cycle.moment + (cycle.viscous + cycle.quadratic * speed) * speed
     after, inertia = cycle.panels.at(np.stack((moment, cycle.inertia)), theta)
     before = cycle.panels.at(moment, theta, before=True)
@@ -121,7 +124,7 @@ def turns(nodes: Nodes, start: float, tolerance: float = BOOK) -> tuple[Turn, ..
     Raises `AccuracyError` as `march` does, or if the speeds do not settle within 1000 cycles.
     """
     rest = _squares(nodes, 0.0)
-    gain = np.append(1.0, np.cumprod(_factors(nodes)))
+    gain = np.append(1.0, np.cumprod(factors(nodes)))
     history: list[Turn] = []
     for _ in range(TURNS):
         squares = gain * start**2 + rest
@@ -146,10 +149,10 @@ def warning(nodes: Nodes) -> float:
 
 def multiplier(nodes: Nodes) -> float:
     """Factor by which a deviation of w_0^2 changes over one cycle."""
-    return float(np.prod(_factors(nodes)))
+    return float(np.prod(factors(nodes)))
 
 
-def _factors(nodes: Nodes) -> Values:
+def factors(nodes: Nodes) -> Values:
     """By how much a deviation of w^2 changes over each step (n,)."""
     damping = nodes.b * nodes.step
     return (nodes.inertia[:-1] - damping) / (nodes.inertia[1:] + damping)
@@ -176,6 +179,6 @@ def _squares(nodes: Nodes, first: float) -> Values:
     damping = nodes.b * nodes.step
     rises = (nodes.moment[:-1] + nodes.moment[1:] + 2 * nodes.a) * nodes.step / (nodes.inertia[1:] + damping)
     squares = [first]
-    for factor, rise in zip(_factors(nodes).tolist(), rises.tolist(), strict=True):
+    for factor, rise in zip(factors(nodes).tolist(), rises.tolist(), strict=True):
         squares.append(factor * squares[-1] + rise)
     return np.array(squares)

@@ -19,6 +19,17 @@ def simpson(x: Values, y: Values) -> float | None:
     return float(steps[0] / 3 * (y[0] + y[-1] + 4 * y[1:-1:2].sum() + 2 * y[2:-2:2].sum()))
 
 
+def simpson_weights(count: int) -> Values:
+    """What the ordinates (n,) of an even number of steps are multiplied by: 1, 4, 2, 4, ... 4, 1 (3.38).
+
+    >>> simpson_weights(7).tolist()
+    [1.0, 4.0, 2.0, 4.0, 2.0, 4.0, 1.0]
+    """
+    weights = np.where(np.arange(count) % 2, 4.0, 2.0)
+    weights[0] = weights[-1] = 1.0
+    return weights
+
+
 def running_simpson(values: Values, step: Values) -> Values:
     """The integral (P, n + 1) from the first node to every node of values (P, n + 1), n even, at equal steps (P,).
 

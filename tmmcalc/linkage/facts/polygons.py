@@ -26,7 +26,7 @@ def polygons_document(
     Without it the factors are round, with the longest segment within 100 mm. Raises `UsageError` for the scale of
     the crank of a driven slider.
     """
-    plans = [polygons(mechanism, result, row) for row in rows]
+    plans = [polygons(mechanism, result, row, special=True) for row in rows]
     scale = _round(plans) if crank is None else crank_scale(result, crank)
     found = [
         segment for row, plan in zip(rows, plans, strict=True) for segment in segments(plan, result.labels[row], scale)

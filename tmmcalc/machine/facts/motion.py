@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from tmmcalc.core.columns import Column
 from tmmcalc.core.quantity import Quantity, keyed, quantities, table
 from tmmcalc.linkage.facts.places import Shaft, span_fact
 from tmmcalc.linkage.results import Extreme
@@ -72,15 +73,24 @@ def document(
     rows: Sequence[int] | None = None,
     everything: bool = False,
     where: str = "",
+    further: Sequence[Column] = (),
 ) -> Document:
     """Summary and table of positions.
 
     ``patterns`` choose columns by name, header or wildcard, ``rows`` positions by index; all columns are shown
-    as far as they fit, so ``everything`` changes nothing here. ``where`` is the file that has them all.
+    as far as they fit, so ``everything`` changes nothing here. ``where`` is the file that has them all. ``further``
+    columns are there if ``patterns`` name them.
     """
-    told, available = summary(result, title), motion_columns(result)
     return with_positions(
-        told, result.labels, available, patterns, rows, example="phi,omega*", everything=everything, where=where
+        summary(result, title),
+        result.labels,
+        motion_columns(result),
+        patterns,
+        rows,
+        example="phi,omega*",
+        everything=everything,
+        where=where,
+        further=further,
     )
 
 

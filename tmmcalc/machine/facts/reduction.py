@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from tmmcalc.core.columns import Column
 from tmmcalc.core.plane import Real
 from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.linkage.facts.places import span_fact, speed_text
@@ -57,15 +58,25 @@ def document(
     rows: Sequence[int] | None = None,
     everything: bool = False,
     where: str = "",
+    further: Sequence[Column] = (),
 ) -> Document:
     """Summary and table of positions.
 
     ``patterns`` choose columns by name, header or wildcard, ``rows`` positions by index; all columns are shown
-    as far as they fit, so ``everything`` changes nothing here. ``where`` is the file that has them all.
+    as far as they fit, so ``everything`` changes nothing here. ``where`` is the file that has them all. ``further``
+    columns are there if ``patterns`` name them.
     """
-    told, example = summary(result, title), "phi,M_red*,J_red" if result.turns else "phi,F_red*,m_red"
+    example = "phi,M_red*,J_red" if result.turns else "phi,F_red*,m_red"
     told = with_positions(
-        told, result.labels, columns(result), patterns, rows, example=example, everything=everything, where=where
+        summary(result, title),
+        result.labels,
+        columns(result),
+        patterns,
+        rows,
+        example=example,
+        everything=everything,
+        where=where,
+        further=further,
     )
     assert told.table is not None
     return replace(told, table=_blanked(result, told.table, rows))

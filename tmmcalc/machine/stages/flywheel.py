@@ -14,6 +14,7 @@ from tmmcalc.machine.wanted import NO_REGIME, constant_moment, curved
 if TYPE_CHECKING:
     from tmmcalc.machine.driver import ConstantInertia, Driver
     from tmmcalc.machine.flywheel.results import Comparison, Trial
+    from tmmcalc.machine.flywheel.worked import Paper, Worked
     from tmmcalc.machine.room import MachineTables
 
 
@@ -91,6 +92,31 @@ def errors(result: Flywheel) -> dict[str, Any]:
     if result.required is not None:
         errors["speed"] = result.required.regime.error
     return errors
+
+
+def details(spec: MachineTables, results: Mapping[str, Any]) -> Mapping[str, Paper | Worked]:
+    """Facts by choice: Wittenbauer's tangents on paper, and what every method works out on its way."""
+    from tmmcalc.machine.flywheel.worked import paper, round_scales
+
+    result: Flywheel = results["flywheel"]
+    methods = {each.key: each for each in methods_of(spec, results)}
+    return {"tangents": paper(result.picture, round_scales(result.picture), result.sense), **methods}
+
+
+def methods_of(spec: MachineTables, results: Mapping[str, Any]) -> tuple[Worked, ...]:
+    """What every method works out on its way, on the whole cycle and on the positions."""
+    from tmmcalc.machine.flywheel.worked import worked
+    from tmmcalc.machine.stages.shaft import equal_steps, sense
+
+    result, reduction = results["flywheel"], results["reduction"]
+    speed, steps = mean(spec, results), equal_steps(reduction)
+    return worked(reduction.cycle, result.delta, speed, steps, sense(reduction))
+
+
+def mean(spec: MachineTables, results: Mapping[str, Any]) -> float:
+    """The mean speed that all methods assume [rad/s]: under a motor that with the flywheel that is needed."""
+    result: Flywheel = results["flywheel"]
+    return result.required.regime.mean if result.required is not None else asked(inputs(spec), results).speed
 
 
 def omits(spec: MachineTables) -> tuple[str, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -16,8 +16,10 @@ from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.wanted import NO_REGIME, constant_moment, curved
 
 if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
     from tmmcalc.machine.driver import ConstantInertia, Driver
     from tmmcalc.machine.room import MachineTables
+    from tmmcalc.machine.stepwise import Recurrence
 
 
 NO_WHEEL = "no [flywheel]: the motion has none"
@@ -76,6 +78,22 @@ def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
 def errors(result: Motion) -> dict[str, Any]:
     """Estimates of its errors."""
     return plain(result.regime.errors)
+
+
+def further(spec: MachineTables, results: Mapping[str, Any]) -> Sequence[Column]:
+    """Columns by choice: the recurrence term by term, turn by turn, loaded and idle."""
+    from tmmcalc.machine.stepwise import stepwise_columns
+
+    return list(stepwise_columns(results["motion"], results["reduction"]))
+
+
+def details(spec: MachineTables, results: Mapping[str, Any]) -> Mapping[str, Recurrence]:
+    """Facts by choice: what of the recurrence is the same at every step, and what comes of it; none without it."""
+    from tmmcalc.machine.stepwise import idle_run_of, run_of
+
+    given = results["motion"], results["reduction"]
+    runs = {"recurrence": run_of(*given), "recurrence_idle": idle_run_of(*given)}
+    return {name: run.told() for name, run in runs.items() if run is not None}
 
 
 def omits(spec: MachineTables) -> tuple[str, ...]:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.model import Mechanism
     from tmmcalc.linkage.results import Kinematics
     from tmmcalc.machine.attached import Attached
+    from tmmcalc.machine.reduction.ordinates import Ordinates
     from tmmcalc.machine.room import MachineTables
 
 
@@ -90,6 +91,30 @@ def _efficiency(result: Reduction, column: Column) -> np.ndarray:
     """The cells as texts of full precision (n,)."""
     values = cells(result, column)
     return np.array([value if isinstance(value, str) else repr(value) for value in values])
+
+
+def further(spec: MachineTables, results: Mapping[str, Any]) -> Sequence[Column]:
+    """Columns by choice: what every link, load and pair adds, the ordinates of Simpson's rule."""
+    from tmmcalc.machine.attached import Attached
+    from tmmcalc.machine.reduction.further import Linkage, further_columns
+
+    given, linkage = inputs(spec), None
+    attached = [each for each in results.values() if isinstance(each, Attached)]
+    if not isinstance(given, TorqueTask):
+        mechanism, loading, _ = given
+        turns = math.lcm(1, *(each.turns for each in attached))
+        linkage = Linkage(mechanism, loading, results["kinematics"], turns)
+    return further_columns(results["reduction"], linkage, attached)
+
+
+def details(spec: MachineTables, results: Mapping[str, Any]) -> Mapping[str, Ordinates]:
+    """Facts by choice: the sums of Simpson's rule by cause; none where the positions are not fit for it."""
+    from tmmcalc.machine.reduction.ordinates import ordinates
+
+    result = results["reduction"]
+    if any(contribution.simpson is None for contribution in result.contributions):
+        return {}
+    return {f"Simpson_{cause}": sums for cause, sums in ordinates(result).items()}
 
 
 def omits(spec: MachineTables) -> tuple[str, ...]:
