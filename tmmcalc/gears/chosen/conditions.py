@@ -47,7 +47,9 @@ class Conditions:
     layout: str = quantity("layout", "key of the layout")
     planets: int = quantity("planets", "number of planets or layshafts")
     teeth: tuple[int, ...] = quantity("teeth", "numbers of teeth")
-    proportion: tuple[int, ...] = quantity("mu", "the modules of the stages to one another in lowest terms")
+    proportion: tuple[int, ...] = quantity(  # none: unfolded
+        "mu", "the modules of the stages to one another in lowest terms"
+    )
     conditions: tuple[Condition, ...]
 
     @derived("all_kept", "whether every condition that was asked for is kept")
@@ -66,12 +68,12 @@ def conditions(chosen: Chosen) -> Conditions:
     >>> [each.numbers for each in found.conditions if each.name == "assembly"]
     ['(118*97 + 22*17)/(3*gcd(118, 17)) = 3940']
     """
-    sets, task = chosen.sets, chosen.task
+    sets = chosen.sets
     return Conditions(
         sets.layout,
         sets.planets,
         tuple(sets.teeth[0].tolist()),
-        tuple(sets.modules[0].tolist()),
+        tuple(mu for mu in sets.modules[0].tolist() if mu),
         tuple(_Listed(chosen).all()),
     )
 
