@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from tmmcalc.gears.chosen.motion import Moving
     from tmmcalc.gears.room import GearTables
+    from tmmcalc.gears.sizing import Sized
 
 
 def of_train(spec: GearTables, results: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -50,3 +51,45 @@ def _of_search(spec: GearTables, results: Mapping[str, Any], number: int) -> Ite
         speed = results["power"].duty.motor.speed
     for chosen in chosen_sets(results["train"], results.get("criteria"), number):
         yield chosen.title, moving(chosen, speed)
+
+
+def of_strength(spec: GearTables, results: Mapping[str, Any]) -> Any:
+    """Every factor of the train that was chosen; without criteria of the first that is strong enough, or the first."""
+    from tmmcalc.gears.strength.chain import strength_factors
+
+    sized, at, _ = sized_train(results)
+    return strength_factors(sized.sets, sized.task, at)
+
+
+def sized_train(results: Mapping[str, Any], row: int | None = None) -> tuple[Sized, int, int]:
+    """The variant, the row among its sets and the number, from 1, of a sized train: by its number, else as chosen.
+
+    Raises `UsageError` if there is no such row, or none at all.
+    """
+    import numpy as np
+
+    from tmmcalc.core.errors import UsageError
+
+    variants = results["strength"].variants
+    starts = np.cumsum([0, *(len(sized.sets) for sized in variants)]).tolist()
+    if row is None and "criteria" in results:
+        winner, pool = results["criteria"].winner, results["criteria"].pool
+        teeth = results["criteria"].variants[winner.variant].sets
+        own = variants[winner.variant]
+        place = int(pool.row[winner.place])
+        same = (own.sets.teeth == teeth.teeth[place]).all(axis=1) & (own.sets.modules == teeth.modules[place]).all(axis=1)
+        at = int(np.flatnonzero(same)[0])
+        return own, at, starts[winner.variant] + at + 1
+    if row is None:
+        strong = np.flatnonzero(np.concatenate([sized.strength.accepted for sized in variants]))
+        row = int(strong[0]) + 1 if strong.size else 1
+    for sized, start in zip(variants, starts, strict=False):
+        if start < row <= start + len(sized.sets):
+            return sized, row - start - 1, row
+    raise UsageError(
+        f"there is no row {row}: {starts[-1]} sets are sized",
+        where="--train",
+        value=row,
+        limit=starts[-1],
+        remedy=f"1 to {starts[-1]}, as in strength.csv",
+    )
