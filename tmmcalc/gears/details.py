@@ -93,3 +93,24 @@ def sized_train(results: Mapping[str, Any], row: int | None = None) -> tuple[Siz
         limit=starts[-1],
         remedy=f"1 to {starts[-1]}, as in strength.csv",
     )
+
+
+def of_open_pair(spec: GearTables, results: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Every factor of the strength of the open pair; nothing without a torque or a material."""
+    from tmmcalc.gears.openload import strength_task
+    from tmmcalc.gears.openpair import tooth_sets
+    from tmmcalc.gears.strength.chain import strength_factors
+
+    found = results["open_pair"]
+    if found.strength is None or found.torque is None:
+        return {}
+    own = strength_task(found.task, found.torque)
+    return {"strength": strength_factors(tooth_sets(found.task.open.pair), own, 0)}
+
+
+def of_pair(spec: GearTables, results: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Every intermediate angle, involute and length of each pair, by the names that --pair knows them by."""
+    from tmmcalc.gears.meshing.angles import pair_angles
+
+    found = results["pair"].pairs
+    return {pair.task.name or str(k): pair_angles(pair) for k, pair in enumerate(found, 1)}

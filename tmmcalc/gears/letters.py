@@ -33,7 +33,7 @@ def filled(formula: str, numbers: Mapping[str, float]) -> str:
         value = numbers.get(match[0])
         if value is None:
             return match[0]
-        text = f"{value:.{DIGITS}g}"
+        text = f"{value + 0.0:.{DIGITS}g}"  # no -0
         return f"({text})" if value < 0 else text
 
     return LETTER.sub(number, formula)
