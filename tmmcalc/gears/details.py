@@ -73,11 +73,11 @@ def sized_train(results: Mapping[str, Any], row: int | None = None) -> tuple[Siz
     variants = results["strength"].variants
     starts = np.cumsum([0, *(len(sized.sets) for sized in variants)]).tolist()
     if row is None and "criteria" in results:
-        winner, pool = results["criteria"].winner, results["criteria"].pool
-        teeth = results["criteria"].variants[winner.variant].sets
-        own = variants[winner.variant]
-        place = int(pool.row[winner.place])
-        same = (own.sets.teeth == teeth.teeth[place]).all(axis=1) & (own.sets.modules == teeth.modules[place]).all(axis=1)
+        winner, own = results["criteria"].winner, variants[results["criteria"].winner.variant]
+        weighed = results["criteria"].variants[winner.variant].sets
+        place = int(results["criteria"].pool.row[winner.place])
+        same = (own.sets.teeth == weighed.teeth[place]).all(axis=1)
+        same &= (own.sets.modules == weighed.modules[place]).all(axis=1)
         at = int(np.flatnonzero(same)[0])
         return own, at, starts[winner.variant] + at + 1
     if row is None:

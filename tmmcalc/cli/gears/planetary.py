@@ -111,7 +111,7 @@ def _printed(
 def _by_choice(
     run: RunResult, scene: Spec, heading: str, choose: int | None, asked: Asked, everything: bool
 ) -> Document:
-    """Conditions, Willis' equations and plans of every train that the command tells of, each a part if it is several."""
+    """Conditions, Willis' equations and plans of every train that the command tells of, several as parts."""
     from tmmcalc.gears.chosen.conditions import conditions
     from tmmcalc.gears.chosen.motion import equations, plans_of
     from tmmcalc.gears.details import trains_in_motion
@@ -119,7 +119,7 @@ def _by_choice(
     from tmmcalc.report.document import Document
 
     parts = []
-    for title, found in trains_in_motion(scene, run.results, choose or 1):
+    for named, found in trains_in_motion(scene, run.results, choose or 1):
         if asked.conditions:
             if found.chosen is None:
                 raise UsageError(
@@ -127,13 +127,13 @@ def _by_choice(
                     where="--conditions",
                     remedy="name its layout in [gearing], or leave the flag out",
                 )
-            parts.append(conditions_document(conditions(found.chosen), f"{title}: conditions", everything=everything))
+            parts.append(conditions_document(conditions(found.chosen), f"{named}: conditions", everything=everything))
         remarks = tuple(f"note: {remark}" for remark in found.remarks)
         if asked.willis:
-            told = willis_document(equations(found), f"{title}: Willis' equations", everything=everything)
+            told = willis_document(equations(found), f"{named}: Willis' equations", everything=everything)
             parts.append(replace(told, notes=(*told.notes, *remarks)))
         if asked.plans:
-            told = plans_document(plans_of(found), f"{title}: plans", everything=everything)
+            told = plans_document(plans_of(found), f"{named}: plans", everything=everything)
             parts.append(replace(told, notes=(*told.notes, *remarks)))
     if len(parts) == 1:
         return replace(parts[0], title=f"{heading}, {parts[0].title}")

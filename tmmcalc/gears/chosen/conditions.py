@@ -205,9 +205,7 @@ class _Listed:
         for mesh in self.scheme.meshes:
             if mesh.internal:
                 right = "d_min", self.numbers["d_min"]
-                yield self.put(
-                    "interference", self._pair(mesh), ">=", right, of=_name(mesh), asked=least is not None
-                )
+                yield self.put("interference", self._pair(mesh), ">=", right, of=_name(mesh), asked=least is not None)
 
     def limits(self) -> Iterator[Condition]:
         """Least and largest numbers of teeth; undercut."""
@@ -314,10 +312,13 @@ def ratio_letters(scheme: Layout) -> str:
 
 
 def _holds(left: float | Fraction, relation: str, right: float | Fraction) -> bool:
-    if relation == "=":
-        exact = not isinstance(left, float) and not isinstance(right, float)
-        return left == right if exact else abs(left - right) <= ROUNDING * abs(right)
-    return {">": left > right, ">=": left >= right, "<=": left <= right}[relation]
+    """Exactly of fractions and whole numbers; where a side is a float an equality is one up to rounding."""
+    apart = Fraction(left) - Fraction(right)
+    exact = not isinstance(left, float) and not isinstance(right, float)
+    slack = 0 if exact else Fraction(ROUNDING) * abs(Fraction(right))
+    if relation == ">":
+        return apart > 0
+    return {"=": abs(apart) <= slack, ">=": apart >= -slack, "<=": apart <= slack}[relation]
 
 
 def _name(mesh: Mesh) -> str:

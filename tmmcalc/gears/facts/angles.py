@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from tmmcalc.core.quantity import Quantity, quantities
 from tmmcalc.gears.facts.meshes import titles
 from tmmcalc.gears.letters import LETTER, filled
-from tmmcalc.gears.meshing.angles import PairAngles, pair_angles
+from tmmcalc.gears.meshing.angles import pair_angles
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
@@ -34,7 +34,7 @@ def angles_document(result: Pairs, title: str, *, everything: bool = False) -> D
     named = [(name, found, list(angle_rows(found))) for name, found in zip(titles(result), result.pairs, strict=True)]
     if everything:
         rows = [(name, row) for name, _, own in named for row in own]
-        columns = {
+        columns: dict[str, list[Any]] = {
             "pair": [name for name, _ in rows],
             "of": [row.of for _, row in rows],
             "quantity": [row.told.key for _, row in rows],

@@ -1,4 +1,4 @@
-"""The documents of one chosen train: its conditions with both sides, Willis' equations, plans of velocities and speeds."""
+"""The documents of one chosen train: conditions with both sides, Willis' equations, plans of velocities and speeds."""
 
 from __future__ import annotations
 

@@ -17,10 +17,8 @@ CELL = ("table", "row", "column", "formula", "numbers", "formula_unit")
 
 def factors_document(found: StrengthFactors, title: str, *, everything: bool = False) -> Document:
     """The factors in the order of the calculation; with ``everything`` a row each, as they are declared."""
-    teeth = "/".join(map(str, found.teeth))
-    facts = (
-        Fact("train", f"{found.layout}: {teeth}, {'strong enough' if found.accepted else 'not strong enough'}", keyed(found)),
-    )
+    teeth, verdict = "/".join(map(str, found.teeth)), "strong enough" if found.accepted else "not strong enough"
+    facts = (Fact("train", f"{found.layout}: {teeth}, {verdict}", keyed(found)),)
     if everything:
         columns = {
             **table([each.told for each in found.factors], Coefficient),

@@ -135,25 +135,19 @@ class PairAngles:
     )
     distance: float = quantity("a_w[m]", "operating centre distance", source="= a*eta")
     modification: float = quantity("y", "centre distance modification in modules", source="= (a_w - a)/m")
-    shortening: float = quantity(
-        "dy", "shortening of the tips in modules", symbol="Delta y", source="= x_sum - side*y"
-    )
+    shortening: float = quantity("dy", "shortening of the tips in modules", symbol="Delta y", source="= x_sum - side*y")
     pitch: float = quantity("p_t[m]", "transverse pitch", source="= pi*m_t")
     base_pitch: float = quantity("p_bt[m]", "transverse base pitch", source="= p_t*cos(alpha_t)")
     operating_pitch: float = quantity(
         "p_tw[m]", "transverse pitch on the operating circles", source="= p_bt/cos(alpha_tw)"
     )
     between: float | None = quantity("g[m]", "distance between the points N1 and N2", source="= a_w*sin(alpha_tw)")
-    path: float = quantity(
-        "g_alpha[m]", "path of contact of the whole flanks", source="= rho_a_1 + side*(rho_a_2 - g)"
-    )
+    path: float = quantity("g_alpha[m]", "path of contact of the whole flanks", source="= rho_a_1 + side*(rho_a_2 - g)")
     contact_ratio: float = quantity(
         "eps_alpha", "transverse contact ratio of the whole flanks", source="= g_alpha/p_bt"
     )
     overlap: float = quantity("eps_beta", "overlap ratio", source="= b*sin(beta)/(pi*m)")
-    total: float = quantity(
-        "eps_gamma", "total contact ratio of the whole flanks", source="= eps_alpha + eps_beta"
-    )
+    total: float = quantity("eps_gamma", "total contact ratio of the whole flanks", source="= eps_alpha + eps_beta")
     rack_addendum: float | None = quantity("h_rack", "addendum of the rack in modules")  # this and the next: of a rack
     rack_part: float | None = quantity(
         "eps_rack",

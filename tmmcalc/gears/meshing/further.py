@@ -1,4 +1,4 @@
-"""Columns by choice of the table of the pairs: where on both flanks the points of the line of action lie, how they slide.
+"""Columns by choice of the table of the pairs: where on both flanks points of the line of action lie, how they slide.
 
     r_i^2 = r_bi^2 + rho_i^2        tan alpha_i = rho_i/r_bi        v_s = (omega_1 + omega_2) s
 

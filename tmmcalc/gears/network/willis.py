@@ -100,7 +100,9 @@ def _equation(
     network: Network, motion: Motion, wheels: Wheels, carrier: str, path: Sequence[tuple[int, str]]
 ) -> Willis:
     first, last = path[0][1], path[-1][1]
-    terms, ratio, teeth, at = [], Fraction(1), {}, first
+    terms: list[str] = []
+    teeth: dict[str, float] = {}
+    ratio, at = Fraction(1), first
     for k, other in path[1:]:
         mesh, names = network.meshes[k], wheels[k]
         numbers = mesh.first_teeth, mesh.second_teeth

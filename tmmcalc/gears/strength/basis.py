@@ -137,12 +137,8 @@ def _stage(layout: Layout, k: int, stage: StageTask) -> StageBasis:
         Factor(width) if whence == GIVEN else mean,
         Factor(Coefficient(of, "beta_H", beta_H, "-", source), "D.4.1", place, f"beta_H, {kind}"),
         Factor(Coefficient(of, "beta_F", beta_F, "-", source), "D.4.1", place, f"beta_F, {kind}"),
-        made(
-            Coefficient(of, "K_Hbeta", 1 + beta_H * psi, "-", "1 + beta_H psi_bd"), "1 + beta_H*psi_bd", letters
-        ),
-        made(
-            Coefficient(of, "K_Fbeta", 1 + beta_F * psi, "-", "1 + beta_F psi_bd"), "1 + beta_F*psi_bd", letters
-        ),
+        made(Coefficient(of, "K_Hbeta", 1 + beta_H * psi, "-", "1 + beta_H psi_bd"), "1 + beta_H*psi_bd", letters),
+        made(Coefficient(of, "K_Fbeta", 1 + beta_F * psi, "-", "1 + beta_F psi_bd"), "1 + beta_F*psi_bd", letters),
     )
     return StageBasis(psi, low, high, beta_H, beta_F, factors)
 

@@ -50,9 +50,7 @@ def strength_factors(sets: ToothSets, task: StrengthTask, at: int) -> StrengthFa
     one = ToothSets(sets.layout, sets.teeth[rows], sets.modules[rows], sets.angles[rows], sets.planets)
     chain = _Chain(one, task)
     told = (*factors(sets, task, at), *chain.required(), *chain.sizes(), *chain.stresses())
-    return StrengthFactors(
-        sets.layout, sets.planets, tuple(one.teeth[0].tolist()), bool(chain.found.accepted[0]), told
-    )
+    return StrengthFactors(sets.layout, sets.planets, tuple(one.teeth[0].tolist()), bool(chain.found.accepted[0]), told)
 
 
 class _Chain:
@@ -93,8 +91,7 @@ class _Chain:
         wheels = [self.basis.wheels[column] for column in both]
         limits = [(each.permissible_contact / MPA, each.permissible_bending / MPA) for each in wheels]
         return tuple(
-            (self.scheme.wheels[column], self.forms[column], *limit)
-            for column, limit in zip(both, limits, strict=True)
+            (self.scheme.wheels[column], self.forms[column], *limit) for column, limit in zip(both, limits, strict=True)
         )
 
     def _sign(self, k: int) -> str:
@@ -129,9 +126,7 @@ class _Chain:
             letters |= {"m": found.module[0, s] / MM, "b": found.width[0, s] / MM, "psi_star": float(found.psi[0, s])}
             letters |= {"Z_1": float(self.loads.reference[0, s]), "psi_bd": self.basis.stages[s].psi_bd}
             text = f"the larger one of its meshes; {'contact' if m_H >= m_F else 'bending'} governs"
-            yield made(
-                Coefficient(of, "m_req", MM * letters["m_req"], "m", text), "max(m_H, m_F)", letters, "mm"
-            )
+            yield made(Coefficient(of, "m_req", MM * letters["m_req"], "m", text), "max(m_H, m_F)", letters, "mm")
             yield _module(Coefficient(of, "m", float(found.module[0, s]), "m", _whence(task)), letters["m"])
             width = Coefficient(of, "b", float(found.width[0, s]), "m", _rule(task))
             if task.checks:
@@ -150,7 +145,9 @@ class _Chain:
         for k, mesh in enumerate(self.scheme.meshes):
             letters, of = self._letters(k), f"mesh {mesh.first}-{mesh.second}"
             f = float(self.loads.factor[0, k])
-            yield made(Coefficient(of, "d", MM * letters["d"], "m", "reference diameter of the pinion"), "m*Z", letters, "mm")
+            yield made(
+                Coefficient(of, "d", MM * letters["d"], "m", "reference diameter of the pinion"), "m*Z", letters, "mm"
+            )
             force = K_D**3 * letters["T"] * letters["K_Hbeta"] * f
             sigma_H = float(np.sqrt(force / (letters["b"] * letters["d"] ** 2)))
             told = Coefficient(of, "sigma_H", MPA * sigma_H, "Pa", f"contact stress{at}")
