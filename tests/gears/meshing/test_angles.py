@@ -6,6 +6,7 @@ import math
 from functools import cache
 from math import radians, tan
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -25,6 +26,7 @@ READY = ("pair", "pair-helical", "pair-internal", "pair-rack", "pair-spur", "gea
 
 
 COUNT = 13
+SPEC: Any = None  # columns by choice of pairs read nothing of it
 CONFIGS = Path(__file__).parents[3] / "configs"
 
 
@@ -126,7 +128,7 @@ def test_a_tip_within_the_base_circle_has_no_angle() -> None:
 def test_columns_by_choice(k: int) -> None:
     """Contact points lie on the line of action: by the law of cosines from either centre."""
     found = pairs()[k]
-    told = {c.name: c.make() for c in further_columns(None, {"pair": Pairs((found,), "", ())})}  # type: ignore[arg-type]
+    told = {c.name: c.make() for c in further_columns(SPEC, {"pair": Pairs((found,), "", ())})}
     s, (one, *others) = found.sliding.along, found.sizes
     angle = math.pi / 2 + found.angle_w
     by_cosine = np.sqrt(one.operating**2 + s**2 - 2 * one.operating * s * math.cos(angle))
@@ -149,7 +151,7 @@ def test_columns_by_choice(k: int) -> None:
 def test_columns_of_several_pairs_are_one_under_another() -> None:
     several = run(tmmcalc.load_spec(CONFIGS / "gears-pairs.toml"), target="pair").results["pair"]
     count = sum(len(pair.sliding.rho1) for pair in several.pairs)
-    for each in further_columns(None, {"pair": several}):  # type: ignore[arg-type]
+    for each in further_columns(SPEC, {"pair": several}):
         assert each.make().shape == (count,)
 
 

@@ -1,4 +1,4 @@
-"""Willis' equations and plans of velocities and speeds, against speeds that numpy solves from equations written anew."""
+"""Willis' equations, plans of velocities and speeds, against speeds that numpy solves from equations written anew."""
 
 from __future__ import annotations
 
@@ -104,10 +104,19 @@ def test_any_train(network: Network) -> None:
         check_equation(each.first_relative, each.inverted * each.last_relative, scale)
         assert each.first_relative == pytest.approx(omega[each.first] - omega[each.carrier], abs=1e-8 * scale)
         assert float(Fraction(each.exact)) == each.inverted
-    tied = sum(len({n for k, c in enumerate(network.carriers) if c == carrier for n in names(network, k)})
-               for carrier in {*network.carriers})  # fmt: skip
-    assert len(willis(network, motion)) < tied
+    hung = {(carrier, name) for k, carrier in enumerate(network.carriers) for name in names(network, k)}
+    assert len(willis(network, motion)) == len(hung) - len(parts(network))
     check_plans(network, plans(network, motion), omega, scale)
+
+
+def parts(network: Network) -> list[set[tuple[str, str]]]:
+    """What hangs together by meshes on one carrier."""
+    found: list[set[tuple[str, str]]] = []
+    for k, carrier in enumerate(network.carriers):
+        both = {(carrier, name) for name in names(network, k)}
+        joined = [part for part in found if part & both]
+        found = [part for part in found if not part & both] + [both.union(*joined)]
+    return found
 
 
 def names(network: Network, k: int) -> tuple[str, str]:
@@ -135,8 +144,9 @@ def test_every_layout(layout: str) -> None:
         assert worked(left) == pytest.approx(each.inverted, rel=1e-6)
     for point in told.points:
         if point.radii is not None:
-            mesh = next(each for each in network.meshes if (each.first, each.second) == point.members
-                        and math.isclose(each.first_teeth / each.second_teeth, point.radii[0] / point.radii[1]))  # fmt: skip
+            ratio = point.radii[0] / point.radii[1]
+            of_point = [each for each in network.meshes if (each.first, each.second) == point.members]
+            mesh = next(each for each in of_point if math.isclose(each.first_teeth / each.second_teeth, ratio))
             one, other = (next(line.x for line in told.lines if line.member == name) for name in point.members)
             apart = point.radii[0] - point.radii[1] if mesh.sign == INTERNAL else sum(point.radii)
             assert abs(one - other) == pytest.approx(abs(apart), rel=1e-12)

@@ -1,9 +1,10 @@
-"""Every factor of the strength of one train: cells of tables read by hand, formulas worked out, stresses as products."""
+"""Every factor of the strength of a train: cells of tables read by hand, formulas worked out, stresses as products."""
 
 from __future__ import annotations
 
 import csv
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -36,7 +37,7 @@ def check_formulas(found: StrengthFactors) -> None:
     assert count > 20
 
 
-RULES = (
+RULES: tuple[dict[str, Any], ...] = (
     {},
     {"iterate": True},
     {"rounding": "floor1", "width_rule": "book1992"},
@@ -48,9 +49,9 @@ RULES = (
 
 @pytest.mark.parametrize("layout", TRAINS)
 @pytest.mark.parametrize("rules", RULES)
-def test_factors_times_each_other_are_the_stresses(layout: str, rules: dict[str, object]) -> None:
+def test_factors_times_each_other_are_the_stresses(layout: str, rules: dict[str, Any]) -> None:
     """Of every stage the largest share of its meshes; with every formula worked out by Python."""
-    sets, task = sets_of(layout, planets=1 if layout.startswith("unfolded") else 3), task_of(**rules)  # type: ignore[arg-type]
+    sets, task = sets_of(layout, planets=1 if layout.startswith("unfolded") else 3), task_of(**rules)
     found, stress = strength_factors(sets, task, 0), solve_strength(sets, task)
     check_formulas(found)
     scheme = sets.scheme

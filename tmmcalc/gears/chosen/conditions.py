@@ -227,7 +227,7 @@ class _Listed:
             yield self.put("largest_sum", total, "<=", ("sum_max", limits.largest_sum), of="1, 2")
         smallest = _extreme("min", [(teeth_of(w), self.teeth[w]) for w in others])
         least = math.floor(2 * float(self.task.addendum) / math.sin(self.task.pressure_angle) ** 2)
-        bound = "floor(2*h_a/sin(alpha)**2)", least
+        bound = "floor(2*h_a / sin(alpha)**2)", least
         asked = self.task.demands.undercut is not None
         yield self.put("undercut", smallest, ">=", bound, of=_wheels(others), asked=asked)
 
@@ -261,7 +261,7 @@ class _Listed:
             pinion, wide, wheel = names[2 * k - 2], names[2 * k - 1], names[2 * k + 1]
             z1, z2, z3 = (self.teeth[name] for name in (pinion, wide, wheel))
             one, two, three = map(teeth_of, (pinion, wide, wheel))
-            left = f"abs(({two}/{one})**(1/3)*{three}/{two} - 1)", abs(float(np.cbrt(z2 / z1)) * z3 / z2 - 1)
+            left = f"abs(({two}/{one})**(1/3) * {three}/{two} - 1)", abs(float(np.cbrt(z2 / z1)) * z3 / z2 - 1)
             yield self.put("diameter_band", left, "<=", ("delta_d", band), of=f"{wide}, {wheel}", source="(4.4)")
 
     def common_factors(self) -> Iterator[Condition]:

@@ -53,7 +53,8 @@ def moving(chosen: Chosen, speed: float | None = None) -> Moving:
 
 def written(found: Gearing) -> Moving:
     """A train that is written out, in the motion that is known of it."""
-    return Moving(found.task, found.motion, written_set(found.task), found.task.remarks)
+    of_motion = tuple(remark for remark in found.task.remarks if "speed" in remark)  # others are of the losses
+    return Moving(found.task, found.motion, written_set(found.task), of_motion)
 
 
 def equations(found: Moving) -> Equations:

@@ -14,7 +14,7 @@ from tmmcalc.gears.network.willis import Willis
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
-DIGITS = 9  # of sides and ratios that a reader works out again
+DIGITS, SHORT = 9, 6  # of ratios that a reader works out again; of both sides beside their formula
 VELOCITIES, SPEEDS = "plan of velocities", "plan of speeds"
 
 
@@ -24,9 +24,9 @@ def conditions_document(found: Conditions, title: str, *, everything: bool = Fal
     kept = [each for each in rows if each.asked and each.kept]
     asked = sum(each.asked for each in rows)
     text = f"all {asked} that are asked for" if found.kept else f"{len(kept)} of {asked} that are asked for"
-    facts = (Fact("kept", text, keyed(found)),)
+    facts = (Fact("kept", f"{text}; in brackets: not asked for", keyed(found)),)
     notes = tuple(
-        f"warning: {called(each.name)}{f' of {each.of}' if each.of else ''} is not kept: {_sides(each)}"
+        f"warning: {called(each.name)}{f' of {each.of}' if each.of else ''} is not kept: {_broken(each)}"
         for each in rows
         if each.asked and not each.kept
     )
@@ -43,11 +43,18 @@ def conditions_document(found: Conditions, title: str, *, everything: bool = Fal
 
 
 def _sides(each: Condition) -> str:
-    return f"{number(each.left, DIGITS)} {each.relation} {number(each.right, DIGITS)}"
+    return f"{number(each.left, SHORT)} {each.relation} {number(each.right, SHORT)}"
+
+
+def _broken(each: Condition) -> str:
+    """Both sides of a condition that is not kept."""
+    joined = {"=": "not", ">": "not above", ">=": "below", "<=": "above"}[each.relation]
+    return f"{number(each.left, SHORT)}, {joined} {number(each.right, SHORT)}"
 
 
 def _kept(each: Condition) -> str:
-    return ("yes" if each.kept else "no") + ("" if each.asked else ", not asked")
+    word = "yes" if each.kept else "no"
+    return word if each.asked else f"({word})"
 
 
 def willis_document(found: Equations, title: str, *, everything: bool = False) -> Document:
@@ -126,7 +133,7 @@ def _of_wheel(k: int) -> str:
 
 def _lines(found: Plans, everything: bool) -> View:
     if everything:
-        columns = table(found.lines, PlanLine)
+        columns = table(found.lines, PlanLine, *(name for name in quantities(PlanLine) if name != "turns"))
         return _view({key: ["" if value is None else value for value in column] for key, column in columns.items()})
     columns = table(
         found.lines, PlanLine, "member", "x[mm]", "axis_velocity", "speed", "turns", "slope[deg]", "ray[mm]"
