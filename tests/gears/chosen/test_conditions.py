@@ -14,7 +14,8 @@ import tmmcalc
 from gears.formulas import worked
 from gears.strength.scenes import CASES, TRAINS
 from tmmcalc.gears.chosen.choice import Chosen, chosen_sets, written_set
-from tmmcalc.gears.chosen.conditions import Condition, Conditions, conditions
+from tmmcalc.gears.chosen.condition import Condition, Conditions
+from tmmcalc.gears.chosen.conditions import conditions
 from tmmcalc.gears.gearingtask import layout_task
 from tmmcalc.gears.search.measures import block_of
 from tmmcalc.gears.search.search import synthesise

@@ -12,50 +12,12 @@ from fractions import Fraction
 
 import numpy as np
 
-from tmmcalc.core.quantity import derived, quantity
-from tmmcalc.core.records import record
 from tmmcalc.gears.chosen.choice import Chosen
-from tmmcalc.gears.letters import filled, teeth_of
+from tmmcalc.gears.chosen.condition import Condition, Conditions, Side, condition
+from tmmcalc.gears.letters import teeth_of
 from tmmcalc.gears.scheme import Layout, Mesh
 from tmmcalc.gears.search import measures
 from tmmcalc.gears.search.constraints import centre_distances, envelopes, neighbours
-
-ROUNDING = 1e-12  # relative, of sides with cosines in them
-Side = tuple[str, float | int | Fraction]  # formula and value
-
-
-@record
-class Condition:
-    """One condition on the teeth of a train."""
-
-    name: str = quantity("condition", "name of the condition")
-    of: str = quantity("of", "the mesh or wheels that it is of; empty: the train")
-    formula: str = quantity("formula", "the condition in letters")
-    numbers: str = quantity("numbers", "the same with numbers")
-    left: float = quantity("left", "left side")
-    relation: str = quantity("relation", "=, >, >= or <=")
-    right: float = quantity("right", "right side; of what has to be whole the nearest whole number")
-    kept: bool = quantity("kept", "whether it is kept")
-    asked: bool = quantity("asked", "whether it was asked for; else it is custom")
-    source: str = quantity("source", "formula of the textbook")
-
-
-@record
-class Conditions:
-    """All conditions of one tooth set."""
-
-    layout: str = quantity("layout", "key of the layout")
-    planets: int = quantity("planets", "number of planets or layshafts")
-    teeth: tuple[int, ...] = quantity("teeth", "numbers of teeth")
-    proportion: tuple[int, ...] = quantity(  # none: unfolded
-        "mu", "the modules of the stages to one another in lowest terms"
-    )
-    conditions: tuple[Condition, ...]
-
-    @derived("all_kept", "whether every condition that was asked for is kept")
-    def kept(self) -> bool:
-        """All of those asked for."""
-        return all(each.kept for each in self.conditions if each.asked)
 
 
 def conditions(chosen: Chosen) -> Conditions:
@@ -111,11 +73,8 @@ class _Listed:
     def put(
         self, name: str, left: Side, relation: str, right: Side, *, of: str = "", source: str = "", asked: bool = True
     ) -> Condition:
-        """The condition of two sides; equal ones with cosines in them up to rounding."""
-        (letters, value), (bound, limit) = left, right
-        formula, kept = f"{letters} {relation} {bound}", _holds(value, relation, limit)
-        numbers = filled(formula, self.numbers)
-        return Condition(name, of, formula, numbers, float(value), relation, float(limit), kept, asked, source)
+        """The condition of two sides with the numbers of their letters."""
+        return condition(name, left, relation, right, self.numbers, of=of, source=source, asked=asked)
 
     def ratio(self) -> Iterator[Condition]:
         """The ratio of the kind that was asked for within both ends of its tolerance."""
@@ -309,16 +268,6 @@ def ratio_letters(scheme: Layout) -> str:
         return scheme.ratio_letters
     driven, drivers = ("*".join(map(teeth_of, scheme.wheels[k::2])) for k in (1, 0))
     return f"{driven}/({drivers})"
-
-
-def _holds(left: float | Fraction, relation: str, right: float | Fraction) -> bool:
-    """Exactly of fractions and whole numbers; where a side is a float an equality is one up to rounding."""
-    apart = Fraction(left) - Fraction(right)
-    exact = not isinstance(left, float) and not isinstance(right, float)
-    slack = 0 if exact else Fraction(ROUNDING) * abs(Fraction(right))
-    if relation == ">":
-        return apart > 0
-    return {"=": abs(apart) <= slack, ">=": apart >= -slack, "<=": apart <= slack}[relation]
 
 
 def _name(mesh: Mesh) -> str:

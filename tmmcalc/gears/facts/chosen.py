@@ -7,7 +7,7 @@ from typing import Any
 
 from tmmcalc.core.quantity import Quantity, keyed, quantities, table
 from tmmcalc.gears.advice import called
-from tmmcalc.gears.chosen.conditions import Condition, Conditions
+from tmmcalc.gears.chosen.condition import Condition, Conditions
 from tmmcalc.gears.chosen.motion import Equations
 from tmmcalc.gears.network.plans import PlanLine, PlanPoint, Plans
 from tmmcalc.gears.network.willis import Willis
