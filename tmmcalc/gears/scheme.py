@@ -90,6 +90,8 @@ class Layout:
     tooth_ratio: Callable[[Teeth], tuple[Any, Any]] = chained_ratio  # U, of AII i_14: numerator and denominator
     # numerators and denominators of what is whole if K equally spaced planets fit in; the last one is R (4.25, 4.26)
     assembly: Callable[[Teeth, int], list[tuple[Any, Any]]] | None = None
+    ratio_letters: str = ""  # ``tooth_ratio`` as a formula; empty: that of `chained_ratio`
+    assembly_letters: tuple[str, ...] = ()  # ``assembly`` as formulas
     # twice the reference centre distances of the axes that must coincide, in one length; None: those of the meshes
     axes: Callable[[Teeth], list[Any]] | None = None
     size: Callable[[Teeth, Lengths, Lengths, int], Any] = around_planets  # D [m], see `around_planets`

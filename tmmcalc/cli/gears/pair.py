@@ -36,6 +36,10 @@ def command(
             show_default=False,
         ),
     ] = None,
+    angles: Annotated[
+        bool,
+        typer.Option("--angles", help="Instead: every intermediate angle, involute and length, formulas with numbers."),
+    ] = False,
 ) -> None:
     """Pairs of gears: shifts, centre distance, radii, contact ratios, sliding; every condition with its margin.
 
@@ -51,4 +55,9 @@ def command(
     from tmmcalc.gears.facts.pair import chosen_pairs, document
 
     result, heading = chosen_pairs(run.results["pair"], pair), title(scene, job.file, "pairs of gears")
+    if angles:
+        from tmmcalc.gears.facts.angles import angles_document
+
+        job.finish(angles_document(result, heading, everything=form is not Format.table), run, form)
+        return
     job.finish(document(result, heading, everything=form is not Format.table, step=step), run, form)

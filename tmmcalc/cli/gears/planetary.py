@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from dataclasses import replace
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
 from tmmcalc.cli.gears.known import Row, of_row
 from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format
-from tmmcalc.cli.output import title
+from tmmcalc.cli.output import show, title
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
@@ -25,6 +26,14 @@ SOURCES = {
 }
 
 
+class Asked(NamedTuple):
+    """What is printed in place of the motion of a train."""
+
+    conditions: bool
+    willis: bool
+    plans: bool
+
+
 @with_flags
 def command(
     job: Job,
@@ -34,6 +43,15 @@ def command(
     internal: Annotated[
         bool, typer.Option("--internal/--external", help="Of a [train]: whether internal wheels can be cut.")
     ] = True,
+    conditions: Annotated[
+        bool, typer.Option("--conditions", help="Instead: every condition of the teeth with both its sides.")
+    ] = False,
+    willis: Annotated[
+        bool, typer.Option("--willis", help="Instead: Willis' equation of every carrier with its numbers.")
+    ] = False,
+    plans: Annotated[
+        bool, typer.Option("--plans", help="Instead: plan of velocities and plan of speeds, to scale.")
+    ] = False,
 ) -> None:
     """Any train: exact ratios, speeds, torques, power flow, efficiency both ways.
 
@@ -55,7 +73,14 @@ def command(
     else:
         job, scene = of_row(job, scene, choose)
         run = job.run(scene, _target(scene))
-    job.finish(_printed(run, scene, title(scene, job.file, "gears"), choose, power, internal, form), run, form)
+    heading = title(scene, job.file, "gears")
+    if conditions or willis or plans:
+        asked = Asked(conditions, willis, plans)
+        document = _by_choice(run, scene, heading, choose, asked, form is not Format.table)
+        show(document, form)  # without the errors of the stage, which are of other numbers
+        job.close(document, run)
+        return
+    job.finish(_printed(run, scene, heading, choose, power, internal, form), run, form)
 
 
 def _target(scene: Spec) -> str:
@@ -81,6 +106,38 @@ def _printed(
     asked = {"power": power, "internal": internal, "everything": form is not Format.table}
     speed = scene.train.input_speed
     return planetary_document(run.results["train"], heading, speed, choose=choose or 1, chosen=chosen, **asked)
+
+
+def _by_choice(
+    run: RunResult, scene: Spec, heading: str, choose: int | None, asked: Asked, everything: bool
+) -> Document:
+    """Conditions, Willis' equations and plans of every train that the command tells of, several as parts."""
+    from tmmcalc.gears.chosen.conditions import conditions
+    from tmmcalc.gears.chosen.motion import equations, plans_of
+    from tmmcalc.gears.details import trains_in_motion
+    from tmmcalc.gears.facts.chosen import conditions_document, plans_document, willis_document
+    from tmmcalc.report.document import Document
+
+    parts = []
+    for named, found in trains_in_motion(scene, run.results, choose or 1):
+        if asked.conditions:
+            if found.chosen is None:
+                raise UsageError(
+                    "of a train that is written out mesh by mesh no conditions are known",
+                    where="--conditions",
+                    remedy="name its layout in [gearing], or leave the flag out",
+                )
+            parts.append(conditions_document(conditions(found.chosen), f"{named}: conditions", everything=everything))
+        remarks = tuple(f"note: {remark}" for remark in found.remarks)
+        if asked.willis:
+            told = willis_document(equations(found), f"{named}: Willis' equations", everything=everything)
+            parts.append(replace(told, notes=(*told.notes, *remarks)))
+        if asked.plans:
+            told = plans_document(plans_of(found), f"{named}: plans", everything=everything)
+            parts.append(replace(told, notes=(*told.notes, *remarks)))
+    if len(parts) == 1:
+        return replace(parts[0], title=f"{heading}, {parts[0].title}")
+    return Document(heading, parts=tuple(parts))
 
 
 def _chosen(run: RunResult, scene: Spec) -> ChosenTrain:

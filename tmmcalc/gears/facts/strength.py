@@ -149,14 +149,14 @@ def coefficient_facts(listed: Sequence[Coefficient]) -> Iterator[Fact]:
     values = {"coefficients": [keyed(each) for each in listed]}
     for own, places in told.items():
         lines = [f"{symbol} = {quantity(value, unit)}: {source}" for symbol, value, unit, source in own]
-        yield Fact(_together(places), "\n".join(lines), values)
+        yield Fact(together(places), "\n".join(lines), values)
         values = {}
 
 
-def _together(places: Sequence[str]) -> str:
+def together(places: Sequence[str]) -> str:
     """``wheels 1, 2, 3`` for several of one kind.
 
-    >>> _together(["wheel 1", "wheel 2'"]), _together(["stage 1"])
+    >>> together(["wheel 1", "wheel 2'"]), together(["stage 1"])
     ("wheels 1, 2'", 'stage 1')
     """
     if len(places) == 1:

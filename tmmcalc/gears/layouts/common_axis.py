@@ -107,6 +107,7 @@ def larger_ring(teeth: Teeth, m: Lengths, stretch: Lengths, planets: int) -> Any
 
 
 BLOCK = ("1", "2", "2'", "3")
+EXTERNAL_LETTERS = ("(Z2*Z3 - Z1*Z2')/(K*gcd(Z2, Z2'))",)
 MOVING = {"1": PINION, "2": WHEEL, "2'": PINION}
 
 COAXIAL = Layout(
@@ -120,6 +121,7 @@ COAXIAL = Layout(
     planets=("2", "2'"),
     planetary=False,
     assembly=external_assembly,
+    assembly_letters=EXTERNAL_LETTERS,
     size=across_layshafts,
     arrangements=(5, 4),
     stepped=True,
@@ -138,6 +140,7 @@ AI = Layout(
     ("3",),
     fixed="3",
     assembly=internal_assembly,
+    assembly_letters=("(Z2*Z3 + Z1*Z2')/(K*gcd(Z2, Z2'))",),
     stepped=True,
 )
 AA = Layout(
@@ -152,6 +155,7 @@ AA = Layout(
     ("2", "2'"),
     fixed="3",
     assembly=external_assembly,
+    assembly_letters=EXTERNAL_LETTERS,
     stepped=True,
     carrier="left",
 )
@@ -169,5 +173,6 @@ II = Layout(
     ("1", "3"),
     fixed="3",
     assembly=external_assembly,
+    assembly_letters=EXTERNAL_LETTERS,
     size=larger_ring,
 )

@@ -76,4 +76,6 @@ AIBAR = Layout(
     fixed="3",
     tooth_ratio=tooth_ratio,
     assembly=assembly,
+    ratio_letters="Z3/Z1",
+    assembly_letters=("(Z1 + Z3)/K",),
 )

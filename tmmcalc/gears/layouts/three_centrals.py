@@ -114,5 +114,7 @@ AII = Layout(
     fixed="3",
     tooth_ratio=tooth_ratio,
     assembly=assembly,
+    ratio_letters="(1 + Z3/Z1)/(1 - Z3*Z2'/(Z2*Z4))",
+    assembly_letters=("(Z1 + Z3)/K", "(Z2*Z4 - Z3*Z2')/(K*gcd(Z2, Z2'))"),
     carrier="left",
 )

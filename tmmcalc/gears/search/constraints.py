@@ -8,8 +8,9 @@ occurs, and 1/2 is then taken exactly.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from fractions import Fraction
+from typing import NamedTuple
 
 import numpy as np
 
@@ -61,20 +62,33 @@ def adjacency(task: TrainTask, block: Block) -> Mask:
     return np.logical_and.reduce([room > 0 for room in rooms(task, block)])
 
 
-def rooms(task: TrainTask, block: Block) -> list[Values]:
-    """Room between neighbouring planets [module of the stage] beyond the gap asked for, of every planet wheel."""
+class Neighbours(NamedTuple):
+    """Neighbouring planets on one central wheel: ``across`` has to exceed ``tips`` [module of the stage]."""
+
+    mesh: Mesh
+    central: str
+    planet: str
+    across: Values  # (n,) twice the orbit times sin(pi/K): the distance of the axes of neighbours
+    tips: float  # what their tips and the gap take beyond the teeth of the planet
+
+
+def neighbours(task: TrainTask, block: Block) -> Iterator[Neighbours]:
+    """The condition of neighbourhood of every mesh of a central wheel with a planet (4.27, 4.28), of 2A-AA (8)."""
     gap = Fraction(0) if task.scheme.paired else (task.demands.gap or Fraction(0))
     tips = float(2 * task.addendum + gap)
     s = 0.5 if task.planets == 6 else math.sin(math.pi / task.planets)
-    found = []
     for mesh, stretch in zip(task.scheme.meshes, stretches(task, block), strict=True):
         central, planet = _central_first(task, mesh)
         if not central:
             continue
         total = block[central] - block[planet] if mesh.internal else block[central] + block[planet]
         raised = not task.scheme.paired and task.demands.largest_angle is not None
-        found.append(total * (stretch * s if raised else s) - block[planet] - tips)
-    return found
+        yield Neighbours(mesh, central, planet, total * (stretch * s if raised else s), tips)
+
+
+def rooms(task: TrainTask, block: Block) -> list[Values]:
+    """Room between neighbouring planets [module of the stage] beyond the gap asked for, of every planet wheel."""
+    return [each.across - block[each.planet] - each.tips for each in neighbours(task, block)]
 
 
 def _central_first(task: TrainTask, mesh: Mesh) -> tuple[str, str]:

@@ -10,3 +10,4 @@ inputs = to_gearing
 solve = solve_gearing
 kind = Gearing
 columns = member_columns
+details = "tmmcalc.gears.details:of_gearing"

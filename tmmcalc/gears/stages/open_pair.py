@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 inputs = to_open_task
 solve = "tmmcalc.gears.openload:solve_open"
 kind = OpenLoad
+details = "tmmcalc.gears.details:of_open_pair"
 
 
 def omits(spec: GearTables) -> tuple[str, ...]:

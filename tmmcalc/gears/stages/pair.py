@@ -12,6 +12,8 @@ inputs = to_pairs
 solve = "tmmcalc.gears.meshing.solve:solve_pairs"
 kind = Pairs
 columns = "tmmcalc.gears.meshing.columns:pair_columns"
+details = "tmmcalc.gears.details:of_pair"
+further = "tmmcalc.gears.meshing.further:further_columns"
 
 
 def errors(result: Pairs) -> dict[str, Any]:

@@ -12,6 +12,7 @@ inputs = to_sizing
 solve = "tmmcalc.gears.sizing:solve_sizing"
 kind = Sizing
 columns = "tmmcalc.gears.strength.columns:stacked"
+details = "tmmcalc.gears.details:of_strength"
 
 
 def errors(result: Sizing) -> dict[str, Any]:

@@ -9,6 +9,7 @@ a stage soft if one wheel at least is up to HB 350.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -16,7 +17,7 @@ import numpy as np
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.scheme import Layout, Mesh
-from tmmcalc.gears.strength.endurance import GIVEN, Coefficient, Endurance, endurance
+from tmmcalc.gears.strength.endurance import GIVEN, Coefficient, Endurance, Factor, endurance, made
 from tmmcalc.gears.strength.material import Material
 from tmmcalc.gears.strength.tables import Arrangement, WidthRange, table
 from tmmcalc.gears.strength.task import WHERE, StageTask, StrengthTask, stage_tasks
@@ -33,7 +34,7 @@ class StageBasis(NamedTuple):
     high: float
     beta_contact: float
     beta_bending: float
-    coefficients: tuple[Coefficient, ...]
+    factors: tuple[Factor, ...]
 
 
 class Basis(NamedTuple):
@@ -47,10 +48,15 @@ class Basis(NamedTuple):
         return np.array([getattr(stage, name) for stage in self.stages])
 
     @property
-    def coefficients(self) -> tuple[Coefficient, ...]:
+    def factors(self) -> tuple[Factor, ...]:
         """Those of all wheels, then of all stages."""
-        parts = (*(wheel.coefficients for wheel in self.wheels), *(stage.coefficients for stage in self.stages))
-        return tuple(coefficient for part in parts for coefficient in part)
+        parts = (*(wheel.factors for wheel in self.wheels), *(stage.factors for stage in self.stages))
+        return tuple(factor for part in parts for factor in part)
+
+    @property
+    def coefficients(self) -> tuple[Coefficient, ...]:
+        """The same without their cells and formulas."""
+        return tuple(factor.told for factor in self.factors)
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -97,10 +103,12 @@ def _load(layout: Layout, wheel: str, material: Material) -> str:
 def _given(stage: StageTask, found: Endurance | None, of: str) -> Endurance:
     """Permissible stresses that the stage gives stand in place of those of the material."""
     given = {"sigma_HP": stage.permissible_contact, "sigma_FP": stage.permissible_bending}
-    told = tuple(Coefficient(of, name, value, "Pa", GIVEN) for name, value in given.items() if value is not None)
+    told = tuple(
+        Factor(Coefficient(of, name, value, "Pa", GIVEN)) for name, value in given.items() if value is not None
+    )
     if found is None:
         return Endurance(given["sigma_HP"] or 0.0, given["sigma_FP"] or 0.0, told)
-    kept = tuple(c for c in found.coefficients if given.get(c.symbol) is None)
+    kept = tuple(factor for factor in found.factors if given.get(factor.told.symbol) is None)
     return Endurance(
         given["sigma_HP"] or found.permissible_contact,
         given["sigma_FP"] or found.permissible_bending,
@@ -121,14 +129,18 @@ def _stage(layout: Layout, k: int, stage: StageTask) -> StageBasis:
         psi, whence = stage.psi_bd, GIVEN
     kind = "both wheels above HB 350" if hard else "a wheel up to HB 350"
     source = f"row {row.row}, {row.arrangement}, {kind}: {row.source}"
-    coefficients = (
-        Coefficient(of, "psi_bd", psi, "-", whence),
-        Coefficient(of, "beta_H", beta_H, "-", source),
-        Coefficient(of, "beta_F", beta_F, "-", source),
-        Coefficient(of, "K_Hbeta", 1 + beta_H * psi, "-", "1 + beta_H psi_bd"),
-        Coefficient(of, "K_Fbeta", 1 + beta_F * psi, "-", "1 + beta_F psi_bd"),
+    letters, place = {"psi_bd": psi, "beta_H": beta_H, "beta_F": beta_F}, f"{row.row}: {row.arrangement}"
+    width = Coefficient(of, "psi_bd", psi, "-", whence)
+    limits = {"psi_low": low, "psi_high": high}
+    mean = replace(made(width, "(psi_low + psi_high)/2", limits), table="D.4.2", row=row.position, column=kind)
+    factors = (
+        Factor(width) if whence == GIVEN else mean,
+        Factor(Coefficient(of, "beta_H", beta_H, "-", source), "D.4.1", place, f"beta_H, {kind}"),
+        Factor(Coefficient(of, "beta_F", beta_F, "-", source), "D.4.1", place, f"beta_F, {kind}"),
+        made(Coefficient(of, "K_Hbeta", 1 + beta_H * psi, "-", "1 + beta_H psi_bd"), "1 + beta_H*psi_bd", letters),
+        made(Coefficient(of, "K_Fbeta", 1 + beta_F * psi, "-", "1 + beta_F psi_bd"), "1 + beta_F*psi_bd", letters),
     )
-    return StageBasis(psi, low, high, beta_H, beta_F, coefficients)
+    return StageBasis(psi, low, high, beta_H, beta_F, factors)
 
 
 def _row(layout: Layout, k: int, stage: StageTask) -> Arrangement:

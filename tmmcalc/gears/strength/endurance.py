@@ -9,12 +9,14 @@ two it is a warning.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import field
 from typing import NamedTuple
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.quantity import quantity
+from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
+from tmmcalc.gears.letters import filled
 from tmmcalc.gears.strength.material import Hardness, Material
 from tmmcalc.gears.strength.steels import check_steel, known, latin, steel_key
 from tmmcalc.gears.strength.tables import (
@@ -44,19 +46,63 @@ class Coefficient:
 
 
 @record
+class Factor:
+    """A coefficient with the cell of the table that it is read from, or the formula that it follows from."""
+
+    told: Coefficient
+    table: str = quantity("table", "table of the textbook that it is read from; empty: computed or given", default="")
+    row: str = quantity("row", "row of the table", default="")
+    column: str = quantity("column", "column of the table", default="")
+    formula: str = quantity("formula", "how it is computed, in letters; empty: read or given", default="")
+    formula_unit: str = quantity("formula_unit", "unit of what the formula gives, such as MPa or mm", default="")
+    letters: Mapping[str, float] = field(default_factory=dict)  # of the formula, in the units that it is written for
+
+    @derived("numbers", "the formula with numbers")
+    def numbers(self) -> str:
+        """The formula with the numbers of its letters."""
+        return filled(self.formula, self.letters)
+
+
+@record
 class Endurance:
     """Permissible stresses of one wheel."""
 
     permissible_contact: float  # [Pa]
     permissible_bending: float  # [Pa]
-    coefficients: tuple[Coefficient, ...] = ()
+    factors: tuple[Factor, ...] = ()
     warnings: tuple[str, ...] = ()
+
+    @property
+    def coefficients(self) -> tuple[Coefficient, ...]:
+        """The factors without their cells and formulas."""
+        return tuple(factor.told for factor in self.factors)
+
+
+def made(told: Coefficient, formula: str, letters: Mapping[str, float], unit: str = "") -> Factor:
+    """A coefficient by a formula; ``letters`` are numbers in the units that it is written for."""
+    return Factor(told, formula=formula, formula_unit=unit, letters=letters)
 
 
 class _Limit(NamedTuple):
     value: float  # [Pa]
     source: str
     row: BendingRow | ContactRow | None = None
+    at: Hardness | None = None  # that the row's slope is of
+
+    def factor(self, told: Coefficient, column: str) -> Factor:
+        """The limit as its row of the table gives it."""
+        if self.row is None or told.source == GIVEN:
+            return Factor(told)
+        contact, formula, letters = isinstance(self.row, ContactRow), "", {}
+        if self.at is not None and self.row.slope_mpa:
+            base = self.value / MPA - self.row.slope_mpa * self.at.value
+            formula = f"{self.row.slope_mpa:g}*{self.at.scale}{f' + {base:.6g}' if abs(base) > 1e-6 else ''}"
+            letters = {self.at.scale: self.at.value}
+        name = f"{', '.join(self.row.treatments)}{f'; {_range(self.row)}' if self.row.scale else ''}"
+        if isinstance(self.row, BendingRow):
+            name = f"{self.row.row}: {name}"
+        unit = "MPa" if formula else ""
+        return Factor(told, "D.4.4" if contact else "D.4.3", name, column, formula, unit, letters)
 
 
 def endurance(material: Material, load: str, of: str) -> Endurance:
@@ -79,17 +125,55 @@ def endurance(material: Material, load: str, of: str) -> Endurance:
     sigma_HP = contact.value / s_H
     sigma_FP = bending.value * sides.factor / (s_F1 * blank.high)
     widest = f"; the largest of {blank.low:g} to {blank.high:g}" if blank.low < blank.high else ""
-    coefficients = (
-        Coefficient(of, "sigma_Hlim", contact.value, "Pa", contact.source),
-        Coefficient(of, "S_H", s_H, "-", f"{safety.source}: {material.built}, {material.failure} consequences"),
-        Coefficient(of, "sigma_HP", sigma_HP, "Pa", "sigma_Hlim/S_H"),
-        Coefficient(of, "sigma_Flim^0", bending.value, "Pa", bending.source),
-        Coefficient(of, "S_F'", s_F1, "-", s_F1_source),
-        Coefficient(of, "S_F''", blank.high, "-", f"{blank.source}: {blank.blank}, wear {blank.wear}{widest}"),
-        Coefficient(of, "K_FC", sides.factor, "-", f"{sides.source}: {load} load"),
-        Coefficient(of, "sigma_FP", sigma_FP, "Pa", "sigma_Flim^0 K_FC/(S_F' S_F'')"),
+    guarded = "with measures against decarburisation" if material.protected else "without measures"
+    letters = {
+        "sigma_Hlim": contact.value / MPA,
+        "S_H": s_H,
+        "sigma_Flim0": bending.value / MPA,
+        "K_FC": sides.factor,
+        "S_F'": s_F1,
+        "S_F''": blank.high,
+    }
+    factors = (
+        contact.factor(Coefficient(of, "sigma_Hlim", contact.value, "Pa", contact.source), "sigma_Hlim"),
+        Factor(
+            Coefficient(of, "S_H", s_H, "-", f"{safety.source}: {material.built}, {material.failure} consequences"),
+            "D.4.5",
+            material.built,
+            f"{material.failure} consequences",
+        ),
+        made(Coefficient(of, "sigma_HP", sigma_HP, "Pa", "sigma_Hlim/S_H"), "sigma_Hlim/S_H", letters, "MPa"),
+        bending.factor(
+            Coefficient(of, "sigma_Flim^0", bending.value, "Pa", bending.source), f"sigma_Flim^0, {guarded}"
+        ),
+        Factor(Coefficient(of, "S_F'", s_F1, "-", s_F1_source), "D.4.3", _bending_name(bending), f"S_F', {guarded}"),
+        Factor(
+            Coefficient(of, "S_F''", blank.high, "-", f"{blank.source}: {blank.blank}, wear {blank.wear}{widest}"),
+            "D.4.6",
+            blank.blank,
+            f"wear {blank.wear}{widest}",
+        ),
+        Factor(
+            Coefficient(of, "K_FC", sides.factor, "-", f"{sides.source}: {load} load"),
+            "D.4.7",
+            f"{load}, {'any treatment' if ANY in sides.treatments else ', '.join(sides.treatments)}",
+            "K_FC",
+        ),
+        made(
+            Coefficient(of, "sigma_FP", sigma_FP, "Pa", "sigma_Flim^0 K_FC/(S_F' S_F'')"),
+            "sigma_Flim0*K_FC/(S_F'*S_F'')",
+            letters,
+            "MPa",
+        ),
     )
-    return Endurance(sigma_HP, sigma_FP, coefficients, warnings)
+    return Endurance(sigma_HP, sigma_FP, factors, warnings)
+
+
+def _bending_name(bending: _Limit) -> str:
+    """The row of D.4.3 of a limit; of one that is given the value of most rows stands."""
+    if isinstance(bending.row, BendingRow):
+        return f"{bending.row.row}: {', '.join(bending.row.treatments)}"
+    return "most rows"
 
 
 def _treated(row: BendingRow | ContactRow | LoadSides, material: Material) -> bool:
@@ -107,7 +191,7 @@ def _contact_limit(material: Material, of: str) -> _Limit:
             remedy="give contact_limit (sigma_Hlim)",
         )
     value = row.slope_mpa * _on(material.hardness, row.scale, material.treatment, of) + row.offset_mpa
-    return _Limit(value * MPA, f"{row.source} at {material.hardness}", row)
+    return _Limit(value * MPA, f"{row.source} at {material.hardness}", row, material.hardness)
 
 
 def _bending_limit(material: Material, of: str) -> _Limit:
@@ -115,10 +199,10 @@ def _bending_limit(material: Material, of: str) -> _Limit:
         return _Limit(material.bending_limit, GIVEN)
     row = _bending_row(material, of)
     value = row.base_protected_mpa if material.protected else row.base_mpa
-    at = ""
+    at, hardness = "", None
     if row.slope_of == "surface":
         value += row.slope_mpa * _on(material.hardness, row.scale, material.treatment, of)
-        at = f" at {material.hardness}"
+        at, hardness = f" at {material.hardness}", material.hardness
     elif row.slope_of == "core":
         if material.core is None:
             raise UsageError(
@@ -127,8 +211,8 @@ def _bending_limit(material: Material, of: str) -> _Limit:
                 remedy='give core, such as "30 HRC"',
             )
         value += row.slope_mpa * _on(material.core, "HRC", "the core of nitrided", of)
-        at = f" with a core of {material.core}"
-    return _Limit(value * MPA, f"{row.source}, row {row.row}{at}", row)
+        at, hardness = f" with a core of {material.core}", material.core
+    return _Limit(value * MPA, f"{row.source}, row {row.row}{at}", row, hardness)
 
 
 def _bending_row(material: Material, of: str) -> BendingRow:

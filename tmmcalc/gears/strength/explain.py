@@ -12,7 +12,7 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.strength.basis import Basis, basis_of
 from tmmcalc.gears.strength.demand import K_D, K_M, LEAST_TEETH, form_factors
-from tmmcalc.gears.strength.endurance import Coefficient
+from tmmcalc.gears.strength.endurance import Coefficient, Factor, made
 from tmmcalc.gears.strength.loads import MeshLoads, mesh_loads
 from tmmcalc.gears.strength.results import Strength
 from tmmcalc.gears.strength.series import Outcome
@@ -24,6 +24,11 @@ SPREADS = ("K_Hbeta", "K_Fbeta")
 
 def coefficients(sets: ToothSets, task: StrengthTask, at: int) -> tuple[Coefficient, ...]:
     """All coefficients of train ``at``: of the train, of its wheels, stages and meshes, each with its source."""
+    return tuple(each.told for each in factors(sets, task, at))
+
+
+def factors(sets: ToothSets, task: StrengthTask, at: int) -> tuple[Factor, ...]:
+    """The same with the cells of the tables that they are read from, and the formulas of the others."""
     one = ToothSets(
         sets.layout, sets.teeth[at : at + 1], sets.modules[at : at + 1], sets.angles[at : at + 1], sets.planets
     )
@@ -36,7 +41,7 @@ def coefficients(sets: ToothSets, task: StrengthTask, at: int) -> tuple[Coeffici
     )
     loads = mesh_loads(one)
     meshes = (c for k in range(len(one.scheme.meshes)) for c in _mesh(one, task, basis, loads, k))
-    return (*train, *_of_real_width(one, task, basis.coefficients), *meshes)
+    return (*map(Factor, train), *_of_real_width(one, task, basis.factors), *meshes)
 
 
 def real_width(task: StrengthTask) -> bool:
@@ -44,49 +49,60 @@ def real_width(task: StrengthTask) -> bool:
     return bool(task.widths) or task.iterate
 
 
-def _of_real_width(one: ToothSets, task: StrengthTask, told: tuple[Coefficient, ...]) -> Iterator[Coefficient]:
+def _of_real_width(one: ToothSets, task: StrengthTask, told: tuple[Factor, ...]) -> Iterator[Factor]:
     """K_beta as the stresses have it, with the ratio b/d_1 that it follows from."""
     if not real_width(task):
         yield from told
         return
     found = solve_strength(one, task)
     reference = mesh_loads(one).reference
-    for each in told:
+    for factor in told:
+        each = factor.told
+        k = int(each.of.removeprefix("stage ")) - 1 if each.of.startswith("stage") else 0
+        width, module, teeth = (float(values[0, k]) for values in (found.width, found.module, reference))
+        psi = width / (module * teeth)
         if each.symbol == "psi_bd":
-            k = int(each.of.removeprefix("stage ")) - 1
-            width, module, teeth = (float(values[0, k]) for values in (found.width, found.module, reference))
             text = f"b/d_1 of the real width, {1e3 * width:g} mm / ({1e3 * module:g} mm * {teeth:g})"
-            yield replace(each, source=f"{each.source}; for the modules that are required")
-            yield Coefficient(each.of, "psi", width / (module * teeth), "-", text)
+            yield replace(factor, told=replace(each, source=f"{each.source}; for the modules that are required"))
+            letters = {"b": 1e3 * width, "m": 1e3 * module, "Z_1": teeth}
+            yield made(Coefficient(each.of, "psi", psi, "-", text), "b/(m*Z_1)", letters)
         elif each.symbol in SPREADS:
-            k = int(each.of.removeprefix("stage ")) - 1
             spread = found.contact_spread if each.symbol == "K_Hbeta" else found.bending_spread
             beta = each.symbol.replace("K_", "beta_")[:6]
-            yield replace(each, value=float(spread[0, k]), source=f"1 + {beta} psi, of the real width")
+            own = replace(each, value=float(spread[0, k]), source=f"1 + {beta} psi, of the real width")
+            yield made(own, f"1 + {beta}*psi", {**factor.letters, "psi": psi})
         else:
-            yield each
+            yield factor
 
 
-def _mesh(one: ToothSets, task: StrengthTask, basis: Basis, loads: MeshLoads, k: int) -> Iterator[Coefficient]:
+def _mesh(one: ToothSets, task: StrengthTask, basis: Basis, loads: MeshLoads, k: int) -> Iterator[Factor]:
     mesh = one.scheme.meshes[k]
     of = f"mesh {mesh.first}-{mesh.second}"
     stage = basis.stages[mesh.stage]
     pinion, wheel = (basis.wheels[int(columns[0, k])] for columns in (loads.pinion, loads.wheel))
     names = [one.scheme.wheels[int(columns[0, k])] for columns in (loads.pinion, loads.wheel)]
     name = names[0]
-    u, q = float(loads.u[0, k]), float(loads.q[0, k])
-    sign = "-" if mesh.internal else "+"
+    u, q, sign = float(loads.u[0, k]), float(loads.q[0, k]), "-" if mesh.internal else "+"
+    Z, other = (float(one.of(wheel)[0]) for wheel in names)
     sigma_HP = min(pinion.permissible_contact, wheel.permissible_contact)
     at_psi = ", K_beta at psi_bd" if real_width(task) else ""
+    K_H, K_F = 1 + stage.beta_contact * stage.psi_bd, 1 + stage.beta_bending * stage.psi_bd
+    letters = {"T1": task.torque, "K": float(one.planets), "K_d": K_D, "K_m": K_M, "psi_bd": stage.psi_bd, "u": u}
+    letters |= {"Z": Z, "Z_w": other, "q": q, "K_Hbeta": K_H, "K_Fbeta": K_F, "sigma_HP": sigma_HP / 1e6}
     # of the mesh's own pinion, as the textbook tells them, were the width told of it
     share = task.torque / (one.planets * stage.psi_bd)
-    A_H = K_D * np.cbrt(share * (1 + stage.beta_contact * stage.psi_bd) / (sigma_HP / 1e6) ** 2) / 1000
-    yield Coefficient(of, "Z", float(loads.teeth[0, k]), "-", f"teeth of the pinion, wheel {name}")
-    yield Coefficient(of, "u", u, "-", "teeth of the larger wheel over those of the smaller")
-    yield Coefficient(of, f"(u {sign} 1)/u", float(loads.factor[0, k]), "-", "(4.38), (4.39)")
-    yield Coefficient(of, "q", q, "-", "torque on the pinion over T1")
-    yield Coefficient(of, "T", task.torque * q / one.planets, "N*m", f"on wheel {name} in one branch")
-    yield Coefficient(of, "A_H", float(A_H), "m", f"(4.40): K_d cbrt(T1 K_Hbeta/(K psi_bd sigma_HP^2)){at_psi}")
+    A_H = K_D * np.cbrt(share * K_H / (sigma_HP / 1e6) ** 2) / 1000
+
+    def by(symbol: str, value: float, unit: str, source: str, formula: str, formula_unit: str = "") -> Factor:
+        return made(Coefficient(of, symbol, value, unit, source), formula, letters, formula_unit)
+
+    yield Factor(Coefficient(of, "Z", Z, "-", f"teeth of the pinion, wheel {name}"))
+    yield by("u", u, "-", "teeth of the larger wheel over those of the smaller", "Z_w/Z")
+    yield by(f"(u {sign} 1)/u", float(loads.factor[0, k]), "-", "(4.38), (4.39)", f"(u {sign} 1)/u")
+    yield Factor(Coefficient(of, "q", q, "-", "torque on the pinion over T1"))
+    yield by("T", task.torque * q / one.planets, "N*m", f"on wheel {name} in one branch", "T1*q/K", "N*m")
+    text = f"(4.40): K_d cbrt(T1 K_Hbeta/(K psi_bd sigma_HP^2)){at_psi}"
+    yield by("A_H", float(A_H), "m", text, "K_d*(T1*K_Hbeta/(K*psi_bd*sigma_HP**2))**(1/3)", "mm")
     forms = [float(form_factors(one, one.scheme)[0, columns[0, k]]) for columns in (loads.pinion, loads.wheel)]
     limits = [pinion.permissible_bending, wheel.permissible_bending]
     weaker = 0 if forms[0] / limits[0] >= forms[1] / limits[1] else 1
@@ -94,11 +110,15 @@ def _mesh(one: ToothSets, task: StrengthTask, basis: Basis, loads: MeshLoads, k:
         symbol = "" if own == weaker else f" of wheel {names[own]}"
         which = f"wheel {names[own]}, which {'governs' if own == weaker else 'does not govern'} the bending"
         kind = "3.568 as of a rack" if names[own] in one.scheme.rings else "3.568 + 201.95/Z^2"
-        A_F = K_M * np.cbrt(share * (1 + stage.beta_bending * stage.psi_bd) / (limits[own] / 1e6)) / 1000
-        yield Coefficient(of, f"Y_F{symbol}", forms[own], "-", f"{kind}, of {which}")
-        yield Coefficient(of, f"sigma_FP{symbol}", limits[own], "Pa", f"of {which}")
+        A_F = K_M * np.cbrt(share * K_F / (limits[own] / 1e6)) / 1000
+        form = Coefficient(of, f"Y_F{symbol}", forms[own], "-", f"{kind}, of {which}")
+        ring = names[own] in one.scheme.rings
+        yield Factor(form) if ring else made(form, "3.568 + 201.95/Z**2", {"Z": (Z, other)[own]})
+        yield Factor(Coefficient(of, f"sigma_FP{symbol}", limits[own], "Pa", f"of {which}"))
         text = f"(4.40): K_m cbrt(T1 K_Fbeta/(K psi_bd sigma_FP)), of {which}{at_psi}"
-        yield Coefficient(of, f"A_F{symbol}", float(A_F), "m", text)
+        told = Coefficient(of, f"A_F{symbol}", float(A_F), "m", text)
+        bending = {**letters, "sigma_FP": limits[own] / 1e6}
+        yield made(told, "K_m*(T1*K_Fbeta/(K*psi_bd*sigma_FP))**(1/3)", bending, "mm")
 
 
 @record
