@@ -85,3 +85,13 @@ def test_pictures(cli: Cli) -> None:
     code, out, err = cli("plot", "my.toml", "feasibility", "-q")
     assert (code, out) == (2, "")
     assert "no [[constraints]]: nothing is to be kept" in err
+
+
+def test_a_stage_that_the_scene_leaves_out_is_told_before_anything_runs(cli: Cli) -> None:
+    none = '[[constraints]]\nname = "safe"\nstage = "pair"\nvalue = "eps_alpha"\nat_least = 1.2\n'
+    Path("p.toml").write_text((CONFIGS / "piston-compressor.toml").read_text() + none)
+    code, _, err = cli("run", "p.toml")
+    assert code == 2
+    assert "constraints, safe: this scene has no pair" in err
+    assert "no [pair]: no pair of gears is asked for" in err
+    assert not Path("p.out").exists()
