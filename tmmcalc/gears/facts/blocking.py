@@ -55,7 +55,7 @@ def _document(result: Blocking, title: str, parts: tuple[Document, ...]) -> Docu
 
 
 def _pair_summary(pair: PairContour, title: str) -> Document:
-    return Document(title, tuple(_facts(pair, title)), tuple(_notes(pair)))
+    return Document(title, tuple(_facts(pair, title)), tuple(_notes(pair)), name=pair.name)
 
 
 def _part(pair: PairContour, title: str) -> Document:
