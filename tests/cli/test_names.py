@@ -62,7 +62,7 @@ def test_every_motion_has_facts_of_its_own(cli: Cli, tmp_path: Path, monkeypatch
     judged = json.loads(cli("feasibility", "e.toml", "-f", "json").out)
     assert [float(value) for value in judged["columns"]["value"]] == pytest.approx([ends[1]])
     end = cli("names", "e.toml", "transient.end_time")
-    assert (end.code, "did you mean start-up.end_time" in end.err) == (2, True)
+    assert (end.code, "start-up.end_time, run-down.end_time" in end.err) == (2, True)
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tmmcalc.cli.messages import say, show_error, whoever_reads
-from tmmcalc.cli.options import Format
+from tmmcalc.cli.options import Format, check_named
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.files import other_kind
 from tmmcalc.core.printable import printable
@@ -30,6 +30,7 @@ def raise_failures(failures: Mapping[str, TmmError]) -> None:
 
 def check_place(file: Path, where: str) -> None:
     """Raise UsageError unless a file can be in this place: its folder is there and it is none itself."""
+    check_named(file, where)
     if kind := other_kind(file):
         remedy = "name a file in it" if kind == "a folder" else "name a file, or leave the flag out"
         raise UsageError(f"{file} is {kind}", where=where, remedy=remedy)
