@@ -95,7 +95,7 @@ class _Glass:
     def __init__(self, table: Any, place: _Place) -> None:
         self._table, self._place = table, place
 
-    @property  # type: ignore[misc]
+    @property  # type: ignore[misc]  # mypy knows a class of an object as that alone which made it
     def __class__(self) -> type:
         return type(self._table)
 

@@ -23,7 +23,7 @@ from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pressure.angle import tangent_terms
 
-Number = Values | float
+Number = Values | np.floating[Any] | float
 Mask = NDArray[np.bool_]
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.formulas import (
     Mask,
+    Number,
     cam_torque,
     contact_force,
     driving_torque,
@@ -33,8 +34,8 @@ class Carried:
     follower: Follower
     highest: float  # largest dS of the turn
     inertia: float  # m2 omega^2 or J2 omega^2
-    stiffness: float
-    preload: float
+    stiffness: Number
+    preload: Number
     friction: float  # f of the guide
     pivot: float  # mu of a rocker, f r/l2
     guide: GuideFound | None
@@ -47,7 +48,7 @@ class Carried:
         return bool(self.friction or self.pivot)
 
 
-def carried(task: CamTask, follower: Follower, loads: Loads, stiffness: float, preload: float) -> Carried:
+def carried(task: CamTask, follower: Follower, loads: Loads, stiffness: Number, preload: Number) -> Carried:
     """The follower with its guide; raises `UsageError` and `NoSolutionError` for a guide that there is not."""
     turns = follower.kind == "oscillating"
     return Carried(
