@@ -9,7 +9,6 @@ import numpy as np
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.forces.formulas import (
     Mask,
-    Number,
     cam_torque,
     contact_force,
     driving_torque,
@@ -21,7 +20,7 @@ from tmmcalc.cams.forces.formulas import (
 )
 from tmmcalc.cams.forces.results import GuideFound
 from tmmcalc.cams.forces.turn import Points
-from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.laws.law import Number, Values
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.records import record
