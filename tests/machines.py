@@ -34,6 +34,13 @@ def positions(n: int, sense: float = 1.0) -> tuple[tuple[str, ...], np.ndarray, 
     return tuple(map(str, range(n + 1))), sense * theta, theta
 
 
+def pin(name: str, one: int, other: int) -> str:
+    """A revolute joint of a spec."""
+    return f'[[mechanism.joints]]\nname = "{name}"\nkind = "revolute"\nlinks = [{one}, {other}]\n'
+
+
+PINS = pin("O", 0, 1) + pin("A", 1, 2) + pin("B", 2, 3)  # of a chain of three links from the frame
+
 SPEC = """
 [project]
 title = "Press with its motor"
@@ -65,22 +72,7 @@ id = 3
 points = {{ B = [0, 0] }}
 mass = 10
 
-[[mechanism.joints]]
-name = "O"
-kind = "revolute"
-links = [0, 1]
-
-[[mechanism.joints]]
-name = "A"
-kind = "revolute"
-links = [1, 2]
-
-[[mechanism.joints]]
-name = "B"
-kind = "revolute"
-links = [2, 3]
-
-[[mechanism.joints]]
+{pins}[[mechanism.joints]]
 name = "B0"
 kind = "prismatic"
 links = [3, 0]
@@ -126,4 +118,4 @@ def spec_text(
     motor: str = MOTOR, speed: str = "90 rpm", existing: str = "3 kg*m^2", efficiency: float = 1.0, more: str = ""
 ) -> str:
     """The spec with its motor, or another one in its place."""
-    return SPEC.format(motor=motor, speed=speed, existing=existing, efficiency=efficiency) + more
+    return SPEC.format(pins=PINS, motor=motor, speed=speed, existing=existing, efficiency=efficiency) + more

@@ -85,3 +85,22 @@ def test_pictures(cli: Cli) -> None:
     code, out, err = cli("plot", "my.toml", "feasibility", "-q")
     assert (code, out) == (2, "")
     assert "no [[constraints]]: nothing is to be kept" in err
+
+
+def test_a_stage_that_the_scene_leaves_out_is_told_before_anything_runs(cli: Cli) -> None:
+    none = '[[constraints]]\nname = "safe"\nstage = "pair"\nvalue = "eps_alpha"\nat_least = 1.2\n'
+    Path("p.toml").write_text((CONFIGS / "piston-compressor.toml").read_text() + none)
+    code, _, err = cli("run", "p.toml")
+    assert code == 2
+    assert "constraints, safe: this scene has no pair" in err
+    assert "no [pair]: no pair of gears is asked for" in err
+    assert not Path("p.out").exists()
+
+
+def test_the_error_of_two_stages_is_told_once(cli: Cli) -> None:
+    """Forces and reduction read the same load, which fits no linkage of this synthesis."""
+    gas = (CONFIGS / "piston-compressor.toml").read_text().partition("[[loads]]")[2].partition("[motor]")[0]
+    Path("l.toml").write_text((CONFIGS / "synth-dwell-rocker.toml").read_text() + "[[loads]]" + gas)
+    code, _, err = cli("run", "l.toml", "--no-store", "-q")
+    assert code == 3
+    assert err.count("the point of the load reverses") == 1

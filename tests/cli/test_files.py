@@ -157,3 +157,27 @@ def test_make_has_nothing_to_do_the_second_time(folder: Path) -> None:
     todo = make("-n")
     assert "other.out" in todo.stdout
     assert "my.d" not in todo.stdout
+
+
+@pytest.mark.parametrize("args", [("schema",), ("init", "four-bar"), ("stress", "--ladder", "none")])
+def test_a_dash_prints_what_is_printed_without_it(cli: Cli, args: tuple[str, ...]) -> None:
+    assert cli(*args, "-o", "-") == cli(*args)
+    assert not Path("-").exists()
+
+
+@pytest.mark.parametrize(
+    "args",
+    [
+        ("run", "my.toml", "-o"),
+        ("kinematics", "my.toml", "--depfile"),
+        ("plot", "my.toml", "-o"),
+        ("plot", "my.toml", "--all", "-o"),
+        ("accuracy", "my.toml", "--plot"),
+        ("synth", "my.toml", "--spec"),
+    ],
+)
+def test_a_dash_names_no_file_and_no_folder(cli: Cli, args: tuple[str, ...]) -> None:
+    code, out, err = cli(*args, "-")
+    assert (code, out) == (2, "")
+    assert f"{args[-1]}: - is standard output, and what is written here is files" in err
+    assert not Path("-").exists()

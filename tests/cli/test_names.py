@@ -13,7 +13,7 @@ from tmmcalc.rooms import STAGES
 
 from .conftest import CONFIGS, Cli
 
-COUNT = 794  # of configs/course-project.toml: 491 facts, 303 columns
+COUNT = 820  # of configs/course-project.toml: 517 facts, 303 columns
 SHAPER = CONFIGS / "shaper.toml"
 CRANK = "mechanism.links[id=1].points.A[0]"
 
@@ -32,6 +32,8 @@ def test_all_that_a_project_can_tell(cli: Cli, tmp_path: Path, monkeypatch: pyte
     named = {row["name"]: row for row in listed}
     assert named["kinematics.S_D"]["meaning"] == "displacement of output D from position 0"
     assert named["kinematics.stroke_D"]["unit"] == "m"
+    motions = [name for name in named if name.startswith("transient.") and name.endswith(".end_time")]
+    assert motions == ["transient.start-up.end_time", "transient.emergency stop.end_time"]
     assert sum(bool(row["meaning"]) for row in listed) > 0.9 * len(listed)
 
 
@@ -46,6 +48,21 @@ def test_names_and_patterns(cli: Cli, tmp_path: Path, monkeypatch: pytest.Monkey
     assert "motion.delta" in people
     told = json.loads(cli("names", str(SHAPER), "motion.delta", "-f", "json").out)
     assert told["columns"]["name"] == ["motion.delta"]
+
+
+def test_every_motion_has_facts_of_its_own(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    asked = '[[constraints]]\nname = "q"\nvalue = "transient.run-down.end_time"\nat_most = "6 s"\n'
+    Path("e.toml").write_text((CONFIGS / "elastic-drive.toml").read_text() + asked)
+    found = {row["name"]: float(row["value"]) for row in rows(cli("names", "e.toml", "*.end_time", "-f", "csv").out)}
+    motions = json.loads(cli("transient", "e.toml", "-f", "json").out)
+    ends = [motions[name]["end_time[s]"] for name in ("start-up", "run-down", "emergency stop")]
+    assert [*found] == [f"transient.{name}.end_time" for name in ("start-up", "run-down", "emergency stop")]
+    assert [*found.values()] == pytest.approx(ends, rel=1e-12)
+    judged = json.loads(cli("feasibility", "e.toml", "-f", "json").out)
+    assert [float(value) for value in judged["columns"]["value"]] == pytest.approx([ends[1]])
+    end = cli("names", "e.toml", "transient.end_time")
+    assert (end.code, "start-up.end_time, run-down.end_time" in end.err) == (2, True)
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -56,7 +58,9 @@ def test_extremes_inside_the_panels() -> None:
 
 
 def test_the_first_of_equal_extremes_counts_and_noise_is_zero() -> None:
-    rows = lambda t: np.stack((np.sin(2 * np.pi * t), 1e-17 * np.cos(50 * t) + 0 * t, 3 + 0 * t))  # noqa: E731
+    def rows(t: Any) -> Any:
+        return np.stack((np.sin(2 * np.pi * t), 1e-17 * np.cos(50 * t) + 0 * t, 3 + 0 * t))
+
     wave, _, level = extremes(rows, 4.0, (), [("a", ""), ("b", ""), ("c", "")])
     assert wave.largest_at == pytest.approx(0.25, abs=1e-7)
     assert wave.least_at == pytest.approx(0.75, abs=1e-7)

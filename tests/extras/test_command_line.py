@@ -5,13 +5,12 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-import numpy as np
 from sparing import sparing
+from storing import assert_stored_as_found
 from typer.testing import CliRunner
 
 import tmmcalc
 from tmmcalc.cli.app import app
-from tmmcalc.core.conversion import to_record
 from tmmcalc.project import templates
 
 SPECS = {  # command -> stage, words that people read
@@ -44,10 +43,7 @@ def test_documents(command: str) -> None:
 def test_what_is_stored_is_what_was_found(command: str, tmp_path: Path) -> None:
     stage = SPECS[command][0]
     scene = tmmcalc.load_spec(file_of(command))
-    first, second = (tmmcalc.run(scene, out=tmp_path).results[stage] for _ in range(2))
-    a, b = to_record(first), to_record(second)
-    assert a.scalars == b.scalars
-    assert all(np.array_equal(a.arrays[name], b.arrays[name]) for name in a.arrays)
+    assert_stored_as_found(scene, stage, tmp_path)
     assert [*tmmcalc.run(scene).outcomes] == [stage]
     assert (tmp_path / f"{stage}.csv").exists() == (command not in ("bearing", "transloader"))
 

@@ -28,6 +28,7 @@ MEMORY = 2 << 30  # bytes that a command may take beyond what this process has
 SECONDS = 25.0  # that a command may take without having said that it takes long
 MEMORY_SAID = "more memory than there is"
 SAID = re.compile(r"still at it after")
+OF_RESULTS = re.compile(r"^error: constraints, (?!.*this scene has no )", re.MULTILINE)
 UNREAL = re.compile(r"(?<![\w./\"'-])[-+]?(nan|inf|infinity)(?![\w./\"'(])", re.IGNORECASE)
 
 
@@ -66,8 +67,9 @@ def judge(case: Case, folder: Path) -> Verdict:
     fresh = sorted(file for file in set(folder.rglob("*")) - before if file.is_file())
     if verdict.code is not None and verdict.code not in CODES:
         verdict.faults.append((f"exit code {verdict.code}", verdict.err[-500:]))
-    # whether a table has a column is known when it is computed
-    if verdict.code == 2 and fresh and "--columns" not in case.args:
+    # whether a table has a column is known when it is computed, and so is what a constraint on a result can name
+    known_late = "--columns" in case.args or OF_RESULTS.search(verdict.err)
+    if verdict.code == 2 and fresh and (not known_late or any("feasibility" in file.name for file in fresh)):
         verdict.faults.append(("files on exit 2", ", ".join(file.name for file in fresh)))
     texts = {file.name: file.read_text("utf-8", "replace") for file in fresh if file.suffix in {".csv", ".toml"}}
     for name, text in {**texts, "stdout": verdict.out, "stderr": verdict.err}.items():

@@ -43,18 +43,12 @@ def test_what_once_failed(file: Path, tmp_path: Path, known_schema: None) -> Non
     assert judge(kept(file), tmp_path / "case").faults == []
 
 
-# Found and not mended yet: tables that do not fit a linkage that is still to be found.
-KNOWN = ("files on exit 2", "KeyError linkage/tables/tasks/loading.py:61 _load")
-
-
 @pytest.mark.slow
 def test_mutants(tmp_path: Path, known_schema: None) -> None:
     found: dict[str, list[str]] = defaultdict(list)
     for number in range(COUNT):
         case = mutant(SEED, number)
         for cause, details in judge(case, tmp_path / "case").faults:
-            if cause in KNOWN and "synth" in case.about:
-                continue
             file = keep(case, cause)
             found[cause].append(f"{number} ({case.about}), {file.name}: {details[-300:]}")
     assert not found, "\n".join(f"{len(listed)} times {cause}: {listed[0]}" for cause, listed in found.items())

@@ -17,6 +17,7 @@ from linkage.forces.loadings import random_loading
 from linkage.scenes import crank_slider, four_bar, full_turn, shaper, slotted, with_input
 from tmmcalc import Kinematics, TmmError, solve_kinematics
 from tmmcalc.core.numerics.extended import EPS, WIDER
+from tmmcalc.core.records import names_of
 from tmmcalc.linkage.errors import last_digit
 from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.kinematics import chain_of
@@ -276,4 +277,4 @@ def test_forces_and_reduction_tell_it() -> None:
 
 
 def test_its_parts_are_those_of_the_estimate() -> None:
-    assert tuple(LastDigit.__record__.fields) == KINDS  # type: ignore[attr-defined]
+    assert names_of(LastDigit) == KINDS

@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from loaded import DEG, READY, anything, press, ready, statics
-from random_mechanisms import KINDS, build
+from random_mechanisms import KINDS
 from sparing import sparing
 
 import tmmcalc
 from linkage.forces.loadings import random_loading
 from linkage.forces.worked import CASES
-from linkage.test_properties import regular
+from linkage.test_properties import regular_scenes
 from tmmcalc.linkage.facts.bodies import bodies_document
 from tmmcalc.linkage.facts.lever import lever_document
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
@@ -115,11 +115,7 @@ def in_equilibrium(scene: Statics, theta: float) -> None:
 @pytest.mark.parametrize("kind", KINDS)
 def test_random_mechanisms_under_random_loads(kind: str) -> None:
     compared = 0
-    for seed in range(5):
-        found = regular(build(np.random.default_rng(seed), [kind, "RRP"]))
-        if found is None:
-            continue
-        mechanism, kinematics = found
+    for seed, mechanism, kinematics in regular_scenes((kind, "RRP"), range(5)):
         loading = random_loading(np.random.default_rng(seed), mechanism, 0.1 * (seed % 2))
         scene = compile_statics(compile_scene(mechanism, loading, kinematics))
         try:

@@ -5,6 +5,7 @@ The reference knows nothing of groups: it solves the closure equations of all li
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import permutations
 
@@ -37,6 +38,14 @@ def regular(scene: RandomMechanism) -> tuple[Mechanism, Kinematics] | None:
         return None
     product = np.prod([quality.amplification for quality in result.qualities])
     return (mechanism, result) if product < WORST else None
+
+
+def regular_scenes(kinds: Sequence[str], seeds: range) -> Iterator[tuple[int, Mechanism, Kinematics]]:
+    """Those of the random scenes of these seeds that are regular, each with its seed."""
+    for seed in seeds:
+        found = regular(build(np.random.default_rng(seed), list(kinds)))
+        if found is not None:
+            yield seed, *found
 
 
 def unambiguous(scene: RandomMechanism) -> Mechanism:

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from random_mechanisms import KINDS, build
+from random_mechanisms import KINDS
 
 from linkage.scenes import CONFIGS, crank_slider, driven_rod, full_turn, shaper, slotted, with_input
-from linkage.test_properties import regular
+from linkage.test_properties import regular_scenes
 from tmmcalc import Kinematics, UsageError, solve_kinematics
 from tmmcalc.core.columns import Column, select
 from tmmcalc.linkage.chain import chain_of
@@ -92,11 +92,8 @@ class Differences:
 def test_random_mechanisms_by_differences_of_positions(kind: str) -> None:
     """v_B - v_A and a_B - a_A of two points of a link; what the slider's acceleration has beside that of its guide."""
     compared = 0
-    for seed in range(6):
-        found = regular(build(np.random.default_rng(seed), [kind, "RRR"]))
-        if found is None:
-            continue
-        mechanism = replace(found[0], input=replace(found[0].input, acceleration=0.7))
+    for _, found, _ in regular_scenes((kind, "RRR"), range(6)):
+        mechanism = replace(found, input=replace(found.input, acceleration=0.7))
         result = solve_kinematics(mechanism)
         compared += pairs_of_points(mechanism, result) + sliders(mechanism, result)
     assert compared >= 3

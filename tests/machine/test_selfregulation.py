@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from machines import TURN, positions, steps
+from machines import PINS, TURN, positions, steps
 
 from machine.motion import cycle_of, reference
 from tmmcalc.core.errors import NoSolutionError
@@ -116,19 +116,7 @@ mass = 1
 id = 3
 points = {{ B = [0, 0] }}
 mass = 2
-[[mechanism.joints]]
-name = "O"
-kind = "revolute"
-links = [0, 1]
-[[mechanism.joints]]
-name = "A"
-kind = "revolute"
-links = [1, 2]
-[[mechanism.joints]]
-name = "B"
-kind = "revolute"
-links = [2, 3]
-[[mechanism.joints]]
+{pins}[[mechanism.joints]]
 name = "S"
 kind = "prismatic"
 links = [3, 0]
@@ -160,7 +148,7 @@ duration = "3 s"
 def whole() -> Any:
     from tmmcalc.api import run
 
-    return run(parse_spec(ENGINE.format(speed="20 rad/s"))).results
+    return run(parse_spec(ENGINE.format(pins=PINS, speed="20 rad/s"))).results
 
 
 def test_the_flywheel_of_a_machine_without_drive_is_the_true_one(whole: Any) -> None:

@@ -272,9 +272,13 @@ import sys
 from tmmcalc.core.stage import Stage
 from tmmcalc.core.stored import Record
 import tmmcalc.pipeline.runner as runner
-inputs = solve = lambda value: value
-dump = lambda result: Record({"x": result})
-load = lambda record: record.scalars["x"]
+def solve(value):
+    return value
+def dump(result):
+    return Record({"x": result})
+def load(record):
+    return record.scalars["x"]
+inputs = solve
 stage = Stage("one", "one", "__main__")
 assert runner.run(1.5, stages={"one": stage}).results["one"] == 1.5
 heavy = "numpy tomllib tomli_w hashlib zipfile difflib pathlib fcntl pydantic typer".split()

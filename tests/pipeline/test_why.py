@@ -6,6 +6,7 @@ import pytest
 
 from tmmcalc.core.plan import plan
 from tmmcalc.pipeline.hashing import content_hash, stage_hash
+from tmmcalc.pipeline.settling import outlook, planned
 from tmmcalc.pipeline.watch import watched
 from tmmcalc.pipeline.why import Why, explain, in_toml
 from tmmcalc.project import Spec, load_spec, parse_spec, templates
@@ -129,3 +130,14 @@ def test_keys_as_they_stand_in_the_file() -> None:
     assert in_toml("cam.optimum", spec) == "optimum in [cam]"
     assert in_toml("mechanism.links.mass", spec) == "mass in [[mechanism.links]]"
     assert in_toml("shafts.ratio", spec) == "ratio in [[shafts]]"
+
+
+def test_what_a_linkage_to_be_found_would_tell_is_not_made_up() -> None:
+    """A load on link 3, which the crank of the outlook has not; and the dyads that the linkage of class IV has not."""
+    spec = load_spec(CONFIGS / "synth-dwell-rocker.toml", ['loads=[{link = 3, point = "B", force = "5 N"}]'])
+    scene = planned(spec, None, STAGES)
+    seen = outlook(spec, None, STAGES)
+    told = {why.step.stage: why for why in explain(seen, scene, supposed=("mechanism",))}
+    assert (told["forces"].step.runs, told["forces"].tables) == (True, None)
+    assert (told["kinematics"].tables, told["kinematics"].omits) == (None, ())
+    assert told["synthesis"].tables == ("synthesis.dwell", "synthesis", "project")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from math import acos, cos, radians, sin, sqrt
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -131,8 +132,13 @@ def test_the_pull_along_the_path_is_the_rest_of_the_acceleration() -> None:
     """m r d2u/dt2 = m r (psi'' du/dpsi - psi'^2 u), by differences of the path of the unbalance."""
     excitation = excitation_of(device().unbalance)
     h, t = 1e-4, 0.37
-    angle = lambda s: 1.3 + 20 * s + 15 * s**2  # noqa: E731
-    reach = lambda s: excitation.cosine * np.cos(angle(s)) + excitation.sine * np.sin(angle(s))  # noqa: E731
+
+    def angle(s: float) -> float:
+        return 1.3 + 20 * s + 15 * s**2
+
+    def reach(s: float) -> Any:
+        return excitation.cosine * np.cos(angle(s)) + excitation.sine * np.sin(angle(s))
+
     second = (reach(t + h) - 2 * reach(t) + reach(t - h)) / h**2
     at = np.array(angle(t)), np.array(20 + 30 * t), np.array(30.0)
     found = excitation.force(*at, tangential=True) + 30.0 * excitation.spin

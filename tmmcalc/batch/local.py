@@ -9,6 +9,7 @@ import time
 from collections.abc import Iterator
 from concurrent.futures import BrokenExecutor, Executor
 from contextlib import contextmanager
+from importlib import import_module
 
 from tmmcalc.batch.executors import Workers
 from tmmcalc.core.errors import UsageError
@@ -17,7 +18,7 @@ from tmmcalc.core.errors import UsageError
 def processes(jobs: int) -> Workers:
     """``jobs`` processes; raises UsageError if joblib is not installed."""
     try:
-        import joblib  # noqa: F401
+        import_module("joblib")
     except ImportError:
         from tmmcalc.core.installation import install
 

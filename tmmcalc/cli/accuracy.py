@@ -10,7 +10,7 @@ import typer
 
 from tmmcalc.cli.job import Job
 from tmmcalc.cli.messages import note_written, say
-from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
+from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile, printed
 from tmmcalc.cli.output import check_apart, check_picture, check_place, check_tolerance, deliver, raise_failures, title
 
 if TYPE_CHECKING:
@@ -58,7 +58,12 @@ def command(
     out: Annotated[
         Path | None,
         typer.Option(
-            "-o", "--out", metavar="FILE", help="Write the tables to this file, print nothing.", show_default=False
+            "-o",
+            "--out",
+            metavar="FILE",
+            help="Write the tables to this file, print nothing (-: print them).",
+            show_default=False,
+            callback=printed,
         ),
     ] = None,
     form: Form = Format.table,

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from tmmcalc.cli.messages import put, say
-from tmmcalc.cli.options import Quiet
+from tmmcalc.cli.options import Quiet, printed
 from tmmcalc.core.errors import UsageError
 
 WIDTH = 80
@@ -36,7 +36,12 @@ def command(
     out: Annotated[
         Path | None,
         typer.Option(
-            "-o", "--out", metavar="FILE", help="File to write (default: standard output).", show_default=False
+            "-o",
+            "--out",
+            metavar="FILE",
+            help="File to write (default, or -: standard output).",
+            show_default=False,
+            callback=printed,
         ),
     ] = None,
     listing: Annotated[

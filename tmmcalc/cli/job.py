@@ -369,7 +369,7 @@ def _signed(command: Callable[..., None], own: Sequence[Parameter], body: Callab
     spec, *rest = (each for each in SHARED if each.name not in taken)
     listed = [spec, *own, *rest]
     assert all(parameter.kind is Parameter.POSITIONAL_OR_KEYWORD for parameter in listed)
-    command.__signature__ = Signature(listed)  # type: ignore[attr-defined]
+    vars(command)["__signature__"] = Signature(listed)
     command.__annotations__ = {parameter.name: parameter.annotation for parameter in listed}
     command.__doc__ = body.__doc__
     return command

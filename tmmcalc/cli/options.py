@@ -29,6 +29,27 @@ def stages(incomplete: str) -> list[str]:
     return [name for name in STAGES if name.startswith(incomplete)]
 
 
+STANDARD_OUTPUT = Path("-")
+
+
+def printed(out: Path | None) -> Path | None:
+    """The file of ``-o`` of what is printed without it: ``-`` is standard output, as elsewhere."""
+    return None if out == STANDARD_OUTPUT else out
+
+
+def check_named(file: Path | None, where: str) -> None:
+    """Raise UsageError for ``-``, which elsewhere is standard output, and here would name a file or a folder."""
+    if file == STANDARD_OUTPUT:
+        rule = "- is standard output, and what is written here is files"
+        raise UsageError(rule, where=where, remedy="name a file or a folder, or leave the flag out")
+
+
+def written(out: Path | None) -> Path | None:
+    """The file or the folder of ``-o`` of what is not printed."""
+    check_named(out, "-o")
+    return out
+
+
 SpecFile = Annotated[Path, typer.Argument(help="Project spec (TOML).", metavar="SPEC", show_default=False)]
 Form = Annotated[Format, typer.Option("--format", "-f", help="Format of what is printed.")]
 Out = Annotated[
@@ -39,6 +60,7 @@ Out = Annotated[
         metavar="FOLDER",
         help="Folder of the stage files (default: <spec>.out here).",
         show_default=False,
+        callback=written,
     ),
 ]
 Store = Annotated[

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tmmcalc.cli.messages import say, show_error, whoever_reads
-from tmmcalc.cli.options import Format
+from tmmcalc.cli.options import Format, check_named
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.files import other_kind
 from tmmcalc.core.printable import printable
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
 
 def raise_failures(failures: Mapping[str, TmmError]) -> None:
-    """The errors of stages without a result: the first ends the command, the others are said before it."""
-    errors = list(failures.values())
+    """The errors of stages without a result: the first ends the command, the others are said before it, each once."""
+    errors = list({str(error): error for error in reversed(failures.values())}.values())[::-1]
     for error in errors[1:]:
         show_error(error)
     if errors:
@@ -30,6 +30,7 @@ def raise_failures(failures: Mapping[str, TmmError]) -> None:
 
 def check_place(file: Path, where: str) -> None:
     """Raise UsageError unless a file can be in this place: its folder is there and it is none itself."""
+    check_named(file, where)
     if kind := other_kind(file):
         remedy = "name a file in it" if kind == "a folder" else "name a file, or leave the flag out"
         raise UsageError(f"{file} is {kind}", where=where, remedy=remedy)

@@ -40,20 +40,22 @@ def command(
     """
     from tmmcalc.pipeline.documents import plan_document
     from tmmcalc.pipeline.settling import outlook, planned, settling
-    from tmmcalc.rooms import STAGES
+    from tmmcalc.rooms import STAGES, TABLES
 
     scene = Job(spec, overrides=overrides or ()).spec()
     found = planned(scene, target, STAGES, skip or ())
     notes: tuple[str, ...] = ()
+    supposed: tuple[str, ...] = ()
     if (first := settling(scene, target, STAGES, skip or ())) is not None:
         scene = outlook(scene, target, STAGES, skip or ())
+        supposed = (TABLES[first.asked[0]].gives,)
         notes = (f"note: the mechanism is what {first.name} finds; the plan supposes that its crank turns fully",)
     heading = title(scene, spec, "plan")
     if why:
         from tmmcalc.pipeline.why import explain
         from tmmcalc.pipeline.why_document import why_document
 
-        document = why_document(explain(scene, found), scene, heading)
+        document = why_document(explain(scene, found, supposed=supposed), scene, heading)
     else:
         document = plan_document(found, heading)
     show(replace(document, notes=(*document.notes, *notes)), form)

@@ -13,7 +13,7 @@ import typer
 
 from tmmcalc.cli.job import Job
 from tmmcalc.cli.messages import note_written, say
-from tmmcalc.cli.options import Quiet, Set, SpecFile
+from tmmcalc.cli.options import Quiet, Set, SpecFile, written
 from tmmcalc.cli.output import check_picture, raise_failures
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.plan import plan
@@ -118,6 +118,7 @@ def command(
             help="Picture, by suffix svg, png or pdf (default: <spec>.svg); of --all their folder (default: "
             "<spec>.out).",
             show_default=False,
+            callback=written,
         ),
     ] = None,
     positions: Annotated[

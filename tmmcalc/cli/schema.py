@@ -8,14 +8,19 @@ from typing import Annotated
 import typer
 
 from tmmcalc.cli.messages import note_written, put
-from tmmcalc.cli.options import Quiet
+from tmmcalc.cli.options import Quiet, printed
 
 
 def command(
     out: Annotated[
         Path | None,
         typer.Option(
-            "-o", "--out", metavar="FILE", help="File to write (default: standard output).", show_default=False
+            "-o",
+            "--out",
+            metavar="FILE",
+            help="File to write (default, or -: standard output).",
+            show_default=False,
+            callback=printed,
         ),
     ] = None,
     quiet: Quiet = False,

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmmcalc.cli.messages import note_written
-from tmmcalc.cli.options import Form, Format, Quiet, Set, stages
+from tmmcalc.cli.options import Form, Format, Quiet, Set, printed, stages
 from tmmcalc.cli.output import check_apart, check_picture, check_place, deliver
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.printable import printable
@@ -72,8 +72,9 @@ def command(
             "-o",
             "--out",
             metavar="FILE",
-            help="Write the tables to this file, print nothing.",
+            help="Write the tables to this file, print nothing (-: print them).",
             show_default=False,
+            callback=printed,
         ),
     ] = None,
     form: Form = Format.table,

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmmcalc.cli.messages import put, say
-from tmmcalc.cli.options import Form, Format, Quiet, SpecFile, Tolerance, patterns_of, stages
+from tmmcalc.cli.options import STANDARD_OUTPUT, Form, Format, Quiet, SpecFile, Tolerance, patterns_of, stages
 from tmmcalc.cli.output import check_place, check_tolerance, show
 from tmmcalc.core.errors import UsageError
 
@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from tmmcalc.batch.sheet import Sheet
     from tmmcalc.batch.sweep import Swept
     from tmmcalc.batch.task import Task
-
-STDOUT = Path("-")
 
 
 def command(
@@ -113,7 +111,7 @@ def command(
 
     Example: tmmcalc sweep my.toml --set 'mechanism.links[id=1].points.A[0]=*0.9:1.1:21'
     """
-    to_stdout = out == STDOUT
+    to_stdout = out == STANDARD_OUTPUT
     file = None if to_stdout else out or Path(f"{spec.stem}.sweep.csv")
     _check(file, depfile, [spec] if points is None else [spec, points])
     if tolerance is not None:

@@ -62,6 +62,8 @@ class Stage:
                           solutions number ``choose``, from 1, None: the best
     ``placed(spec, value)``  the spec with one row more, where the first of its columns has this value (a number with a
                           unit or without): of stages whose rows are places that can be asked for, for `spec.telling`
+    ``unfit(spec, plan)``  an error of what it is asked about stages that the plan leaves out, raised before any runs;
+                          None if there is none
     ``outlook()``         of a stage that settles the spec tables like those that it will find, by which a plan is made
 
     A part that is heavy to import is given by its name, ``"module:function"``: a stored result is loaded without the

@@ -146,9 +146,9 @@ class Mechanism:
         if self.input.joint not in joints:
             raise _unknown(f"the input is at joint {self.input.joint}, which does not exist", "joints", joints)
 
-    def link(self, id: int) -> Link:  # noqa: A002 - the field's own word
+    def link(self, number: int) -> Link:
         """Return the link with this number; the frame is link 0."""
-        return self.frame if id == FRAME else next(link for link in self.links if link.id == id)
+        return self.frame if number == FRAME else next(link for link in self.links if link.id == number)
 
     def joint(self, name: str) -> Joint:
         """Return the joint with this name."""

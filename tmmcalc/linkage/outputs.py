@@ -82,7 +82,8 @@ def sampled(chain: Chain, output: Output, dense: Survey) -> Coordinates:
     value, rate, rate2 = coordinate_of(chain, output, dense.configuration)
     if output.link is not None:
         value = dense.angle(output.link)
-    return tuple(np.broadcast_to(v, dense.x.shape) for v in (value, rate, rate2))  # type: ignore[return-value]
+    shape = dense.x.shape
+    return np.broadcast_to(value, shape), np.broadcast_to(rate, shape), np.broadcast_to(rate2, shape)
 
 
 def dead_centres(chain: Chain, output: Output, dense: Survey, rate: Real) -> Real:

@@ -127,6 +127,9 @@ class _Run:
     def through(self, scene: Plan, forced: Mapping[str, str]) -> None:
         """Load or compute every stage of a plan; ``forced`` says why some are computed whatever is stored."""
         own, archive = of_scene(self.stages, self.spec), self.archive
+        for name in scene.running:
+            if (unfit := own[name].part("unfit")) and (fault := unfit(self.spec, scene)) is not None:
+                raise fault
         for step in scene.steps:
             stage = own[step.stage]
             if stage.name in self.known or self.leaves_out(step, stage):

@@ -5,7 +5,7 @@ So what a plan says of a decision is what the decision looked at, and needs no s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from typing import Any, NamedTuple
 
 from tmmcalc.core.records import record
@@ -32,11 +32,18 @@ class Something:
         return 0.0  # a number that is just what it is compared with
 
 
-def watched(function: Callable[[Any], Any], spec: object, supposed: str = "") -> tuple[Any, tuple[Seen, ...]]:
+class BarredError(Exception):
+    """A key was read that is not to be looked at."""
+
+
+def watched(
+    function: Callable[[Any], Any], spec: object, supposed: str = "", barred: Collection[str] = ()
+) -> tuple[Any, tuple[Seen, ...]]:
     """Return ``function(spec)`` and the keys that it read, in the order of the first look at each.
 
     Tables that were only passed through, to get at a key of theirs, are left out. ``supposed`` is an absent key that
-    is to be taken for given: the function then sees `Something` there.
+    is to be taken for given: the function then sees `Something` there. Raises `BarredError` for a look at a key that
+    is ``barred``.
 
     >>> from types import SimpleNamespace
     >>> @record
@@ -49,17 +56,18 @@ def watched(function: Callable[[Any], Any], spec: object, supposed: str = "") ->
     (None, (Seen(key='wheel.delta', there=False),))
     """
     notes: dict[str, bool] = {}
-    result = function(_behind_glass(spec, _Place("", notes, supposed)))
+    result = function(_behind_glass(spec, _Place("", notes, supposed, barred)))
     through = {key for key in notes if any(other.startswith(f"{key}.") for other in notes)}
     return result, tuple(Seen(key, there) for key, there in notes.items() if key not in through)
 
 
 class _Place(NamedTuple):
-    """A place in the spec, what was noted of all of it, the key that is supposed to be given."""
+    """A place in the spec, what was noted of all of it, the key that is supposed to be given, those that are barred."""
 
     path: str
     notes: dict[str, bool]
     supposed: str
+    barred: Collection[str]
 
 
 def _behind_glass(value: Any, place: _Place) -> Any:
@@ -87,7 +95,7 @@ class _Glass:
     def __init__(self, table: Any, place: _Place) -> None:
         self._table, self._place = table, place
 
-    @property  # type: ignore[misc]
+    @property  # type: ignore[misc]  # mypy knows a class of an object as that alone which made it
     def __class__(self) -> type:
         return type(self._table)
 
@@ -100,6 +108,8 @@ class _Glass:
             return value
         key = getattr(_fields(self._table)[name], "alias", None) or name
         place = self._place._replace(path=f"{self._place.path}.{key}".removeprefix("."))
+        if place.path in place.barred:
+            raise BarredError(place.path)
         place.notes[place.path] = place.notes.get(place.path, False) or bool(value)
         if place.path == place.supposed:
             return Something()

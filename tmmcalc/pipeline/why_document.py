@@ -28,13 +28,20 @@ def _facts(why: Why, spec: object) -> Iterator[Fact]:
     step = why.step
     yield Fact("runs", step.reason, {"runs": True, "reason": step.reason})
     yield Fact("decided by", _keys(why.decided, spec), {"decided_by": list(why.decided)})
-    yield Fact("spec tables", ", ".join(f"[{table}]" for table in why.tables) or "none", {"tables": list(why.tables)})
+    yield _tables(why)
     yield Fact("reads", ", ".join(why.reads) or "no other stage", {"reads": list(why.reads)})
     yield Fact("read by", ", ".join(why.readers) or "no other stage", {"read_by": list(why.readers)})
     if why.packages:
         yield Fact("imports", ", ".join(why.packages), {"packages": list(why.packages)})
     if why.omits:
         yield Fact("leaves out", "\n".join(why.omits), {"leaves_out": list(why.omits)})
+
+
+def _tables(why: Why) -> Fact:
+    """The tables that a stage reads, where that can be told before the spec is settled."""
+    if why.tables is None:
+        return Fact("spec tables", "told when the mechanism is found", {"tables": None})
+    return Fact("spec tables", ", ".join(f"[{table}]" for table in why.tables) or "none", {"tables": list(why.tables)})
 
 
 def _left_out(reasons: Sequence[Why], spec: object) -> Document:

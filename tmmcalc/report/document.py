@@ -59,6 +59,7 @@ class Document:
     wide: bool = False  # the table may be cut to the width of the terminal
     more: str = ""  # said under a table that was cut
     parts: tuple[Document, ...] = ()  # each under its own title; programs find them by it
+    name: str = ""  # what names of its facts begin with where other parts tell the same; empty: its title
 
 
 def angles_in_degrees(document: Document) -> Document:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from importlib import import_module
 from io import StringIO
 from typing import TYPE_CHECKING, Any
 from xml.sax.saxutils import escape, quoteattr
@@ -91,7 +92,7 @@ def _path(outline: Outline, places: int) -> str:
 def require_dxf() -> None:
     """Raise `UsageError` if the package that writes DXF is missing."""
     try:
-        import ezdxf  # noqa: F401
+        import_module("ezdxf")
     except ImportError:
         from tmmcalc.core.installation import install
 

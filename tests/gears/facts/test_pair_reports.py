@@ -358,6 +358,21 @@ def scene() -> Scene:
     return blocking
 
 
+class TestAtTheLimitOfUndercut:
+    """Point E of many pairs is a corner of the limit of undercut: contact begins on the base circle of wheel 1."""
+
+    @pytest.mark.parametrize("teeth", [(25, 62), (18, 60)])
+    def test_sliding_is_unbounded_and_told_so(self, teeth: tuple[int, int]) -> None:
+        pair = solved(PairTask(teeth, 0.005, strategy="zero"))
+        found = solve_blocking(pair)
+        (told,) = (row for row in rows(part(blocking_document(found, "t"), "points")) if row[""] == "theta_1")
+        (ratio,) = (row for row in rows(part(blocking_document(found, "t"), "points")) if row[""] == "eps_alpha")
+        assert (told["E"], told["D"]) == ("unbounded", pytest.approx(-0.7, abs=0.2))
+        assert ratio["E"] == pytest.approx(found.pairs[0].strict.best_contact_ratio, abs=1e-3)
+        points = program(blocking_document(found, "t", everything=True))["points"]
+        assert ("theta_1" in points["E"], "theta_2" in points["E"]) == (False, True)
+
+
 class TestBlocking:
     def test_corners_and_areas(self, scene: Scene) -> None:
         """IG-S09."""

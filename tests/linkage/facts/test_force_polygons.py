@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from machines import PINS, pin
 
 import tmmcalc
 from linkage.scenes import CONFIGS
@@ -22,7 +23,7 @@ from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
 MM = 25.4
-PRESS = """
+PRESS = f"""
 [project]
 title = "Press with a dyad of three pins"
 [mechanism.input]
@@ -36,38 +37,22 @@ O = [0, 0]
 C = [0.7, 0.1]
 [[mechanism.links]]
 id = 1
-points = { O = [0, 0], A = ["100 mm", 0] }
+points = {{ O = [0, 0], A = ["100 mm", 0] }}
 mass = 1.5
 [[mechanism.links]]
 id = 2
-points = { A = [0, 0], B = ["600 mm", 0] }
+points = {{ A = [0, 0], B = ["600 mm", 0] }}
 mass = 4
 inertia = 0.1
 center = ["300 mm", 0]
 [[mechanism.links]]
 id = 3
-points = { C = [0, 0], B = ["350 mm", 0], E = ["450 mm", "50 mm"] }
+points = {{ C = [0, 0], B = ["350 mm", 0], E = ["450 mm", "50 mm"] }}
 mass = 3
 inertia = 0.05
 center = ["200 mm", 0]
-[[mechanism.joints]]
-name = "O"
-kind = "revolute"
-links = [0, 1]
-[[mechanism.joints]]
-name = "A"
-kind = "revolute"
-links = [1, 2]
-[[mechanism.joints]]
-name = "B"
-kind = "revolute"
-links = [2, 3]
-[[mechanism.joints]]
-name = "C"
-kind = "revolute"
-links = [3, 0]
-[mechanism.assembly]
-sketch = { B = [0.6, 0.4] }
+{PINS}{pin("C", 3, 0)}[mechanism.assembly]
+sketch = {{ B = [0.6, 0.4] }}
 [[loads]]
 link = 3
 point = "E"

@@ -102,9 +102,8 @@ def test_the_first_stroke_begins_after_the_delay(start: float, delay: float, fir
 
 def test_edges_are_dead_centres_and_corners() -> None:
     scene = scene_of(engine(0.3), gas(FOUR))
-    x = lambda phi: 0.05 * np.cos(phi) + np.sqrt(0.16**2 - (0.05 * np.sin(phi)) ** 2)  # noqa: E731
     phi = 0.3 + np.array(scene.edges())
-    parts = (0.21 - x(phi)) / 0.1
+    parts = (0.21 - 0.05 * np.cos(phi) - np.sqrt(0.16**2 - (0.05 * np.sin(phi)) ** 2)) / 0.1
     known = sorted({a for table in FOUR for a in table[0]})
     for part_of_stroke in parts:
         assert np.min(np.abs(np.array(known) - part_of_stroke)) < 1e-9

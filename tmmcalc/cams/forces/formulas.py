@@ -20,10 +20,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.laws.law import Number, Values
 from tmmcalc.cams.pressure.angle import tangent_terms
 
-Number = Values | float
 Mask = NDArray[np.bool_]
 
 

@@ -37,7 +37,7 @@ class WideSpring:
 def exact_carried(task: CamTask, follower: Follower, loads: Loads, spring: WideSpring) -> Carried:
     """What is the same all over the turn, in extended precision."""
     there = replace(task, guide=wide(task.guide))
-    return carried(there, wide(follower), wide(loads), spring.stiffness, spring.preload)  # type: ignore[arg-type]
+    return carried(there, wide(follower), wide(loads), spring.stiffness, spring.preload)
 
 
 def exact_spring(task: CamTask, loads: Loads, spring: SpringFound) -> WideSpring:

@@ -20,7 +20,7 @@ from tmmcalc.cams.forces.formulas import (
 )
 from tmmcalc.cams.forces.results import GuideFound
 from tmmcalc.cams.forces.turn import Points
-from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.laws.law import Number, Values
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.records import record
@@ -33,8 +33,8 @@ class Carried:
     follower: Follower
     highest: float  # largest dS of the turn
     inertia: float  # m2 omega^2 or J2 omega^2
-    stiffness: float
-    preload: float
+    stiffness: Number
+    preload: Number
     friction: float  # f of the guide
     pivot: float  # mu of a rocker, f r/l2
     guide: GuideFound | None
@@ -47,7 +47,7 @@ class Carried:
         return bool(self.friction or self.pivot)
 
 
-def carried(task: CamTask, follower: Follower, loads: Loads, stiffness: float, preload: float) -> Carried:
+def carried(task: CamTask, follower: Follower, loads: Loads, stiffness: Number, preload: Number) -> Carried:
     """The follower with its guide; raises `UsageError` and `NoSolutionError` for a guide that there is not."""
     turns = follower.kind == "oscillating"
     return Carried(

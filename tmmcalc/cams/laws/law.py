@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from tmmcalc.core.records import record
 
 Values = NDArray[np.floating[Any]]
+Number = Values | np.floating[Any] | float
 Indices = NDArray[np.intp]
 ORDERS = 4  # s and its first three derivatives
 

@@ -17,7 +17,7 @@ from math import degrees, pi
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.laws.law import Indices, Values
+from tmmcalc.cams.laws.law import Indices, Number, Values
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import SingularityError
@@ -86,9 +86,7 @@ class Reached:
         return 0.0 if self.limit is None else abs(self.worst.value) - self.limit
 
 
-def tangent_terms(
-    follower: Follower, motion: Values, start: Values | float, offset: Values | float
-) -> tuple[Values, Values]:
+def tangent_terms(follower: Follower, motion: Values, start: Number, offset: Number) -> tuple[Values, Values]:
     """Numerator and denominator of tan(theta) as in the head of the module; a flat face has 0 and 1."""
     y, y1 = motion[0], motion[1]
     if follower.kind == "flat":

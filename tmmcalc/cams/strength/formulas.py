@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.forces.formulas import Mask, Number
-from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.forces.formulas import Mask
+from tmmcalc.cams.laws.law import Number, Values
 
 BAD = -1e9  # margin where there is no value
 HERTZ = 0.418  # of the contact of two cylinders with Poisson's ratio 0.3

@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.cams.forces.formulas import Number
 from tmmcalc.cams.forces.state import state
 from tmmcalc.cams.forces.turn import at_rows, crossings, divided, spans
 from tmmcalc.cams.forces.turnforces import NOTHING
-from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.laws.law import Number, Values
 from tmmcalc.cams.program import Positions, levelled
 from tmmcalc.cams.strength.case import Case, roller_acceleration
 from tmmcalc.cams.strength.formulas import (

@@ -2,7 +2,7 @@
 
 import math
 from fractions import Fraction
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -29,9 +29,9 @@ MOST_TURNS = 12  # of the crank until a cam on a shaft of the machine repeats
 _ANGLE = ("angle", "deg", math.pi / 180)
 _POSITIVE = {"at_least_zero": True, "nonzero": True}
 
-FollowerName = Annotated[str, Known("kind of follower", FOLLOWERS)]
+FollowerName = Annotated[Literal["translating", "oscillating", "flat"], Known("kind of follower", FOLLOWERS)]
 Rotation = Annotated[str, Known("sense of rotation", ("clockwise", "counter-clockwise"))]
-Closing = Annotated[str, Known("way to keep the follower on the cam", CLOSURES)]
+Closing = Annotated[Literal["force", "groove"], Known("way to keep the follower on the cam", CLOSURES)]
 RockerTurn = Annotated[str, Known("sense of the rocker", ("with", "against"))]
 Stroke = Annotated[float, Quantity("length", "angle", **_POSITIVE)]
 Speed = Annotated[float, Quantity("angular speed", **_POSITIVE)]

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from tmmcalc.cams.tables.cam_law import LawForm
-from tmmcalc.cams.tables.cam_spring import SPRING_KEYS
+from tmmcalc.cams.tables.cam_spring import SPRING_KEYS, SpringMethod
 from tmmcalc.cams.tables.tasks.design_game import ROLLER_KINDS, Options
 from tmmcalc.spec.choices import Known, Listed, OrFalse, Within
 from tmmcalc.spec.quantities import Friction, Number, Quantity
@@ -137,7 +137,7 @@ DeadCoils = Annotated[float, Number("a number of coils", "2", at_least=0, at_mos
 class CamSpringTable(Table):
     """The spring that keeps the follower on the cam: sized, or given."""
 
-    method: Annotated[str, Known("way to size the spring", tuple(SPRING_KEYS))] | None = Field(
+    method: Annotated[SpringMethod, Known("way to size the spring", tuple(SPRING_KEYS))] | None = Field(
         default=None,
         description='How the spring is found. `"safety"`: by the safety of the contact; `"preload"`: '
         'by the deflection of the preload and the least contact force; `"given"`; `"none"` (default: '
@@ -258,7 +258,7 @@ class CamOptimumTable(Table):
         description='Heights of the guide\'s upper edge, from and to, `["100 mm", "140 mm"]` (default: '
         "from the least possible).",
     )
-    phases: Annotated[str, Known("part of the turn", ("turn", "rise"))] = Field(
+    phases: Annotated[Literal["turn", "rise"], Known("part of the turn", ("turn", "rise"))] = Field(
         default="turn",
         description='What is examined: the whole turn, `"turn"`, or the `"rise"` alone as in the textbook.',
     )

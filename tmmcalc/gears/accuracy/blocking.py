@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -88,13 +89,14 @@ def _series(scene: Scene, ways: dict[str, list[Way]], exact: _Found) -> Iterator
 def _ways(task: Task, fine: Contour) -> dict[str, list[Way]]:
     window = _window(fine)
     return {
-        "raster": [Way(f"{n} x {n}", 1 / n, lambda n=n: _raster(task, fine.strict, window, n)) for n in GRIDS],  # type: ignore[misc]
-        "lines of constant sum": [Way(f"{n} lines", 1 / n, lambda n=n: _lines(fine, n)) for n in LINES],  # type: ignore[misc]
-        "edges between corners": [
-            Way(f"{n} points", None, lambda n=n: _of(contour(task, fine.strict, pieces=False, points=n)))  # type: ignore[misc]
-            for n in EDGES
-        ],
+        "raster": [Way(f"{n} x {n}", 1 / n, partial(_raster, task, fine.strict, window, n)) for n in GRIDS],
+        "lines of constant sum": [Way(f"{n} lines", 1 / n, partial(_lines, fine, n)) for n in LINES],
+        "edges between corners": [Way(f"{n} points", None, partial(_outlined, task, fine.strict, n)) for n in EDGES],
     }
+
+
+def _outlined(task: Task, strict: bool, points: int) -> _Found:
+    return _of(contour(task, strict, pieces=False, points=points))
 
 
 def _of(found: Contour) -> _Found:

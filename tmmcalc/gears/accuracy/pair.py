@@ -55,6 +55,11 @@ def studies(scene: Scene) -> Iterator[Study]:
         yield Study("pair", quantity, reference, tuple(_series(scene, targets, error)))
 
 
+def _told(count: int) -> Callable[[Values], int]:
+    """What a way costs, whatever it finds."""
+    return lambda found: count
+
+
 def _series(scene: Scene, q: Values, error: Callable[[Values], float]) -> Iterator[Series]:
     methods: tuple[tuple[str, Inverse, tuple[int, ...], str], ...] = (
         ("series", _by_series, ALL_TERMS, "terms"),
@@ -66,8 +71,7 @@ def _series(scene: Scene, q: Values, error: Callable[[Values], float]) -> Iterat
         halves = inverse is _by_halving  # the bracket, its step; the others have none, and no order by it
         sizes = [pi / 2 / 2**n if halves else None for n in counts]
         ways = [
-            Way(f"{n} {unit}", size, partial(inverse, q, n), lambda _, n=n: n)  # type: ignore[misc]
-            for n, size in zip(counts, sizes, strict=True)
+            Way(f"{n} {unit}", size, partial(inverse, q, n), _told(n)) for n, size in zip(counts, sizes, strict=True)
         ]
         yield series(name, ways, error, scene.clock, expected=1.0 if halves else None)
     own = Way("to rounding", None, lambda: inverse_involute(q))

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -63,7 +64,7 @@ def _ways(request: Request, method: Callable[[Request], ToothSets]) -> Iterator[
             continue
         smaller = replace(limits, largest=largest, largest_ring=ring)
         asked = replace(request, task=replace(request.task, limits=smaller))
-        yield Way(f"z to {largest}", None, lambda asked=asked: _found(method, asked), len)  # type: ignore[misc]
+        yield Way(f"z to {largest}", None, partial(_found, method, asked), len)
 
 
 def _found(method: Callable[[Request], ToothSets], asked: Request) -> ToothSets:

@@ -9,7 +9,7 @@ from typing import Any
 from tmmcalc.core.quantity import components, keyed
 from tmmcalc.gears.facts.meshes import distinct, places
 from tmmcalc.gears.involute.contour.task import LINES
-from tmmcalc.gears.meshing.contours import Area, Blocking, ContourLine, ContourPoint, Outline, PairContour
+from tmmcalc.gears.meshing.contours import UNBOUNDED, Area, Blocking, ContourLine, ContourPoint, Outline, PairContour
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 from tmmcalc.report.sizes import plain
@@ -55,7 +55,7 @@ def _document(result: Blocking, title: str, parts: tuple[Document, ...]) -> Docu
 
 
 def _pair_summary(pair: PairContour, title: str) -> Document:
-    return Document(title, tuple(_facts(pair, title)), tuple(_notes(pair)))
+    return Document(title, tuple(_facts(pair, title)), tuple(_notes(pair)), name=pair.name)
 
 
 def _part(pair: PairContour, title: str) -> Document:
@@ -184,7 +184,8 @@ def _points_view(pair: PairContour) -> View:
     columns: list[list[Any]] = [[*SIZES, "a_w, mm", "strict", "tolerated"]]
     for point in pair.points:
         values = _point_values(point)
-        cells = [values.get(symbol, "-") for symbol in SIZES]
+        unbounded = {key for key, value in _sliding(point).items() if abs(value) > UNBOUNDED}
+        cells = [values.get(symbol, "unbounded" if symbol in unbounded else "-") for symbol in SIZES]
         cells = [cell if isinstance(cell, str) else round(cell, PLACES) for cell in (*cells, 1e3 * point.distance)]
         columns.append([*cells, point.strict, point.tolerated])
     return View(["", *(_short(point.name) for point in pair.points)], columns)
@@ -196,8 +197,8 @@ def _short(name: str) -> str:
 
 
 def _point_values(point: ContourPoint) -> dict[str, Any]:
-    """A point for programs; sliding is left out where a flank would have to begin within its base circle."""
-    sliding = {key: value for key, value in components(point, "sliding", wheel="12").items() if value}
+    """A point for programs; sliding is left out where a flank would have to begin on its base circle or within."""
+    sliding = {key: value for key, value in _sliding(point).items() if 0 < abs(value) <= UNBOUNDED}
     return {
         **keyed(point, "x1", "x2", "contact_ratio"),
         **components(point, "tip_thickness", wheel="12"),
@@ -205,6 +206,11 @@ def _point_values(point: ContourPoint) -> dict[str, Any]:
         **components(point, "form_factors", wheel="12"),
         **keyed(point, "distance", "strict", "tolerated"),
     }
+
+
+def _sliding(point: ContourPoint) -> dict[str, float]:
+    found: dict[str, float] = components(point, "sliding", wheel="12")
+    return found
 
 
 def _corners_view(pair: PairContour) -> View | None:

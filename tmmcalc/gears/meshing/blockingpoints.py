@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from tmmcalc.gears.involute.contour.contour import Contour
-from tmmcalc.gears.involute.contour.margins import margins
+from tmmcalc.gears.involute.contour.margins import margins, sliding_at_start
 from tmmcalc.gears.involute.contour.points import (
     deepest,
     equal_sliding,
@@ -61,15 +61,17 @@ def _own(pair: MeshPair, point: ContourPoint) -> ContourPoint:
     """The chosen point with the values of the pair that was solved."""
     one, two = pair.sizes
     m, solved = pair.task.module, external_pair(pair)
-    ratio, (start1, start2), g = solved.ratio, solved.starts, float(solved.length)
-    theta1 = 1 - (g - float(start1)) / (ratio * float(start1)) if start1 > 0 else 0.0
-    theta2 = 1 - ratio * (g - float(start2)) / float(start2) if start2 > 0 else 0.0
+    ratio, g = solved.ratio, float(solved.length)
+    start1, start2 = map(np.asarray, solved.starts)
     forms = [size.strength.factor if size.strength else 0.0 for size in (one, two)]
     return replace(
         point,
         contact_ratio=pair.contact_ratio,
         tip_thickness=(one.tip_thickness / m, two.tip_thickness / m),
-        sliding=(theta1, theta2),
+        sliding=(
+            float(sliding_at_start(g - start1, start1, ratio)),
+            float(sliding_at_start(g - start2, start2, 1 / ratio)),
+        ),
         form_factors=(forms[0], forms[1]),
         distance=pair.distance,
     )

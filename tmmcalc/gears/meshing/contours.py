@@ -60,9 +60,16 @@ class ContourLine:
     x2: Values = quantity("x_2", "profile shifts of wheel 2")  # (n,)
 
 
+UNBOUNDED = 1e8  # of a specific sliding: what a point on the limit of undercut has that misses it by rounding
+
+
 @record
 class ContourPoint:
-    """A point of interest."""
+    """A point of interest.
+
+    Where a flank would have to begin within its base circle its sliding is 0; where it begins on it, at the limit of
+    undercut, sliding grows beyond all bounds, and what is computed of it is rounding.
+    """
 
     name: str  # C, D, E, "balanced", "equal strength", "chosen"
     title: str  # what is special about it

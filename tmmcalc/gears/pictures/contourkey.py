@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Circle, Rectangle
 
 from tmmcalc.core.records import record
-from tmmcalc.gears.meshing.contours import Area, ContourPoint, PairContour
+from tmmcalc.gears.meshing.contours import UNBOUNDED, Area, ContourPoint, PairContour
 from tmmcalc.gears.pictures.contourlines import Stroke, chosen, indexed, number_of
 from tmmcalc.gears.pictures.contourlook import BELT, BORDER, FILL, FONT, HATCH, PALE, RING, STRICT, STROKES, marker_of
 from tmmcalc.report.drawing.labels import MM
@@ -177,6 +177,8 @@ def _points(axes: Axes, pair: PairContour, width: float) -> Iterator[Row]:
         for k, theta in enumerate(point.sliding, start=SLIDING):
             if not theta:  # the flank would have to begin inside the base circle
                 texts[k] = "\N{EN DASH}"
+            elif abs(theta) > UNBOUNDED:
+                texts[k] = f"{MINUS}\N{INFINITY}"
         yield cells(texts, point.name, point)
     said = [f"{point.name}: {indexed(point.title)}" for point in pair.points if point.name != "chosen"]
     if said:

@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
@@ -169,7 +170,7 @@ def _planets(task: TrainTask) -> Relaxation | None:
 
 
 # constraint: (the task without it, what it limits, whether the largest value is the nearest, its present limit)
-_Drop = tuple[dict[str, object], Measure, bool, Callable[[TrainTask], float]]
+_Drop = tuple[dict[str, Any], Measure, bool, Callable[[TrainTask], float]]
 _DROPPED: dict[str, _Drop] = {
     "adjacency": ({"gap": None}, measures.room, True, lambda t: float(t.demands.gap or 0)),
     "interference": (
@@ -209,7 +210,7 @@ def _binds(task: TrainTask, name: str) -> bool:
 def _without(task: TrainTask, name: str, drop: _Drop) -> Relaxation | None:
     """The set that breaks this constraint least, if there is one without it."""
     change, measure, up, present = drop
-    sets = synthesise(replace(task, demands=replace(task.demands, **change))).sets  # type: ignore[arg-type]
+    sets = synthesise(replace(task, demands=replace(task.demands, **change))).sets
     if not len(sets):
         return None
     values = measure(task, sets)

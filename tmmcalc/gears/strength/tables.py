@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import cache
+from inspect import get_annotations
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -146,7 +147,7 @@ def parse(text: str, kind: type[R], file: str) -> tuple[R, ...]:
     """The rows of a CSV text; raises `UsageError` at the first cell that is not what its column says."""
     import csv  # late: only strength reads tables
 
-    fields: dict[str, Any] = kind.__dataclass_fields__  # type: ignore[attr-defined]
+    fields = get_annotations(kind)
     reader = csv.reader(text.splitlines())
     if next(reader, None) != [*fields]:
         raise _damaged(f"the columns are not {', '.join(fields)}", file, 1)
@@ -155,7 +156,7 @@ def parse(text: str, kind: type[R], file: str) -> tuple[R, ...]:
         if len(cells) != len(fields) or not cells[-1]:
             raise _damaged(f"not {len(fields)} cells with a source in the last", file, reader.line_num)
         try:
-            values = [_READERS[field.type](cell) for field, cell in zip(fields.values(), cells, strict=True)]
+            values = [_READERS[told](cell) for told, cell in zip(fields.values(), cells, strict=True)]
         except ValueError as error:
             raise _damaged(str(error), file, reader.line_num) from None
         rows.append(kind(*values))

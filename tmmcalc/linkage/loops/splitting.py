@@ -73,7 +73,8 @@ def split_of(mechanism: Mechanism, group: Group) -> Split:
 
 def _dyads(group: Group, joints: list[Joint], pivot: Joint, removed: int) -> tuple[Group, ...]:
     """The groups behind a trial link, the source chain taken as one frame; empty if one of them is no dyad."""
-    held = [replace(j, links=tuple(k if k in group.links else FRAME for k in j.links)) for j in joints]  # type: ignore[arg-type]
+    ends = {k: k if k in group.links else FRAME for joint in joints for k in joint.links}
+    held = [replace(joint, links=(ends[joint.links[0]], ends[joint.links[1]])) for joint in joints]
     links = tuple(Link(k) for k in group.links if k != removed)
     try:
         found = solve_structure(Mechanism(Link(FRAME), links, tuple(held), Input(pivot.name, 1.0))).groups

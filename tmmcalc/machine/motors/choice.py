@@ -122,7 +122,7 @@ def _objections(demand: Demand, motor: Motor) -> Iterator[str]:
     if wanted is not None and not _runs_at(motor, wanted):
         yield f"its synchronous speed is {_rpm(has)}, not {_rpm(wanted)}" if has else "it has no synchronous speed"
     if motor.power < demand.whole:
-        more = f" with a reserve of {demand.reserve:.3g}" if demand.reserve else ""
+        more = f" with {100 * demand.reserve:.3g}% in reserve" if demand.reserve else ""
         yield f"its {_kw(motor.power)} are less than the required {_kw(demand.power)}{more}"
     ratio = _ratio(demand, motor)
     if ratio is None:

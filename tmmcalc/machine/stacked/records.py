@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
@@ -81,10 +82,7 @@ def _errors(block: Block, variants: Indices, x: Real, weakest: Sequence[Sequence
     """
     if not WIDER:
         owns = [block.chain(v) for v in variants.tolist()]
-        return [
-            estimate(own, row, lambda at, own=own: trace(own, at), weak)  # type: ignore[misc]
-            for own, row, weak in zip(owns, x, weakest, strict=True)
-        ]
+        return [estimate(own, row, partial(trace, own), weak) for own, row, weak in zip(owns, x, weakest, strict=True)]
     regular = evaluated(
         block,
         np.repeat(variants, x.shape[1]),

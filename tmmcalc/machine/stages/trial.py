@@ -88,7 +88,7 @@ class Trials:
         """Which of the limits of the steady motion the motor does not keep; empty: none."""
         rated, reserve = judged.motor.nominal_moment, self.wish.reserve
         if kept(judged.heating, reserve) is False:
-            more = f" with a reserve of {reserve:.3g}" if reserve else ""
+            more = f" with {100 * reserve:.3g}% in reserve" if reserve else ""
             return (
                 f"it overheats: the rms moment of {moments.rms:.4g} N*m is {judged.heating:.3g} of the rated "
                 f"{rated:.4g} N*m{more}"

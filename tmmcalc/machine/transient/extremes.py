@@ -7,7 +7,7 @@ and the turning point found by the method's own states.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,7 +21,7 @@ from tmmcalc.machine.transient.turning import Point, settled, turnings
 
 NOISE = 1e-13  # relative: a turning point that is beyond the rows by less is not looked at
 LOOKS = 8  # steps that are made again for one quantity
-Key = Callable[[float], float]
+Key = Callable[[Any], Any]  # of a number, or of numbers one by one
 
 
 class Reading(NamedTuple):
@@ -61,7 +61,7 @@ def farthest(run: Run, reading: Reading, course: tuple[Values, Values, Values], 
     again by its own gap, of any other by its cubic, of a lost one that cannot be made again by its tangent.
     """
     t, values, rates = course
-    best = int(np.argmax(key(values)))  # type: ignore[arg-type]
+    best = int(np.argmax(key(values)))
     found = Found(float(values[best]), float(t[best]))
     if len(t) < 2:
         return found

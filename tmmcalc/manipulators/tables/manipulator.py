@@ -1,6 +1,6 @@
 """``[manipulator]``: an arm, the path of its gripper or the motion of its joints, limits, obstacles."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -15,7 +15,7 @@ PATHS = ("arc", "line", "polyline")
 ELBOWS = {"up": 1, "down": -1}
 SIDES = {"left": 1, "right": -1}
 
-ArmName = Annotated[str, Known("kind of arm", ARMS)]
+ArmName = Annotated[Literal["spherical", "cylindrical", "angular"], Known("kind of arm", ARMS)]
 ElbowName = Annotated[str, Known("place of the elbow", tuple(ELBOWS))]
 PathName = Annotated[str, Known("kind of path", PATHS)]
 Side = Annotated[str, Known("side of the arc's centre", tuple(SIDES))]

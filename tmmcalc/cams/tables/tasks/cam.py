@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import fields, replace
+from dataclasses import replace
 from math import pi
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -26,6 +26,7 @@ from tmmcalc.cams.task import (
     Spring,
 )
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.records import names_of
 
 if TYPE_CHECKING:
     from tmmcalc.cams.laws.law import Law
@@ -70,7 +71,7 @@ def _requirements(table: CamTable) -> Requirements:
     given = table.requirements
     if given is None:
         return Requirements()
-    names = [field.name for field in fields(Requirements) if field.name != "contact_source"]
+    names = [name for name in names_of(Requirements) or () if name != "contact_source"]
     needs = Requirements(**{name: getattr(given, name) for name in names})
     if given.material is None:
         return needs
@@ -83,8 +84,7 @@ def _requirements(table: CamTable) -> Requirements:
 
 def _plain(record: type[T], table: Table, **renamed: str) -> T:
     """A record whose fields are keys of the table, some under another name."""
-    names = [field.name for field in fields(record)]  # type: ignore[arg-type]
-    return record(**{name: getattr(table, renamed.get(name, name)) for name in names})
+    return record(**{name: getattr(table, renamed.get(name, name)) for name in names_of(record) or ()})
 
 
 def shaft_ratio(spec: CamTables, table: CamTable) -> tuple[float, int]:
@@ -143,9 +143,9 @@ def _laws(table: CamTable) -> tuple[Any, Any]:
 
 def _asked(table: CamTable) -> Asked:
     return Asked(
-        kind=table.follower,  # type: ignore[arg-type]
+        kind=table.follower,
         sense=RIGHT_WAY[table.rotation],
-        closure=table.closure,  # type: ignore[arg-type]
+        closure=table.closure,
         start=table.start_angle if table.follower == "oscillating" else table.start_distance,
         base=table.base_radius,
         offset=_offset(table),
@@ -228,7 +228,7 @@ def _spring(table: CamTable, mass: float | None) -> Spring:
         return Spring("safety" if table.closure == "force" and mass else "none")
     written = given.model_fields_set
     return Spring(
-        method=given.method or spring_method(written),  # type: ignore[arg-type]
+        method=given.method or spring_method(written),
         safety=given.safety,
         stiffness=given.stiffness or 0.0,
         preload=given.preload,
@@ -252,7 +252,7 @@ def _optimum(table: CamTable) -> Optimum | None:
         step=given.step,
         height_step=given.height_step,
         heights=heights,
-        phases=given.phases,  # type: ignore[arg-type]
+        phases=given.phases,
         laws=tuple(given.laws or ()),
         safeties=tuple(given.safeties or ()),
         contacts=tuple(given.contacts or ()),

@@ -17,6 +17,7 @@ from tmmcalc.gears.involute.wheel import Number, Wheel
 from tmmcalc.gears.model import Values
 
 NONE = -1.0  # the margin of a pair that does not exist
+ON_BASE = 1e-10  # of the mate's radius of curvature: a flank that begins so near its base circle begins on it
 
 
 @record
@@ -95,12 +96,16 @@ def margins(task: Task, x1: float | Values, x2: float | Values) -> Margins:
         known(pair.contact_ratio - task.contact_ratio),
         known(thick[0] - task.thickness[0]),
         known(thick[1] - task.thickness[1]),
-        _slide(np.asarray(rho2), np.asarray(start1), u),
-        _slide(np.asarray(rho1), np.asarray(start2), 1 / u),
+        sliding_at_start(np.asarray(rho2), np.asarray(start1), u),
+        sliding_at_start(np.asarray(rho1), np.asarray(start2), 1 / u),
     )
 
 
-def _slide(mate: Values, own: Values, ratio: float) -> Values:
-    """theta = 1 - rho_mate/(u rho_own) where the own radius of curvature is positive (4.71)."""
-    safe = np.where(own > 0, own, 1.0)
-    return np.where(own > 0, 1 - np.where(own > 0, mate, 0.0) / (ratio * safe), 0.0)
+def sliding_at_start(mate: Values, own: Values, ratio: float) -> Values:
+    """theta = 1 - rho_mate/(u rho_own) where the own radius of curvature is positive (4.71), 0 where it is not.
+
+    A flank that begins at its base circle slides beyond all bounds: within `ON_BASE` of it the value is that bound.
+    """
+    least = ON_BASE * np.abs(mate)
+    begins, safe = own >= -least, np.maximum(own, np.where(least > 0, least, 1.0))
+    return np.where(begins, 1 - np.where(begins, mate, 0.0) / (ratio * safe), 0.0)

@@ -139,9 +139,10 @@ def _check_side(mesh: Raw, path: Path, planets: set[str], sides: dict[tuple[obje
     """Two like wheels do not mesh with one bevel planet on the same side."""
     for key, other in (("first", "second"), ("second", "first")):
         planet, wheel = name_of(mesh.get(key)), name_of(mesh.get(other))
-        if planet not in planets or wheel is None:
+        teeth = mesh.get(f"{key}_teeth"), mesh.get(f"{other}_teeth")
+        if planet not in planets or wheel is None or not all(map(is_integer, teeth)):
             continue
-        place = (planet, mesh.get(f"{key}_teeth"), mesh.get(f"{other}_teeth"), mesh.get("opposite", False))
+        place = (planet, *teeth, mesh.get("opposite") is True)
         if place in sides:
             rule = f"{show(sides[place])} and {show(wheel)} mesh with {show(planet)} on the same side"
             yield Finding(path, rule, "add opposite = true to one of the two meshes")

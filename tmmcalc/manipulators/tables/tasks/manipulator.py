@@ -58,7 +58,7 @@ def to_manipulator(spec: ManipulatorTables) -> ManipulatorTask:
 
 def _arm(table: ManipulatorTable) -> Arm:
     return Arm(
-        kind=table.arm,  # type: ignore[arg-type]
+        kind=table.arm,
         spatial=_spatial(table),
         upper=table.upper_arm or 0.0,
         forearm=table.forearm or 0.0,
