@@ -6,10 +6,11 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.naming.anew import Anew, again_of
+from tmmcalc.naming.language import Name, parse
+from tmmcalc.naming.told import Extent, Told, listed, told, unknown
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
-from tmmcalc.spec.naming import Name, parse
-from tmmcalc.spec.telling import Anew, Extent, Told, again_of, listed, told, unknown
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult

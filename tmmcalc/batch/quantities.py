@@ -1,4 +1,4 @@
-"""What a stage tells of a variant: the quantities that names and patterns of `tmmcalc.spec.naming` ask for."""
+"""What a stage tells of a variant: the quantities that names and patterns of `tmmcalc.naming.language` ask for."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.spec.naming import near, parse, rank
-from tmmcalc.spec.telling import Again, Anew, again_of
-from tmmcalc.spec.telling import told as of_stage
+from tmmcalc.naming.anew import Again, Anew, again_of
+from tmmcalc.naming.language import near, parse, rank
+from tmmcalc.naming.told import told as of_stage
 
 
 def told(

@@ -34,7 +34,7 @@ def command(
     Example: tmmcalc names my.toml 'forces.max(R_*)' motion.delta
     """
     from tmmcalc.batch.names import names_document
-    from tmmcalc.spec.naming import parse
+    from tmmcalc.naming.language import parse
 
     for pattern in patterns or ():
         parse(pattern)  # a slip is told before anything is computed

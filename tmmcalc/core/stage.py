@@ -61,7 +61,7 @@ class Stage:
     ``found(spec, result, choose)``  what it found as keys of the spec, see `tmmcalc.spec.rewrite.Found`; of several
                           solutions number ``choose``, from 1, None: the best
     ``placed(spec, value)``  the spec with one row more, where the first of its columns has this value (a number with a
-                          unit or without): of stages whose rows are places that can be asked for, for `spec.telling`
+                          unit or without): of stages whose rows are places that can be asked for, for `tmmcalc.naming`
     ``outlook()``         of a stage that settles the spec tables like those that it will find, by which a plan is made
 
     A part that is heavy to import is given by its name, ``"module:function"``: a stored result is loaded without the

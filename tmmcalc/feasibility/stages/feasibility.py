@@ -12,7 +12,7 @@ from tmmcalc.core.stage import Another
 from tmmcalc.feasibility.judge import Feasibility, FeasibilityTask
 from tmmcalc.feasibility.stages.judged import judged
 from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
-from tmmcalc.spec.telling import Again, again_of
+from tmmcalc.naming.anew import Again, again_of
 
 if TYPE_CHECKING:
     from tmmcalc.feasibility.room import FeasibilityTables

@@ -9,7 +9,8 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import Quantity
 from tmmcalc.feasibility.judge import Constraint, Feasibility, FeasibilityTask, judge
 from tmmcalc.feasibility.quantities import limits, of_given, place
-from tmmcalc.spec.telling import Again, Anew, one
+from tmmcalc.naming.anew import Again, Anew
+from tmmcalc.naming.told import one
 
 
 def judged(task: FeasibilityTask, upstream: Mapping[str, Any], again: Sequence[Again] = ()) -> Feasibility:

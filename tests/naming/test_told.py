@@ -11,10 +11,11 @@ import pytest
 import tmmcalc
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.through import between, integral
+from tmmcalc.naming.anew import Anew, again_of
+from tmmcalc.naming.language import parse
+from tmmcalc.naming.told import Told, one
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.runner import run
-from tmmcalc.spec.naming import parse
-from tmmcalc.spec.telling import Anew, Told, again_of, one
 
 SHAPER = Path(__file__).parents[2] / "configs" / "shaper.toml"
 
