@@ -29,7 +29,7 @@ def test_all_that_a_project_can_tell(cli: Cli, tmp_path: Path, monkeypatch: pyte
     assert len(told) == COUNT
     assert len({(row["name"], row["how"]) for row in told}) == COUNT  # criteria.mass is a fact and a column
     choice = {row["name"] for row in listed} - {row["name"] for row in told}
-    assert {"kinematics.vS_B_differences", "forces.Pi_3", "forces.warnings", "forces.counters.dense"} < choice
+    assert {"kinematics.vrel_B_A", "forces.Pi_3", "forces.warnings", "forces.counters.dense"} < choice
     assert not {row["name"] for row in listed if row["min"]} & choice  # no column by choice was made
     order = [[*STAGES].index(row["name"].partition(".")[0]) for row in listed]
     assert order == sorted(order)
