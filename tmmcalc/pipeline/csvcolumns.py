@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from tmmcalc.core.columns import Column, nearest
 from tmmcalc.core.errors import UsageError
@@ -40,14 +38,7 @@ def by_choice(names: Sequence[str], outcomes: Mapping[str, Outcome], scene: Scen
 
 
 def with_columns(table: Table, further: Sequence[Column]) -> Table:
-    """The table with columns by choice behind its own, their cells empty where there is no value."""
+    """The table with columns by choice behind its own; NaN is where they have no value."""
     own = [partial(table.columns.__getitem__, k) for k in range(len(table.header))]
     header = [*table.header, *(each.header for each in further)]
-    return Table(header, DeferredColumns([*own, *(partial(_cells, each) for each in further)]))
-
-
-def _cells(column: Column) -> np.ndarray[Any, Any]:
-    values = np.asarray(column.make())
-    if values.dtype.kind != "f" or not np.isnan(values).any():
-        return values
-    return np.array(["" if np.isnan(value) else repr(value) for value in values.tolist()])
+    return Table(header, DeferredColumns([*own, *(each.make for each in further)]))
