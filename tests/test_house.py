@@ -18,6 +18,7 @@ ROOT = Path(__file__).parent.parent / "tmmcalc"
 FLOORS = (
     "core",
     "spec",
+    "naming",
     "report",
     "feasibility",
     "linkage",

@@ -11,7 +11,7 @@ from tmmcalc.batch.reading import task_of
 from tmmcalc.batch.table import read_points, row_of
 from tmmcalc.batch.task import Task
 from tmmcalc.core.errors import UsageError
-from tmmcalc.spec.naming import rank, stages_of
+from tmmcalc.naming.language import rank, stages_of
 from tmmcalc.spec.variants import Axis, grid
 
 SHAPER = Path(__file__).parents[2] / "configs" / "shaper.toml"

@@ -6,15 +6,17 @@ from array import array
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from tmmcalc.batch.quantities import anew, told
+from tmmcalc.batch.quantities import told
 from tmmcalc.batch.task import Row, Task, verdict
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.plan import Plan
+from tmmcalc.naming.scene import Scene
 from tmmcalc.pipeline.runner import run
 from tmmcalc.pipeline.settling import planned
 from tmmcalc.rooms import STAGES
 
 if TYPE_CHECKING:
+    from tmmcalc.pipeline.outcome import RunResult
     from tmmcalc.project import Spec
     from tmmcalc.project.loader import Variants
 
@@ -33,15 +35,16 @@ def solve_variant(task: Task, spec: Spec) -> tuple[dict[str, float], TmmError | 
 
     What other stages tell stays. Raises `UsageError` for a target that the variant leaves out.
     """
-    result = run(
-        spec, target=task.targets or None, scene=scene_to(spec, task.targets), tolerance=task.tolerance, keep_going=True
-    )
+    result = run_of(task, spec)
     asked = result.outcomes if task.patterns or not task.targets else [t for t in task.targets if t in result.outcomes]
-    found: dict[str, float] = {}
-    again = anew(result.spec, task.patterns)
-    for stage in asked:
-        found.update(told(stage, result.results, task.patterns, again))
+    found = dict(told(result.results, task.patterns, Scene(result.spec, result.results), [*asked]))
     return found, next(iter(result.failures.values()), None)
+
+
+def run_of(task: Task, spec: Spec) -> RunResult:
+    """The run of a variant up to its targets. Raises `UsageError` for a target that it leaves out."""
+    scene = scene_to(spec, task.targets)
+    return run(spec, target=task.targets or None, scene=scene, tolerance=task.tolerance, keep_going=True)
 
 
 def _row(task: Task, variants: Variants, point: int, shared: dict[Names, Names]) -> Row:

@@ -1,4 +1,4 @@
-"""What a stage tells of a variant: the quantities that names and patterns of `tmmcalc.spec.naming` ask for."""
+"""What a stage tells of a variant: the quantities that names and patterns of `tmmcalc.naming.language` ask for."""
 
 from __future__ import annotations
 
@@ -7,29 +7,37 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.spec.naming import near, parse, rank
-from tmmcalc.spec.telling import Again, Anew, again_of
-from tmmcalc.spec.telling import told as of_stage
+from tmmcalc.naming.language import Name, near, parse, rank
+from tmmcalc.naming.scene import Scene
+from tmmcalc.naming.told import Extent, offered
+from tmmcalc.naming.told import told as named
 
 
 def told(
-    stage: str, results: Mapping[str, Any], patterns: Sequence[str], again: Sequence[Again] = ()
+    results: Mapping[str, Any],
+    patterns: Sequence[str],
+    scene: Scene | None = None,
+    stages: Sequence[str] | None = None,
 ) -> Iterator[tuple[str, float]]:
-    """Quantities of one stage with their values, all facts without patterns; what is not finite is left out."""
-    names = [parse(pattern) for pattern in patterns]
-    for each in of_stage(stage, results[stage], names, Anew(again, results)):
+    """Quantities of stages (None: all) with their values, all facts without patterns; what is not finite is left out.
+
+    Places between rows and what is by choice need the ``scene``.
+    """
+    for each in named(results, [parse(pattern) for pattern in patterns], scene, stages):
         if math.isfinite(each.value):
             yield each.key, each.value
-
-
-def anew(spec: Any, patterns: Sequence[str]) -> tuple[Again, ...]:
-    """What is read anew of a variant for patterns that ask for places between its rows."""
-    return again_of(spec, [parse(pattern) for pattern in patterns])
 
 
 def between_rows(patterns: Sequence[str]) -> bool:
     """Whether a pattern asks for places between rows."""
     return any(place is not None and place.column for place in (parse(pattern).place for pattern in patterns))
+
+
+def by_choice(patterns: Sequence[str], results: Mapping[str, Any], spec: Any) -> bool:
+    """Whether a pattern that these results do not tell names columns or facts by choice."""
+    met = [parse(name) for name, _ in told(results, patterns)]
+    missed = [name for name in map(parse, patterns) if not any(name.fits(each) for each in met)]
+    return bool(missed) and any(True for _ in named(results, missed, Scene(spec, results)))
 
 
 def unmatched(names: Iterable[str], patterns: Sequence[str]) -> str | None:
@@ -45,6 +53,19 @@ def others(pattern: str) -> tuple[str, ...]:
     if name.fact:
         return "*", f"{stage}.max({name.what})"
     return (name._replace(stage=stage, what="*", unit=None).text,)
+
+
+def offered_like(pattern: str, results: Mapping[str, Any], spec: Any) -> Iterator[str]:
+    """Names of what is by choice that could stand in place of a pattern; nothing is computed."""
+    name, scene = parse(pattern), Scene(spec, results)
+    for stage in results:
+        for each in offered(stage, scene) if name.may_be_of(stage) else ():
+            unit = f"[{each.unit}]" if each.unit else ""
+            if isinstance(each, Extent):
+                asked = Name("", "max", each.quantity) if name.fact else name._replace(what=each.quantity)
+                yield f"{asked._replace(stage=stage).text}{unit}"
+            elif name.fact:
+                yield f"{stage}.{each.quantity}{unit}"
 
 
 def unknown(pattern: str, names: Sequence[str]) -> UsageError:

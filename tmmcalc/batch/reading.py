@@ -11,10 +11,10 @@ from tmmcalc.batch.table import read_points
 from tmmcalc.batch.task import Task
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.plan import known_stage
+from tmmcalc.naming.language import stages_of
 from tmmcalc.project.loader import Variants, read_text
 from tmmcalc.rooms import STAGES
 from tmmcalc.spec.dimensions import DIMENSIONS
-from tmmcalc.spec.naming import stages_of
 from tmmcalc.spec.override import split
 from tmmcalc.spec.variants import MOST, Axis, axis, is_range
 

@@ -18,9 +18,9 @@ from tmmcalc.batch.task import OK, Row, Task
 from tmmcalc.core.atomic import replace_file
 from tmmcalc.core.files import read_file
 from tmmcalc.core.records import record
+from tmmcalc.naming.language import rank
 from tmmcalc.pipeline.manifest import seal
 from tmmcalc.rooms import STAGES
-from tmmcalc.spec.naming import rank
 
 _HEAD = "# Written by tmmcalc sweep. If the CSV is changed by hand it is made again.\n\n"
 _LAST = ("status", "reason")

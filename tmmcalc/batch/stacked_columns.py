@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from tmmcalc.batch.stacked_inputs import Inputs, Together
 from tmmcalc.batch.task import OK, Row
-from tmmcalc.spec.naming import parse
-from tmmcalc.spec.telling import REDUCED
+from tmmcalc.naming.language import parse
+from tmmcalc.naming.rows import REDUCED
 
 if TYPE_CHECKING:
     from tmmcalc.batch.stacked_machine import Machine

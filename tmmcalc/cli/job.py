@@ -33,7 +33,15 @@ from tmmcalc.cli.options import (
     Wait,
     patterns_of,
 )
-from tmmcalc.cli.output import check_place, check_tolerance, raise_failures, show, table_file, title, warnings_of
+from tmmcalc.cli.output import (
+    check_place,
+    check_tolerance,
+    raise_failures,
+    show,
+    table_file,
+    title,
+    warnings_of,
+)
 from tmmcalc.core.errors import LimitError, UsageError
 from tmmcalc.core.progress import tell
 from tmmcalc.core.records import record
@@ -170,12 +178,15 @@ class Job:
 
     def finish(self, document: Document, result: RunResult, form: Format) -> None:
         """Print the document, say where the files are; under ``strict`` warnings are the end."""
-        from tmmcalc.report.errors import with_errors
+        from tmmcalc.report.errors import with_counters, with_errors
 
         document = replace(document, notes=(*document.notes, *result.told))
         target = result.plan.target
         if target is not None and target in result.outcomes and not document.parts:
-            document = with_errors(document, result.record(target).error)
+            record = result.record(target)
+            document = with_errors(document, record.error)
+            if form in (Format.json, Format.toml):
+                document = with_counters(document, record.counters)
         show(document, form)
         self.close(document, result)
 
@@ -252,8 +263,7 @@ class Solved:
     @property
     def further(self) -> Sequence[Column]:
         """The columns by choice of the stage; none are computed."""
-        own = self.run.outcomes[self.stage].stage.part("further")
-        return own(self.spec, self.run.results) if own else ()
+        return self.run.outcomes[self.stage].stage.further(self.spec, self.run.results)
 
     def document(self, **chosen: Any) -> Document:
         """The document of the stage, with a table of what is chosen."""
@@ -317,7 +327,8 @@ def of_stage(
 def stage_command(stage: str, text: str, heading: str = "") -> Callable[..., None]:
     """The command of a stage with positions, whose help is ``text``.
 
-    The document is chosen by ``patterns``, ``rows``, ``everything``, ``where``.
+    The document is chosen by ``patterns``, ``rows``, ``everything``, ``where``; of a stage with columns by choice by
+    these too, as ``further``.
     """
 
     def body(solved: Solved, columns: Columns = None, positions: Positions = None) -> Document:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 def raise_failures(failures: Mapping[str, TmmError]) -> None:
     """The errors of stages without a result: the first ends the command, the others are said before it, each once."""
-    errors = list({str(error): error for error in reversed(failures.values())}.values())[::-1]
+    errors = list({str(error): error for error in reversed([*failures.values()])}.values())[::-1]
     for error in errors[1:]:
         show_error(error)
     if errors:

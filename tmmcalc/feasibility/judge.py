@@ -17,7 +17,7 @@ from tmmcalc.core.numerics.extended import apart, widened
 from tmmcalc.core.records import record
 from tmmcalc.feasibility.logic import LARGEST, Form, conjunction
 from tmmcalc.feasibility.rule import failing, function, holds
-from tmmcalc.spec.naming import ANY, ROWS, Name, parse
+from tmmcalc.naming.language import ANY, ROWS, Name, parse
 
 Sense = Literal["value", "function", "truth"]
 
@@ -32,7 +32,7 @@ class Constraint:
 
     name: str
     stage: str = ""
-    value: str | None = None  # a fact, or another name of `tmmcalc.spec.naming` without its stage
+    value: str | None = None  # a fact, or another name of `tmmcalc.naming.language` without its stage
     column: str | None = None  # a column, without its unit
     of: str = "max"  # what of the column, see there
     at_least: float | str | None = None

@@ -89,7 +89,7 @@ def _told_with_unit(constraint: Constraint, name: str, before: str, unit: str) -
 
 
 def _in_unit(limit: float | str, unit: str, where: str) -> float:
-    from tmmcalc.spec.telling import in_unit
+    from tmmcalc.naming.rows import in_unit
     from tmmcalc.spec.units import UnitError
 
     try:

@@ -20,7 +20,7 @@ def asked_about(spec: FeasibilityTables) -> tuple[str, ...]:
     """
     asked = [constraint.stage for constraint in spec.constraints if constraint.stage]
     if asked:
-        from tmmcalc.spec.naming import ANY
+        from tmmcalc.naming.language import ANY
 
         if ANY in asked:
             return tuple(STAGES)

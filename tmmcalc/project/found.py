@@ -9,10 +9,10 @@ from typing import Any
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
+from tmmcalc.naming.language import is_name, parse
 from tmmcalc.project.filekeys import keys, places
 from tmmcalc.project.loader import parse_spec
 from tmmcalc.project.root import Spec
-from tmmcalc.spec.naming import is_name, parse
 from tmmcalc.spec.outline import subtable, tables, word
 from tmmcalc.spec.phrases import Path, show_path
 from tmmcalc.spec.rewrite import Change, Found, changed, rewritten, toml, value_at, worded

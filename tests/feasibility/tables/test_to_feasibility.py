@@ -15,7 +15,7 @@ from tmmcalc.feasibility.logic import FORMS
 from tmmcalc.feasibility.tables.constraints import ConstraintTable
 from tmmcalc.feasibility.tables.feasibility import FeasibilityTable
 from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
-from tmmcalc.spec.naming import OF
+from tmmcalc.naming.language import OF
 
 DOCS = Path(__file__).parents[3] / "docs" / "spec.md"
 BASE = '[synthesis.crank_rocker]\nswing = "40 deg"\nrocker = 1\n'

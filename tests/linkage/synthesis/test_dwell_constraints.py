@@ -18,7 +18,7 @@ from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.synthesis.dwell.turn import whole_turn
 from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.tables.tasks.synthesis import to_synthesis
-from tmmcalc.spec.telling import REDUCED
+from tmmcalc.naming.rows import REDUCED
 
 pytestmark = pytest.mark.slow
 

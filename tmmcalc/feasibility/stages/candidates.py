@@ -14,7 +14,7 @@ from tmmcalc.core.errors import NoSolutionError, TmmError
 from tmmcalc.core.stage import Another
 from tmmcalc.feasibility.judge import Candidate, Feasibility, FeasibilityTask
 from tmmcalc.feasibility.stages.judged import judged
-from tmmcalc.spec.naming import ANY
+from tmmcalc.naming.language import ANY
 
 
 def judge_designs(task: FeasibilityTask, upstream: Mapping[str, Any], another: Another) -> Feasibility:

@@ -7,8 +7,8 @@ from typing import Annotated, Any
 from pydantic import Field, model_validator
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.naming.language import ANY, OF, ROWS, is_name, parse
 from tmmcalc.spec.choices import Known
-from tmmcalc.spec.naming import ANY, OF, ROWS, is_name, parse
 from tmmcalc.spec.phrases import show
 from tmmcalc.spec.quantities import Number
 from tmmcalc.spec.reader import Reader

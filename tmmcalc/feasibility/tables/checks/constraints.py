@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.manifest import TABLES
 from tmmcalc.core.stage import STAGES
+from tmmcalc.naming.language import ROWS, is_name, parse
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.naming import ROWS, is_name, parse
 from tmmcalc.spec.outline import Outline, Raw, tables
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
 from tmmcalc.spec.units import dimension_of, unit_of

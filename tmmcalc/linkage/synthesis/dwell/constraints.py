@@ -29,7 +29,7 @@ from tmmcalc.linkage.synthesis.dwell.sizes import scale_of, sizes_of
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.synthesis.dwell.turn import Turn
 from tmmcalc.linkage.synthesis.results import check_key
-from tmmcalc.spec.telling import REDUCED
+from tmmcalc.naming.rows import REDUCED
 
 Told = tuple[Real, str]  # values (k,) and their unit
 Quantity = tuple[float, str, float | None, float | None]  # value, unit, least, most

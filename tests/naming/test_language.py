@@ -6,7 +6,7 @@ import pytest
 
 from tmmcalc import rooms
 from tmmcalc.core.errors import UsageError
-from tmmcalc.spec.naming import OF, Name, Place, is_name, near, parse, rank, stages_of
+from tmmcalc.naming.language import OF, Name, Place, is_name, near, parse, rank, stages_of
 
 FORMS = {
     "motion.delta": Name("motion", "", "delta"),

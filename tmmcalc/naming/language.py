@@ -13,7 +13,7 @@
 
 Without a stage a name is that of the one stage that tells it. The unit at the end is the one in which the quantity is
 told; it may be left out. Where several quantities may be named, stage, fact and column may have the wildcards ``*`` and
-``?``. Keys of nested facts are joined by dots. `tmmcalc.spec.telling` finds what a name stands for.
+``?``. Keys of nested facts are joined by dots. `tmmcalc.naming.told` finds what a name stands for.
 """
 
 from __future__ import annotations
