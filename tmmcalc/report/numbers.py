@@ -37,17 +37,29 @@ def column(values: Sequence[float], peak: float = 0.0) -> list[str]:
     ``peak`` is the largest magnitude of the column that the values were chosen from, if they are not all of it:
     what is noise there is 0 here.
     """
-    sizes = [abs(v) for v in values]
-    peak = max([*sizes, peak])
+    peak = max([*map(abs, values), peak])
     cleaned = [_cleaned(v, peak) for v in values]
-    sizes = sorted(abs(v) for v in cleaned if v)
-    if not sizes:
+    if not any(cleaned):
         return ["0"] * len(values)
+    places = decimals(cleaned)
+    if places is None:
+        return scientific(cleaned, DIGITS)
+    return _trimmed([_unsigned_zero(f"{v:.{places}f}") for v in cleaned])
+
+
+def decimals(values: Sequence[float]) -> int | None:
+    """Decimals that a column has in common; None where it is so large or small that it has powers of ten.
+
+    >>> decimals([0.0, 0.25, 12.5]), decimals([0.0]), decimals([2e9])
+    (4, 0, None)
+    """
+    sizes = sorted(abs(v) for v in values if v)
+    if not sizes:
+        return 0
     largest, middle = _exponent(sizes[-1]), _exponent(sizes[len(sizes) // 2])
     if not -4 <= largest <= 7:
-        return scientific(cleaned, DIGITS)
-    decimals = max(DIGITS - 1 - largest, MIDDLE_DIGITS - 1 - middle, 0)
-    return _trimmed([_unsigned_zero(f"{v:.{min(decimals, DIGITS)}f}") for v in cleaned])
+        return None
+    return min(max(DIGITS - 1 - largest, MIDDLE_DIGITS - 1 - middle, 0), DIGITS)
 
 
 def scientific(values: Sequence[float], digits: int = 3) -> list[str]:
