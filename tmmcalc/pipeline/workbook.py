@@ -27,6 +27,7 @@ def run_sheets(run: RunResult, csv: bool | None = None, columns: Sequence[str] =
         document = with_errors(outcome.stage.summary(run.results[stage], stage), run.record(stage).error)
         rows += ((stage, *row) for row in told_of(document, stage))
         tables += _table(run, stage, document, csv, columns)
+    rows += (("run", "note", "", text, "", "") for text in run.told)
     rows += ((stage, "failed", "", str(error), "", "") for stage, error in run.failures.items())
     return [_given(run), Worksheet("summary", ("stage", *TOLD), _columns(rows, 1 + len(TOLD))), *tables]
 

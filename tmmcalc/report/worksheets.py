@@ -67,7 +67,8 @@ def sheets_of(document: Document, stage: str = "", main: Sequence[str] | None = 
     rows = [(name, *row) for name, part in parts for row in told_of(part, name)]
     first, headers = (0, ("part", *TOLD)) if document.parts else (1, TOLD)
     summary = Worksheet("summary", headers, [*zip(*(row[first:] for row in rows), strict=True)] or [()] * len(headers))
-    return [summary, *(_table(name, part, main) for name, part in parts if part.table is not None)]
+    tables = [_table(name, part, main) for name, part in parts if part.table is not None]
+    return [summary, *tables] if rows or not tables else tables
 
 
 def _table(name: str, document: Document, main: Sequence[str] | None) -> Worksheet:
@@ -77,8 +78,11 @@ def _table(name: str, document: Document, main: Sequence[str] | None) -> Workshe
 
 
 def table_sheet(name: str, view: View, beside: Sequence[tuple[str, Any]] = (), main: Sequence[str] = ()) -> Worksheet:
-    """The sheet of a table."""
-    return Worksheet(name, view.headers, view.columns, beside, main)
+    """The sheet of a table; numbers of rows are numbers."""
+    columns = list(view.columns)
+    if columns and view.headers[0] == "i":
+        columns[0] = [int(cell) if isinstance(cell, str) and cell.isdecimal() else cell for cell in columns[0]]
+    return Worksheet(name, view.headers, columns, beside, main)
 
 
 def first_columns(document: Document) -> list[str]:
@@ -110,10 +114,8 @@ def notes_of(document: Document) -> Iterator[tuple[str, str]]:
 def beside_of(document: Document) -> list[tuple[str, Any]]:
     """What is said beside the table of a stage: its notes, and the estimates of its errors."""
     errors = [fact for fact in document.facts if isinstance(fact.values.get("error"), Mapping)]
-    estimates = [
-        (f"{fact.label}: {name.partition('.')[2]}", value) for fact in errors for name, value, _ in values_of(fact)
-    ]
-    return [*notes_of(document), *estimates]
+    estimates = ((fact.label, name.partition(".")[2], value) for fact in errors for name, value, _ in values_of(fact))
+    return [*notes_of(document), *((f"{label}: {name}", value) for label, name, value in estimates)]
 
 
 def values_of(fact: Fact) -> Iterator[tuple[str, Any, str]]:
