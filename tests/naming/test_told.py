@@ -11,8 +11,8 @@ import pytest
 import tmmcalc
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.through import between, integral
-from tmmcalc.naming.anew import Anew, again_of
 from tmmcalc.naming.language import parse
+from tmmcalc.naming.scene import Scene
 from tmmcalc.naming.told import Told, one
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.runner import run
@@ -27,7 +27,7 @@ def scene() -> RunResult:
 
 def told(scene: RunResult, text: str) -> Told:
     name = parse(text)
-    return one(name, scene.results, Anew(again_of(scene.spec, [name]), scene.results))
+    return one(name, scene.results, Scene(scene.spec, scene.results))
 
 
 def column(scene: RunResult, stage: str, header: str) -> np.ndarray:

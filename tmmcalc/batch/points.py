@@ -6,10 +6,11 @@ from array import array
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from tmmcalc.batch.quantities import anew, told
+from tmmcalc.batch.quantities import told
 from tmmcalc.batch.task import Row, Task, verdict
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.plan import Plan
+from tmmcalc.naming.scene import Scene
 from tmmcalc.pipeline.runner import run
 from tmmcalc.pipeline.settling import planned
 from tmmcalc.rooms import STAGES
@@ -37,10 +38,7 @@ def solve_variant(task: Task, spec: Spec) -> tuple[dict[str, float], TmmError | 
         spec, target=task.targets or None, scene=scene_to(spec, task.targets), tolerance=task.tolerance, keep_going=True
     )
     asked = result.outcomes if task.patterns or not task.targets else [t for t in task.targets if t in result.outcomes]
-    found: dict[str, float] = {}
-    again = anew(result.spec, task.patterns)
-    for stage in asked:
-        found.update(told(stage, result.results, task.patterns, again))
+    found = dict(told(result.results, task.patterns, Scene(result.spec, result.results), [*asked]))
     return found, next(iter(result.failures.values()), None)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from tmmcalc.batch.content import hash_of_files
 from tmmcalc.batch.points import scene_to
-from tmmcalc.batch.quantities import between_rows, told
+from tmmcalc.batch.quantities import between_rows, by_choice, told
 from tmmcalc.batch.stacked_columns import Asked, Columns, asked
 from tmmcalc.batch.stacked_inputs import Inputs
 from tmmcalc.batch.stacked_machine import MACHINE
@@ -72,6 +72,8 @@ def _solver(task: Task, point: int) -> Columns | Results | str:
         return "rods are lumped in two masses"
     if "reduction" in ran and spec.cam is not None and spec.cam.shaft is not None:
         return "a cam loads a shaft of the machine"
+    if by_choice(task.patterns, base.results, base.spec):
+        return "columns or facts by choice are asked for"
     loaded, driven = not ran.isdisjoint(LOADED), not ran.isdisjoint(MACHINE)
     columns = _columns(task, base)
     if columns:
@@ -86,7 +88,7 @@ def _columns(task: Task, base: RunResult) -> dict[str, Asked]:
     """What is asked for, by name, if it is columns and a few facts alone; else nothing."""
     if not (task.patterns and task.targets) or not COLUMNS.issuperset(base.outcomes):
         return {}
-    names = [name for stage in base.results for name, _ in told(stage, base.results, task.patterns)]
+    names = [name for name, _ in told(base.results, task.patterns)]
     found = {name: each for name in names if (each := asked(name, base)) is not None}
     return found if len(found) == len(names) else {}
 

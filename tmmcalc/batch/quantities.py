@@ -7,29 +7,36 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.naming.anew import Again, Anew, again_of
 from tmmcalc.naming.language import near, parse, rank
-from tmmcalc.naming.told import told as of_stage
+from tmmcalc.naming.scene import Scene
+from tmmcalc.naming.told import told as named
 
 
 def told(
-    stage: str, results: Mapping[str, Any], patterns: Sequence[str], again: Sequence[Again] = ()
+    results: Mapping[str, Any],
+    patterns: Sequence[str],
+    scene: Scene | None = None,
+    stages: Sequence[str] | None = None,
 ) -> Iterator[tuple[str, float]]:
-    """Quantities of one stage with their values, all facts without patterns; what is not finite is left out."""
-    names = [parse(pattern) for pattern in patterns]
-    for each in of_stage(stage, results[stage], names, Anew(again, results)):
+    """Quantities of stages (None: all) with their values, all facts without patterns; what is not finite is left out.
+
+    Places between rows and what is by choice need the ``scene``.
+    """
+    for each in named(results, [parse(pattern) for pattern in patterns], scene, stages):
         if math.isfinite(each.value):
             yield each.key, each.value
-
-
-def anew(spec: Any, patterns: Sequence[str]) -> tuple[Again, ...]:
-    """What is read anew of a variant for patterns that ask for places between its rows."""
-    return again_of(spec, [parse(pattern) for pattern in patterns])
 
 
 def between_rows(patterns: Sequence[str]) -> bool:
     """Whether a pattern asks for places between rows."""
     return any(place is not None and place.column for place in (parse(pattern).place for pattern in patterns))
+
+
+def by_choice(patterns: Sequence[str], results: Mapping[str, Any], spec: Any) -> bool:
+    """Whether a pattern that these results do not tell names columns or facts by choice."""
+    met = [parse(name) for name, _ in told(results, patterns)]
+    missed = [name for name in map(parse, patterns) if not any(name.fits(each) for each in met)]
+    return bool(missed) and any(True for _ in named(results, missed, Scene(spec, results)))
 
 
 def unmatched(names: Iterable[str], patterns: Sequence[str]) -> str | None:

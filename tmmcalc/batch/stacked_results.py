@@ -86,7 +86,7 @@ class Results:
     def _quantities(self, results: Found) -> dict[str, float]:
         task = self._task
         asked = [*self._stages] if task.patterns or not task.targets else [*task.targets]
-        return {name: value for stage in asked for name, value in told(stage, results, task.patterns)}
+        return dict(told(results, task.patterns, stages=asked))
 
     def _solved(self, tree: Any, count: int) -> dict[int, _Variant]:
         """What is solved together of the variants of stacked inputs, by their numbers, of those that are clear."""

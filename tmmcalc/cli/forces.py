@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -14,7 +14,6 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.report.rows import rows_of
 
 if TYPE_CHECKING:
-    from tmmcalc.core.columns import Column
     from tmmcalc.linkage.forces.kinetostatics import Statics
     from tmmcalc.linkage.forces.results import Forces
     from tmmcalc.linkage.results import Kinematics
@@ -96,18 +95,9 @@ def command(
             rows=rows_of(positions, result.labels),
             everything=form is not Format.table,
             where=table_file(run, "forces"),
-            further=_further(scene, run.results["kinematics"], result) if patterns else (),
+            further=run.outcomes["forces"].stage.further(scene, run.results) if patterns else (),
         )
     job.finish(document, run, form)
-
-
-def _further(scene: Spec, kinematics: Kinematics, result: Forces) -> Sequence[Column]:
-    """The columns that are printed by name alone."""
-    from tmmcalc.linkage.forces.further import further_columns
-    from tmmcalc.linkage.tables.tasks.loading import to_loading
-    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
-
-    return further_columns(to_linkage(scene.linkage), to_loading(scene), kinematics, result)
 
 
 def _check_flags(

@@ -17,7 +17,7 @@ from tmmcalc.report.rows import rows_of
 
 if TYPE_CHECKING:
     from tmmcalc.core.columns import Column
-    from tmmcalc.linkage.results import Kinematics
+    from tmmcalc.pipeline.outcome import RunResult
     from tmmcalc.project import Spec
 
 POLYGONS = "--polygons"
@@ -154,17 +154,16 @@ def command(
             dimensionless=dimensionless,
             everything=form is not Format.table,
             where=next((str(file) for file in run.files if file.name == "kinematics.csv"), ""),
-            further=_further(scene, result, dimensionless) if patterns else (),
+            further=_further(run, dimensionless) if patterns else (),
         )
     job.finish(document, run, form)
 
 
-def _further(scene: Spec, result: Kinematics, dimensionless: bool) -> Sequence[Column]:
-    """The columns that are printed by name alone."""
-    from tmmcalc.linkage.further import further_columns
-    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+def _further(run: RunResult, dimensionless: bool) -> Sequence[Column]:
+    """The columns that are printed by name alone; of the table in units of the crank in these too."""
+    from tmmcalc.linkage.stages.kinematics import further
 
-    return further_columns(to_linkage(scene.linkage), result, dimensionless=dimensionless)
+    return further(run.spec, run.results, dimensionless=dimensionless)
 
 
 def _check_kind(

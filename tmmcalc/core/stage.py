@@ -62,6 +62,13 @@ class Stage:
                           solutions number ``choose``, from 1, None: the best
     ``placed(spec, value)``  the spec with one row more, where the first of its columns has this value (a number with a
                           unit or without): of stages whose rows are places that can be asked for, for `tmmcalc.naming`
+    ``further(spec, results)``  columns by choice of the rows of its table, a sequence of `Column`: they stand in no
+                          table and no file unless they are asked for by name; ``results`` are those of all stages that
+                          ran in the scene, or at least those that it reads itself, by stage; nothing is computed
+                          before a column is made
+    ``details(spec, results)``  facts by choice: a record whose declared quantities are told by name alone, never in a
+                          document or a file that did not ask for them; or several such records by the word before them.
+                          What its annotation says that it returns is listed without computing it
     ``outlook()``         of a stage that settles the spec tables like those that it will find, by which a plan is made
 
     A part that is heavy to import is given by its name, ``"module:function"``: a stored result is loaded without the
@@ -83,6 +90,7 @@ class Stage:
     settings: Mapping[str, Any] = field(default_factory=dict)  # options of the method and their defaults
     settles: bool = False  # whether what it found takes its place in the spec for the stages that come after it
     another: bool = False  # whether it is given the pipeline for specs that results hold, as ``another(text, stages)``
+    every: bool = False  # whether it is given ``every`` result so far, to take what the stages that it reads have read
     facts: str = ""  # module with ``summary(result, title)``, and ``document`` with its table where it has one
     picture: Picture | None = None
     studied: bool = False  # whether it has several methods, which are studied
@@ -160,6 +168,18 @@ class Stage:
             return table
         columns = self.part("columns")
         return None if columns is None else tabulated(columns(result), result)
+
+    def further(self, spec: Any, results: Mapping[str, Any]) -> Sequence[Column]:
+        """Its columns by choice in a scene, none of them made."""
+        made = self.part("further")
+        found: Sequence[Column] = made(spec, results) if made else ()
+        return found
+
+    def details(self, spec: Any, results: Mapping[str, Any]) -> Mapping[str, Any]:
+        """The records of its facts by choice in a scene, by the word that stands before them; empty: none does."""
+        made = self.part("details")
+        found = made(spec, results) if made else {}
+        return found if isinstance(found, Mapping) else {"": found}
 
     def summary(self, result: Any, title: str) -> Any:
         """The document of what is told of a result in a few facts."""

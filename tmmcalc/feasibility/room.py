@@ -35,6 +35,7 @@ ROOM = Room(
             reads="asked_about",
             asked=("constraints", "nothing is to be kept"),
             another=True,
+            every=True,
             picture=Picture("the margin of every constraint, and the rule"),
         ),
     ),

@@ -11,6 +11,7 @@ same cubic, with its distance from the polynomial through six rows. Every value 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from math import nan
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,6 @@ import numpy as np
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import named
 from tmmcalc.core.numerics.through import between, integral
-from tmmcalc.naming.anew import Anew
 from tmmcalc.naming.language import ROWS, Name, Place, near
 from tmmcalc.naming.table import Table, Values
 from tmmcalc.spec.units import UnitError, dimension_of
@@ -39,12 +39,17 @@ WHERE: Mapping[str, Callable[[Values], Any]] = {
     "at_min": np.argmin,
     "at_size": lambda values: np.argmax(np.abs(values)),
 }
+There = Callable[[Place], Table | None]
 SAME = 1e-9  # of what the rows run over: a row nearer than this is at the place
+SOME = "some rows have no value"
 CLOSED = 1e-9  # of the largest value: the ends of a turn that closes differ by less
 
 
-def asked_of(name: Name, result: Any, table: Table, header: str, anew: Anew | None) -> tuple[float, str, str]:
-    """Value, unit, and how it was found, of what a name asks of the column of a header."""
+def asked_of(name: Name, result: Any, table: Table, header: str, there: There) -> tuple[float, str, str]:
+    """Value, unit, and how it was found, of what a name asks of the column of a header; NaN where it has no value.
+
+    ``there`` gives the table with a row at a place, where the stage can be solved there.
+    """
     unit, place = named(header)[1], name.place
     values = table.column(header)
     if name.of == "chosen":
@@ -61,14 +66,14 @@ def asked_of(name: Name, result: Any, table: Table, header: str, anew: Anew | No
         return _of_rows(name, table, values, unit, _run_of(table), some)
     unit_over, x = _over(name, table, place.column)
     low = _inside(name, place.column, place.first, unit_over, x)
-    first, how = _at(name, place._replace(last=""), low, table, header, (unit_over, x), anew)
+    first, how = _at(name, place._replace(last=""), low, table, header, (unit_over, x), there)
     if not place.last:
         return _of_one(name, first, unit, how)
     high = _inside(name, place.column, place.last, unit_over, x)
     if high <= low:
         rule = f"ends at {high:g} {unit_over}, and begins at {low:g}".replace(" ,", ",")
         raise _misplaced(name, rule, "write the smaller value first; over the end of the rows two names are needed")
-    last, _ = _at(name, Place(place.column, place.last), high, table, header, (unit_over, x), anew)
+    last, _ = _at(name, Place(place.column, place.last), high, table, header, (unit_over, x), there)
     sense = slice(None) if x[-1] > x[0] else slice(None, None, -1)
     inside = (x > low) & (x < high)
     rows = np.concatenate(([low], x[inside][sense], [high]))
@@ -88,23 +93,28 @@ def _of_one(name: Name, value: float, unit: str, how: str) -> tuple[float, str, 
 def _of_rows(
     name: Name, table: Table, values: Values, unit: str, over: tuple[str, Values] | None, some: Any = slice(None)
 ) -> tuple[float, str, str]:
-    """What is asked of rows, and of what they run over (its unit and its values)."""
+    """What is asked of those rows that have a value, and of what they run over (its unit and its values)."""
     own = values[some]
+    known = ~np.isnan(own)
     if name.of in REDUCED:
-        return float(REDUCED[name.of](own)), unit, f"of {len(own)} rows"
+        own = own[known]
+        return float(REDUCED[name.of](own)) if own.size else nan, unit, f"of {len(own)} rows"
     if over is None:
         raise _misplaced(name, "has rows that run over nothing", f"{name.of}() needs a column that grows or falls")
     per, x = over[0], over[1][some]
     if name.of == "integral":
-        found = integral(np.deg2rad(x) if per == "deg" else x, own, _closes(per, x, own))
+        whole = known.all()
+        found = integral(np.deg2rad(x) if per == "deg" else x, own, _closes(per, x, own)) if whole else nan
         per = "rad" if per == "deg" else per
-        return found, per if unit in ("", "-") else f"{unit}*{per}", "cubics through the rows"
-    return float(x[int(WHERE[name.of](own))]), per, f"among {len(own)} rows"
+        how = "cubics through the rows" if whole else SOME
+        return found, per if unit in ("", "-") else f"{unit}*{per}", how
+    x, own = x[known], own[known]
+    return float(x[int(WHERE[name.of](own))]) if own.size else nan, per, f"among {len(own)} rows"
 
 
 def _run_of(table: Table) -> tuple[str, Values] | None:
     """What the rows run over, its unit and values: the first column after the numbers of the rows that runs one way."""
-    for header in table.headers:
+    for header in table.headers[: len(table.headers) - table.further]:
         if named(header)[0] != "i" and _one_way(values := table.column(header)):
             return named(header)[1], values
     return None
@@ -183,7 +193,7 @@ def _inside(name: Name, column: str, written: str, unit: str, x: Values) -> floa
 
 
 def _at(
-    name: Name, place: Place, at: float, table: Table, header: str, over: tuple[str, Values], anew: Anew | None
+    name: Name, place: Place, at: float, table: Table, header: str, over: tuple[str, Values], there: There
 ) -> tuple[float, str]:
     """The value of a column at a place, in the unit of the column that rows run over, and how it was found."""
     unit, x = over
@@ -192,10 +202,12 @@ def _at(
     if nearest.size:
         side = ", after the jump" if nearest.size > 1 else ""
         return float(values[nearest[-1]]), f"row {table.labels[nearest[-1]]}{side}"
-    there = anew.table(name.stage, place) if anew else None
-    if there is not None:
-        own = there.column(next(each for each in there.headers if named(each)[0] == place.column))
-        return float(there.column(header)[int(np.argmin(np.abs(own - at)))]), "computed there"
+    found = there(place)
+    if found is not None:
+        own = found.column(next(each for each in found.headers if named(each)[0] == place.column))
+        return float(found.column(header)[int(np.argmin(np.abs(own - at)))]), "computed there"
+    if np.isnan(values).any():
+        return nan, SOME
     value, off = between(x, values, at, _closes(unit, x, values))
     return value, f"cubic through the rows, off by about {off:.1e}"
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.columns import Column
 from tmmcalc.core.facts import named
 from tmmcalc.core.stage import STAGES
 
@@ -20,6 +21,7 @@ class Table(NamedTuple):
     first: Any  # (n,) what the rows are called
     headers: list[str]
     make: Callable[[int], Any]  # the column (n,) of a header by its number
+    further: int = 0  # of its columns, the last, are by choice
 
     @property
     def labels(self) -> list[str]:
@@ -27,8 +29,17 @@ class Table(NamedTuple):
         return [f"{label:g}" if isinstance(label, float) else str(label) for label in self.first.tolist()]
 
     def column(self, header: str) -> Values:
-        """The values under a header."""
+        """The values under a header; NaN where a column by choice has none."""
         return np.asarray(self.make(self.headers.index(header)), float)
+
+    def with_columns(self, further: Sequence[Column]) -> Table:
+        """The table with columns behind its own."""
+        own = len(self.headers)
+
+        def make(at: int) -> Any:
+            return self.make(at) if at < own else further[at - own].make()
+
+        return Table(self.first, [*self.headers, *(each.header for each in further)], make, len(further))
 
 
 def table_of(stage: str, result: Any) -> Table | None:

@@ -1,8 +1,9 @@
-"""What a stage tells, by name: its facts, and what names ask of the columns of its table."""
+"""What stages tell by name: facts, what names ask of the columns of tables; and where none fits, what is by choice."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from math import isnan, nan
 from typing import Any
 
 import numpy as np
@@ -11,13 +12,15 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import labelled, named
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import STAGES
-from tmmcalc.naming.anew import Anew
-from tmmcalc.naming.language import Name, like, near
+from tmmcalc.naming.choice import Chosen, chosen_facts, forms_of_details, of_itself
+from tmmcalc.naming.language import Name, Place, like, near
 from tmmcalc.naming.meanings import described
-from tmmcalc.naming.rows import asked_of
+from tmmcalc.naming.rows import There, asked_of
+from tmmcalc.naming.scene import Scene
 from tmmcalc.naming.table import Table, columns_of, table_of
 
 MEANT = {"at_max": "where it is largest", "at_min": "where it is smallest", "at_size": "where its magnitude is largest"}
+CHOICE = "by choice"
 
 
 @record
@@ -26,7 +29,7 @@ class Told:
 
     stage: str
     quantity: str  # its name without stage and unit
-    value: float
+    value: float  # NaN where it has none
     unit: str
     how: str  # the value was found; empty: it stands in the result
     meaning: str = ""
@@ -40,7 +43,7 @@ class Told:
 
 @record
 class Extent:
-    """One column of a stage's table."""
+    """One column of a stage's table, or by choice; without rows it was not made, or has no value in any."""
 
     stage: str
     quantity: str  # its name without stage and unit
@@ -50,56 +53,71 @@ class Extent:
     rows: int
     meaning: str = ""
     symbol: str = ""
+    choice: bool = False
 
 
-def told(stage: str, result: Any, names: Sequence[Name], anew: Anew | None = None) -> Iterator[Told]:
-    """What a stage tells under these names, all its facts without names; each once.
+def told(
+    results: Mapping[str, Any],
+    names: Sequence[Name],
+    scene: Scene | None = None,
+    stages: Sequence[str] | None = None,
+) -> Iterator[Told]:
+    """What stages (None: all) tell under these names, all their facts without names; each once, by stage.
 
+    A name that fits no fact and no column of a table stands for what is by choice; without the ``scene`` for nothing.
     Raises `UsageError` for a place that the rows do not have.
     """
-    met: dict[str, Told] = {}
-    asked = [name for name in names if name.fact and name.may_be_of(stage)]
-    if asked or not names:
-        for each in _facts(stage, result):
-            own = Name(stage, "", each.quantity, unit=each.unit)
-            if not names or any(name.fits(own) for name in asked):
-                met.setdefault(each.key, each)
-    rows = [name for name in names if not name.fact and name.may_be_of(stage)]
-    if rows and (table := table_of(stage, result)) is not None:
-        for name in rows:
-            for each in _of_table(stage, result, table, name, anew):
-                met.setdefault(each.key, each)
-    yield from met.values()
+    asked = [*results] if stages is None else [stage for stage in stages if stage in results]
+    met: dict[str, dict[str, Told]] = {stage: {} for stage in asked}
+    missed = dict.fromkeys(names)
+    for stage in asked:
+        for name, each in _ordinary(stage, results[stage], names, scene):
+            met[stage].setdefault(each.key, each)
+            if name is not None:
+                missed.pop(name, None)
+    if missed and scene is not None:
+        for stage in asked:
+            for each in _by_choice(stage, [*missed], scene):
+                met[stage].setdefault(each.key, each)
+    for found in met.values():
+        yield from found.values()
 
 
-def one(name: Name, results: Mapping[str, Any], anew: Anew | None = None) -> Told:
+def one(name: Name, results: Mapping[str, Any], scene: Scene | None = None) -> Told:
     """The one quantity of a name among the results by stage.
 
-    Raises `UsageError` with the nearest names if none has it, with the stages if several have it.
+    Raises `UsageError` with the nearest names if none has it, with the stages if several have it, and where it has no
+    value.
     """
     if name.stage and not name.wild and name.stage not in results:
         raise UsageError(f"this scene has no {name.stage}", remedy="tmmcalc plan says why a stage is left out")
     if name.wild:
         raise UsageError(f"{name.text} may name several quantities", remedy="write one name, without * and ?")
     stages = [name.stage] if name.stage else [*results]
-    found = [each for stage in stages for each in told(stage, results[stage], [name], anew)]
+    found = [*told(results, [name], scene, stages)]
     if not found:
-        raise unknown(name, {stage: results[stage] for stage in stages})
+        raise unknown(name, {stage: results[stage] for stage in stages}, scene)
     if len(found) > 1:
         several = ", ".join(each.stage for each in found)
         raise UsageError(
             f"{name.text} is told by several stages: {several}",
             remedy=f"name one: {', '.join(f'{each.stage}.{each.quantity}' for each in found)}",
         )
+    if isnan(found[0].value):
+        raise UsageError(f"{name.text} has no value here: {found[0].how}", remedy="ask for another place or column")
     return found[0]
 
 
-def unknown(name: Name, results: Mapping[str, Any]) -> UsageError:
+def unknown(name: Name, results: Mapping[str, Any], scene: Scene | None = None) -> UsageError:
     """The error of a name that names nothing in these results, with the nearest of what there is."""
     alone = name.stage if name.stage in results else ""
     columns = [header for stage, result in results.items() for header in columns_of(stage, result)]
+    if scene is not None:
+        columns += [f"{stage}.{each.name}" for stage in results for each in scene.further(stage)]
     if name.fact:
         every = [f"{stage}.{each.quantity}" for stage, result in results.items() for each in _facts(stage, result)]
+        if scene is not None:
+            every += [f"{stage}.{each.name}" for stage in results for each in chosen_facts(stage, scene)]
         if any(column.partition(".")[2] == name.what for column in columns):
             return UsageError(
                 f"{name.text} is a column: it has a value at every row",
@@ -129,6 +147,40 @@ def listed(stage: str, result: Any) -> Iterator[Told | Extent]:
             yield Extent(stage, column, unit, least, greatest, len(values), *meant)
 
 
+def offered(stage: str, scene: Scene) -> Iterator[Told | Extent]:
+    """All that a stage tells by choice; no detail is computed, no column made."""
+    for each in (*forms_of_details(stage, scene), *of_itself(stage, scene.results[stage])):
+        yield _chosen(stage, each)
+    for column in scene.further(stage):
+        yield Extent(stage, column.name, column.unit, nan, nan, 0, column.meaning, column.symbol, choice=True)
+
+
+def chosen(stage: str, names: Sequence[Name], scene: Scene) -> Iterator[Told | Extent]:
+    """Facts and columns by choice under names without a function and a place."""
+    named_here = [name for name in names if name.fact and name.may_be_of(stage)]
+    for fact in _chosen_facts(stage, named_here, scene):
+        yield _chosen(stage, fact)
+    for column in scene.further(stage):
+        if any(name.fits(Name(stage, "", column.name, unit=column.unit)) for name in named_here):
+            values = np.asarray(column.make(), float)
+            values = values[~np.isnan(values)]
+            ends = (float(np.min(values)), float(np.max(values))) if values.size else (nan, nan)
+            yield Extent(
+                stage, column.name, column.unit, *ends, len(values), column.meaning, column.symbol, choice=True
+            )
+
+
+def _chosen_facts(stage: str, names: Sequence[Name], scene: Scene) -> Iterator[Chosen]:
+    """The facts by choice that names stand for; without names none are computed."""
+    for each in chosen_facts(stage, scene) if names else ():
+        if any(name.fits(Name(stage, "", each.name, unit=each.unit)) for name in names):
+            yield each
+
+
+def _chosen(stage: str, each: Chosen) -> Told:
+    return Told(stage, each.name, each.value, each.unit, CHOICE, each.meaning, each.symbol)
+
+
 def _facts(stage: str, result: Any) -> Iterator[Told]:
     """Its facts, each once: of a name that stands in several parts of the summary the last."""
     known, found = described(stage, column=False), dict[str, Told]()
@@ -138,17 +190,59 @@ def _facts(stage: str, result: Any) -> Iterator[Told]:
     yield from found.values()
 
 
-def _of_table(stage: str, result: Any, table: Table, name: Name, anew: Anew | None) -> Iterator[Told]:
-    """What is asked of every column of numbers that the name may mean."""
-    known = described(stage, column=True)
-    for at, header in enumerate(table.headers):
-        column, unit = named(header)
-        if not like(column, name.what) or np.asarray(table.make(at)).dtype.kind not in "fi":
-            continue
-        own = name._replace(stage=stage, what=column)
-        value, told_in, how = asked_of(own, result, table, header, anew)
-        meaning, symbol = known(column, unit)
-        meant = MEANT.get(name.of, name.of)
-        meaning = f"{meaning}: {meant}" if meaning and meant else meaning
-        if name.unit in (None, told_in):
-            yield Told(stage, own.quantity, value, told_in, how, meaning, symbol)
+def _ordinary(
+    stage: str, result: Any, names: Sequence[Name], scene: Scene | None
+) -> Iterator[tuple[Name | None, Told]]:
+    """Facts and what is asked of columns of the table, each with the name that it was asked for by."""
+    facts = [name for name in names if name.fact and name.may_be_of(stage)]
+    if facts or not names:
+        for each in _facts(stage, result):
+            own = Name(stage, "", each.quantity, unit=each.unit)
+            if not names:
+                yield None, each
+            yield from ((name, each) for name in facts if name.fits(own))
+    rows = [name for name in names if not name.fact and name.may_be_of(stage)]
+    if rows and (table := table_of(stage, result)) is not None:
+        known = described(stage, column=True)
+
+        def there(place: Place) -> Table | None:
+            beside = None if scene is None else scene.beside(stage, place)
+            return None if beside is None else table_of(stage, beside.results[stage])
+
+        for name in rows:
+            for at, header in enumerate(table.headers):
+                if like(named(header)[0], name.what) and np.asarray(table.make(at)).dtype.kind in "fi":
+                    for each in _of_column(stage, result, table, header, name, there, known(*named(header))):
+                        yield name, each
+
+
+def _by_choice(stage: str, names: Sequence[Name], scene: Scene) -> Iterator[Told]:
+    """Facts by choice, and what is asked of columns by choice."""
+    for fact in _chosen_facts(stage, [name for name in names if name.fact and name.may_be_of(stage)], scene):
+        yield _chosen(stage, fact)
+    rows = [name for name in names if not name.fact and name.may_be_of(stage)]
+    further = scene.further(stage) if rows else ()
+    wanted = [(name, column) for name in rows for column in further if like(column.name, name.what)]
+    table = scene.table(stage) if wanted else None
+
+    def there(place: Place) -> Table | None:
+        beside = scene.beside(stage, place)
+        return None if beside is None else beside.table(stage)
+
+    for name, column in wanted:
+        if table is not None:
+            meant = column.meaning, column.symbol
+            yield from _of_column(stage, scene.results[stage], table, column.header, name, there, meant)
+
+
+def _of_column(
+    stage: str, result: Any, table: Table, header: str, name: Name, there: There, meant: tuple[str, str]
+) -> Iterator[Told]:
+    """What a name asks of a column, unless it asks for another unit."""
+    own = name._replace(stage=stage, what=named(header)[0])
+    value, told_in, how = asked_of(own, result, table, header, there)
+    meaning, symbol = meant
+    asked = MEANT.get(name.of, name.of)
+    meaning = f"{meaning}: {asked}" if meaning and asked else meaning
+    if name.unit in (None, told_in):
+        yield Told(stage, own.quantity, value, told_in, how, meaning, symbol)

@@ -217,9 +217,13 @@ class _Run:
 
 
 def upstream_of(stage: Stage, results: Mapping[str, Any]) -> dict[str, Any]:
-    """What of the results a stage reads, as its function is given it, with the pipeline if it asks for that."""
+    """What of the results a stage reads, as its function is given it, with what it asks for besides."""
     read = stage.given(results)
-    return {**read, "another": _another} if stage.another else read
+    if stage.another:
+        read["another"] = _another
+    if stage.every:
+        read["every"] = results
+    return read
 
 
 def _another(text: str, stages: Sequence[str]) -> dict[str, Any]:

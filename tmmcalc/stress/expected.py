@@ -15,9 +15,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from tmmcalc.batch.quantities import anew, told
+from tmmcalc.batch.quantities import told
 from tmmcalc.core.errors import TmmError
 from tmmcalc.core.records import record
+from tmmcalc.naming.scene import Scene
 from tmmcalc.pipeline.outcome import RunResult
 
 MARK = "#="
@@ -93,7 +94,7 @@ def _differences(run: RunResult, wanted: Value) -> Iterator[str]:
     if stage not in run.outcomes:
         yield f"{wanted.name}: there is no result of {stage}"
         return
-    met = dict(told(stage, run.results, [wanted.name], anew(run.spec, [wanted.name])))
+    met = dict(told(run.results, [wanted.name], Scene(run.spec, run.results), [stage]))
     if wanted.name not in met:
         yield f"{wanted.name}: {stage} tells no such quantity"
         return

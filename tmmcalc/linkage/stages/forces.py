@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.quantity import keyed
@@ -11,6 +12,7 @@ from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.wanted import FRICTION, NO_CSV, SPRINGS, interpolated, is_long
 
 if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
     from tmmcalc.linkage.loading import Loading
     from tmmcalc.linkage.model import Mechanism
     from tmmcalc.linkage.room import LinkageTables
@@ -38,6 +40,13 @@ def errors(result: Forces) -> dict[str, Any]:
     if result.last_digit is None:
         return keyed(result, "error")
     return {**keyed(result, "error"), LAST_DIGIT: keyed(result, "last_digit")}
+
+
+def further(spec: LinkageTables, results: Mapping[str, Any]) -> list[Column]:
+    """Loads of inertia, components along links, arms, reactions without friction, friction of each pair."""
+    from tmmcalc.linkage.forces.further import further_columns
+
+    return further_columns(*inputs(spec), results["kinematics"], results["forces"])
 
 
 def omits(spec: LinkageTables) -> tuple[str, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
 from typing import TYPE_CHECKING, Any, get_type_hints
 
@@ -14,6 +15,7 @@ from tmmcalc.linkage.results import Kinematics, Trace
 from tmmcalc.linkage.wanted import NO_CSV, is_long
 
 if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
     from tmmcalc.linkage.model import Mechanism
     from tmmcalc.linkage.room import LinkageTables
 
@@ -76,6 +78,14 @@ def load(record: Record) -> Kinematics:
 def _hints() -> dict[str, Any]:
     """Types of the fields of a result."""
     return get_type_hints(Kinematics)
+
+
+def further(spec: LinkageTables, results: Mapping[str, Any], *, dimensionless: bool = False) -> list[Column]:
+    """Terms of the vector equations, and outputs by differences of positions."""
+    from tmmcalc.linkage.further import further_columns
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+    return further_columns(to_linkage(spec.linkage), results["kinematics"], dimensionless=dimensionless)
 
 
 def omits(spec: LinkageTables) -> tuple[str, ...]:

@@ -1,0 +1,161 @@
+"""Facts by choice: what a stage tells beyond its documents, and only when it is asked for by name.
+
+They are the details of its own (`details` of a stage), and of every stage what it knows of itself:
+
+    error.NAME          estimated relative error, as the stage file has it
+    last_digit.NAME     relative change by a unit in the last place of the data: how well conditioned the scene is
+    counters.NAME       steps, iterations, evaluations
+    warnings, notes     how many of them its document has
+    warnings.N.value    value and limit of a warning or note, counted from 1, where it has them
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from math import nan
+from typing import Any, NamedTuple, get_args, get_origin, get_type_hints
+
+from tmmcalc.core.facts import named
+from tmmcalc.core.quantity import Quantity, in_degrees, quantities
+from tmmcalc.core.stage import STAGES, Stage
+from tmmcalc.core.stored import LAST_DIGIT
+from tmmcalc.naming.scene import Scene
+
+IN_RADIANS = ("gears", "vibration")  # rooms whose angles are told as they are kept; elsewhere they are in deg
+
+
+class Chosen(NamedTuple):
+    """One fact by choice."""
+
+    name: str
+    unit: str
+    value: float  # NaN where it was not computed, and where it has none
+    meaning: str
+    symbol: str = ""
+
+
+def chosen_facts(stage: str, scene: Scene) -> Iterator[Chosen]:
+    """All facts by choice of a stage with their values."""
+    yield from details_of(stage, scene)
+    yield from of_itself(stage, scene.results[stage])
+
+
+def details_of(stage: str, scene: Scene) -> Iterator[Chosen]:
+    """What the records of its details give out; a record within one has the name of its field before its own."""
+    radians = in_radians(STAGES[stage])
+    for word, each in scene.details(stage).items():
+        yield from _given_out(each, f"{word}." if word else "", {}, radians)
+
+
+def in_radians(stage: Stage) -> bool:
+    """Whether the angles of a stage are told in rad."""
+    return stage.facts.split(".")[1:2] in [[room] for room in IN_RADIANS]
+
+
+def _given_out(of: Any, path: str, places: Mapping[str, object], radians: bool) -> Iterator[Chosen]:
+    """The numbers of a record; its fields, and those of the record that holds it, fill the places of its keys."""
+    told = quantities(type(of))
+    own = {**places, **{name: value for name, value in vars(of).items() if isinstance(value, str | int)}}
+    for name in dict.fromkeys((*type(of).__record__.fields, *told)):
+        value = getattr(of, name)
+        quantity = told[name].of(**own) if name in told else None
+        if isinstance(value, int | float):
+            if quantity is not None:
+                yield _fact(path, quantity, value, radians)
+        elif quantity is not None and isinstance(value, tuple | list) and _numbers(value):
+            name, bracket, unit = quantity.key.partition("[")
+            each = (quantity._replace(key=f"{name}.{k}{bracket}{unit}") for k in range(len(value)))
+            yield from (_fact(path, one, number, radians) for one, number in zip(each, value, strict=True))
+        else:
+            word = quantity.name if quantity is not None else name
+            for key, part in _records(value):
+                yield from _given_out(part, f"{path}{word}{key}.", own, radians)
+
+
+def _numbers(values: tuple[Any, ...] | list[Any]) -> bool:
+    return all(isinstance(value, int | float) for value in values)
+
+
+def _records(value: Any) -> Iterator[tuple[str, Any]]:
+    """The records in a value with what follows its name: of several their names, or their numbers from 0."""
+    if hasattr(value, "__record__"):
+        yield "", value
+    elif isinstance(value, Mapping):
+        yield from ((f".{key}", part) for key, part in value.items() if hasattr(part, "__record__"))
+    elif isinstance(value, tuple | list):
+        for number, part in enumerate(value):
+            if hasattr(part, "__record__"):
+                yield f".{getattr(part, 'name', number)}", part
+
+
+def _fact(path: str, told: Quantity, value: float, radians: bool) -> Chosen:
+    given = told.value(float(value))
+    ((key, shown),) = given.items() if radians else in_degrees(given).items()
+    name, unit = named(key)
+    return Chosen(path + name, unit, shown, told.meaning, told.symbol)
+
+
+def forms_of_details(stage: str, scene: Scene) -> Iterator[Chosen]:
+    """What the details of a stage may give out, without a value: as the record declares it that they say they return.
+
+    Details that do not say so are computed.
+    """
+    made = STAGES[stage].part("details")
+    if made is None:
+        return
+    try:
+        kind = get_type_hints(made).get("return")
+    except NameError:  # a class that only type checkers import
+        kind = None
+    forms = [(path, kind) for path, kind in _kinds(kind)]
+    if not forms:
+        yield from details_of(stage, scene)
+    for path, each in forms:
+        yield from _forms(each, path.removeprefix(".") and f"{path[1:]}.", in_radians(STAGES[stage]))
+
+
+def _forms(kind: Any, path: str, radians: bool) -> Iterator[Chosen]:
+    """What a kind of record gives out; names that the scene has, or that are counted, stand in braces."""
+    told, hints = quantities(kind), get_type_hints(kind)
+    for name in dict.fromkeys((*kind.__record__.fields, *told)):
+        inner = [*_kinds(hints.get(name))]
+        word = told[name].name if name in told else name
+        for number, each in inner:
+            yield from _forms(each, f"{path}{word}{number}.", radians)
+        if name in told and not inner:
+            yield _fact(path, told[name], nan, radians)
+
+
+def _kinds(hint: Any, several: str = "") -> Iterator[tuple[str, Any]]:
+    """The kinds of records in a type, with what follows the name of each."""
+    if hasattr(hint, "__record__"):
+        yield several, hint
+        return
+    origin = get_origin(hint)
+    several = ".{name}" if isinstance(origin, type) and issubclass(origin, Mapping | tuple | list) else several
+    for each in get_args(hint):
+        yield from _kinds(each, several)
+
+
+def of_itself(stage: str, result: Any) -> Iterator[Chosen]:
+    """What a stage knows of its own computation: errors, counters, warnings and notes."""
+    record = STAGES[stage].dump(result)
+    error = {name: value for name, value in record.error.items() if name != LAST_DIGIT}
+    yield from _flat("error", error, "estimated relative error: {}")
+    yield from _flat(LAST_DIGIT, record.error.get(LAST_DIGIT, {}), "change by the last digit of the data: {}")
+    yield from _flat("counters", record.counters, "counted: {}")
+    document = STAGES[stage].summary(result, stage)
+    notes = [note for part in (document, *document.parts) for note in part.notes]
+    count = sum(note.startswith("warning") for note in notes)
+    yield Chosen("warnings", "", float(count), "how many warnings its document has")
+    yield Chosen("notes", "", float(len(notes) - count), "how many notes its document has")
+
+
+def _flat(path: str, values: Mapping[str, Any], meaning: str) -> Iterator[Chosen]:
+    for key, value in values.items():
+        if isinstance(value, Mapping):
+            yield from _flat(f"{path}.{key}", value, meaning)
+        elif isinstance(value, int | float):
+            name, unit = named(key)
+            words = f"{path.partition('.')[2]} {name}".strip().replace("_", " ").replace(".", ", ")
+            yield Chosen(f"{path}.{name}", unit, float(value), meaning.format(words))
