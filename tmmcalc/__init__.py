@@ -17,6 +17,8 @@ from tmmcalc._version import __version__
 _HOMES = {
     "tmmcalc.api": ("run", "settle"),
     "tmmcalc.api.batches": ("sweep",),
+    "tmmcalc.api.results": ("Run",),
+    "tmmcalc.api.stageresult": ("StageResult",),
     "tmmcalc.api.cams": (
         "solve_cam_elastic",
         "solve_cam_forces",

@@ -52,6 +52,15 @@ class Sheet:
         """Number of points without all that was asked."""
         return sum(status != OK for status in self.status)
 
+    def to_frame(self, library: str | None = None) -> Any:
+        """A row a point of a frame of ``pandas`` or ``polars`` (None: of the first that is installed).
+
+        Its columns have the headers of the CSV. Raises `UsageError` where the library is not installed.
+        """
+        from tmmcalc.report.frames import frame
+
+        return frame({field.header: field.plain for field in _fields(self)}, library)
+
 
 def sheet_of(task: Task, rows: Iterable[Row]) -> Sheet:
     """The sheet of a task whose points are all done, in any order."""
@@ -83,7 +92,7 @@ def save(sheet: Sheet, key: str, file: Path) -> None:
     """Write the table and what vouches for it, the latter last; each in one step."""
     import tomli_w
 
-    form, data = ("Parquet", _parquet(sheet)) if is_parquet(file) else ("CSV", csv_bytes(sheet))
+    form, data = ("Parquet", parquet_bytes(_fields(sheet))) if is_parquet(file) else ("CSV", csv_bytes(sheet))
     replace_file(file, data)
     whole = seal(data)
     told = {"program": __version__, "hash": key, "points": len(sheet.status), "failed": sheet.failed}
@@ -135,13 +144,13 @@ def csv_bytes(sheet: Sheet) -> bytes:
     return buffer.getvalue().encode()
 
 
-def _parquet(sheet: Sheet) -> bytes:
-    """The sheet as Parquet: labels and verdicts are texts, keys and quantities numbers, what is yes or no is so."""
+def _fields(sheet: Sheet) -> list[Field]:
+    """The columns of a sheet: labels and verdicts are texts, keys and quantities numbers, what is yes or no is so."""
     given = zip(sheet.keys, zip(*sheet.given, strict=True), strict=True)
     keys = (_key(header, cells) if is_key(header) else Field(header, cells) for header, cells in given)
     quantities = (Field(name, column, *_told(name)) for name, column in zip(sheet.names, sheet.values.T, strict=True))
     last = (Field(header, cells) for header, cells in zip(_LAST, (sheet.status, sheet.reasons), strict=True))
-    return parquet_bytes([*keys, *quantities, *last])
+    return [*keys, *quantities, *last]
 
 
 def _key(header: str, cells: Sequence[str]) -> Field:

@@ -28,6 +28,12 @@ class Field(NamedTuple):
     told: Mapping[str, str] = {}
     truths: bool = False
 
+    @property
+    def plain(self) -> Sequence[str] | NDArray[Any]:
+        """The values, as truth values where all are such."""
+        whole = self.truths and not np.isnan(np.asarray(self.values, float)).any()
+        return np.asarray(self.values, float) != 0 if whole else self.values
+
 
 def check_pyarrow() -> None:
     """Raise `UsageError` where pyarrow is not installed."""
