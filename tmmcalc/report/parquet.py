@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,8 +59,11 @@ def parquet_bytes(fields: Sequence[Field]) -> bytes:
             columns.append(pa.array(each.values, pa.string()))
         told = {key: text for key, text in each.told.items() if text}
         types.append(pa.field(each.header, columns[-1].type, metadata=told))
+    texts = [each.name for each in types if pa.types.is_string(each.type)]
     sink = pa.BufferOutputStream()
-    parquet.write_table(pa.Table.from_arrays(columns, schema=pa.schema(types)), sink, compression=COMPRESSION)
+    parquet.write_table(
+        pa.Table.from_arrays(columns, schema=pa.schema(types)), sink, compression=COMPRESSION, use_dictionary=texts
+    )
     data: bytes = sink.getvalue().to_pybytes()
     return data
 

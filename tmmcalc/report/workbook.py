@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 MADE = datetime(1980, 1, 1)  # a workbook cannot do without a date; this is the first that its archive can have
 ROWS, COLUMNS = 1_048_575, 16_384  # of a sheet, under its header
-CELLS = 2_000_000  # of a workbook: they take two gigabytes while it is written
+CELLS = 2_000_000  # of a workbook: they take a gigabyte and a minute while it is written
 TEXT = 32_767  # characters of a cell
 WIDEST, NARROWEST = 60, 6  # columns of a sheet, in characters
 FREE = 3  # characters of a header for the arrow of the filter
@@ -37,7 +37,9 @@ POWERS, ESTIMATE = "0.00000E+00", "0.0E+00"  # formats of numbers in powers of t
 AMBER = "#F2A900"  # tab of a sheet with a warning
 CHART = {"width": 640, "height": 320}  # pixels
 LINE = 1.5  # points
-TALL = 17  # rows of a sheet that a chart covers
+TALL, WIDE = 17, 10  # rows and columns of an empty sheet that a chart covers
+CHARTS = "charts"  # the page that has all of them
+ACROSS = 2  # charts beside each other there
 TURN = 180.0  # angles over so much are marked in steps of 30, 60 ... deg
 MARKS = (30.0, 60.0, 90.0, 180.0, 360.0)
 MOST_MARKS = 13
@@ -68,9 +70,12 @@ def workbook(sheets: Sequence[Worksheet], title: str) -> bytes:
     book = Workbook(buffer, plain)
     book.set_properties({"title": printable(title), "created": MADE})
     formats = _Formats(book)
-    names = sheet_names(sheet.name for sheet in sheets)
+    charts, *names = sheet_names([CHARTS, *(sheet.name for sheet in sheets)])
     pages = {sheet.name: name for sheet, name in zip(sheets, names, strict=True)}
+    drawn = [sheet for sheet in sheets if curves_of(sheet)]
     for sheet, name in zip(sheets, names, strict=True):
+        if drawn and sheet is drawn[0]:
+            _draw(book, formats, drawn, charts, pages)
         _write(book, formats, sheet, name, pages)
     book.close()
     return buffer.getvalue()
@@ -134,6 +139,18 @@ def _write(book: Workbook, formats: _Formats, sheet: Worksheet, name: str, pages
         page.set_column(at, at, max(len(label) for label, _ in sheet.beside) + 2)
     for number, curves in enumerate(curves_of(sheet)):
         page.insert_chart(len(sheet.beside) + 1 + number * TALL, at, _chart(book, sheet, name, curves))
+
+
+def _draw(book: Workbook, formats: _Formats, sheets: Sequence[Worksheet], name: str, pages: Mapping[str, str]) -> None:
+    """The page of all charts, where they are found at once: beside a wide table they are far away."""
+    page, row = book.add_worksheet(name), 0
+    for sheet in sheets:
+        page.write_url(row, 0, f"internal:'{pages[sheet.name]}'!A1", string=sheet.name)
+        curves = curves_of(sheet)
+        for at, each in enumerate(curves):
+            across, down = at % ACROSS, at // ACROSS
+            page.insert_chart(row + 1 + down * TALL, across * WIDE, _chart(book, sheet, pages[sheet.name], each))
+        row += 2 + -(-len(curves) // ACROSS) * TALL
 
 
 def _column(
