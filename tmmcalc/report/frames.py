@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.report.numbers import counted_back
 
 LIBRARIES = ("pandas", "polars")
 
@@ -17,7 +18,7 @@ LIBRARIES = ("pandas", "polars")
 def frame(columns: Mapping[str, Any], library: str | None = None) -> Any:
     """A frame of columns by their headers; of ``pandas`` or ``polars``, without a name of the first that is installed.
 
-    Columns are arrays of numbers or texts; numbers of rows that are texts become numbers, as in a CSV that is read.
+    Columns are arrays of numbers or texts; what is a text of a number becomes one, as in a CSV that is read.
     Raises `UsageError` for another library, and for one that is not installed.
     """
     module = import_module(_chosen(library))
@@ -39,7 +40,4 @@ def _chosen(library: str | None) -> str:
 
 def _plain(column: Any) -> Any:
     values = np.asarray(column)
-    if values.dtype.kind == "U":
-        texts: list[str] = values.tolist()
-        return [int(text) for text in texts] if texts and all(text.isdecimal() for text in texts) else texts
-    return values if values.dtype.kind in "fib" else list(column)
+    return values if values.dtype.kind in "fib" else counted_back(values.tolist())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 DIGITS = 6  # significant digits of the largest value of a column
 MIDDLE_DIGITS = 4  # at least, of a value of middle size, where a few tower above the rest
@@ -60,6 +61,34 @@ def decimals(values: Sequence[float]) -> int | None:
     if not -4 <= largest <= 7:
         return None
     return min(max(DIGITS - 1 - largest, MIDDLE_DIGITS - 1 - middle, 0), DIGITS)
+
+
+def counted_back(cells: Sequence[Any]) -> Sequence[Any]:
+    """A column of texts that are all numbers, as they are written in full, or empty: as numbers, None where empty.
+
+    Any other column, one with other texts too, stays as it is.
+
+    >>> counted_back(["0", "1"]), counted_back(["0.5", ""]), counted_back(["0", "0'"]), counted_back(["007"])
+    ([0, 1], [0.5, None], ['0', "0'"], ['007'])
+    """
+    if not any(isinstance(cell, str) for cell in cells):
+        return cells
+    found = [as_number(cell) if isinstance(cell, str) else cell for cell in cells]
+    return cells if any(isinstance(cell, str) for cell in found) else found
+
+
+def as_number(text: str) -> float | str | None:
+    """The number that a text is in full, None for an empty one, else the text itself."""
+    if not text:
+        return None
+    for kind in (int, float):
+        try:
+            value = kind(text)
+        except ValueError:
+            continue
+        if repr(value) == text and math.isfinite(value):
+            return value
+    return text
 
 
 def scientific(values: Sequence[float], digits: int = 3) -> list[str]:

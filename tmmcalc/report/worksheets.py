@@ -18,6 +18,7 @@ from tmmcalc.core.stage import STAGES
 from tmmcalc.naming.meanings import described
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.layout import fitted
+from tmmcalc.report.numbers import as_number, counted_back
 
 TOLD = ("name", "symbol", "value", "unit", "meaning")
 OVER = ("phi", "t", "x")  # columns that others are drawn over
@@ -78,10 +79,10 @@ def _table(name: str, document: Document, main: Sequence[str] | None) -> Workshe
 
 
 def table_sheet(name: str, view: View, beside: Sequence[tuple[str, Any]] = (), main: Sequence[str] = ()) -> Worksheet:
-    """The sheet of a table; numbers of rows are numbers."""
-    columns = list(view.columns)
+    """The sheet of a table; of the labels of its rows those that are numbers are numbers."""
+    columns = [counted_back(column) for column in view.columns]
     if columns and view.headers[0] == "i":
-        columns[0] = [int(cell) if isinstance(cell, str) and cell.isdecimal() else cell for cell in columns[0]]
+        columns[0] = [as_number(str(label)) for label in columns[0]]
     return Worksheet(name, view.headers, columns, beside, main)
 
 
