@@ -16,6 +16,7 @@ from tmmcalc._version import __version__
 # Public names by their modules, which are imported when a name is first used; `__init__.pyi` has their types.
 _HOMES = {
     "tmmcalc.api": ("run", "settle"),
+    "tmmcalc.api.named": ("columns", "told"),
     "tmmcalc.api.batches": ("sweep",),
     "tmmcalc.api.results": ("Run",),
     "tmmcalc.api.stageresult": ("StageResult",),

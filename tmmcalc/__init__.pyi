@@ -42,6 +42,8 @@ from tmmcalc.api.machines import solve_pendulum as solve_pendulum
 from tmmcalc.api.machines import solve_power as solve_power
 from tmmcalc.api.machines import solve_transients as solve_transients
 from tmmcalc.api.machines import solve_vibrator as solve_vibrator
+from tmmcalc.api.named import columns as columns
+from tmmcalc.api.named import told as told
 from tmmcalc.api.results import Run as Run
 from tmmcalc.api.stageresult import StageResult as StageResult
 from tmmcalc.batch.regions import map_feasibility as map_feasibility

@@ -29,7 +29,7 @@ def test_all_that_a_project_can_tell(cli: Cli, tmp_path: Path, monkeypatch: pyte
     assert len(told) == COUNT
     assert len({(row["name"], row["how"]) for row in told}) == COUNT  # criteria.mass is a fact and a column
     choice = {row["name"] for row in listed} - {row["name"] for row in told}
-    assert {"kinematics.vS_B_differences", "forces.Pi_3", "forces.warnings", "forces.counters.dense"} < choice
+    assert {"kinematics.vrel_B_A", "forces.Pi_3", "forces.warnings", "forces.counters.dense"} < choice
     assert not {row["name"] for row in listed if row["min"]} & choice  # no column by choice was made
     order = [[*STAGES].index(row["name"].partition(".")[0]) for row in listed]
     assert order == sorted(order)
@@ -132,3 +132,65 @@ def test_a_wrong_name_in_a_constraint_is_one_error(cli: Cli, tmp_path: Path, lin
     assert end.code == 2
     assert words in " ".join(end.err.split())
     assert "Traceback" not in end.err
+
+
+BY_CHOICE = ("forces.max(R0_A)", "kinematics.vrel_D_C[phi=50 deg]", "forces.counters.dense", "motion.error.moment")
+
+
+def test_by_choice_in_a_sweep_and_in_constraints(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    asked = rows(cli("names", str(SHAPER), *BY_CHOICE, "-f", "csv").out)
+    named = {row["name"]: float(row["value"]) for row in asked}
+    end = cli("sweep", str(SHAPER), "--set", f"{CRANK}=*0.95:1.05:17", "--columns", BY_CHOICE[0], "-o", "t.csv")
+    assert "one by one: columns or facts by choice are asked for" in " ".join(end.err.split())
+    column = [float(row["forces.max(R0_A)[N]"]) for row in rows((tmp_path / "t.csv").read_text())]
+    assert column[8] == pytest.approx(named["forces.max(R0_A)"], rel=1e-9)
+    assert column[0] != column[8]
+    end = cli("sweep", str(SHAPER), "--set", f"{CRANK}=*0.95:1.05:17", "--columns", "forces.max(R_A)", "-o", "u.csv")
+    assert "solved together" in end.err
+    text = SHAPER.read_text().partition("[[constraints]]")[0]
+    lines = (f'\n[[constraints]]\nname = "c{k}"\nvalue = "{name}"\nat_most = 0\n' for k, name in enumerate(BY_CHOICE))
+    spec = tmp_path / "my.toml"
+    spec.write_text(text + "".join(lines))
+    first = cli("feasibility", str(spec), "-f", "json").out
+    found = dict(zip(json.loads(first)["columns"]["constraint"], json.loads(first)["columns"]["value"], strict=True))
+    for k, name in enumerate(BY_CHOICE):
+        assert float(found[f"c{k}"]) == pytest.approx(named[name], rel=1e-6)
+    again = cli("feasibility", str(spec), "-f", "json")
+    assert (again.out, "computed" in again.err) == (first, False)
+    loads = spec.read_text().replace("friction = 0.1", "friction = 0.12", 1)
+    spec.write_text(loads)
+    assert json.loads(cli("feasibility", str(spec), "-f", "json").out)["columns"] != json.loads(first)["columns"]
+
+
+def test_columns_by_choice_in_the_files_of_a_run(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    spec = tmp_path / "my.toml"
+    spec.write_text(SHAPER.read_text())
+    wrong = cli("run", str(spec), "--columns", "phi,R0_Z", "-q")
+    assert wrong.code == 2
+    assert "no stage has a column called 'R0_Z'" in wrong.err
+    assert "R0_" in wrong.err.partition("->")[2]
+    assert not [*(tmp_path / "my.out").glob("*.csv")]
+    assert cli("run", str(spec), "--columns", "phi,R_A,R0_A,vrel_D_C", "-q").code == 0
+    forces = (tmp_path / "my.out" / "forces.csv").read_text()
+    assert forces.splitlines()[0] == "i,phi[deg],R_A[N],R0_A[N]"
+    assert (tmp_path / "my.out" / "kinematics.csv").read_text().splitlines()[0] == "i,phi[deg],vrel_D_C[m/s]"
+    printed = cli("forces", str(spec), "--columns", "phi,R_A,R0_A", "-f", "csv", "-q", "--no-store").out
+    assert forces == printed
+    stamps = {file: file.stat().st_mtime_ns for file in (tmp_path / "my.out").glob("*.csv")}
+    assert cli("run", str(spec), "--columns", "phi,R_A,R0_A,vrel_D_C", "-q").code == 0
+    assert stamps == {file: file.stat().st_mtime_ns for file in (tmp_path / "my.out").glob("*.csv")}
+    assert cli("run", str(spec), "-q").code == 0
+    assert "R0_A[N]" not in (tmp_path / "my.out" / "forces.csv").read_text().splitlines()[0]
+
+
+def test_warnings_as_data(cli: Cli) -> None:
+    told = json.loads(cli("motion", str(SHAPER), "-f", "json", "--no-store", "-q").out)
+    assert len(told["findings"]) == len(told["notes"])
+    for sentence, held in zip(told["notes"], told["findings"], strict=True):
+        words = (held["level"], *([held["place"]] if "place" in held else []), held["text"])
+        assert sentence == ": ".join(words)
+    overload = next(each for each in told["findings"] if each["text"].startswith("overload"))
+    assert overload["value[rad/s]"] == told["omega_min[rad/s]"] < overload["limit[rad/s]"]
+    assert told["counters"]["newton"] >= 1

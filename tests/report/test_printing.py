@@ -127,6 +127,7 @@ def test_json_and_toml_keep_every_digit() -> None:
         "stroke_D[m]": 0.6580645161290324,
         "centres[deg]": [3.0, 9.0],
         "notes": ["warning: group RRR(2,3): nearly singular"],
+        "findings": [{"level": "warning", "text": "group RRR(2,3): nearly singular"}],
         "columns": {"i": ["0", "1'"], "phi[deg]": [0.1 + 0.2, 1e-17]},
     }
 

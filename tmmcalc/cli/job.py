@@ -33,7 +33,15 @@ from tmmcalc.cli.options import (
     Wait,
     patterns_of,
 )
-from tmmcalc.cli.output import check_place, check_tolerance, raise_failures, show, table_file, title, warnings_of
+from tmmcalc.cli.output import (
+    check_place,
+    check_tolerance,
+    raise_failures,
+    show,
+    table_file,
+    title,
+    warnings_of,
+)
 from tmmcalc.core.errors import LimitError, UsageError
 from tmmcalc.core.progress import tell
 from tmmcalc.core.records import record
@@ -180,12 +188,15 @@ class Job:
 
         Into a workbook go ``sheets``, by default those of the document.
         """
-        from tmmcalc.report.errors import with_errors
+        from tmmcalc.report.errors import with_counters, with_errors
 
         document = replace(document, notes=(*document.notes, *result.told))
         target = result.plan.target
         if target is not None and target in result.outcomes and not document.parts:
-            document = with_errors(document, result.record(target).error)
+            record = result.record(target)
+            document = with_errors(document, record.error)
+            if form in (Format.json, Format.toml, Format.xlsx):
+                document = with_counters(document, record.counters)
         if form is Format.xlsx:
             from tmmcalc.pipeline.workbook import command_sheets
 
@@ -340,17 +351,21 @@ def of_stage(
 def stage_command(stage: str, text: str, heading: str = "") -> Callable[..., None]:
     """The command of a stage with positions, whose help is ``text``.
 
-    The document is chosen by ``patterns``, ``rows``, ``everything``, ``where``.
+    The document is chosen by ``patterns``, ``rows``, ``everything``, ``where``; of a stage with columns by choice by
+    these too, as ``further``.
     """
 
     def body(solved: Solved, columns: Columns = None, positions: Positions = None) -> Document:
         from tmmcalc.report.rows import rows_of
 
+        patterns = patterns_of(columns)
+        stage, scene = solved.run.outcomes[solved.stage].stage, (solved.spec, solved.run.results)
         return solved.document(
-            patterns=patterns_of(columns),
+            patterns=patterns,
             rows=rows_of(positions, solved.result.labels),
             everything=solved.everything,
             where=solved.where,
+            **({"further": stage.further(*scene)} if patterns and stage.part("further") else {}),
         )
 
     body.__doc__ = text

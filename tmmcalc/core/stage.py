@@ -65,7 +65,7 @@ class Stage:
     ``further(spec, results)``  columns by choice of the rows of its table, a sequence of `Column`: they stand in no
                           table and no file unless they are asked for by name; ``results`` are those of all stages that
                           ran in the scene, or at least those that it reads itself, by stage; nothing is computed
-                          before a column is made
+                          before a column is made. The ``document`` of the stage takes them as ``further``
     ``details(spec, results)``  facts by choice: a record whose declared quantities are told by name alone, never in a
                           document or a file that did not ask for them; or several such records by the word before them.
                           What its annotation says that it returns is listed without computing it

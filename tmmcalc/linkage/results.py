@@ -11,6 +11,7 @@ from typing import Literal
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Note
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
@@ -176,9 +177,12 @@ class Grade:
     severity: Literal["note", "warning"]
     where: str
     message: str
+    value: float | None = None  # that it is about, and the limit that it is held against
+    limit: float | None = None
+    unit: str | None = None  # of both
 
     def __str__(self) -> str:
-        return f"{self.severity}: {self.where}: {self.message}"
+        return Note(self.severity, self.message, self.where, self.value, self.limit, self.unit)
 
 
 @record

@@ -37,6 +37,7 @@ def off_speed(mean: float, asked: float, ratio: float | None, sense: float, key:
         "warning" if abs(off) > GRAVE else "note",
         f"the mean speed {mean * RPM:.6g} rpm lies {above} the {asked * RPM:.6g} rpm of the spec, at which {at} "
         f'computed: set {key} to "{sense * mean * RPM:.6g} rpm"{itself} and run again{gears}',
+        *(mean, asked, "rad/s"),
     )
 
 

@@ -16,6 +16,7 @@ from math import nan
 from typing import Any, NamedTuple, get_args, get_origin, get_type_hints
 
 from tmmcalc.core.facts import named
+from tmmcalc.core.notes import Note
 from tmmcalc.core.quantity import Quantity, in_degrees, quantities
 from tmmcalc.core.stage import STAGES, Stage
 from tmmcalc.core.stored import LAST_DIGIT
@@ -146,9 +147,18 @@ def of_itself(stage: str, result: Any) -> Iterator[Chosen]:
     yield from _flat("counters", record.counters, "counted: {}")
     document = STAGES[stage].summary(result, stage)
     notes = [note for part in (document, *document.parts) for note in part.notes]
-    count = sum(note.startswith("warning") for note in notes)
-    yield Chosen("warnings", "", float(count), "how many warnings its document has")
-    yield Chosen("notes", "", float(len(notes) - count), "how many notes its document has")
+    warnings = [note for note in notes if note.startswith("warning")]
+    for word, some in (("warnings", warnings), ("notes", [note for note in notes if note not in warnings])):
+        yield Chosen(word, "", float(len(some)), f"how many {word} its document has")
+        yield from (each for number, note in enumerate(some, 1) for each in _held(f"{word}.{number}", note))
+
+
+def _held(path: str, note: str) -> Iterator[Chosen]:
+    """Value and limit of a note."""
+    if isinstance(note, Note):
+        for word, number in (("value", note.value), ("limit", note.limit)):
+            if number is not None:
+                yield Chosen(f"{path}.{word}", note.unit, float(number), f"{word}: {note}")
 
 
 def _flat(path: str, values: Mapping[str, Any], meaning: str) -> Iterator[Chosen]:

@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tmmcalc._version import __version__
 from tmmcalc.core.files import open_own
@@ -21,6 +21,9 @@ from tmmcalc.pipeline.lock import WAIT
 from tmmcalc.pipeline.manifest import Provenance
 from tmmcalc.pipeline.outcome import Event, Outcome
 from tmmcalc.pipeline.store import Damaged, Missing, Store
+
+if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
 
 LOG_NAME = "run.log"
 
@@ -42,6 +45,7 @@ class Archive:
         self.store = Store(folder, wait, waiting)
         self.csv = csv
         self.columns = tuple(columns)
+        self._open: set[str] = set()  # stages whose CSV waits until it is known that the names mean something
         self._provenance: dict[str, Provenance] = {}  # of the stages so far
 
     def valid(
@@ -65,13 +69,29 @@ class Archive:
             return None, found.reason
         outcome = Outcome(stage, found.record, self.store.folder)
         if self.store.csv_differs(found, self.csv, self.columns):
-            self.save(outcome)
+            if self.columns:
+                self._open.add(stage.name)
+            else:
+                self.save(outcome)
         return outcome, "files are valid"
 
     def save(self, outcome: Outcome) -> None:
-        """Write the files of a stage that was not found valid."""
+        """Write the files of a stage that was not found valid; where columns are named its CSV comes last of all."""
         provenance = self._provenance[outcome.stage.name]
-        self.store.save(provenance, outcome.record, outcome.table, self.csv, self.columns)
+        if self.columns:
+            self._open.add(outcome.stage.name)
+        self.store.save(provenance, outcome.record, outcome.table, False if self.columns else self.csv)
+
+    def write_tables(self, outcomes: Mapping[str, Outcome], further: Mapping[str, Sequence[Column]]) -> None:
+        """Write the CSV files with the columns that are named, those by choice as well; the others stay as they are."""
+        for stage, outcome in outcomes.items():
+            if stage in self._open or stage in further:
+                table = outcome.table
+                if table is not None and stage in further:
+                    from tmmcalc.pipeline.csvcolumns import with_columns
+
+                    table = with_columns(table, further[stage])
+                self.store.save_table(self._provenance[stage], table, self.csv, self.columns)
 
     def log(self, event: Event) -> None:
         """Append one line with the local time to the log; a log that cannot be written stops no run."""

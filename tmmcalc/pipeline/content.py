@@ -86,9 +86,12 @@ def csv_bytes(table: Table) -> bytes:
 
 
 def _lines(columns: Sequence[Any]) -> bytes:
-    """The rows of a block, so that no more than a block of numbers is held as Python's own."""
+    """The rows of a block, so that no more than a block of numbers is held as Python's own; no value: an empty cell."""
     values = [column.tolist() for column in columns]
     written = [[_cell(v) for v in c] if c and isinstance(c[0], str) else map(repr, c) for c in values]
+    for k, column in enumerate(columns):
+        if column.dtype.kind == "f" and (column != column).any():  # NaN, of columns by choice alone
+            written[k] = ["" if v != v else repr(v) for v in values[k]]
     return "\n".join([",".join(row) for row in zip(*written, strict=True)]).encode()
 
 

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
 from tmmcalc.core.plan import Plan, Step, known_stage, plan
 from tmmcalc.core.stage import Stage, arguments, of_scene
-from tmmcalc.core.stored import matches
 from tmmcalc.pipeline.accuracy import check_accuracy
 from tmmcalc.pipeline.outcome import Event, Outcome, Results, RunResult, UnfitError, believed
 from tmmcalc.pipeline.settling import planned, settled, settling
@@ -51,8 +50,9 @@ def run(
     ``scene`` is the plan of ``target`` and ``skip`` where it is made already; of several targets none need be there.
     With ``out`` each stage leaves its files there, and one whose files are valid is loaded, not computed.
     ``fresh`` computes all; ``from_stage`` that stage and all after it. ``csv``: True, False, or None for up
-    to 2000 rows; ``columns``: names and wildcards of those that a CSV has (empty: all). ``skip``: stages that are left
-    out, with all that read them. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``tolerance``
+    to 2000 rows; ``columns``: names and wildcards of those that a CSV has, those by choice among them (empty: all);
+    then the CSV files are written last, and not at all if a name means nothing. ``skip``: stages that are left out,
+    with all that read them. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``tolerance``
     is the relative error asked of every stage: one with a choice takes the cheapest method for it. ``on_start`` is
     called with the name of a stage before it runs, ``on_event`` as soon as it is done. ``keep_going``: a stage without
     a solution ends only those that read it, and is told in ``failures``. ``wait``: seconds that a folder is waited for
@@ -89,7 +89,12 @@ def run(
         work.begin_afresh(spec, error)
         done = settled_and_done(dict.fromkeys(stages, "stored files do not fit"))
     if columns:
-        _check_columns(columns, work.outcomes)
+        from tmmcalc.naming.scene import Scene
+        from tmmcalc.pipeline.csvcolumns import by_choice
+
+        further = by_choice(columns, work.outcomes, Scene(work.spec, Results(work.outcomes, work.alone)))
+        if archive is not None:
+            archive.write_tables(work.outcomes, further)
     if archive is not None and target is None:
         archive.clear(plan(work.spec, None, stages).running if skip else done.running, work.tell)
     files = () if archive is None else archive.files(work.outcomes)
@@ -251,19 +256,6 @@ def _archive(
     from tmmcalc.pipeline.lock import WAIT
 
     return Archive(out, csv, columns, WAIT if wait is None else wait, waiting)
-
-
-def _check_columns(columns: Sequence[str], outcomes: Mapping[str, Outcome]) -> None:
-    """Raise UsageError for a name that no table of the run has: of one stage it need not be."""
-    headers = [header for outcome in outcomes.values() if outcome.table is not None for header in outcome.table.header]
-    for pattern in columns:
-        if not any(matches(header, pattern) for header in headers):
-            from tmmcalc.core.columns import nearest
-
-            names = list(dict.fromkeys(header.partition("[")[0] for header in headers))
-            raise UsageError(
-                f"no stage has a column called {pattern!r}", where="--columns", remedy=nearest(names, pattern)
-            )
 
 
 def _check_target(scene: Plan) -> None:

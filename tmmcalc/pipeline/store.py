@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -120,6 +121,27 @@ class Store:
                 remove_leftovers(self.folder)
                 self._replace(provenance.stage, contents)
 
+    def save_table(self, provenance: Provenance, table: Table | None, csv: bool | None, columns: Sequence[str]) -> None:
+        """Write the CSV of a stage whose other files are there, and the manifest, as `save` would.
+
+        Raises UsageError if the folder cannot be written, or has become that of another run meanwhile.
+        """
+        path, stage = self.path(provenance.stage, "toml"), provenance.stage
+        listed = _listed(table, csv, columns)
+        data = None if listed is None else content.csv_bytes(listed)
+        with blamed_on(self.folder, "written"), self._lock():
+            try:
+                stored = manifest.read(read_file(path))
+            except (manifest.ManifestError, OSError):
+                stored = None
+            if stored is None or stored.provenance.hash != provenance.hash:
+                raise UsageError(f"{path}: another run has written it meanwhile", remedy="run again, or name a folder")
+            seals = {kind: each for kind, each in stored.files.items() if kind != "csv"}
+            seals |= {} if data is None else {"csv": manifest.seal(data)}
+            asked = tuple(columns) if table is not None else ()
+            made = replace(stored, files=seals, rows=None if table is None else table.rows, columns=asked)
+            self._replace(stage, {"csv": data, "toml": manifest.written(made)})
+
     def remove_others(self, stages: Collection[str]) -> Iterator[tuple[str, list[str], list[str]]]:
         """Remove the files of every stage but these; yield each stage with the names of what went and what stays.
 
@@ -205,7 +227,7 @@ def _contents(
 ) -> dict[str, bytes | None]:
     """Return the bytes of every file of a stage, None for one that is not to be; the manifest comes last."""
     rows = None if table is None else table.rows
-    listed = table.selected(columns) if table is not None and csv_wanted(table.rows, csv) else None
+    listed = _listed(table, csv, columns)
     data = {
         "npz": content.npz_bytes(record.arrays) if record.arrays else None,
         "csv": content.csv_bytes(listed) if listed is not None else None,
@@ -213,6 +235,11 @@ def _contents(
     seals = {kind: manifest.seal(part) for kind, part in data.items() if part is not None}
     asked = columns if table is not None else ()
     return {**data, "toml": manifest.written(Manifest(provenance, record, seals, rows, asked))}
+
+
+def _listed(table: Table | None, csv: bool | None, columns: Sequence[str]) -> Table | None:
+    """What of a table a CSV has; None where there is to be none."""
+    return table.selected(columns) if table is not None and csv_wanted(table.rows, csv) else None
 
 
 def _mismatch(data: bytes, expected: Seal) -> str | None:

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.stage import CSV_ROWS
+from tmmcalc.naming.scene import Scene
+from tmmcalc.pipeline.csvcolumns import by_choice, with_columns
 from tmmcalc.project.given import Given, given
 from tmmcalc.report.document import Document, View
 from tmmcalc.report.errors import with_errors
 from tmmcalc.report.worksheets import TOLD, Worksheet, beside_of, first_columns, sheets_of, table_sheet, told_of
 
 if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
     from tmmcalc.pipeline.outcome import RunResult
 
 
@@ -23,10 +26,11 @@ def run_sheets(run: RunResult, csv: bool | None = None, columns: Sequence[str] =
     """
     rows: list[tuple[Any, ...]] = []
     tables: list[Worksheet] = []
+    further = by_choice(columns, run.outcomes, Scene(run.spec, run.results)) if columns else {}
     for stage, outcome in run.outcomes.items():
         document = with_errors(outcome.stage.summary(run.results[stage], stage), run.record(stage).error)
         rows += ((stage, *row) for row in told_of(document, stage))
-        tables += _table(run, stage, document, csv, columns)
+        tables += _table(run, stage, document, csv, columns, further)
     rows += (("run", "note", "", text, "", "") for text in run.told)
     rows += ((stage, "failed", "", str(error), "", "") for stage, error in run.failures.items())
     return [_given(run), Worksheet("summary", ("stage", *TOLD), _columns(rows, 1 + len(TOLD))), *tables]
@@ -54,7 +58,12 @@ def _first(run: RunResult, stage: str) -> list[str]:
 
 
 def _table(
-    run: RunResult, stage: str, document: Document, csv: bool | None, columns: Sequence[str]
+    run: RunResult,
+    stage: str,
+    document: Document,
+    csv: bool | None,
+    columns: Sequence[str],
+    further: Mapping[str, Sequence[Column]],
 ) -> Iterator[Worksheet]:
     """The sheet of a stage that has a table, or a short one in its summary."""
     table = run.table(stage)
@@ -62,7 +71,7 @@ def _table(
         if document.table is not None:
             yield table_sheet(stage, document.table, beside_of(document))
     elif csv is not False and (csv or table.rows <= CSV_ROWS):
-        chosen = table.selected(columns)
+        chosen = with_columns(table, further.get(stage, ())).selected(columns)
         if chosen is not None:
             view = View(chosen.header, [column.tolist() for column in chosen.columns])
             yield table_sheet(stage, view, beside_of(document), _first(run, stage))

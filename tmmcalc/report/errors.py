@@ -24,6 +24,15 @@ def with_errors(document: Document, error: Mapping[str, Any]) -> Document:
     return replace(document, facts=(*document.facts[:at], fact, *digit_facts(dict(last_digits(error))), *rest))
 
 
+def with_counters(document: Document, counters: Mapping[str, Any]) -> Document:
+    """The document for programs, with the counters of its stage beside those that it tells itself."""
+    told = {key: value for fact in document.facts for key, value in fact.values.items()}
+    own = told.get("counters", {})
+    if not counters or not isinstance(own, Mapping):  # a quantity of this name stays what it is
+        return document
+    return replace(document, facts=(*document.facts, Fact("", "", {"counters": {**counters, **own}})))
+
+
 def digit_facts(told: Mapping[str, float]) -> list[Fact]:
     """What a unit in the last place of the data does to the quantities of a stage, where it is told at all."""
     return [Fact("last digit of the data", _text(told), {LAST_DIGIT: dict(told)})] if told else []

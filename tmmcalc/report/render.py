@@ -10,6 +10,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from typing import Any, TextIO
 
+from tmmcalc.core.notes import finding
 from tmmcalc.core.printable import escaped, printable
 from tmmcalc.report.document import Document
 from tmmcalc.report.layout import yes_or_no
@@ -30,16 +31,21 @@ def render(document: Document, form: str, stream: TextIO | None = None) -> None:
         stream.writelines(f"{printable(line)}\n" for line in lines(document))
 
 
-def _payload(document: Document) -> dict[str, Any]:
-    """Facts, notes and columns as plain values, parts under their titles; keys without a value are left out."""
+def _payload(document: Document, findings: bool = True) -> dict[str, Any]:
+    """Facts, notes and columns as plain values, parts under their titles; keys without a value are left out.
+
+    With ``findings`` notes are told as data too.
+    """
     values = {k: v for fact in document.facts for k, v in fact.values.items() if v is not None}
     payload: dict[str, Any] = {"title": document.title, **values}
     if document.notes:
-        payload["notes"] = list(document.notes)
+        payload["notes"] = [str(note) for note in document.notes]
+        if findings:
+            payload["findings"] = [finding(note) for note in document.notes]
     if document.table is not None:
         payload["columns"] = {h: list(c) for h, c in zip(document.table.headers, document.table.columns, strict=True)}
     for part in document.parts:
-        payload[part.title] = {k: v for k, v in _payload(part).items() if k != "title"}
+        payload[part.title] = {k: v for k, v in _payload(part, findings).items() if k != "title"}
     return payload
 
 
@@ -64,7 +70,7 @@ def _csv(document: Document) -> str:
     writer = csv.writer(buffer, lineterminator="\n")
     if document.table is None:
         writer.writerow(["name", "value"])
-        writer.writerows((k, v) for k, v in _flat(_payload(document)) if k != "title")
+        writer.writerows((k, v) for k, v in _flat(_payload(document, findings=False)) if k != "title")
     else:
         writer.writerow(document.table.headers)
         rows = zip(*document.table.columns, strict=True)

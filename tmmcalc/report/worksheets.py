@@ -13,6 +13,7 @@ from itertools import count
 from typing import Any, NamedTuple
 
 from tmmcalc.core.facts import named
+from tmmcalc.core.notes import LEVELS
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import STAGES
 from tmmcalc.naming.meanings import described
@@ -109,7 +110,7 @@ def notes_of(document: Document) -> Iterator[tuple[str, str]]:
     """The notes, each with its grade."""
     for note in document.notes:
         grade, colon, text = note.partition(": ")
-        yield (grade, text) if colon and grade in ("warning", "note") else ("note", note)
+        yield (grade, text) if colon and grade in LEVELS else ("note", note)
 
 
 def beside_of(document: Document) -> list[tuple[str, Any]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from tmmcalc.core.notes import Note
 from tmmcalc.core.quantity import keyed, table
 from tmmcalc.feasibility.judge import Candidate, Feasibility, Verdict
 from tmmcalc.report.document import Document, Fact, View
@@ -77,7 +78,7 @@ def _design_notes(result: Feasibility, shown: Candidate) -> Iterator[str]:
         yield f"warning: solution {shown.number} does not keep {', '.join(shown.failing)}; {rest}"
     for verdict in shown.verdicts:
         if verdict.name in shown.failing:
-            yield f"warning: constraint {_words(verdict)}"
+            yield _broken(verdict)
 
 
 def summary(result: Feasibility, title: str) -> Document:
@@ -99,14 +100,16 @@ def _facts(result: Feasibility) -> tuple[Fact, ...]:
 def _notes(result: Feasibility) -> tuple[str, ...]:
     if result.feasible:
         return ()
-    return tuple(
-        f"warning: constraint {_words(verdict)}" for verdict in result.verdicts if verdict.name in result.failing
-    )
+    return tuple(_broken(verdict) for verdict in result.verdicts if verdict.name in result.failing)
 
 
-def _words(verdict: Verdict) -> str:
+def _broken(verdict: Verdict) -> Note:
+    """The warning of a constraint at fault, with the limit that its value passes, or the one that it has."""
     state = "must not hold" if verdict.holds else "asked"
-    return f"{verdict.name}: {measured(verdict)}; {': '.join([state, *_limits(verdict)])}"
+    text = f"{measured(verdict)}; {': '.join([state, *_limits(verdict)])}"
+    low, high = verdict.at_least, verdict.at_most
+    limit = low if high is None or (low is not None and verdict.value < low) else high
+    return Note("warning", text, f"constraint {verdict.name}", verdict.value, limit, verdict.unit)
 
 
 def _limits(verdict: Verdict) -> list[str]:
