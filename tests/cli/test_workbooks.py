@@ -127,6 +127,13 @@ def test_the_same_workbook_is_left_alone(cli: Cli) -> None:
     assert Path("a.xlsx").stat().st_mtime_ns == before
 
 
+def test_a_makefile_knows_the_workbook(cli: Cli) -> None:
+    cli("run", "my.toml", "--to", "kinematics", "-f", "xlsx", "-o", "a.xlsx", "-q", "--depfile", "a.d")
+    targets, _, needs = Path("a.d").read_text().partition(":")
+    assert "a.xlsx" in targets
+    assert "my.toml" in needs
+
+
 def test_several_specs_have_a_workbook_each(cli: Cli) -> None:
     Path("b.toml").write_text(Path("my.toml").read_text())
     code, out, _ = cli("run", "my.toml", "b.toml", "--to", "kinematics", "-f", "xlsx", "-o", "all", "-q")

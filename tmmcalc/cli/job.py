@@ -123,7 +123,8 @@ class Job:
             from tmmcalc.pipeline.depfile import write
             from tmmcalc.project.files import named_files
 
-            write(self.depfile, result.files, [self.file, *named_files(spec, self.file.parent)])
+            files = result.files if self.book is None else (*result.files, self.book)
+            write(self.depfile, files, [self.file, *named_files(spec, self.file.parent)])
         return result
 
     @contextmanager

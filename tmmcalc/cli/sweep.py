@@ -142,9 +142,9 @@ def _check(out: Path | None, depfile: Path | None, sources: Sequence[Path]) -> N
         from tmmcalc.batch.sheet import check_form
 
         check_place(out, "-o")
-        check_form(out)
         if any(out.absolute() == source.absolute() for source in sources):
             raise UsageError(f"{out} is what the sweep is made from", where="-o", remedy="name another file")
+        check_form(out)
     if depfile is not None:
         check_place(depfile, "--depfile")
         if out is None:
