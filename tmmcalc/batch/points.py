@@ -16,6 +16,7 @@ from tmmcalc.pipeline.settling import planned
 from tmmcalc.rooms import STAGES
 
 if TYPE_CHECKING:
+    from tmmcalc.pipeline.outcome import RunResult
     from tmmcalc.project import Spec
     from tmmcalc.project.loader import Variants
 
@@ -34,12 +35,16 @@ def solve_variant(task: Task, spec: Spec) -> tuple[dict[str, float], TmmError | 
 
     What other stages tell stays. Raises `UsageError` for a target that the variant leaves out.
     """
-    result = run(
-        spec, target=task.targets or None, scene=scene_to(spec, task.targets), tolerance=task.tolerance, keep_going=True
-    )
+    result = run_of(task, spec)
     asked = result.outcomes if task.patterns or not task.targets else [t for t in task.targets if t in result.outcomes]
     found = dict(told(result.results, task.patterns, Scene(result.spec, result.results), [*asked]))
     return found, next(iter(result.failures.values()), None)
+
+
+def run_of(task: Task, spec: Spec) -> RunResult:
+    """The run of a variant up to its targets. Raises `UsageError` for a target that it leaves out."""
+    scene = scene_to(spec, task.targets)
+    return run(spec, target=task.targets or None, scene=scene, tolerance=task.tolerance, keep_going=True)
 
 
 def _row(task: Task, variants: Variants, point: int, shared: dict[Names, Names]) -> Row:

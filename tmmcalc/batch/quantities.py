@@ -7,8 +7,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.naming.language import near, parse, rank
+from tmmcalc.naming.language import Name, near, parse, rank
 from tmmcalc.naming.scene import Scene
+from tmmcalc.naming.told import Extent, offered
 from tmmcalc.naming.told import told as named
 
 
@@ -52,6 +53,19 @@ def others(pattern: str) -> tuple[str, ...]:
     if name.fact:
         return "*", f"{stage}.max({name.what})"
     return (name._replace(stage=stage, what="*", unit=None).text,)
+
+
+def offered_like(pattern: str, results: Mapping[str, Any], spec: Any) -> Iterator[str]:
+    """Names of what is by choice that could stand in place of a pattern; nothing is computed."""
+    name, scene = parse(pattern), Scene(spec, results)
+    for stage in results:
+        for each in offered(stage, scene) if name.may_be_of(stage) else ():
+            unit = f"[{each.unit}]" if each.unit else ""
+            if isinstance(each, Extent):
+                asked = Name("", "max", each.quantity) if name.fact else name._replace(what=each.quantity)
+                yield f"{asked._replace(stage=stage).text}{unit}"
+            elif name.fact:
+                yield f"{stage}.{each.quantity}{unit}"
 
 
 def unknown(pattern: str, names: Sequence[str]) -> UsageError:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack
-from dataclasses import replace
 from itertools import groupby
 from pathlib import Path
 
@@ -12,8 +11,8 @@ from tmmcalc.batch import sheet as sheets
 from tmmcalc.batch.content import key_of
 from tmmcalc.batch.executors import Solve, solve
 from tmmcalc.batch.journal import Journal
-from tmmcalc.batch.points import solve_variant
-from tmmcalc.batch.quantities import others, unknown, unmatched
+from tmmcalc.batch.points import run_of, solve_variant
+from tmmcalc.batch.quantities import offered_like, others, told, unknown, unmatched
 from tmmcalc.batch.sheet import Sheet, rows_of, sheet_of
 from tmmcalc.batch.task import BROKEN, INVALID, Row, Task
 from tmmcalc.core.errors import NoSolutionError
@@ -141,6 +140,7 @@ def _tried(task: Task) -> list[Row]:
     solved = [row.point for row in rows if row.ok]
     if pattern is not None and solved:
         spec = task.variants().spec(task.assignments(solved[0]))
-        known, _ = solve_variant(replace(task, patterns=others(pattern)), spec)
-        raise unknown(pattern, list(known))
+        run = run_of(task, spec)
+        known = [name for name, _ in told(run.results, others(pattern))]
+        raise unknown(pattern, [*known, *offered_like(pattern, run.results, run.spec)])
     return rows

@@ -29,7 +29,8 @@ def command(
     """What a scene can tell, by name: symbol, unit, value and meaning of every fact, extremes of every column.
 
     These are the names of `sweep --columns` and of `[[constraints]]`. A column is asked for extremes, max(R_A), where
-    they are, at_max(R_A), or a place, R_A@6, R_A[phi=45 deg]. All stages are run, or loaded from their files.
+    they are, at_max(R_A), or a place, R_A@6, R_A[phi=45 deg]. What is by choice has a value when its name is asked for.
+    All stages are run, or loaded from their files.
 
     Example: tmmcalc names my.toml 'forces.max(R_*)' motion.delta
     """

@@ -36,7 +36,7 @@ def command(
         typer.Option(
             "--columns",
             metavar="NAMES",
-            help="Columns that the CSV files have, with wildcards: 'phi,R_*' (default: all).",
+            help="Columns that the CSV files have, with wildcards: 'phi,R_*' (default: all but those by choice).",
             show_default=False,
         ),
     ] = None,
