@@ -85,10 +85,15 @@ def faults_in(text: str) -> list[Fault]:
 
 @pytest.mark.parametrize("document", [each for each in DOCUMENTS if "```python" in each.read_text()], ids=name_of)
 def test_python_in_documents(document: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The Python of a document runs from top to bottom, beside the shaper as ``my.toml``."""
+    """The Python of a document gives what it shows, from top to bottom, beside the shaper as ``my.toml``."""
     (tmp_path / "my.toml").write_text((ROOT / "configs" / "shaper.toml").read_text())
     monkeypatch.chdir(tmp_path)
-    exec("\n".join(PYTHON.findall(document.read_text())), {})
+    text = "".join(PYTHON.findall(document.read_text()))
+    examples = doctest.DocTestParser().get_doctest(text, {}, document.name, str(document), 0)
+    assert len(examples.examples) == text.count(">>> ")
+    told: list[str] = []
+    doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(examples, out=told.append)
+    assert told == [], "".join(told)
 
 
 def anchors(document: Path) -> set[str]:

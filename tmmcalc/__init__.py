@@ -18,6 +18,8 @@ _HOMES = {
     "tmmcalc.api": ("run", "settle"),
     "tmmcalc.api.named": ("columns", "told"),
     "tmmcalc.api.batches": ("sweep",),
+    "tmmcalc.api.results": ("Run",),
+    "tmmcalc.api.stageresult": ("StageResult",),
     "tmmcalc.api.cams": (
         "solve_cam_elastic",
         "solve_cam_forces",

@@ -44,6 +44,8 @@ from tmmcalc.api.machines import solve_transients as solve_transients
 from tmmcalc.api.machines import solve_vibrator as solve_vibrator
 from tmmcalc.api.named import columns as columns
 from tmmcalc.api.named import told as told
+from tmmcalc.api.results import Run as Run
+from tmmcalc.api.stageresult import StageResult as StageResult
 from tmmcalc.batch.regions import map_feasibility as map_feasibility
 from tmmcalc.batch.sheet import Sheet as Sheet
 from tmmcalc.core.errors import AccuracyError as AccuracyError

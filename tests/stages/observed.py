@@ -21,7 +21,19 @@ from typing import Any
 
 TESTS = Path(__file__).parents[1]
 EVERY = ("numpy", "pydantic", "tomli_w", "tmmcalc.project", "tmmcalc.pipeline.runner")  # of a run
-HEAVY = ("scipy", "matplotlib", "joblib", "dask", "distributed", "ezdxf", "rich", "typer")
+HEAVY = (
+    "scipy",
+    "matplotlib",
+    "joblib",
+    "dask",
+    "distributed",
+    "ezdxf",
+    "rich",
+    "typer",
+    "xlsxwriter",
+    "pyarrow",
+    "pandas",
+)
 
 
 def observe(file: str, *overrides: str) -> dict[str, Any]:

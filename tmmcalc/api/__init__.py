@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from tmmcalc.pipeline.outcome import Event, RunResult
+    from tmmcalc.api.results import Run
+    from tmmcalc.pipeline.outcome import Event
     from tmmcalc.project import Spec
 
 
@@ -23,7 +24,7 @@ def run(
     skip: Sequence[str] = (),
     settings: Mapping[str, Mapping[str, Any]] | None = None,
     on_event: Callable[[Event], None] | None = None,
-) -> RunResult:
+) -> Run:
     """Run the pipeline up to ``target`` (None: every stage that the spec has), with files in ``out`` if given.
 
     A stage whose stored inputs are unchanged is loaded; ``fresh`` recomputes all, ``from_stage`` that one
@@ -32,10 +33,11 @@ def run(
     methods by stage. Without ``target`` the files in ``out`` of stages that the spec has no more are removed, as far as
     an earlier run wrote them.
     """
+    from tmmcalc.api.results import Run
     from tmmcalc.pipeline.runner import run as _run
 
     folder = Path(out) if out is not None else None
-    return _run(
+    found = _run(
         spec,
         target=target,
         out=folder,
@@ -47,6 +49,7 @@ def run(
         settings=settings,
         on_event=on_event,
     )
+    return Run(**vars(found))
 
 
 def settle(spec: Spec, stage: str, *, choose: int | None = None, file: str | Path = "") -> str:

@@ -1,4 +1,7 @@
-"""The tidy CSV of a sweep, one row a point in their order, and ``FILE.toml`` beside it, which vouches for it."""
+"""The table of a sweep, one row a point in their order, and ``FILE.toml`` beside it, which vouches for it.
+
+It is a tidy CSV, or by the suffix of its file Parquet, with the same headers.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ import io
 import tomllib
 from array import array
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -14,15 +18,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc._version import __version__
+from tmmcalc.batch.table import is_key, key_and_unit
 from tmmcalc.batch.task import OK, Row, Task
 from tmmcalc.core.atomic import replace_file
+from tmmcalc.core.errors import UsageError
 from tmmcalc.core.files import read_file
+from tmmcalc.core.quantity import truths
 from tmmcalc.core.records import record
-from tmmcalc.naming.language import rank
+from tmmcalc.naming.language import parse, rank
+from tmmcalc.naming.meanings import described
 from tmmcalc.pipeline.manifest import seal
+from tmmcalc.report.parquet import Field, check_pyarrow, parquet_bytes, read_parquet
 from tmmcalc.rooms import STAGES
 
-_HEAD = "# Written by tmmcalc sweep. If the CSV is changed by hand it is made again.\n\n"
+_HEAD = "# Written by tmmcalc sweep. If the {} is changed by hand it is made again.\n\n"
+PARQUET = ".parquet"  # suffix of its files; any other is of CSV
 _LAST = ("status", "reason")
 
 
@@ -41,6 +51,15 @@ class Sheet:
     def failed(self) -> int:
         """Number of points without all that was asked."""
         return sum(status != OK for status in self.status)
+
+    def to_frame(self, library: str | None = None) -> Any:
+        """A row a point of a frame of ``pandas`` or ``polars`` (None: of the first that is installed).
+
+        Its columns have the headers of the CSV. Raises `UsageError` where the library is not installed.
+        """
+        from tmmcalc.report.frames import frame
+
+        return frame({field.header: field.plain for field in _fields(self)}, library)
 
 
 def sheet_of(task: Task, rows: Iterable[Row]) -> Sheet:
@@ -70,15 +89,15 @@ def rows_of(sheet: Sheet) -> Iterator[Row]:
 
 
 def save(sheet: Sheet, key: str, file: Path) -> None:
-    """Write the CSV and what vouches for it, the latter last; each in one step."""
+    """Write the table and what vouches for it, the latter last; each in one step."""
     import tomli_w
 
-    data = csv_bytes(sheet)
+    form, data = ("Parquet", parquet_bytes(_fields(sheet))) if is_parquet(file) else ("CSV", csv_bytes(sheet))
     replace_file(file, data)
     whole = seal(data)
     told = {"program": __version__, "hash": key, "points": len(sheet.status), "failed": sheet.failed}
     content = {"sweep": told, "file": {"size": whole.size, "sha256": whole.sha256}}
-    replace_file(voucher(file), (_HEAD + tomli_w.dumps(content)).encode())
+    replace_file(voucher(file), (_HEAD.format(form) + tomli_w.dumps(content)).encode())
 
 
 def current(task: Task, key: str, file: Path) -> Sheet | None:
@@ -90,11 +109,28 @@ def current(task: Task, key: str, file: Path) -> Sheet | None:
         same = content["sweep"]["hash"] == key and content["file"] == {"size": whole.size, "sha256": whole.sha256}
     except (OSError, ValueError, KeyError, TypeError):
         return None
-    return _read(task, data) if same else None
+    if not same:
+        return None
+    return _read_parquet(task, data) if is_parquet(file) else _read(task, data)
+
+
+def is_parquet(file: Path) -> bool:
+    """Whether the table in a file is Parquet, by its suffix."""
+    return file.suffix.lower() == PARQUET
+
+
+def check_form(file: Path) -> None:
+    """Raise `UsageError` for a suffix of another form, and where what writes this one is not installed."""
+    if file.suffix.lower() in (".xlsx", ".json", ".toml"):
+        raise UsageError(
+            f"{file.name}: a sweep is written as CSV or Parquet", where="-o", remedy="name a file .csv or .parquet"
+        )
+    if is_parquet(file):
+        check_pyarrow()
 
 
 def voucher(file: Path) -> Path:
-    """The file beside the CSV that says what it was made of."""
+    """The file beside the table that says what it was made of."""
     return file.with_name(f"{file.name}.toml")
 
 
@@ -106,6 +142,32 @@ def csv_bytes(sheet: Sheet) -> bytes:
     rows = zip(sheet.given, sheet.values, sheet.status, sheet.reasons, strict=True)
     writer.writerows((*given, *_cells(values), status, reason) for given, values, status, reason in rows)
     return buffer.getvalue().encode()
+
+
+def _fields(sheet: Sheet) -> list[Field]:
+    """The columns of a sheet: labels and verdicts are texts, keys and quantities numbers, what is yes or no is so."""
+    given = zip(sheet.keys, zip(*sheet.given, strict=True), strict=True)
+    keys = (_key(header, cells) if is_key(header) else Field(header, cells) for header, cells in given)
+    quantities = (Field(name, column, *_told(name)) for name, column in zip(sheet.names, sheet.values.T, strict=True))
+    last = (Field(header, cells) for header, cells in zip(_LAST, (sheet.status, sheet.reasons), strict=True))
+    return [*keys, *quantities, *last]
+
+
+def _key(header: str, cells: Sequence[str]) -> Field:
+    return Field(header, np.array(cells, float), {"unit": key_and_unit(header)[1]})
+
+
+def _told(name: str) -> tuple[dict[str, str], bool]:
+    """What a quantity says of itself, unit, meaning and symbol; whether it is yes or no."""
+    own = parse(name)
+    meaning, symbol = described(own.stage, not own.fact)(own.what.rpartition(".")[2], own.unit or "")
+    yes_or_no = own.fact and own.what.rpartition(".")[2] in _truths(own.stage)
+    return {"unit": own.unit or "", "meaning": meaning, "symbol": symbol}, yes_or_no
+
+
+@cache
+def _truths(stage: str) -> frozenset[str]:
+    return frozenset(key for kind in STAGES[stage].kinds for key in truths(kind))
 
 
 def _cells(values: NDArray[np.float64]) -> Iterator[str]:
@@ -127,6 +189,16 @@ def _names(rows: Sequence[Row], patterns: Sequence[str]) -> tuple[str, ...]:
     if patterns:
         return tuple(sorted(met, key=lambda name: rank(name, patterns) or 0))
     return tuple(sorted(met, key=lambda name: stages.index(name.partition(".")[0])))
+
+
+def _read_parquet(task: Task, data: bytes) -> Sheet:
+    columns = read_parquet(data)
+    first = len(task.labels) + len(task.axes)
+    headers = list(columns)
+    names, (status, reasons) = headers[first:-2], (columns[header] for header in _LAST)
+    values = np.column_stack([columns[name] for name in names]) if names else np.empty((len(status), 0))
+    given = tuple(_given(task, point) for point in range(task.count))
+    return Sheet(tuple(headers[:first]), tuple(names), given, values, tuple(map(str, status)), tuple(map(str, reasons)))
 
 
 def _read(task: Task, data: bytes) -> Sheet:

@@ -45,6 +45,8 @@ def sweep(
     Raises the error of the first point if no variant is a valid spec, UsageError for a pattern that names nothing,
     NoSolutionError when more than ``most_failed`` points fail; what is finished then stays in ``out``.part.
     """
+    if out is not None:
+        sheets.check_form(out)
     key = key_of(task)
     stored = sheets.current(task, key, out) if out is not None and not fresh else None
     if stored is not None and BROKEN not in stored.status:

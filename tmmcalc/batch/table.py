@@ -29,10 +29,10 @@ def read_points(file: Path) -> tuple[Labels, tuple[Axis, ...]]:
     axes: list[Axis] = []
     for at, name in enumerate(header):
         column = [row[at] for row in rows]
-        if "." not in name:
+        if not is_key(name):
             labels.append((name, tuple(column)))
             continue
-        key, unit = _key(name)
+        key, unit = key_and_unit(name)
         axes.append(Axis(key, tuple(_number(file, line, name, cell) for line, cell in enumerate(column, 2)), unit))
     if not axes:
         raise UsageError(
@@ -41,7 +41,12 @@ def read_points(file: Path) -> tuple[Labels, tuple[Axis, ...]]:
     return tuple(labels), tuple(axes)
 
 
-def _key(header: str) -> tuple[str, str]:
+def is_key(header: str) -> bool:
+    """Whether a header is a key of the spec, not that of labels."""
+    return "." in header
+
+
+def key_and_unit(header: str) -> tuple[str, str]:
     """The key and the unit of a header: what a last bracket holds, if that is no index and no choice."""
     key, _, last = header.removesuffix("]").rpartition("[")
     is_unit = header.endswith("]") and key and not any(sign in last for sign in "]=\"'") and last.strip("0123456789-")

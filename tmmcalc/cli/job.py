@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.cli.found import Choose, Force, SpecOut, Target
-from tmmcalc.cli.messages import counted, say, show_damage, show_event, show_news
+from tmmcalc.cli.messages import counted, note_written, put_bytes, say, show_damage, show_event, show_news
 from tmmcalc.cli.options import (
     Columns,
     Csv,
@@ -51,6 +51,7 @@ if TYPE_CHECKING:
     from tmmcalc.core.columns import Column
     from tmmcalc.pipeline.outcome import Event, RunResult
     from tmmcalc.project import Spec
+    from tmmcalc.report.worksheets import Worksheet
 
 NAMED = 8  # tables or pictures that are told by their names
 
@@ -78,6 +79,7 @@ class Job:
     done: list[RunResult] = field(default_factory=list)  # runs of this job
     verbose: bool = False
     draw: Callable[[Spec, RunResult, Path], RunResult] | None = None  # adds pictures to a run, in its folder
+    book: Path | None = None  # file of the workbook, if that is asked for; None: standard output
 
     def spec(self) -> Spec:
         """Read the spec with its overrides."""
@@ -122,7 +124,8 @@ class Job:
             from tmmcalc.pipeline.depfile import write
             from tmmcalc.project.files import named_files
 
-            write(self.depfile, result.files, [self.file, *named_files(spec, self.file.parent)])
+            files = result.files if self.book is None else (*result.files, self.book)
+            write(self.depfile, files, [self.file, *named_files(spec, self.file.parent)])
         return result
 
     @contextmanager
@@ -176,8 +179,17 @@ class Job:
             )
         check_place(file, "--depfile")
 
-    def finish(self, document: Document, result: RunResult, form: Format) -> None:
-        """Print the document, say where the files are; under ``strict`` warnings are the end."""
+    def finish(
+        self,
+        document: Document,
+        result: RunResult,
+        form: Format,
+        sheets: Callable[[], Sequence[Worksheet]] | None = None,
+    ) -> None:
+        """Print the document, say where the files are; under ``strict`` warnings are the end.
+
+        Into a workbook go ``sheets``, by default those of the document.
+        """
         from tmmcalc.report.errors import with_counters, with_errors
 
         document = replace(document, notes=(*document.notes, *result.told))
@@ -185,10 +197,28 @@ class Job:
         if target is not None and target in result.outcomes and not document.parts:
             record = result.record(target)
             document = with_errors(document, record.error)
-            if form in (Format.json, Format.toml):
+            if form in (Format.json, Format.toml, Format.xlsx):
                 document = with_counters(document, record.counters)
-        show(document, form)
+        if form is Format.xlsx:
+            from tmmcalc.pipeline.workbook import command_sheets
+
+            self.write_book(sheets() if sheets is not None else command_sheets(result, document), document.title)
+        else:
+            show(document, form)
         self.close(document, result)
+
+    def write_book(self, sheets: Sequence[Worksheet], title: str) -> None:
+        """Write a workbook where it is to be."""
+        from tmmcalc.core.atomic import replace_file
+        from tmmcalc.report.workbook import workbook
+
+        data = workbook(sheets, title)
+        if self.book is None:
+            put_bytes(data)
+            return
+        replace_file(self.book, data)
+        if not self.quiet:
+            note_written(self.book)
 
     def close(self, document: Document, result: RunResult) -> None:
         """What comes after the document: where the files are, and the errors."""
@@ -279,7 +309,7 @@ def with_flags(body: Callable[..., None]) -> Callable[..., None]:
     own = _own(body)
 
     def command(**given: Any) -> None:
-        job = _taken(given, own)
+        job = _with_book(_taken(given, own), given.get("form"), body.__module__.rpartition(".")[2])
         with job.believed():
             body(job, **given)
 
@@ -306,7 +336,8 @@ def of_stage(
         own = [FORM, *(FOUND if found else ()), *(CHOOSE if several else ()), *_own(body)]
 
         def command(**given: Any) -> None:
-            job, form = _taken(given, own), given.pop("form")
+            form = given.pop("form")
+            job = _with_book(_taken(given, own), form, stage)
             target = Target(job.file, *(given.pop(each.name, each.default) for each in (*FOUND, *CHOOSE)))
             target.check()
             patterns_of(given.get("columns"))
@@ -390,6 +421,31 @@ def _taken(given: dict[str, Any], own: Sequence[Parameter]) -> Job:
     """The job of the shared flags, which are taken out of what is given."""
     taken = {parameter.name for parameter in own}
     return _job(**{each.name: given.pop(each.name) for each in SHARED if each.name not in taken})
+
+
+def _with_book(job: Job, form: Format | None, word: str) -> Job:
+    """The job with the file of its workbook, if that is what it is to write; ``word`` is what the file is called.
+
+    It is the one that ``-o`` names, or stands in its folder; without ``-o`` it goes to standard output, and where that
+    is a terminal into the folder of the stage files.
+    """
+    named = job.out if job.out is not None and job.out.suffix.lower() == ".xlsx" else None
+    if form is not Format.xlsx:
+        if named is not None:
+            raise UsageError(
+                f"{named} is the name of a workbook", where="-o", remedy="add --format xlsx, or name a folder"
+            )
+        return job
+    if named is not None:
+        check_place(named, "-o")
+        return replace(job, out=None, book=named)
+    if job.out is None and not sys.stdout.isatty():
+        return job
+    if job.folder is None:
+        raise UsageError(
+            "there is no folder for the workbook", where="--no-store", remedy="name its file, such as -o my.xlsx"
+        )
+    return replace(job, book=job.folder / f"{word}.xlsx")
 
 
 def _job(

@@ -59,6 +59,17 @@ def put(text: str) -> None:
         sys.stdout.write(printable(text))
 
 
+def put_bytes(data: bytes) -> None:
+    """Write a result that is no text to standard output; raises `UsageError` if that is a terminal."""
+    if sys.stdout.isatty():
+        raise UsageError(
+            "a workbook cannot be shown on a terminal", where="--format xlsx", remedy="send it to a file: > my.xlsx"
+        )
+    with whoever_reads(sys.stdout):
+        sys.stdout.flush()
+        sys.stdout.buffer.write(data)
+
+
 def say(text: str, colour: str = "") -> None:
     """Write one message to standard error, wrapped at words if that is a terminal."""
     text = printable(text)

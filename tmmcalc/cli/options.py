@@ -20,6 +20,16 @@ class Format(StrEnum):
     csv = "csv"
     json = "json"
     toml = "toml"
+    xlsx = "xlsx"  # into a file
+
+
+def available(form: Format) -> Format:
+    """The format itself; raises `UsageError` before anything is computed if what writes it is not installed."""
+    if form is Format.xlsx:
+        from tmmcalc.report.workbook import check_xlsxwriter
+
+        check_xlsxwriter()
+    return form
 
 
 def stages(incomplete: str) -> list[str]:
@@ -51,14 +61,17 @@ def written(out: Path | None) -> Path | None:
 
 
 SpecFile = Annotated[Path, typer.Argument(help="Project spec (TOML).", metavar="SPEC", show_default=False)]
-Form = Annotated[Format, typer.Option("--format", "-f", help="Format of what is printed.")]
+Form = Annotated[
+    Format,
+    typer.Option("--format", "-f", help="Format of what is printed; xlsx goes to a file.", callback=available),
+]
 Out = Annotated[
     Path | None,
     typer.Option(
         "-o",
         "--out",
         metavar="FOLDER",
-        help="Folder of the stage files (default: <spec>.out here).",
+        help="Folder of the stage files (default: <spec>.out here); with -f xlsx also FILE.xlsx.",
         show_default=False,
         callback=written,
     ),

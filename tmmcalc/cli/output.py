@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tmmcalc.cli.messages import say, show_error, whoever_reads
+from tmmcalc.cli.messages import put_bytes, say, show_error, whoever_reads
 from tmmcalc.cli.options import Format, check_named
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.files import other_kind
@@ -81,6 +81,9 @@ def deliver(document: Document, form: Format, out: Path | None) -> None:
     from tmmcalc.core.atomic import replace_file
     from tmmcalc.report.render import render
 
+    if form is Format.xlsx:
+        replace_file(out, _workbook(document))
+        return
     text = StringIO()
     render(document, form.value, text)
     replace_file(out, text.getvalue().encode())
@@ -90,11 +93,21 @@ def show(document: Document, form: Format) -> None:
     """Print a document to standard output; csv has no place for warnings, so they go to standard error."""
     from tmmcalc.report.render import render
 
+    if form is Format.xlsx:
+        put_bytes(_workbook(document))
+        return
     if form is Format.csv:
         for warning in warnings_of(document):
             say(warning, "yellow")
     with whoever_reads(sys.stdout):
         render(document, form.value)
+
+
+def _workbook(document: Document) -> bytes:
+    from tmmcalc.report.workbook import workbook
+    from tmmcalc.report.worksheets import sheets_of
+
+    return workbook(sheets_of(document), document.title)
 
 
 def warnings_of(document: Document) -> list[str]:

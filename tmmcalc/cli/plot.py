@@ -17,9 +17,9 @@ from tmmcalc.cli.options import Quiet, Set, SpecFile, written
 from tmmcalc.cli.output import check_picture, raise_failures
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.plan import plan
-from tmmcalc.core.stage import Picture, arguments, resolve
+from tmmcalc.core.stage import Picture
 from tmmcalc.report.drawing import check_matplotlib, draw
-from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
+from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS
 from tmmcalc.rooms import STAGES
 
 if TYPE_CHECKING:
@@ -53,17 +53,10 @@ def picture_of(stage: str, flags: Mapping[str, str | None]) -> Picture:
 
 def ordered(stage: str, spec: Spec, results: Mapping[str, Any], flags: Mapping[str, str | None], file: Path) -> None:
     """Draw the picture of a stage to a file."""
-    from tmmcalc.pipeline.runner import upstream_of
-    from tmmcalc.project import parse_spec
+    from tmmcalc.pipeline.picturing import figure_of
 
-    picture = picture_of(stage, flags)
-
-    def solved(name: str) -> Any:
-        own = STAGES[name]
-        return own.solve(*arguments(own.inputs(spec)), **upstream_of(own, results))
-
-    order = Order(spec, results, flags, solved, parse_spec)
-    draw(file, lambda: resolve(picture.figure)(order))
+    picture_of(stage, flags)
+    draw(file, figure_of(stage, spec, results, flags))
 
 
 def with_pictures(

@@ -17,6 +17,7 @@ from tmmcalc.core.errors import UsageError
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
     from tmmcalc.project import Spec
+    from tmmcalc.report.worksheets import Worksheet
 
 
 @with_flags
@@ -64,7 +65,13 @@ def command(
         run_all(job, [job.file, *others], target, form)
     else:
         document, result = job.summarised(target)
-        job.finish(document, result, form)
+        job.finish(document, result, form, partial(_sheets, job, result))
+
+
+def _sheets(job: Job, result: RunResult) -> list[Worksheet]:
+    from tmmcalc.pipeline.workbook import run_sheets
+
+    return run_sheets(result, job.csv, job.columns)
 
 
 def _drawing(job: Job) -> Callable[[Spec, RunResult, Path], RunResult]:

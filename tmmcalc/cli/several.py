@@ -37,34 +37,43 @@ def run_all(job: Job, files: Sequence[Path], target: str | None, form: Format) -
 
     Raises UsageError for two specs that would have one folder.
     """
-    _check(job, files)
+    _check(job, files, form)
     ends = []
     for at, file in enumerate(files):
         if not job.quiet:
             say(f"{file} ({at + 1} of {len(files)})", "dim")
         own = replace(job, file=file, out=job.out / f"{file.stem}.out" if job.out is not None else None)
-        ends.append(_end(own, target, form if form is Format.table else None))
-    show(_document(ends, form), form)
+        ends.append(_end(own, target, form))
+    printed = Format.table if form is Format.xlsx else form  # each spec has its own workbook
+    show(_document(ends, printed), printed)
     raise typer.Exit(max(end.code for end in ends))
 
 
-def _check(job: Job, files: Sequence[Path]) -> None:
+def _check(job: Job, files: Sequence[Path], form: Format) -> None:
     twice = [stem for stem, count in Counter(file.stem for file in files).items() if count > 1]
     if twice and job.store:
         raise UsageError(
             f"several specs are called {twice[0]}: they would have one folder, {twice[0]}.out",
             remedy="run them one by one, each with its own -o, or leave no files by --no-store",
         )
+    if form is Format.xlsx and ((job.book is not None and job.out is None) or not job.store):
+        where = "-o" if job.store else "--no-store"
+        raise UsageError("every spec has its own workbook", where=where, remedy="name a folder, -o FOLDER, or none")
     if job.depfile is not None:
         raise UsageError("is that of one spec", where="--depfile", remedy="run the specs one by one")
 
 
-def _end(job: Job, target: str | None, form: Format | None) -> _End:
-    """Run one spec; its summary is printed at once if a format is given."""
+def _end(job: Job, target: str | None, form: Format) -> _End:
+    """Run one spec; its summary is printed at once as a table, its workbook stands in its folder."""
     document = None
     try:
         document, result = job.summarised(target)
-        if form is not None:
+        if form is Format.xlsx and job.folder is not None:
+            from tmmcalc.pipeline.workbook import run_sheets
+
+            book = replace(job, book=job.folder / "run.xlsx")
+            book.write_book(run_sheets(result, job.csv, job.columns), document.title)
+        if form is Format.table:
             show(replace(document, title=f"{job.file}, {document.title}"), form)
             put("\n")
         job.close(document, result)

@@ -65,7 +65,7 @@ def command(
             "-o",
             "--out",
             metavar="FILE",
-            help="The table, a CSV (default: <spec>.sweep.csv here; - for standard output).",
+            help="The table, a CSV or FILE.parquet (default: <spec>.sweep.csv here; - for standard output).",
             show_default=False,
         ),
     ] = None,
@@ -104,7 +104,7 @@ def command(
     form: Form = Format.table,
     quiet: Quiet = False,
 ) -> None:
-    """Solve every variant of a grid over keys of the spec; write a tidy CSV, one row a variant.
+    """Solve every variant of a grid over keys of the spec; write a tidy CSV, one row a variant; or Parquet.
 
     A variant without a solution keeps its row with the reason. A sweep that was stopped goes on where it was; one that
     is up to date is not repeated.
@@ -137,9 +137,12 @@ def command(
 def _check(out: Path | None, depfile: Path | None, sources: Sequence[Path]) -> None:
     """Refuse what would only come out after the computation."""
     if out is not None:
+        from tmmcalc.batch.sheet import check_form
+
         check_place(out, "-o")
         if any(out.absolute() == source.absolute() for source in sources):
             raise UsageError(f"{out} is what the sweep is made from", where="-o", remedy="name another file")
+        check_form(out)
     if depfile is not None:
         check_place(depfile, "--depfile")
         if out is None:

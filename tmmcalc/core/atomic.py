@@ -16,7 +16,7 @@ from pathlib import Path
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.files import NoFileError, other_kind
 
-_LEFTOVER = re.compile(r"\..+\.(toml|npz|csv)\.\d+\.tmp")
+_LEFTOVER = re.compile(r"\..+\.(toml|npz|csv|xlsx)\.\d+\.tmp")
 
 
 @contextmanager

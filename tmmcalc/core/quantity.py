@@ -268,6 +268,12 @@ def table(rows: Sequence[Any], kind: type, *names: str, **places: object) -> dic
 
 def given_out(kind: Any) -> Iterator[Quantity]:
     """All that a kind of record gives out, with the records within it."""
+    for each in _records(kind):
+        yield from quantities(each).values()
+
+
+def _records(kind: Any) -> Iterator[Any]:
+    """A kind of record and those within it."""
     seen: set[Any] = set()
     waiting = [kind]
     while waiting:
@@ -276,10 +282,31 @@ def given_out(kind: Any) -> Iterator[Quantity]:
             continue
         seen.add(each)
         if hasattr(each, "__record__"):
-            yield from quantities(each).values()
+            yield each
             waiting += get_type_hints(each).values()
         else:
             waiting += get_args(each)
+
+
+def truths(kind: Any) -> set[str]:
+    """Keys of the quantities of a kind of record that are yes or no, with those of the records within it.
+
+    >>> from tmmcalc.core.records import record
+    >>> @record
+    ... class Brake:
+    ...     moment: float = quantity("M[N*m]", "moment of the brake")
+    ...     holds: bool = quantity("holds", "whether it holds")
+    >>> truths(Brake)
+    {'holds'}
+    """
+    found, others = set[str](), set[str]()
+    for each in _records(kind):
+        hints = get_type_hints(each)
+        for name, told in quantities(each).items():
+            own = vars(each).get(name)
+            declared = get_type_hints(own.find).get("return") if isinstance(own, Derived) else hints.get(name)
+            (found if declared in (bool, bool | None) else others).add(told.key)
+    return found - others
 
 
 def standing_in(module: Any) -> Iterator[Quantity]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 DIGITS = 6  # significant digits of the largest value of a column
 MIDDLE_DIGITS = 4  # at least, of a value of middle size, where a few tower above the rest
@@ -37,17 +38,57 @@ def column(values: Sequence[float], peak: float = 0.0) -> list[str]:
     ``peak`` is the largest magnitude of the column that the values were chosen from, if they are not all of it:
     what is noise there is 0 here.
     """
-    sizes = [abs(v) for v in values]
-    peak = max([*sizes, peak])
+    peak = max([*map(abs, values), peak])
     cleaned = [_cleaned(v, peak) for v in values]
-    sizes = sorted(abs(v) for v in cleaned if v)
-    if not sizes:
+    if not any(cleaned):
         return ["0"] * len(values)
+    places = decimals(cleaned)
+    if places is None:
+        return scientific(cleaned, DIGITS)
+    return _trimmed([_unsigned_zero(f"{v:.{places}f}") for v in cleaned])
+
+
+def decimals(values: Sequence[float]) -> int | None:
+    """Decimals that a column has in common; None where it is so large or small that it has powers of ten.
+
+    >>> decimals([0.0, 0.25, 12.5]), decimals([0.0]), decimals([2e9])
+    (4, 0, None)
+    """
+    sizes = sorted(abs(v) for v in values if v)
+    if not sizes:
+        return 0
     largest, middle = _exponent(sizes[-1]), _exponent(sizes[len(sizes) // 2])
     if not -4 <= largest <= 7:
-        return scientific(cleaned, DIGITS)
-    decimals = max(DIGITS - 1 - largest, MIDDLE_DIGITS - 1 - middle, 0)
-    return _trimmed([_unsigned_zero(f"{v:.{min(decimals, DIGITS)}f}") for v in cleaned])
+        return None
+    return min(max(DIGITS - 1 - largest, MIDDLE_DIGITS - 1 - middle, 0), DIGITS)
+
+
+def counted_back(cells: Sequence[Any]) -> Sequence[Any]:
+    """A column of texts that are all numbers, as they are written in full, or empty: as numbers, None where empty.
+
+    Any other column, one with other texts too, stays as it is.
+
+    >>> counted_back(["0", "1"]), counted_back(["0.5", ""]), counted_back(["0", "0'"]), counted_back(["007"])
+    ([0, 1], [0.5, None], ['0', "0'"], ['007'])
+    """
+    if not any(isinstance(cell, str) for cell in cells):
+        return cells
+    found = [as_number(cell) if isinstance(cell, str) else cell for cell in cells]
+    return cells if any(isinstance(cell, str) for cell in found) else found
+
+
+def as_number(text: str) -> float | str | None:
+    """The number that a text is in full, None for an empty one, else the text itself."""
+    if not text:
+        return None
+    for kind in (int, float):
+        try:
+            value = kind(text)
+        except ValueError:
+            continue
+        if repr(value) == text and math.isfinite(value):
+            return value
+    return text
 
 
 def scientific(values: Sequence[float], digits: int = 3) -> list[str]:

@@ -8,18 +8,16 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator, Mapping
-from typing import Any, Literal, TextIO
+from typing import Any, TextIO
 
 from tmmcalc.core.notes import finding
 from tmmcalc.core.printable import escaped, printable
 from tmmcalc.report.document import Document
 from tmmcalc.report.layout import yes_or_no
 
-Format = Literal["table", "csv", "json", "toml"]
 
-
-def render(document: Document, form: Format, stream: TextIO | None = None) -> None:
-    """Write the document to ``stream`` (standard output by default)."""
+def render(document: Document, form: str, stream: TextIO | None = None) -> None:
+    """Write the document as table, csv, json or toml to ``stream`` (standard output by default)."""
     stream = stream or sys.stdout
     if form != "table":
         stream.write({"csv": _csv, "json": _json, "toml": _toml}[form](document))

@@ -30,7 +30,7 @@ from tmmcalc.gears.meshing.solve import solve_pairs
 from tmmcalc.gears.meshing.task import Measuring, PairsTask, PairTask
 from tmmcalc.report.document import Document
 from tmmcalc.report.plaintext import lines
-from tmmcalc.report.render import Format, render
+from tmmcalc.report.render import render
 
 FILE = Path(__file__).parents[2] / "cases" / "involute-geometry.json"
 CASES = {case["id"]: case for case in json.loads(FILE.read_text())}
@@ -47,7 +47,7 @@ def solved(*tasks: PairTask) -> Pairs:
     return solve_pairs(PairsTask(tasks))
 
 
-def rendered(document: Document, form: Format) -> str:
+def rendered(document: Document, form: str) -> str:
     stream = io.StringIO()
     render(document, form, stream)
     return stream.getvalue()

@@ -45,7 +45,13 @@ def summary(result: Contact, title: str) -> Document:
 
 
 def document(
-    result: Contact, title: str, *, patterns: Sequence[str], rows: Sequence[int] | None, everything: bool, where: str
+    result: Contact,
+    title: str,
+    *,
+    patterns: Sequence[str] = (),
+    rows: Sequence[int] | None = None,
+    everything: bool = False,
+    where: str = "",
 ) -> Document:
     """The summary with the pressures; people get the nodes on the axis of x."""
     axis = [int(k) for k in np.flatnonzero(np.abs(result.y) < result.step / 4)]

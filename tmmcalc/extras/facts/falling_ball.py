@@ -30,7 +30,13 @@ def summary(result: Ball, title: str) -> Document:
 
 
 def document(
-    result: Ball, title: str, *, patterns: Sequence[str], rows: Sequence[int] | None, everything: bool, where: str
+    result: Ball,
+    title: str,
+    *,
+    patterns: Sequence[str] = (),
+    rows: Sequence[int] | None = None,
+    everything: bool = False,
+    where: str = "",
 ) -> Document:
     """The summary with the fall over the time."""
     view = view_of(ball_columns(result), patterns, rows, everything, even(len(result.t)))

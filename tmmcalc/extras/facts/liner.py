@@ -50,7 +50,13 @@ def summary(result: Liner, title: str) -> Document:
 
 
 def document(
-    result: Liner, title: str, *, patterns: Sequence[str], rows: Sequence[int] | None, everything: bool, where: str
+    result: Liner,
+    title: str,
+    *,
+    patterns: Sequence[str] = (),
+    rows: Sequence[int] | None = None,
+    everything: bool = False,
+    where: str = "",
 ) -> Document:
     """The summary with the shell along the bore."""
     view = view_of(liner_columns(result), patterns, rows, everything, even(len(result.x)))

@@ -41,10 +41,10 @@ def document(
     result: Reliability,
     title: str,
     *,
-    patterns: Sequence[str],
-    rows: Sequence[int] | None,
-    everything: bool,
-    where: str,
+    patterns: Sequence[str] = (),
+    rows: Sequence[int] | None = None,
+    everything: bool = False,
+    where: str = "",
 ) -> Document:
     """The summary with the reliability over the time."""
     view = view_of(reliability_columns(result), patterns, rows, everything, even(len(result.t)))

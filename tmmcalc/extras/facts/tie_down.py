@@ -67,7 +67,13 @@ def summary(result: TieDown, title: str) -> Document:
 
 
 def document(
-    result: TieDown, title: str, *, patterns: Sequence[str], rows: Sequence[int] | None, everything: bool, where: str
+    result: TieDown,
+    title: str,
+    *,
+    patterns: Sequence[str] = (),
+    rows: Sequence[int] | None = None,
+    everything: bool = False,
+    where: str = "",
 ) -> Document:
     """The summary with the forces over k."""
     view = view_of(tie_down_columns(result), patterns, rows, everything, even(len(result.k)))

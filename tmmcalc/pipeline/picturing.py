@@ -1,0 +1,47 @@
+"""The picture of a stage from the results of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any
+
+from tmmcalc.core.errors import TmmError
+from tmmcalc.core.stage import STAGES, arguments, resolve
+from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+NONE = dict.fromkeys((POSITIONS, POLYGONS, CHOOSE, PHASE))  # no flags
+
+
+def figure_of(
+    stage: str, spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | None] = NONE
+) -> Callable[[], Figure]:
+    """What draws the picture of a stage that has one; ``flags`` are those of ``tmmcalc plot``."""
+    from tmmcalc.pipeline.runner import upstream_of
+    from tmmcalc.project import parse_spec
+
+    picture = STAGES[stage].picture
+    assert picture is not None
+
+    def solved(name: str) -> Any:
+        own = STAGES[name]
+        return own.solve(*arguments(own.inputs(spec)), **upstream_of(own, results))
+
+    order = Order(spec, results, flags, solved, parse_spec)
+    draw: Callable[[Order], Figure] = resolve(picture.figure)
+    return lambda: draw(order)
+
+
+def svg_of(stage: str, spec: Any, results: Mapping[str, Any]) -> str | None:
+    """The picture of a stage as SVG; None if it has none, if it cannot be drawn, and without matplotlib."""
+    if STAGES[stage].picture is None or find_spec("matplotlib") is None:
+        return None
+    from tmmcalc.report.drawing.page import picture
+
+    try:
+        return picture("svg", figure_of(stage, spec, results)).decode()
+    except TmmError:
+        return None
