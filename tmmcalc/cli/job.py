@@ -40,6 +40,7 @@ from tmmcalc.core.records import record
 from tmmcalc.report.document import Document
 
 if TYPE_CHECKING:
+    from tmmcalc.core.columns import Column
     from tmmcalc.pipeline.outcome import Event, RunResult
     from tmmcalc.project import Spec
 
@@ -248,6 +249,11 @@ class Solved:
         """The file of the whole table; empty if it was not written."""
         return table_file(self.run, self.stage)
 
+    def further(self, patterns: Sequence[str]) -> dict[str, Sequence[Column]]:
+        """The columns by choice of the stage's rows, as an argument of its document; none without patterns."""
+        of_stage = self.run.outcomes[self.stage].stage.part("further") if patterns else None
+        return {"further": of_stage(self.spec, self.run.results)} if of_stage else {}
+
     def document(self, **chosen: Any) -> Document:
         """The document of the stage, with a table of what is chosen."""
         found: Document = self.run.outcomes[self.stage].stage.document(self.result, self.title, **chosen)
@@ -316,11 +322,13 @@ def stage_command(stage: str, text: str, heading: str = "") -> Callable[..., Non
     def body(solved: Solved, columns: Columns = None, positions: Positions = None) -> Document:
         from tmmcalc.report.rows import rows_of
 
+        patterns = patterns_of(columns)
         return solved.document(
-            patterns=patterns_of(columns),
+            patterns=patterns,
             rows=rows_of(positions, solved.result.labels),
             everything=solved.everything,
             where=solved.where,
+            **solved.further(patterns),
         )
 
     body.__doc__ = text

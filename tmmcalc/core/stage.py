@@ -56,6 +56,9 @@ class Stage:
     ``errors(result)``    estimates of its errors; without it those of ``result.error``
     ``columns(result)``   its table for people: arrays by header, or columns of the rows of ``result.labels``; without
                           it the stage has none
+    ``further(spec, results)``  columns by choice of the rows of its table, `tmmcalc.core.columns.Column`: nothing is
+                          computed before a column is made
+    ``details(spec, results)``  what is told by choice: a record of declared quantities, or records by name
     ``omits(spec)``       sentences on what it leaves out within itself, because the scene has it not
     ``packages(spec)``    heavy packages that it imports for this scene
     ``found(spec, result, choose)``  what it found as keys of the spec, see `tmmcalc.spec.rewrite.Found`; of several
