@@ -1,11 +1,16 @@
-"""The plane of S0 and r2 at one height H2: margins over it, the box that holds the region, roots along edges."""
+"""The plane of S0 and r2 at one height H2: margins over it, the box that holds the region, roots along edges.
+
+Of a rocker it is that of R0 and r2 at one l0 and l2.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.optimum.margins import SLACK, margins
+from tmmcalc.cams.optimum.margins import NUMBERS, SLACK, margins
+from tmmcalc.cams.optimum.rockersizes import NUMBERS as ROCKER_NUMBERS
+from tmmcalc.cams.optimum.rockersizes import RockerScene, Sizes, judge_rocker
 from tmmcalc.cams.optimum.scene import Scene
 from tmmcalc.core.numerics.roots import bracketed
 
@@ -43,6 +48,8 @@ def guessed(held: Values, inside: Indices, outside: Indices, row: Indices) -> tu
 
 class Plane:
     """The plane of S0 and r2 at one height."""
+
+    numbers = NUMBERS  # of the constraints, in the order of the margins
 
     def __init__(self, scene: Scene, height: float) -> None:
         self.scene, self.height = scene, height
@@ -128,3 +135,24 @@ class Plane:
             level=met / (1 + met),
         )
         return one + part * way, size
+
+
+class RockerPlane(Plane):
+    """The plane of R0 and r2 of a rocker at one l0 and l2."""
+
+    numbers = ROCKER_NUMBERS
+
+    def __init__(self, of: RockerScene, rocker: float, centres: float) -> None:
+        self.of, self.rocker, self.height = of, rocker, centres
+        near, far = abs(centres - rocker), centres + rocker
+        self.outer = np.array([[near + 1e-3 * (far - near), far], [1e-3 * far, far]])
+
+    def held(self, x: Values, y: Values) -> Values:
+        """Margins (8, n)."""
+        one = np.ones(len(x))
+        return judge_rocker(self.of, Sizes(self.rocker * one, x, y, self.height * one)).margin
+
+    def one(self, at: Values, row: Indices) -> Values:
+        """The margin of row (n,) at points (2, n)."""
+        found: Values = self.held(at[0], at[1])[row, np.arange(len(row))]
+        return found
