@@ -121,8 +121,8 @@ class Option:
     contact: float = quantity("R_max[N]", "largest force of the cam")
     torque: float = quantity("T_max[N*m]", "largest torque on the camshaft, without friction")
     driving: float = quantity("M_drive_max[N*m]", "largest driving torque, with friction", header="M_drive[N*m]")
-    stiffness: float = quantity("c[N/m]", "stiffness of the spring")
-    preload: float = quantity("Q0[N]", "preload of the spring", symbol="Q_0")
+    stiffness: float = quantity("c[{rate}]", "stiffness of the spring")
+    preload: float = quantity("{spring}0[{force}]", "preload of the spring")
     refused: str = quantity("refused", "why there is no solution; empty if there is")
     length: float | None = quantity("l2[m]", "length of the rocker", symbol="l_2", default=None)  # None: a stem
 
@@ -218,8 +218,8 @@ class CamOptimum:
     phases: str = quantity("phases", "turn or rise: what was examined")
     step: float  # of S0 and r2 [m]
     height_step: float  # of H2 [m]
-    stiffness: float = quantity("c[N/m]", "stiffness of the spring")
-    preload: float = quantity("Q0[N]", "preload of the spring", symbol="Q_0")
+    stiffness: float = quantity("c[{rate}]", "stiffness of the spring")
+    preload: float = quantity("{spring}0[{force}]", "preload of the spring")
     safety: float | None  # what the spring reaches of K1; None: nothing lifts off
     offset: float | None = quantity("e[m]", "offset of all the mechanisms, in the user's sense")  # None: a flat face
     theta: tuple[float, float] | None  # largest |theta| on rise and return at the chosen sizes [rad]

@@ -32,7 +32,6 @@ from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.records import record
 
 SOFT = 1e-6  # margin of the least mechanism that is still kept
-NEAR = 1e-3  # of l0: from how near the searches for looser limits start
 REMEDIES = {
     2: "roller_friction, roller_inertia",
     3: "convex_radius",
@@ -146,9 +145,7 @@ def rocker_relaxations(of: RockerScene, asked: Optimum, least: Values) -> Iterat
         key, before, way, unit = limit
         for preferred in (False, True):
             after = loosened(before, way, preferred)
-            other = _relaxed(of, key, after)
-            start = least[:, None] * np.array([1.0, 1 + NEAR])
-            height = float(least_centres(other, asked, start)[3])
+            height = float(least_centres(_relaxed(of, key, after), asked, least[:, None])[3])
             yield Relaxation(number, key, unit, before, after, preferred, height, choice.height - height)
 
 

@@ -134,30 +134,35 @@ def turn_of(of: RockerScene, sizes: Sizes) -> Turn:
     return Turn(np.arctan2(across, along), useful, kappa, run, works)
 
 
-def judge_rocker(of: RockerScene, sizes: Sizes) -> RockerJudged:
-    """Margins and values at sizes (B,); every largest value is that over all examined phases, to rounding."""
-    scene, roller = of.scene, sizes.roller
-    parts = [_extremes(of, Sizes(*(size[part] for size in sizes))) for part in blocks(scene, len(roller))]
+def judge_rocker(of: RockerScene, sizes: Sizes, apart: bool = False) -> RockerJudged:
+    """Margins and values at sizes (B,); every largest value is that over all examined phases, to rounding.
+
+    ``apart``: on each of the K panels of the turn by itself, (B K,). So they are smooth functions of the sizes, which
+    the largest of several is not.
+    """
+    scene, count = of.scene, of.scene.panels if apart else 1
+    cut = blocks(scene, len(sizes.roller))
+    parts = [_extremes(of, Sizes(*(size[part] for size in sizes)), apart) for part in cut]
     on = Extremes(*(np.concatenate(each, axis=-1) for each in zip(*(part for part, _ in parts), strict=True)))
     theta = np.concatenate([each for _, each in parts], axis=1)
-    shared = judged_by(scene, on, roller, sizes.base, sizes.base)
+    sizes = Sizes(*(np.repeat(size, count) for size in sizes))
+    shared = judged_by(scene, on, sizes.roller, sizes.base, sizes.base)
     limits = scene.limits
     lean = theta[0] / limits.rise
     if limits.back is not None:
         lean = np.maximum(lean, theta[1] / limits.back)
-    psi = start_angle(sizes)[0] + of.top
+    start, closed = start_angle(sizes)
     l0, l2 = sizes.centres, sizes.rocker
-    reach = np.sqrt(l0 * l0 + l2 * l2 - 2 * l0 * l2 * np.cos(psi)) - roller
+    reach = np.sqrt(l0 * l0 + l2 * l2 - 2 * l0 * l2 * np.cos(start + of.top)) - sizes.roller
     room = l0 - of.pivot
     passing = np.where(room > 0, unused(reach, np.where(room > 0, room, 1.0)), BAD)
-    own = np.stack((np.where(on.works, 1 - lean, BAD), passing))
-    margin = np.concatenate((shared.margin[SHARED], own))
-    margin[:, ~start_angle(sizes)[1]] = BAD
+    margin = np.concatenate((shared.margin[SHARED], np.stack((np.where(on.works, 1 - lean, BAD), passing))))
+    margin[:, ~closed] = BAD
     return RockerJudged(margin, shared, theta, reach)
 
 
-def _extremes(of: RockerScene, sizes: Sizes) -> tuple[Extremes, Values]:
-    """The extremes as of a stem, and the largest |theta| of rise and return (2, B)."""
+def _extremes(of: RockerScene, sizes: Sizes, apart: bool) -> tuple[Extremes, Values]:
+    """The extremes as of a stem, and the largest |theta| of rise and return (2, B); ``apart`` (B K,) and (2, B K)."""
     scene, turn = of.scene, turn_of(of, sizes)
     inverse = turn.useful * scene.rows.inverse  # 1/R
     growth = turn.run * inverse
@@ -176,12 +181,15 @@ def _extremes(of: RockerScene, sizes: Sizes) -> tuple[Extremes, Values]:
             *(np.where(phase, side * turn.theta, -pi) for phase in (of.rising, of.returning) for side in (1, -1)),
         )
     )
-    shape = (COUNT * len(sizes.roller), -1)
-    high = largest(scene.by_panel(functions.reshape(shape))).reshape(COUNT, -1)
-    smooth, none = high[6] < 0, np.zeros(len(sizes.roller))
+    by_panel = scene.by_panel(functions.reshape(COUNT * len(sizes.roller), -1))
+    if apart:
+        by_panel = by_panel.reshape(-1, 1, by_panel.shape[-1])
+    high = largest(by_panel).reshape(COUNT, -1)
+    works = np.repeat(turn.works, high.shape[1] // len(turn.works))
+    smooth, none = high[6] < 0, np.zeros(high.shape[1])
     contact = 1 / np.abs(high[4])
     found = Extremes(
-        works=turn.works & (high[4] < 0),
+        works=works & (high[4] < 0),
         smooth=smooth,
         curvature=high[:2] * SIGNS,
         growth=high[2:4] * SIGNS,
