@@ -24,6 +24,7 @@ def game_facts(result: CamOptimum) -> Iterator[Fact]:
     if not result.options:
         return
     base, best, size = result.options[0], _best_first(result)[0], result.names["height"]
+    less = "less" if result.kind == "oscillating" else "lower"
     values = keyed(best, "changes", "least", **result.names)
     if base.refused:
         text = f"{best.name}: least {size} = {quantity(best.least, 'm')}; as asked there is no solution"
@@ -33,10 +34,10 @@ def game_facts(result: CamOptimum) -> Iterator[Fact]:
     if gain > NOTHING:
         text = (
             f"{best.name}: least {size} = {quantity(best.least, 'm')} against {quantity(base.least, 'm')}, "
-            f"{quantity(gain, 'm', 3)} lower"
+            f"{quantity(gain, 'm', 3)} {less}"
         )
     else:
-        text = f"none of {len(result.options) - 1} options is lower than what is asked"
+        text = f"none of {len(result.options) - 1} options is {less} than what is asked"
     yield Fact("option that buys most", text, values | {GAIN.key: gain})
 
 

@@ -24,7 +24,6 @@ CROSSING = 4  # Newton's steps to a point between two of the border
 LAST = 1e-6  # margin from which one step leads to a corner
 MET = 1e-11  # margin at a corner
 EDGE = 0  # number of a border of the plane itself
-FINE = 27  # nodes a side that show its border
 WINDOW = 0.45  # of the region's size that the picture shows beyond it
 
 
@@ -157,7 +156,7 @@ def contour(plane: Plane, seeds: tuple[Values, Values]) -> Contour:
     """The contour of a plane around points S0 (of a rocker R0) and r2 (n,) that are known to be feasible."""
     box = plane.box_of(np.stack(seeds))
     box = plane.limited(box + WINDOW * np.diff(box, axis=1) * np.array([-1.0, 1.0]))
-    x, y = np.linspace(box[:, 0], box[:, 1], FINE).T
+    x, y = np.linspace(box[:, 0], box[:, 1], plane.fine).T
     held = plane.grid(x, y)
     single = tuple(curves(plane, x, y, held))
     (left, right), (low, high) = box.tolist()

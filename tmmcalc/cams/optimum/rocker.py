@@ -9,11 +9,11 @@ import numpy as np
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.optimum.contour import contour
+from tmmcalc.cams.optimum.contour import WINDOW, contour
 from tmmcalc.cams.optimum.margins import SLACK
 from tmmcalc.cams.optimum.plane import RockerPlane
 from tmmcalc.cams.optimum.relaxation import limit_of, loosened, relaxed
-from tmmcalc.cams.optimum.results import ACTIVE, Choice, Contour, Relaxation
+from tmmcalc.cams.optimum.results import ACTIVE, Choice, Contour, Corner, Relaxation
 from tmmcalc.cams.optimum.rockerleast import least_centres, scanned, shapes, triangle
 from tmmcalc.cams.optimum.rockersizes import (
     ANGLE,
@@ -132,7 +132,20 @@ def rocker_contour(of: RockerScene, found: Smallest) -> Contour:
     """The region of R0 and r2 at l0 and l2 of the best step point."""
     l2, _, _, l0 = found.steps.sizes[:, 0].tolist()
     beside = np.flatnonzero(found.steps.sizes[0] == l2)
-    return contour(RockerPlane(of, l2, l0), (found.steps.sizes[1][beside], found.steps.sizes[2][beside]))
+    plane, (base, roller) = RockerPlane(of, l2, l0), found.steps.sizes[1:3, beside]
+    made = contour(plane, (base, plane.beyond(base, roller)))
+    outlines = [replace(each, roller=plane.roller(each.start, each.roller)) for each in made.outlines]
+    outlines = [replace(each, corners=tuple(_corner(plane, corner) for corner in each.corners)) for each in outlines]
+    curves = [replace(each, roller=plane.roller(each.start, each.roller)) for each in made.curves]
+    seen = np.concatenate([each.roller for each in outlines])
+    room = WINDOW * float(np.ptp(seen))
+    window = (*made.window[:2], max(float(seen.min()) - room, 0.0), float(seen.max()) + room)
+    return Contour(made.height, tuple(outlines), tuple(curves), window)
+
+
+def _corner(plane: RockerPlane, corner: Corner) -> Corner:
+    at = np.array([corner.start]), np.array([corner.roller])
+    return replace(corner, roller=float(plane.roller(*at)[0]))
 
 
 def rocker_relaxations(of: RockerScene, asked: Optimum, least: Values) -> Iterator[Relaxation]:
