@@ -103,7 +103,9 @@ def _searched_facts(result: CamOptimum) -> Iterator[Fact]:
     names = keys(CamOptimum, *named, **result.names)
     values = [dict(zip(names, row, strict=True)) for row in rows]
     yield Fact("feasible step points", "\n".join(lines), {"step_points": values})
-    looked = f"{result.examined} step points of {quantity(result.step, 'm')} looked at, {result.excluded} of them fit no"
+    looked = (
+        f"{result.examined} step points of {quantity(result.step, 'm')} looked at, {result.excluded} of them fit no"
+    )
     lowest = f"{quantity(result.chosen.height, 'm')} in steps of {quantity(result.height_step, 'm')} has a feasible one"
     if result.kind == "oscillating":
         text = f"{looked} roller\nno l0 below {lowest}"
@@ -176,7 +178,8 @@ def _contour_part(result: CamOptimum, contour: Contour) -> Document:
     for outline in contour.outlines:
         s, r = outline.start, outline.roller
         ends = [quantity(float(v), "m", 5) for v in (s.min(), s.max(), r.min(), r.max())]
-        text = f"{names['size']} from {ends[0]} to {ends[1]}, r2 from {ends[2]} to {ends[3]}, area {outline.area * 1e6:.5g} mm^2"
+        text = f"{names['size']} from {ends[0]} to {ends[1]}, r2 from {ends[2]} to {ends[3]}"
+        text += f", area {outline.area * 1e6:.5g} mm^2"
         facts.append(Fact("region", text, keyed(outline, "area")))
     corners = [corner for outline in contour.outlines for corner in outline.corners]
     places = table(corners, Corner, "start[mm]", "roller[mm]", **names)

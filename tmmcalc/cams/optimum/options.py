@@ -153,8 +153,8 @@ def _variant(words: tuple[str, ...], task: CamTask, follower: Follower, asked: O
         if follower.kind == "oscillating":
             of = rocker_scene(task, follower, phases)
             scene, both = of.scene, smallest(of, asked)
-            mechanism, lowest = (rocker_choice(of, four(each)) for each in (both.steps.sizes[:, 0], both.least))
-            return _rocker_option(words, task, of, mechanism, lowest)
+            mechanism, smaller = (rocker_choice(of, four(each)) for each in (both.steps.sizes[:, 0], both.least))
+            return _rocker_option(words, task, of, mechanism, smaller)
         scene = scene_of(task, follower, phases)
         if follower.kind == "flat":
             top, starts, _ = flatface.steps(scene, asked.step, asked.height_step)
@@ -209,9 +209,7 @@ def _option(
     )
 
 
-def _rocker_option(
-    words: tuple[str, ...], task: CamTask, of: RockerScene, choice: Choice, least: Choice
-) -> Option:
+def _rocker_option(words: tuple[str, ...], task: CamTask, of: RockerScene, choice: Choice, least: Choice) -> Option:
     """What there is to say of a rocker in whole steps."""
     scene = of.scene
     one = Sizes(*(np.array([size]) for size in (choice.length, choice.start, choice.roller, choice.height)))

@@ -14,7 +14,8 @@ from tmmcalc.cams.optimum.margins import SLACK
 from tmmcalc.cams.optimum.plane import RockerPlane
 from tmmcalc.cams.optimum.relaxation import limit_of, loosened, relaxed
 from tmmcalc.cams.optimum.results import ACTIVE, Choice, Contour, Corner, Relaxation
-from tmmcalc.cams.optimum.rockerleast import least_centres, scanned, shapes, triangle
+from tmmcalc.cams.optimum.rockerleast import least_centres
+from tmmcalc.cams.optimum.rockershapes import scanned, shapes, triangle
 from tmmcalc.cams.optimum.rockersizes import (
     ANGLE,
     NUMBERS,
@@ -97,7 +98,8 @@ def _refusal(of: RockerScene, asked: Optimum) -> NoSolutionError:
 def _nearest(of: RockerScene) -> Values:
     """Sizes (4,) of many whose least margin is largest."""
     ratio, angle = shapes(of)
-    found, best = np.empty(4), -np.inf
+    found: Values = np.empty(4)
+    best = -np.inf
     for centres in np.geomspace(0.02, 5.0, 9):
         for part in (0.1, 0.25, 0.45):
             sizes = triangle(ratio, angle, np.full(len(ratio), centres))
@@ -197,6 +199,4 @@ def follower_of(follower: Follower, choice: Choice) -> Follower:
     """The rocker with the sizes of a choice."""
     one = (np.array([size]) for size in (choice.length, choice.start, choice.roller, choice.height))
     angle, _ = start_angle(Sizes(*one))
-    return replace(
-        follower, start=float(angle[0]), roller=choice.roller, centres=choice.height, rocker=choice.length
-    )
+    return replace(follower, start=float(angle[0]), roller=choice.roller, centres=choice.height, rocker=choice.length)

@@ -25,8 +25,8 @@ from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.checks import checks, closure
 from tmmcalc.cams.optimum.extremes import SIGNS, Extremes, blocks
-from tmmcalc.cams.optimum.margins import Judged, judged_by
 from tmmcalc.cams.optimum.margins import NUMBERS as OF_STEM
+from tmmcalc.cams.optimum.margins import Judged, judged_by
 from tmmcalc.cams.optimum.peaks import largest
 from tmmcalc.cams.optimum.results import NAMES, Check, Choice
 from tmmcalc.cams.optimum.scene import Phases, Scene, scene_of

@@ -1,6 +1,6 @@
 """The least distance of the centres for which l2, R0 and r2 in whole steps keep all constraints: ascending over l0.
 
-Below the least l0 of any sizes there is nothing to look for (`rockerleast`). At every l0 above it the pressure angle
+Below the least l0 of any sizes there is nothing to look for (`rockershapes`). At every l0 above it the pressure angle
 leaves l2 and R0 ranges in closed form, and of these all step points are tried whose r2 has an interval.
 """
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.margins import SLACK
-from tmmcalc.cams.optimum.rockerleast import angles, bounds, thinned
+from tmmcalc.cams.optimum.rockershapes import angles, bounds, thinned
 from tmmcalc.cams.optimum.rockersizes import RockerScene, Sizes, judge_rocker
 from tmmcalc.cams.optimum.scene import WHERE
 from tmmcalc.cams.task import Optimum

@@ -76,8 +76,8 @@ def _option(result: CamOptimum) -> str:
 
 def _typeset(result: CamOptimum, name: str) -> str:
     """A size of the kind of follower as it is typeset."""
-    letter, index = result.names[name]
-    return f"${letter}_{index}$"
+    size = result.names[name]
+    return f"${size[0]}_{size[1:]}$"
 
 
 def _contour_sheet(sheet: SubFigure, result: CamOptimum, contour: Contour) -> Callable[[], None]:
@@ -85,7 +85,9 @@ def _contour_sheet(sheet: SubFigure, result: CamOptimum, contour: Contour) -> Ca
     also = f", $e$ = {signed(1e3 * (result.offset or 0.0), 6)} mm"
     if result.kind == "oscillating":
         also = f", $l_2$ = {number(1e3 * result.chosen.length, 6)} mm"
-    sheet.suptitle(f"Blocking contour at {_typeset(result, 'height')} = {height} mm{also}{_option(result)}", fontsize=10)
+    sheet.suptitle(
+        f"Blocking contour at {_typeset(result, 'height')} = {height} mm{also}{_option(result)}", fontsize=10
+    )
     left, right = sheet.subfigures(1, 2, squeeze=False, width_ratios=[1.75, 1.0])[0]
     plane, key = left.subplots(), right.subplots()
     key.set_axis_off()
