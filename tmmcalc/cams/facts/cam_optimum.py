@@ -46,7 +46,7 @@ def _sizes(result: CamOptimum, choice: Choice) -> str:
     roller = f", r2 = {quantity(choice.roller, 'm')}" if choice.roller else ""
     height, start, length = (quantity(v, "m") for v in (choice.height, choice.start, choice.length))
     names = result.names
-    said = f"{names['height']} = {height} with {names['size']} = {start}{roller}"
+    said = f"{names['height']} = {height} with {names['start']} = {start}{roller}"
     return f"{said}; rocker l2 = {length}" if result.kind == "oscillating" else f"{said}; guide l = {length}"
 
 
@@ -115,7 +115,7 @@ def _searched_facts(result: CamOptimum) -> Iterator[Fact]:
 
 
 def _point(result: CamOptimum, sizes: Mapping[str, float]) -> str:
-    names = {"start": result.names["size"], "length": "l2", "roller": "r2"}
+    names = {"start": result.names["start"], "length": "l2", "roller": "r2"}
     said = [f"{symbol} = {quantity(sizes[name], 'm')}" for name, symbol in names.items() if sizes.get(name)]
     return f"{', '.join(said)}: least margin {number(100 * sizes['margin'], 3)} %"
 
@@ -178,7 +178,7 @@ def _contour_part(result: CamOptimum, contour: Contour) -> Document:
     for outline in contour.outlines:
         s, r = outline.start, outline.roller
         ends = [quantity(float(v), "m", 5) for v in (s.min(), s.max(), r.min(), r.max())]
-        text = f"{names['size']} from {ends[0]} to {ends[1]}, r2 from {ends[2]} to {ends[3]}"
+        text = f"{names['start']} from {ends[0]} to {ends[1]}, r2 from {ends[2]} to {ends[3]}"
         text += f", area {outline.area * 1e6:.5g} mm^2"
         facts.append(Fact("region", text, keyed(outline, "area")))
     corners = [corner for outline in contour.outlines for corner in outline.corners]

@@ -23,8 +23,8 @@ NAMES = {
 
 
 # what stands for the places in keys of sizes: a rocker has the distance of the centres for the height of a guide
-STEM = {"height": "H2", "size": "S0", "length": "l"}
-ROCKER = {"height": "l0", "size": "R0", "length": "l2"}
+STEM = {"height": "H2", "start": "S0", "length": "l"}
+ROCKER = {"height": "l0", "start": "R0", "length": "l2"}
 
 
 def sized(kind: str) -> dict[str, str]:
@@ -55,7 +55,7 @@ class Check:
 class Choice:
     """Sizes and how they keep the constraints."""
 
-    start: float = quantity("{size}_{kind}[m]", "start distance S0; of a rocker the base circle R0")
+    start: float = quantity("{start}_{kind}[m]", "start distance S0; of a rocker the base circle R0")
     roller: float = quantity("r2_{kind}[m]", "radius of the roller", symbol="r_2")
     height: float = quantity(
         "{height}_{kind}[m]", "height H2 of the mechanism; of a rocker the distance l0 of the centres"
@@ -113,7 +113,7 @@ class Option:
     height: float = quantity(
         "{height}[m]", "least height of the mechanism in whole steps, of a rocker distance of the centres"
     )
-    start: float = quantity("{size}[m]", "start distance; of a rocker the base circle")
+    start: float = quantity("{start}[m]", "start distance; of a rocker the base circle")
     roller: float = quantity("r2[m]", "radius of the roller", symbol="r_2")
     least: float = quantity("{height}_least[m]", "the same of any sizes")
     active: tuple[int, ...] = quantity("active", "numbers of the constraints that are just met there")
@@ -163,7 +163,7 @@ class FlatChart:
 class Corner:
     """Where two constraints bind."""
 
-    start: float = quantity("{size}[m]", "start distance; of a rocker the base circle")
+    start: float = quantity("{start}[m]", "start distance; of a rocker the base circle")
     roller: float = quantity("r2[m]", "radius of the roller", symbol="r_2")
     numbers: tuple[int, int] = quantity("constraints", "constraints before and after the corner along the border")
 
@@ -177,7 +177,7 @@ class Corner:
 class Outline:
     """A closed border of the region, counter-clockwise; the last point is the first."""
 
-    start: Values = quantity("{size}[m]", "start distance; of a rocker the base circle")  # (n,)
+    start: Values = quantity("{start}[m]", "start distance; of a rocker the base circle")  # (n,)
     roller: Values = quantity("r2[m]", "radius of the roller", symbol="r_2")  # (n,)
     edge: Indices = quantity(  # (n - 1,)
         "constraint", "number of the constraint from a point to the next; 0: border of the plane"
@@ -191,7 +191,7 @@ class Curve:
     """A stretch of the line on which one constraint is just met."""
 
     number: int = quantity("constraint", "number of the constraint")
-    start: Values = quantity("{size}[m]", "start distance; of a rocker the base circle")  # (n,)
+    start: Values = quantity("{start}[m]", "start distance; of a rocker the base circle")  # (n,)
     roller: Values = quantity("r2[m]", "radius of the roller", symbol="r_2")  # (n,)
 
 
@@ -225,7 +225,7 @@ class CamOptimum:
     theta: tuple[float, float] | None  # largest |theta| on rise and return at the chosen sizes [rad]
     chosen: Choice  # in whole steps
     # (n,) of all feasible step points at its height, the best first
-    start: Values = quantity("{size}[m]", "start distance; of a rocker the base circle")
+    start: Values = quantity("{start}[m]", "start distance; of a rocker the base circle")
     roller: Values = quantity("r2[m]", "radius of the roller", symbol="r_2")
     margin: Values = quantity("least_margin", "least margin of the constraints")
     examined: int = quantity("examined", "step points that were looked at")

@@ -60,10 +60,10 @@ def smallest(of: RockerScene, asked: Optimum) -> Smallest:
         raise _refusal(of, asked)
     least = least_centres(of, asked, starts)
     margin = judge_rocker(of, Sizes(*least[:, None])).margin[:, 0]
-    if np.min(margin) < -SOFT:
-        worst = NUMBERS[int(np.argmin(margin))]
-        raise _refused(of, least, (worst,))
     free = least if margin[0] > ACTIVE else least_centres(of, asked, starts, rolls=False)
+    if np.min(margin) < -SOFT:
+        numbers = tuple(number for number, m in zip(NUMBERS, margin, strict=True) if m < -SOFT)
+        raise _slipping(of, free) if 2 in numbers else _refused(of, least, numbers)
     return Smallest(least, search_steps(of, asked, float(free[3])))
 
 
@@ -93,6 +93,21 @@ def _refusal(of: RockerScene, asked: Optimum) -> NoSolutionError:
     sizes = _nearest(of)
     margin = judge_rocker(of, Sizes(*sizes[:, None])).margin[:, 0]
     return _refused(of, sizes, tuple(number for number, m in zip(NUMBERS, margin, strict=True) if m < -SLACK))
+
+
+def _slipping(of: RockerScene, sizes: Values) -> NoSolutionError:
+    """The error where the roller slips wherever all other constraints are kept, of which ``sizes`` are the smallest."""
+    choice = rocker_choice(of, four(sizes))
+    grown = next(each.value or 0.0 for each in choice.checks if each.number == 2)
+    return NoSolutionError(
+        f"constraint 2 (roller without slip) leaves none of the sizes that keep all others; at the smallest of these, "
+        f"l0 = {1e3 * choice.height:.4g}, l2 = {1e3 * choice.length:.4g}, R0 = {1e3 * choice.start:.4g}, "
+        f"r2 = {1e3 * choice.roller:.4g} mm, D = {grown:.4g} against 1",
+        where=WHERE,
+        value=grown,
+        limit=1.0,
+        remedy=f"look at {REMEDIES[2]}, the preload of the spring, the speed",
+    )
 
 
 def _nearest(of: RockerScene) -> Values:

@@ -18,10 +18,11 @@ from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.records import record
 
 BELOW = 0.98  # of the least l0 of any sizes: from where steps are tried
-BEYOND = 1.5  # of it: up to where they are, and so many steps more
-MORE = 40
+BEYOND = 1.5  # of it: up to where they are
+MORE = 20  # levels
 ROUND = 1e-9  # of a step
-MANY = 2_000_000  # points of a search
+DIGITS = 12  # of a size in metres: 18 mm is 0.018 and no rounding beside it
+MANY = 1_000_000  # points of a search
 FEW = 3000  # at a time
 
 
@@ -41,14 +42,14 @@ def search_steps(of: RockerScene, asked: Optimum, least: float) -> FoundSteps:
     Raises `UsageError` for steps that are too fine, `NoSolutionError` where no step point is found near the least l0.
     """
     step, few = asked.step, thinned(of)
-    first = max(int(np.floor(BELOW * least / step)), 1)
+    first = max(int(np.floor(BELOW * least / step)), int(np.floor(least / step)) - MORE, 1)
     last = int(np.ceil(BEYOND * least / step)) + MORE
     if asked.centre_distances is not None:
         low, high = asked.centre_distances
         first, last = max(first, int(np.ceil(low / step - ROUND))), int(np.floor(high / step + ROUND))
     examined = excluded = 0
     for level in range(first, last + 1):
-        points = _points(few, asked, level * step)
+        points = _points(few, asked, round(level * step, DIGITS))
         examined += points.shape[1]
         if examined > MANY:
             raise _fine(step, examined)
@@ -87,7 +88,8 @@ def _fine(step: float, count: int) -> UsageError:
 def _points(of: RockerScene, asked: Optimum, centres: float) -> Values:
     """Step points (4, n) of l2 and R0 at l0 that the pressure angle leaves, r2 being 0."""
     step = asked.step
-    rocker = step * np.arange(1, int(centres / np.cos(of.scene.limits.rise) / step) + 2)
+    rocker = step * np.arange(1.0, int(centres / np.cos(of.scene.limits.rise) / step) + 2)
+    rocker = np.round(rocker, DIGITS)
     if asked.rocker_lengths is not None:
         low, high = asked.rocker_lengths
         rocker = rocker[(rocker >= low * (1 - SLACK)) & (rocker <= high * (1 + SLACK))]
@@ -98,8 +100,11 @@ def _points(of: RockerScene, asked: Optimum, centres: float) -> Values:
     )
     first = np.maximum(np.ceil(near / step - ROUND), 1).astype(int)
     count = np.maximum(np.floor(far / step + ROUND).astype(int) - first + 1, 0)
+    if int(count.sum()) > MANY:
+        raise _fine(step, int(count.sum()))
     rows = np.repeat(np.arange(len(rocker)), count)
     base = step * (np.arange(len(rows)) - np.repeat(np.cumsum(count) - count, count) + first[rows])
+    base = np.round(base, DIGITS)
     return np.stack((rocker[rows], base, np.zeros(len(rows)), np.full(len(rows), centres)))
 
 
@@ -123,7 +128,8 @@ def _with_rollers(of: RockerScene, points: Values, step: float) -> Values:
     count = np.maximum(last - first + 1, 0)
     rows = np.repeat(np.arange(points.shape[1]), count)
     found = points[:, rows]
-    found[2] = step * (np.arange(len(rows)) - np.repeat(np.cumsum(count) - count, count) + first[rows])
+    steps = np.arange(len(rows)) - np.repeat(np.cumsum(count) - count, count) + first[rows]
+    found[2] = np.round(step * steps, DIGITS)
     return found
 
 

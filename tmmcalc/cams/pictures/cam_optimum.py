@@ -165,7 +165,7 @@ def _contour_key(result: CamOptimum, contour: Contour, seen: list[int], lowest: 
             (" and ".join(map(str, corner.numbers)), f"({1e3 * corner.start:.4f}; {1e3 * corner.roller:.4f})")
             for corner in corners
         ]
-        yield Part(f"Corners ({_typeset(result, 'size')}; $r_2$), mm", rows)
+        yield Part(f"Corners ({_typeset(result, 'start')}; $r_2$), mm", rows)
     chosen, size = result.chosen, _typeset(result, "height")
     best, mark = ("smallest", "") if result.kind == "oscillating" else ("lowest", "diamond: ")
     sizes = [
