@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from itertools import pairwise
 from math import radians
@@ -22,6 +23,7 @@ from tmmcalc.cams.task import CamTask, Optimum, Spring
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.project import load_spec
 
+CASES = Path(__file__).parents[1] / "cases" / "cams.json"
 SPEC = Path(__file__).parents[2] / "configs" / "cam-rocker-optimum.toml"
 ROCKER = Follower("oscillating", 0.5, centres=0.1, rocker=0.1)
 FINE = 721
@@ -122,6 +124,29 @@ def test_margins_are_those_of_formulas_coded_anew(sizes: tuple[float, float, flo
 @pytest.fixture(scope="module")
 def found() -> CamOptimum:
     return solve_optimum(task_of(), ROCKER)
+
+
+def test_the_worked_case(found: CamOptimum) -> None:
+    """Case s21, whose numbers were found apart from the program."""
+    case = next(each for each in json.loads(CASES.read_text()) if each["id"] == "cams-s21")
+    expected, near = case["expected"], case["tolerance"]
+    assert (found.stiffness, found.preload) == pytest.approx((expected["c_N_m_per_rad"], expected["M0_N_m"]))
+    sizes = Sizes(*(np.array([1e-3 * case["inputs"]["point_mm"][name]]) for name in ("l2", "R0", "r2", "l0")))
+    margin = judge_rocker(rocker_scene(task_of(), ROCKER), sizes).margin[:, 0]
+    assert dict(zip(map(str, NUMBERS), margin.tolist(), strict=True)) == pytest.approx(
+        expected["margins"], abs=near["margins_abs"]
+    )
+    least, own = expected["least_mm"], found.least
+    assert 1e3 * own.height == pytest.approx(least["l0"], rel=near["least_rel"])
+    other = [least[name] for name in ("l2", "R0", "r2")]
+    assert [1e3 * own.length, 1e3 * own.start, 1e3 * own.roller] == pytest.approx(other, rel=near["least_sizes_rel"])
+    assert own.active == tuple(expected["active"])
+    whole = expected["whole_mm"]
+    assert (1e3 * found.chosen.height, len(found.start)) == pytest.approx((whole["l0"], whole["points"]))
+    assert found.length is not None
+    points = 1e3 * np.stack((found.length, found.start, found.roller), axis=1)[:3]
+    assert points == pytest.approx(np.array(whole["best"]))
+    assert 100 * found.margin[:3] == pytest.approx(np.array(whole["margins_percent"]), abs=1e-4)
 
 
 def test_a_grid_of_all_sizes_has_nothing_smaller(found: CamOptimum) -> None:

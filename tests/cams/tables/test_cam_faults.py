@@ -508,7 +508,7 @@ FAULTS = [
         f"{RK}{SPEED}[cam.loads]\nforce = -4\n[cam.optimum]\n",
         "cam.optimum",
         "cam and roller would become as small as you please",
-        "add inertia in [cam.loads], width in [cam.requirements] and contact in [cam.requirements]",
+        "add inertia in [cam.loads], width in [cam.requirements], contact in [cam.requirements]",
     ),
     # the elastic follower
     (f"{RT}[cam.elastic]\nstiffness = 5\nmass = 1\n", "cam.elastic", "[cam.elastic] without speed", "speed ="),
