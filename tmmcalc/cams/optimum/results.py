@@ -115,7 +115,9 @@ class Option:
     )
     start: float = quantity("{start}[m]", "start distance; of a rocker the base circle")
     roller: float = quantity("r2[m]", "radius of the roller", symbol="r_2")
-    least: float = quantity("{height}_least[m]", "the same of any sizes")
+    least: float = quantity(
+        "{height}_least[m]", "least height of the mechanism of any sizes, of a rocker distance of the centres"
+    )
     active: tuple[int, ...] = quantity("active", "numbers of the constraints that are just met there")
     stress: float = quantity("sigma_H[Pa]", "largest contact stress at the step point")
     contact: float = quantity("R_max[N]", "largest force of the cam")
