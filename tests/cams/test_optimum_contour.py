@@ -14,6 +14,7 @@ from cams.optimum_scene import CASES, flat_task, roller_task
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.optimum.contour import Contour, contour
 from tmmcalc.cams.optimum.margins import NUMBERS, judge, margins
+from tmmcalc.cams.optimum.plane import Plane
 from tmmcalc.cams.optimum.results import CamOptimum
 from tmmcalc.cams.optimum.scene import Scene, scene_of
 from tmmcalc.cams.optimum.solve import solve_optimum
@@ -32,7 +33,7 @@ def scene() -> Scene:
 
 @pytest.fixture(scope="module")
 def found(scene: Scene) -> Contour:
-    return contour(scene, 0.12, SEED)
+    return contour(Plane(scene, 0.12), SEED)
 
 
 def held(scene: Scene, start: Any, roller: Any, height: float = 0.12) -> Any:
@@ -107,7 +108,7 @@ def test_curves_are_roots(scene: Scene, found: Contour) -> None:
 def test_curves_have_no_gaps_where_they_are_steep() -> None:
     """Curve 2 runs close to where the follower jams, beyond which its margin says nothing."""
     scene = scene_of(roller_task(), ROLLER)
-    on = contour(scene, 0.12, SEED)
+    on = contour(Plane(scene, 0.12), SEED)
     low, high, bottom, top = on.window
     sizes = np.array([high - low, top - bottom])
     for number in (2, 5, 7):
@@ -133,7 +134,7 @@ def test_curves_bend_smoothly(found: Contour) -> None:
 
 
 def test_smaller_height_smaller_region(scene: Scene, found: Contour) -> None:
-    lower = contour(scene, 0.11, SEED)
+    lower = contour(Plane(scene, 0.11), SEED)
     assert 0 < lower.area < found.area
     for outline in lower.outlines:
         assert np.all(held(scene, outline.start, outline.roller).min(axis=0) > -1e-9)
@@ -144,7 +145,7 @@ def test_steps_of_the_shaft_curve() -> None:
     task = roller_task()
     stout = replace(task, requirements=replace(task.requirements, span=1.2))
     scene = scene_of(stout, ROLLER, "rise")
-    (outline,) = contour(scene, 0.12, (np.array([0.065]), np.array([0.008]))).outlines
+    (outline,) = contour(Plane(scene, 0.12), (np.array([0.065]), np.array([0.008]))).outlines
     on = np.flatnonzero(outline.edge == 6) + 1
     assert len(on) > 3
     start, roller = outline.start[on], outline.roller[on]

@@ -251,8 +251,6 @@ def test_refusals_name_the_constraints() -> None:
         solve_optimum(replace(task, requirements=replace(task.requirements, contact=1e7)), ROLLER)
     with pytest.raises(NoSolutionError, match="leaves the cam"):
         solve_optimum(roller_task(spring=Spring("given", stiffness=100.0)), ROLLER)
-    with pytest.raises(UsageError, match="rocker"):
-        solve_optimum(task, Follower("oscillating", 0.5, centres=0.1, rocker=0.1))
     with pytest.raises(UsageError, match="force closure"):
         solve_optimum(replace(task, asked=replace(task.asked, closure="groove")), ROLLER)
     with pytest.raises(UsageError):

@@ -35,7 +35,7 @@ PLAIN = re.compile(  # what is a number and has no unit
         (
             r"(.*\.)?(error|residual)(\..*)?|agreement\..*|.*_error|.*balance|.*\.(uniform|cosine)",
             r"constraint_.*|.*designs\.columns.*|.*function.*|check_.*|.*margin.*|.*\.ratio|weights\..*|rank.*|cost",
-            r"K.*|C[avj]_.*|jerk_m.*_(rise|return)|s2_.*|k|k_.*|s_M_.*|power_max.*|.*_at_k.*|psi\d.*|.*\bjump",
+            r"K.*|options\.K1|C[avj]_.*|jerk_m.*_(rise|return)|s2_.*|k|k_.*|s_M_.*|power_max.*|.*_at_k.*|psi\d.*|.*\bjump",
             r"[xyuice]|x_?\d.*|x_min.*|x_sum|.*\.x(_.*)?|dy|h_a|rho|rho_t\*|.*\.Y_F.*|Y_F|z_min.*|.*\.z_min|.*\.s_na\d",
             r"inv_.*|.*_dms|eps.*|.*\.eps_.*|theta_?\d|lambda.*|.*\.theta_\d|points\..*|corners\..*|lines\..*|shift|C\d",
             r"eta.*|i|i_.*|.*_ratio.*|ratio.*|U.*|e_m.*|T1_ratio|mu.*|rolling_.*|efficiency|best_e.*|by_.*\.\d|beta\d",

@@ -100,7 +100,7 @@ ROOM = Room(
         ),
         Stage(
             "cam_optimum",
-            "the lowest cam mechanism within all constraints",
+            "the lowest cam mechanism within all constraints, with a rocker the smallest",
             needs=("cam_synthesis",),
             uses=("motion",),
             reads="read_at_speed",

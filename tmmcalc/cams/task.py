@@ -151,6 +151,8 @@ class Optimum:
     step: float = 1e-3  # [m] of S0 and r2
     height_step: float = 1e-3  # [m] of H2
     heights: tuple[float, float] | None = None  # [m] of H2; None: from the least that can be
+    centre_distances: tuple[float, float] | None = None  # [m] of l0 of a rocker; None: from the least that can be
+    rocker_lengths: tuple[float, float] | None = None  # [m] of l2; None: any
     phases: Literal["turn", "rise"] = "turn"  # what of the turn is examined; "rise" is the textbook's way
     laws: tuple[str, ...] = ()  # options of the design game, beside what the task asks for
     safeties: tuple[float, ...] = ()  # K1 of the spring

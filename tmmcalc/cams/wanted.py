@@ -44,9 +44,7 @@ def strength(spec: CamTables) -> str | None:
 
 
 def optimum(spec: CamTables) -> str | None:
-    """An optimum is asked for, of a follower in a guide."""
-    if spec.cam is not None and spec.cam.follower == "oscillating":
-        return "there is no optimal design of a rocker: the method is that of a follower in a guide"
+    """An optimum is asked for."""
     lacking = "no [cam.optimum]: no optimum is asked for"
     return forces(spec) or (lacking if spec.cam is None or spec.cam.optimum is None else None)
 

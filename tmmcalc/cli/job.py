@@ -290,10 +290,11 @@ class Solved:
         """The file of the whole table; empty if it was not written."""
         return table_file(self.run, self.stage)
 
-    @property
-    def further(self) -> Sequence[Column]:
-        """The columns by choice of the stage; none are computed."""
-        return self.run.outcomes[self.stage].stage.further(self.spec, self.run.results)
+    def further(self, patterns: Sequence[str]) -> dict[str, Sequence[Column]]:
+        """The columns by choice of the stage's rows, as an argument of its document; none without patterns."""
+        own = self.run.outcomes[self.stage].stage
+        found = own.further(self.spec, self.run.results) if patterns else ()
+        return {"further": found} if found else {}
 
     def document(self, **chosen: Any) -> Document:
         """The document of the stage, with a table of what is chosen."""
@@ -374,13 +375,12 @@ def positions_document(solved: Solved, columns: str | None, positions: str | Non
     from tmmcalc.report.rows import rows_of
 
     patterns = patterns_of(columns)
-    chosen = {"further": found} if patterns and (found := solved.further) else {}
     return solved.document(
         patterns=patterns,
         rows=rows_of(positions, solved.result.labels),
         everything=solved.everything,
         where=solved.where,
-        **chosen,
+        **solved.further(patterns),
     )
 
 

@@ -204,7 +204,6 @@ FAULTS = [
     (f'{RT}rocker_turn = "with"\n', "cam.rocker_turn", "there is no rocker", "remove"),
     (f'{RT}face_margin = "2 mm"\n', "cam.face_margin", "there is no flat face", "remove"),
     (f'{RK}[cam.guide]\nland = "4 mm"\n', "cam.guide", "a rocker has no guide", "remove"),
-    (f"{RK}[cam.optimum]\n", "cam.optimum", "it seeks the height of a stem's guide", "remove"),
     (f'{PT}[cam.limits]\npressure_angle = "30 deg"\n', "cam.limits.pressure_angle", "0 everywhere", "remove"),
     (f"{PT}[cam.limits]\npressure_angle_return = false\n", "cam.limits.pressure_angle_return", "0 every", "remove"),
     (f'{PT}[cam.limits]\nconcave_radius = "70 mm"\n', "cam.limits.concave_radius", "all is convex", "remove"),
@@ -505,6 +504,12 @@ FAULTS = [
         "as small as you please",
         "add stem_radius in [cam.guide], guide_pressure in [cam.requirements]",
     ),
+    (
+        f"{RK}{SPEED}[cam.loads]\nforce = -4\n[cam.optimum]\n",
+        "cam.optimum",
+        "cam and roller would become as small as you please",
+        "add inertia in [cam.loads], width in [cam.requirements], contact in [cam.requirements]",
+    ),
     # the elastic follower
     (f"{RT}[cam.elastic]\nstiffness = 5\nmass = 1\n", "cam.elastic", "[cam.elastic] without speed", "speed ="),
     (f"{RT}{SPEED}[cam.elastic]\nmass = 1\n", "cam.elastic.stiffness", "missing key: an elastic follower", "N/mm"),
@@ -516,7 +521,19 @@ SEARCH = (
     f'{RT}{LOADS}[cam.guide]\nstem_radius = "4 mm"\nland = "4 mm"\n[cam.requirements]\nwidth = "7 mm"\n'
     'contact = "400 MPa"\nguide_pressure = "5 MPa"\n[cam.optimum]\n'
 )
+TURNED_SEARCH = f"{RK}{ROCKING}[cam.requirements]\npin_pressure = 5e6\n[cam.optimum]\n"
 FAULTS += [
+    (f"{TURNED_SEARCH}heights = [0.1, 0.2]\n", "cam.optimum.heights", "a rocker has no guide", "centre_distances"),
+    (f"{TURNED_SEARCH}height_step = 0.001\n", "cam.optimum.height_step", "a rocker has no guide", "write step"),
+    (f"{SEARCH}centre_distances = [0.1, 0.2]\n", "cam.optimum.centre_distances", "there is no rocker", "heights"),
+    (f"{SEARCH}rocker_lengths = [0.1, 0.2]\n", "cam.optimum.rocker_lengths", "there is no rocker", "remove"),
+    (
+        f"{TURNED_SEARCH}centre_distances = [0.2, 0.1]\n",
+        "cam.optimum.centre_distances",
+        "backwards",
+        "smaller distance",
+    ),
+    (f"{TURNED_SEARCH}rocker_lengths = [0.2, 0.1]\n", "cam.optimum.rocker_lengths", "backwards", "smaller length"),
     (f'{SEARCH}heights = ["90 mm", "80 mm"]\n', "cam.optimum.heights", "runs backwards", "smaller height first"),
     (f'{SEARCH}heights = ["90 mm"]\n', "cam.optimum.heights", "not a list of 2 values", '["100 mm", "140 mm"]'),
     (f'{SEARCH}laws = ["sine", "shum"]\n', "cam.optimum.laws", "'shum' is no law", 'did you mean "shun"?'),

@@ -175,6 +175,18 @@ KEYS: dict[str, tuple[str, str, Callable[[CamTask], Any], Any]] = {
         lambda task: task.optimum,
         Optimum(heights=(0.09, 0.12)),
     ),
+    "optimum.centre_distances": (
+        f'{ROCKING}[cam.requirements]\npin_pressure = 5e6\n[cam.optimum]\ncentre_distances = ["90 mm", 0.12]',
+        "RK",
+        lambda task: task.optimum,
+        Optimum(centre_distances=(0.09, 0.12)),
+    ),
+    "optimum.rocker_lengths": (
+        f'{ROCKING}[cam.requirements]\npin_pressure = 5e6\n[cam.optimum]\nrocker_lengths = ["90 mm", "90 mm"]',
+        "RK",
+        lambda task: task.optimum,
+        Optimum(rocker_lengths=(0.09, 0.09)),
+    ),
     "optimum.laws": (
         f'{LOADS}[cam.optimum]\nlaws = ["sine", "shun"]',
         "",
@@ -498,6 +510,7 @@ READY = {
     "cam-flat": ("flat", ["sine", "sine"]),
     "cam-synthesis": ("translating", ["cosine", "cosine"]),
     "cam-rocker-synthesis": ("oscillating", ["linear", "linear"]),
+    "cam-rocker-optimum": ("oscillating", ["sine", "sine"]),
     "cam-own-law": ("translating", ["cam-law.csv", "points"]),
 }
 

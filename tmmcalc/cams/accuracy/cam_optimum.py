@@ -17,6 +17,10 @@ from tmmcalc.cams.optimum import flatface
 from tmmcalc.cams.optimum.leastheight import least_height
 from tmmcalc.cams.optimum.margins import SLACK, margins
 from tmmcalc.cams.optimum.results import CamOptimum
+from tmmcalc.cams.optimum.rockerleast import least_centres
+from tmmcalc.cams.optimum.rockershapes import scanned
+from tmmcalc.cams.optimum.rockersizes import rocker_scene
+from tmmcalc.cams.optimum.rockersteps import search_steps
 from tmmcalc.cams.optimum.scene import Phases, Scene, scene_of
 from tmmcalc.cams.optimum.wholesteps import search
 from tmmcalc.cams.task import CamTask, Optimum
@@ -28,7 +32,7 @@ from tmmcalc.core.studies.study import Reference, Study
 STEPS = (4e-3, 2e-3, 1e-3, 5e-4)  # [m] of S0, r2 and H2
 COARSE = (8e-3, 4e-3, 2e-3, 1e-3)  # [m] of the complete grid
 DENSER = 4
-ROUNDED = "the least H2 rounded up to a step point: an error below the step, anywhere"
+ROUNDED = "the least size rounded up to a step point: an error below the step, anywhere"
 AROUND = 0.25  # of the sizes of the lowest: how far the complete grid reaches
 
 
@@ -41,6 +45,9 @@ def studies(studied: Studied) -> Iterator[Study]:
     asked = Optimum() if task.optimum is None else replace(task.optimum, heights=None)
     follower = studied.results["cam_synthesis"].follower
     phases: Phases = asked.phases
+    if follower.kind == "oscillating":
+        yield _rocker_study(studied, task, found, asked)
+        return
     scene, denser = (scene_of(task, follower, phases, many) for many in (1, DENSER))
     exact = _corner(denser, found)
     reference = Reference(f"the corner on nodes {DENSER} times as dense", found.error["height"])
@@ -58,6 +65,30 @@ def studies(studied: Studied) -> Iterator[Study]:
         grid = [Way(f"{1e3 * s:g} mm", s, partial(_grid, scene, found, s)) for s in COARSE]
         every.append(series("complete grid about the lowest", grid, error, studied.clock, note=ROUNDED, stepwise=False))
     yield Study("cam_optimum", "least height H2", reference, tuple(every))
+
+
+def _rocker_study(studied: Studied, task: CamTask, found: CamOptimum, asked: Optimum) -> Study:
+    """The least l0 of a rocker: the exact corner, and whole steps ever finer."""
+    asked = replace(asked, centre_distances=None)
+    follower = studied.results["cam_synthesis"].follower
+    of, denser = (rocker_scene(task, follower, asked.phases, many) for many in (1, DENSER))
+    start = np.array([[found.least.length], [found.least.start], [found.least.roller], [found.least.height]])
+    exact = float(least_centres(denser, asked, start)[3])
+
+    def error(centres: float) -> float:
+        return relative(centres, exact)
+
+    def by_steps(step: float) -> float:
+        return float(search_steps(of, replace(asked, step=step), found.least.height).sizes[3, 0])
+
+    corner = [Way("", None, lambda: float(least_centres(of, asked, scanned(of, asked))[3]))]
+    steps = [Way(f"{1e3 * s:g} mm", s, partial(by_steps, s)) for s in STEPS]
+    reference = Reference(f"the corner on nodes {DENSER} times as dense", found.error["height"])
+    every = (
+        series("exact corner", corner, error, studied.clock),
+        series("whole steps", steps, error, studied.clock, note=ROUNDED, stepwise=False),
+    )
+    return Study("cam_optimum", "least distance of the centres l0", reference, every)
 
 
 def _flat(scene: Scene) -> bool:

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import degrees, pi
 
-from tmmcalc.cams.facts.rows import with_rows
+from tmmcalc.cams.facts.rows import with_further, with_rows
 from tmmcalc.cams.follower import along
 from tmmcalc.cams.forces.columns import force_columns
 from tmmcalc.cams.forces.results import CamForces, ForceExtreme, Governing, SpringFound, WireSize
+from tmmcalc.core.columns import Column
 from tmmcalc.core.quantity import keyed
 from tmmcalc.report.document import Document, Fact, angles_in_degrees
 from tmmcalc.report.numbers import angle, number
@@ -37,16 +38,18 @@ def document(
     rows: Sequence[int] | None = None,
     everything: bool = False,
     where: str = "",
+    further: Sequence[Column] = (),
 ) -> Document:
     """All facts and the table, its columns chosen by ``patterns``, its rows by index; ``everything`` is all in SI.
 
-    ``where`` is the file that has the whole table.
+    ``where`` is the file that has the whole table, ``further`` are columns that are printed by name alone.
     """
     columns = force_columns(result)
     if not everything and not patterns:
         columns = dict(sorted(columns.items(), key=lambda column: column[0].startswith(LAST)))
     told, ends = summary(result, title), [degrees(end) for end in result.ends]
-    return with_rows(told, columns, patterns, rows, ends=ends, everything=everything, example="phi,R,T", where=where)
+    chosen = with_further(columns, patterns, further)
+    return with_rows(told, chosen, patterns, rows, ends=ends, everything=everything, example="phi,R,T", where=where)
 
 
 def _facts(result: CamForces) -> Iterator[Fact]:

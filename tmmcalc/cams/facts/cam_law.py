@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from math import degrees, pi
 from typing import Any
 
-from tmmcalc.cams.facts.rows import with_rows
+from tmmcalc.cams.facts.rows import with_further, with_rows
 from tmmcalc.cams.follower import along
 from tmmcalc.cams.lawresult import (
     POINTS,
@@ -19,6 +19,7 @@ from tmmcalc.cams.lawresult import (
 )
 from tmmcalc.cams.laws.catalogue import NAMES, title_of
 from tmmcalc.cams.laws.constants import LawConstants
+from tmmcalc.core.columns import Column
 from tmmcalc.core.quantity import keyed
 from tmmcalc.report.document import Document, Fact, angles_in_degrees
 from tmmcalc.report.numbers import angle, number
@@ -43,17 +44,19 @@ def document(
     rows: Sequence[int] | None = None,
     everything: bool = False,
     where: str = "",
+    further: Sequence[Column] = (),
 ) -> Document:
     """All facts and the table, its columns chosen by ``patterns``, its rows by index; ``everything`` is all in SI.
 
-    ``where`` is the file that has the whole table.
+    ``where`` is the file that has the whole table, ``further`` are columns that are printed by name alone.
     """
     columns = law_columns(result)
     if not everything and not patterns:
         del columns["phase"]
     ends = [degrees(each.begin) for each in result.phases] + [degrees(result.phases[-1].end)]
     told = angles_in_degrees(Document(title, tuple(_facts(result)), result.remarks))
-    return with_rows(told, columns, patterns, rows, ends=ends, everything=everything, example="phi,d*", where=where)
+    chosen = with_further(columns, patterns, further)
+    return with_rows(told, chosen, patterns, rows, ends=ends, everything=everything, example="phi,d*", where=where)
 
 
 def _facts(result: LawResult, constants: bool = True) -> Iterator[Fact]:
@@ -67,7 +70,7 @@ def _facts(result: LawResult, constants: bool = True) -> Iterator[Fact]:
     if constants:
         for phase in result.phases:
             if phase.constants is not None:
-                yield _constants_fact(phase.kind, phase.constants)
+                yield constants_fact(phase.kind, phase.constants)
     for order in (1, 2, 3):
         pair = [each for each in result.extremes if each.order == order]
         if pair:
@@ -94,7 +97,8 @@ def _law_name(name: str) -> str:
     return f"; law {name}, {title_of(name)}" if name in NAMES else f"; law of its own, {name}"
 
 
-def _constants_fact(kind: str, found: LawConstants) -> Fact:
+def constants_fact(kind: str, found: LawConstants) -> Fact:
+    """The constants of the law of one phase."""
     least, largest = found.jerk
     lines = (
         f"Cv = {number(found.velocity, 6)} at k = {number(found.velocity_at, 6)}, "

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from math import degrees
 from typing import Any
 
 from tmmcalc.cams.facts.design_game import game_document, game_facts, option_values
+from tmmcalc.cams.follower import along
 from tmmcalc.cams.optimum.results import NAMES, CamOptimum, Check, Choice, Contour, Corner, Relaxation
-from tmmcalc.core.quantity import Quantity, keyed, keys, quantity_of, table
+from tmmcalc.core.quantity import Quantity, in_degrees, keyed, keys, quantity_of, table
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
 from tmmcalc.report.sizes import quantity
@@ -31,20 +32,22 @@ def document(result: CamOptimum, title: str, *, everything: bool = False) -> Doc
         values = {
             "checks": [_check_values(each) for each in result.chosen.checks],
             "checks_least": [_check_values(each) for each in result.least.checks],
-            "contours": [_contour_values(each) for each in result.contours],
-            "options": [option_values(each) for each in result.options],
+            "contours": [_contour_values(result, each) for each in result.contours],
+            "options": [option_values(each, result.names) for each in result.options],
         }
         return Document(title, (*facts, Fact("all values", "", values)), result.notes)
-    parts = [_contour_part(each) for each in result.contours]
+    parts = [_contour_part(result, each) for each in result.contours]
     if result.options:
         parts.append(game_document(result))
     return Document(title, tuple(facts), result.notes, _checks_view(result), parts=tuple(parts))
 
 
-def _sizes(choice: Choice) -> str:
+def _sizes(result: CamOptimum, choice: Choice) -> str:
     roller = f", r2 = {quantity(choice.roller, 'm')}" if choice.roller else ""
     height, start, length = (quantity(v, "m") for v in (choice.height, choice.start, choice.length))
-    return f"H2 = {height} with S0 = {start}{roller}; guide l = {length}"
+    names = result.names
+    said = f"{names['height']} = {height} with {names['start']} = {start}{roller}"
+    return f"{said}; rocker l2 = {length}" if result.kind == "oscillating" else f"{said}; guide l = {length}"
 
 
 def _named(numbers: tuple[int, ...]) -> str:
@@ -56,16 +59,19 @@ def _lowest_facts(result: CamOptimum) -> Iterator[Fact]:
     if result.refused:
         yield Fact("as asked", f"no solution: {result.refused}", keyed(result, "refused"))
         yield Fact("option shown", ", ".join(result.shown), keyed(result, "shown"))
-    text = f"{_sizes(chosen)}\nleast margin {number(100 * worst.margin, 4)} %: {worst.number} {worst.name}"
-    yield Fact("lowest in whole steps", text, keyed(chosen, *SIZES, "least_margin", kind="steps"))
+    text = f"{_sizes(result, chosen)}\nleast margin {number(100 * worst.margin, 4)} %: {worst.number} {worst.name}"
+    best = "smallest" if result.kind == "oscillating" else "lowest"
+    places = result.names
+    yield Fact(f"{best} in whole steps", text, keyed(chosen, *SIZES, "least_margin", kind="steps", **places))
     active = _named(least.active) or "none"
     yield Fact(
-        "lowest of any sizes",
-        f"{_sizes(least)}\nactive: {active}",
-        keyed(least, *SIZES, "active", kind="least"),
+        f"{best} of any sizes",
+        f"{_sizes(result, least)}\nactive: {active}",
+        keyed(least, *SIZES, "active", kind="least", **places),
     )
-    if result.offset is not None and result.theta is not None:
+    if result.offset is not None:
         yield Fact("offset", f"e = {quantity(result.offset, 'm')}, of all these sizes", keyed(result, "offset"))
+    if result.theta is not None:
         rise, back = (degrees(value) for value in result.theta)
         text = f"up to {angle(rise)} deg on the rise, {angle(back)} deg on the return, in whole steps"
         yield Fact("pressure angle", text, keyed(result, "theta_rise[deg]", "theta_return[deg]"))
@@ -81,38 +87,45 @@ def _lowest_facts(result: CamOptimum) -> Iterator[Fact]:
         yield Fact("chart of H2 and S0", text, values)
     yield Fact("examined", EXAMINED[result.phases], keyed(result, "phases"))
     spring = f"c = {number(1e-3 * result.stiffness, 6)} N/mm, Q0 = {number(result.preload, 6)} N"
-    yield Fact("spring", spring, keyed(result, "stiffness", "preload"))
+    if result.kind == "oscillating":
+        spring = f"c = {number(result.stiffness, 6)} N*m/rad, M0 = {number(result.preload, 6)} N*m"
+    yield Fact("spring", spring, keyed(result, "stiffness", "preload", **along(result.kind == "oscillating")))
 
 
 def _searched_facts(result: CamOptimum) -> Iterator[Fact]:
     """All feasible step points at the least height, and why none is lower."""
-    rows = list(zip(result.start.tolist(), result.roller.tolist(), result.margin.tolist(), strict=True))
-    lines = [_point(*row) for row in rows[:FEW]]
+    named = {name: getattr(result, name) for name in ("start", "length", "roller", "margin")}
+    named = {name: values.tolist() for name, values in named.items() if values is not None}
+    rows = list(zip(*named.values(), strict=True))
+    lines = [_point(result, dict(zip(named, row, strict=True))) for row in rows[:FEW]]
     if len(rows) > FEW:
         lines.append(f"and {len(rows) - FEW} more")
-    names = keys(CamOptimum, "start", "roller", "margin")
+    names = keys(CamOptimum, *named, **result.names)
     values = [dict(zip(names, row, strict=True)) for row in rows]
     yield Fact("feasible step points", "\n".join(lines), {"step_points": values})
-    text = (
-        f"{result.examined} step points of {quantity(result.step, 'm')} looked at, {result.excluded} of them fit no "
-        f"height\nno height below {quantity(result.chosen.height, 'm')} in steps of "
-        f"{quantity(result.height_step, 'm')} has a feasible one"
+    looked = (
+        f"{result.examined} step points of {quantity(result.step, 'm')} looked at, {result.excluded} of them fit no"
     )
-    yield Fact("search", text, keyed(result, "examined", "excluded", "left_by"))
+    lowest = f"{quantity(result.chosen.height, 'm')} in steps of {quantity(result.height_step, 'm')} has a feasible one"
+    if result.kind == "oscillating":
+        text = f"{looked} roller\nno l0 below {lowest}"
+        yield Fact("search", text, keyed(result, "examined", "excluded"))
+        return
+    yield Fact("search", f"{looked} height\nno height below {lowest}", keyed(result, "examined", "excluded", "left_by"))
 
 
-def _point(start: float, roller: float, margin: float) -> str:
-    also = f", r2 = {quantity(roller, 'm')}" if roller else ""
-    return f"S0 = {quantity(start, 'm')}{also}: least margin {number(100 * margin, 3)} %"
+def _point(result: CamOptimum, sizes: Mapping[str, float]) -> str:
+    names = {"start": result.names["start"], "length": "l2", "roller": "r2"}
+    said = [f"{symbol} = {quantity(sizes[name], 'm')}" for name, symbol in names.items() if sizes.get(name)]
+    return f"{', '.join(said)}: least margin {number(100 * sizes['margin'], 3)} %"
 
 
 def _relaxed_facts(result: CamOptimum) -> Iterator[Fact]:
     if not result.relaxations:
         return
     lines = [_relaxed(each) for each in result.relaxations]
-    values = [
-        keyed(each, "number", "key", "before", "after", "height", "gain", unit=each.unit) for each in result.relaxations
-    ]
+    told = ("number", "key", "before", "after", "height", "gain")
+    values = [in_degrees(keyed(each, *told, unit=each.unit, **result.names)) for each in result.relaxations]
     yield Fact("relaxing would buy", "\n".join(lines), {"relaxations": values})
 
 
@@ -120,9 +133,14 @@ def _relaxed(each: Relaxation) -> str:
     how = "next preferred number" if each.preferred else "1 %"
     gain = quantity(each.gain, "m", 3) if each.gain > 1e-9 else "nothing"
     return (
-        f"{each.number} {NAMES[each.number]}: {each.key} {quantity(each.before, each.unit)} -> "
-        f"{quantity(each.after, each.unit)} ({how}): {gain}"
+        f"{each.number} {NAMES[each.number]}: {each.key} {_shown(each.before, each.unit)} -> "
+        f"{_shown(each.after, each.unit)} ({how}): {gain}"
     )
+
+
+def _shown(value: float, unit: str, digits: int = 6) -> str:
+    """A size, stress, number or angle with its unit."""
+    return f"{number(degrees(value), digits)} deg" if unit == "rad" else quantity(value, unit, digits)
 
 
 def _checks_view(result: CamOptimum) -> View:
@@ -137,9 +155,9 @@ def _checks_view(result: CamOptimum) -> View:
 def _cells(each: Check, least: Check) -> tuple[str, ...]:
     if each.value is None:
         return str(each.number), each.name, "not judged", "", "", ""
-    value = f"{each.symbol} = {quantity(each.value, each.unit, 5)}"
+    value = f"{each.symbol} = {_shown(each.value, each.unit, 5)}"
     margins = (f"{100 * margin:.2f}".replace("-0.00", "0.00") for margin in (each.margin, least.margin))
-    limit = "none" if each.limit is None else f"{each.relation} {quantity(each.limit, each.unit, 5)}"
+    limit = "none" if each.limit is None else f"{each.relation} {_shown(each.limit, each.unit, 5)}"
     return str(each.number), each.name, value, limit, *margins
 
 
@@ -147,29 +165,34 @@ def _check_values(each: Check) -> dict[str, Any]:
     found = keyed(each, "number", "name", "judged", "margin")
     if each.judged:
         found |= keyed(each, "value", "relation", symbol=each.symbol, unit=each.unit)
-    return found | (keyed(each, "limit", unit=each.unit) if each.limit is not None else {})
+    return in_degrees(found | (keyed(each, "limit", unit=each.unit) if each.limit is not None else {}))
 
 
-def _contour_part(contour: Contour) -> Document:
+def _contour_part(result: CamOptimum, contour: Contour) -> Document:
     """Region and corners at one height."""
-    title = f"blocking contour at H2 = {quantity(contour.height, 'm')}"
+    names = result.names
+    title = f"blocking contour at {names['height']} = {quantity(contour.height, 'm')}"
+    if result.kind == "oscillating":
+        title += f", l2 = {quantity(result.chosen.length, 'm')}"
     facts = []
     for outline in contour.outlines:
         s, r = outline.start, outline.roller
         ends = [quantity(float(v), "m", 5) for v in (s.min(), s.max(), r.min(), r.max())]
-        text = f"S0 from {ends[0]} to {ends[1]}, r2 from {ends[2]} to {ends[3]}, area {outline.area * 1e6:.5g} mm^2"
+        text = f"{names['start']} from {ends[0]} to {ends[1]}, r2 from {ends[2]} to {ends[3]}"
+        text += f", area {outline.area * 1e6:.5g} mm^2"
         facts.append(Fact("region", text, keyed(outline, "area")))
     corners = [corner for outline in contour.outlines for corner in outline.corners]
-    places = table(corners, Corner, "start[mm]", "roller[mm]")
+    places = table(corners, Corner, "start[mm]", "roller[mm]", **names)
     between = [" and ".join(_named((key,)) for key in corner.numbers) for corner in corners]
     view = View([*places, "between"], [*([round(mm, 6) for mm in row] for row in places.values()), between])
     return Document(title, tuple(facts), (), view if corners else None)
 
 
-def _contour_values(contour: Contour) -> dict[str, Any]:
+def _contour_values(result: CamOptimum, contour: Contour) -> dict[str, Any]:
+    names = result.names
     return {
-        **keyed(contour, "height", "area"),
-        "borders": [keyed(each, "start", "roller", "edge") for each in contour.outlines],
-        "corners": [keyed(corner) for each in contour.outlines for corner in each.corners],
-        "curves": [keyed(each, "number", "start", "roller") for each in contour.curves],
+        **keyed(contour, "height", "area", **names),
+        "borders": [keyed(each, "start", "roller", "edge", **names) for each in contour.outlines],
+        "corners": [keyed(corner, **names) for each in contour.outlines for corner in each.corners],
+        "curves": [keyed(each, "number", "start", "roller", **names) for each in contour.curves],
     }

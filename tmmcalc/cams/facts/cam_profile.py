@@ -9,9 +9,10 @@ import numpy as np
 
 from tmmcalc.cams.facts.cam_pressure import extreme_values
 from tmmcalc.cams.facts.pivot import pivot_fact
-from tmmcalc.cams.facts.rows import with_rows
+from tmmcalc.cams.facts.rows import with_further, with_rows
 from tmmcalc.cams.profile.columns import BEND, profile_columns
 from tmmcalc.cams.profile.results import WALLS, Profile, Reach, Wall
+from tmmcalc.core.columns import Column
 from tmmcalc.core.quantity import keyed, keys, quantity_of
 from tmmcalc.report.document import Document, Fact
 from tmmcalc.report.numbers import angle
@@ -34,16 +35,18 @@ def document(
     rows: Sequence[int] | None = None,
     everything: bool = False,
     where: str = "",
+    further: Sequence[Column] = (),
 ) -> Document:
     """All facts and the table, its columns chosen by ``patterns``, its rows by index; ``everything`` is all in SI.
 
-    ``where`` is the file that has the whole table.
+    ``where`` is the file that has the whole table, ``further`` are columns that are printed by name alone.
     """
     columns = profile_columns(result)
     if not everything:
         columns = _with_radii(result, columns, named=bool(patterns))
     told, ends = Document(title, tuple(_facts(result)), result.remarks), [0.0, 360.0]
-    return with_rows(told, columns, patterns, rows, ends=ends, everything=everything, example="phi,x_*", where=where)
+    chosen = with_further(columns, patterns, further)
+    return with_rows(told, chosen, patterns, rows, ends=ends, everything=everything, example="phi,x_*", where=where)
 
 
 def _with_radii(result: Profile, columns: dict[str, np.ndarray], named: bool) -> dict[str, np.ndarray]:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import degrees
 
-from tmmcalc.cams.facts.rows import with_rows
+from tmmcalc.cams.facts.rows import with_further, with_rows
 from tmmcalc.cams.strength.columns import margin_rows, strength_columns
 from tmmcalc.cams.strength.results import CamStrength, Margin
+from tmmcalc.core.columns import Column
 from tmmcalc.core.quantity import keyed, quantity_of
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
@@ -45,11 +46,13 @@ def turn_document(
     rows: Sequence[int] | None = None,
     everything: bool = False,
     where: str = "",
+    further: Sequence[Column] = (),
 ) -> Document:
     """Slip, stresses and moments over the turn, as the tables of the other stages."""
     told, ends = Document(title, (_verdict_fact(result),), result.notes), [degrees(end) for end in result.ends]
     columns = strength_columns(result)
-    return with_rows(told, columns, patterns, rows, ends=ends, everything=everything, example="phi,D*", where=where)
+    chosen = with_further(columns, patterns, further)
+    return with_rows(told, chosen, patterns, rows, ends=ends, everything=everything, example="phi,D*", where=where)
 
 
 def _verdict_fact(result: CamStrength) -> Fact:

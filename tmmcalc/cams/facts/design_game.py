@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
+from tmmcalc.cams.follower import along
 from tmmcalc.cams.optimum.results import CamOptimum, Option, Relaxation
 from tmmcalc.core.quantity import keyed, quantity_of, table
 from tmmcalc.report.document import Document, Fact, View
@@ -22,20 +23,21 @@ def game_facts(result: CamOptimum) -> Iterator[Fact]:
     """The option that lowers the mechanism most, against what is asked."""
     if not result.options:
         return
-    base, best = result.options[0], _best_first(result)[0]
-    values = keyed(best, "changes", "least")
+    base, best, size = result.options[0], _best_first(result)[0], result.names["height"]
+    less = "less" if result.kind == "oscillating" else "lower"
+    values = keyed(best, "changes", "least", **result.names)
     if base.refused:
-        text = f"{best.name}: least H2 = {quantity(best.least, 'm')}; as asked there is no solution"
+        text = f"{best.name}: least {size} = {quantity(best.least, 'm')}; as asked there is no solution"
         yield Fact("option that buys most", text, values)
         return
     gain = base.least - best.least
     if gain > NOTHING:
         text = (
-            f"{best.name}: least H2 = {quantity(best.least, 'm')} against {quantity(base.least, 'm')}, "
-            f"{quantity(gain, 'm', 3)} lower"
+            f"{best.name}: least {size} = {quantity(best.least, 'm')} against {quantity(base.least, 'm')}, "
+            f"{quantity(gain, 'm', 3)} {less}"
         )
     else:
-        text = f"none of {len(result.options) - 1} options is lower than what is asked"
+        text = f"none of {len(result.options) - 1} options is {less} than what is asked"
     yield Fact("option that buys most", text, values | {GAIN.key: gain})
 
 
@@ -51,12 +53,16 @@ def _best_first(result: CamOptimum) -> list[Option]:
 
 def _view(result: CamOptimum) -> View:
     rows, base = _best_first(result), result.options[0]
-    lengths = table(rows, Option, "least[mm]")
+    lengths = table(rows, Option, "least[mm]", **result.names)
     if not base.refused:
         gain, millimetres = GAIN.shown("mm")
         lengths[gain] = [millimetres * (base.least - each.least) for each in rows]
-    lengths |= table(rows, Option, "height[mm]", "start[mm]", "roller[mm]")
-    sizes = table(rows, Option, "stress[MPa]", "contact", "torque", "driving", "stiffness[N/mm]", "preload")
+    turns = result.kind == "oscillating"
+    own = ("length[mm]",) if turns else ()
+    lengths |= table(rows, Option, "height[mm]", *own, "start[mm]", "roller[mm]", **result.names)
+    stiffness = "stiffness" if turns else "stiffness[N/mm]"
+    told = ("stress[MPa]", "contact", "torque", "driving", stiffness, "preload")
+    sizes = table(rows, Option, *told, **along(turns))
     columns: dict[str, list[Any]] = {
         "option": [each.name for each in rows],
         **{header: [round(value, 6) for value in column] for header, column in lengths.items()},
@@ -69,8 +75,11 @@ def _view(result: CamOptimum) -> View:
     return View(list(columns), list(columns.values()))
 
 
-def option_values(each: Option) -> dict[str, Any]:
-    """One option for programs, in SI."""
+def option_values(each: Option, names: Mapping[str, str]) -> dict[str, Any]:
+    """One option for programs, in SI; ``names`` are those of its sizes."""
     asked = keyed(each, "changes", "law", "safety", "allowed", "ratio")
     said = {key: value for key, value in asked.items() if value is not None}
-    return said | keyed(each, *(["refused"] if each.refused else FOUND))
+    if each.refused:
+        return said | keyed(each, "refused")
+    own = () if each.length is None else ("length",)
+    return said | keyed(each, *FOUND, *own, **names, **along(each.length is not None))

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from fnmatch import fnmatchcase
 
 import numpy as np
 
 from tmmcalc.cams.program import Positions
-from tmmcalc.core.columns import picked
+from tmmcalc.core.columns import Column, picked
 from tmmcalc.core.quantity import quantity_of
 from tmmcalc.report.document import Document, View
 from tmmcalc.report.positions import more
@@ -41,6 +42,21 @@ def with_rows(
     fewer = rows is None and len(view.columns[0]) < len(columns["i"])
     notes = (*told.notes, LEFT_OUT) if fewer else told.notes
     return replace(told, notes=notes, table=view, wide=not patterns, more=more(where, example))
+
+
+def with_further(
+    columns: Mapping[str, np.ndarray], patterns: Sequence[str], further: Sequence[Column]
+) -> Mapping[str, np.ndarray]:
+    """The columns by their headers with those of ``further`` that a pattern names and that are not among them."""
+    headers = {each.name if each.unit == "-" else each.header: each for each in further}
+    known = {name for header in columns for name in (header, header.partition("[")[0])}
+    asked = [pattern for pattern in patterns if not any(fnmatchcase(name, pattern) for name in known)]
+    chosen = {
+        header: each.make()
+        for header, each in headers.items()
+        if any(pattern == header or fnmatchcase(each.name, pattern) for pattern in asked)
+    }
+    return {**columns, **chosen}
 
 
 def _view(

@@ -59,12 +59,12 @@ def constants(law: Law) -> LawConstants:
     (5.773503, 0.788675, 0.933013)
     """
     on = panels(0.0, 1.0, law.breaks, WIDEST)
-    first, second, third = _sampled(law, on)[1:]
-    velocity, velocity_at = _first(on, first)
-    rising, rising_at = _first(on, second)
-    braking, braking_at = _first(on, second, -1)
+    first, second, third = sampled(law, on)[1:]
+    velocity, velocity_at = first_of(on, first)
+    rising, rising_at = first_of(on, second)
+    braking, braking_at = first_of(on, second, -1)
     (jerk_low, _), (jerk_high, _) = on.extremes(third)
-    power, power_at = _first(on, first * second)
+    power, power_at = first_of(on, first * second)
     lift = float(law.at(np.array([braking_at]))[0, 0])
     return LawConstants(
         law.name,
@@ -81,13 +81,14 @@ def constants(law: Law) -> LawConstants:
     )
 
 
-def _sampled(law: Law, on: Panels) -> Values:
+def sampled(law: Law, on: Panels) -> Values:
+    """s and its derivatives (4, K, N) at the points of panels of k, each on its own piece."""
     middle = (on.edges[:-1] + on.edges[1:]) / 2
     piece = np.repeat(law.piece(middle), on.order)
     return law.at(on.x.ravel(), piece).reshape(-1, *on.x.shape)
 
 
-def _first(on: Panels, values: Values, sign: int = 1) -> tuple[float, float]:
+def first_of(on: Panels, values: Values, sign: int = 1) -> tuple[float, float]:
     """The largest (or with -1 the least) value and the first place that has it: a plateau counts from its begin."""
     at, found = on.turning(values)
     best = np.max(sign * found)

@@ -14,10 +14,8 @@ import numpy as np
 from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.curves import between, curves
-from tmmcalc.cams.optimum.margins import NUMBERS
 from tmmcalc.cams.optimum.plane import Plane, guessed, tamed
 from tmmcalc.cams.optimum.results import Contour, Corner, Outline
-from tmmcalc.cams.optimum.scene import Scene
 from tmmcalc.cams.optimum.zerolines import crossed
 
 NEAREST = 1e-6  # of a cell, to the outside of a root: there the constraint that binds is seen
@@ -26,7 +24,6 @@ CROSSING = 4  # Newton's steps to a point between two of the border
 LAST = 1e-6  # margin from which one step leads to a corner
 MET = 1e-11  # margin at a corner
 EDGE = 0  # number of a border of the plane itself
-FINE = 27  # nodes a side that show its border
 WINDOW = 0.45  # of the region's size that the picture shows beyond it
 
 
@@ -41,7 +38,7 @@ def outlines_of(plane: Plane, x: Values, y: Values, least: Values) -> Iterator[O
     way = np.stack((x[on.outside[:, 0]], y[on.outside[:, 1]])) - one
     known = guessed(tamed(wide)[None], on.inside, on.outside, np.zeros(len(on.inside), int))
     points, _ = plane.roots(one, way, known)
-    binds = np.array(NUMBERS)[np.argmin(plane.held(*(points + NEAREST * way)), axis=0)]
+    binds = np.array(plane.numbers)[np.argmin(plane.held(*(points + NEAREST * way)), axis=0)]
     binds = np.where(np.any(way != 0, axis=0), binds, EDGE)
     cell = np.array([[x[2] - x[1]], [y[2] - y[1]]])
     halves = _halves(plane, points, binds, on.lines, cell)
@@ -61,7 +58,7 @@ def _halves(
     if not pairs:
         return {}
     one, other = np.array(pairs).T
-    row = np.searchsorted(NUMBERS, binds[one])
+    row = np.searchsorted(plane.numbers, binds[one])
     at, held, good = between(plane, points[:, one] / cell, points[:, other] / cell, row, cell, CROSSING, MET)
     good &= held.min(axis=0) > -MET
     return {pairs[k]: complex(at[0, k], at[1, k]) for k in np.flatnonzero(good).tolist()}
@@ -129,12 +126,12 @@ def _met(
     Also whether each is a corner, and the number of a constraint that it breaks, 0 for none.
     """
     count, size = guess.shape[1], np.array(cell)
-    rows = np.stack((np.searchsorted(NUMBERS, one), np.searchsorted(NUMBERS, other)))
+    rows = np.stack((np.searchsorted(plane.numbers, one), np.searchsorted(plane.numbers, other)))
     at, near = guess.copy(), 1e-5 * size
     every = np.arange(count)
     shift = np.array([[0.0, 1, -1, 0, 0], [0, 0, 0, 1, -1]]) * near[:, None]
     for _ in range(NEWTON):
-        held = plane.held(*(at[:, :, None] + shift[:, None]).reshape(2, -1)).reshape(len(NUMBERS), count, 5)
+        held = plane.held(*(at[:, :, None] + shift[:, None]).reshape(2, -1)).reshape(len(plane.numbers), count, 5)
         pair = held[rows, every]
         slope = np.stack((pair[..., 1] - pair[..., 2], pair[..., 3] - pair[..., 4])) / (2 * near[:, None, None])
         turn = slope[0, 0] * slope[1, 1] - slope[1, 0] * slope[0, 1]
@@ -152,16 +149,15 @@ def _met(
     met &= np.all(np.abs(at - guess) < 3 * size[:, None], axis=0)
     worst = np.argmin(held, axis=0)
     broken = held[worst, every] < -MET
-    return at, met & ~broken, np.where(met & broken, np.array(NUMBERS)[worst], 0)
+    return at, met & ~broken, np.where(met & broken, np.array(plane.numbers)[worst], 0)
 
 
-def contour(scene: Scene, height: float, seeds: tuple[Values, Values]) -> Contour:
-    """The contour at H2 around points S0, r2 (n,) that are known to be feasible."""
-    plane = Plane(scene, height)
+def contour(plane: Plane, seeds: tuple[Values, Values]) -> Contour:
+    """The contour of a plane around points S0 (of a rocker R0) and r2 (n,) that are known to be feasible."""
     box = plane.box_of(np.stack(seeds))
     box = plane.limited(box + WINDOW * np.diff(box, axis=1) * np.array([-1.0, 1.0]))
-    x, y = np.linspace(box[:, 0], box[:, 1], FINE).T
+    x, y = np.linspace(box[:, 0], box[:, 1], plane.fine).T
     held = plane.grid(x, y)
     single = tuple(curves(plane, x, y, held))
     (left, right), (low, high) = box.tolist()
-    return Contour(height, tuple(outlines_of(plane, x, y, held.min(axis=0))), single, (left, right, low, high))
+    return Contour(plane.height, tuple(outlines_of(plane, x, y, held.min(axis=0))), single, (left, right, low, high))

@@ -13,7 +13,6 @@ import numpy as np
 
 from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.optimum.margins import NUMBERS
 from tmmcalc.cams.optimum.plane import Plane, guessed, tamed
 from tmmcalc.cams.optimum.results import Curve
 from tmmcalc.cams.optimum.zerolines import crossed
@@ -50,7 +49,7 @@ def curves(plane: Plane, x: Values, y: Values, held: Values) -> Iterator[Curve]:
     for _ in range(ROUNDS):
         pieces = _refined(plane, pieces, cell)
     for number, at in pieces:
-        yield Curve(NUMBERS[number], at[0], at[1])
+        yield Curve(plane.numbers[number], at[0], at[1])
 
 
 def _points(

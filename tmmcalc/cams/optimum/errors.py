@@ -34,8 +34,8 @@ def optimum_errors(
     rounded = unit * _cancelled(scene, least)
     if scene.follower.kind == "flat":
         rounded[[each.number == CONVEX for each in least.checks]] += MARGIN * _bent(task, scene) / least.start
-    missed = [_missed(_at(scene, each), _at(denser, each), rounded) for each in (chosen, least)]
-    return {"margins": max(missed), "height": _height(denser, least, rounded)}
+    off = [missed(_at(scene, each), _at(denser, each), rounded) for each in (chosen, least)]
+    return {"margins": max(off), "height": _height(denser, least, rounded)}
 
 
 def _cancelled(scene: Scene, least: Choice) -> Values:
@@ -61,7 +61,7 @@ def _bent(task: CamTask, scene: Scene) -> float:
     return float(np.max(np.abs(found[k] - (exact[0] + exact[2]))))
 
 
-def _missed(found: Values, denser: Values, rounded: Values) -> float:
+def missed(found: Values, denser: Values, rounded: Values) -> float:
     """By the nodes, or by the rounding of the values, which are 1 less the margin of their limits."""
     return float(np.max(np.maximum(MARGIN * np.abs(found - denser), rounded * (1 + np.abs(1 - found)))))
 
@@ -91,5 +91,5 @@ def _height(scene: Scene, least: Choice, rounded: Values) -> float:
     steps = near * np.eye(3)[free]
     slope = np.array([(_margins(scene, x + each) - _margins(scene, x - each))[held] / (2 * near) for each in steps])
     price, *_ = np.linalg.lstsq(slope, np.eye(3)[2][free], rcond=None)
-    missed = np.maximum(MARGIN * np.abs(value), rounded)[held]
-    return max(float(np.abs(price) @ missed) / least.height, FLOOR)
+    off = np.maximum(MARGIN * np.abs(value), rounded)[held]
+    return max(float(np.abs(price) @ off) / least.height, FLOOR)

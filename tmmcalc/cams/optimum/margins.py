@@ -67,8 +67,16 @@ def margins(scene: Scene, start: Values, roller: Values, top: Values, row: Indic
 def judge(scene: Scene, start: Values, roller: Values, top: Values, row: Indices | None = None) -> Judged:
     """Margins and values at S0, r2, H2 (B,) [m]; with ``row`` (B,) of the one constraint that is meant at each."""
     on = extremes(scene, start, roller, top, None if row is None else BEHIND[:, row])
+    return judged_by(scene, on, roller, np.hypot(start, scene.follower.offset), start)
+
+
+def judged_by(scene: Scene, on: Extremes, roller: Values, base: Values, size: Values) -> Judged:
+    """Margins and values from the extremes over the turn, with r2 and R0 (B,) [m].
+
+    ``size`` (B,) [m] is that against which a concave curvature is told where none is allowed.
+    """
     need, limits, guide = scene.requirements, scene.limits, scene.guide
-    none, works, (bent, most) = np.zeros(len(start)), on.works, on.curvature
+    none, works, (bent, most) = np.zeros(len(roller)), on.works, on.curvature
     pin = _pin(need, on.contact)
     grown = _slip(scene, on.growth, roller, pin)
     shaft = _shaft(scene, on)
@@ -80,14 +88,13 @@ def judge(scene: Scene, start: Values, roller: Values, top: Values, row: Indices
     stress: Values = none
     if need.width is not None:
         stress, _ = contact_stress(on.pressed, none, roller, need.width, need.modulus)
-    flattest = np.hypot(start, scene.follower.offset)
     margin = np.stack(
         (
             np.where(works, 1 - grown, BAD),
             convex_margin(most, roller, limits.convex),
-            concave_margin(bent, roller, limits.concave) if limits.allow_concave else bent * start,
+            concave_margin(bent, roller, limits.concave) if limits.allow_concave else bent * size,
             np.where(works, _pinned(need, on.contact, least, roller), BAD),
-            np.where(works, shafted(flattest, roller, shaft[2]), BAD),
+            np.where(works, shafted(base, roller, shaft[2]), BAD),
             np.where(works, _margin_of(stem, need.bending), BAD),
             np.where(works, _margin_of(pressure, need.guide_pressure), BAD),
             np.where(works & (on.smooth | (need.width is None)), _margin_of(stress, need.contact), BAD),

@@ -22,6 +22,8 @@ from tmmcalc.cams.optimum.leastheight import QUICK, REGION, least_heights
 from tmmcalc.cams.optimum.margins import NUMBERS, judge
 from tmmcalc.cams.optimum.peaks import largest
 from tmmcalc.cams.optimum.results import ACTIVE, Choice, Option
+from tmmcalc.cams.optimum.rocker import four, smallest
+from tmmcalc.cams.optimum.rockersizes import RockerScene, Sizes, judge_rocker, rocker_choice, rocker_scene, turn_of
 from tmmcalc.cams.optimum.scene import WHERE, Phases, Scene, guided_at, scene_of
 from tmmcalc.cams.optimum.wholesteps import search
 from tmmcalc.cams.program import Program
@@ -118,8 +120,11 @@ def options(
     found = variants(task, asked)
     if not found:
         return
-    sizes = (chosen.start, chosen.roller, chosen.height)
-    yield _option((), task, scene, sizes, least.height, least.active)
+    if scene.follower.kind == "oscillating":
+        yield _rocker_option((), task, rocker_scene(task, scene.follower, phases), chosen, least)
+    else:
+        sizes = (chosen.start, chosen.roller, chosen.height)
+        yield _option((), task, scene, sizes, least.height, least.active)
     yield from _others(task, scene.follower, asked, phases)
 
 
@@ -145,6 +150,11 @@ def _variant(words: tuple[str, ...], task: CamTask, follower: Follower, asked: O
     """The lowest mechanism of a task; refused where there is none."""
     scene = None
     try:
+        if follower.kind == "oscillating":
+            of = rocker_scene(task, follower, phases)
+            scene, both = of.scene, smallest(of, asked)
+            mechanism, smaller = (rocker_choice(of, four(each)) for each in (both.steps.sizes[:, 0], both.least))
+            return _rocker_option(words, task, of, mechanism, smaller)
         scene = scene_of(task, follower, phases)
         if follower.kind == "flat":
             top, starts, _ = flatface.steps(scene, asked.step, asked.height_step)
@@ -196,6 +206,33 @@ def _option(
         stiffness=scene.spring.stiffness,
         preload=scene.spring.preload,
         refused="",
+    )
+
+
+def _rocker_option(words: tuple[str, ...], task: CamTask, of: RockerScene, choice: Choice, least: Choice) -> Option:
+    """What there is to say of a rocker in whole steps."""
+    scene = of.scene
+    one = Sizes(*(np.array([size]) for size in (choice.length, choice.start, choice.roller, choice.height)))
+    values, turn = judge_rocker(of, one).shared, turn_of(of, one)
+    contact = scene.rows.force / turn.useful[0]
+    driving = cam_torque(contact, np.cos(turn.theta[0]), scene.motion, choice.length)
+    plus, minus, given = largest(scene.by_panel(np.stack((scene.torque, -scene.torque, driving)))).tolist()
+    return Option(
+        changes=words,
+        **_asked_values(task),
+        height=choice.height,
+        start=choice.start,
+        roller=choice.roller,
+        least=least.height,
+        active=least.active,
+        stress=float(values.stress[0]),
+        contact=float(values.contact[0]),
+        torque=max(plus, minus),
+        driving=given,
+        stiffness=scene.spring.stiffness,
+        preload=scene.spring.preload,
+        refused="",
+        length=choice.length,
     )
 
 

@@ -1,11 +1,16 @@
-"""The plane of S0 and r2 at one height H2: margins over it, the box that holds the region, roots along edges."""
+"""The plane of S0 and r2 at one height H2: margins over it, the box that holds the region, roots along edges.
+
+Of a rocker it is that of R0 and r2 at one l0 and l2.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 
 from tmmcalc.cams.laws.law import Indices, Values
-from tmmcalc.cams.optimum.margins import SLACK, margins
+from tmmcalc.cams.optimum.margins import NUMBERS, SLACK, margins
+from tmmcalc.cams.optimum.rockersizes import NUMBERS as ROCKER_NUMBERS
+from tmmcalc.cams.optimum.rockersizes import RockerScene, Sizes, judge_rocker, start_angle
 from tmmcalc.cams.optimum.scene import Scene
 from tmmcalc.core.numerics.roots import bracketed
 
@@ -43,6 +48,9 @@ def guessed(held: Values, inside: Indices, outside: Indices, row: Indices) -> tu
 
 class Plane:
     """The plane of S0 and r2 at one height."""
+
+    numbers = NUMBERS  # of the constraints, in the order of the margins
+    fine = 27  # nodes a side that show the border of the region
 
     def __init__(self, scene: Scene, height: float) -> None:
         self.scene, self.height = scene, height
@@ -128,3 +136,44 @@ class Plane:
             level=met / (1 + met),
         )
         return one + part * way, size
+
+
+class RockerPlane(Plane):
+    """The plane of R0 and r2 of a rocker at one l0 and l2.
+
+    The room at the pivot asks for an r2 that grows with R0, along which the region lies as a narrow band. So y, in
+    place of r2, is what r2 has beyond that, and a length that keeps it positive.
+    """
+
+    numbers = ROCKER_NUMBERS
+    fine = 65  # where two constraints close the band it runs out in a point
+
+    def __init__(self, of: RockerScene, rocker: float, centres: float) -> None:
+        self.of, self.rocker, self.height = of, rocker, centres
+        near, far = abs(centres - rocker), centres + rocker
+        self.outer = np.array([[near + 1e-3 * (far - near), far], [1e-3 * far, far]])
+
+    def held(self, x: Values, y: Values) -> Values:
+        """Margins (8, n)."""
+        one = np.ones(len(x))
+        return judge_rocker(self.of, Sizes(self.rocker * one, x, self.roller(x, y), self.height * one)).margin
+
+    def one(self, at: Values, row: Indices) -> Values:
+        """The margin of row (n,) at points (2, n)."""
+        found: Values = self.held(at[0], at[1])[row, np.arange(len(row))]
+        return found
+
+    def roller(self, x: Values, y: Values) -> Values:
+        """r2 (n,) of points."""
+        return y + self._passing(x)
+
+    def beyond(self, x: Values, roller: Values) -> Values:
+        """y (n,) of R0 and r2."""
+        return roller - self._passing(x)
+
+    def _passing(self, x: Values) -> Values:
+        """r2 at y = 0: what passes the pivot, less a length that no r2 falls short of it by."""
+        one = np.ones(np.shape(x))
+        start, _ = start_angle(Sizes(self.rocker * one, x, 0 * one, self.height * one))
+        square = self.height**2 + self.rocker**2 - 2 * self.height * self.rocker * np.cos(start + self.of.top)
+        return np.sqrt(square) - 2 * self.height

@@ -32,19 +32,16 @@ def bought(scene: Scene, least: Choice, heights: Callable[[list[Scene]], list[fl
     """The same with the least H2 of scenes as a function."""
     asked = []
     for number in least.active:
-        limit = _limit(scene, number)
+        limit = limit_of(scene, number)
         if limit is not None:
             _, before, way, _ = limit
-            asked += [
-                (number, limit, False, before * (1 + way * PART)),
-                (number, limit, True, next_preferred(before, way)),
-            ]
+            asked += [(number, limit, preferred, loosened(before, way, preferred)) for preferred in (False, True)]
     found = heights([relaxed(scene, limit[0], after) for _, limit, _, after in asked]) if asked else []
     for (number, (key, before, _, unit), preferred, after), height in zip(asked, found, strict=True):
         yield Relaxation(number, key, unit, before, after, preferred, height, least.height - height)
 
 
-def _limit(scene: Scene, number: int) -> tuple[str, float, int, str] | None:
+def limit_of(scene: Scene, number: int) -> tuple[str, float, int, str] | None:
     """The limit behind a constraint: its key in the spec, its value, and which way is looser."""
     need, limits = scene.requirements, scene.limits
     by_stress: tuple[str, float | None, int, str] = ("bending", need.bending, 1, "Pa")
@@ -75,6 +72,11 @@ def relaxed(scene: Scene, key: str, value: float) -> Scene:
         change: dict[str, Any] = {key: value}
         need = replace(need, **change)
     return replace(scene, limits=limits, requirements=need)
+
+
+def loosened(value: float, way: int, preferred: bool) -> float:
+    """A limit 1 % looser, or the next preferred number."""
+    return next_preferred(value, way) if preferred else value * (1 + way * PART)
 
 
 def next_preferred(value: float, way: int) -> float:

@@ -17,7 +17,19 @@ NAMES = {
     7: "bending of the stem",
     8: "pressure in the guide",
     9: "contact stress",
+    10: "pressure angle",
+    11: "room at the pivot",
 }
+
+
+# what stands for the places in keys of sizes: a rocker has the distance of the centres for the height of a guide
+STEM = {"height": "H2", "start": "S0", "length": "l"}
+ROCKER = {"height": "l0", "start": "R0", "length": "l2"}
+
+
+def sized(kind: str) -> dict[str, str]:
+    """The names of the sizes of a kind of follower."""
+    return ROCKER if kind == "oscillating" else STEM
 
 
 @record
@@ -43,10 +55,12 @@ class Check:
 class Choice:
     """Sizes and how they keep the constraints."""
 
-    start: float = quantity("S0_{kind}[m]", "start distance", symbol="S_0")
+    start: float = quantity("{start}_{kind}[m]", "start distance S0; of a rocker the base circle R0")
     roller: float = quantity("r2_{kind}[m]", "radius of the roller", symbol="r_2")
-    height: float = quantity("H2_{kind}[m]", "height of the mechanism", symbol="H_2")
-    length: float = quantity("l_{kind}[m]", "length of the guide")
+    height: float = quantity(
+        "{height}_{kind}[m]", "height H2 of the mechanism; of a rocker the distance l0 of the centres"
+    )
+    length: float = quantity("{length}_{kind}[m]", "length l of the guide; of a rocker its own length l2")
     checks: tuple[Check, ...]
 
     @derived("active", "numbers of the constraints that are just met")
@@ -83,8 +97,8 @@ class Relaxation:
     before: float = quantity("from[{unit}]", "limit before")
     after: float = quantity("to[{unit}]", "limit after")
     preferred: bool  # to the next preferred number, else by 1 %
-    height: float = quantity("H2[m]", "least height of the mechanism then", symbol="H_2")
-    gain: float = quantity("gain[m]", "by how much the height falls")
+    height: float = quantity("{height}[m]", "least height of the mechanism then, of a rocker distance of the centres")
+    gain: float = quantity("gain[m]", "by how much that falls")
 
 
 @record
@@ -96,18 +110,23 @@ class Option:
     safety: float | None = quantity("K1", "safety of the contact by which the spring is sized")  # None: it is not
     allowed: float | None = quantity("contact[Pa]", "allowed contact stress", symbol="[sigma_H]")
     ratio: float | None = quantity("roller_ratio", "radius of the roller over that of its pin", symbol="alpha_0")
-    height: float = quantity("H2[m]", "least height of the mechanism in whole steps", symbol="H_2")
-    start: float = quantity("S0[m]", "start distance", symbol="S_0")
+    height: float = quantity(
+        "{height}[m]", "least height of the mechanism in whole steps, of a rocker distance of the centres"
+    )
+    start: float = quantity("{start}[m]", "start distance; of a rocker the base circle")
     roller: float = quantity("r2[m]", "radius of the roller", symbol="r_2")
-    least: float = quantity("H2_least[m]", "least height of the mechanism of any sizes")
+    least: float = quantity(
+        "{height}_least[m]", "least height of the mechanism of any sizes, of a rocker distance of the centres"
+    )
     active: tuple[int, ...] = quantity("active", "numbers of the constraints that are just met there")
     stress: float = quantity("sigma_H[Pa]", "largest contact stress at the step point")
     contact: float = quantity("R_max[N]", "largest force of the cam")
     torque: float = quantity("T_max[N*m]", "largest torque on the camshaft, without friction")
     driving: float = quantity("M_drive_max[N*m]", "largest driving torque, with friction", header="M_drive[N*m]")
-    stiffness: float = quantity("c[N/m]", "stiffness of the spring")
-    preload: float = quantity("Q0[N]", "preload of the spring", symbol="Q_0")
+    stiffness: float = quantity("c[{rate}]", "stiffness of the spring")
+    preload: float = quantity("{spring}0[{force}]", "preload of the spring")
     refused: str = quantity("refused", "why there is no solution; empty if there is")
+    length: float | None = quantity("l2[m]", "length of the rocker", symbol="l_2", default=None)  # None: a stem
 
     @property
     def name(self) -> str:
@@ -146,7 +165,7 @@ class FlatChart:
 class Corner:
     """Where two constraints bind."""
 
-    start: float = quantity("S0[m]", "start distance", symbol="S_0")
+    start: float = quantity("{start}[m]", "start distance; of a rocker the base circle")
     roller: float = quantity("r2[m]", "radius of the roller", symbol="r_2")
     numbers: tuple[int, int] = quantity("constraints", "constraints before and after the corner along the border")
 
@@ -160,7 +179,7 @@ class Corner:
 class Outline:
     """A closed border of the region, counter-clockwise; the last point is the first."""
 
-    start: Values = quantity("S0[m]", "start distance", symbol="S_0")  # (n,)
+    start: Values = quantity("{start}[m]", "start distance; of a rocker the base circle")  # (n,)
     roller: Values = quantity("r2[m]", "radius of the roller", symbol="r_2")  # (n,)
     edge: Indices = quantity(  # (n - 1,)
         "constraint", "number of the constraint from a point to the next; 0: border of the plane"
@@ -174,7 +193,7 @@ class Curve:
     """A stretch of the line on which one constraint is just met."""
 
     number: int = quantity("constraint", "number of the constraint")
-    start: Values = quantity("S0[m]", "start distance", symbol="S_0")  # (n,)
+    start: Values = quantity("{start}[m]", "start distance; of a rocker the base circle")  # (n,)
     roller: Values = quantity("r2[m]", "radius of the roller", symbol="r_2")  # (n,)
 
 
@@ -182,7 +201,7 @@ class Curve:
 class Contour:
     """The region at one height; no outlines if it is empty."""
 
-    height: float = quantity("H2[m]", "height of the mechanism", symbol="H_2")
+    height: float = quantity("{height}[m]", "height of the mechanism; of a rocker distance of the centres")
     outlines: tuple[Outline, ...]
     curves: tuple[Curve, ...]
     window: tuple[float, float, float, float]  # S0 from, to, r2 from, to [m]
@@ -201,14 +220,14 @@ class CamOptimum:
     phases: str = quantity("phases", "turn or rise: what was examined")
     step: float  # of S0 and r2 [m]
     height_step: float  # of H2 [m]
-    stiffness: float = quantity("c[N/m]", "stiffness of the spring")
-    preload: float = quantity("Q0[N]", "preload of the spring", symbol="Q_0")
+    stiffness: float = quantity("c[{rate}]", "stiffness of the spring")
+    preload: float = quantity("{spring}0[{force}]", "preload of the spring")
     safety: float | None  # what the spring reaches of K1; None: nothing lifts off
     offset: float | None = quantity("e[m]", "offset of all the mechanisms, in the user's sense")  # None: a flat face
     theta: tuple[float, float] | None  # largest |theta| on rise and return at the chosen sizes [rad]
     chosen: Choice  # in whole steps
     # (n,) of all feasible step points at its height, the best first
-    start: Values = quantity("S0[m]", "start distance", symbol="S_0")
+    start: Values = quantity("{start}[m]", "start distance; of a rocker the base circle")
     roller: Values = quantity("r2[m]", "radius of the roller", symbol="r_2")
     margin: Values = quantity("least_margin", "least margin of the constraints")
     examined: int = quantity("examined", "step points that were looked at")
@@ -226,6 +245,13 @@ class CamOptimum:
     # where what is asked has no solution, all but ``options`` is of the lowest of them
     refused: str = quantity("refused", "why what is asked has no solution", default="")
     shown: tuple[str, ...] = quantity("option_shown", "the changes of the option that is shown", default=())
+    # (n,) of the step points; None: a stem
+    length: Values | None = quantity("l2[m]", "length of the rocker", symbol="l_2", default=None)
+
+    @property
+    def names(self) -> dict[str, str]:
+        """What stands for the places in keys of sizes."""
+        return sized(self.kind)
 
     @derived("left_by", "how many step points each constraint alone leaves")
     def left_by(self) -> dict[str, int]:

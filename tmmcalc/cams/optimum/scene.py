@@ -93,9 +93,11 @@ def scene_of(task: CamTask, follower: Follower, phases: Phases = "turn", denser:
     load = -pressing(loads, spring, at)
     worst = int(np.argmax(load))
     if load[worst] >= 0:
+        what = "moments about the pivot" if follower.kind == "oscillating" else "forces along the lift"
+        unit = "N*m" if follower.kind == "oscillating" else "N"
         raise NoSolutionError(
-            f"at phi = {np.degrees(phi[worst]):.5g} deg the follower leaves the cam: the forces along the lift "
-            f"come to {load[worst]:.5g} N, whatever S0 and r2 are",
+            f"at phi = {np.degrees(phi[worst]):.5g} deg the follower leaves the cam: the {what} "
+            f"come to {load[worst]:.5g} {unit}, whatever {'its sizes' if unit == 'N*m' else 'S0 and r2'} are",
             where=WHERE,
             value=float(load[worst]),
             limit=0.0,

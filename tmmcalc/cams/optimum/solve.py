@@ -17,9 +17,13 @@ from tmmcalc.cams.optimum.errors import optimum_errors
 from tmmcalc.cams.optimum.leastheight import least_height
 from tmmcalc.cams.optimum.margins import SLACK, margins
 from tmmcalc.cams.optimum.options import changed, options, options_without, variants
+from tmmcalc.cams.optimum.plane import Plane
 from tmmcalc.cams.optimum.refusal import refusal
 from tmmcalc.cams.optimum.relaxation import relaxations
 from tmmcalc.cams.optimum.results import CamOptimum, Choice, Contour
+from tmmcalc.cams.optimum.rocker import follower_of, four, rocker_contour, rocker_relaxations, smallest
+from tmmcalc.cams.optimum.rockererrors import rocker_errors
+from tmmcalc.cams.optimum.rockersizes import rocker_choice, rocker_scene
 from tmmcalc.cams.optimum.scene import WHERE, Phases, Scene, scene_of
 from tmmcalc.cams.optimum.section import section_of
 from tmmcalc.cams.optimum.verdicts import optimum_notes
@@ -41,7 +45,7 @@ def solve_optimum(
 
     ``follower`` gives its kind and offset; ``phases``, in place of the task's own, is what of the turn is examined:
     all of it, or, as in the textbook, the rise alone. The speed is that of the machine if it is known.
-    Raises `UsageError` for a rocker, a groove, without loads, and for too many options; `NoSolutionError`, which names
+    Raises `UsageError` for a groove, without loads, and for too many options; `NoSolutionError`, which names
     the constraints, where no sizes keep them all, whatever the option. Where an option has a solution and what is asked
     has none, the result is that of the lowest option.
     """
@@ -88,6 +92,8 @@ def _lowest_option(
 
 def _solved(task: CamTask, follower: Follower, asked: Optimum, phases: Phases) -> CamOptimum:
     """The result as asked, with its options; raises as `solve_optimum` does."""
+    if follower.kind == "oscillating":
+        return _rocker(task, follower, asked, phases)
     scene = scene_of(task, follower, phases)
     if follower.kind == "flat":
         return _flat(task, follower, scene, asked, phases)
@@ -165,13 +171,44 @@ def _flat(task: CamTask, follower: Follower, scene: Scene, asked: Optimum, phase
     )
 
 
+def _rocker(task: CamTask, follower: Follower, asked: Optimum, phases: Phases) -> CamOptimum:
+    """The same of a rocker: in place of height, start distance and guide stand l0, R0 and l2."""
+    of = rocker_scene(task, follower, phases)
+    scene, found = of.scene, smallest(of, asked)
+    steps = found.steps
+    chosen, least = (rocker_choice(of, four(each)) for each in (steps.sizes[:, 0], found.least))
+    theta = reached(task, follower_of(follower, chosen))
+    return CamOptimum(
+        kind=follower.kind,
+        phases=phases,
+        step=asked.step,
+        height_step=asked.step,
+        stiffness=scene.spring.stiffness,
+        preload=scene.spring.preload,
+        safety=scene.spring.reached,
+        offset=None,
+        theta=(abs(theta[0].worst.value), abs(theta[1].worst.value)),
+        chosen=chosen,
+        start=steps.sizes[1],
+        roller=steps.sizes[2],
+        margin=np.min(steps.margin, axis=0),
+        examined=steps.examined,
+        excluded=steps.excluded,
+        passed=(),
+        least=least,
+        asked=None,
+        contours=(rocker_contour(of, found),),
+        relaxations=tuple(rocker_relaxations(of, asked, found.least)),
+        options=tuple(options(task, scene, chosen, least, asked, phases)),
+        section=None,
+        flat=None,
+        notes=tuple(optimum_notes(task, scene, chosen, least, theta)),
+        error=rocker_errors(task, follower, phases, of, chosen, least),
+        length=steps.sizes[0],
+    )
+
+
 def _check(task: CamTask, follower: Follower) -> None:
-    if follower.kind == "oscillating":
-        raise UsageError(
-            "there is no optimal design of a rocker: the method is that of a follower in a guide",
-            where=WHERE,
-            remedy="follower = 'translating' or 'flat'; or leave [cam.optimum] out",
-        )
     if task.asked.closure == "groove":
         raise UsageError(
             "the optimal design is that of force closure: in a groove the roller slips wherever R changes its sign",
@@ -185,9 +222,9 @@ def _contours(scene: Scene, found: Found, known: Candidates, least: Choice, top:
     if top is not None:
         seeds = _feasible(scene, known, least, top)
         if seeds[0].size:
-            yield contour(scene, top, seeds)
+            yield contour(Plane(scene, top), seeds)
     if top is None or abs(top - found.height) > SLACK:
-        yield contour(scene, found.height, (found.start, found.roller))
+        yield contour(Plane(scene, found.height), (found.start, found.roller))
 
 
 def _feasible(scene: Scene, known: Candidates, least: Choice, top: float) -> tuple[Values, Values]:

@@ -10,6 +10,8 @@ from tmmcalc.cams.optimum.scene import Scene
 from tmmcalc.cams.pressure.angle import Reached
 from tmmcalc.cams.task import CamTask
 
+SAME = 1e-9  # of a size: it stands at the end of a range
+
 
 def optimum_notes(
     task: CamTask, scene: Scene, chosen: Choice, least: Choice, theta: tuple[Reached, ...]
@@ -33,8 +35,11 @@ def optimum_notes(
             f"warning: the height of [cam.guide] top, {1e3 * top:.5g} mm, is below the least possible "
             f"{1e3 * least.height:.6g} mm: no sizes keep all constraints at it"
         )
-    if task.guide.gap == 0 and least.roller:
+    if scene.follower.kind == "translating" and task.guide.gap == 0:
         yield "note: the guide begins where the roller ends at its highest: [cam.guide] gap is 0"
+    if scene.follower.kind == "oscillating":
+        yield from _between(chosen, task)
+        return
     yield from _pressed(chosen, theta)
 
 
@@ -47,3 +52,14 @@ def _pressed(chosen: Choice, theta: tuple[Reached, ...]) -> Iterator[str]:
                 f"{degrees(abs(on.worst.value)):.5g} deg, beyond the {degrees(on.limit):.5g} deg of [cam.limits]: it "
                 "is none of the constraints, which judge what it does to guide, stem and roller"
             )
+
+
+def _between(chosen: Choice, task: CamTask) -> Iterator[str]:
+    """Where a range that is asked for, and none of the constraints, holds a size of a rocker."""
+    asked = task.optimum
+    for key, size, ends in (
+        ("rocker_lengths", chosen.length, asked and asked.rocker_lengths),
+        ("centre_distances", chosen.height, asked and asked.centre_distances),
+    ):
+        if ends and min(abs(size - end) for end in ends) < SAME * size:
+            yield f"note: [cam.optimum] {key} holds the size of {1e3 * size:.6g} mm: it is at the end of its range"

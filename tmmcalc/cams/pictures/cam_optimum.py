@@ -26,6 +26,7 @@ from tmmcalc.report.drawing.style import CURVES, INK, MARK
 from tmmcalc.report.numbers import number
 
 STYLES: dict[int, dict[str, Any]] = dict(zip(NUMBERS, CURVES, strict=True))
+STYLES |= {10: STYLES[7], 11: STYLES[8]}  # of a rocker, which has neither stem nor guide
 REGION: dict[str, Any] = {"facecolor": "#dfeaf4"}
 BORDER: dict[str, Any] = {"color": INK, "linewidth": 2.0, "zorder": 6}
 CHOSEN: dict[str, Any] = {"color": MARK, "marker": "o", "markersize": 6.5, "markeredgecolor": INK, "linestyle": ""}
@@ -73,17 +74,28 @@ def _option(result: CamOptimum) -> str:
     return f"; {', '.join(result.shown)}" if result.shown else ""
 
 
+def _typeset(result: CamOptimum, name: str) -> str:
+    """A size of the kind of follower as it is typeset."""
+    size = result.names[name]
+    return f"${size[0]}_{size[1:]}$"
+
+
 def _contour_sheet(sheet: SubFigure, result: CamOptimum, contour: Contour) -> Callable[[], None]:
     height = number(1e3 * contour.height, 6)
-    offset = f", $e$ = {signed(1e3 * (result.offset or 0.0), 6)} mm"
-    sheet.suptitle(f"Blocking contour at $H_2$ = {height} mm{offset}{_option(result)}", fontsize=10)
+    also = f", $e$ = {signed(1e3 * (result.offset or 0.0), 6)} mm"
+    if result.kind == "oscillating":
+        also = f", $l_2$ = {number(1e3 * result.chosen.length, 6)} mm"
+    sheet.suptitle(
+        f"Blocking contour at {_typeset(result, 'height')} = {height} mm{also}{_option(result)}", fontsize=10
+    )
     left, right = sheet.subfigures(1, 2, squeeze=False, width_ratios=[1.75, 1.0])[0]
     plane, key = left.subplots(), right.subplots()
     key.set_axis_off()
     low, high, bottom, top = (1e3 * v for v in contour.window)
     plane.set_xlim(low, high)
     plane.set_ylim(bottom, top)
-    _axes(plane, "start distance $S_0$, mm", "roller radius $r_2$, mm")
+    across = "base circle $R_0$, mm" if result.kind == "oscillating" else "start distance $S_0$, mm"
+    _axes(plane, across, "roller radius $r_2$, mm")
     lowest = abs(contour.height - result.chosen.height) < 1e-9
 
     def finish() -> None:
@@ -122,15 +134,26 @@ def _draw_plane(axes: Axes, result: CamOptimum, contour: Contour, lowest: bool) 
 def _points(axes: Axes, labels: Labels, result: CamOptimum, lowest: bool) -> None:
     chosen = complex(result.chosen.start, result.chosen.roller) * 1e3
     if lowest:
-        for start, roller in zip(1e3 * result.start[1:], 1e3 * result.roller[1:], strict=True):
+        rows = np.flatnonzero(_beside(result))[1:]
+        for start, roller in zip(1e3 * result.start[rows], 1e3 * result.roller[rows], strict=True):
             axes.plot(start, roller, zorder=9, **OTHER)
             labels.avoid([complex(start, roller)], 3.0)
     axes.plot(chosen.real, chosen.imag, zorder=11, **CHOSEN)
-    least = complex(result.least.start, result.least.roller) * 1e3
-    axes.plot(least.real, least.imag, zorder=10, **LEAST)
-    labels.avoid([chosen, least], 3.0)
+    labels.avoid([chosen], 3.0)
+    if result.kind != "oscillating":
+        least = complex(result.least.start, result.least.roller) * 1e3
+        axes.plot(least.real, least.imag, zorder=10, **LEAST)
+        labels.avoid([least], 3.0)
     text = f"({number(chosen.real, 6)}; {number(chosen.imag, 6)})"
     labels.put(text, [chosen], size=7.5, gaps=(1.8, 2.8, 4.0))
+
+
+def _beside(result: CamOptimum) -> np.ndarray[Any, np.dtype[np.bool_]]:
+    """Which step points (n,) stand in the plane of the contour: those with the rocker of the best one."""
+    if result.length is None:
+        return np.ones(len(result.start), bool)
+    found: np.ndarray[Any, np.dtype[np.bool_]] = result.length == result.length[0]
+    return found
 
 
 def _contour_key(result: CamOptimum, contour: Contour, seen: list[int], lowest: bool) -> Iterator[Part]:
@@ -142,16 +165,19 @@ def _contour_key(result: CamOptimum, contour: Contour, seen: list[int], lowest: 
             (" and ".join(map(str, corner.numbers)), f"({1e3 * corner.start:.4f}; {1e3 * corner.roller:.4f})")
             for corner in corners
         ]
-        yield Part("Corners ($S_0$; $r_2$), mm", rows)
-    chosen = result.chosen
+        yield Part(f"Corners ({_typeset(result, 'start')}; $r_2$), mm", rows)
+    chosen, size = result.chosen, _typeset(result, "height")
+    best, mark = ("smallest", "") if result.kind == "oscillating" else ("lowest", "diamond: ")
     sizes = [
-        ("circle: lowest in whole steps", f"$H_2$ = {number(1e3 * chosen.height, 6)} mm"),
-        ("diamond: lowest of any sizes", f"$H_2$ = {number(1e3 * result.least.height, 7)} mm"),
+        (f"circle: {best} in whole steps", f"{size} = {number(1e3 * chosen.height, 6)} mm"),
+        (f"{mark}{best} of any sizes", f"{size} = {number(1e3 * result.least.height, 7)} mm"),
     ]
-    if lowest and len(result.start) > 1:
-        sizes.append(("small circles: other feasible steps", str(len(result.start) - 1)))
+    others = int(np.count_nonzero(_beside(result))) - 1
+    if lowest and others:
+        sizes.append(("small circles: other feasible steps", str(others)))
     yield Part("Points", sizes)
-    yield Part("Margins of the circle at its height", list(_margins(chosen)))
+    where = "" if result.kind == "oscillating" else " at its height"
+    yield Part(f"Margins of the circle{where}", list(_margins(chosen)))
 
 
 def _margins(chosen: Choice) -> Iterator[tuple[str, str]]:

@@ -15,6 +15,7 @@ solve = "tmmcalc.cams.forces.solve:solve_forces"
 takes = {"cam_synthesis": "follower"}
 kind = CamForces
 columns = "tmmcalc.cams.forces.columns:force_columns"
+further = "tmmcalc.cams.further:of_forces"
 
 
 def inputs(spec: CamTables) -> CamTask:

@@ -14,6 +14,8 @@ inputs = cam_of
 solve = solve_law
 kind = LawResult
 columns = law_columns
+further = "tmmcalc.cams.further:of_law"
+details = "tmmcalc.cams.laws.details:law_details"
 
 
 def packages(spec: CamTables) -> tuple[str, ...]:

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 solve = "tmmcalc.cams.synthesis.solve:solve_synthesis"
 kind = Synthesis
 found = "tmmcalc.cams.tables.found:of_synthesis"
+details = "tmmcalc.cams.synthesis.candidates:size_candidates"
 
 
 def inputs(spec: CamTables) -> CamTask:

@@ -35,19 +35,28 @@ def rolling(
     """
     y, y1, y2 = motion[0], motion[1], motion[2]
     place = y + (follower.start if start is None else start)
-    if follower.kind == "oscillating":  # derivatives along the line of centres and across it
-        d, l0, l2 = follower.assembly, follower.centres, follower.rocker
-        w = 1 - d * y1
-        cosine, sine = l2 * np.cos(place), l2 * np.sin(place)
-        x1, along = -d * w * sine, l0 - w * cosine
-        x2, across = w * w * cosine + y2 * sine - l0, d * (y2 * cosine - w * w * sine)
-        square = x1 * x1 + along * along
-        speed = np.sqrt(square)
-        return (x1 * across - along * x2) / (square * speed), (x1 * x2 + along * across) / speed
+    if follower.kind == "oscillating":
+        turned = np.cos(place), np.sin(place)
+        return rocker_rolling(follower.assembly, motion, turned, follower.centres, follower.rocker)
     slide = y1 + (follower.offset if offset is None else offset)
     square = place * place + slide * slide
     speed = np.sqrt(square)
     return (square + slide * y1 - place * y2) / (square * speed), (place * y1 + slide * y2) / speed
+
+
+def rocker_rolling(
+    assembly: int, motion: Values, turned: tuple[Values, Values], centres: Number, rocker: Number
+) -> tuple[Values, Values]:
+    """The same of a rocker whose psi has this cosine and sine, with l0 and l2 [m] (..., 1)."""
+    y1, y2 = motion[1], motion[2]
+    w = 1 - assembly * y1
+    cosine, sine = rocker * turned[0], rocker * turned[1]
+    # derivatives along the line of centres and across it
+    x1, along = -assembly * w * sine, centres - w * cosine
+    x2, across = w * w * cosine + y2 * sine - centres, assembly * (y2 * cosine - w * w * sine)
+    square = x1 * x1 + along * along
+    speed = np.sqrt(square)
+    return (x1 * across - along * x2) / (square * speed), (x1 * x2 + along * across) / speed
 
 
 def flat_radius(motion: Values, start: Number) -> Values:

@@ -21,6 +21,7 @@ Distance = Annotated[float, Within("length", "mm", 1e-3, 0, 1e5, bare=2.0)]
 Pressure = Annotated[float, _PRESSURE]
 ReturnPressure = Annotated[Any, OrFalse(_PRESSURE)]
 LawNames = Annotated[list[str], Listed(LawForm.KNOWN, '["sine", "shun", "const"]')]
+Ends = Annotated[list[float], Listed(_SIZE, '["90 mm", "120 mm"]', 2)]
 Heights = Annotated[list[float], Listed(_SIZE, '["100 mm", "140 mm"]', 2)]
 Load = Annotated[float, Quantity("force", "moment")]
 Place = Annotated[float, Quantity("angle", at_least_zero=True)]
@@ -249,14 +250,27 @@ class CamRequirementsTable(Table):
 
 
 class CamOptimumTable(Table):
-    """The search for the lowest mechanism over start distance and roller radius."""
+    """The search for the lowest mechanism; of a rocker for the least distance of the centres."""
 
-    step: Size = Field(default=1e-3, description="Step of start distance and roller radius.")
+    step: Size = Field(
+        default=1e-3,
+        description="Step of start distance and roller radius; of a rocker of l0, l2, R0 and r2.",
+    )
     height_step: Size = Field(default=1e-3, description="Step of the height of the guide's upper edge.")
     heights: Heights | None = Field(
         default=None,
         description='Heights of the guide\'s upper edge, from and to, `["100 mm", "140 mm"]` (default: '
         "from the least possible).",
+    )
+    centre_distances: Ends | None = Field(
+        default=None,
+        description='Of a rocker: distances l0 of the centres, from and to, `["80 mm", "120 mm"]` (default: from the '
+        "least possible).",
+    )
+    rocker_lengths: Ends | None = Field(
+        default=None,
+        description='Of a rocker: its lengths l2, from and to; twice the same: one that is given, `["90 mm", "90 mm"]` '
+        "(default: any).",
     )
     phases: Annotated[Literal["turn", "rise"], Known("part of the turn", ("turn", "rise"))] = Field(
         default="turn",

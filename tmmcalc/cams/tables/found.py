@@ -58,17 +58,38 @@ def of_optimum(spec: CamTables, result: CamOptimum, choose: int | None = None) -
     """The lowest mechanism in whole steps; its search goes, and what would settle a size twice."""
     assert spec.cam is not None
     chosen = result.chosen
+    if result.kind == "oscillating":
+        return _smallest(result)
     changes = [Change(("cam", "start_distance"), chosen.start, "mm")]
     if result.kind != "flat":
         changes.append(Change(("cam", "roller_radius"), chosen.roller, "mm"))
     if result.offset and spec.cam.offset is None:
         changes.append(Change(("cam", "offset"), result.offset, "mm"))
     changes.append(Change(("cam", "guide", "top"), chosen.height, "mm"))
-    if result.shown:
-        option = next(each for each in result.options if each.changes == result.shown)
-        changes += _of_option(result.options[0], option)
+    changes += _of_shown(result)
     gone = (("base_radius",), ("guide", "length"), ("optimum",))
     return Found((*changes, *(Change(("cam", *key)) for key in gone)), ends=("cam_optimum",))
+
+
+def _smallest(result: CamOptimum) -> Found:
+    """The triangle of the smallest mechanism with a rocker by its three lengths, and the roller."""
+    chosen = result.chosen
+    sizes = {
+        "centre_distance": chosen.height,
+        "rocker_length": chosen.length,
+        "base_radius": chosen.start,
+        "roller_radius": chosen.roller,
+    }
+    changes = [*(Change(("cam", key), size, "mm") for key, size in sizes.items()), *_of_shown(result)]
+    gone = (("start_angle",), ("optimum",))
+    return Found((*changes, *(Change(("cam", *key)) for key in gone)), ends=("cam_optimum",))
+
+
+def _of_shown(result: CamOptimum) -> Iterator[Change]:
+    """What the option that is shown changes, where it is not what is asked."""
+    if result.shown:
+        option = next(each for each in result.options if each.changes == result.shown)
+        yield from _of_option(result.options[0], option)
 
 
 def _of_option(asked: Option, shown: Option) -> Iterator[Change]:

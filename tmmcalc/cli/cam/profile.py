@@ -49,6 +49,7 @@ def command(
     scene = job.spec()
     run = job.run(scene, "cam_profile")
     from tmmcalc.cams.facts.cam_profile import document as profile_document
+    from tmmcalc.cams.further import of_profile
     from tmmcalc.cams.tables.tasks.cam import to_cam
     from tmmcalc.report.rows import rows_of
 
@@ -60,6 +61,7 @@ def command(
         rows=rows_of(positions, result.positions.labels),
         everything=form is not Format.table,
         where=table_file(run, "cam_profile"),
+        further=of_profile(scene, run.results) if patterns else (),
     )
     contents = _contents(result, to_cam(scene), files, heading) if files else {}
     job.finish(document, run, form)

@@ -23,7 +23,7 @@ def command(
     """Every requirement as a margin with its formula: slip, profile, pin, shaft, stem, guide, contact stress.
 
     What has no data is told as not judged. --columns and --positions choose from the table over the turn, which
-    --format csv prints as well.
+    --format csv prints as well. By name alone: pressure angle, force and reduced curvature (theta,R,kappa_red).
 
     Example: tmmcalc cam strength my.toml --turn --columns "phi,D,sigma_H"
     """
@@ -33,5 +33,12 @@ def command(
     from tmmcalc.cams.facts.cam_strength import turn_document
     from tmmcalc.report.rows import rows_of
 
-    rows, where = rows_of(positions, result.positions.labels), solved.where
-    return turn_document(result, solved.title, patterns=patterns, rows=rows, everything=solved.everything, where=where)
+    return turn_document(
+        result,
+        solved.title,
+        patterns=patterns,
+        rows=rows_of(positions, result.positions.labels),
+        everything=solved.everything,
+        where=solved.where,
+        **solved.further(patterns),
+    )

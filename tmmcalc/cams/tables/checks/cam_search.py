@@ -13,6 +13,7 @@ from tmmcalc.spec.values import amounts
 
 # What the search for the lowest mechanism needs: without them nothing holds the guide, and the roller.
 _GUIDED = (("loads", "mass"), ("guide", "stem_radius"), ("guide", "land"), ("requirements", "guide_pressure"))
+_TURNED = (("loads", "inertia"),)
 _ROLLING = (("requirements", "width"), ("requirements", "contact"))
 _OPTIONS = ("laws", "safeties", "contacts", "roller_ratios")
 MOST_OPTIONS = 60  # mechanisms in one design game; a test holds it to that of the search
@@ -22,20 +23,24 @@ def check_optimum(outline: Outline) -> Iterator[Finding]:
     """The search has what its constraints need; heights run upwards."""
     cam = written_cam(outline)
     optimum = cam.part("optimum")
-    if cam.has("optimum") and cam.kind in ("translating", "flat"):
+    if cam.has("optimum") and cam.kind:
         pinned = cam.kind == "flat" or "pin_pressure" in cam.part("requirements")
-        needed = _GUIDED if pinned else (*_GUIDED, *_ROLLING)
+        held = _TURNED if cam.kind == "oscillating" else _GUIDED
+        needed = held if pinned else (*held, *_ROLLING)
         known = {("requirements", "contact")} if "material" in cam.part("requirements") else set()
         absent = [
             f"{key} in [cam.{part}]" for part, key in needed if key not in cam.part(part) and (part, key) not in known
         ]
         if absent:
-            rule = "[cam.optimum] without what holds the sizes: guide and roller would become as small as you please"
+            what = "cam and roller" if cam.kind == "oscillating" else "guide and roller"
+            rule = f"[cam.optimum] without what holds the sizes: {what} would become as small as you please"
             yield Finding(place("optimum"), rule, f"add {listing(absent)}")
-    heights = amounts(optimum.get("heights"), "length")
-    if heights is not None and len(heights) == 2 and heights[0] >= heights[1]:
-        rule = f"{show(optimum['heights'])} runs backwards"
-        yield Finding(place("optimum", "heights"), rule, "write the smaller height first")
+    for key, what in (("heights", "height"), ("centre_distances", "distance"), ("rocker_lengths", "length")):
+        ends = amounts(optimum.get(key), "length")
+        if ends is None or len(ends) != 2 or ends[0] < ends[1] or (ends[0] == ends[1] and key == "rocker_lengths"):
+            continue
+        rule = f"{show(optimum[key])} runs backwards"
+        yield Finding(place("optimum", key), rule, f"write the smaller {what} first")
 
 
 def check_game(outline: Outline) -> Iterator[Finding]:

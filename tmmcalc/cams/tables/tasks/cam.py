@@ -247,11 +247,16 @@ def _optimum(table: CamTable) -> Optimum | None:
     given = table.optimum
     if given is None:
         return None
-    heights = None if given.heights is None else (given.heights[0], given.heights[1])
+    heights, centres, rockers = (
+        None if ends is None else (ends[0], ends[1])
+        for ends in (given.heights, given.centre_distances, given.rocker_lengths)
+    )
     return Optimum(
         step=given.step,
         height_step=given.height_step,
         heights=heights,
+        centre_distances=centres,
+        rocker_lengths=rockers,
         phases=given.phases,
         laws=tuple(given.laws or ()),
         safeties=tuple(given.safeties or ()),
