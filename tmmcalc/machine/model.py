@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from tmmcalc.machine.transient.scenario import Scenario
 
 
+Interpolation = Literal["linear", "pchip", "spline"]  # of points over a period
+
+
 @record
 class TorqueFormula:
     """A formula of theta, as `diagram.from_formula` reads it."""
@@ -42,7 +45,17 @@ class TorquePoints:
 
     theta: tuple[float, ...]  # ascending, of linear ones two equal at a jump [rad]
     moment: tuple[float, ...]  # [N*m]
-    interpolation: Literal["linear", "pchip"] = "linear"
+    interpolation: Interpolation = "linear"
+
+
+@record
+class InertiaPoints:
+    """Reduced inertia at angles, as `diagram.from_inertia` takes it."""
+
+    theta: tuple[float, ...]  # ascending [rad]
+    inertia: tuple[float, ...]  # J [kg*m^2]
+    period: float  # after which it repeats [rad]
+    interpolation: Interpolation = "spline"
 
 
 @record
@@ -56,6 +69,7 @@ class TorqueTask:
     delays: tuple[float, ...] = ()  # of equal diagrams on the shaft [rad]; empty: one alone
     inertia: float = 0.0  # constant, of the shaft [kg*m^2]
     balanced: bool = False  # with the constant moment that closes the work of a cycle
+    reduced: InertiaPoints | None = None  # what varies with the angle, of each diagram
 
 
 @record

@@ -13,6 +13,7 @@ from tmmcalc.machine.model import (
     DriveShaft,
     FlywheelTask,
     Gears,
+    InertiaPoints,
     MotionTask,
     MotorChoice,
     TorqueFormula,
@@ -183,6 +184,7 @@ def to_torque(spec: MachineTables) -> TorqueTask | None:
         law=_torque_law(table),
         delays=_delays(table),
         inertia=table.inertia,
+        reduced=_reduced_inertia(table),
         balanced=table.balanced,
     )
 
@@ -202,8 +204,21 @@ def _torque_law(table: TorqueTable) -> TorqueFormula | TorqueHarmonics | TorqueP
     assert table.table is not None
     curve = table.table
     moments = tuple(curve.moment or ())
-    steps = (i * table.period / len(moments) for i in range(len(moments)))
-    return TorquePoints(tuple(steps if curve.theta is None else curve.theta), moments, curve.interpolation)
+    return TorquePoints(_angles(curve.theta, len(moments), table.period), moments, curve.interpolation)
+
+
+def _reduced_inertia(table: TorqueTable) -> InertiaPoints | None:
+    """The reduced inertia that varies with the angle."""
+    curve = table.reduced_inertia
+    if curve is None:
+        return None
+    values, period = tuple(curve.inertia or ()), curve.period or table.period
+    return InertiaPoints(_angles(curve.theta, len(values), period), values, period, curve.interpolation)
+
+
+def _angles(given: list[float] | None, count: int, period: float) -> tuple[float, ...]:
+    """The angles of a table, by default equal steps of its period [rad]."""
+    return tuple(i * period / count for i in range(count)) if given is None else tuple(given)
 
 
 def _delays(table: TorqueTable) -> tuple[float, ...]:
