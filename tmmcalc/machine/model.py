@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from tmmcalc.gears.openpair import OpenPair
     from tmmcalc.machine.balance.cylinders import Cylinder
     from tmmcalc.machine.balance.rotors import Rotor
+    from tmmcalc.machine.motors.braking import Braking
     from tmmcalc.machine.motors.model import CharacteristicKind, Motor
     from tmmcalc.machine.transient.methods import Method
     from tmmcalc.machine.transient.model import Shaft
@@ -145,6 +146,7 @@ class TransientTask(NamedTuple):
     scenario: Scenario
     method: Method
     steady: bool  # it begins in the steady motion at theta = 0: the scenario's speed is not known yet
+    braking: Braking | None = None  # how the motor is connected, where it brakes
 
 
 @record

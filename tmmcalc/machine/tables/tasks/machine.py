@@ -26,11 +26,12 @@ from tmmcalc.machine.model import (
 from tmmcalc.machine.tables.names import shaft_names, transient_names
 
 if TYPE_CHECKING:
+    from tmmcalc.machine.motors.braking import Braking
     from tmmcalc.machine.motors.model import CharacteristicKind, Motor
     from tmmcalc.machine.room import MachineTables
     from tmmcalc.machine.tables.motor import MotorTable
     from tmmcalc.machine.tables.torque import TorqueTable
-    from tmmcalc.machine.tables.transients import BrakeTable, TransientTable
+    from tmmcalc.machine.tables.transients import BrakeTable, BrakingTable, TransientTable
     from tmmcalc.machine.transient.scenario import Brake, Scenario
 
 CHOOSE = "choose"
@@ -238,6 +239,7 @@ def to_scenarios(spec: MachineTables) -> tuple[TransientTask, ...]:
             _scenario(table, name),
             Method(table.method, table.step, table.tolerance),
             table.begin == "steady",
+            _braking(table.braking),
         )
         for table, name in zip(spec.transients, transient_names([t.name for t in spec.transients]), strict=True)
     )
@@ -268,6 +270,14 @@ def _motor_times(table: TransientTable) -> tuple[tuple[float, float], ...]:
     if table.motor_on is not None:
         return tuple((on, off) for on, off in table.motor_on)
     return ((0.0, math.inf),) if table.motor != "off" else ()
+
+
+def _braking(table: BrakingTable | None) -> Braking | None:
+    if table is None:
+        return None
+    from tmmcalc.machine.motors.braking import Braking
+
+    return Braking(table.kind, table.resistance, table.voltage)
 
 
 def _brake(table: BrakeTable | None) -> Brake | None:
