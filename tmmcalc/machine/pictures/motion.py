@@ -131,6 +131,8 @@ def _ends(sense: float, panels: Panels, values: Values) -> tuple[tuple[float, fl
 def _finish_speed(axes: Axes, result: Motion, diagram: Diagram) -> None:
     """Limits about the speeds alone, the mean speed, that of the textbook, the legend."""
     everything = np.concatenate([line.values for line in diagram.lines])
+    if result.by_energy is not None:  # off by the mean, while the recurrence may swing without limit
+        everything = np.append(everything, result.by_energy.omega)
     low, high = float(everything.min()), float(everything.max())
     axes.set_ylim(low - ROOM * (high - low), high + ROOM * (high - low))
     mean = result.regime.mean
