@@ -15,8 +15,7 @@ import numpy as np
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.machine.flywheel.curve import nodal_work
-from tmmcalc.machine.recurrence import nodal_tables
+from tmmcalc.machine.nodes import nodal_tables, nodal_work
 from tmmcalc.machine.textbook import EnergyMotion
 
 WHERE = "motion by the energy (3.48)"
