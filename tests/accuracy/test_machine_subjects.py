@@ -106,6 +106,17 @@ def test_steady_motion_by_every_method() -> None:
     assert recurrence.order == pytest.approx(1.0, abs=0.2), "the load jumps between its nodes"
 
 
+def test_steady_motion_without_a_motor_by_every_method() -> None:
+    (study,) = studies_of("press", "motion").values()
+    assert study.reference.error < 1e-12
+    assert max(errors_of(study, "closed form on panels")) < 1e-12
+    first = errors_of(study, "energy (3.48), T0 = J(0) w_m^2/2")
+    assert max(first) - min(first) < 1e-3 * min(first), "what T0 lacks no number of nodes mends"
+    corrected = series_of(study, "energy (3.48), T0 by the mean")
+    assert errors_in(corrected)[-1] < 1e-3 * errors_in(corrected)[0]
+    assert corrected.order == pytest.approx(1.0, abs=0.2), "the load jumps between its nodes"
+
+
 START = """
 [[transients]]
 name = "start-up"

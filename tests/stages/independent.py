@@ -20,6 +20,7 @@ from tmmcalc.linkage.loading import GearDrive, Load, Loading
 from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.loadlaws.indicator import Indicator
 from tmmcalc.linkage.loadlaws.polynomial import Polynomial
+from tmmcalc.linkage.loadlaws.tabulated import Tabulated
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
@@ -75,7 +76,8 @@ class Project:
 
     def values(self, at: Motions) -> Values:
         """Laws that act on a part of the cycle alone."""
-        windowed = (load for load in self.loading.loads if load.window is not None or isinstance(load.law, Indicator))
+        along = (Indicator, Tabulated)
+        windowed = (load for load in self.loading.loads if load.window is not None or isinstance(load.law, along))
         return {load.name: lambda theta, load=load: acting(load, theta, at) for load in windowed}
 
     @cached_property
@@ -109,10 +111,12 @@ def project(name: str) -> Project:
 
 
 def acting(load: Load, theta: Array, at: Motions) -> Array:
-    """The size of a load on the last slider: in its window, on its stroke, by its indicator diagram."""
+    """The size of a load: in its window, on its stroke, by its indicator diagram, by its table over the whole cycle."""
     law, slider = load.law, at.point(load.link, load.point)
     if isinstance(law, Indicator):
         return indicated(law, dot(np.full(len(theta), load.direction), slider.r), theta)
+    if isinstance(law, Tabulated):
+        return np.interp(theta, law.x, law.values)
     assert load.window is not None
     if load.window.angles is None:  # the pump: delivery on the way out
         assert isinstance(law, Constant)

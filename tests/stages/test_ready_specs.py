@@ -15,11 +15,9 @@ from tmmcalc.project import templates
 
 from .independent import TURN, braked_angle, project, turned
 
-RUNNING = {
-    name: plan(tmmcalc.load_spec(templates.folder() / f"{name}.toml")).running
-    for name in templates.names()
-    if "/" not in name
-}
+SPECS = {name: tmmcalc.load_spec(templates.folder() / f"{name}.toml") for name in templates.names() if "/" not in name}
+# a torque diagram has no links to solve beside the package: machine/stages/test_reduced_inertia.py
+RUNNING = {name: plan(spec).running for name, spec in SPECS.items() if spec.torque is None}
 
 
 QUICK = {"four-bar", "class-three", "shaper", "press", "piston-pump", "four-stroke-engine"}  # the others are long

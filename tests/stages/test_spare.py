@@ -113,6 +113,10 @@ WIDER = {  # where one of these is said, or the scene is of another kind, the se
     GIVEN_MOTOR: NO_MOTOR,
     CLOSED: NO_SIFT,
     NO_SIFT: CLOSED,
+    FRICTION: DIAGRAM,
+    REDUCED: DIAGRAM,
+    SPRINGS: DIAGRAM,
+    RODS: DIAGRAM,
 }
 ONCE = (  # however many stages read them
     "linkage/kinematics.py:solve_kinematics",

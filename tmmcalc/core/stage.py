@@ -56,6 +56,12 @@ class Stage:
     ``errors(result)``    estimates of its errors; without it those of ``result.error``
     ``columns(result)``   its table for people: arrays by header, or columns of the rows of ``result.labels``; without
                           it the stage has none
+    ``omits(spec)``       sentences on what it leaves out within itself, because the scene has it not
+    ``packages(spec)``    heavy packages that it imports for this scene
+    ``found(spec, result, choose)``  what it found as keys of the spec, see `tmmcalc.spec.rewrite.Found`; of several
+                          solutions number ``choose``, from 1, None: the best
+    ``placed(spec, value)``  the spec with one row more, where the first of its columns has this value (a number with a
+                          unit or without): of stages whose rows are places that can be asked for, for `tmmcalc.naming`
     ``unfit(spec, plan)``  an error of what it is asked about stages that the plan leaves out, raised before any runs;
                           None if there is none
     ``further(spec, results)``  columns by choice of the rows of its table, a sequence of `Column`: they stand in no

@@ -6,6 +6,7 @@ directions are unit vectors. Angles ``theta`` are counted from position 0 along 
 
 from __future__ import annotations
 
+import math
 from typing import Literal
 
 from tmmcalc.core.quantity import quantity
@@ -51,6 +52,12 @@ class Load:
     factor: float = 1.0
     role: Role = "resistance"  # what the user takes it for; the work tells
     against: int = FRAME  # the link that takes the opposite load, on the same line
+    repeats: int = 1  # turns of the crank after which its window comes back
+
+    @property
+    def turns(self) -> int:
+        """Turns of the crank after which the load repeats: those of its law and of its window."""
+        return math.lcm(self.law.turns, self.repeats)
 
 
 @record

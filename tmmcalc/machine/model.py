@@ -14,10 +14,14 @@ if TYPE_CHECKING:
     from tmmcalc.gears.openpair import OpenPair
     from tmmcalc.machine.balance.cylinders import Cylinder
     from tmmcalc.machine.balance.rotors import Rotor
+    from tmmcalc.machine.motors.braking import Braking
     from tmmcalc.machine.motors.model import CharacteristicKind, Motor
     from tmmcalc.machine.transient.methods import Method
     from tmmcalc.machine.transient.model import Shaft
     from tmmcalc.machine.transient.scenario import Scenario
+
+
+Interpolation = Literal["linear", "pchip", "spline"]  # of points over a period
 
 
 @record
@@ -42,7 +46,17 @@ class TorquePoints:
 
     theta: tuple[float, ...]  # ascending, of linear ones two equal at a jump [rad]
     moment: tuple[float, ...]  # [N*m]
-    interpolation: Literal["linear", "pchip"] = "linear"
+    interpolation: Interpolation = "linear"
+
+
+@record
+class InertiaPoints:
+    """Reduced inertia at angles, as `diagram.from_inertia` takes it."""
+
+    theta: tuple[float, ...]  # ascending [rad]
+    inertia: tuple[float, ...]  # J [kg*m^2]
+    period: float  # after which it repeats [rad]
+    interpolation: Interpolation = "spline"
 
 
 @record
@@ -56,6 +70,7 @@ class TorqueTask:
     delays: tuple[float, ...] = ()  # of equal diagrams on the shaft [rad]; empty: one alone
     inertia: float = 0.0  # constant, of the shaft [kg*m^2]
     balanced: bool = False  # with the constant moment that closes the work of a cycle
+    reduced: InertiaPoints | None = None  # what varies with the angle, of each diagram
 
 
 @record
@@ -131,6 +146,7 @@ class TransientTask(NamedTuple):
     scenario: Scenario
     method: Method
     steady: bool  # it begins in the steady motion at theta = 0: the scenario's speed is not known yet
+    braking: Braking | None = None  # how the motor is connected, where it brakes
 
 
 @record

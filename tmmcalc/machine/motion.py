@@ -1,4 +1,4 @@
-"""The steady motion of a machine: the regime, the idle run beside it, the recurrence of the textbook."""
+"""The steady motion of a machine: the regime, the idle run beside it, the methods of the textbook."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tmmcalc.machine.driver import ConstantInertia, Driver
 from tmmcalc.machine.motorside import MotorSide, motor_side
 from tmmcalc.machine.offspeed import INPUT, off_speed
 from tmmcalc.machine.regime import Regime
-from tmmcalc.machine.textbook import Textbook, Turn
+from tmmcalc.machine.textbook import EnergyMotion, Textbook, Turn
 from tmmcalc.machine.timescales import TimeScales
 from tmmcalc.machine.verdicts import Verdict, verdicts
 
@@ -51,11 +51,20 @@ class Motion:
     )
     motor: MotorSide | None = None  # the regime at the shaft of the motor; None without one
     scales: TimeScales | None = None  # time constants over the cycle; None: nothing depends on the speed of a motor
+    by_energy: EnergyMotion | None = None  # by the textbook without a motor; None: with one, or it is not done
 
-    @derived("omega_textbook[rad/s]", "speed by the recurrence", source="(3.57)")
+    @derived("omega_textbook[rad/s]", "speed by the recurrence, without a motor by the energy", source="(3.57), (3.48)")
     def omega_textbook(self) -> Values | None:
-        """At the positions (n,); None where the recurrence is not done."""
+        """At the positions (n,); None where neither is done."""
+        if self.by_energy is not None:
+            return self.by_energy.omega
         return self.textbook.regime.omega if self.textbook is not None else None
+
+    @derived("omega_textbook_error", "largest difference of its speeds from the exact regime, against the mean speed")
+    def textbook_error(self) -> float | None:
+        """Of the recurrence, or of the energy."""
+        nodal = self.omega_textbook
+        return None if nodal is None else float(np.max(np.abs(nodal - self.omega)) / np.mean(self.omega))
 
 
 def solve_motion(
@@ -120,11 +129,12 @@ def motion_of(
         driving=driving,
         load=load[0] + load[1] * omega + load[2] * omega**2,
         omega_idle=quiet.omega_at(at) if quiet is not None else None,
-        textbook=_textbook(cycle, inertia, driver, theta, omega),
+        textbook=_textbook(cycle, inertia, driver, theta),
         verdicts=_verdicts(cycle, regime, driver, sense, key, undriven),
         balancing=cycle.balancing,
         motor=motor_side(regime, driver) if driver is not None else None,
         scales=_scales(cycle, regime, driver) if driver is not None else None,
+        by_energy=_by_energy(cycle, regime, inertia, theta) if driver is None and not undriven else None,
     )
 
 
@@ -179,13 +189,30 @@ def _idle(
         return None
 
 
-def _textbook(
-    cycle: Cycle, inertia: ConstantInertia, driver: Driver | None, theta: Values, omega: Values
-) -> Textbook | None:
-    """The recurrence of the course, for a parabola on an equal grid."""
+def _steps(cycle: Cycle, theta: Values) -> int | None:
+    """Number of the steps of the positions; None where they are not equal."""
     n = len(theta) - 1
+    return n if n > 1 and np.ptp(np.diff(theta)) <= 1e-9 * cycle.period / n else None
+
+
+def _by_energy(cycle: Cycle, regime: Regime, inertia: ConstantInertia, theta: Values) -> EnergyMotion | None:
+    """The motion without a motor as the textbook finds it, on an equal grid."""
+    n = _steps(cycle, theta)
+    if n is None:
+        return None
+    from tmmcalc.machine.byenergy import by_energy
+
+    try:
+        return by_energy(cycle, inertia.total, regime.mean, n)
+    except NoSolutionError:
+        return None
+
+
+def _textbook(cycle: Cycle, inertia: ConstantInertia, driver: Driver | None, theta: Values) -> Textbook | None:
+    """The recurrence of the course, for a parabola on an equal grid."""
+    n = _steps(cycle, theta)
     parabola = _parabola(driver)
-    if parabola is None or np.ptp(np.diff(theta)) > 1e-9 * cycle.period / n:
+    if parabola is None or n is None:
         return None
     from tmmcalc.machine import recurrence
 
@@ -195,8 +222,7 @@ def _textbook(
         regime = recurrence.periodic(nodes)
     except (NoSolutionError, AccuracyError):
         return None
-    error = float(np.max(np.abs(regime.omega - omega)) / np.mean(omega))
-    return Textbook(a, b, regime, _turns(nodes, rated), error)
+    return Textbook(a, b, regime, _turns(nodes, rated))
 
 
 def _turns(nodes: Nodes, rated: float) -> tuple[Turn, ...]:

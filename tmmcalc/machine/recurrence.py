@@ -19,12 +19,12 @@ from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.nodes import nodal_tables
 from tmmcalc.machine.textbook import NodalRegime, Turn
 
 WHERE = "recurrence (3.57)"
 BOOK = 1e-4  # largest difference of the speeds at both ends of a cycle, textbook program 2.1 [rad/s]
 TURNS = 1000
-NEAR = 1e-9  # of the period: a node so near to the edge of a panel, where a load may jump, lies on it
 
 
 @record
@@ -59,21 +59,6 @@ def on_nodes(cycle: Cycle, constant_inertia: float, a: float, b: float, n: int) 
         raise UsageError(f"{n} steps", where=WHERE, value=n, limit=2, remedy="at least 2")
     moment, inertia = nodal_tables(cycle, n, cycle.speed)
     return Nodes(moment, inertia + constant_inertia, a, b, cycle.period / n)
-
-
-def nodal_tables(cycle: Cycle, n: int, speed: float) -> tuple[Values, Values]:
-    """Moment [N*m] at the ``speed`` [rad/s] and inertia [kg*m^2] of a cycle, (n + 1,) each, at ``n`` equal steps.
-
-    Where the load jumps at a node the larger load counts, as the textbook counts it at both ends of its action.
-    """
-    theta, edges, near = np.linspace(0.0, cycle.period, n + 1), cycle.panels.edges, NEAR * cycle.period
-    nearest = edges[np.minimum(np.searchsorted(edges, theta - near), len(edges) - 1)]
-    theta = np.where(np.abs(nearest - theta) <= near, nearest, theta)
-    moment = cycle.moment + (cycle.viscous + cycle.quadratic * speed) * speed
-    after, inertia = cycle.panels.at(np.stack((moment, cycle.inertia)), theta)
-    before = cycle.panels.at(moment, theta, before=True)
-    after[-1], before[0], inertia[-1] = after[0], before[-1], inertia[0]
-    return np.where(np.abs(after) >= np.abs(before), after, before), inertia
 
 
 def march(nodes: Nodes, start: float) -> NodalRegime:

@@ -30,7 +30,10 @@ class MachineTables(GearTables):
     """The tables of the room, beside those that its stages read of others."""
 
     torque: TorqueTable | None = table(
-        "A torque diagram in place of a linkage.", subject=True, describes="a torque diagram", files=("table.file",)
+        "A torque diagram in place of a linkage.",
+        subject=True,
+        describes="a torque diagram",
+        files=("table.file", "reduced_inertia.file"),
     )
     motor: MotorTable | None = table(
         "The motor.",

@@ -1,4 +1,4 @@
-"""The steady motion as the textbook finds it by hand: what its recurrence (3.57, 3.58) gives."""
+"""The steady motion as the textbook finds it by hand: what its recurrence (3.57, 3.58) gives, or the energy (3.48)."""
 
 from __future__ import annotations
 
@@ -37,6 +37,16 @@ class Textbook:
     b: float = quantity("B[N*m*s^2/rad^2]", "B of the parabola M_d = A - B omega^2")
     regime: NodalRegime  # the periodic one, directly
     turns: tuple[Turn, ...]  # the iteration from the rated speed (3.58)
-    error: float = quantity(
-        "omega_textbook_error", "largest difference of its speeds from the exact regime, against the mean speed"
-    )
+
+
+@record
+class EnergyMotion:
+    """The motion without a motor by the energy at the nodes of the positions (3.48)."""
+
+    energy: float = quantity("T0_textbook[J]", "kinetic energy at position 0 at the mean speed")
+    drive: float = quantity("M_d_textbook[N*m]", "constant moment that closes the work by the trapezoid rule")
+    omega: Values  # (n + 1,) [rad/s]
+    node_min: int
+    node_max: int
+    mean: float = quantity("omega_mean_textbook[rad/s]", "mean speed that comes out, between the extremes")
+    delta: float = quantity("delta_textbook", "coefficient of speed fluctuation over the nodes")

@@ -70,7 +70,7 @@ def motion(spec: MachineTables) -> str | None:
     begun = any(transient.begin == "steady" for transient in spec.transients)
     if spec.motor is None and spec.motion is None and spec.flywheel is None and not begun:
         return "no [motor]: the speed is constant"
-    shaft = spec.torque is not None and spec.torque.inertia
+    shaft = spec.torque is not None and (spec.torque.inertia or spec.torque.reduced_inertia is not None)
     wheel = spec.flywheel is not None and (spec.flywheel.inertia or spec.flywheel.delta)
     further = spec.motion is not None and spec.motion.inertia
     if not (has_masses(spec) or shaft or wheel or further or _rotor(spec) or unchosen(spec) is None):

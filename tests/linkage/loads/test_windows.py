@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -20,6 +21,7 @@ from linkage.scenes import (
     with_output,
 )
 from tmmcalc import NoSolutionError, solve_kinematics
+from tmmcalc.core.numerics.panels import panels
 from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.loading import Load, Loading, Window
 from tmmcalc.linkage.loadlaws.constant import Constant
@@ -27,6 +29,8 @@ from tmmcalc.linkage.loadlaws.polynomial import Polynomial
 from tmmcalc.linkage.loadlaws.tabulated import Tabulated
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.machine.reduction.solve import solve_reduction
+from tmmcalc.pipeline.runner import run
+from tmmcalc.project import load_spec, templates
 
 TURN = 2 * np.pi
 DEGREE = np.pi / 180
@@ -41,8 +45,8 @@ def crank_angle(theta: Array, start: float, speed: float) -> Array:
     return start + math.copysign(1.0, speed) * theta
 
 
-def push(window: Window | None, law: object = Constant(7.0)) -> Load:
-    return Load("Q", 3, "force", law, window=window)
+def push(window: Window | None, law: object = Constant(7.0), name: str = "Q") -> Load:
+    return Load(name, 3, "force", law, window=window)
 
 
 def angles(low: float, high: float) -> Window:
@@ -287,3 +291,73 @@ def test_a_load_on_a_stroke_of_nothing() -> None:
     round_and_round = with_output(slider(), link=1)
     with pytest.raises(NoSolutionError, match="output 1 has 0 dead centres"):
         scene_of(round_and_round, push(Window(stroke="working")))
+
+
+class TestOnceInTwoTurns:
+    """A window that comes back after two turns, in angles and in positions."""
+
+    twice = np.arange(0.0, 2 * TURN, 0.01)  # keeps off the ends of windows
+
+    def work(self, load: Load) -> float:
+        """Integral over two turns of the size of a load, by the scene's own edges."""
+        scene = scene_of(slider(0.4), load)
+        assert scene.travel.period == pytest.approx(2 * TURN)
+        edges = np.array([0.0, *scene.edges(), 2 * TURN])
+        on = panels(0.0, 2 * TURN, edges)
+        force = scene.sources[0].actions(scene.place(on.x.ravel()))[0].force
+        values = np.broadcast_to((np.conj(load.direction) * force).real, on.x.size)
+        return float(on.total(values.reshape(on.x.shape)))
+
+    @pytest.mark.parametrize(
+        ("window", "law", "expected"),
+        [
+            (angles(490, 540), Constant(2.0), 2 * math.radians(50)),
+            (angles(30, 200), Constant(2.0), 2 * math.radians(170)),  # the first turn alone
+            (angles(180, 540), Constant(2.0), 2 * math.pi * 2),
+            (angles(700, 20), Constant(2.0), 2 * math.radians(40)),  # over the seam of the cycle
+            (angles(400, 500), Polynomial((0.0, 3.0)), 1.5 * math.radians(100) ** 2),  # counts from its window
+            (angles(700, 20), Polynomial((0.0, 3.0)), 1.5 * math.radians(40) ** 2),
+            (None, Polynomial((0.0, 1.0)), (2 * TURN) ** 2 / 2),  # counts from position 0 of the first turn
+            (Window(positions=("26", "32")), Constant(2.0), 2 * math.pi / 2),  # of 24 in a turn
+            (Window(positions=("46", "2")), Constant(2.0), 2 * math.pi / 3),
+            (Window(positions=("22", "26")), Constant(2.0), 2 * math.pi / 3),
+        ],
+    )
+    def test_its_work(self, window: Window | None, law: object, expected: float) -> None:
+        assert self.work(replace(push(window, law), repeats=2)) == pytest.approx(expected, rel=1e-12)
+
+    def test_one_load_hands_over_to_the_next_in_its_own_turn_alone(self) -> None:
+        """The first ends at 540 deg, where the second begins; at 180 deg, a turn before, the first one begins."""
+        first = replace(push(angles(180, 540), Constant(2.0), "first"), repeats=2)
+        second = replace(push(angles(540, 700), Constant(5.0), "second"), repeats=2)
+        scene = scene_of(slider(0.4), first, second)
+        at = np.radians([180.0, 180.0, 540.0, 540.0])
+        side = np.array([-1.0, 1.0, -1.0, 1.0])
+        place = scene.place(at, side)
+        sizes = [abs(np.broadcast_to(source.actions(place)[0].force, 4)) for source in scene.sources]
+        np.testing.assert_allclose(sizes[0][1:], [2.0, 2.0, 0.0])
+        np.testing.assert_allclose(sizes[1], [0.0, 0.0, 0.0, 5.0])
+
+    def test_a_table_of_positions_counts_on(self) -> None:
+        values = tuple(float(k) for k in range(49))
+        law = Tabulated("position", tuple(range(49)), values, period=2 * TURN)
+        scene = scene_of(slider(0.4), push(None, law))
+        place = scene.place(self.twice)
+        force = (np.conj(push(None).direction) * scene.sources[0].actions(place)[0].force).real
+        np.testing.assert_allclose(force, self.twice * 24 / TURN, rtol=1e-11, atol=1e-11)
+
+
+def test_a_gas_force_by_angles_is_that_of_the_indicator_diagram() -> None:
+    """The ready spec has the points of `four-stroke-engine` every 5 degrees: work and flywheel to their chords."""
+    found = {}
+    for name in ("four-stroke-engine", "four-stroke-angles"):
+        found[name] = run(load_spec(templates.folder() / f"{name}.toml"), target="flywheel").results
+    strokes, by_angle = (results["reduction"] for results in found.values())
+    work = {part.name: part.work for part in by_angle.contributions}
+    gas = next(part.work for part in strokes.contributions if part.name == "gas")
+    assert by_angle.cycle.period == strokes.cycle.period == pytest.approx(2 * TURN)
+    assert work["gas"] == pytest.approx(gas, rel=1e-3)
+    assert work["exhaust"] == pytest.approx(-9 * math.radians(50), rel=1e-12)
+    assert work["injection"] == pytest.approx(-4 * math.radians(30), rel=1e-12)
+    one, other = (results["flywheel"].addition for results in found.values())
+    assert other == pytest.approx(one, rel=5e-3)

@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.interpolate import CubicSpline
 
 import tmmcalc
 from tmmcalc.core.errors import NoSolutionError, UsageError
@@ -28,7 +27,7 @@ from tmmcalc.linkage.synthesis.dwell.linkages import (
 from tmmcalc.linkage.synthesis.dwell.motion import pose
 from tmmcalc.linkage.synthesis.dwell.optimum import Costs, search
 from tmmcalc.linkage.synthesis.dwell.parameters import by_rule
-from tmmcalc.linkage.synthesis.dwell.relative import accuracy, arc_of, gamma, places, reach, spline_of
+from tmmcalc.linkage.synthesis.dwell.relative import accuracy, arc_of, gamma, places, reach
 from tmmcalc.linkage.synthesis.dwell.results import Dwell
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask, Lengths, Optimum, ThreePositions
 from tmmcalc.linkage.synthesis.dwell.turn import TURN, Turn, along, place, whole_turn
@@ -214,15 +213,6 @@ def test_the_relative_trajectory_converges(turn: Turn) -> None:
     few, many = accuracy(turn, 24), accuracy(turn, 48)
     assert many.cosine < few.cosine / 8 < few.uniform / 8  # a cubic spline: an order of four in smooth coordinates
     assert many.uniform < 3e-4
-
-
-@pytest.mark.parametrize("count", [3, 4, 24, 200])
-def test_the_periodic_spline_is_that_of_scipy(count: int) -> None:
-    rng = np.random.default_rng(count)
-    phi, s = np.sort(rng.uniform(0, TURN, count)), rng.normal(size=count)
-    at = np.linspace(-TURN, 2 * TURN, 2001)
-    wanted = CubicSpline(np.append(phi, phi[0] + TURN), np.append(s, s[0]), bc_type="periodic")(at)
-    assert spline_of(phi, s)(at) == pytest.approx(wanted, abs=1e-12 * np.max(np.abs(wanted)))
 
 
 def test_an_arc_over_both_branches_of_gamma() -> None:

@@ -555,7 +555,7 @@ class TestMotion:
         document = motion_document(self.swinging(), "t", rows=[0, 12])
         assert document.table is not None
         headers = ["i", "phi[deg]", "omega[rad/s]", "eps[rad/s^2]", "t[s]", "M_d[N*m]", "M_load[N*m]"]
-        assert list(document.table.headers) == headers
+        assert list(document.table.headers) == [*headers, "omega_textbook[rad/s]"]
         assert column(document, "omega[rad/s]") == [pytest.approx(19.8), pytest.approx(20.2)]
         assert column(document, "i") == ["0", "12"]
         idle = motion_document(self.steady(), "t", patterns=["phi", "omega_*"])

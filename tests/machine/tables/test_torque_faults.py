@@ -15,6 +15,7 @@ FORMULA = HEAD + 'formula = "500*sin(theta)"\n'
 HARMONICS = HEAD + "harmonics = {{ terms = [{{ {} }}] }}\n"
 PIECES = HEAD + "pieces = [[0, 100], {}]\n"
 TABLE = HEAD + "table = {{ {} }}\n"
+INERTIA = FORMULA + "reduced_inertia = {{ {} }}\n"
 POINTS = HEAD + 'table = {{ theta = [{}], moment = [{}], interpolation = "pchip" }}\n'
 
 # a whole spec; then the path, the message and the remedy of the one fault
@@ -312,6 +313,60 @@ FAULTS = [
         "torque.table.theta",
         "one point of the cycle alone makes no curve",
         "give points between the ends of the period",
+    ),
+    (
+        TABLE.format('moment = [0, 1], interpolation = "spline"'),
+        "torque.table.moment",
+        "two points of the period make no cubic spline",
+        'give three points or more, or interpolation = "linear"',
+    ),
+    (
+        INERTIA.format("theta = [0, 1]"),
+        "torque.reduced_inertia",
+        "missing key: a reduced inertia in a table has its moments of inertia",
+        'add inertia = ["4 kg*m^2", "5 kg*m^2", "4.5 kg*m^2"], or file = "j.csv"',
+    ),
+    (
+        INERTIA.format("theta = [0, 1, 2], inertia = [1, 2]"),
+        "torque.reduced_inertia.inertia",
+        "2 moments of inertia for 3 angles",
+        "write one moment of inertia for each angle",
+    ),
+    (
+        INERTIA.format("inertia = [1, -2, 3]"),
+        "torque.reduced_inertia.inertia[1]",
+        "-2 is negative; a moment of inertia is at least 0",
+        "write it without the minus",
+    ),
+    (
+        INERTIA.format('theta = [0, 1, 1, 2], inertia = [1, 2, 3, 4], interpolation = "linear"'),
+        "torque.reduced_inertia.theta[2]",
+        "1 does not come after 1; the angles ascend",
+        "put them in order; an inertia does not jump",
+    ),
+    (
+        INERTIA.format('theta = [0, 1, 2, "360 deg"], inertia = [1, 2, 3, 4]'),
+        "torque.reduced_inertia.inertia[3]",
+        "the curve ends with 4 and begins with 1 at the same position of the shaft",
+        "make the two equal; an inertia does not jump",
+    ),
+    (
+        INERTIA.format("theta = [0, 1], inertia = [1, 2]"),
+        "torque.reduced_inertia.theta",
+        "two points of the period make no cubic spline",
+        'give three points or more, or interpolation = "linear"',
+    ),
+    (
+        INERTIA.format('inertia = [1, 2, 3], period = "270 deg"'),
+        "torque.reduced_inertia.period",
+        "a period of 270 deg does not divide the cycle of 360 deg",
+        "write the cycle or a whole part of it",
+    ),
+    (
+        FORMULA + "reduced_inertia = 4\n",
+        "torque.reduced_inertia",
+        "4 is not a table",
+        'write reduced_inertia = { file = "reduction.csv", columns = "phi,J_red" }',
     ),
     (
         TABLE.format("p = [0, 1], moment = [0, 1]"),

@@ -140,8 +140,8 @@ FAULTS = [
         START + 'begin = "steady"\n',
         "transients[0].begin",
         "unknown key 'begin' in [[transients]]",
-        "the keys here are: name, duration, start_speed, from, start_angle, motor, motor_on, load, load_steps, brake, "
-        "targets, end_speed, end_angle, standstill, method, step, tolerance",
+        "the keys here are: name, duration, start_speed, from, start_angle, motor, motor_on, braking, load, "
+        "load_steps, brake, targets, end_speed, end_angle, standstill, method, step, tolerance",
     ),
     (
         START + 'start_angle = "-5 deg"\n',

@@ -59,7 +59,8 @@ class LoadCurveTable(Table):
     output: str | None = Field(default=None, description="Output whose displacement `x` is (default: the first).")
     period: Period | None = Field(
         default=None,
-        description='Angle after which the values repeat (default: 360 deg); `"720 deg"` for a four-stroke engine.',
+        description="Angle after which the values repeat (default: 360 deg), also of `position` numbers, which then "
+        'count on; `"720 deg"` for a four-stroke engine.',
     )
 
 
@@ -68,7 +69,8 @@ class Tabulated(Placed):
     """Values at the abscissae ``x``, ascending.
 
     ``of``: "angle" theta [rad]; "position" numbers of the grid; "displacement" S of an output from its lesser
-    extreme [m or rad]; "stroke" the same from 0 to 1. ``period``: of theta [rad]; None for the other abscissae.
+    extreme [m or rad]; "stroke" the same from 0 to 1. ``period``: of theta and the
+    positions [rad]; None: a turn.
     """
 
     of: Literal["angle", "position", "displacement", "stroke"]
@@ -100,7 +102,7 @@ class Tabulated(Placed):
         """The law of a table."""
         table = getattr(load, key)
         kind, values = values_of(table)
-        period = (table.period or TURN) if table.of == "angle" else None
+        period = (table.period or TURN) if table.of == "angle" else table.period
         x = _abscissae(table, len(values)) if table.x is None else tuple(table.x)
         return kind, cls(table.of, x, values, table.interpolation, table.output, period)
 

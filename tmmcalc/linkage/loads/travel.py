@@ -40,8 +40,12 @@ class Travel(NamedTuple):
 
     @property
     def labels(self) -> dict[str, float]:
-        """theta of every position by its label."""
-        return dict(zip(self.names, self.along.tolist(), strict=True))
+        """theta of every position by its label; in later turns of a longer cycle the labels go on counting."""
+        own = zip(self.names, self.along.tolist(), strict=True)
+        if not self.whole:
+            return dict(own)
+        later = range(round(self.period / TURN))
+        return {_later(name, k, self.names[-1]): at + TURN * k for name, at in own for k in later}
 
     @property
     def sense(self) -> float:
@@ -118,7 +122,7 @@ def travel_of(chain: Chain, kinematics: Kinematics, loads: Sequence[Load], turns
         acceleration=kinematics.acceleration,
         turns=chain.turns,
         whole=whole,
-        period=TURN * math.lcm(turns, *(load.law.turns for load in loads)) if whole else float(np.max(along)),
+        period=TURN * math.lcm(turns, *(load.turns for load in loads)) if whole else float(np.max(along)),
         names=kinematics.labels,
         along=along,
     )

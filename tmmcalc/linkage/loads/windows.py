@@ -32,7 +32,7 @@ class Inside(NamedTuple):
     inside: Callable[[Place], Any]
     since: Callable[[Real], Real]
     edges: list[float]
-    begins: tuple[float, ...] = ()  # theta at which the window begins, of a whole turn within one turn
+    begins: tuple[float, ...] = ()  # theta at which the window begins, of all turns of a cycle
     ends: tuple[float, ...] = ()
     grades: tuple[Grade, ...] = ()
 
@@ -40,7 +40,7 @@ class Inside(NamedTuple):
 def window_of(chain: Chain, kinematics: Kinematics, travel: Travel, load: Load) -> Inside:
     """The window of a load; raises `NoSolutionError` for a stroke or a position that is not there."""
     window, where = load.window, f"load {load.name}"
-    own = TURN * load.law.turns
+    own = TURN * load.turns
     if window is None:
         edges = travel.repeated([0.0], own) if load.law.counted else []
         return Inside(lambda place: True, lambda theta: travel.since(0.0, theta, own), edges)
@@ -59,7 +59,7 @@ def _stroke(travel: Travel, strokes: Strokes, which: int) -> Inside:
         return np.min([np.where(theta < b - EDGE, travel.period, theta - b) for b in beginnings], axis=0)
 
     edges = travel.repeated(strokes.turning)
-    begins, ends = strokes.beginnings[which], strokes.beginnings[1 - which]
+    begins, ends = (tuple(travel.repeated(strokes.beginnings[k])) for k in (which, 1 - which))
     return Inside(lambda place: strokes.on(place, which), since, edges, begins, ends)
 
 
@@ -83,8 +83,8 @@ def _between(travel: Travel, low: float, high: float, own: float, where: str) ->
         before, after = _within(np.asarray(period), low, high), _within(reduced, low, high)
         return np.where(seam, before | (after & ~travel.ends(theta)), after)
 
-    edges = travel.repeated([low, high], period)
-    return Inside(inside, lambda t: travel.since(low, t, period), edges, (low,), (high,))
+    begins, ends = travel.repeated([low], period), travel.repeated([high], period)
+    return Inside(inside, lambda t: travel.since(low, t, period), [*begins, *ends], tuple(begins), tuple(ends))
 
 
 def _beyond(travel: Travel, low: float, high: float, where: str) -> Iterator[Grade]:
@@ -139,8 +139,8 @@ def _shared(travel: Travel, own: Sequence[float], others: Sequence[float]) -> Re
 
 
 def _near(travel: Travel, theta: Real, edges: Real) -> Flags:
-    """Whether theta (n,) lies at one of the edges, of a whole turn in any turn."""
+    """Whether theta (n,) lies at one of the edges, of a cycle at its either end."""
     gap = np.abs(np.asarray(theta)[..., None] - edges)
     if travel.whole:
-        gap = np.minimum(np.mod(gap, TURN), TURN - np.mod(gap, TURN))
+        gap = np.minimum(np.mod(gap, travel.period), travel.period - np.mod(gap, travel.period))
     return np.any(gap <= EDGE, axis=-1)

@@ -8,10 +8,11 @@ from tmmcalc.linkage.loading import Role
 from tmmcalc.linkage.loadlaws import laws
 from tmmcalc.linkage.tables.joints import Place
 from tmmcalc.spec.identifiers import Name, PositionLabel
-from tmmcalc.spec.quantities import Angle, InputDistance, Number
+from tmmcalc.spec.quantities import Angle, InputDistance, Number, Quantity
 from tmmcalc.spec.table import Table
 
 LoadName = Annotated[str, Name("load")]
+Period = Annotated[float, Quantity("angle", at_least_zero=True, nonzero=True)]
 Factor = Annotated[float, Number("a load factor", "1.2", at_least=0)]
 
 
@@ -78,4 +79,9 @@ class LoadTable(LawTable):
         max_length=2,
         description="From one position of the grid to another, by numbers or labels, `[2, 12]`; "
         '`"6\'"` is an added one.',
+    )
+    period: Period | None = Field(
+        default=None,
+        description="Angle after which a window of angles or positions comes back, or a polynomial, whole turns "
+        '(default: 360 deg, or that of the table); `"720 deg"`: once in two turns, as in a four-stroke engine.',
     )

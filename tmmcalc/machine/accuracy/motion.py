@@ -1,11 +1,16 @@
-"""Methods for the steady motion: collocation, shooting with every integrator, the recurrence of the textbook.
+"""Methods for the steady motion: collocation, shooting with every integrator, the methods of the textbook.
 
     collocation   the whole cycle at once on panels
     shooting      integrate one cycle from a speed, correct the speed until it repeats (secant)
     recurrence    textbook (3.57): the trapezoid rule for the work, whose periodic solution is direct
 
-The reference is the collocation on panels cut in half once more, beside its own estimate. What is compared are the
-speed at position 0 and the extremes of the speed over the cycle; of the recurrence those of its nodes.
+Of a motion without a motor:
+
+    closed form   energy and work on panels, T0 by the mean speed
+    energy        textbook (3.48): the same at nodes by the trapezoid rule, T0 = J(0) w_m^2/2 or corrected to the mean
+
+The reference is the collocation, or the closed form, on panels cut in half once more, beside its own estimate. What is
+compared are the speed at position 0 and the extremes of the speed over the cycle; of the textbook those of its nodes.
 """
 
 from __future__ import annotations
@@ -43,15 +48,18 @@ COUNTS = (6, 12, 24, 48, 96, 192, 384, 768, 1536, 3072)
 SHOOTERS: tuple[MethodName, ...] = ("merson", "DOP853", "LSODA", "Radau", "BDF")
 IMPLICIT = ("Radau", "BDF")  # of low order: their finest tolerance would take longer than all else
 JUMPS = "of order 2 while the moments are smooth, of order 1 where a load jumps between or at its nodes"
+FIRST = "begins at the mean speed, so that the mean that comes out is off however many nodes there are"
 ROUNDS = 12  # of the secant
 SETTLED = 1e-12  # relative change of the speed over a cycle that is none
 
 
 def studies(scene: Scene) -> Iterator[Study]:
-    """The speed over the cycle of a machine with a motor; a motion without one has a closed form."""
+    """The speed over the cycle of a machine with a motor, or with a constant moment at a mean speed."""
     result: Motion = scene.results["motion"]
     reduction: Reduction = scene.results["reduction"]
     machine = asked(scene.inputs, scene.results)
+    if result.kind == "positional":
+        yield _without_motor(reduction.cycle, machine.inertia.total, result, scene)
     if machine.driver is None or result.kind != "motor":
         return
     problem = _Problem(reduction.cycle, machine, machine.driver)
@@ -65,6 +73,39 @@ def studies(scene: Scene) -> Iterator[Study]:
         return relative(found, exact)
 
     yield Study("motion", "speed at position 0, its extremes", reference, tuple(_series(problem, error, scene, result)))
+
+
+def _without_motor(cycle: Cycle, inertia: float, result: Motion, scene: Scene) -> Study:
+    """The closed form on panels, and the energy at nodes as on paper."""
+    from tmmcalc.machine.byenergy import by_energy
+    from tmmcalc.machine.onemass import onto
+    from tmmcalc.machine.positional import positional
+
+    mean, finer = result.regime.mean, result.regime.panels.halved()
+    exact = positional(onto(cycle, finer), inertia, mean)
+    marks = _marks(exact)
+
+    def error(found: Values) -> float:
+        return relative(found, marks)
+
+    def nodal(count: int, corrected: bool) -> Values:
+        omega = by_energy(cycle, inertia, mean, count, corrected=corrected).omega
+        return np.array([omega[0], np.min(omega), np.max(omega)])
+
+    def ways(corrected: bool) -> list[Way]:
+        return [Way(f"{n} steps", 1.0 / n, partial(nodal, n, corrected)) for n in COUNTS]
+
+    own = Way(f"{result.regime.panels.count} panels", None, lambda: _marks(positional(cycle, inertia, mean)))
+    return Study(
+        "motion",
+        "speed at position 0, its extremes",
+        Reference(f"closed form on {exact.panels.count} panels, each half of a panel of the stage", exact.error),
+        (
+            series("closed form on panels", [own], error, scene.clock),
+            series("energy (3.48), T0 = J(0) w_m^2/2", ways(False), error, scene.clock, note=FIRST),
+            series("energy (3.48), T0 by the mean", ways(True), error, scene.clock, expected=2.0, note=JUMPS),
+        ),
+    )
 
 
 class _Problem:

@@ -9,17 +9,24 @@ import numpy as np
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.machine.diagram.sources import from_formula, from_harmonics, from_pieces, from_table
-from tmmcalc.machine.diagram.superposition import balanced, superposed
+from tmmcalc.machine.diagram.sources import from_formula, from_harmonics, from_inertia, from_table
+from tmmcalc.machine.diagram.superposition import balanced, combined, superposed
 from tmmcalc.machine.model import TorqueFormula, TorqueHarmonics, TorqueTask
 
 HUGE = 1e100  # [N*m] beyond every machine; squares of moments must remain numbers
 
 
 def cycle_of(task: TorqueTask) -> Cycle:
-    """The moment of the diagram and the inertia of its shaft over one cycle; raises `UsageError` for a bad law."""
+    """The moment of the diagram and the inertia of its shaft over one cycle; raises `UsageError` for a bad law.
+
+    The reduced inertia that varies is that of one diagram, as its moment is; equal diagrams on the shaft each have it.
+    """
     cycle = _law(task)
     _check_size(cycle)
+    if task.reduced is not None:
+        table = task.reduced
+        of_table = from_inertia(table.theta, table.inertia, task.speed, period=table.period, kind=table.interpolation)
+        cycle = combined([(cycle, 0.0), (of_table, 0.0)])
     if task.delays:
         cycle = superposed(cycle, task.delays)
     if task.balanced:
@@ -47,6 +54,4 @@ def _law(task: TorqueTask) -> Cycle:
         return from_formula(law.text, speed, period=period, constants=dict(law.constants))
     if isinstance(law, TorqueHarmonics):
         return from_harmonics(law.constant, law.terms, speed, period=period)
-    if law.interpolation == "linear":
-        return from_pieces(tuple(zip(law.theta, law.moment, strict=True)), speed, period=period)
-    return from_table(law.theta, law.moment, speed, period=period, kind="pchip")
+    return from_table(law.theta, law.moment, speed, period=period, kind=law.interpolation)

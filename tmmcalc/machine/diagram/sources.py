@@ -1,4 +1,4 @@
-"""A torque diagram from a formula, from harmonics, from straight pieces or from a table."""
+"""A torque diagram from a formula, from harmonics, from straight pieces or from a table; an inertia from a table."""
 
 from __future__ import annotations
 
@@ -11,10 +11,12 @@ from tmmcalc.core.errors import AccuracyError, UsageError
 from tmmcalc.core.expression import parse
 from tmmcalc.core.numerics.panels import MOST, Panels, UnresolvedError, Values, panels, resolved
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.diagram.curves import WHERE, curve
 
 TURN = 2 * math.pi
 UNRESOLVED = 1e-6  # share of the work of the cycle that one panel may leave in doubt
-MARGIN = 4  # nodes of a periodic table repeated at either end, more than its interpolation looks
+SAME = 1e-9  # part of the largest inertia by which both sides of an angle may differ
+ROUNDED = 1e-12  # part of the largest inertia below zero that is rounding
 
 
 def from_formula(
@@ -58,7 +60,7 @@ def from_harmonics(
         odd = float(k[np.argmax(np.abs(turns - np.round(turns)))])
         raise UsageError(
             f"the harmonic of order {odd:g} does not close in a cycle of {period:.6g} rad",
-            where="torque diagram",
+            where=WHERE,
             value=odd,
             remedy="give whole orders, in the 4 pi cycle of a four-stroke engine multiples of 1/2",
         )
@@ -83,14 +85,9 @@ def from_pieces(points: Sequence[tuple[float, float]], speed: float, *, period: 
     200.0
     """
     _check(speed, period)
-    theta, moment = _columns(points, period)
-    theta, moment = _closed(theta, moment, period)
-    on = panels(0.0, period, theta)
-    x = on.x.ravel()
-    # Gauss points keep off the jumps, so the piece of a point is the one that begins at the last node before it
-    k = np.clip(np.searchsorted(theta, x, side="right") - 1, 0, len(theta) - 2)
-    share = (x - theta[k]) / (theta[k + 1] - theta[k])
-    return _cycle(on, (moment[k] + share * (moment[k + 1] - moment[k])).reshape(on.x.shape), speed)
+    theta, moment = np.array(points, float).reshape(-1, 2).T
+    on, values, _ = curve(theta, moment, period, "linear", "N*m")
+    return _cycle(on, values, speed)
 
 
 def from_table(
@@ -103,74 +100,60 @@ def from_table(
 ) -> Cycle:
     """Diagram through a periodic table: ``theta`` [rad] ascending in [0, period], ``moment`` [N*m], both (n,).
 
-    ``kind`` "linear" joins the points by straight pieces (two points at one angle are a jump), "pchip" by monotone
-    cubics (scipy's), periodic over the seam. Raises `UsageError` for an unfit table or an unknown kind.
+    What joins the points, ``kind``, tells `curves.curve`. Raises `UsageError` for an unfit table or an unknown kind.
     """
-    if kind == "linear":
-        return from_pieces(list(zip(theta, moment, strict=True)), speed, period=period)
-    if kind != "pchip":
-        raise UsageError(f"there is no interpolation {kind!r}", where="torque diagram", remedy="kinds: linear, pchip")
     _check(speed, period)
-    x, y = _columns(list(zip(theta, moment, strict=True)), period)
-    if len(x) > 1 and x[-1] - x[0] > period * (1 - 1e-12):
-        x, y = _without_seam(x, y)
-    if len(x) < 2 or np.any(np.diff(x) <= 0):
+    on, values, _ = curve(np.asarray(theta, float), np.asarray(moment, float), period, kind, "N*m")
+    return _cycle(on, values, speed)
+
+
+def from_inertia(
+    theta: Sequence[float] | Values,
+    inertia: Sequence[float] | Values,
+    speed: float,
+    *,
+    period: float = TURN,
+    kind: str = "spline",
+) -> Cycle:
+    """Shaft without a moment whose reduced inertia is a periodic table: J [kg*m^2] at ``theta`` [rad], both (n,).
+
+    Its slope dJ/dtheta is that of the same curve, so that kinetic energy is kept. Raises `UsageError` for an unfit
+    table, such as one with jumps, and where the curve between the points falls below zero.
+
+    >>> at = np.arange(24) * TURN / 24
+    >>> cycle = from_inertia(at, 2 + np.cos(at), speed=10)
+    >>> float(round(cycle.panels.extremes(cycle.slope)[1][0], 3))
+    1.0
+    """
+    _check(speed, period)
+    on, values, slope = curve(np.asarray(theta, float), np.asarray(inertia, float), period, kind, "kg*m^2")
+    low, high = on.ends(values)
+    jump = np.abs(np.append(low[1:], low[0]) - high)
+    (least, at), (largest, _) = on.extremes(values)
+    if np.max(jump) > SAME * largest:
+        at = float(on.edges[1 + np.argmax(jump)])
         raise UsageError(
-            "the monotone cubic needs two points or more, each at its own angle",
-            where="torque diagram",
-            remedy='join points with jumps by kind="linear"',
+            f"the reduced inertia jumps by {np.max(jump):.4g} kg*m^2 at {math.degrees(at):.4g} deg",
+            where=WHERE,
+            value=float(np.max(jump)),
+            remedy="give one inertia at each angle, and the same at both ends of the period",
         )
-    from scipy.interpolate import PchipInterpolator
-
-    copies = math.ceil(MARGIN / len(x))
-    shifts = np.arange(-copies, copies + 1) * period
-    curve = PchipInterpolator(np.add.outer(shifts, x).ravel(), np.tile(y, len(shifts)))
-    on = panels(0.0, period, x)
-    return _cycle(on, np.asarray(curve(on.x)), speed)
-
-
-def _without_seam(x: Values, y: Values) -> tuple[Values, Values]:
-    if abs(y[-1] - y[0]) > 1e-9 * float(np.max(np.abs(y))):
+    if least < -ROUNDED * largest:
         raise UsageError(
-            f"the table ends with {y[-1]:g} N*m and begins with {y[0]:g} N*m at the same position of the shaft",
-            where="torque diagram",
-            remedy='make the two equal, or keep the jump with kind="linear"',
+            f"the reduced inertia falls to {least:.4g} kg*m^2 at {math.degrees(at):.4g} deg, between its points",
+            where=WHERE,
+            value=least,
+            limit=0.0,
+            remedy='give more points there, or interpolation = "linear" or "pchip", which stay between the points',
         )
-    return x[:-1], y[:-1]
-
-
-def _columns(points: Sequence[tuple[float, float]], period: float) -> tuple[Values, Values]:
-    table = np.array(points, float).reshape(-1, 2)
-    theta, moment = table.T
-    slack = 1e-12 * period
-    if not len(theta) or not np.all(np.isfinite(table)):
-        raise UsageError("a diagram needs finite points", where="torque diagram", remedy="give theta and moment pairs")
-    if np.any(np.diff(theta) < 0) or theta[0] < -slack or theta[-1] > period + slack:
-        raise UsageError(
-            f"the angles must ascend from 0 to the period {period:.6g} rad; given {theta[0]:g} to {theta[-1]:g}",
-            where="torque diagram",
-            remedy="sort the points, give angles in radians, or set the period",
-        )
-    return np.clip(theta, 0.0, period), moment
-
-
-def _closed(theta: Values, moment: Values, period: float) -> tuple[Values, Values]:
-    """The points with both ends of the cycle among them, joined over the seam."""
-    gap = theta[0] + period - theta[-1]
-    seam = moment[-1] + (moment[0] - moment[-1]) * (period - theta[-1]) / gap if gap else moment[0]
-    if theta[0] > 0:
-        theta, moment = np.append(0.0, theta), np.append(seam, moment)
-    if theta[-1] < period:
-        theta, moment = np.append(theta, period), np.append(moment, seam)
-    return theta, moment
+    nothing = np.zeros_like(values)
+    return Cycle(on, np.maximum(values, 0.0), slope, nothing, nothing, nothing, speed)
 
 
 def _check(speed: float, period: float) -> None:
     for name, value in (("mean speed", speed), ("period", period)):
         if not (math.isfinite(value) and value > 0):
-            raise UsageError(
-                f"the {name} is {value:g}, it must be above zero", where="torque diagram", value=value, limit=0.0
-            )
+            raise UsageError(f"the {name} is {value:g}, it must be above zero", where=WHERE, value=value, limit=0.0)
 
 
 def _resolved(f: Callable[[Values], Values], first: Panels, speed: float) -> Cycle:
@@ -184,7 +167,7 @@ def _resolved(f: Callable[[Values], Values], first: Panels, speed: float) -> Cyc
         at = float(on.edges[np.argmax(doubtful)])
         raise AccuracyError(
             f"the moment is not smooth enough to be integrated near theta = {at:.6g} rad ({math.degrees(at):.4g} deg)",
-            where="torque diagram",
+            where=WHERE,
             value=float(np.max(doubtful)) / work,
             limit=UNRESOLVED,
             remedy="a torque diagram has no poles; limit the moment there",
@@ -197,7 +180,7 @@ def _too_fast(turns: int, at: float, period: float) -> AccuracyError:
     return AccuracyError(
         f"the moment changes its sense {turns} times or more in the cycle of {math.degrees(period):.6g} deg, most "
         f"densely near theta = {at:.6g} rad ({math.degrees(at):.4g} deg); {MOST} panels do not resolve it",
-        where="torque diagram",
+        where=WHERE,
         value=turns,
         limit=MOST,
         remedy="lower the factors of theta: what changes so fast is no moment of a machine, its mean value serves",

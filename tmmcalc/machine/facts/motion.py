@@ -55,6 +55,7 @@ def summary(result: Motion, title: str) -> Document:
         _stability_fact(regime),
         *_idle_facts(shaft, result.idle),
         *_textbook_facts(result),
+        *_energy_facts(result),
         *_method_facts(result),
         *_check_facts(regime),
     )
@@ -223,18 +224,44 @@ def _textbook_facts(result: Motion) -> list[Fact]:
         f"A = {number(book.a)} N*m, B = {number(book.b)} N*m*s^2",
         f"delta = {number(nodal, peak=1.0)}{off}",
         f"speed least in position {low}, largest in {high}",
-        f"speeds up to {number(100 * book.error, 3, peak=100.0)} % off the exact ones",
+        _off(result),
         f"largest B dphi/J = {number(book.regime.warning, 4)}{_sound(book)}",
         *_turns(book),
     )
     values = {
         **keyed(book, "a", "b"),
         **keyed(book.regime, "delta"),
-        **keyed(book, "error"),
+        **keyed(result, "textbook_error"),
         **table(book.turns, Turn),
         **keyed(book.regime, "warning"),
     }
     return [Fact("recurrence (3.57)", "\n".join(lines), values)]
+
+
+def _off(result: Motion) -> str:
+    """How far the speeds of the textbook are off."""
+    return f"speeds up to {number(100 * (result.textbook_error or 0.0), 3, peak=100.0)} % off the exact ones"
+
+
+def _energy_facts(result: Motion) -> list[Fact]:
+    """The motion by the energy at the positions (3.48), and how far it is off."""
+    if result.kind != "positional":
+        return []
+    found, label = result.by_energy, "textbook (3.48)"
+    if found is None:
+        return [Fact(label, "not done: it takes equal steps, and an energy that lasts for the cycle")]
+    exact, mean = result.regime.delta, result.regime.mean
+    off = f", {100 * (found.delta / exact - 1):+.3g} % against the exact one" if exact > NOISE else ""
+    low, high = (result.labels[k] for k in (found.node_min, found.node_max))
+    lines = (
+        f"T0 = J(0) omega_m^2/2 = {number(found.energy)} J, a first approximation; M_d = {number(found.drive)} N*m",
+        f"delta = {number(found.delta, peak=1.0)}{off}",
+        f"speed least in position {low}, largest in {high}",
+        f"mean speed {number(found.mean)} rad/s, {100 * (found.mean / mean - 1):+.3g} % off the one asked for",
+        _off(result),
+    )
+    values = {**keyed(found, "energy", "drive", "delta", "mean"), **keyed(result, "textbook_error")}
+    return [Fact(label, "\n".join(lines), values)]
 
 
 def _turns(book: Textbook) -> Iterator[str]:

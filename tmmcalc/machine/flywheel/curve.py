@@ -102,18 +102,6 @@ def nodal_curve(
     return EnergyCurve(None, at, work, inertia, drive)
 
 
-def nodal_work(moment: Values, period: float = 2 * math.pi) -> tuple[Values, float]:
-    """Work A (n + 1,) by the trapezoid rule of the nodal ``moment`` (n + 1,) [N*m], and the drive that closes it.
-
-    The constant driving moment that makes the work of the cycle zero (3.45) is added to the moments first (3.47).
-    """
-    moment = np.asarray(moment, float)
-    step = period / (len(moment) - 1)
-    done = np.append(0.0, np.cumsum((moment[1:] + moment[:-1]) / 2 * step))
-    drive = -float(done[-1]) / period
-    return done + drive * step * np.arange(len(moment)), drive
-
-
 def _first(values: Values) -> int:
     """Index of the largest value; of those that rounding alone tells apart, the first."""
     return int(np.argmax(values >= values.max() - ROUNDING * np.ptp(values)))

@@ -146,7 +146,7 @@ def nodal_flywheels(
     """The same on the nodes of a table: ``work`` A [J] and ``inertia`` J [kg*m^2], both (n + 1,), as the textbook does.
 
     Extremes between the nodes are missed, so J_F comes out too small (by 9 % at 12 nodes of a press).
-    `curve.nodal_work` gives A of nodal moments by the trapezoid rule. ``delta`` of the result is over the nodes too.
+    `nodes.nodal_work` gives A of nodal moments by the trapezoid rule. ``delta`` of the result is over the nodes too.
     """
     check(delta, speed, constant_inertia)
     return all_methods(nodal_curve(work, inertia, period, theta), constant_inertia, delta, speed)

@@ -10,12 +10,12 @@ from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import UNDRIVEN, ConstantInertia, Driver
 from tmmcalc.machine.flywheel.comparison import compared
-from tmmcalc.machine.flywheel.curve import nodal_work
 from tmmcalc.machine.flywheel.methods import FlywheelMethod, nodal_flywheels
 from tmmcalc.machine.flywheel.placement import wheels
 from tmmcalc.machine.flywheel.results import Comparison, Flywheel, RequiredInertia, Trial
 from tmmcalc.machine.flywheel.wittenbauer import energy_mass
 from tmmcalc.machine.model import FlywheelTask
+from tmmcalc.machine.nodes import nodal_tables, nodal_work
 from tmmcalc.machine.power import moment_at
 from tmmcalc.machine.verdicts import Verdict
 
@@ -130,7 +130,6 @@ def _history(cycle: Cycle, driver: Driver | None, delta: float, at_hand: Constan
 
 def _nodal(cycle: Cycle, at_hand: float, delta: float, speed: float, steps: int) -> FlywheelMethod:
     """The textbook's method as it is done by hand: on the nodes of the table, the work by the trapezoid rule."""
-    from tmmcalc.machine.recurrence import nodal_tables
 
     moment, inertia = nodal_tables(cycle, steps, speed)
     work, _ = nodal_work(moment, cycle.period)

@@ -129,18 +129,22 @@ def _ends(sense: float, panels: Panels, values: Values) -> tuple[tuple[float, fl
 
 
 def _finish_speed(axes: Axes, result: Motion, diagram: Diagram) -> None:
-    """Limits about the speeds alone, the mean speed, the recurrence of the textbook, the legend."""
+    """Limits about the speeds alone, the mean speed, that of the textbook, the legend."""
     everything = np.concatenate([line.values for line in diagram.lines])
+    if result.by_energy is not None:  # off by the mean, while the recurrence may swing without limit
+        everything = np.append(everything, result.by_energy.omega)
     low, high = float(everything.min()), float(everything.max())
     axes.set_ylim(low - ROOM * (high - low), high + ROOM * (high - low))
     mean = result.regime.mean
     axes.axhline(mean, **MEAN)
     handles = [Line2D([], [], label=line.label, linewidth=1.3, **line.style) for line in diagram.lines]
     handles.append(Line2D([], [], label=f"mean $\\omega_\\mathrm{{m}}$ = {number(mean, 5)}", **MEAN))
-    if result.textbook is not None:
-        nodal = coordinate(True, result.phi), result.textbook.regime.omega
+    by_hand = result.omega_textbook
+    if by_hand is not None:
+        nodal = coordinate(True, result.phi), by_hand
         axes.plot(*nodal, **NODAL)
-        handles.append(Line2D([], [], label="recurrence (3.57)", **NODAL))
+        label = "recurrence (3.57)" if result.by_energy is None else "energy (3.48)"
+        handles.append(Line2D([], [], label=label, **NODAL))
     axes.legend(
         handles=handles, handlelength=3, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, columnspacing=1.2
     )

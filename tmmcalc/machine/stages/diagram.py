@@ -23,7 +23,7 @@ BALANCE = "balancing moment"
 
 
 def reduced_diagram(name: str, cycle: Cycle, *, alone: bool = True) -> Reduction:
-    """The reduction of a shaft with a moment diagram; its inertia is constant.
+    """The reduction of a shaft with a moment diagram, and with its inertia, constant or over the angle.
 
     A shaft that is not ``alone`` drives something more, which goes on where the diagram is switched off.
     """
@@ -36,7 +36,8 @@ def reduced_diagram(name: str, cycle: Cycle, *, alone: bool = True) -> Reduction
         parts = np.concatenate((parts, np.full_like(parts, cycle.balancing)))
         named.append((BALANCE, "balance"))
     moment = np.stack([_tabulated(on, part, theta) for part in parts])
-    inertia = float(cycle.inertia.flat[0])
+    inertia, slope = (_tabulated(on, part, theta) for part in (cycle.inertia, cycle.slope))
+    least, largest = on.extremes(cycle.inertia)
     return Reduction(
         labels=tuple(map(str, range(steps + 1))),
         phi=theta,
@@ -49,27 +50,32 @@ def reduced_diagram(name: str, cycle: Cycle, *, alone: bool = True) -> Reduction
         ),
         moment=moment,
         total=moment.sum(axis=0),
-        inertia=np.full(steps + 1, inertia),
-        slope=np.zeros(steps + 1),
+        inertia=inertia,
+        slope=slope,
         parts=parts,
         cycle=cycle,
         idle=None if alone else replace(cycle, moment=np.zeros_like(cycle.moment), balancing=0.0),
-        inertia_range=(Extreme(inertia, 0.0), Extreme(inertia, 0.0)),
+        inertia_range=(Extreme(*least), Extreme(*largest)),
         rods="exact",
         rod_links=(),
         other=None,
-        error=_error(on, parts),
+        error=_error(cycle, parts),
         grades=(),
         counters={"panels": on.count, "points": on.x.size},
     )
 
 
-def _error(on: Panels, parts: Values) -> ReductionError:
-    """Errors of moments (S, K, N) as the panels tell them: what polynomials leave out, and rounding."""
+def _error(cycle: Cycle, parts: Values) -> ReductionError:
+    """Errors of moments (S, K, N) as the panels tell them: what polynomials leave out, and rounding.
+
+    The inertia is a polynomial on each panel; its slope has the rounding of differences over the narrowest one.
+    """
+    on, steepest = cycle.panels, float(np.max(np.abs(cycle.slope)))
+    of_slope = EPS * float(np.max(cycle.inertia)) / (float(np.min(on.width)) * steepest) if steepest else 0.0
     tail = on.tail(parts)
     of_value = EPS + float(np.max(tail)) / float(np.max(np.abs(parts)) or 1.0)
     of_work = EPS + float(np.max(tail @ on.width)) / float(np.max(on.total(np.abs(parts))) or 1.0)
-    return ReductionError(EPS, EPS, of_value, of_value, of_value, of_work)
+    return ReductionError(EPS, EPS + of_slope, of_value, of_value, of_value, of_work)
 
 
 def _tabulated(on: Panels, part: Values, theta: Values) -> Values:

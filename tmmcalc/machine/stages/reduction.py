@@ -137,6 +137,6 @@ def omits(spec: MachineTables) -> tuple[str, ...]:
 
 def packages(spec: MachineTables) -> tuple[str, ...]:
     """As of the forces; and of the points of a torque diagram."""
-    curve = spec.torque.table if spec.torque is not None else None
-    own = curve is not None and curve.interpolation == "pchip"
+    curves = (spec.torque.table, spec.torque.reduced_inertia) if spec.torque is not None else ()
+    own = any(curve is not None and curve.interpolation == "pchip" for curve in curves)
     return ("scipy.interpolate",) if own or interpolated(spec) else ()

@@ -110,6 +110,8 @@ def machine_of(given: Given, upstream: Mapping[str, Any]) -> Machine:
         back=partial(back_of, linkage, reduction, attached) if rubs else None,
         undriven=motion.undriven and moved is None,
         notes=(POSITIONAL,) if motion.positional and moved is not None else (),
+        data=duty.motor if duty is not None else None,
+        efficiency=power.line.efficiency,
     )
 
 

@@ -15,6 +15,7 @@ Constant = Annotated[float, Number("a constant", "500")]
 Order = Annotated[float, Number("an order", "2", above=0)]
 Period = Annotated[float, Quantity("angle", at_least_zero=True, nonzero=True)]
 Place = Annotated[float, Quantity("angle", at_least_zero=True)]
+Interpolation = Literal["linear", "pchip", "spline"]
 # An angle, then a moment: lists of one kind of value are what editors follow; the checks tell the two apart.
 Piece = Annotated[list[Annotated[float, Quantity("angle", "moment")]], Field(min_length=2, max_length=2)]
 
@@ -62,8 +63,38 @@ class TorqueCurveTable(Table):
         description="Columns of a file that has more than two: of the values, or of both, as `--columns` names them, "
         '`"phi,M_red"`.',
     )
-    interpolation: Literal["linear", "pchip"] = Field(
-        default="linear", description='`"linear"`: straight lines, or `"pchip"`, a smooth monotone curve.'
+    interpolation: Interpolation = Field(
+        default="linear",
+        description='`"linear"`: straight lines, `"pchip"`, a smooth monotone curve, or `"spline"`, the cubic spline, '
+        "which is the nearest to a smooth moment.",
+    )
+
+
+class InertiaCurveTable(Table):
+    """The reduced inertia at given angles, in the table itself or in a file."""
+
+    theta: list[Place] | None = Field(
+        default=None,
+        min_length=2,
+        description="Angles, ascending within the period (default: n values are n equal steps of the period).",
+    )
+    inertia: list[Inertia] | None = Field(default=None, min_length=2, description="Reduced inertia at each angle.")
+    file: str | None = Field(
+        default=None,
+        description="CSV file in place of the values: two columns under a header such as `theta[deg],J[kg*m^2]`; "
+        "its path counts from the folder of the spec.",
+    )
+    columns: str | None = Field(
+        default=None,
+        description="Columns of a file that has more than two: of the values, or of both, as `--columns` names them, "
+        '`"phi,J_red"`.',
+    )
+    interpolation: Interpolation = Field(
+        default="spline",
+        description='`"spline"`: the cubic spline, `"pchip"`, a smooth monotone curve, or `"linear"`, straight lines.',
+    )
+    period: Period | None = Field(
+        default=None, description="Angle after which it repeats, a whole part of the cycle (default: the cycle)."
     )
 
 
@@ -106,6 +137,11 @@ class TorqueTable(Table):
         default=None, ge=1, le=1000, description="Or only how many equal diagrams, with even delays over the period."
     )
     inertia: Inertia = Field(default=0.0, description="Constant moment of inertia of the shaft and what turns with it.")
+    reduced_inertia: InertiaCurveTable | None = Field(
+        default=None,
+        description="Beside `inertia`: the reduced inertia that varies with the angle, as that of a linkage does; of "
+        'several equal diagrams each has it. `{ file = "reduction.csv", columns = "phi,J_red" }`.',
+    )
     balanced: bool = Field(
         default=False,
         description="Whether the constant moment is added that makes the work of a cycle zero: "

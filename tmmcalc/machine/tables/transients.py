@@ -18,6 +18,8 @@ Turned = Annotated[float, Quantity("angle", at_least_zero=True, nonzero=True)]
 Factor = Annotated[float, Number("a load factor", "0.5", at_least=0)]
 Tolerance = Annotated[float, Number("a tolerance", "1e-9", at_least=1e-13, at_most=1e-2)]
 BrakeMoment = Annotated[float, Quantity("moment", at_least_zero=True)]
+BrakingResistance = Annotated[float, Quantity("resistance", at_least_zero=True)]
+SourceVoltage = Annotated[float, Quantity("voltage", at_least_zero=True, nonzero=True)]
 BrakeViscous = Annotated[float, Quantity("torsional damping", at_least_zero=True)]
 
 
@@ -48,6 +50,19 @@ class BrakeTable(Table):
     )
 
 
+class BrakingTable(Table):
+    """How a shunt motor is connected so that it brakes."""
+
+    kind: Literal["regenerative", "dynamic", "plugging"] = Field(
+        description='`"regenerative"`: on a source of a voltage below that of the armature; `"dynamic"`: the armature '
+        'on a resistor; `"plugging"`: the voltage turned round.'
+    )
+    resistance: BrakingResistance = Field(default=0.0, description="Resistance added to the armature circuit, ohm.")
+    voltage: SourceVoltage | None = Field(
+        default=None, description="Voltage of the source of regenerative braking (default: that of the motor)."
+    )
+
+
 class TransientTable(Table):
     """One motion in time: how it begins, what is switched, what ends it, how it is integrated."""
 
@@ -74,6 +89,11 @@ class TransientTable(Table):
         min_length=1,
         description="Times `[on, off]` between which the motor is on, in place of `motor`: "
         '`[["0 s", "2 s"], ["5 s", "9 s"]]`.',
+    )
+    braking: BrakingTable | None = Field(
+        default=None,
+        description='The motor brakes while it is on: `{ kind = "dynamic", resistance = "2 ohm" }`. '
+        "A shunt motor with `voltage`, `resistance` and `constant` does.",
     )
     load: Factor = Field(default=1.0, description="Load factor at the beginning.")
     load_steps: list[LoadStepTable] = Field(

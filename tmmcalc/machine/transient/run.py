@@ -156,11 +156,17 @@ class Run:
         if self._changes() or not self.holder.forever(regime, self.stretch, self.y):
             return None
         self._row(regime, None)
-        end: End = "stall" if regime.motor else "standstill"
+        stalls = regime.motor and self._turns_at_rest()
+        end: End = "stall" if stalls else "standstill"
         if not (self.events and self.events[-1].kind == end):
-            reason = "the motor cannot move the crank" if regime.motor else "nothing moves the crank"
+            reason = "the motor cannot move the crank" if stalls else "nothing moves the crank"
             self.note(end, reason, self.t, self.y)
         return end
+
+    def _turns_at_rest(self) -> bool:
+        """Whether the motor would move the crank from rest: one that only brakes stands still and does not stall."""
+        moment = self.system.moment(0.0) if self.system.moment else 0.0
+        return moment > 0 or (moment < 0 and self.scenario.standstill == "pass")
 
     def _changes(self) -> bool:
         """Whether something is to be switched at a later time."""

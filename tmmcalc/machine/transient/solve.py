@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import fields, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -27,6 +27,10 @@ from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
 from tmmcalc.machine.transient.verdicts import rated_moment
 from tmmcalc.machine.verdicts import Verdict
 
+if TYPE_CHECKING:
+    from tmmcalc.machine.motors.braking import Braking
+    from tmmcalc.machine.motors.model import Motor
+
 
 @record
 class Machine:
@@ -44,6 +48,8 @@ class Machine:
     back: Back | None = None  # both cycles with the friction of the crank turning back, if pairs rub
     undriven: bool = False  # the steady motion is that of the loads alone
     notes: tuple[str, ...] = ()  # on what the drive takes of the project
+    data: Motor | None = None  # of the motor, by which it may brake
+    efficiency: float = 1.0  # of the gears
 
 
 def solve_transients(
@@ -67,7 +73,20 @@ def beginning(machine: Machine, tasks: Sequence[TransientTask], speed: float) ->
     """The drive and, for every task, the scenario with the speed that it begins with; raises as `solve_transients`."""
     drive = drive_of(machine)[0]
     steady = _steady(machine, speed) if any(task.steady for task in tasks) else None
-    return [(drive, _started(task, steady)) for task in tasks]
+    drives = (drive if task.braking is None else drive_of(_braked(machine, task.braking))[0] for task in tasks)
+    return [(drive, _started(task, steady)) for drive, task in zip(drives, tasks, strict=True)]
+
+
+def _braked(machine: Machine, how: Braking) -> Machine:
+    """The machine with its motor connected as a brake."""
+    from tmmcalc.machine.motors.braking import braking
+    from tmmcalc.machine.motors.gearing import reduced
+
+    if machine.data is None:
+        return machine
+    line = braking(machine.data, how)
+    own, at_crank = (reduced(line, ratio, machine.efficiency) for ratio in (1.0, machine.ratio))
+    return replace(machine, motor=own, reduced=at_crank)
 
 
 def drive_of(machine: Machine) -> tuple[Drive, tuple[str, ...]]:

@@ -46,6 +46,7 @@ def verdicts(
         if first:
             found.append(_slow(first, scenario, curves))
     found += _turned_back(scenario, system, events, drive)
+    found += _pulls_back(scenario, system, curves, end)
     found += _crawls(scenario, curves, drive, end)
     found += _extrapolated(scenario, curves, drive, rated_moment(drive.characteristic))
     found += _without_quiet(scenario, shape, events)
@@ -104,6 +105,15 @@ def _turned_back(scenario: Scenario, system: System, events: list[Event], drive:
         rubs = "; friction of the pairs is that of the crank turning back" if drive.back is not None else ""
         found.append(Verdict("note", at + rubs))
     return found
+
+
+def _pulls_back(scenario: Scenario, system: System, curves: Curves, end: End) -> list[Verdict]:
+    """A braking motor that would turn the crank back from the rest to which it has brought it."""
+    static = system.moment(0.0) if system.moment and scenario.motor_on(float(curves.t[-1])) else 0.0
+    if end != "standstill" or static >= 0:
+        return []
+    text = f"at rest the motor still pulls back with {-static:.5g} N*m at the crank"
+    return [Verdict("note", f'{text}: it is to be switched off there; standstill = "pass" shows the crank turn back')]
 
 
 def _crawls(scenario: Scenario, curves: Curves, drive: Drive, end: End) -> list[Verdict]:

@@ -9,13 +9,13 @@ error is that of the spline.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.numerics.roots import bracketed
+from tmmcalc.core.numerics.spline import periodic_spline
 from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.linkage.synthesis.dwell.linkages import Linkages
 from tmmcalc.linkage.synthesis.dwell.motion import dot
@@ -205,35 +205,6 @@ def _rocker(linkages: Linkages, a2: Plane) -> tuple[Real, Real]:
     return phi, np.arctan2(cross(from_f, to_f), dot(from_f, to_f))
 
 
-def spline_of(phi: Real, s: Real) -> Callable[[Real], Real]:
-    """The periodic cubic spline through displacements (n,) at ascending angles (n,) of one turn, n > 2.
-
-    Its slopes m at the angles follow from equal curvature on both sides: with steps h and chords d,
-    h_k m_(k-1) + 2 (h_(k-1) + h_k) m_k + h_(k-1) m_(k+1) = 3 (h_k d_(k-1) + h_(k-1) d_k). A few dozen equations are
-    solved as they stand: the import of scipy's spline takes longer than the whole synthesis.
-    """
-    knots = np.append(phi, phi[0] + TURN)
-    h = np.diff(knots)
-    chord = np.diff(np.append(s, s[0])) / h
-    before = np.roll(h, 1)
-    k, n = np.arange(len(phi)), len(phi)
-    rows = np.zeros((n, n))
-    rows[k, k] = 2 * (before + h)
-    rows[k, k - 1] += h
-    rows[k, (k + 1) % n] += before
-    slope = np.linalg.solve(rows, 3 * (h * np.roll(chord, 1) + before * chord))
-    ends, later = np.append(s, s[0]), np.append(slope, slope[0])
-
-    def spline(at: Real) -> Real:
-        x = np.mod(at - phi[0], TURN) + phi[0]
-        i = np.clip(np.searchsorted(knots, x, side="right") - 1, 0, n - 1)
-        t = (x - knots[i]) / h[i]
-        low, high = h[i] * (slope[i] - chord[i]), h[i] * (later[i + 1] - chord[i])
-        return np.asarray(ends[i] + t * (ends[i + 1] - ends[i]) + t * (1 - t) * ((1 - t) * low - t * high))
-
-    return spline
-
-
 def accuracy(turn: Turn, steps: int) -> Accuracy:
     """The method against the exact motion of one linkage; raises `NoSolutionError` where it does not apply."""
     at = np.linspace(0.0, TURN, COMPARED, endpoint=False)
@@ -242,6 +213,6 @@ def accuracy(turn: Turn, steps: int) -> Accuracy:
     found = []
     for cosine in (False, True):
         phi, s = places(turn.linkages, arc, steps, cosine)
-        spline = spline_of(phi, s)
-        found.append(float(np.max(np.abs(spline(at) - exact)) / np.ptp(exact)))
+        spline = periodic_spline(phi, s, TURN)
+        found.append(float(np.max(np.abs(spline(at)[0] - exact)) / np.ptp(exact)))
     return Accuracy(steps, *found)

@@ -6,7 +6,17 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from tmmcalc.linkage.tables.checks.windows import beyond, check_output, check_travel, grid_steps, outputs, travel
+from tmmcalc.linkage.tables.checks.windows import (
+    MOST_TURNS,
+    TURN,
+    beyond,
+    check_output,
+    check_travel,
+    check_turns,
+    grid_steps,
+    outputs,
+    travel,
+)
 from tmmcalc.linkage.tables.checks.written_linkage import written_linkage
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
@@ -15,7 +25,6 @@ from tmmcalc.spec.phrases import Path, show
 from tmmcalc.spec.units import dimension_of
 from tmmcalc.spec.values import amount, amounts, first_disorder
 
-TURN = 2 * math.pi
 _OF_OUTPUT = ("displacement", "stroke")
 
 
@@ -84,12 +93,14 @@ def _check_options(curve: Curve) -> Iterator[Finding]:
         yield from check_output(curve.outline, table.get("output"), (*path, "output"))
     if "period" not in table:
         return
-    if curve.of != "angle" or written_linkage(curve.outline).slides:
+    if curve.of not in ("angle", "position") or written_linkage(curve.outline).slides:
         what = "with a driven slider" if written_linkage(curve.outline).slides else f"of {curve.of}"
         yield Finding((*path, "period"), f"period in a table {what}: only crank angles repeat", "remove it")
         return
     period = amount(table["period"], "angle")
-    if period and not _is_whole(max(period / TURN, TURN / period)):
+    if curve.of == "position" or (period and period > MOST_TURNS * TURN):
+        yield from check_turns(table["period"], (*path, "period"))
+    elif period and not _is_whole(max(period / TURN, TURN / period)):
         yield Finding(
             (*path, "period"),
             f"{show(table['period'])} is neither a whole number of turns nor a whole part of a turn",
@@ -144,10 +155,11 @@ def _check_without_x(curve: Curve, key: str, count: int | None) -> Iterator[Find
     if count is None or steps is None or count <= steps:
         return
     values = curve.table[key]
-    if curve.of == "position" and count > steps + 1:
+    last = steps * _turns(curve)
+    if curve.of == "position" and count > last + 1:
         yield Finding(
             (*curve.path, key),
-            f"{count} values for {steps + 1} positions (0 to {steps})",
+            f"{count} values for {last + 1} positions (0 to {last})",
             "write one value for each position, or add x",
         )
     if curve.of == "angle" and not missing and count == steps + 1 and values[0] == values[-1]:
@@ -193,6 +205,11 @@ def _of_output(curve: Curve) -> str | None:
     return None if output is None else "angle" if "link" in output else "length"
 
 
+def _turns(curve: Curve) -> int:
+    """Turns over which a table of positions counts."""
+    return max(1, round((amount(curve.table.get("period"), "angle") or TURN) / TURN))
+
+
 def _check_range(curve: Curve, listed: list[object], numbers: list[float]) -> Iterator[Finding]:
     last = len(numbers) - 1
     if curve.of == "stroke" and numbers[last] > 1:
@@ -211,7 +228,8 @@ def _check_range(curve: Curve, listed: list[object], numbers: list[float]) -> It
 
 
 def _check_numbers(curve: Curve, listed: list[object], numbers: list[float]) -> Iterator[Finding]:
-    steps = grid_steps(curve.outline)
+    own = grid_steps(curve.outline)
+    steps = None if own is None else own * _turns(curve)
     for index, number in enumerate(numbers):
         if not number.is_integer() or (steps is not None and number > steps):
             known = f"0 to {steps}" if steps is not None else "whole numbers"

@@ -15,6 +15,8 @@ from tmmcalc.spec.units import FULL_TURN, dimension_of
 from tmmcalc.spec.values import amount
 
 WINDOWS = ("stroke", "between", "positions")
+TURN = 2 * math.pi
+MOST_TURNS = 12  # of a cycle
 
 
 def check_windows(outline: Outline) -> Iterator[Finding]:
@@ -42,6 +44,42 @@ def check_windows(outline: Outline) -> Iterator[Finding]:
         yield from check_output(outline, load.get("output"), (*path, "output"))
         yield from _check_between(outline, load.get("between"), (*path, "between"))
         yield from _check_positions(outline, load.get("positions"), (*path, "positions"))
+        if "period" in load:
+            yield from _check_period(outline, load, path, always=key)
+
+
+def _check_period(outline: Outline, load: Raw, path: Path, always: str | None) -> Iterator[Finding]:
+    """Only what has its place in the cycle comes back after several turns; tables have a period of their own."""
+    at = (*path, "period")
+    own = next((key for key in ("table", "indicator") if key in load), None)
+    placed = "between" in load or "positions" in load
+    if always is not None:
+        yield Finding(
+            at, f"period together with {always}: a resistance against the velocity acts all the time", "remove it"
+        )
+    elif written_linkage(outline).slides:
+        yield Finding(at, "period with a driven slider: only crank angles repeat", "remove it")
+    elif own is not None:
+        of_table = "write it there, [loads.table]" if own == "table" else "remove it"
+        yield Finding(at, f"period beside {own}: the {own} tells when the load repeats", of_table)
+    elif "stroke" in load:
+        said = "period together with stroke: every stroke comes back each turn"
+        yield Finding(at, said, 'name the angles of the one that is meant: between = ["360 deg", "540 deg"]')
+    elif not placed and "polynomial" not in load:
+        yield Finding(at, "period without a window: a constant load has none", "add between = [...], or remove period")
+    else:
+        yield from check_turns(load["period"], at)
+
+
+def check_turns(value: object, path: Path) -> Iterator[Finding]:
+    """A period is a whole number of turns, and not too many."""
+    turns = (amount(value, "angle") or TURN) / TURN
+    if abs(turns - round(turns)) > 1e-9 or round(turns) < 1:
+        said = f"{show(value)} is not a whole number of turns"
+        yield Finding(path, said, 'write "720 deg" for a four-stroke engine')
+    elif round(turns) > MOST_TURNS:
+        said = f"{show(value)} are {round(turns)} turns; a cycle has up to {MOST_TURNS}"
+        yield Finding(path, said, 'write "720 deg" for a four-stroke engine')
 
 
 def check_output(outline: Outline, name: object, path: Path) -> Iterator[Finding]:
@@ -67,7 +105,13 @@ def cycle(outline: Outline) -> float:
     from tmmcalc.linkage.loadlaws import laws
 
     given = [(law, load) for _, load in loads(outline) for key, law in laws().items() if key in load]
-    return max([2 * math.pi, *(law.cycle(load) for law, load in given)])
+    windows = (amount(load.get("period"), "angle") or 0.0 for _, load in loads(outline))
+    return max([TURN, *(law.cycle(load) for law, load in given), *windows])
+
+
+def turns_of_cycle(outline: Outline) -> int:
+    """Return the whole turns of the cycle of all loads."""
+    return max(1, round(cycle(outline) / TURN))
 
 
 def travel(outline: Outline) -> str:
@@ -123,6 +167,7 @@ def _check_positions(outline: Outline, pair: object, path: Path) -> Iterator[Fin
     if not isinstance(pair, list) or len(pair) != 2:
         return
     steps, grid = grid_steps(outline), subtable(written_linkage(outline).table, "grid")
+    steps = None if steps is None else steps * turns_of_cycle(outline)
     for index, label in enumerate(pair):
         digits = str(label).rstrip("'") if is_integer(label) or isinstance(label, str) else ""
         if steps is not None and digits.isdecimal() and len(digits) < 8 and int(digits) > steps:

@@ -65,6 +65,7 @@ def _load(table: LoadTable, name: str, points: Points) -> Load:
         factor=table.factor,
         role=table.role,
         against=table.against,
+        repeats=1 if table.period is None else round(table.period / (2 * math.pi)),
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from typing import NamedTuple
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.tables.checks.curves import Curve
@@ -18,8 +19,10 @@ from tmmcalc.spec.units import FULL_TURN, dimension_of
 from tmmcalc.spec.values import amount, amounts, check_bare_speed
 
 LAWS = ("formula", "harmonics", "pieces", "table")
+FEWEST = 3  # points of a spline
 TURN = 2 * math.pi
 _ANGLES = ("theta", "phi")
+_JUMP = {"table": 'a jump needs interpolation = "linear"', "reduced_inertia": "an inertia does not jump"}
 _PROBES = 360  # angles at which a formula has to have a value
 
 
@@ -125,7 +128,7 @@ def _check_angles(
         back = i > 0 and not (angle > angles[i - 1] or (jumps and angle == angles[i - 1]))
         if back or (i > 1 and angle == angles[i - 2]):
             rule = "at most two points at one angle" if jumps and angle == angles[i - 1] else "the angles ascend"
-            remedy = "put the points in order" if jumps else 'put them in order; a jump needs interpolation = "linear"'
+            remedy = "put the points in order" if jumps else f"put them in order; {_JUMP[str(curve.path[-1])]}"
             yield Finding(place, f"{at}{show(value)} does not come after {show(listed[i - 1])}; {rule}", remedy)
             return
         if angle < 0 or angle > period * (1 + 1e-12):
@@ -142,48 +145,89 @@ def _after_the_period(curve: Curve, key: str, index: int, value: object, angle: 
     return Finding(place, said, "count from the beginning of the cycle, or give its period")
 
 
+class Points(NamedTuple):
+    """What a table of points is of: its place, the key of its values, words for faults, its period, its usual curve."""
+
+    name: str
+    key: str  # of the values, and their dimension
+    noun: str
+    several: str
+    remedy: str  # where it has no values
+    period: float
+    usual: str
+
+
 def check_table(outline: Outline) -> Iterator[Finding]:
-    """A table has its moments or a file, one moment for each angle, and the angles ascend."""
+    """A table of moments, and one of the reduced inertia, has its values or a file, one for each ascending angle."""
     torque = subtable(outline.document, "torque")
-    if not isinstance(torque.get("table"), dict):
+    cycle = period(torque)
+    add = 'add moment = [0, "40 N*m", 0], or file = "m.csv"'
+    yield from _check_source(outline, Points("table", "moment", "a torque diagram", "moments", add, cycle, "linear"))
+    own = amount(subtable(torque, "reduced_inertia").get("period"), "angle") or cycle
+    times = cycle / own
+    if abs(times - round(times)) > 1e-9 or times < 0.5:
+        said = f"a period of {math.degrees(own):g} deg does not divide the cycle of {math.degrees(cycle):g} deg"
+        yield Finding(("torque", "reduced_inertia", "period"), said, "write the cycle or a whole part of it")
         return
-    curve = Curve(outline, torque["table"], ("torque", "table"), "angle")
-    given = [key for key in ("theta", "moment") if key in curve.table]
+    noun, several = "a reduced inertia", "moments of inertia"
+    add = 'add inertia = ["4 kg*m^2", "5 kg*m^2", "4.5 kg*m^2"], or file = "j.csv"'
+    yield from _check_source(outline, Points("reduced_inertia", "inertia", noun, several, add, own, "spline"))
+
+
+def _check_source(outline: Outline, of: Points) -> Iterator[Finding]:
+    table = subtable(outline.document, "torque").get(of.name)
+    if not isinstance(table, dict):
+        return
+    curve = Curve(outline, table, ("torque", of.name), "angle")
+    given = [key for key in ("theta", of.key) if key in curve.table]
     if "file" in curve.table and given and curve.path not in outline.rows:
         said = f"file together with {' and '.join(given)}: the file holds all values"
         yield Finding((*curve.path, "file"), said, f"remove file, or remove {' and '.join(given)}")
-    elif "file" not in curve.table and "moment" not in curve.table:
-        said = "missing key: a torque diagram in a table has its moments"
-        yield Finding(curve.path, said, 'add moment = [0, "40 N*m", 0], or file = "m.csv"')
-    yield from _check_points(curve, period(torque))
+    elif "file" not in curve.table and of.key not in curve.table:
+        yield Finding(curve.path, f"missing key: {of.noun} in a table has its {of.several}", of.remedy)
+    yield from _check_points(curve, of)
 
 
-def _check_points(curve: Curve, period: float) -> Iterator[Finding]:
-    theta, moment = curve.table.get("theta"), curve.table.get("moment")
-    if not isinstance(theta, list) or not isinstance(moment, list):
+def _check_points(curve: Curve, of: Points) -> Iterator[Finding]:
+    theta, listed = curve.table.get("theta"), curve.table.get(of.key)
+    kind = word(curve.table, "interpolation", of.usual)
+    if not isinstance(listed, list):
         return
-    if len(theta) != len(moment) > 1 < len(theta):
-        said = f"{len(moment)} moments for {len(theta)} angles"
-        yield Finding(curve.place("moment"), said, "write one moment for each angle")
-    angles, values = amounts(theta, "angle"), amounts(moment, "moment")
+    if "theta" not in curve.table:
+        if kind == "spline" and len(listed) < FEWEST:
+            yield _too_few(curve, of.key)
+        return
+    if not isinstance(theta, list):
+        return
+    if len(theta) != len(listed) > 1 < len(theta):
+        said = f"{len(listed)} {of.several} for {len(theta)} angles"
+        yield Finding(curve.place(of.key), said, f"write one {of.several.replace('moments', 'moment')} for each angle")
+    angles, values = amounts(theta, "angle"), amounts(listed, of.key)
     if not angles or min(angles) < 0:
         return
-    smooth = word(curve.table, "interpolation", "linear") == "pchip"
-    wrong = list(_check_angles(curve, "theta", theta, angles, period, jumps=not smooth))
+    jumps = kind == "linear" and of.key == "moment"
+    wrong = list(_check_angles(curve, "theta", theta, angles, of.period, jumps=jumps))
     yield from wrong
-    if wrong or not smooth or not values or len(values) != len(angles):
+    if wrong or jumps or not values or len(values) != len(angles):
         return
-    if angles[-1] - angles[0] > period * (1 - 1e-12):
-        if abs(values[-1] - values[0]) > 1e-9 * max(map(abs, values)):
-            yield Finding(
-                curve.place("moment", len(values) - 1),
-                f"{curve.at(len(values) - 1)}the curve ends with {show(moment[-1])} and begins with {show(moment[0])} "
-                "at the same position of the shaft",
-                'make the two equal; a jump needs interpolation = "linear"',
-            )
-        elif len(angles) == 2:
-            said = "one point of the cycle alone makes no curve"
-            yield Finding(curve.place("theta"), said, "give points between the ends of the period")
+    whole = angles[-1] - angles[0] > of.period * (1 - 1e-12)
+    if whole and abs(values[-1] - values[0]) > 1e-9 * max(map(abs, values)):
+        yield Finding(
+            curve.place(of.key, len(values) - 1),
+            f"{curve.at(len(values) - 1)}the curve ends with {show(listed[-1])} and begins with {show(listed[0])} "
+            "at the same position of the shaft",
+            f"make the two equal; {_JUMP[of.name]}",
+        )
+    elif whole and len(angles) == 2:
+        said = "one point of the cycle alone makes no curve"
+        yield Finding(curve.place("theta"), said, "give points between the ends of the period")
+    elif kind == "spline" and len(angles) - whole < FEWEST:
+        yield _too_few(curve, "theta")
+
+
+def _too_few(curve: Curve, key: str) -> Finding:
+    said = "two points of the period make no cubic spline"
+    return Finding(curve.place(key), said, 'give three points or more, or interpolation = "linear"')
 
 
 def check_alone(outline: Outline) -> Iterator[Finding]:

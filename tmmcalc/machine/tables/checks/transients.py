@@ -130,6 +130,26 @@ def _times(transient: Raw) -> Iterator[tuple[Path, object]]:
     yield ("brake", "from"), subtable(transient, "brake").get("from")
 
 
+def check_braking(outline: Outline) -> Iterator[Finding]:
+    """Only a shunt motor whose circuit is known brakes, while it is on; a source of its own is that of regeneration."""
+    motor = subtable(outline.document, "motor")
+    for path, transient in motions(outline):
+        if "braking" not in transient:
+            continue
+        at, braking = (*path, "braking"), subtable(transient, "braking")
+        lacking = [key for key in ("voltage", "resistance", "constant") if key not in motor]
+        if word(motor, "kind", "induction") != "shunt" or lacking:
+            said = "braking of a motor that is no shunt motor with voltage, resistance and constant"
+            remedy = 'write kind = "shunt" with these in [motor], or a brake = { moment = "200 N*m" }'
+            yield Finding(at, said if motor else "braking without [motor]: there is nothing that brakes", remedy)
+        if transient.get("motor") == "off":
+            yield Finding(at, 'braking together with motor = "off": a motor that is off does not brake', "remove motor")
+        kind = word(braking, "kind", "regenerative")
+        if "voltage" in braking and kind != "regenerative":
+            said = f"voltage with kind = {show(kind)}: only regenerative braking has a source of its own"
+            yield Finding((*at, "voltage"), said, "remove it")
+
+
 def check_method(outline: Outline) -> Iterator[Finding]:
     """Fixed steps belong to the methods that take them."""
     for path, transient in motions(outline):
@@ -156,4 +176,14 @@ def motions(outline: Outline) -> list[tuple[Path, Raw]]:
     return [(("transients", index), transient) for index, transient in tables(outline.document, "transients")]
 
 
-CHECKS = (check_names, check_begin, check_motor, check_load, check_brake, check_within, check_method, check_targets)
+CHECKS = (
+    check_names,
+    check_begin,
+    check_motor,
+    check_load,
+    check_brake,
+    check_braking,
+    check_within,
+    check_method,
+    check_targets,
+)

@@ -13,6 +13,7 @@ from tmmcalc.machine.model import (
     DriveShaft,
     FlywheelTask,
     Gears,
+    InertiaPoints,
     MotionTask,
     MotorChoice,
     TorqueFormula,
@@ -25,11 +26,12 @@ from tmmcalc.machine.model import (
 from tmmcalc.machine.tables.names import shaft_names, transient_names
 
 if TYPE_CHECKING:
+    from tmmcalc.machine.motors.braking import Braking
     from tmmcalc.machine.motors.model import CharacteristicKind, Motor
     from tmmcalc.machine.room import MachineTables
     from tmmcalc.machine.tables.motor import MotorTable
     from tmmcalc.machine.tables.torque import TorqueTable
-    from tmmcalc.machine.tables.transients import BrakeTable, TransientTable
+    from tmmcalc.machine.tables.transients import BrakeTable, BrakingTable, TransientTable
     from tmmcalc.machine.transient.scenario import Brake, Scenario
 
 CHOOSE = "choose"
@@ -183,6 +185,7 @@ def to_torque(spec: MachineTables) -> TorqueTask | None:
         law=_torque_law(table),
         delays=_delays(table),
         inertia=table.inertia,
+        reduced=_reduced_inertia(table),
         balanced=table.balanced,
     )
 
@@ -202,8 +205,21 @@ def _torque_law(table: TorqueTable) -> TorqueFormula | TorqueHarmonics | TorqueP
     assert table.table is not None
     curve = table.table
     moments = tuple(curve.moment or ())
-    steps = (i * table.period / len(moments) for i in range(len(moments)))
-    return TorquePoints(tuple(steps if curve.theta is None else curve.theta), moments, curve.interpolation)
+    return TorquePoints(_angles(curve.theta, len(moments), table.period), moments, curve.interpolation)
+
+
+def _reduced_inertia(table: TorqueTable) -> InertiaPoints | None:
+    """The reduced inertia that varies with the angle."""
+    curve = table.reduced_inertia
+    if curve is None:
+        return None
+    values, period = tuple(curve.inertia or ()), curve.period or table.period
+    return InertiaPoints(_angles(curve.theta, len(values), period), values, period, curve.interpolation)
+
+
+def _angles(given: list[float] | None, count: int, period: float) -> tuple[float, ...]:
+    """The angles of a table, by default equal steps of its period [rad]."""
+    return tuple(i * period / count for i in range(count)) if given is None else tuple(given)
 
 
 def _delays(table: TorqueTable) -> tuple[float, ...]:
@@ -223,6 +239,7 @@ def to_scenarios(spec: MachineTables) -> tuple[TransientTask, ...]:
             _scenario(table, name),
             Method(table.method, table.step, table.tolerance),
             table.begin == "steady",
+            _braking(table.braking),
         )
         for table, name in zip(spec.transients, transient_names([t.name for t in spec.transients]), strict=True)
     )
@@ -253,6 +270,14 @@ def _motor_times(table: TransientTable) -> tuple[tuple[float, float], ...]:
     if table.motor_on is not None:
         return tuple((on, off) for on, off in table.motor_on)
     return ((0.0, math.inf),) if table.motor != "off" else ()
+
+
+def _braking(table: BrakingTable | None) -> Braking | None:
+    if table is None:
+        return None
+    from tmmcalc.machine.motors.braking import Braking
+
+    return Braking(table.kind, table.resistance, table.voltage)
 
 
 def _brake(table: BrakeTable | None) -> Brake | None:

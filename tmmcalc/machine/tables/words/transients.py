@@ -2,6 +2,7 @@
 
 MISSING = {
     "load_steps.factor": ("a load step has its load factor", "add factor = 1"),
+    "braking.kind": ("there are three ways to brake", 'add kind = "dynamic"'),
 }
 
 LISTS = {
@@ -12,6 +13,7 @@ LISTS = {
 
 INLINE = {
     "load_steps": 'load_steps = [{ factor = 0.5, time = "3 s" }]',
+    "braking": 'braking = { kind = "dynamic", resistance = "2 ohm" }',
     "brake": 'brake = { moment = "200 N*m", from = "2 s" }',
 }
 

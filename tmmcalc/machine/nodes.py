@@ -1,0 +1,39 @@
+"""A cycle at the nodes of equal steps, for the textbook's methods: moment, inertia, work by the trapezoid rule."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from tmmcalc.core.numerics.panels import Values
+from tmmcalc.machine.cycle import Cycle
+
+NEAR = 1e-9  # of the period: a node so near to the edge of a panel, where a load may jump, lies on it
+
+
+def nodal_tables(cycle: Cycle, n: int, speed: float) -> tuple[Values, Values]:
+    """Moment [N*m] at the ``speed`` [rad/s] and inertia [kg*m^2] of a cycle, (n + 1,) each, at ``n`` equal steps.
+
+    Where the load jumps at a node the larger load counts, as the textbook counts it at both ends of its action.
+    """
+    theta, edges, near = np.linspace(0.0, cycle.period, n + 1), cycle.panels.edges, NEAR * cycle.period
+    nearest = edges[np.minimum(np.searchsorted(edges, theta - near), len(edges) - 1)]
+    theta = np.where(np.abs(nearest - theta) <= near, nearest, theta)
+    moment = cycle.moment + (cycle.viscous + cycle.quadratic * speed) * speed
+    after, inertia = cycle.panels.at(np.stack((moment, cycle.inertia)), theta)
+    before = cycle.panels.at(moment, theta, before=True)
+    after[-1], before[0], inertia[-1] = after[0], before[-1], inertia[0]
+    return np.where(np.abs(after) >= np.abs(before), after, before), inertia
+
+
+def nodal_work(moment: Values, period: float = 2 * math.pi) -> tuple[Values, float]:
+    """Work A (n + 1,) by the trapezoid rule of the nodal ``moment`` (n + 1,) [N*m], and the drive that closes it.
+
+    The constant driving moment that makes the work of the cycle zero (3.45) is added to the moments first (3.47).
+    """
+    moment = np.asarray(moment, float)
+    step = period / (len(moment) - 1)
+    done = np.append(0.0, np.cumsum((moment[1:] + moment[:-1]) / 2 * step))
+    drive = -float(done[-1]) / period
+    return done + drive * step * np.arange(len(moment)), drive
