@@ -24,7 +24,7 @@ class WheelTask:
     module: float = quantity("m[m]", "normal module")
     measuring: WheelMeasuring  # what is measured besides its teeth on the circles
     kind: Kind = "external"
-    shift: float = quantity("x", "profile shift", default=0.0)  # of a ring with the sign of ISO 21771
+    shift: float = quantity("shift", "profile shift", symbol="x", default=0.0)  # of a ring with the sign of ISO 21771
     helix: float = quantity("beta[rad]", "helix angle at the reference cylinder, of either hand", default=0.0)
     rack: Rack = Rack()  # basic rack in the normal section
     tip: float | None = None  # radius of the tip circle [m]; None: of teeth as high as the rack's
