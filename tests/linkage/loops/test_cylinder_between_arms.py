@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import asin, cos, hypot, radians, sin, sqrt
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -202,9 +203,20 @@ def test_force_grows_without_limit_towards_the_dead_point() -> None:
     assert np.ptp(products[4:]) < 0.01 * products[-1]
 
 
-def test_from_rest_to_rest_though_the_platform_only_translates() -> None:
+RISE = """
+[unsteady]
+output = "P"
+from = "0.7 m"
+to = "2.2 m"
+speed = "30 mm/s"
+acceleration = "20 mm/s^2"
+"""
+
+
+def test_from_rest_to_rest_though_the_platform_only_translates(tmp_path: Path) -> None:
     """The platform's angle is zero but for rounding, which is no motion that has to be followed."""
-    found = tmmcalc.solve_unsteady(lift())
+    (tmp_path / "rise.toml").write_text(FILE.read_text() + RISE)
+    found = tmmcalc.solve_unsteady(tmmcalc.load_spec(tmp_path / "rise.toml"))
     told = {extreme.name: extreme for extreme in found.extremes}
     assert (told["omega_6"].least, told["omega_6"].largest) == (0, 0)
     assert (told["eps_7"].least, told["eps_7"].largest) == (0, 0)
