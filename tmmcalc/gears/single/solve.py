@@ -41,7 +41,7 @@ def solve_single(task: WheelTask) -> SingleWheel:
     >>> from tmmcalc.gears.meshing.task import WheelMeasuring
     >>> found = solve_single(WheelTask(27, 0.005, WheelMeasuring("1", 0.005), shift=0.31))
     >>> round(1e3 * found.tip, 3), round(1e3 * found.measures.span.length, 4), found.measures.span.teeth
-    (74.05, 54.9331, 4)
+    (74.05, 69.374, 5)
     """
     require_tool(task.rack)
     wheel, m, ring = task.wheel, task.module, task.kind == "internal"
