@@ -50,6 +50,7 @@ _HOMES = {
         "solve_profiles",
         "solve_strength",
         "solve_train",
+        "solve_wheel",
     ),
     "tmmcalc.api.linkages": (
         "list_assemblies",

@@ -27,6 +27,7 @@ from tmmcalc.api.gears import solve_pairs as solve_pairs
 from tmmcalc.api.gears import solve_profiles as solve_profiles
 from tmmcalc.api.gears import solve_strength as solve_strength
 from tmmcalc.api.gears import solve_train as solve_train
+from tmmcalc.api.gears import solve_wheel as solve_wheel
 from tmmcalc.api.linkages import list_assemblies as list_assemblies
 from tmmcalc.api.linkages import solve_forces as solve_forces
 from tmmcalc.api.linkages import solve_kinematics as solve_kinematics

@@ -155,15 +155,15 @@ def test_pictures() -> None:
 
 def test_the_scheme_stands_where_the_law_has_it() -> None:
     pytest.importorskip("matplotlib")
+    from tmmcalc.cams.indexing.second import rows_of as rollers_at
+    from tmmcalc.cams.indexing.second import turned
     from tmmcalc.cams.indexing.solve import drive_of
-    from tmmcalc.cams.pictures.indexingscheme import rows_of as rollers_at
-    from tmmcalc.cams.pictures.indexingscheme import turned
 
-    drive = drive_of(GIVEN, GIVEN.ratio)
-    assert turned(drive, radians(45)) == pytest.approx(radians(30))
-    assert turned(drive, radians(135)) == pytest.approx(radians(60))
-    assert turned(drive, radians(360)) == pytest.approx(radians(120))
-    near, far = rollers_at(drive, radians(135))  # in the dwell one of each row stands at +-30 deg
+    drive, rests = drive_of(GIVEN, GIVEN.ratio), GIVEN.rests
+    assert turned(drive, rests, radians(45)) == pytest.approx(radians(30))
+    assert turned(drive, rests, radians(135)) == pytest.approx(radians(60))
+    assert turned(drive, rests, radians(360)) == pytest.approx(radians(120))
+    near, far = rollers_at(drive, rests, radians(135))  # in the dwell one of each row stands at +-30 deg
     place = 0.13 - 0.05 * np.exp(1j * radians(30))
     assert np.min(np.abs(near - place)) < 1e-15
     assert np.min(np.abs(far - np.conj(place))) < 1e-15

@@ -282,6 +282,7 @@ def test_check_reports_every_file(cli: Cli) -> None:
         (ENGINE + ROTOR, "an engine of 4 cylinders; a rotor with 1 unbalance"),
         (ENGINE.replace("4", "1"), "an engine of 1 cylinder"),
         ((CONFIGS / "pair-rack.toml").read_text(), "1 pair of gears"),
+        ((CONFIGS / "wheel.toml").read_text(), "a wheel of 27 teeth"),
         ((CONFIGS / "pair-blocking.toml").read_text(), "2 pairs of gears"),
         ((CONFIGS / "gears-pairs.toml").read_text(), "a gear train, AIbar; pairs of the train"),
         (

@@ -58,6 +58,7 @@ KINDS = {  # a scene of every kind, the rooms that it needs
     "gears-kinematic": ("gears",),
     "gears-circulating": ("gears",),
     "pair-rack": ("gears",),
+    "wheel": ("gears",),
     "cam-flat": ("cams",),
     "cam-lantern": ("cams",),
     "manipulator": ("manipulators",),

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from tmmcalc.gears.meshing.profiles import Profiles
     from tmmcalc.gears.meshing.results import Pairs
     from tmmcalc.gears.selection.results import Selection
+    from tmmcalc.gears.single.results import SingleWheel
     from tmmcalc.gears.sizing import Sizing
     from tmmcalc.gears.trains import Trains
     from tmmcalc.project import Spec
@@ -53,3 +54,8 @@ def solve_blocking(spec: Spec) -> Blocking:
 def solve_profiles(spec: Spec) -> Profiles:
     """Half a tooth of every wheel of the pairs of a spec; lengths in metres."""
     return solved(spec, "profile")
+
+
+def solve_wheel(spec: Spec) -> SingleWheel:
+    """A wheel without a mate: circles, limits of its shift, measures, half a tooth; lengths in metres."""
+    return solved(spec, "wheel")

@@ -86,6 +86,7 @@ HELD: dict[str, str | Callable[[Any], str]] = {
     "gearing": lambda gearing: f"gearing, {gearing.layout or f'{len(gearing.meshes)} meshes'}",
     "open_pair": lambda pair: f"an open pair {pair.teeth[0]}/{pair.teeth[1]}",
     "pair": _pairs,
+    "wheel": lambda wheel: f"a {'ring' if wheel.kind == 'internal' else 'wheel'} of {wheel.teeth} teeth",
     "cam": lambda cam: f"a cam with {_FOLLOWERS[cam.follower]}",
     "indexing": lambda drive: f"an indexing drive of {_count(range(drive.rollers), 'roller')}",
     "manipulator": lambda manipulator: f"a manipulator with {_ARMS[manipulator.arm]}",

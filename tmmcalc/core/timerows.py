@@ -22,6 +22,7 @@ CLOSEST = 2  # panels with the largest samples are searched for the extreme betw
 NEWTON = 6  # steps to it
 RESOLVED = 1e-11  # of the largest value: what the panels may leave out
 LEVEL = 1e-12  # of the largest value: smaller differences are rounding
+STILL = 1e-12  # of what a quantity is made from: one that is never more is zero but for rounding
 FLAT = 1e-6  # of the duration: where a quantity is level, its largest value stands as uncertain as sqrt(LEVEL)
 
 
@@ -106,14 +107,21 @@ def extremes(
     duration: float,
     breaks: Sequence[float],
     names: Sequence[tuple[str, str]],
+    peers: Values | None = None,
 ) -> tuple[TimedExtreme, ...]:
     """Extremes of F functions, ``f(t (m,)) -> (F, m)``, that are smooth between the breaks; ``names`` with units.
 
-    Both limits count where something jumps. f is never asked for the instant of a break.
+    Both limits count where something jumps. f is never asked for the instant of a break. ``peers`` (F,) are the sizes
+    of what the functions are made from: one that is never more than rounding beside them is zero.
     """
     if not duration:
         return ()
-    on, values, _ = resolved(f, over_time(duration, breaks), RESOLVED)
+    first = over_time(duration, breaks)
+    if peers is not None:
+        still = np.max(np.abs(f(first.x.ravel())), axis=1) <= STILL * peers
+        on, values, _ = resolved(lambda t: np.where(still[:, None], 0.0, f(t)), first, RESOLVED)
+    else:
+        on, values, _ = resolved(f, first, RESOLVED)
     least, largest = (_most(on, sign * values) for sign in (-1, 1))
     return tuple(
         TimedExtreme(name, unit, 0.0 - low, low_at, high + 0.0, high_at)

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from tmmcalc.gears.tables.pair import PairTable
     from tmmcalc.gears.tables.strength import StrengthTable
     from tmmcalc.gears.tables.train import TrainTable
+    from tmmcalc.gears.tables.wheel import WheelTable
     from tmmcalc.linkage.room import LinkageTables
 else:
     LinkageTables = object
@@ -44,6 +45,7 @@ class GearTables(LinkageTables):
     pair: PairTable | None = table(
         "Pairs of gears: written out, or those of the train that is chosen.", subject=True, describes="gears"
     )
+    wheel: WheelTable | None = table("A wheel without a mate, external or a ring.", subject=True, describes="gears")
 
 
 ROOM = Room(
@@ -123,6 +125,12 @@ ROOM = Room(
             picture=Picture("how the rack cuts the teeth, each tooth enlarged", ("--choose",)),
             studied=True,
         ),
+        Stage(
+            "wheel",
+            "a wheel without a mate: circles, limits, measures, profile",
+            asked=("wheel", "no wheel by itself"),
+            picture=Picture("how the tool cuts the teeth, half a tooth enlarged"),
+        ),
     ),
     (
         Command("synth", "Every set of tooth numbers within the constraints."),
@@ -133,6 +141,7 @@ ROOM = Room(
         Command("open", "The open pair on the crank: ratio, losses, inertia, load."),
         Command("blocking", "Blocking contours: all admissible shifts of a pair."),
         Command("profile", "Tooth profiles; svg, dxf and csv files of gears."),
+        Command("wheel", "A wheel without a mate: circles, limits, measures."),
         Command("measure", "Span, size over balls, chords of the teeth."),
     ),
     group=Group(

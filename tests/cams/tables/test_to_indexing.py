@@ -45,6 +45,12 @@ KEYS: dict[str, tuple[str, Callable[[IndexingTask], Any], Any]] = {
     "centre_distance": ('centre_distance = "120 mm"', lambda task: task.ratio, 2.0),
     "ratio": ("ratio = 2.4", lambda task: task.ratio, 2.4),
     "roller_radius": ('roller_radius = "9 mm"', lambda task: task.roller, 0.009),
+    "roller_radii": (
+        'roller_radii = ["9 mm", "7 mm"]',
+        lambda task: (task.roller, task.second_roller),
+        (0.009, 0.007),
+    ),
+    "dwells": ('dwells = ["100 deg", "60 deg"]', lambda task: task.dwells, (100 * DEGREE, 60 * DEGREE)),
     "pressure_angle": ('pressure_angle = "45 deg"', lambda task: task.limit, 45 * DEGREE),
     "friction": ("friction = 0.1", lambda task: (task.friction, task.pin_friction), (0.1, 0.127)),
     "pin_friction": ("pin_friction = 0.3", lambda task: (task.friction, task.pin_friction), (0.18, 0.3)),

@@ -227,13 +227,14 @@ def newton_euler(
 
 
 def _drive(at: Motions, act: Callable[..., None], column: int, gear: GearDrive | None, flank: Array | None) -> Plane:
-    """The unknown drive on the input link; the mesh force (n,) of a unit moment."""
+    """The unknown drive on the input link, of a driven length on both; the mesh force (n,) of a unit moment."""
     joint = at.mechanism.joint(at.mechanism.input.joint)
     link, n = max(joint.links), len(at.reference.coordinate)
     none = np.zeros(n, complex)
     if joint.kind == "prismatic":
         r, e = at.line(joint)
-        act(link, column, e if joint.links[0] == link else -e, r)
+        for driven, sense in zip(joint.links, (1.0, -1.0), strict=True):  # the guide takes what the slider is given
+            act(driven, column, sense * e, r)
         return none
     if gear is None:
         act(link, column, none, none, 1.0)

@@ -9,7 +9,7 @@ import numpy as np
 
 from tmmcalc.cams.facts.rows import with_rows
 from tmmcalc.cams.indexing.columns import indexing_columns
-from tmmcalc.cams.indexing.results import LARGEST, Cam, FlankTable, Indexing, PressureReached
+from tmmcalc.cams.indexing.results import LARGEST, Cam, FlankTable, Indexing, PressureReached, SecondCam
 from tmmcalc.cams.indexing.rollers import RollerLimit
 from tmmcalc.core.quantity import keyed, quantity_of
 from tmmcalc.report.document import Document, Fact
@@ -82,8 +82,12 @@ def _facts(result: Indexing) -> Iterator[Fact]:
 
 def _drive_fact(result: Indexing) -> Fact:
     text = f"z2 = {result.rollers} rollers in two rows; the wheel turns by {angle(result.pitch)} deg while the cams "
-    text += f"turn by {_deg(result.step)}, and dwells for {_deg(result.dwell)}"
-    return Fact("drive", text, keyed(result, "rollers", "pitch", "step[deg]", "dwell[deg]", "wheel"))
+    rests = _deg(result.dwell) if result.dwells is None else " and ".join(map(_deg, result.dwells))
+    text += f"turn by {_deg(result.step)}, and dwells for {rests}"
+    values = keyed(result, "rollers", "pitch", "step[deg]", "dwell[deg]", "wheel")
+    if result.dwells is not None:
+        values |= {f"dwell_{i}[deg]": degrees(rest) for i, rest in enumerate(result.dwells, 1)}
+    return Fact("drive", text, values)
 
 
 def _ratio_fact(result: Indexing) -> Fact:
@@ -114,7 +118,22 @@ def _cam_facts(result: Indexing, cam: Cam) -> Iterator[Fact]:
     text += quantity((result.roller or 0.0) - cam.bottom, "m")
     yield Fact("bottom of the groove", text, keyed(cam, "bottom"))
     yield _roller_fact(result, cam.roller_limits)
+    if result.second is not None:
+        yield _second_fact(result, result.second)
     yield _efficiency_fact(result, cam)
+
+
+def _second_fact(result: Indexing, second: SecondCam) -> Fact:
+    """How the cam of the second row differs."""
+    text = f"its lobe stands {_deg(second.lag)} behind that of the first"
+    if second.turned_over:
+        text += "; it is the first cam turned over"
+    else:
+        text += f"; rollers of the second row r_r2 = {quantity(second.roller, 'm')}\n"
+        text += f"A ends at k = {number(second.working_part, 6)}, R = {quantity(second.working_tip, 'm')}; "
+        text += f"B takes over with {_deg(second.working_angle)}; nearest to O1 {quantity(second.nearest, 'm')}"
+    names = ("roller", "working_part", "working_tip", "working_angle[deg]", "nearest", "lag[deg]", "turned_over")
+    return Fact("second cam", text, keyed(second, *names))
 
 
 def _pressure_fact(name: str, reached: PressureReached) -> Fact:

@@ -43,30 +43,41 @@ class Stretch:
         return np.asarray(1j * rate / np.abs(rate))
 
 
-def stretches(drive: Drive, distance: float, end: float) -> tuple[Stretch, ...]:
-    """The profile, offset inwards by ``distance`` from the pitch curve, whose flank A ends at k = ``end``."""
-    start, rest, radius = start_angle(drive.rollers, drive.ratio), pi - drive.step, drive.base - distance
+def stretches(
+    drive: Drive, distance: float, end: float, rests: tuple[float, float] | None = None
+) -> tuple[Stretch, ...]:
+    """The profile, offset inwards by ``distance`` from the pitch curve, whose flank A ends at k = ``end``.
+
+    ``rests`` [rad] are the dwells after the step of the lobe and after that of the groove; None: equal ones.
+    """
+    start, radius = start_angle(drive.rollers, drive.ratio), drive.base - distance
+    first, last = rests or (pi - drive.step, pi - drive.step)
+    after = pi if rests is None else drive.step + first
     return (
         *_flank(drive, "A", 0.0, end, distance),
         *_flank(drive, "back", 1 - end, 1.0, distance),
-        _arc("dwell", drive.step, rest, -start - drive.step, radius),
-        *_flank(drive, "B", 0.0, 1.0, distance),
-        _arc("dwell", pi + drive.step, rest, start - pi - drive.step, radius),
+        _arc("dwell", drive.step, first, -start - drive.step, radius),
+        *_flank(drive, "B", 0.0, 1.0, distance, after),
+        _arc("dwell", after + drive.step, last, start - after - drive.step, radius),
     )
 
 
-def _flank(drive: Drive, name: FlankName, low: float, high: float, distance: float) -> Iterator[Stretch]:
-    """The smooth pieces of a flank; the groove in halves, for its bottom may be sharp."""
+def _flank(
+    drive: Drive, name: FlankName, low: float, high: float, distance: float, after: float = 0.0
+) -> Iterator[Stretch]:
+    """The smooth pieces of a flank, ``after`` an angle from the lobe; the groove in halves: its bottom may be sharp."""
     flank, half = Flank(drive, name), 0.5 if name == "B" else low
     inner = [b for b in (*drive.law.breaks.tolist(), half) if low + SAME < b < high - SAME]
     edges = [low, *sorted(dict.fromkeys(inner)), high]
-    after = pi if name == "B" else 0.0
     for first, last in pairwise(edges):
-        yield Stretch(NAMES[name], _flank_curve(flank, first, last, distance), (after + drive.step * first, drive.step))
+        yield Stretch(
+            NAMES[name], _flank_curve(flank, first, last, distance, after), (after + drive.step * first, drive.step)
+        )
 
 
-def _flank_curve(flank: Flank, first: float, last: float, distance: float) -> Curve:
-    side = -1.0 if flank.name == "B" else 1.0  # the groove is cut in the step of the other cam, half a turn on
+def _flank_curve(flank: Flank, first: float, last: float, distance: float, after: float) -> Curve:
+    # the groove is cut in the step of the other cam; half a turn on without the rounding of a half turn
+    side = np.exp(-1j * after) if after not in (0.0, pi) else -1.0 if after else 1.0
     number = int(flank.drive.law.piece(np.array([(first + last) / 2]))[0])
 
     def point(k: Values) -> Complex:

@@ -128,6 +128,19 @@ class Cam:
 
 
 @record
+class SecondCam:
+    """The cam of the second row, where it is not equal to the first."""
+
+    roller: float = quantity("r_r2[m]", "radius of the rollers of the second row", symbol="r_(r 2)")
+    working_part: float = quantity("k_w2", "part of the step at which the working profile of A ends, second cam")
+    working_tip: float = quantity("R_w2[m]", "distance of the tip of the working profile from O1, second cam")
+    working_angle: float = quantity("theta2_working2[rad]", "pressure angle of B at k_w2")
+    nearest: float = quantity("r_min2[m]", "least distance of the working profile from O1, second cam")
+    lag: float = quantity("gamma[rad]", "angle by which the lobe of the second cam stands behind that of the first")
+    turned_over: bool = quantity("turned_over", "whether the second cam is the first one turned over")
+
+
+@record
 class Indexing:
     """Stage ``indexing``: an indexing drive at n parts k of its step."""
 
@@ -151,6 +164,10 @@ class Indexing:
     cam: Cam | None  # None: the law is known by its B alone
     notes: tuple[str, ...]
     error: Errors  # estimates, relative: of points, curvature, pressure, limits; of efficiency and ends absolute
+    dwells: tuple[float, float] | None = quantity(  # None: equal
+        "dwell_{number}[rad]", "angle of the cams during dwell {number}", default=None
+    )
+    second: SecondCam | None = None  # None: equal to the first
 
     @derived("a[m]", "centre distance")
     def centres(self) -> float:
@@ -180,9 +197,11 @@ class Indexing:
     @derived("wheel_room[m]", "what the lobe leaves about O2 for a shaft of the wheel; negative: it sweeps over O2")
     def wheel_room(self) -> float | None:
         """None: no cam."""
-        return None if self.cam is None else self.centres - self.cam.working_tip
+        if self.cam is None:
+            return None
+        return self.centres - max(self.cam.working_tip, 0.0 if self.second is None else self.second.working_tip)
 
-    @derived("dwell[rad]", "angle of the cams during each of the two dwells of a turn")
+    @derived("dwell[rad]", "angle of the cams during each of the two dwells of a turn, of unequal ones their mean")
     def dwell(self) -> float:
         """What the step leaves of half a turn."""
         return pi - self.step

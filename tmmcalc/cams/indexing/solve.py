@@ -14,8 +14,9 @@ from tmmcalc.cams.indexing.errors import indexing_errors
 from tmmcalc.cams.indexing.flanks import Drive, Flank, FlankName, on_panels
 from tmmcalc.cams.indexing.handover import Handover, crossing, handover, working_tip
 from tmmcalc.cams.indexing.laws import StepLaw
-from tmmcalc.cams.indexing.results import Cam, FlankTable, Indexing, PressureReached
+from tmmcalc.cams.indexing.results import Cam, FlankTable, Indexing, PressureReached, SecondCam
 from tmmcalc.cams.indexing.rollers import RollerLimit, roller_limits
+from tmmcalc.cams.indexing.second import second_cam
 from tmmcalc.cams.indexing.task import IndexingTask
 from tmmcalc.cams.indexing.verdicts import remarks
 from tmmcalc.cams.laws.law import Values
@@ -52,6 +53,7 @@ def solve_indexing(task: IndexingTask) -> Indexing:
         cam=None,
         notes=(),
         error={},
+        dwells=task.dwells,
     )
     drive = drive_of(task, ratio)
     if drive is not None:
@@ -62,7 +64,20 @@ def solve_indexing(task: IndexingTask) -> Indexing:
         error = indexing_errors(drive, k, cam, roller, found.frictions)
         motion = Flank(drive, "A").motion(k)
         found = replace(found, roller=roller, roller_how=how, motion=motion, cam=cam, error=error)
+        found = replace(found, second=_second(task, drive, end, limits, roller))
     return replace(found, notes=tuple(remarks(found)))
+
+
+def _second(
+    task: IndexingTask, drive: Drive, end: Handover, limits: tuple[RollerLimit, ...], roller: float
+) -> SecondCam | None:
+    """The cam of the second row if it differs; raises `NoSolutionError` for rollers that are too large."""
+    own = roller if task.second_roller is None else task.second_roller
+    if task.dwells is None and own == roller:
+        return None
+    if own != roller:
+        choose_roller(replace(task, roller=own), limits)
+    return second_cam(drive, end.part, own, task.rests, own == roller)
 
 
 def drive_of(task: IndexingTask, ratio: float) -> Drive | None:

@@ -27,7 +27,11 @@ def remarks(found: Indexing) -> Iterator[str]:
             f"warning: lambda is only {100 * (found.ratio / limits.ratio_min - 1):.3g} % above lambda_min: the bottom "
             "of the groove is sharp"
         )
-    if limits.step_max is not None and found.step > limits.step_max * (1 + EQUAL):
+    if found.dwells is not None:
+        shortest, least = min(found.dwells), 2 * found.start_angle
+        if shortest < least * (1 - EQUAL):
+            yield f"warning: the dwell of {_deg(shortest)} deg is below the recommended 2 delta_0 = {_deg(least)} deg"
+    elif limits.step_max is not None and found.step > limits.step_max * (1 + EQUAL):
         yield (
             f"warning: the step of {_deg(found.step)} deg is above the recommended {_deg(limits.step_max)} deg, "
             f"{_deg(pi - found.step)} deg are left for each dwell"
@@ -44,9 +48,16 @@ def _cam_remarks(found: Indexing, cam: Cam) -> Iterator[str]:
             f"note: the working profile of A ends at k = {cam.working_part:.4g}, where B takes over with a pressure "
             f"angle of {_deg(cam.working_angle)} deg"
         )
-    if cam.working_tip >= found.centres:
+    second = found.second
+    if second is not None and second.roller != found.roller and second.working_angle > found.limit * (1 + EQUAL):
         yield (
-            f"note: the lobe reaches {1e3 * cam.working_tip:.6g} mm from O1 and sweeps over O2 at "
+            f"note: the working profile of A of the second cam ends at k = {second.working_part:.4g}, where B takes "
+            f"over with a pressure angle of {_deg(second.working_angle)} deg"
+        )
+    reach = cam.working_tip if second is None else max(cam.working_tip, second.working_tip)
+    if reach >= found.centres:
+        yield (
+            f"note: the lobe reaches {1e3 * reach:.6g} mm from O1 and sweeps over O2 at "
             f"{1e3 * found.centres:.6g} mm: no shaft of the wheel can pass through the planes of the cams"
         )
     yield from _roller_remarks(found, cam)
@@ -68,7 +79,7 @@ def _pressure_remarks(name: str, grade: str, reached: PressureReached) -> Iterat
 
 
 def _roller_remarks(found: Indexing, cam: Cam) -> Iterator[str]:
-    radius = found.roller or 0.0
+    radius = max(found.roller or 0.0, found.second.roller if found.second is not None else 0.0)
     for limit in cam.roller_limits[:2]:
         if limit.radius is not None and radius > USUAL[1] * limit.radius * (1 + EQUAL):
             yield (

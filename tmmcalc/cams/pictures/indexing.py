@@ -59,12 +59,18 @@ def indexing_figure(task: IndexingTask, result: Indexing, phase: float = 0.0) ->
     return figure
 
 
+def _radii(result: Indexing) -> list[float]:
+    """Radii of the rollers [m]: of both rows where they differ."""
+    first, second = result.roller or 0.0, result.second
+    return [first] if second is None or second.turned_over else [first, second.roller]
+
+
 def _heading(result: Indexing) -> str:
     sizes = (
         f"$z_2$ = {result.rollers}",
         f"$a$ = {number(1e3 * result.centres, 5)} mm",
         f"$l_k$ = {number(1e3 * result.wheel, 5)} mm",
-        f"$r_r$ = {number(1e3 * (result.roller or 0.0), 5)} mm",
+        f"$r_r$ = {' and '.join(number(1e3 * radius, 5) for radius in _radii(result))} mm",
         f"law {result.law}",
     )
     return f"Indexing drive: {', '.join(sizes)}"

@@ -11,6 +11,7 @@ from tmmcalc.cams.files.indexing import chain_of
 from tmmcalc.cams.indexing.flanks import Drive
 from tmmcalc.cams.indexing.outline import outline
 from tmmcalc.cams.indexing.results import Cam, Indexing
+from tmmcalc.cams.indexing.second import rows_of
 from tmmcalc.cams.indexing.solve import drive_of
 from tmmcalc.cams.indexing.task import IndexingTask
 from tmmcalc.core.plane import Plane
@@ -37,30 +38,17 @@ def content_of(drive: Drive, result: Indexing) -> Plane:
     return np.array([complex(-lobe, -low), complex(high, low)])
 
 
-def turned(drive: Drive, phase: float) -> float:
-    """Turn [rad] of the wheel, in its own sense, since the start of a step, when the cams have turned by ``phase``."""
-    steps, rest = divmod(phase, pi)
-    part = float(drive.law.at(np.array([min(rest / drive.step, 1.0)]))[0, 0])
-    return 2 * drive.half * (steps + part)
-
-
-def rows_of(drive: Drive, phase: float) -> tuple[Plane, Plane]:
-    """Places (z2/2,) of the rollers of the two cams."""
-    every = 4 * drive.half * np.arange(drive.rollers // 2)
-    first = drive.half + every + turned(drive, phase)
-    near, far = (drive.centres - drive.wheel * np.exp(-1j * theta) for theta in (first, first - 2 * drive.half))
-    return near, far
-
-
 def draw_scheme(board: Board, task: IndexingTask, result: Indexing, cam: Cam, phase: float) -> None:
     """Both cams and rows; the cam behind and its row are dashed."""
     drive = drive_of(task, result.ratio)
     assert drive is not None
-    turn = np.exp(1j * phase)
-    working, pitch = (
-        outline("", chain_of(task, result, which), CHORD * result.wheel).polygon for which in (True, False)
+    turn, rests = np.exp(1j * phase), task.rests
+    working, pitch, rear = (
+        outline("", chain_of(task, result, which, of_second=second), CHORD * result.wheel).polygon
+        for which, second in ((True, False), (False, False), (True, True))
     )
-    for points, style, face in ((-working, FAR, "none"), (working, NEAR, BODY)):
+    behind = -1.0 if task.dwells is None else np.exp(-1j * (task.step + rests[0]))
+    for points, style, face in ((behind * rear, FAR, "none"), (working, NEAR, BODY)):
         shape = turn * points
         board.axes.fill(shape.real, shape.imag, facecolor=face, edgecolor="none", zorder=0.5)
         board.line([*shape, shape[0]], zorder=4, weight=0.6, **style)
@@ -69,8 +57,11 @@ def draw_scheme(board: Board, task: IndexingTask, result: Indexing, cam: Cam, ph
     around = np.exp(1j * np.linspace(0, tau, 121))
     board.line(drive.centres + drive.wheel * around, weight=0.2, **AXIS)
     board.line((0j, complex(drive.centres)), weight=0.3, **AXIS)
-    radius = result.roller or 0.0
-    for row, style, face in zip(rows_of(drive, phase), (NEAR, FAR), ("white", "none"), strict=True):
+    first = result.roller or 0.0
+    radii = first, first if result.second is None else result.second.roller
+    for row, style, face, radius in zip(
+        rows_of(drive, rests, phase), (NEAR, FAR), ("white", "none"), radii, strict=True
+    ):
         for place in row.tolist():
             board.axes.plot(place.real, place.imag, "+", color=style["color"], markersize=4, zorder=7)
             disc = place + radius * around
@@ -96,7 +87,7 @@ def parts_of(result: Indexing, cam: Cam, mu: float) -> list[Part]:
     most = "any" if limits.ratio_max is None else number(limits.ratio_max, 5)
     sizes = [
         ("$\\lambda$", f"{number(result.ratio, 5)} in {number(limits.ratio_min, 5)} ... {most}"),
-        ("$\\varphi_\\mathrm{p}$, dwell", f"{_deg(result.step)}, {_deg(result.dwell)}"),
+        ("$\\varphi_\\mathrm{p}$, dwell", ", ".join(map(_deg, (result.step, *(result.dwells or (result.dwell,)))))),
         ("$\\beta_\\mathrm{m}$", _deg(tau / result.rollers)),
         ("$R_0$", f"{number(1e3 * result.base, 5)} mm"),
         ("$\\vartheta_{1\\mathrm{m}}$", _deg(result.start_pressure)),

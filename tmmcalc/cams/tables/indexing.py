@@ -7,7 +7,7 @@ from pydantic import Field
 
 from tmmcalc.cams.tables.cam_parts import Distance, Pressure, Size
 from tmmcalc.cams.tables.indexing_law import StepLaw
-from tmmcalc.spec.choices import Whole, Within
+from tmmcalc.spec.choices import Listed, Whole, Within
 from tmmcalc.spec.quantities import Friction, Number
 from tmmcalc.spec.table import Table
 
@@ -16,6 +16,8 @@ _ANGLE = ("angle", "deg", math.pi / 180)
 Rollers = Annotated[int, Whole("a number of rollers", 4, 100)]
 StepAngle = Annotated[float, Within(*_ANGLE, 1, 179.999)]
 Lambda = Annotated[float, Number("a ratio of centre distance and wheel radius", "2.6", above=1, at_most=1000)]
+Dwells = Annotated[list[float], Listed(Within(*_ANGLE, 0.1, 358), '["60 deg", "120 deg"]', 2)]
+Radii = Annotated[list[float], Listed(Within("length", "mm", 1e-3, 1e-6, 1e5, bare=2.0), '["12 mm", "10 mm"]', 2)]
 Rows = Annotated[int, Whole("a number of steps", 2, 100_000)]
 
 
@@ -26,7 +28,8 @@ class IndexingTable(Table):
         description="z2: rollers of the wheel, even, half of them in each of its two rows; usual are 6 to 14."
     )
     step_angle: StepAngle = Field(
-        description="phi_p: angle of the cams during one step, below 180 deg; each dwell takes 180 deg - phi_p."
+        description="phi_p: angle of the cams during one step, below 180 deg; each dwell takes 180 deg - phi_p, "
+        "unless `dwells` are given."
     )
     law: StepLaw = Field(
         description='Law of motion of a step, symmetric about its middle: a name as in `[cam]`, a code `"00ee"` for '
@@ -41,6 +44,16 @@ class IndexingTable(Table):
     roller_radius: Size | None = Field(
         default=None,
         description="r_r: radius of the rollers (default: 0.7 of the least of its limits by curvature and pitch).",
+    )
+    roller_radii: Radii | None = Field(
+        default=None,
+        description='In place of `roller_radius`: radii of the rollers of the first row and of the second, `["12 mm", '
+        '"10 mm"]`; those of one row are equal, for they run on one cam.',
+    )
+    dwells: Dwells | None = Field(
+        default=None,
+        description="Angles of the cams of the dwell after the step by the first cam and after that by the second, "
+        '`["60 deg", "120 deg"]`; with two steps they are a turn (default: equal, 180 deg - phi_p each).',
     )
     pressure_angle: Pressure = Field(
         default=math.radians(50),

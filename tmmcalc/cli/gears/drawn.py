@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
-    from tmmcalc.gears.meshing.members import Member
+    from tmmcalc.gears.meshing.members import Toothed
     from tmmcalc.gears.meshing.outlines import Track
     from tmmcalc.gears.meshing.results import Pairs
 
@@ -60,8 +60,8 @@ def check_flags(drawn: Drawn, wheel: str | None, tolerance: str | None, phase: s
         raise UsageError("one wheel is not in mesh", where="--phase", remedy="leave --wheel or --phase out")
 
 
-def tracks_of(pairs: Pairs, chosen: Sequence[Member] | None, drawn: Drawn) -> tuple[Track, ...]:
-    """The chosen wheels, or all pairs in mesh; several ones stand beside each other.
+def tracks_of(pairs: Pairs | None, chosen: Sequence[Toothed], drawn: Drawn) -> tuple[Track, ...]:
+    """All pairs in mesh, or without pairs the chosen wheels; several ones stand beside each other.
 
     Wheels without a profile, of which the document tells, are left out; raises `NoSolutionError` if no other is there.
     """
@@ -71,7 +71,7 @@ def tracks_of(pairs: Pairs, chosen: Sequence[Member] | None, drawn: Drawn) -> tu
     from tmmcalc.gears.meshing.meshoutlines import beside, mesh_tracks, require_some
     from tmmcalc.gears.meshing.outlines import track
 
-    if chosen is not None:
+    if pairs is None:
         sound = [one for one in chosen if fault_of(one) is None] or chosen
         return beside([[track(one, drawn.tolerance or FINENESS * one.module, whole=drawn.whole)] for one in sound])
     require_some(pairs.pairs)

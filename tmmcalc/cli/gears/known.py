@@ -43,6 +43,17 @@ def of_pairs(job: Job, scene: Spec, row: int | None) -> tuple[Job, Spec]:
     return of_row(job, scene, row)
 
 
+def of_wheel(scene: Spec, choose: int | None, pair: str | None, wheel: str | None) -> bool:
+    """Whether a command is about the wheel without a mate; raises `UsageError` for flags that are about pairs."""
+    if scene.wheel is None or scene.pair is not None or scene.open_pair is not None:
+        return False
+    for flag, value in (("--choose", choose), ("--pair", pair)):
+        if value is not None:
+            raise UsageError("the spec has a wheel without a mate, no pairs", where=flag, remedy="leave it out")
+    check_wheel(scene, wheel)
+    return True
+
+
 def check_pair(scene: Spec, pair: str | None, **_: object) -> None:
     """Raise `UsageError` for a pair that no run of this spec has."""
     wheels = None if pair is None else _wheels(scene)
@@ -54,7 +65,10 @@ def check_pair(scene: Spec, pair: str | None, **_: object) -> None:
 
 def check_wheel(scene: Spec, wanted: str | None) -> None:
     """Raise `UsageError` for a wheel that no run of this spec has, by its name or as PAIR/NAME."""
-    pairs = None if wanted is None else _wheels(scene)
+    if wanted is None:
+        return
+    single = scene.wheel
+    pairs = [("", (single.name,))] if single and not scene.pair and not scene.open_pair else _wheels(scene)
     if pairs is None:
         return
     apart = scene.pair is not None and scene.pair.of_train

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from tmmcalc.cli.gears.drawn import length_of
-from tmmcalc.cli.gears.known import Row, check_pair, of_pairs
+from tmmcalc.cli.gears.known import Row, check_pair, of_pairs, of_wheel
 from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.output import title
@@ -41,13 +41,24 @@ def command(
 ) -> None:
     """What is measured on the wheels: span over teeth, size over balls or pins, chords, with the limits of each.
 
-    Spans are judged by the textbook's rule and exactly. --format csv prints the spans of all wheels.
+    A [wheel] without a mate is measured where the spec has no pairs. Spans are judged by the textbook's rule and
+    exactly. --format csv prints the spans of all wheels.
 
     Example: tmmcalc gears measure my.toml --wheel 1 --teeth 3 --ball '8.5 mm' --radius '67 mm'
     """
     diameter = None if ball is None else length_of(ball, "--ball", "8.5 mm")
     radii = [length_of(text, "--radius", "67 mm") for text in radius or ()]
-    job, scene = of_pairs(job, job.spec(), choose)
+    scene = job.spec()
+    if of_wheel(scene, choose, pair, wheel):
+        run = job.run(scene, "wheel")
+        from tmmcalc.gears.facts.wheel import measures_of
+        from tmmcalc.gears.meshing.remeasure import remeasured_wheel
+
+        single = remeasured_wheel(run.results["wheel"], teeth, diameter, radii)
+        heading, everything = title(scene, job.file, "measures of a wheel"), form is not Format.table
+        job.finish(measures_of(single, heading, everything=everything), run, form)
+        return
+    job, scene = of_pairs(job, scene, choose)
     check_pair(scene, pair)
     run = job.run(scene, "pair")
     from tmmcalc.gears.facts.measure import measure_document

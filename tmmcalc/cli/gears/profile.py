@@ -11,7 +11,7 @@ import typer
 
 from tmmcalc.cli.exporting import Dxf, Svg, files_of, write_files
 from tmmcalc.cli.gears.drawn import Drawn, angle_of, check_flags, drawn_bytes, length_of, tracks_of
-from tmmcalc.cli.gears.known import check_wheel
+from tmmcalc.cli.gears.known import check_wheel, of_wheel
 from tmmcalc.cli.job import Job, with_flags
 from tmmcalc.cli.options import Form, Format
 from tmmcalc.cli.output import title
@@ -21,9 +21,11 @@ from tmmcalc.core.records import record
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from tmmcalc.gears.meshing.members import Member
+    from tmmcalc.gears.meshing.members import Member, Toothed
+    from tmmcalc.gears.meshing.profiles import Profiles
     from tmmcalc.gears.meshing.results import Pairs
     from tmmcalc.gears.model import Values
+    from tmmcalc.gears.single.results import SingleWheel
     from tmmcalc.pipeline.outcome import RunResult
 
 INTERVALS = 10  # of a table
@@ -112,7 +114,8 @@ def command(
 ) -> None:
     """Tooth profiles: involute and fillet of every wheel, radii of curvature, the textbook's tables, drawings.
 
-    Files hold pairs in mesh, contact at the pitch point at --phase 0; with --wheel one wheel, a tooth on +Y. The table
+    Files hold pairs in mesh, contact at the pitch point at --phase 0; with --wheel, and of a [wheel] without
+    a mate, one wheel, a tooth on +Y. The table
     is in mm; --format csv, json or toml prints metres: all points, or with a flag of the tables these.
 
     Example: tmmcalc gears profile my.toml --wheel 1 --axis pitch --svg wheel.svg
@@ -128,19 +131,23 @@ def command(
         *(None if text is None else _rolls(text, flag) for text, flag in ((rolls, "--rolls"), (fillet, "--fillet")))
     )
     scene = job.spec()
+    single = of_wheel(scene, None, None, wheel)
+    _check_mate(single, axis, phase)
     check_wheel(scene, wheel)
-    if points is not None and scene.pair is not None:
-        job = replace(job, overrides=[*job.overrides, f"pair.points={points}"])
+    table = "wheel" if single else "pair"
+    if points is not None and (single or scene.pair is not None):
+        job = replace(job, overrides=[*job.overrides, f"{table}.points={points}"])
         scene = job.spec()
-    run = job.run(scene, "profile")
-    pairs, heading = run.results["pair"], title(scene, job.file, "tooth profiles")
-    chosen = _chosen(pairs, wheel)
+    run = job.run(scene, "wheel" if single else "profile")
+    heading = title(scene, job.file, "tooth profile" if single else "tooth profiles")
+    result, chosen = _profile_of_wheel(run.results["wheel"]) if single else _profiles_of_pairs(run, wheel)
     asked = any(flag is not None for flag in (axis, intervals, fillet, rolls))
     everything = form is not Format.table
     document = _document(
-        run, heading, chosen, (axis or AxisChoice.tooth).value, intervals or INTERVALS, at, everything, asked
+        result, heading, chosen, (axis or AxisChoice.tooth).value, intervals or INTERVALS, at, everything, asked
     )
-    contents = drawn_bytes(tracks_of(pairs, chosen if wheel else None, drawn), drawn, heading)
+    pairs = None if single or wheel else run.results["pair"]
+    contents = drawn_bytes(tracks_of(pairs, chosen, drawn), drawn, heading)
     job.finish(document, run, form)
     write_files(contents, job.quiet)
 
@@ -165,6 +172,25 @@ def _bad_rolls(flag: str, message: str) -> UsageError:
     return UsageError(message, where=flag, remedy=f"write roll angles in rad, e.g. {flag}=-0.5:0.1:0.05")
 
 
+def _check_mate(single: bool, axis: AxisChoice | None, phase: str | None) -> None:
+    """A wheel without a mate has no operating pitch circle, and nothing to be in mesh with."""
+    if single and axis is AxisChoice.pitch:
+        raise UsageError("a wheel without a mate has no operating pitch circle", where="--axis", remedy="tooth, space")
+    if single and phase is not None:
+        raise UsageError("a wheel without a mate is not in mesh", where="--phase", remedy="leave it out")
+
+
+def _profile_of_wheel(found: SingleWheel) -> tuple[Profiles, tuple[Toothed, ...]]:
+    from tmmcalc.gears.facts.wheel import profiles_of
+    from tmmcalc.gears.single.member import SingleMember
+
+    return profiles_of(found), (SingleMember(found.task),)
+
+
+def _profiles_of_pairs(run: RunResult, wheel: str | None) -> tuple[Profiles, tuple[Toothed, ...]]:
+    return run.results["profile"], _chosen(run.results["pair"], wheel)
+
+
 def _chosen(pairs: Pairs, wheel: str | None) -> tuple[Member, ...]:
     """The wheels of that name, or all."""
     from tmmcalc.gears.meshing.members import members
@@ -180,9 +206,9 @@ def _chosen(pairs: Pairs, wheel: str | None) -> tuple[Member, ...]:
 
 
 def _document(
-    run: RunResult,
+    result: Profiles,
     heading: str,
-    chosen: Sequence[Member],
+    chosen: Sequence[Toothed],
     axis: Any,
     intervals: int,
     at: Rolls,
@@ -194,7 +220,6 @@ def _document(
     from tmmcalc.gears.facts.profile import label_of
     from tmmcalc.gears.meshing.booktables import book_tables
 
-    result = run.results["profile"]
     sound = {label_of(wheel) for wheel in result.wheels}
     tables = [
         table

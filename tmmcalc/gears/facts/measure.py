@@ -3,24 +3,28 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tmmcalc.core.quantity import keyed, table
 from tmmcalc.core.records import record
 from tmmcalc.gears.facts.meshes import known, millimetres, places, titles
 from tmmcalc.gears.facts.spans import all_spans, limits_fact, span_fact, spans_view
-from tmmcalc.gears.meshing.results import ChordRow, Measures, MeshPair, Pairs, WheelSizes
+from tmmcalc.gears.meshing.results import ChordRow, Measures, Pairs, WheelSizes
+from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
 
 
 @record
 class MeasuredWheel:
-    """One wheel of one pair."""
+    """One wheel, and what is told of it."""
 
     title: str
-    pair: MeshPair
-    size: WheelSizes
+    pair: str  # name of its pair
+    wheel: Fact  # what it is
+    ring: bool
+    helical: bool
+    body: str  # balls or pins
     measures: Measures
 
 
@@ -31,9 +35,16 @@ def measure_document(result: Pairs, title: str, *, wheel: str | None = None, eve
     """
     measured = list(_wheels(result))
     shown = [measured[k] for k in places([each.measures.wheel for each in measured], wheel, "wheel")]
-    parts = tuple(_wheel_document(each, everything) for each in shown)
     notes = tuple(f"note: {remark}" for remark in result.remarks)
-    spans = all_spans([(each.pair.task.name, each.measures) for each in shown]) if everything else None
+    return measured_document(shown, title, notes, everything=everything)
+
+
+def measured_document(
+    shown: Sequence[MeasuredWheel], title: str, notes: tuple[str, ...] = (), *, everything: bool = False
+) -> Document:
+    """The document of these wheels."""
+    parts = tuple(_wheel_document(each, everything) for each in shown)
+    spans = all_spans([(each.pair, each.measures) for each in shown]) if everything else None
     return Document(title, (), notes, spans, parts=parts)
 
 
@@ -41,13 +52,22 @@ def _wheels(result: Pairs) -> Iterator[MeasuredWheel]:
     for found, heading in zip(result.pairs, titles(result), strict=True):
         for size, measures in zip(found.sizes, found.measures, strict=True):
             name = f"wheel {measures.wheel}"
-            yield MeasuredWheel(name if len(result.pairs) == 1 else f"{heading}, {name}", found, size, measures)
+            task = found.task
+            yield MeasuredWheel(
+                name if len(result.pairs) == 1 else f"{heading}, {name}",
+                task.name,
+                _wheel_fact(size, task, measures),
+                size.kind == "ring",
+                bool(task.helix),
+                task.measuring.body,
+                measures,
+            )
 
 
 def _wheel_document(each: MeasuredWheel, everything: bool) -> Document:
-    ring, helical = each.size.kind == "ring", bool(each.pair.task.helix)
-    facts = [_wheel_fact(each), _base_fact(each.measures), span_fact(each.measures, ring=ring, helical=helical)]
-    if not ring:
+    helical = each.helical
+    facts = [each.wheel, _base_fact(each.measures), span_fact(each.measures, ring=each.ring, helical=helical)]
+    if not each.ring:
         facts.append(limits_fact(each.measures))
     facts += [_balls_fact(each), _constant_chord_fact(each.measures)]
     notes = tuple(f"warning: {remark}" for remark in each.measures.remarks)
@@ -58,18 +78,19 @@ def _wheel_document(each: MeasuredWheel, everything: bool) -> Document:
     return Document(each.title, tuple(facts), notes, view, parts=(_chords_document(each),))
 
 
-def _wheel_fact(each: MeasuredWheel) -> Fact:
-    size, task = each.size, each.pair.task
-    form = "ring" if size.kind == "ring" else "external"
-    text = f"{form}, z = {size.teeth}, x = {number(size.shift)}, m = {millimetres(task.module)}"
-    if task.helix:
-        text += f", beta = {angle(math.degrees(task.helix))} deg"
+def wheel_text(ring: bool, teeth: int, shift: float, module: float, helix: float) -> str:
+    """A wheel by its numbers."""
+    text = f"{'ring' if ring else 'external'}, z = {teeth}, x = {number(shift)}, m = {millimetres(module)}"
+    return text + (f", beta = {angle(math.degrees(helix))} deg" if helix else "")
+
+
+def _wheel_fact(size: WheelSizes, task: PairTask, measures: Measures) -> Fact:
+    text = wheel_text(size.kind == "ring", size.teeth, size.shift, task.module, task.helix)
     text += f"\nr_a = {millimetres(size.tip)}, the involute ends at r_F = {millimetres(size.form)}"
-    usable = each.measures.usable
-    if usable == "active":
+    if measures.usable == "active":
         text += f"\nusable to r = {millimetres(size.active_left)}, the lowest active point"
     values = keyed(size, "name", "kind", "teeth", "shift") | keyed(task, "module", "helix")
-    values |= keyed(size, "tip", "form", "active_left") | keyed(each.measures, "usable")
+    values |= keyed(size, "tip", "form", "active_left") | keyed(measures, "usable")
     return Fact("wheel", text, values)
 
 
@@ -83,7 +104,7 @@ def _base_fact(measures: Measures) -> Fact:
 def _balls_fact(each: MeasuredWheel) -> Fact:
     """The size over balls or pins, of a ring between them."""
     row = each.measures.balls
-    label = f"{'between' if each.size.kind == 'ring' else 'over'} two {each.pair.task.measuring.body}"
+    label = f"{'between' if each.ring else 'over'} two {each.body}"
     if row is None:
         return Fact(label, "none can be measured")
     text = f"M = {millimetres(row.size)} with D = {millimetres(row.diameter)}\n"
@@ -107,7 +128,7 @@ def _constant_chord_fact(measures: Measures) -> Fact:
 
 
 def _chords_document(each: MeasuredWheel) -> Document:
-    helical = bool(each.pair.task.helix)
+    helical = each.helical
     legend = "tooth on circles: half angle theta, normal arc and chord, height of the tip above the chord, "
     legend += "arc of the space" + ("; s_t: transverse arc" if helical else "")
     columns = table(

@@ -117,11 +117,12 @@ def _wheels_view(found: MeshPair) -> View:
     rows = [row for row in rows if any(value is not None for value in row[1])]
     columns: list[Sequence[Any]] = [[size.meaning for size, _ in rows], [size.name for size, _ in rows]]
     for k in range(len(found.sizes)):
-        columns.append([_length(values[k]) for _, values in rows])
+        columns.append([length_cell(values[k]) for _, values in rows])
     return View(["size", "symbol", *(f"{name}[mm]" for name in wheel_names(found))], columns)
 
 
-def _length(value: float | None) -> float | str:
+def length_cell(value: float | None) -> float | str:
+    """A length in millimetres, empty if there is none."""
     return "" if value is None else 1e3 * value
 
 

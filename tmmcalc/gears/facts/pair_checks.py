@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.gears.facts.meshes import known, renamed
-from tmmcalc.gears.involute.quality.verdicts import Check
+from tmmcalc.gears.involute.quality.verdicts import Check, worst
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
@@ -28,24 +28,29 @@ def unit_of(check: Check) -> str:
 
 
 def checks_document(found: MeshPair) -> Document:
+    """The table of a pair for people."""
+    return judged_document(found.checks, found.task.module, lambda wheel: _named(found, wheel))
+
+
+def judged_document(checks: Sequence[Check], module: float, named: Callable[[int], str]) -> Document:
     """The table for people: angles in degrees, lengths in modules, their margins in millimetres too."""
     legend = "lengths in normal modules, angles in degrees; margin: what is left to the limit"
-    return Document("checks", (Fact("in the table", legend),), (), _view(found))
+    return Document("checks", (Fact("in the table", legend),), (), _view(checks, module, named))
 
 
-def _view(found: MeshPair) -> View:
+def _view(checks: Sequence[Check], module: float, named: Callable[[int], str]) -> View:
     margin, factor_mm = MARGIN.shown("mm")
     columns: dict[str, list[Any]] = {
         name: [] for name in ("check", "wheel", "value", "limit", "margin", margin, "verdict")
     }
-    for check in found.checks:
+    for check in checks:
         unit = unit_of(check)
         factor = math.degrees(1.0) if unit == "rad" else 1.0
         judged = check.limit is not None
-        in_mm = factor_mm * found.task.module * check.margin
+        in_mm = factor_mm * module * check.margin
         row = (
             f"{check.name}, deg" if unit == "rad" else check.name,
-            _named(found, check.wheel),
+            named(check.wheel),
             round(factor * check.value, PLACES),
             "" if check.limit is None else round(factor * check.limit, PLACES),
             round(factor * check.margin, PLACES) if judged else "",
@@ -70,26 +75,34 @@ def _settled(value: float) -> float:
 
 
 def checks_values(found: MeshPair) -> list[dict[str, Any]]:
+    """The checks of a pair for programs."""
+    wheels = found.task.wheels
+    return judged_values(found.checks, lambda wheel: _named(found, wheel), lambda text: renamed(text, wheels))
+
+
+def judged_values(
+    checks: Sequence[Check], named: Callable[[int], str], said: Callable[[str], str]
+) -> list[dict[str, Any]]:
     """The checks for programs, lengths in modules, angles in radians."""
     return [
         known(
             {
                 **keyed(check, "name"),
-                "wheel": _named(found, check.wheel) or None,
+                "wheel": named(check.wheel) or None,
                 **keyed(check, "value", "limit"),
                 "margin": check.margin if check.limit is not None else None,
                 "unit": unit_of(check),
                 **keyed(check, "verdict"),
-                "text": renamed(check.text, found.task.wheels) or None,
+                "text": said(check.text) or None,
             }
         )
-        for check in found.checks
+        for check in checks
     ]
 
 
-def verdict_fact(found: MeshPair) -> Fact:
+def verdict_fact(checks: Sequence[Check]) -> Fact:
     """All checks in one line."""
-    judged = [check.verdict for check in found.checks if check.limit is not None or check.verdict != "ok"]
+    judged = [check.verdict for check in checks if check.limit is not None or check.verdict != "ok"]
     failed, unusual = judged.count("fail"), judged.count("warn")
     if failed:
         text = f"cannot work: {failed} of {len(judged)} conditions fail"
@@ -97,7 +110,7 @@ def verdict_fact(found: MeshPair) -> Fact:
         text = f"works; {unusual} of {len(judged)} conditions not as recommended"
     else:
         text = f"good: all {len(judged)} conditions are kept"
-    return Fact("verdict", text, {"verdict": found.verdict})
+    return Fact("verdict", text, {"verdict": worst(tuple(checks))})
 
 
 def pair_notes(found: MeshPair) -> Iterator[str]:

@@ -51,7 +51,7 @@ def pair_facts(found: MeshPair) -> Iterator[Fact]:
     yield sliding_fact(found)
     yield from _strength_facts(found)
     yield from _measured_facts(found)
-    yield verdict_fact(found)
+    yield verdict_fact(found.checks)
 
 
 def _class(found: MeshPair) -> str:

@@ -20,7 +20,7 @@ from tmmcalc.gears.involute.function import involute
 from tmmcalc.gears.involute.profile.flank import Flank, flank_of
 from tmmcalc.gears.involute.profile.tables import Axis, axis_turn, fillet_table, main_profile
 from tmmcalc.gears.meshing.halftooth import ProfilePart, half_tooth
-from tmmcalc.gears.meshing.members import Member
+from tmmcalc.gears.meshing.members import Toothed
 from tmmcalc.gears.model import Values
 
 ROLL = Quantity("phi[rad]", "roll angle")
@@ -44,7 +44,7 @@ class BookTable:
 class BookTables:
     """Both tables of one wheel."""
 
-    member: Member
+    member: Toothed
     axis: Axis
     main: BookTable
     fillet: BookTable
@@ -54,7 +54,7 @@ class BookTables:
 
 
 def book_tables(
-    member: Member,
+    member: Toothed,
     axis: Axis = "tooth",
     intervals: int = 10,
     rolls: Values | None = None,
@@ -89,7 +89,7 @@ def book_tables(
     return BookTables(member, axis, main, fillet, True, radius, own.width != own.height)
 
 
-def _circular(member: Member) -> Flank | None:
+def _circular(member: Toothed) -> Flank | None:
     """The flank with a circular rounding; None: a ring, or a circle that is too wide for the rack."""
     if member.shape != "external":
         return None
@@ -99,21 +99,21 @@ def _circular(member: Member) -> Flank | None:
         return None
 
 
-def _turn(member: Member, axis: Axis) -> float:
+def _turn(member: Toothed, axis: Axis) -> float:
     """The angle [rad] from the flank's point on the reference circle to the axis Y."""
     if member.shape == "external":
-        return axis_turn(member.wheel, axis, member.found.angle_w)
+        return axis_turn(member.wheel, axis, member.angle)
     psi, start = _half_angle(member), float(involute(member.wheel.transverse_angle))
     turns = {
         "reference": 0.0,
         "tooth": psi,
         "space": psi - member.half_pitch,
-        "pitch": start - float(involute(member.found.angle_w)),
+        "pitch": start - float(involute(member.angle)),
     }
     return turns[axis]
 
 
-def _half_angle(member: Member) -> float:
+def _half_angle(member: Toothed) -> float:
     """psi [rad] of the tooth of a ring: what its space leaves."""
     return pi / member.wheel.teeth - float(member.wheel.half_angle)
 
@@ -158,7 +158,7 @@ def _steps(part: ProfilePart, intervals: int, rolls: Values | None = None) -> Va
     return np.concatenate([[first], inside if first < last else inside[::-1], [last]])
 
 
-def _sampled(member: Member, part: ProfilePart, at: Values, turn: float) -> BookTable:
+def _sampled(member: Toothed, part: ProfilePart, at: Values, turn: float) -> BookTable:
     """A part of the profile at parameters (n,) from the tip towards the root."""
     m, involute_part = member.module, part.name == "involute"
     psi = _half_angle(member) if member.shape == "ring" else float(member.wheel.half_angle)

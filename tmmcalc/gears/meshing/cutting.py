@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from tmmcalc.gears.involute.internal.cutter import cutter_margins, largest_tip, tip_lead
 from tmmcalc.gears.involute.internal.pair import InternalPair
-from tmmcalc.gears.involute.internal.ring import Cutter, cutting
+from tmmcalc.gears.involute.internal.ring import Cutter, Ring, cutting
 from tmmcalc.gears.involute.quality.verdicts import NOISE, Check, Verdict
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.meshing.refusal import millimetres
@@ -23,10 +23,10 @@ def cutter_checks(task: PairTask, pair: InternalPair) -> tuple[Check, ...]:
     cutter = pair.ring.cutter
     if cutter is None:
         return ()
-    tip = _tip(task, pair, cutter)
+    tip = tip_check(pair.ring, cutter, task.module, 2)
     if tip.verdict == "fail":
         return (tip,)
-    return tip, *_depth(task, pair, cutter), *_interference(task, pair, cutter)
+    return tip, *_depth(task, pair, cutter), *interference_checks(pair.ring, pair.tips[1], cutter, task.module, 2)
 
 
 def blamed(checks: Sequence[Check]) -> tuple[Check, ...]:
@@ -61,7 +61,7 @@ def cutter_remedy(task: PairTask, pair: InternalPair, broken: Sequence[str]) -> 
     if cutter is None:
         return ""
     told = []
-    tool = _tool(pair, cutter)
+    tool = _tool(pair.ring, cutter)
     if "cutter tip" in broken:
         largest = largest_tip(tool, cutter.rounding)
         least = 2 * m * _wanted(pair, cutter)
@@ -72,12 +72,14 @@ def cutter_remedy(task: PairTask, pair: InternalPair, broken: Sequence[str]) -> 
     if "cutter depth" in broken:
         told.append(f"a tip diameter of the cutter of at least {millimetres(2 * m * _wanted(pair, cutter))}")
     if "cutter interference" in broken:
-        told.append(_fewer(pair, cutter, 0) or "another ring: no cutter with fewer teeth does better")
+        told.append(
+            _fewer(pair.ring, pair.tips[1], cutter, 0) or "another ring: no cutter with fewer teeth does better"
+        )
     return "; ".join(told)
 
 
-def _tool(pair: InternalPair, cutter: Cutter) -> Wheel:
-    return Wheel(cutter.teeth, cutter.shift, pair.ring.helix, pair.ring.rack)
+def _tool(ring: Ring, cutter: Cutter) -> Wheel:
+    return Wheel(cutter.teeth, cutter.shift, ring.helix, ring.rack)
 
 
 def _wanted(pair: InternalPair, cutter: Cutter) -> float:
@@ -86,9 +88,9 @@ def _wanted(pair: InternalPair, cutter: Cutter) -> float:
     return pair.distance + float(pair.pinion.plain_tip) + pair.pinion.rack.clearance - distance
 
 
-def _tip(task: PairTask, pair: InternalPair, cutter: Cutter) -> Check:
-    """The land of the cutter's tip, which is not negative."""
-    tool, tip, m = _tool(pair, cutter), cutting(pair.ring, cutter)[2], task.module
+def tip_check(ring: Ring, cutter: Cutter, m: float, number: int) -> Check:
+    """The land of the tip of the cutter of ring ``number``, which is not negative; ``m`` [m] is the module."""
+    tool, tip = _tool(ring, cutter), cutting(ring, cutter)[2]
     diameter, lead = millimetres(2 * m * tip), tip_lead(tool, tip, cutter.rounding)
     if lead is None:
         margin = tip - cutter.rounding - tool.base
@@ -97,13 +99,13 @@ def _tip(task: PairTask, pair: InternalPair, cutter: Cutter) -> Check:
             f"the tip circle of the cutter, {diameter} in diameter{less}, lies within its base circle, "
             f"{millimetres(2 * m * tool.base)} (margin {millimetres(m * margin)})"
         )
-        return Check("cutter tip", 2, tip, tool.base + cutter.rounding, margin, "fail", text)
+        return Check("cutter tip", number, tip, tool.base + cutter.rounding, margin, "fail", text)
     land = 2 * lead * tip
     if land >= -NOISE:
-        return Check("cutter tip", 2, land, 0.0, land, "ok", "")
+        return Check("cutter tip", number, land, 0.0, land, "ok", "")
     lack = f"narrower than its rounding of {millimetres(m * cutter.rounding)}" if cutter.rounding else "pointed"
     text = f"the tip of the cutter, {diameter} in diameter, is {lack} (margin {millimetres(m * land)})"
-    return Check("cutter tip", 2, land, 0.0, land, "fail", text)
+    return Check("cutter tip", number, land, 0.0, land, "fail", text)
 
 
 def _depth(task: PairTask, pair: InternalPair, cutter: Cutter) -> Iterator[Check]:
@@ -123,28 +125,31 @@ def _depth(task: PairTask, pair: InternalPair, cutter: Cutter) -> Iterator[Check
     yield Check("cutter depth", 2, tip, wanted - SHORT, tip - wanted + SHORT, "warn", text)
 
 
-def _interference(task: PairTask, pair: InternalPair, cutter: Cutter) -> Iterator[Check]:
-    """Whether the cutter cuts away the tips of the ring: as it generates, and as it is fed in radially."""
-    margins = cutter_margins(pair.ring, cutter, pair.tips[1])
+def interference_checks(ring: Ring, tip: float, cutter: Cutter, m: float, number: int) -> Iterator[Check]:
+    """Whether the cutter cuts away the tips of ring ``number``: as it generates, and as it is fed in radially.
+
+    ``tip`` [module] is the radius of its tip circle, ``m`` [m] the module.
+    """
+    margins = cutter_margins(ring, cutter, tip)
     if margins is None:
         return
-    cuts = "cuts the tips of gear 2 away", "trims the tips of gear 2 when it is fed in radially"
+    cuts = f"cuts the tips of gear {number} away", f"trims the tips of gear {number} when it is fed in radially"
     verdicts: tuple[Verdict, Verdict] = ("fail", "warn")
     for place, (name, verdict, what) in enumerate(zip(NAMES[2:], verdicts, cuts, strict=True)):
         margin = margins[place]
         if margin >= -NOISE:
-            yield Check(name, 2, margin, 0.0, margin, "ok", "")
+            yield Check(name, number, margin, 0.0, margin, "ok", "")
             continue
-        told = _fewer(pair, cutter, place)
-        text = f"the cutter of {cutter.teeth} teeth {what} (margin {millimetres(task.module * margin)})"
-        yield Check(name, 2, margin, 0.0, margin, verdict, text + (f": it takes {told}" if told else ""))
+        told = _fewer(ring, tip, cutter, place)
+        text = f"the cutter of {cutter.teeth} teeth {what} (margin {millimetres(m * margin)})"
+        yield Check(name, number, margin, 0.0, margin, verdict, text + (f": it takes {told}" if told else ""))
 
 
-def _fewer(pair: InternalPair, cutter: Cutter, place: int) -> str:
+def _fewer(ring: Ring, tip: float, cutter: Cutter, place: int) -> str:
     """The most teeth of a cutter, with the rack's tip circle, that keeps a margin; empty if there is none."""
     for teeth in range(cutter.teeth - 1, FEWEST - 1, -1):
         other = replace(cutter, teeth=teeth, tip=None)
-        margins = cutter_margins(pair.ring, other, pair.tips[1])
+        margins = cutter_margins(ring, other, tip)
         if margins is not None and margins[place] >= 0:
             return f"a cutter of at most {teeth} teeth"
     return ""

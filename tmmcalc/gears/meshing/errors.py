@@ -7,19 +7,23 @@ clearance cut short are taken as they are.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from tmmcalc.core.numerics.extended import PI, apart
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import Long, inverse_extended, involute_extended
-from tmmcalc.gears.meshing.results import MeshPair, PairError
+from tmmcalc.gears.involute.measure.balls import Body
+from tmmcalc.gears.involute.rack import Rack
+from tmmcalc.gears.meshing.results import Measures, MeshPair, PairError
 from tmmcalc.gears.meshing.task import PairTask
 
 RULE = 1e-9  # [module] within which a tip is that of the rule
 
 
 @record
-class _Cut:
+class Cut:
     """The wheels of a pair in the transverse section; the arrays (1,) or (2,), lengths in modules."""
 
     teeth: Long  # negative: a ring
@@ -52,34 +56,35 @@ def pair_error(found: MeshPair) -> PairError:
     cut = _cut(found)
     angle, distance = _operating(task, cut)
     tips = _tips(found, cut, distance)
-    rho = np.sqrt((np.abs(tips) - np.abs(cut.base)) * (np.abs(tips) + np.abs(cut.base)))
+    rho = curvature(cut, tips)
     ratio = (_path(task, cut, angle, distance, rho)) / (PI / cut.cosine * np.cos(cut.angle))
-    at_tip = cut.half + cut.level - _turned(rho, cut.base)
-    slope = cut.slant * tips / cut.reference
-    arcs = np.concatenate((2 * cut.reference * cut.half * cut.cosine, 2 * tips * at_tip / np.sqrt(1 + slope * slope)))
     told = [size.thickness for size in found.sizes] + [size.tip_thickness for size in found.sizes]
     return PairError(
         angle=apart(found.angle_w, angle),
         distance=apart(found.distance, m * np.abs(distance)),
         contact_ratio=apart(found.contact_ratio, ratio),
-        thickness=apart(told, m * arcs),
-        span=_span(found, cut, m),
-        balls=_balls(found, cut, m),
+        thickness=apart(told, m * arcs(cut, tips)),
+        span=span_error(found.measures, cut, m),
+        balls=balls_error(found.measures, cut, m, task.measuring.body),
     )
 
 
-def _cut(found: MeshPair) -> _Cut:
+def _cut(found: MeshPair) -> Cut:
     task, count = found.task, len(found.sizes)
-    teeth = np.array(task.teeth[:count], np.longdouble)
-    if task.kind == "internal":
-        teeth[1] = -teeth[1]
-    alpha, helix = np.longdouble(task.rack.angle), np.longdouble(abs(task.helix))
-    angle = np.arctan(np.tan(alpha) / np.cos(helix))
-    shift = np.array(found.shifts[:count], np.longdouble)
-    return _Cut(teeth, shift, alpha, np.tan(helix), np.cos(helix), angle, involute_extended(angle))
+    signs = (1, -1 if task.kind == "internal" else 1)
+    teeth = [sign * z for sign, z in zip(signs, task.teeth[:count], strict=False)]
+    return cut_of(teeth, found.shifts[:count], task.rack, task.helix)
 
 
-def _operating(task: PairTask, cut: _Cut) -> tuple[Long, Long]:
+def cut_of(teeth: Sequence[int], shifts: Sequence[float], rack: Rack, helix: float) -> Cut:
+    """Wheels of one rack and one helix angle [rad]; a negative number of teeth is that of a ring."""
+    alpha, slant = np.longdouble(rack.angle), np.longdouble(abs(helix))
+    angle = np.arctan(np.tan(alpha) / np.cos(slant))
+    z, x = np.array(teeth, np.longdouble), np.array(shifts, np.longdouble)
+    return Cut(z, x, alpha, np.tan(slant), np.cos(slant), angle, involute_extended(angle))
+
+
+def _operating(task: PairTask, cut: Cut) -> tuple[Long, Long]:
     """alpha_tw and a_w; of a rack the distance of its datum line."""
     asked = None if task.strategy != "given_aw" or task.distance is None else task.distance / np.longdouble(task.module)
     if task.kind == "rack":
@@ -91,7 +96,7 @@ def _operating(task: PairTask, cut: _Cut) -> tuple[Long, Long]:
     return angle, base / np.cos(angle)
 
 
-def _tips(found: MeshPair, cut: _Cut, distance: Long) -> Long:
+def _tips(found: MeshPair, cut: Cut, distance: Long) -> Long:
     """Tip radii, signed: as asked, else by the rule where the pair has them."""
     task, rack, m = found.task, found.task.rack, np.longdouble(found.task.module)
     sign = np.sign(cut.teeth)
@@ -104,7 +109,7 @@ def _tips(found: MeshPair, cut: _Cut, distance: Long) -> Long:
     return sign * np.maximum(np.abs(tips), np.abs(cut.base))
 
 
-def _path(task: PairTask, cut: _Cut, angle: Long, distance: Long, rho: Long) -> Long:
+def _path(task: PairTask, cut: Cut, angle: Long, distance: Long, rho: Long) -> Long:
     """Length of the path of contact."""
     if task.kind == "rack":
         rack = task.rack
@@ -121,10 +126,22 @@ def _turned(rho: Long, base: Long) -> Long:
     return involute_extended(small) if np.any(small < 0.1) else tangent - small
 
 
-def _span(found: MeshPair, cut: _Cut, m: np.longdouble) -> float | None:
+def arcs(cut: Cut, tips: Long) -> Long:
+    """Normal arcs of the teeth on the reference circles and then on the tip circles, whose signed radii are given."""
+    at_tip = cut.half + cut.level - _turned(curvature(cut, tips), cut.base)
+    slope = cut.slant * tips / cut.reference
+    return np.concatenate((2 * cut.reference * cut.half * cut.cosine, 2 * tips * at_tip / np.sqrt(1 + slope * slope)))
+
+
+def curvature(cut: Cut, tips: Long) -> Long:
+    """Radii of curvature of the flanks on the tip circles."""
+    return np.sqrt((np.abs(tips) - np.abs(cut.base)) * (np.abs(tips) + np.abs(cut.base)))
+
+
+def span_error(measured: Sequence[Measures], cut: Cut, m: np.longdouble) -> float | None:
     """Of the chosen spans W, if there are any."""
     told, exact = [], []
-    for k, each in enumerate(found.measures):
+    for k, each in enumerate(measured):
         if each.span is not None:
             inner = PI * (each.span.teeth - 0.5) + 2 * cut.shift[k] * np.tan(cut.alpha)
             told.append(each.span.length)
@@ -132,17 +149,17 @@ def _span(found: MeshPair, cut: _Cut, m: np.longdouble) -> float | None:
     return apart(told, exact) if told else None
 
 
-def _balls(found: MeshPair, cut: _Cut, m: np.longdouble) -> float | None:
+def balls_error(measured: Sequence[Measures], cut: Cut, m: np.longdouble, body: Body) -> float | None:
     """Of the sizes M over or between balls or pins of their diameters, if there are any."""
     told, exact = [], []
-    for k, each in enumerate(found.measures):
+    for k, each in enumerate(measured):
         if each.balls is None:
             continue
         z, size = cut.teeth[k], each.balls.diameter / m
         space = (PI / 2 - 2 * cut.shift[k] * np.tan(cut.alpha)) / z
         angle = inverse_extended(size / (z * np.cos(cut.alpha)) + cut.level - space)
         across = 2 * np.abs(cut.base[k]) / np.cos(angle)
-        if z % 2 and (found.task.measuring.body == "balls" or not found.task.helix or z < 0):
+        if z % 2 and (body == "balls" or not cut.slant or z < 0):
             across = across * np.cos(PI / (2 * z))
         told.append(each.balls.size)
         exact.append(m * (across + np.sign(z) * size))

@@ -62,7 +62,7 @@ def solve_external(task: PairTask) -> MeshPair:
         peaks=_peaks(whole, line.start, line.end) or left,
         peaks_left=left,
         sliding=table,
-        measures=tuple(measures(task, number, gear) for number, gear in enumerate(gears, 1)),
+        measures=tuple(measures(task.measuring_of(number), gear) for number, gear in enumerate(gears, 1)),
     )
 
 

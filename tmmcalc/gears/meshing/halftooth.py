@@ -21,7 +21,7 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.involute.profile.outline import Element, arcs, tooth
 from tmmcalc.gears.involute.profile.ring import RingFlank
 from tmmcalc.gears.involute.profile.shaping import ShapedRing
-from tmmcalc.gears.meshing.members import Member
+from tmmcalc.gears.meshing.members import Toothed
 
 PartName = Literal["root", "fillet", "involute", "flank", "tip"]  # the straight flank is that of a rack
 Kind = Literal["curve", "arc", "line"]  # an arc has its centre in the wheel's, and its parameter is the polar angle
@@ -87,7 +87,7 @@ class Half:
         return best
 
 
-def half_tooth(member: Member) -> Half:
+def half_tooth(member: Toothed) -> Half:
     """Half a tooth of a wheel; raises `NoSolutionError` that names it if it cannot have a profile."""
     with member.told():
         if member.shape == "rack":
@@ -95,7 +95,7 @@ def half_tooth(member: Member) -> Half:
         return _of_ring(member) if member.shape == "ring" else _of_wheel(member)
 
 
-def fault_of(member: Member) -> NoSolutionError | None:
+def fault_of(member: Toothed) -> NoSolutionError | None:
     """Why a wheel cannot have a profile; None: it has one."""
     try:
         half_tooth(member)
@@ -104,7 +104,7 @@ def fault_of(member: Member) -> NoSolutionError | None:
     return None
 
 
-def _of_wheel(member: Member) -> Half:
+def _of_wheel(member: Toothed) -> Half:
     flank = member.flank
     root, tip = _arcs(tooth(flank))
     tool, start, rolls = flank.rounding, tan(flank.rounding.angle), flank.rolls
@@ -149,7 +149,7 @@ def _arc(name: PartName, radius: float, middle: float, sweep: float, side: float
     return (ProfilePart(name, "arc", curve, lambda angle: np.full_like(angle, side * radius)),)
 
 
-def _of_ring(member: Member) -> Half:
+def _of_ring(member: Toothed) -> Half:
     flank = member.ring_flank
     element, start = flank.element, tan(member.wheel.transverse_angle)
     turned = np.exp(1j * member.half_pitch)
@@ -187,7 +187,7 @@ def _ring_fillet(flank: RingFlank | ShapedRing, start: float) -> tuple[Function,
     return lambda theta: -shaped.fillet_radius(theta), lambda theta: shaped.turn(theta) + shift
 
 
-def _of_rack(member: Member) -> Half:
+def _of_rack(member: Toothed) -> Half:
     tool, rack = member.tool, member.wheel.rack
     quarter, slope = member.half_pitch / 2, tan(tool.angle)
     root, foot = -rack.addendum - rack.clearance, float(np.imag(tool.on_rack(tool.angle)))

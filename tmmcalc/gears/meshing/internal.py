@@ -74,7 +74,7 @@ def solve_internal(task: PairTask) -> MeshPair:
         peaks=_peaks(whole, whole.segment) or left,
         peaks_left=left,
         sliding=table,
-        measures=tuple(measures(task, number, gear) for number, gear in enumerate(gears, 1)),
+        measures=tuple(measures(task.measuring_of(number), gear) for number, gear in enumerate(gears, 1)),
     )
 
 
@@ -205,10 +205,10 @@ def _wheels(
     inner = Gear(pinion, tips[0], float(pinion.root), first, form, low)
     last, reach = high + pair.length, pair.starts[1]
     outer = Gear(ring.signed, tips[1], ring.root, second, ring.curvature_at(max(ring.form, ring.base)), last)
-    return (external_sizes(task, 1, inner, pair.starts[0]), _ring_sizes(task, ring, outer, reach)), (inner, outer)
+    return (external_sizes(task, 1, inner, pair.starts[0]), ring_sizes(task, ring, outer, reach)), (inner, outer)
 
 
-def _ring_sizes(task: PairTask, ring: Ring, gear: Gear, reach: float) -> WheelSizes:
+def ring_sizes(task: PairTask, ring: Ring, gear: Gear, reach: float) -> WheelSizes:
     """Sizes of the ring; ``reach`` is its radius of curvature where the tip of the pinion leaves it, in modules."""
     m = task.module
     thickness, tip_thickness = ring.thickness_at(ring.reference), ring.thickness_at(gear.tip)

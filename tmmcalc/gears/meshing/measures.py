@@ -19,24 +19,24 @@ from tmmcalc.gears.involute.measure.span import LEAST, Spans, span_length, spans
 from tmmcalc.gears.meshing.refusal import millimetres
 from tmmcalc.gears.meshing.results import BallsRow, ChordRow, Measures, SpanRow
 from tmmcalc.gears.meshing.sizes import Gear
-from tmmcalc.gears.meshing.task import PairTask
+from tmmcalc.gears.meshing.task import WheelMeasuring
 
 LEAST_BALLS = 1e-3  # [module] balls smaller than that are none
 NOISE = 1e-9  # [module] by which the active point and the end of the involute may differ
 
 
-def measures(task: PairTask, number: int, gear: Gear, radii: Sequence[float] = ()) -> Measures:
-    """The measures of wheel 1 or 2 of a pair, its chords on the circles of ``radii`` [m] too."""
-    wheel, m = gear.wheel, task.module
+def measures(asked: WheelMeasuring, gear: Gear, radii: Sequence[float] = ()) -> Measures:
+    """The measures of a wheel, its chords on the circles of ``radii`` [m] too."""
+    wheel, m = gear.wheel, asked.module
     ring = wheel.teeth < 0
-    span = _NO_SPAN if ring else _measured(task, number, gear)
-    balls, told = _balls(task, number, gear)
+    span = _NO_SPAN if ring else _measured(asked, gear)
+    balls, told = _balls(asked, gear)
     chord = constant_chord(wheel, -gear.tip if ring else gear.tip, 0.0)
     highest = float(wheel.curvature_at(max(gear.tip, gear.base)))  # 0 where a tip circle lies within the base circle
     ends = sorted((highest, gear.active))
-    chords, missing = _chords(task, gear, radii)
+    chords, missing = _chords(m, gear, radii)
     return Measures(
-        wheel=task.wheels[number - 1],
+        wheel=asked.name,
         base_pitch=m * base_pitch_normal(wheel),
         base_thickness=m * span_length(wheel, 1),
         spans=span.rows,
@@ -82,16 +82,16 @@ class _Measured:
 _NO_SPAN = _Measured((), None, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, None, None, ())
 
 
-def _measured(task: PairTask, number: int, gear: Gear) -> _Measured:
-    asked, m = task.measuring.span_teeth[number - 1], task.module
-    found = spans(gear.wheel, gear.tip, gear.active, None if task.face_width is None else task.width)
+def _measured(asked: WheelMeasuring, gear: Gear) -> _Measured:
+    teeth, m = asked.span_teeth, asked.module
+    found = spans(gear.wheel, gear.tip, gear.active, asked.width)
     rows = [
         SpanRow(s.teeth, m * s.length, m * s.radius, m * s.curvature, m * s.width, s.valid, s.book) for s in found.table
     ]
-    if asked is not None and found.over(asked) is None:
-        rows.append(_not_admitted(task, gear, asked))
-    most = found.most(task.measuring.rule)
-    chosen = asked if asked is not None else most if most >= LEAST else None
+    if teeth is not None and found.over(teeth) is None:
+        rows.append(_not_admitted(m, gear, teeth))
+    most = found.most(asked.rule)
+    chosen = teeth if teeth is not None else most if most >= LEAST else None
     limits = found.limits
     return _Measured(
         rows=tuple(rows),
@@ -105,28 +105,27 @@ def _measured(task: PairTask, number: int, gear: Gear) -> _Measured:
         tip_exact=limits.tip_exact,
         width=limits.width,
         width_exact=limits.width_exact,
-        remarks=_span_remarks(task, next((row for row in rows if row.teeth == chosen), None), found),
+        remarks=_span_remarks(asked, next((row for row in rows if row.teeth == chosen), None), found),
     )
 
 
-def _not_admitted(task: PairTask, gear: Gear, teeth: int) -> SpanRow:
+def _not_admitted(m: float, gear: Gear, teeth: int) -> SpanRow:
     """The span over a number of teeth that no rule admits."""
     length, helix = span_length(gear.wheel, teeth), gear.wheel.section.base_helix
     curvature = length * cos(helix) / 2
     radius = float(np.hypot(gear.base, curvature))
-    m = task.module
     return SpanRow(teeth, m * length, m * radius, m * curvature, m * length * sin(helix), False, False)
 
 
-def _span_remarks(task: PairTask, row: SpanRow | None, found: Spans) -> tuple[str, ...]:
+def _span_remarks(asked: WheelMeasuring, row: SpanRow | None, found: Spans) -> tuple[str, ...]:
     """What is wrong with the chosen span, and which would do."""
     better = "" if found.recommended is None else f"; over {found.recommended} they touch near the middle of the flank"
     if row is None:
-        most = found.most(task.measuring.rule)
-        return (f"the rule {task.measuring.rule!r} admits no span: z_w,max = {most}, below {LEAST}{better}",)
+        most = found.most(asked.rule)
+        return (f"the rule {asked.rule!r} admits no span: z_w,max = {most}, below {LEAST}{better}",)
     if row.valid:
         return ()
-    limits, length = found.limits, row.length / task.module
+    limits, length = found.limits, row.length / asked.module
     if length < limits.lowest:
         why = "the plates touch beneath the usable involute"
     elif length > limits.tip_exact:
@@ -136,20 +135,17 @@ def _span_remarks(task: PairTask, row: SpanRow | None, found: Spans) -> tuple[st
     return (f"span over {row.teeth} teeth: {why}{better}",)
 
 
-def _balls(task: PairTask, number: int, gear: Gear) -> tuple[BallsRow | None, tuple[str, ...]]:
-    asked, m = task.measuring.balls[number - 1], task.module
-    body = task.measuring.body
+def _balls(asked: WheelMeasuring, gear: Gear) -> tuple[BallsRow | None, tuple[str, ...]]:
+    m, body = asked.module, asked.body
     try:
-        diameter = usual_diameter(gear.wheel) if asked is None else asked / m
+        diameter = usual_diameter(gear.wheel) if asked.ball is None else asked.ball / m
         if not diameter > LEAST_BALLS:
             return None, (f"no {body} stand in the space",)
         found = over_balls(gear.wheel, diameter, gear.tip, gear.active, gear.root, body)
     except NoSolutionError as error:
         side = "smaller" if gear.wheel.teeth < 0 else "larger"
-        limit = millimetres(m * (error.limit or 0.0))
-        return None, (
-            f"{body} of {millimetres(asked or 0.0)} do not stand in the space: they have to be {side} than {limit}",
-        )
+        limit, told = millimetres(m * (error.limit or 0.0)), millimetres(asked.ball or 0.0)
+        return None, (f"{body} of {told} do not stand in the space: they have to be {side} than {limit}",)
     if not (isfinite(found.size) and isfinite(found.curvature)):
         return None, (f"no {body} stand in the space",)
     remarks = []
@@ -170,9 +166,9 @@ def _balls(task: PairTask, number: int, gear: Gear) -> tuple[BallsRow | None, tu
     return row, tuple(remarks)
 
 
-def _chords(task: PairTask, gear: Gear, asked: Sequence[float]) -> tuple[tuple[ChordRow, ...], tuple[str, ...]]:
+def _chords(m: float, gear: Gear, asked: Sequence[float]) -> tuple[tuple[ChordRow, ...], tuple[str, ...]]:
     """The circles that there are on the tooth, and on which it has a thickness; which of those asked for are not."""
-    wheel, m = gear.wheel, task.module
+    wheel = gear.wheel
     side = -1.0 if wheel.teeth < 0 else 1.0
     named = [("reference", abs(wheel.reference)), ("operating", gear.operating), ("tip", gear.tip)]
     named += [("asked", radius / m) for radius in asked]
@@ -187,12 +183,12 @@ def _chords(task: PairTask, gear: Gear, asked: Sequence[float]) -> tuple[tuple[C
         for (name, radius), good, theta, angle, helix, *lengths in rows
         if good
     )
-    return found, tuple(_chord_remarks(task, gear, radii[3:], on_tooth[3:]))
+    return found, tuple(_chord_remarks(m, gear, radii[3:], on_tooth[3:]))
 
 
-def _chord_remarks(task: PairTask, gear: Gear, radii: np.ndarray, on_tooth: np.ndarray) -> Iterator[str]:
+def _chord_remarks(m: float, gear: Gear, radii: np.ndarray, on_tooth: np.ndarray) -> Iterator[str]:
     """Circles that were asked for and do not cut the flanks, or cut them where there is a fillet instead."""
-    m, ring = task.module, gear.wheel.teeth < 0
+    ring = gear.wheel.teeth < 0
     form = float(np.hypot(gear.base, gear.form))
     for radius, good in zip(radii.tolist(), on_tooth.tolist(), strict=True):
         if not good:

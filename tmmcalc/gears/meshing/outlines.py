@@ -21,7 +21,7 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.involute.profile.mesh import Placing
 from tmmcalc.gears.involute.profile.outline import Arc
 from tmmcalc.gears.meshing.halftooth import Half, ProfilePart, half_tooth
-from tmmcalc.gears.meshing.members import Member
+from tmmcalc.gears.meshing.members import Toothed
 from tmmcalc.gears.meshing.refusal import millimetres
 from tmmcalc.report.outlines import Bow, Cubics, Line, Piece
 
@@ -33,7 +33,7 @@ UPRIGHT = Placing(0.0, 0j)  # centre at the origin, a tooth on +Y
 class Track:
     """The outline of one wheel or tooth where it stands [m]."""
 
-    member: Member
+    member: Toothed
     pieces: tuple[Piece, ...]  # each begins where the one before it ends
     polygon: Plane  # (n,) the outline in chords that keep the tolerance; the first point is not repeated
     closed: bool
@@ -46,7 +46,7 @@ class _Stroke(NamedTuple):
     points: Plane
 
 
-def track(member: Member, tolerance: float, placing: Placing = UPRIGHT, whole: bool = True) -> Track:
+def track(member: Toothed, tolerance: float, placing: Placing = UPRIGHT, whole: bool = True) -> Track:
     """The outline of a whole wheel, or of one tooth between the middles of its spaces, placed in modules.
 
     ``tolerance`` is a length [m]. A rack has as many teeth as its pinion. Raises `UsageError` for a tolerance that
@@ -87,12 +87,12 @@ def _fineness(tolerance: float, module: float) -> float:
     )
 
 
-def _places(member: Member, placing: Placing) -> list[Placing]:
+def _places(member: Toothed, placing: Placing) -> list[Placing]:
     """Where the teeth of a whole wheel stand."""
     pitch = 2 * member.half_pitch
     if member.shape != "rack":
         return [Placing(placing.turn + pitch * k, placing.centre) for k in range(member.wheel.teeth)]
-    teeth, along = member.found.task.teeth[0], exp(1j * placing.turn)
+    teeth, along = member.wheel.teeth, exp(1j * placing.turn)
     return [Placing(placing.turn, placing.centre + along * pitch * (teeth // 2 - k)) for k in range(teeth)]
 
 

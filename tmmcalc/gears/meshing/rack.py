@@ -60,7 +60,7 @@ def solve_rack(task: PairTask) -> MeshPair:
         peaks=_peaks(pair, start, end) or left,
         peaks_left=left,
         sliding=sliding_table(points, low, high, m),
-        measures=(measures(task, 1, gear),),
+        measures=(measures(task.measuring_of(1), gear),),
     )
 
 

@@ -21,7 +21,7 @@ class Gear:
     wheel: Wheel  # of a ring the one of ISO 21771, whose number of teeth and radii are negative
     tip: float  # r_a
     root: float  # r_f
-    operating: float  # r_w
+    operating: float  # r_w; 0: it has no mate
     form: float  # rho_F, radius of curvature where the involute ends at the fillet
     active: float  # radius of curvature where the contact with the mate ends on it
 

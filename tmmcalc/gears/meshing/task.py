@@ -32,6 +32,24 @@ class Measuring:
 
 
 @record
+class WheelMeasuring:
+    """What is measured on one wheel; None: the usual choice."""
+
+    name: str  # of the wheel
+    module: float  # [m]
+    span_teeth: int | None = None
+    ball: float | None = None  # [m]
+    body: Body = "balls"
+    rule: Rule = "book"
+    face_width: float | None = None  # [m]
+
+    @property
+    def width(self) -> float | None:
+        """Face width in normal modules."""
+        return None if self.face_width is None else self.face_width / self.module
+
+
+@record
 class PairTask:
     """One pair: a pinion (or any external wheel) with its mate, an external wheel, a ring or a rack."""
 
@@ -97,6 +115,13 @@ class PairTask:
     def width(self) -> float:
         """Face width in normal modules, 0 if it is not given."""
         return 0.0 if self.face_width is None else self.face_width / self.module
+
+    def measuring_of(self, number: int) -> WheelMeasuring:
+        """What is measured on wheel 1 or 2."""
+        asked, k = self.measuring, number - 1
+        return WheelMeasuring(
+            self.wheels[k], self.module, asked.span_teeth[k], asked.balls[k], asked.body, asked.rule, self.face_width
+        )
 
 
 @record

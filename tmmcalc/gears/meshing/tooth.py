@@ -10,7 +10,7 @@ from tmmcalc.core.errors import NoSolutionError, UsageError
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.quantity import quantities
 from tmmcalc.gears.meshing.halftooth import Half, ProfilePart, half_tooth
-from tmmcalc.gears.meshing.members import Member, members
+from tmmcalc.gears.meshing.members import Toothed, members
 from tmmcalc.gears.meshing.profiles import Profiles, WheelProfile
 from tmmcalc.gears.meshing.results import Pairs
 
@@ -23,6 +23,17 @@ def solve_profiles(found: Pairs, points: int = 50) -> Profiles:
 
     A wheel that cannot have a profile is told in the remarks. Raises `UsageError` for fewer than 3 points.
     """
+    _check_points(points)
+    wheels: list[WheelProfile] = []
+    remarks: list[str] = []
+    for member in members(found):
+        profile, told = profile_of(member, points)
+        wheels += [profile] if profile is not None else []
+        remarks += told
+    return Profiles(tuple(wheels), tuple(remarks))
+
+
+def _check_points(points: int) -> None:
     if points < FEWEST:
         raise UsageError(
             f"{points} points are too few for a curve",
@@ -31,20 +42,20 @@ def solve_profiles(found: Pairs, points: int = 50) -> Profiles:
             limit=FEWEST,
             remedy=f"at least {FEWEST}",
         )
-    wheels, remarks = [], []
-    for member in members(found):
-        try:
-            half = half_tooth(member)
-        except NoSolutionError as error:
-            remarks.append(f"wheel {member.label} has no profile: {error.message}; {error.remedy}")
-            continue
-        wheels.append(_profile(member, half, points))
-        if half.remark:
-            remarks.append(f"wheel {member.label} is {half.remark}")
-    return Profiles(tuple(wheels), tuple(remarks))
 
 
-def _profile(member: Member, half: Half, points: int) -> WheelProfile:
+def profile_of(member: Toothed, points: int) -> tuple[WheelProfile | None, tuple[str, ...]]:
+    """Half a tooth of one wheel, None if it cannot have a profile; and what is to be said about it."""
+    _check_points(points)
+    try:
+        half = half_tooth(member)
+    except NoSolutionError as error:
+        return None, (f"wheel {member.label} has no profile: {error.message}; {error.remedy}",)
+    remarks = (f"wheel {member.label} is {half.remark}",) if half.remark else ()
+    return _profile(member, half, points), remarks
+
+
+def _profile(member: Toothed, half: Half, points: int) -> WheelProfile:
     m = member.module
     each = [_sampled(part, points) for part in half.parts]
     places = np.concatenate([part.curve.point(at) for part, at in zip(half.parts, each, strict=True)])
@@ -54,7 +65,7 @@ def _profile(member: Member, half: Half, points: int) -> WheelProfile:
         wheel=member.name,
         kind=member.shape,
         teeth=0 if member.shape == "rack" else member.wheel.teeth,
-        shift=0.0 if member.shape == "rack" else float(member.found.shifts[member.place]),
+        shift=0.0 if member.shape == "rack" else member.shift,
         module=m,
         tip=m * half.tip,
         root=m * half.root,
@@ -75,14 +86,14 @@ def _profile(member: Member, half: Half, points: int) -> WheelProfile:
     )
 
 
-def _error(member: Member, half: Half, roll: np.ndarray, places: np.ndarray) -> float:
+def _error(member: Toothed, half: Half, roll: np.ndarray, places: np.ndarray) -> float:
     """What roundings leave: of the radius, of the angles that turn it (psi, alpha_t, phi), and where curves join."""
     radius = np.abs(places)
     turned = 0.0 if member.shape == "rack" else abs(_half_angle(member)) + tan(member.wheel.transverse_angle)
     return float((np.max(EPS * radius * (1 + turned + np.abs(roll))) + half.join) / np.max(radius))
 
 
-def _half_angle(member: Member) -> float:
+def _half_angle(member: Toothed) -> float:
     """psi [rad]; of a ring what its space leaves."""
     if member.shape == "rack":
         return 0.0
@@ -90,7 +101,7 @@ def _half_angle(member: Member) -> float:
     return member.half_pitch - half if member.shape == "ring" else half
 
 
-def _centre(member: Member) -> tuple[float, float]:
+def _centre(member: Toothed) -> tuple[float, float]:
     """x_1S, y_1S [m] from the point of the straight flank on the rolling line (4.85)."""
     if member.shape != "external":
         return 0.0, 0.0

@@ -19,7 +19,7 @@ from tmmcalc.gears.involute.profile.mesh import Placing, ring_placings
 from tmmcalc.gears.involute.profile.outline import mirrored
 from tmmcalc.gears.involute.profile.shaping import ShapedRing
 from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.gears.meshing.members import Member, both
+from tmmcalc.gears.meshing.members import Member, Toothed, both
 from tmmcalc.gears.pictures.placedpair import from_gap_to_gap, placings_of, rack_tooth
 
 POSITIONS = 15
@@ -38,14 +38,18 @@ class Generation:
     path: Plane | None  # of S, the centre of the rounding of a rack's tooth
 
 
-def generation_of(member: Member, positions: int = POSITIONS) -> Generation:
+def generation_of(member: Toothed, positions: int = POSITIONS) -> Generation:
     """The space of one wheel."""
     if member.shape == "external":
         return _by_rack(member, positions)
-    return _of_ring(member, positions) if member.shape == "ring" else _of_rack(member, positions)
+    if isinstance(member, Member) and member.shape == "rack":
+        return _of_rack(member, positions)
+    if not isinstance(member, Member) and member.ring.cutter is None:
+        return Generation("Space of the ring", member.module * from_gap_to_gap(member.element), (), None)
+    return _of_ring(member, positions)
 
 
-def _by_rack(member: Member, positions: int) -> Generation:
+def _by_rack(member: Toothed, positions: int) -> Generation:
     flank, m, half = member.flank, member.module, member.half_pitch
     rolls, tool = flank.rolls, flank.rounding
     # the tooth of the rack stands upright in the space when its axis passes the line of centres
@@ -92,7 +96,7 @@ class _Rolling:
         return found
 
 
-def _of_ring(member: Member, positions: int) -> Generation:
+def _of_ring(member: Toothed, positions: int) -> Generation:
     rolling, m = _cutter(member) if member.ring.cutter else _mate(member), member.module
     return Generation(
         f"{positions} positions of a tooth of {rolling.name}",
@@ -114,8 +118,9 @@ def _of_rack(member: Member, positions: int) -> Generation:
     )
 
 
-def _mate(member: Member) -> _Rolling:
+def _mate(member: Toothed) -> _Rolling:
     """The pinion of a ring or rack."""
+    assert isinstance(member, Member)  # a ring by itself is shown as its cutter makes it
     found = member.found
     pinion, line, m = both(found)[0], found.line, member.module
     return _Rolling(
@@ -128,7 +133,7 @@ def _mate(member: Member) -> _Rolling:
     )
 
 
-def _cutter(member: Member) -> _Rolling:
+def _cutter(member: Toothed) -> _Rolling:
     """The cutter that shapes a ring."""
     ring, like, shaped = member.ring, member.wheel, member.ring_flank
     if ring.cutter is None or not isinstance(shaped, ShapedRing):

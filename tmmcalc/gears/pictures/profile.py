@@ -14,7 +14,7 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 
 from tmmcalc.gears.meshing.halftooth import Half, ProfilePart, fault_of, half_tooth
-from tmmcalc.gears.meshing.members import Member, members
+from tmmcalc.gears.meshing.members import Member, Toothed, members
 from tmmcalc.gears.meshing.refusal import error_of_all
 from tmmcalc.gears.meshing.results import Pairs
 from tmmcalc.gears.pictures.generation import generation_of
@@ -55,7 +55,7 @@ def profile_figure(found: Pairs, *, choose: int | None = None) -> Figure:
     finish = []
     for sheet, member, fault in zip(sheets, shown, faults, strict=True):
         if fault is None:
-            finish.append(_sheet(sheet, member))
+            finish.append(draw_sheet(sheet, member))
         else:
             tell(sheet, f"{_title(member)} has no profile", [fault])
     settle(figure)
@@ -64,14 +64,14 @@ def profile_figure(found: Pairs, *, choose: int | None = None) -> Figure:
     return figure
 
 
-def _sheet(sheet: SubFigure, member: Member) -> Callable[[], None]:
+def draw_sheet(sheet: SubFigure, member: Toothed) -> Callable[[], None]:
     """Lay the sheet of one wheel out; what is returned draws."""
     half, generation = half_tooth(member), generation_of(member)
     left, middle = sheet.add_axes((0.015, 0.03, 0.41, 0.86)), sheet.add_axes((0.435, 0.03, 0.335, 0.86))
     table = sheet.add_axes((0.785, 0.05, 0.205, 0.84))
 
     def finish() -> None:
-        section = "; transverse section" if member.found.task.helix else ""
+        section = "; transverse section" if member.wheel.helix else ""
         sheet.text(0.015, 0.965, f"{_title(member)}{section}", size=10)
         first = SpaceDrawing(left, member, half, generation)
         second = ToothDrawing(middle, member, half)
@@ -86,18 +86,18 @@ def _sheet(sheet: SubFigure, member: Member) -> Callable[[], None]:
     return finish
 
 
-def _title(member: Member) -> str:
+def _title(member: Toothed) -> str:
     named = {"external": "Tooth", "ring": "Tooth of the ring,", "rack": "Tooth of the rack"}[member.shape]
-    if member.shape == "rack":
+    if isinstance(member, Member) and member.shape == "rack":
         return f"{named}, mate of wheel {member.found.task.wheels[0]}"
-    shift = signed(round(member.found.shifts[member.place], 5), 5)
+    shift = signed(round(member.shift, 5), 5)
     pair = f" of {member.pair}" if member.pair else ""
     return f"{named} of wheel {member.name}{pair}: $z$ = {member.wheel.teeth}, $x$ = {shift}".replace(
         "ring, of", "ring,"
     )
 
 
-def _rows(member: Member, half: Half) -> list[Row]:
+def _rows(member: Toothed, half: Half) -> list[Row]:
     """Points of the profile with their radii of curvature, and what else is to be known."""
     m = member.module
     rolls: list[Row] = [Heading(("", "", "$y$, mm", "$R$, mm"))]
@@ -122,9 +122,11 @@ def _rows(member: Member, half: Half) -> list[Row]:
     return rolls
 
 
-def _handles(member: Member, half: Half) -> list[Line2D]:
+def _handles(member: Toothed, half: Half) -> list[Line2D]:
     """What the lines are."""
-    found = [Line2D([], [], label="tooth", **OUTLINE, color=INK), Line2D([], [], label="active flank", **ACTIVE)]
+    found = [Line2D([], [], label="tooth", **OUTLINE, color=INK)]
+    if isinstance(member, Member):
+        found.append(Line2D([], [], label="active flank", **ACTIVE))
     if member.shape != "external":
         return found
     for (name, color, dashes), roll in zip(MOMENTS, half.rolls, strict=False):
@@ -133,7 +135,7 @@ def _handles(member: Member, half: Half) -> list[Line2D]:
     return [*found, Line2D([], [], label="path of $S$, centre of the rounding", **CENTRE_PATH)]
 
 
-def _curvatures(member: Member, half: Half) -> list[tuple[str, ProfilePart, float]]:
+def _curvatures(member: Toothed, half: Half) -> list[tuple[str, ProfilePart, float]]:
     """Ends of fillet and flank."""
     fillet, flank = half.fillet, half.flank
     join = joint_of(member, half)

@@ -15,7 +15,7 @@ from matplotlib.axes import Axes
 from tmmcalc.core.plane import Plane
 from tmmcalc.gears.involute.profile.generation import in_wheel, path_of_centre, rack_outline
 from tmmcalc.gears.meshing.halftooth import Half, ProfilePart
-from tmmcalc.gears.meshing.members import Member
+from tmmcalc.gears.meshing.members import Member, Toothed
 from tmmcalc.gears.pictures.generation import Generation
 from tmmcalc.gears.pictures.placedpair import CIRCLES, SIGNS, Circle, active_flank
 from tmmcalc.gears.pictures.sketch import FACES, STYLES, spread
@@ -42,15 +42,22 @@ MOMENTS: tuple[tuple[str, str, Any], ...] = (
 )
 
 
-def _radii(member: Member, half: Half) -> list[tuple[str, Circle, float]]:
+def _radii(member: Toothed, half: Half) -> list[tuple[str, Circle, float]]:
     """Circles of a wheel, of a rack the heights of its lines over the datum line [m]."""
     if member.shape == "rack":
         m = member.module
         return [("tip", "tip", m * half.tip), ("datum", "reference", 0.0), ("root", "root", m * half.root)]
-    sizes = member.found.sizes[member.place]
+    m = member.module
+    own = {"tip": m * half.tip, "reference": m * abs(member.wheel.reference), "base": m * half.base}
+    sizes = own | {"root": m * half.root}
+    if isinstance(member, Member):
+        told = member.found.sizes[member.place]
+        sizes = {circle: float(getattr(told, circle)) for circle in CIRCLES}
     found: list[tuple[str, Circle, float]] = []
     for circle in CIRCLES:
-        radius = float(getattr(sizes, circle))
+        if circle not in sizes:
+            continue
+        radius = sizes[circle]
         name = f"$r_{SIGNS[circle]}$" if SIGNS[circle] else "$r$"
         same = [k for k, (_, _, other) in enumerate(found) if abs(other - radius) < 1e-9 * member.module]
         if same:
@@ -63,12 +70,13 @@ def _radii(member: Member, half: Half) -> list[tuple[str, Circle, float]]:
 class _Drawing:
     """A board with circles about the centre of a wheel, or lines along a rack."""
 
-    def __init__(self, axes: Axes, member: Member, content: Plane, margin: float) -> None:
+    def __init__(self, axes: Axes, member: Toothed, content: Plane, margin: float) -> None:
         self.member, self.board = member, Board(axes, content, margin)
         axes.set_axis_off()
         self.mm = self.board.mu
         (self.x0, self.x1), (self.y0, self.y1) = axes.get_xlim(), axes.get_ylim()
         self.straight = member.shape == "rack"
+        self.face = FACES[member.place if isinstance(member, Member) else 0]
 
     def circle(self, radius: float) -> Plane:
         """The circle or line within the frame, from the left to the right."""
@@ -107,7 +115,7 @@ class _Drawing:
 class SpaceDrawing(_Drawing):
     """The generation of one space."""
 
-    def __init__(self, axes: Axes, member: Member, half: Half, generation: Generation) -> None:
+    def __init__(self, axes: Axes, member: Toothed, half: Half, generation: Generation) -> None:
         outline = generation.outline
         super().__init__(axes, member, outline, 12.0)
         self._body(outline, half)
@@ -133,14 +141,14 @@ class SpaceDrawing(_Drawing):
             behind = back * np.exp(1j * np.angle(outline[[0, -1]]))
             turn = np.angle(behind * -1j)
             behind = back * 1j * np.exp(1j * np.linspace(turn[0], turn[1], 61))
-        look: dict[str, Any] = {"facecolor": FACES[member.place], "edgecolor": "none", "zorder": 1, "weight": 0.0}
+        look: dict[str, Any] = {"facecolor": self.face, "edgecolor": "none", "zorder": 1, "weight": 0.0}
         self.board.area(np.concatenate([outline, behind[::-1]]), **look)
 
 
 class ToothDrawing(_Drawing):
     """Half a tooth, enlarged."""
 
-    def __init__(self, axes: Axes, member: Member, half: Half) -> None:
+    def __init__(self, axes: Axes, member: Toothed, half: Half) -> None:
         m = member.module
         self.half, self.runs = half, {part.name: m * _sampled(part) for part in half.parts}
         outline = np.concatenate(list(self.runs.values()))
@@ -151,7 +159,8 @@ class ToothDrawing(_Drawing):
             self._tool()
         self.board.line(outline, weight=1.0, **OUTLINE)
         active = self._active()
-        self.board.line(active, weight=0.5, **ACTIVE)
+        if active.size:
+            self.board.line(active, weight=0.5, **ACTIVE)
         self.axis(outline)
         self._points(active)
 
@@ -164,13 +173,15 @@ class ToothDrawing(_Drawing):
         behind = foot * (1 - arc) + 1j * back * arc
         if not self.straight:
             behind = behind / np.abs(behind) * abs(back)
-        look: dict[str, Any] = {"facecolor": FACES[self.member.place], "edgecolor": "none", "zorder": 1, "weight": 0.0}
+        look: dict[str, Any] = {"facecolor": self.face, "edgecolor": "none", "zorder": 1, "weight": 0.0}
         self.board.area(np.concatenate([outline, behind[::-1]]), **look)
 
     def _active(self) -> Plane:
-        """The part of the flank that touches the mate."""
-        member, m, line = self.member, self.member.module, self.member.found.line
-        part = self.half.flank
+        """The part of the flank that touches the mate; empty without one."""
+        member, m, part = self.member, self.member.module, self.half.flank
+        if not isinstance(member, Member):
+            return np.zeros(0, complex)
+        line = member.found.line
         if member.shape == "rack":
             found = member.found
             heights = (np.array([line.begins, line.ends]) - line.pitch) * math.sin(found.angle_w)
@@ -211,7 +222,7 @@ class ToothDrawing(_Drawing):
         for name, at in _named(self.member, self.half):
             self.board.circle(at, 0.7, facecolor=INK, zorder=12)
             self.board.labels.put(f"${name}$", [at], size=9, prefer=-1 + 0j, gaps=(1.6, 2.4, 3.4, 4.8))
-        if not self.straight:
+        if not self.straight and active.size:
             radii = np.abs(active)
             last = active[np.argmax(radii) if self.member.shape == "ring" else np.argmin(radii)]
             self.board.labels.put(
@@ -223,7 +234,7 @@ def _sampled(part: ProfilePart) -> Plane:
     return part.curve.point(np.linspace(part.curve.start, part.curve.end, POINTS))
 
 
-def _named(member: Member, half: Half) -> list[tuple[str, complex]]:
+def _named(member: Toothed, half: Half) -> list[tuple[str, complex]]:
     """Points of the profile with their names [m]."""
     m, fillet, flank = member.module, half.fillet, half.flank
     ends = [("D", fillet.curve, fillet.curve.start), ("A", flank.curve, flank.curve.end)]
@@ -237,6 +248,6 @@ def _named(member: Member, half: Half) -> list[tuple[str, complex]]:
     return found
 
 
-def joint_of(member: Member, half: Half) -> str:
+def joint_of(member: Toothed, half: Half) -> str:
     """The name of the point where fillet and flank meet."""
     return "F" if half.undercut or member.shape != "external" else "L"

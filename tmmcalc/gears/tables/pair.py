@@ -1,12 +1,32 @@
 """``[pair]``: pairs of gears written out, or what is asked of the pairs of the train that is chosen."""
 
-import math
 from typing import Annotated, Any
 
 from pydantic import Field
 
-from tmmcalc.gears.involute.rack import RACKS
 from tmmcalc.gears.tables.shifting import SPLITS, STRATEGIES
+from tmmcalc.gears.tables.teeth import (
+    ANGLE,
+    LENGTH,
+    POINTS,
+    TEETH,
+    Addendum,
+    Body,
+    Clearance,
+    CutterTable,
+    Fillet,
+    Helix,
+    Length,
+    Module,
+    Points,
+    RackAngle,
+    RackName,
+    Shift,
+    Thickness,
+    TipRadius,
+    Undercut,
+    WidthRule,
+)
 from tmmcalc.spec.choices import Known, Listed, Whole, Within
 from tmmcalc.spec.identifiers import Words
 from tmmcalc.spec.phrases import show
@@ -14,10 +34,6 @@ from tmmcalc.spec.quantities import Number
 from tmmcalc.spec.reader import Reader
 from tmmcalc.spec.table import Table
 from tmmcalc.spec.units import UnitError
-
-TEETH = (3, 10_000)
-SHIFTS = (-5, 5)
-POINTS = 50  # of each curve of a profile, if nothing else is asked
 
 
 class OneOrTwo(Reader):
@@ -40,49 +56,17 @@ class OneOrTwo(Reader):
         return {"type": "array", "items": self.item.describe(), "minItems": 1, "maxItems": 2, "description": whose}
 
 
-_LENGTH = Within("length", "mm", 1e-3, 1e-3, 1e5, bare=2.0)
-_ANGLE = ("angle", "deg", math.pi / 180)
-
 PairName = Annotated[str, Words("pair")]
 Kind = Annotated[str, Known("kind of pair", ("external", "internal", "rack"))]
 Teeth = Annotated[list[int], OneOrTwo(Whole("a number of teeth", *TEETH), "[14, 17], or [14] of a pinion on a rack")]
-Module = Annotated[float, Within("length", "mm", 1e-3, 1e-3, 1e3, bare=0.2)]
-Helix = Annotated[float, Within(*_ANGLE, -60, 60)]
-RackName = Annotated[str, Known("basic rack", tuple(RACKS))]
-RackAngle = Annotated[float, Within(*_ANGLE, 10, 35)]
-Addendum = Annotated[float, Number("an addendum in modules", "1", above=0, below=2)]
-Clearance = Annotated[float, Number("a clearance in modules", "0.25", at_least=0, at_most=1)]
-TipRadius = Annotated[float, Number("a radius of the rack's tip in modules", "0.38", at_least=0, at_most=1)]
 Strategy = Annotated[str, Known("way to choose the shifts", STRATEGIES)]
 Split = Annotated[str, Known("way to split the sum of the shifts", SPLITS)]
-Shift = Annotated[float, Number("a shift in modules", "0.5", at_least=SHIFTS[0], at_most=SHIFTS[1])]
-Length = Annotated[float, _LENGTH]
 ContactRatio = Annotated[float, Number("a contact ratio", "1.2", above=0, at_most=5)]
-Thickness = Annotated[float, Number("a tip thickness in modules", "0.25", at_least=0, at_most=1)]
 Sliding = Annotated[float, Number("a specific sliding", "3", above=0)]
 Pressure = Annotated[float, Number("a specific pressure", "1.5", above=0)]
-Angles = Annotated[list[float], Listed(Within(*_ANGLE, 0, 60), '["15 deg", "30 deg"]', 2)]
-Undercut = Annotated[str, Known("rule for undercut", ("none", "tolerated"))]
-Fillet = Annotated[str, Known("section of the fillet", ("ellipse", "circle"))]
-Diameters = Annotated[list[float], OneOrTwo(_LENGTH, '["86.8 mm", "152 mm"]')]
+Angles = Annotated[list[float], Listed(Within(*ANGLE, 0, 60), '["15 deg", "30 deg"]', 2)]
+Diameters = Annotated[list[float], OneOrTwo(LENGTH, '["86.8 mm", "152 mm"]')]
 SpanTeeth = Annotated[list[int], OneOrTwo(Whole("a number of teeth", 2, TEETH[1]), "[3, 5]")]
-Body = Annotated[str, Known("body to measure over", ("balls", "pins"))]
-WidthRule = Annotated[str, Known("rule of the face width", ("book", "exact"))]
-CutterTeeth = Annotated[int, Whole("a number of teeth", *TEETH)]
-CutterShift = Annotated[float, Number("a shift in modules", "0.1", at_least=SHIFTS[0], at_most=SHIFTS[1])]
-Rounding = Annotated[float, Number("a rounding in modules", "0.2", at_least=0, at_most=1)]
-Points = Annotated[int, Whole("a number of points", 2, 10_000)]
-
-
-class CutterTable(Table):
-    """The pinion-type shaper that cuts a ring."""
-
-    teeth: CutterTeeth = Field(description="Number of teeth of the cutter.")
-    shift: CutterShift = Field(default=0.0, description="Shift of the cutter in modules; it falls as it is ground.")
-    rounding: Rounding = Field(default=0.0, description="Radius of the rounding of its tips, in modules.")
-    tip_diameter: Length | None = Field(
-        default=None, description="Diameter of its tip circle (default: by the rack and its shift)."
-    )
 
 
 class PairKeys(Table):

@@ -66,7 +66,7 @@ def solve_unsteady(mechanism: Mechanism, task: UnsteadyTask, kinematics: Kinemat
         outputs=tuple(output.name for output in outputs),
         angular=tuple(output.link is not None for output in outputs),
         coordinate=_coordinates(chain, outputs, x, moved, v, a),
-        extremes=_extremes(chain, outputs, law, start),
+        extremes=_extremes(chain, outputs, law, start, moved),
         grades=grades,
         error=with_law(estimate(chain, x, lambda at: trace(chain, at)), law, start, found, moved),
         counters={"rows": len(x), "survey_positions": 0 if dense is None else len(dense.x)},
@@ -121,8 +121,13 @@ def _coordinates(chain: Chain, outputs: tuple[Output, ...], x: Real, moved: Trac
     return rows
 
 
-def _extremes(chain: Chain, outputs: tuple[Output, ...], law: TimeLaw, start: float) -> tuple[TimedExtreme, ...]:
-    """Extremes of the speeds and accelerations of input, outputs, links, points and slides over the motion."""
+def _extremes(
+    chain: Chain, outputs: tuple[Output, ...], law: TimeLaw, start: float, rows: Trace
+) -> tuple[TimedExtreme, ...]:
+    """Extremes of the speeds and accelerations of input, outputs, links, points and slides over the motion.
+
+    The motion at its ``rows`` gives the sizes beside which the rounding of a link that only translates is none.
+    """
 
     def rates(t: Real) -> Real:
         s, v, a = motion(law, t)
@@ -130,7 +135,24 @@ def _extremes(chain: Chain, outputs: tuple[Output, ...], law: TimeLaw, start: fl
         own = _coordinates(chain, outputs, start + s, moved, v, a)
         return _rows(v, a, own, moved)
 
-    return extremes(rates, law.duration, law.instants, _names(chain, outputs))
+    names = _names(chain, outputs)
+    sizes = _sizes(rows)
+    return extremes(rates, law.duration, law.instants, names, np.array([sizes[unit] for _, unit in names]))
+
+
+def _sizes(rows: Trace) -> dict[str, float]:
+    """The largest speeds and accelerations by their units, lengths and angles brought together by the points' reach."""
+
+    def largest(values: Real | Plane) -> float:
+        return float(np.max(np.abs(values), initial=0.0))
+
+    reach = largest(rows.r - rows.r[:, :1]) + largest(rows.r - rows.r[:1])
+    found = {}
+    for per, turning, moving in (("s", rows.dangle, (rows.dr, rows.ds)), ("s^2", rows.ddangle, (rows.ddr, rows.dds))):
+        along = max(largest(values) for values in moving)
+        found[f"rad/{per}"] = max(largest(turning), along / reach if reach else 0.0)
+        found[f"m/{per}"] = max(along, largest(turning) * reach)
+    return found
 
 
 def _rows(v: Real, a: Real, own: Real, moved: Trace) -> Real:

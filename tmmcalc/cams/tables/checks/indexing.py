@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, subtable
 from tmmcalc.spec.phrases import Path, either
-from tmmcalc.spec.values import amount, bare_number
+from tmmcalc.spec.values import amount, amounts, bare_number
 
 _LONGEST_BARE = 2.0  # m
+SAME = 1e-9  # [rad] dwells and steps that are a turn
 _TABLE = ("indexing",)
 _LAW: Path = (*_TABLE, "law")
 _KINDS = ("points", "acceleration", "polynomial", "constant_ends", "peak_velocity")
@@ -38,6 +40,35 @@ def check_sizes(outline: Outline) -> Iterator[Finding]:
     if roller is not None and wheel is not None and roller >= wheel > 0:
         rule = f"a roller of {1e3 * roller:.6g} mm on a wheel of {1e3 * wheel:.6g} mm"
         yield Finding((*_TABLE, "roller_radius"), rule, "write a smaller one")
+
+
+def check_dwells(outline: Outline) -> Iterator[Finding]:
+    """Two steps and two dwells are one turn of the cams."""
+    table = subtable(outline.document, "indexing")
+    rests, step = amounts(table.get("dwells"), "angle"), amount(table.get("step_angle"), "angle")
+    if rests is None or len(rests) != 2 or step is None or min(rests) <= 0:
+        return
+    over = 2 * step + sum(rests) - 2 * math.pi
+    if abs(over) > SAME:
+        left = math.degrees(2 * (math.pi - step))
+        rule = f"two steps of {math.degrees(step):.6g} deg and dwells of {math.degrees(sum(rests)):.6g} deg are "
+        rule += f"{math.degrees(2 * step + sum(rests)):.6g} deg, not a turn"
+        remedy = f"write dwells that add up to {left:.6g} deg"
+        yield Finding((*_TABLE, "dwells"), rule, remedy)
+
+
+def check_radii(outline: Outline) -> Iterator[Finding]:
+    """Radii of rollers are given once, and are below that of the wheel."""
+    table = subtable(outline.document, "indexing")
+    if "roller_radii" in table and "roller_radius" in table:
+        rule = "roller_radii together with roller_radius: the first gives both rows"
+        yield Finding((*_TABLE, "roller_radius"), rule, "remove one of them")
+    listed, wheel = table.get("roller_radii"), _length(table.get("wheel_radius"))
+    for index, value in enumerate(listed if isinstance(listed, list) else ()):
+        radius = _length(value)
+        if radius is not None and wheel is not None and radius >= wheel > 0:
+            rule = f"a roller of {1e3 * radius:.6g} mm on a wheel of {1e3 * wheel:.6g} mm"
+            yield Finding((*_TABLE, "roller_radii", index), rule, "write a smaller one")
 
 
 def _length(value: object) -> float | None:
@@ -85,4 +116,4 @@ def _numbers(value: object) -> list[float | None]:
     return [amount(part, "angle", "length") if isinstance(part, str) else amount(part) for part in parts]
 
 
-CHECKS = (check_rollers, check_sizes, check_law)
+CHECKS = (check_rollers, check_sizes, check_dwells, check_radii, check_law)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import pi
 from typing import TYPE_CHECKING
 
 from tmmcalc.cams.indexing.laws import StepLaw, constant_ends, step_law, stepping
@@ -21,13 +22,16 @@ def to_indexing(spec: CamTables) -> IndexingTask:
         remedy = "add [indexing] with rollers, step_angle, law and wheel_radius"
         raise UsageError("the spec has no [indexing]", remedy=remedy)
     ratio = table.ratio if table.centre_distance is None else table.centre_distance / table.wheel_radius
+    first, second = (table.roller_radius, None) if table.roller_radii is None else table.roller_radii
     return IndexingTask(
         law=to_step_law(table.law),
         rollers=table.rollers,
         step=table.step_angle,
         wheel=table.wheel_radius,
         ratio=ratio,
-        roller=table.roller_radius,
+        roller=first,
+        second_roller=second,
+        dwells=None if table.dwells is None else (table.dwells[0], 2 * pi - 2 * table.step_angle - table.dwells[0]),
         limit=table.pressure_angle,
         friction=table.friction,
         pin_friction=FRICTION_RATIO * table.friction if table.pin_friction is None else table.pin_friction,

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.gears.involute.rack import RACKS, Rack, section
 from tmmcalc.gears.tables.checks.pair_shifts import check_shifts
 from tmmcalc.gears.tables.checks.pair_train import check_train
+from tmmcalc.gears.tables.checks.teeth import tool_faults
 from tmmcalc.gears.tables.checks.written_pair import Written, entries, is_of_train, written_pairs
 from tmmcalc.gears.tables.shifting import OF_KIND
 from tmmcalc.spec.findings import Finding
@@ -28,7 +27,6 @@ _COUNTS = {
     "ball_diameters": {"external": 2, "internal": 2, "rack": 1},
     "span_teeth": {"external": 2, "internal": 1, "rack": 1},
 }
-_TOOL = ("tip_radius", "clearance", "addendum", "pressure_angle", "helix_angle", "rack")
 _LIMITS = (
     ("contact_ratio_min", 1.0, "contact_ratio_wanted"),
     ("tip_thickness_min", 0.0, "tip_thickness_wanted"),
@@ -132,21 +130,8 @@ def _check_limits(pair: Written) -> Iterator[Finding]:
 
 
 def _check_tool(pair: Written) -> Iterator[Finding]:
-    """The rack with what is given in place of its own is a tool that can be made."""
-    keys, usual = pair.keys, RACKS.get(word(pair.keys, "rack"), pair.rack)
-    angle, helix = amount(keys.get("pressure_angle", usual.angle), "angle"), amount(keys.get("helix_angle", 0), "angle")
-    addendum, clearance = amount(keys.get("addendum", usual.addendum)), amount(keys.get("clearance", usual.clearance))
-    radius = usual.tip_radius if "tip_radius" not in keys else amount(keys["tip_radius"])
-    if angle is None or helix is None or addendum is None or clearance is None:
-        return
-    if not (0 < angle < 1 and abs(helix) < 1.2) or ("tip_radius" in keys and radius is None):
-        return  # the fault is the table's
-    rack = Rack(angle, addendum, clearance, radius)
-    try:
-        section(rack, helix)
-    except NoSolutionError as error:
-        key = next((each for each in _TOOL if each in keys), "rack")
-        yield Finding(pair.at(key), f"no tool has this rack: {error.message}", f"take {error.remedy}")
+    """The rack is a tool that can be made."""
+    yield from tool_faults(pair.keys, pair.rack, pair.at)
 
 
 def _splits(pair: Written) -> bool:

@@ -17,7 +17,8 @@ from tmmcalc.gears.tables.shifting import usual_strategy
 if TYPE_CHECKING:
     from tmmcalc.gears.room import GearTables
     from tmmcalc.gears.tables.open_pair import OpenPairTable
-    from tmmcalc.gears.tables.pair import CutterTable, PairKeys, PairTable
+    from tmmcalc.gears.tables.pair import PairKeys, PairTable
+    from tmmcalc.gears.tables.teeth import CutterTable
 
 Given = dict[str, Any]  # what the keys of one pair say
 
@@ -70,7 +71,7 @@ def open_task(table: OpenPairTable) -> PairTask:
 def profile_points(spec: GearTables) -> int:
     """Points of each curve of a tooth profile; raises `UsageError` if the spec has no pairs."""
     if spec.pair is None and spec.open_pair is not None:
-        from tmmcalc.gears.tables.pair import POINTS
+        from tmmcalc.gears.tables.teeth import POINTS
 
         return POINTS
     return _table(spec).points
@@ -103,14 +104,14 @@ def _task(given: Given, rack: Rack, of_train: bool, refuse: bool) -> PairTask:
         teeth=_teeth(given),
         module=module,
         helix=abs(given.get("helix_angle", 0.0)),
-        rack=_rack(given, rack),
+        rack=rack_of(given, rack),
         strategy=_strategy(given, of_train),
         shifts=(given.get("x1"), given.get("x2")),
         strict=given.get("undercut") != "tolerated",
         limits=_limits(given),
         refuse=refuse,
         tips=_halves(given.get("tip_diameters")),
-        cutter=_cutter(given["cutter"], module) if "cutter" in given else None,
+        cutter=cutter_of(given["cutter"], module) if "cutter" in given else None,
         measuring=_measuring(given),
         **named,
     )
@@ -122,7 +123,7 @@ def _teeth(given: Given) -> tuple[int, int]:
     return first, second
 
 
-def _rack(given: Given, usual: Rack) -> Rack:
+def rack_of(given: Given, usual: Rack) -> Rack:
     """The rack by its name, with what is given in place of its own."""
     chosen = RACKS[given["rack"]] if "rack" in given else usual
     return replace(chosen, **{name: given[key] for key, name in _RACK.items() if key in given})
@@ -151,7 +152,8 @@ def _two(values: list[Any] | None) -> tuple[Any, Any]:
     return first, second
 
 
-def _cutter(table: CutterTable, module: float) -> Cutter:
+def cutter_of(table: CutterTable, module: float) -> Cutter:
+    """The cutter of a ring of this module [m], in modules."""
     tip = None if table.tip_diameter is None else table.tip_diameter / 2 / module
     return Cutter(table.teeth, table.shift, table.rounding, tip)
 
