@@ -11,7 +11,8 @@ from machine.motion import CASES, TURN, Parabola, of_pieces, shaper_inertia, ups
 from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
 from tmmcalc.core.numerics.panels import panels
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.machine.recurrence import Nodes, march, multiplier, nodal_tables, on_nodes, periodic, turns, warning
+from tmmcalc.machine.nodes import nodal_tables
+from tmmcalc.machine.recurrence import Nodes, march, multiplier, on_nodes, periodic, turns, warning
 from tmmcalc.machine.steady import driven
 
 IDLE = CASES["dyn-shaper-motion-idle"]

@@ -17,10 +17,10 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import Quantity, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
-from tmmcalc.machine.flywheel.curve import EnergyCurve, energy_curve, nodal_curve, nodal_work
+from tmmcalc.machine.flywheel.curve import EnergyCurve, energy_curve, nodal_curve
 from tmmcalc.machine.flywheel.methods import METHODS, tangents
 from tmmcalc.machine.flywheel.wittenbauer import EnergyMass
-from tmmcalc.machine.recurrence import nodal_tables
+from tmmcalc.machine.nodes import nodal_tables, nodal_work
 from tmmcalc.report.numbers import round_scale
 
 REACH = 100.0  # size of the energy-mass curve on paper, at most [mm]
