@@ -16,7 +16,7 @@ from tmmcalc.core.printable import hidden, printable
 from tmmcalc.project import parse_spec
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.outlinefiles import circle, svg
-from tmmcalc.report.render import Format, render
+from tmmcalc.report.render import render
 from tmmcalc.report.terminal import draw
 from tmmcalc.spec.hidden import may_hide
 
@@ -82,14 +82,14 @@ DOCUMENT = Document(
 )
 
 
-def rendered(form: Format) -> str:
+def rendered(form: str) -> str:
     stream = io.StringIO()
     render(DOCUMENT, form, stream)
     return stream.getvalue()
 
 
 @pytest.mark.parametrize("form", ["table", "csv", "json", "toml"])
-def test_every_format_writes_them_out(form: Format) -> None:
+def test_every_format_writes_them_out(form: str) -> None:
     text = rendered(form)
     assert not hidden(text.replace("\n", ""))
     text.encode()

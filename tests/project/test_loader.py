@@ -213,6 +213,7 @@ def test_late_tables_are_those_of_the_root() -> None:
         "gearing",
         "open_pair",
         "pair",
+        "wheel",
         "cam",
         "indexing",
         "vibrator",

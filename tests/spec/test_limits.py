@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from properties import examples
 
-from tmmcalc.batch.table import _key
+from tmmcalc.batch.table import key_and_unit
 from tmmcalc.core.errors import SpecError, TmmError
 from tmmcalc.gears.strength.material import parse_hardness
 from tmmcalc.project import parse_spec
@@ -116,7 +116,7 @@ READERS: list[Callable[[str], object]] = [
     lambda text: is_range(f"a.b={text}:{text}:{text}"),
     lambda text: is_range(f"a[{text}]=1"),
     lambda text: is_range(f"a[id={text}"),
-    _key,
+    key_and_unit,
     parse_hardness,
     lambda text: read_toml(f"a = {text}\n", "a.toml"),
     lambda text: read_toml(f"{text} x = 1\n", "a.toml"),

@@ -26,6 +26,7 @@ HELD = {
     "criteria": "gears/test_rounding.py",
     "pair": "gears/meshing/test_rounding.py",
     "open_pair": "gears/test_open_pair_estimate.py",
+    "wheel": "gears/single/test_wheel.py",
     "blocking": "gears/involute/contour/test_rounding.py",
     "profile": "gears/meshing/test_outline_error.py",
     "power": "machine/test_power_estimate.py",

@@ -5,6 +5,7 @@ from math import acos, atan, cos, pi, radians, tan
 
 import numpy as np
 import pytest
+from mpmath import mp
 from scipy.optimize import brentq, minimize_scalar
 
 import tmmcalc
@@ -198,3 +199,24 @@ def test_errors_are_of_the_size_of_rounding() -> None:
     assert found.error.balls < 1e-15
     off = replace(found, thickness=found.thickness * (1 + 1e-9))
     assert 5e-10 < single_error(off).thickness < 5e-9
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_errors_are_bounds_against_forty_digits(seed: int) -> None:
+    """W of a span and the thickness by their formulas with 40 digits, of the very numbers that the program was given."""
+    rng = np.random.default_rng(seed)
+    z, module = int(rng.integers(14, 90)), float(rng.choice([1.25, 2.0, 5.0])) * MM
+    shift, helix = float(rng.uniform(-0.2, 0.6)), float(rng.uniform(0, 0.5))
+    asked = WheelMeasuring("1", module, ball=None, body="balls")
+    found = solve_single(WheelTask(z, module, asked, helix=helix, shift=shift))
+    with mp.workdps(40):
+        m, x, beta, alpha = (mp.mpf(v) for v in (module, found.task.shift, helix, found.task.rack.angle))
+        alpha_t = mp.atan(mp.tan(alpha) / mp.cos(beta))
+        inv = mp.tan(alpha_t) - alpha_t
+        thickness = m * (mp.pi / 2 + 2 * x * mp.tan(alpha))
+        assert abs(found.thickness / thickness - 1) <= found.error.thickness
+        span = found.measures.span
+        assert span is not None
+        exact = m * mp.cos(alpha) * (mp.pi * (span.teeth - mp.mpf("0.5")) + z * inv) + 2 * x * m * mp.sin(alpha)
+        assert found.error.span is not None
+        assert abs(span.length / exact - 1) <= found.error.span
