@@ -203,7 +203,7 @@ def test_errors_are_of_the_size_of_rounding() -> None:
 
 @pytest.mark.parametrize("seed", range(6))
 def test_errors_are_bounds_against_forty_digits(seed: int) -> None:
-    """W of a span and the thickness by their formulas with 40 digits, of the very numbers that the program was given."""
+    """W of a span and the thickness by their formulas with 40 digits, of the numbers that the program was given."""
     rng = np.random.default_rng(seed)
     z, module = int(rng.integers(14, 90)), float(rng.choice([1.25, 2.0, 5.0])) * MM
     shift, helix = float(rng.uniform(-0.2, 0.6)), float(rng.uniform(0, 0.5))
