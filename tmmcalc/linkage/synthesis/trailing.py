@@ -55,7 +55,7 @@ def _check_reach(sizes: VEngine) -> None:
             where=f"synthesis.{KIND}",
             value=sizes.length,
             limit=far,
-            remedy="write a smaller lug or crank, or a longer rod",
+            remedy="write a smaller lug or crank, or a longer rod; a length or lug_angle that is given may be left out",
         )
 
 
