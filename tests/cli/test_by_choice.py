@@ -11,6 +11,8 @@ import pytest
 
 from .conftest import CONFIGS, Cli
 
+DYNAMICS = Path(__file__).parents[1] / "cases" / "dynamics.json"
+
 
 @pytest.fixture(autouse=True)
 def spec(folder: Path) -> None:
@@ -33,6 +35,33 @@ def test_plans_to_scale(cli: Cli) -> None:
     row = [*zip(columns["i"], columns["plan"], columns["to"], strict=True)].index(("9", "a", "a2"))
     assert columns["segment[mm]"][row] == pytest.approx(40)
     assert "omega_3[rad/s]" in found["rotation_in_9"]
+
+
+# a table of the textbook, the case of its numbers, its columns with their names there; M23 acts on the other link
+TABLES = (
+    ("dyn-press-ideal", "RT0_A=R21T RN0_A=R21N N0_B0=R30 R0_B_x=R32x R0_B_y=R32y M0_drive=M_bal"),
+    (
+        "dyn-press-friction",
+        "M_fr_A=M21 M_fr_B=-M23 F_fr_B0=F30 RT_A=R21T RN_A=R21N N_B0=R30 h_B0=h_mm R_B_x=R32x R_B_y=R32y M_drive=M_bal",
+    ),
+)
+
+
+@pytest.mark.parametrize(("case", "names"), TABLES, ids=["D.3.1", "D.3.2"])
+def test_tables_of_all_positions(cli: Cli, case: str, names: str) -> None:
+    """One command prints table D.3.1 of the press, without friction, and one table D.3.2."""
+    book = next(each for each in json.loads(DYNAMICS.read_text()) if each["id"] == case)
+    near = {key: book["tolerance"][key] for key in ("rel", "abs")}
+    pairs = [pair.split("=") for pair in names.split()]
+    columns = ",".join(own for own, _ in pairs)
+    found = told(cli, "forces", "press.toml", "--columns", columns, "--positions", "0:12")["columns"]
+    by_name = {header.partition("[")[0]: values for header, values in found.items()}
+    labels = [str(i) if i != 9 else "9-" for i in range(13)]  # at 270 deg the textbook has the limit before
+    rows = [by_name["i"].index(label) for label in labels]
+    for own, theirs in pairs:
+        sign, scale = (-1 if theirs.startswith("-") else 1), (1e3 if theirs.endswith("_mm") else 1)
+        values = [sign * scale * by_name[own][row] for row in rows]
+        assert values == pytest.approx(book["expected"][theirs.lstrip("-")], **near), own
 
 
 def test_the_lever_balances(cli: Cli) -> None:

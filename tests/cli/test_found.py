@@ -228,7 +228,8 @@ def test_given_teeth_that_break_a_constraint(cli: Cli, folder: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["slider-crank", "crank-rocker", "slotted-link", "rotating-slotted-link", "function", "motion"]
+    "name",
+    ["slider-crank", "crank-rocker", "slotted-link", "rotating-slotted-link", "trailing-rod", "function", "motion"],
 )
 def test_linkages(cli: Cli, folder: Path, name: str) -> None:
     old = config(f"synth-{name}", folder)

@@ -21,7 +21,7 @@ from tmmcalc.linkage.stages import forces as forces_stage
 from tmmcalc.linkage.stages import kinematics as kinematics_stage
 from tmmcalc.naming.language import parse
 from tmmcalc.naming.scene import Scene
-from tmmcalc.naming.told import CHOICE, Extent, Told, chosen, offered, one
+from tmmcalc.naming.told import CHOICE, Extent, Told, chosen, listed, offered, one
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.runner import run
 
@@ -90,6 +90,22 @@ def test_errors_and_counters_are_those_of_the_stage_file(tmp_path: Path) -> None
         wanted |= {f"{stage}.counters.{name}": size for name, size in stored.get("counters", {}).items()}
         assert wanted
         assert tmmcalc.told(result, *wanted) == wanted
+
+
+def test_an_error_estimate_means_an_error_estimate() -> None:
+    """Of facts as of what is by choice; the last digit's change of the positions is called ``position`` too."""
+    result = tmmcalc.run(tmmcalc.load_spec(SHAPER))
+    found = {
+        f"{stage}.{each.quantity}": each.meaning
+        for stage, of_stage in result.results.items()
+        for each in listed(stage, of_stage)
+        if "error." in each.quantity
+    }
+    assert found["kinematics.error.position"] == "estimated relative error: position"
+    assert found["forces.error.reactions"] == "estimated relative error: reactions"
+    assert len(found) > 6
+    for name, meaning in found.items():
+        assert meaning == f"estimated relative error: {name.partition('.error.')[2]}"
 
 
 def test_warnings_are_counted_and_hold_their_numbers() -> None:

@@ -132,6 +132,19 @@ def test_json_and_toml_keep_every_digit() -> None:
     }
 
 
+def test_toml_has_no_null() -> None:
+    """What has no value is null in JSON; in TOML its key is left out, and in a list an empty cell stands for it."""
+    limits = Fact(
+        "limits", "at most 3", {"limits": [{"low": None, "high": 3.0}], "of": {"least": None, "ends": [None, 1]}}
+    )
+    document = Document("Crane", (limits,), table=View(["at", "low"], [["0", "1"], [None, 2.5]]))
+    told, read = (form(printed(document, name)) for form, name in ((json.loads, "json"), (tomllib.loads, "toml")))
+    assert told["limits"] == [{"low": None, "high": 3.0}]
+    assert read["limits"] == [{"high": 3.0}]
+    assert read["of"] == {"ends": ["", 1]}
+    assert (told["columns"]["low"], read["columns"]["low"]) == ([None, 2.5], ["", 2.5])
+
+
 def test_parts_are_found_by_their_titles() -> None:
     found = json.loads(printed(RUN, "json"))
     assert found["structure"] == {"stroke_D[m]": 0.6580645161290324}

@@ -22,6 +22,7 @@ from tmmcalc.core.stage import STAGES, Stage
 from tmmcalc.core.stored import LAST_DIGIT
 from tmmcalc.naming.scene import Scene
 
+ERROR, ESTIMATED = "error", "estimated relative error: {}"
 IN_RADIANS = ("gears", "vibration")  # rooms whose angles are told as they are kept; elsewhere they are in deg
 
 
@@ -142,7 +143,7 @@ def of_itself(stage: str, result: Any) -> Iterator[Chosen]:
     """What a stage knows of its own computation: errors, counters, warnings and notes."""
     record = STAGES[stage].dump(result)
     error = {name: value for name, value in record.error.items() if name != LAST_DIGIT}
-    yield from _flat("error", error, "estimated relative error: {}")
+    yield from _flat(ERROR, error, ESTIMATED)
     yield from _flat(LAST_DIGIT, record.error.get(LAST_DIGIT, {}), "change by the last digit of the data: {}")
     yield from _flat("counters", record.counters, "counted: {}")
     document = STAGES[stage].summary(result, stage)
@@ -167,5 +168,21 @@ def _flat(path: str, values: Mapping[str, Any], meaning: str) -> Iterator[Chosen
             yield from _flat(f"{path}.{key}", value, meaning)
         elif isinstance(value, int | float):
             name, unit = named(key)
-            words = f"{path.partition('.')[2]} {name}".strip().replace("_", " ").replace(".", ", ")
-            yield Chosen(f"{path}.{name}", unit, float(value), meaning.format(words))
+            yield Chosen(f"{path}.{name}", unit, float(value), meaning.format(_of_what(f"{path}.{name}")))
+
+
+def _of_what(name: str) -> str:
+    path, _, last = name.partition(".")[2].rpartition(".")
+    return f"{path} {last}".strip().replace("_", " ").replace(".", ", ")
+
+
+def error_meaning(name: str) -> str:
+    """What a fact ``error.NAME`` of a summary means, as that by choice; empty for other facts.
+
+    NAME alone says too little: what the last digit does to the positions is called ``position`` as well.
+
+    >>> error_meaning("error.position"), error_meaning("start-up.error.speed"), error_meaning("S_error")
+    ('estimated relative error: position', 'estimated relative error: speed', '')
+    """
+    start = 0 if name.startswith(f"{ERROR}.") else name.find(f".{ERROR}.") + 1
+    return ESTIMATED.format(_of_what(name[start:])) if name.startswith(f"{ERROR}.", start) else ""

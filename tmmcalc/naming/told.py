@@ -12,7 +12,7 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import labelled, named
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import STAGES
-from tmmcalc.naming.choice import Chosen, chosen_facts, forms_of_details, of_itself
+from tmmcalc.naming.choice import Chosen, chosen_facts, error_meaning, forms_of_details, of_itself
 from tmmcalc.naming.language import Name, Place, like, near
 from tmmcalc.naming.meanings import described
 from tmmcalc.naming.rows import There, asked_of
@@ -186,7 +186,7 @@ def _facts(stage: str, result: Any) -> Iterator[Told]:
     known, found = described(stage, column=False), dict[str, Told]()
     for name, (value, unit), label in labelled(stage, result):
         meaning, symbol = known(name.rpartition(".")[2], unit)
-        found[f"{name}[{unit}]"] = Told(stage, name, value, unit, "", meaning or label, symbol)
+        found[f"{name}[{unit}]"] = Told(stage, name, value, unit, "", error_meaning(name) or meaning or label, symbol)
     yield from found.values()
 
 

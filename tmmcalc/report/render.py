@@ -58,7 +58,16 @@ def _json(document: Document) -> str:
 def _toml(document: Document) -> str:
     import tomli_w
 
-    return escaped(tomli_w.dumps(_payload(document)))
+    return escaped(tomli_w.dumps(_without_null(_payload(document))))
+
+
+def _without_null(value: Any) -> Any:
+    """TOML has no null: keys without a value are left out at every depth, in a list an empty cell stands as in CSV."""
+    if isinstance(value, dict):
+        return {k: _without_null(v) for k, v in value.items() if v is not None}
+    if isinstance(value, list | tuple):
+        return ["" if each is None else _without_null(each) for each in value]
+    return value
 
 
 def _csv(document: Document) -> str:

@@ -65,6 +65,8 @@ def test_loads_of_inertia_and_ideal_reactions_beside_the_real_ones(
     for name, key in (("Pi_2_x", "P2x"), ("Pi_2_y", "P2y"), ("Mi_2", "M2"), ("Pi_3_x", "P3"), ("M0_drive", "M_bal")):
         np.testing.assert_allclose(numbered(result, found[name]), IDEAL[key], err_msg=name, **AGREE)
     np.testing.assert_allclose(numbered(result, found["N0_B0"]), IDEAL["R30"], **AGREE)
+    np.testing.assert_allclose(numbered(result, found["RT0_A"]), IDEAL["R21T"], **AGREE)
+    np.testing.assert_allclose(numbered(result, found["RN0_A"]), IDEAL["R21N"], **AGREE)
     np.testing.assert_allclose(numbered(result, found["R0_A"]), np.hypot(IDEAL["R21T"], IDEAL["R21N"]), **AGREE)
     np.testing.assert_allclose(numbered(result, found["R0_B"]), np.hypot(IDEAL["R32x"], IDEAL["R32y"]), **AGREE)
 

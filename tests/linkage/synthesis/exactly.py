@@ -15,6 +15,7 @@ from tmmcalc.linkage.synthesis.task import (
     RotatingTask,
     SliderCrankTask,
     SlottedTask,
+    TrailingRodTask,
 )
 
 Equations = Callable[[list[Any]], list[Any]]
@@ -91,6 +92,20 @@ def slotted(asked: SlottedTask, unit: float) -> Equations:
         if len(found) < 5:
             found.append(e - centres - mpf(asked.clearance) * r)
         return found
+
+    return missed
+
+
+def trailing(asked: TrailingRodTask, unit: float) -> Equations:
+    """With the crank at the V angle the pin C and the piston D lie on the left axis, D at r + l from O."""
+
+    def missed(x: list[Any]) -> list[Any]:
+        length, alpha = x
+        (r, l, lug), beta = (mpf(each) / unit for each in (asked.crank, asked.rod, asked.lug)), mpf(asked.v_angle)
+        rod = -mp.asin(r * mp.sin(beta) / l)
+        pin = r * mp.expj(beta) + lug * mp.expj(rod + alpha)
+        along = pin * mp.expj(-beta)
+        return [along.imag / lug, along.real + mp.sqrt(length**2 - along.imag**2) - r - l]
 
     return missed
 

@@ -25,6 +25,7 @@ from tmmcalc.linkage.synthesis.task import (
     SliderCrankTask,
     SlottedTask,
     SynthesisTask,
+    TrailingRodTask,
 )
 
 from . import exactly
@@ -90,6 +91,17 @@ def rotating_links(rng: np.random.Generator) -> Iterator[Scene]:
     guide = float(rng.choice([0.0, stroke * rng.uniform(-0.3, 0.3)]))
     asked = RotatingTask(stroke, ratio, **size, **two, guide=guide)
     yield from _closed("rotating_slotted_link", asked, "rLRl", exactly.rotating)
+
+
+def trailing_rods(rng: np.random.Generator) -> Iterator[Scene]:
+    """Of V-engines from flat to opposed, both sizes free."""
+    unit = 10 ** rng.uniform(-3, 3)
+    asked = TrailingRodTask(
+        rng.uniform(0.01, math.pi), unit * rng.uniform(0.05, 0.4), unit, unit * rng.uniform(0.05, 0.4)
+    )
+    for design, error in _designs(SynthesisTask("trailing_rod", asked)):
+        told = [mpf(design.size("l_4")) / asked.rod, mpf(design.size("alpha"))]
+        yield error, _far(told, exactly.settled(exactly.trailing(asked, asked.rod), told))
 
 
 def crank_rockers(rng: np.random.Generator) -> Iterator[Scene]:
@@ -199,13 +211,25 @@ def test_the_best_rocker_is_found_to_rounding(swing: float, ratio: float) -> Non
             assert true <= error < 2e-14
 
 
-def test_sizes_of_some_slotted_links() -> None:
-    _held(slotted_links, 15)
+@pytest.mark.parametrize("kind", [slotted_links, trailing_rods])
+def test_sizes_of_some(kind: Kind) -> None:
+    _held(kind, 15)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "kind", [slotted_links, slider_cranks, rotating_links, crank_rockers, best_rockers, generators, motions, paths]
+    "kind",
+    [
+        slotted_links,
+        trailing_rods,
+        slider_cranks,
+        rotating_links,
+        crank_rockers,
+        best_rockers,
+        generators,
+        motions,
+        paths,
+    ],
 )
 def test_sizes(kind: Kind) -> None:
     _held(kind, 200)

@@ -24,6 +24,7 @@ CONFIGS = templates.folder()
 HEAD = "[synthesis.{}]\n"
 SLIDER = '[synthesis.slider_crank]\nstroke = "200 mm"\npressure_working = "10 deg"\npressure_idle = "20 deg"\n'
 SLOTTED = '[synthesis.slotted_link]\nstroke = "0.28 m"\ntime_ratio = 1.4\npressure_angle = "10 deg"\nguide = "0.6 m"\n'
+TRAILING = '[synthesis.trailing_rod]\nv_angle = "45 deg"\ncrank = "70 mm"\nrod = "250 mm"\nlug = "60 mm"\n'
 ROTATING = '[synthesis.rotating_slotted_link]\nstroke = "0.2 m"\ntime_ratio = 1.8\nrod = "0.4 m"\ncrank = "75 mm"\n'
 FUNCTION = """[synthesis.function]
 expression = "x^2"
@@ -67,6 +68,21 @@ def test_a_table_and_plain_inputs_say_the_same() -> None:
 
 
 FAULTS = [
+    (
+        TRAILING.replace("70 mm", "250 mm"),
+        "synthesis.trailing_rod.crank",
+        "'250 mm' is not shorter than the master rod, '250 mm': the crank does not turn round",
+    ),
+    (
+        TRAILING.replace("60 mm", "0.3 m"),
+        "synthesis.trailing_rod.lug",
+        "'0.3 m' is not shorter than the master rod, '250 mm': nothing is left for the trailing rod, l - l_C",
+    ),
+    (
+        TRAILING.replace('v_angle = "45 deg"\n', ""),
+        "synthesis.trailing_rod.v_angle",
+        "missing key: a V-engine has the angle between its cylinders",
+    ),
     ("[synthesis]\nseed = 2\n", "synthesis", "missing key: a synthesis has a kind"),
     (SLIDER + SLOTTED, "synthesis.slotted_link", "slotted_link together with slider_crank: a synthesis has one kind"),
     (
@@ -161,6 +177,7 @@ KEYS = {
     "offset_part crank rod offset",
     "slotted_link": "stroke working_speed time_ratio pressure_angle rod guide clearance crank centres",
     "rotating_slotted_link": "stroke working_speed time_ratio pressure_angle rod crank centres guide",
+    "trailing_rod": "v_angle crank rod lug lug_angle length",
     "crank_rocker": "swing time_ratio crank coupler rocker frame transmission_angle largest_ratio",
     "function": "mechanism expression range points spacing table input_range output_range inputs outputs input_start "
     "output_start frame",
@@ -182,7 +199,16 @@ def test_no_table_of_another_type_breaks_the_checks(faults_of: Faults) -> None:
             assert faults_of(f"[synthesis]\n{kind} = {value}\n")
 
 
-READY = ("slider-crank", "slotted-link", "rotating-slotted-link", "crank-rocker", "path", "function", "motion")
+READY = (
+    "slider-crank",
+    "slotted-link",
+    "rotating-slotted-link",
+    "crank-rocker",
+    "trailing-rod",
+    "path",
+    "function",
+    "motion",
+)
 
 
 @sparing("name", READY, every=4)

@@ -44,6 +44,10 @@ PARTS_OF_PIN = (
     Quantity("RN_{joint}[N]", "normal part of the reaction in outer pin {joint} on the link of its dyad"),
     Quantity("RT_{joint}[N]", "tangential part of the reaction in outer pin {joint} on the link of its dyad"),
 )
+IDEAL_PARTS_OF_PIN = (
+    Quantity("RN0_{joint}[N]", "normal part of the reaction in outer pin {joint} without friction"),
+    Quantity("RT0_{joint}[N]", "tangential part of the reaction in outer pin {joint} without friction"),
+)
 DIRECTION = Quantity(
     "angle_R_{joint}[deg]",
     "direction of the reaction in {joint}, of the lower-numbered link on the higher-numbered one, from x",
@@ -76,8 +80,10 @@ def further_columns(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
         joint = mechanism.joint(pair.joint)
         if joint.kind == "revolute" and joint.name in groups:
             group = groups[joint.name]
-            for told, k in zip(PARTS_OF_PIN, (0, 1), strict=True):
-                found.append(column(told.of(joint=joint.name), partial(solved.pin_part, j, joint, group, k)))
+            for parts, ideal in ((PARTS_OF_PIN, False), (IDEAL_PARTS_OF_PIN, True)):
+                for k, told in enumerate(parts):
+                    make = partial(solved.pin_part, j, joint, group, k, ideal=ideal)
+                    found.append(column(told.of(joint=joint.name), make))
         found.append(column(DIRECTION.of(joint=joint.name), partial(solved.direction, j)))
         found += _ideal(solved, j, joint)
         if joint.kind == "prismatic":
@@ -164,10 +170,10 @@ class _Solved:
         motion = self.place.configuration.motions[body.link]
         return inertia_load(body, motion, travel.speed, travel.acceleration)
 
-    def pin_part(self, j: int, joint: Joint, group: Group, part: int) -> Real:
+    def pin_part(self, j: int, joint: Joint, group: Group, part: int, *, ideal: bool) -> Real:
         """The normal (0) or tangential (1) part (n,) of the reaction in an outer pin on the dyad's link."""
         link = next(k for k in joint.links if k in group.links)
-        force = self.result.reaction[j] * (1.0 if link > joint.other(link) else -1.0)
+        force = (self.ideal if ideal else self.result).reaction[j] * (1.0 if link > joint.other(link) else -1.0)
         normal = self._normal(joint, group)
         along = normal if part == 0 else self._tangent(normal, group)
         return np.asarray((np.conj(along) * force).real)

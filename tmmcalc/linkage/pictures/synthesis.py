@@ -35,9 +35,23 @@ LENGTHS = {
     "slotted_link": (("r", "A", "B"), ("L", "C", "A"), ("R", "C", "D"), ("l", "D", "E")),
     "rotating_slotted_link": (("r", "A", "B"), ("L", "C", "A"), ("R", "C", "D"), ("l", "D", "E")),
     "crank_rocker": (("r", "A", "B"), ("l", "B", "C"), ("R", "D", "C"), ("L", "A", "D")),
+    "trailing_rod": (("r", "O", "A"), ("l", "A", "B"), ("l_C", "A", "C"), ("l_4", "C", "D")),
 }
-STROKES = {"slider_crank": "C", "slotted_link": "E", "rotating_slotted_link": "E"}
-SYMBOLS = {"lambda": "\\lambda", "eps": "\\varepsilon", "psi": "\\psi", "gamma": "\\gamma", "two_phi": "2\\varphi"}
+STROKES = {  # slider whose stroke is dimensioned, and the side of its guide on which there is room
+    "slider_crank": ("C", 1j),
+    "slotted_link": ("E", 1j),
+    "rotating_slotted_link": ("E", 1j),
+    "trailing_rod": ("B", -1j),
+}
+SYMBOLS = {
+    "lambda": "\\lambda",
+    "alpha": "\\alpha",
+    "beta": "\\beta",
+    "eps": "\\varepsilon",
+    "psi": "\\psi",
+    "gamma": "\\gamma",
+    "two_phi": "2\\varphi",
+}
 BESIDE = 6.5  # of a dimension line from what it measures [mm of paper]
 DEGREE = math.degrees(1.0)
 
@@ -105,13 +119,16 @@ def _dimensions(board: Board, mechanism: Mechanism, motion: Kinematics, kind: st
     rows = _positions(motion, None)
     for symbol, one, two in LENGTHS.get(kind, ()):
         a, b = (_place(mechanism, motion, name, rows[0]) for name in (one, two))
-        text = f"${symbol}$ = {number(1e3 * design.size(symbol), 5)}"
+        text = f"${_symbol(symbol)}$ = {number(1e3 * design.size(symbol), 5)}"
         board.labels.put(text, [a + t * (b - a) for t in (0.5, 0.35, 0.65)], size=7.5, color=MARK)
     if kind in STROKES and len(rows) > 1:
-        ends = [_place(mechanism, motion, STROKES[kind], row) for row in rows[:2]]
+        slider, side = STROKES[kind]
+        ends = [_place(mechanism, motion, slider, row) for row in rows[:2]]
         stroke = design.check("S").achieved
-        _dimension_line(board, ends[0], ends[1], f"$S$ = {number(1e3 * stroke, 5)}", 1j)
-        pivot, guide = (mechanism.frame.points[name] for name in ("A" if kind == "slider_crank" else "C", "G"))
+        _dimension_line(board, ends[0], ends[1], f"$S$ = {number(1e3 * stroke, 5)}", side)
+        fixed = mechanism.frame.points
+        pivot = fixed.get("A" if kind == "slider_crank" else "C", 0j)
+        guide = fixed.get("G", pivot)  # the guides of a V-engine pass the axis of its crank
         off = guide.imag - pivot.imag
         if abs(off) > 3 * board.mu:
             foot = complex(pivot.real, guide.imag)

@@ -2,7 +2,8 @@
 
 Points keep their letters: of four-bar and slider-crank A the crank's pivot, B its pin, C the end of the coupler, D the
 rocker's pivot, P the coupler point; of slotted links A and C the pivots, B the block, D the end of the arm, E the
-slider. The own x axis of a link runs along it, so the input coordinate is the angle of the crank.
+slider; of the V-engine O the crank's axis, A its pin, B the right piston, C the pin of the trailing rod, D the left
+piston. The own x axis of a link runs along it, so the input coordinate is the angle of the crank.
 """
 
 from __future__ import annotations
@@ -47,6 +48,18 @@ class SliderCrank:
     angle: float = 0.0  # [rad]
     point: complex | None = None
     variant: int = 1  # +1: C ahead of B along the guide
+
+
+@record
+class VEngine:
+    """Sizes of a V-engine: crank, master rod with its lug, trailing rod, angle from the right to the left cylinder."""
+
+    crank: float
+    rod: float
+    lug: float
+    lug_angle: float  # [rad], from AB to AC
+    length: float  # of the trailing rod
+    angle: float  # [rad]
 
 
 def _revolute(name: str, first: Link, second: Link) -> Joint:
@@ -112,6 +125,29 @@ def slotted_link(crank: float, centres: float, arm: float, rod: float, guide: fl
     return _mechanism(frame, links, joints, scene, {(2, 3): 1, (4, 5): 1})
 
 
+def v_engine(sizes: VEngine, scene: Operation) -> Mechanism:
+    """Crank about O = 0, master rod AB with the lug AC, trailing rod CD, both pistons on guides through O."""
+    frame = Link(FRAME, {"O": 0j}, "frame")
+    lug = cmath.rect(sizes.lug, sizes.lug_angle)
+    links = (
+        Link(1, {"O": 0j, "A": complex(sizes.crank)}, "crank"),
+        Link(2, {"A": 0j, "B": complex(sizes.rod), "C": lug}, "master rod"),
+        Link(3, {"B": 0j}, "right piston"),
+        Link(4, {"C": 0j, "D": complex(sizes.length)}, "trailing rod"),
+        Link(5, {"D": 0j}, "left piston"),
+    )
+    joints = (
+        _revolute("O", frame, links[0]),
+        _revolute("A", links[0], links[1]),
+        _revolute("B", links[1], links[2]),
+        _guided("B0", links[2], "B", frame, 0j),
+        _revolute("C", links[1], links[3]),
+        _revolute("D", links[3], links[4]),
+        _guided("D0", links[4], "D", frame, 0j, cmath.rect(1.0, sizes.angle)),
+    )
+    return _mechanism(frame, links, joints, scene, {(2, 3): 1, (4, 5): 1}, "O")
+
+
 def _guided(name: str, slider: Link, pin: str, guide: Link, through: complex, direction: complex = 1 + 0j) -> Joint:
     points = (slider.points[pin], through)
     return Joint(name, "prismatic", (slider.id, guide.id), points, (1 + 0j, direction))
@@ -123,7 +159,8 @@ def _mechanism(
     joints: tuple[Joint, ...],
     scene: Operation,
     variants: dict[tuple[int, int], int],
+    pivot: str = "A",
 ) -> Mechanism:
-    drive = Input("A", scene.speed, 0.0, scene.start)
+    drive = Input(pivot, scene.speed, 0.0, scene.start)
     signs: dict[tuple[int, ...], int] = dict(variants.items())
     return Mechanism(frame, links, joints, drive, scene.outputs, scene.grid, Assembly(variants=signs))

@@ -14,7 +14,14 @@ from tmmcalc.linkage.synthesis.results import Design
 from tmmcalc.linkage.synthesis.rocker import LENGTHS
 from tmmcalc.linkage.synthesis.rockerfamily import family, slopes
 from tmmcalc.linkage.synthesis.rotating import crank_angle
-from tmmcalc.linkage.synthesis.task import CrankRockerTask, RotatingTask, SliderCrankTask, SlottedTask, SynthesisTask
+from tmmcalc.linkage.synthesis.task import (
+    CrankRockerTask,
+    RotatingTask,
+    SliderCrankTask,
+    SlottedTask,
+    SynthesisTask,
+    TrailingRodTask,
+)
 from tmmcalc.linkage.synthesis.triangle import overlap_of, stroke_of
 
 NEAR = 1e-6  # of a condition of the best transmission: it is the one that holds
@@ -125,6 +132,26 @@ def crank_rocker(task: SynthesisTask, design: Design) -> Conditions:
             yield best(x)
 
     return Conditions(lambda x: np.array([*missed(x)], x.dtype), found, 4)
+
+
+def trailing_rod(task: SynthesisTask, design: Design) -> Conditions:
+    """l_4 and alpha: with the crank on the left cylinder's axis lug and trailing rod lie on it, as far out as l."""
+    asked: TrailingRodTask = task.asked
+    unit, (length,) = asked.rod, [np.longdouble(design.size("l_4")) / asked.rod]
+    r, lug, beta = np.longdouble(asked.crank) / unit, np.longdouble(asked.lug) / unit, np.longdouble(asked.v_angle)
+
+    def missed(x: Real) -> Iterator[Any]:
+        length, alpha = x
+        if asked.length is None:
+            yield length + lug - 1
+        else:
+            yield length - np.longdouble(asked.length) / unit
+        if asked.lug_angle is None:
+            yield np.sin(alpha - beta) - r * np.sin(beta)
+        else:
+            yield alpha - np.longdouble(asked.lug_angle)
+
+    return Conditions(lambda x: np.array([*missed(x)], x.dtype), [length, np.longdouble(design.size("alpha"))], 2)
 
 
 def _cosines(x: Real) -> list[Any]:

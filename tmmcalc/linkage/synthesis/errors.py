@@ -41,6 +41,7 @@ _OF = {  # kind -> "module:function", called as function(task, design), None whe
     "slotted_link": f"{_HOME}.conditions:slotted_link",
     "rotating_slotted_link": f"{_HOME}.conditions:rotating_slotted_link",
     "crank_rocker": f"{_HOME}.conditions:crank_rocker",
+    "trailing_rod": f"{_HOME}.conditions:trailing_rod",
     "path": f"{_HOME}.positionconditions:posed",
     "motion": f"{_HOME}.positionconditions:posed",
     "function": f"{_HOME}.positionconditions:generated",

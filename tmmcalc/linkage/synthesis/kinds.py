@@ -14,6 +14,7 @@ KINDS = {  # kind -> "module:function", called as function(task)
     "slotted_link": f"{_HOME}.slotted:solve",
     "rotating_slotted_link": f"{_HOME}.rotating:solve",
     "crank_rocker": f"{_HOME}.rocker:solve",
+    "trailing_rod": f"{_HOME}.trailing:solve",
     "path": f"{_HOME}.path:solve",
     "function": f"{_HOME}.function:solve",
     "motion": f"{_HOME}.guidance:solve",

@@ -74,6 +74,18 @@ class CrankRockerTask:
 
 
 @record
+class TrailingRodTask:
+    """A trailing rod on the master rod of a V-engine whose pistons have equally high top dead centres."""
+
+    v_angle: float  # beta, from the right cylinder to the left one
+    crank: float  # r
+    rod: float  # l, of the master rod
+    lug: float  # l_C, from the crank pin to the pin of the trailing rod
+    lug_angle: float | None = None  # alpha, from the master rod; found unless given
+    length: float | None = None  # l_4, of the trailing rod; found unless given
+
+
+@record
 class FunctionTask:
     """Output against input at n precision points, both counted from where x begins."""
 

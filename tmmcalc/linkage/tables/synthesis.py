@@ -18,19 +18,31 @@ if TYPE_CHECKING:
         RotatingSlottedLinkTable,
         SliderCrankTable,
         SlottedLinkTable,
+        TrailingRodTable,
     )
 else:
     SliderCrankTable = deferred("tmmcalc.linkage.tables.synthesis_kinds", "SliderCrankTable")
     SlottedLinkTable = deferred("tmmcalc.linkage.tables.synthesis_kinds", "SlottedLinkTable")
     RotatingSlottedLinkTable = deferred("tmmcalc.linkage.tables.synthesis_kinds", "RotatingSlottedLinkTable")
     CrankRockerTable = deferred("tmmcalc.linkage.tables.synthesis_kinds", "CrankRockerTable")
+    TrailingRodTable = deferred("tmmcalc.linkage.tables.synthesis_kinds", "TrailingRodTable")
     PathTable = deferred("tmmcalc.linkage.tables.synthesis_generation", "PathTable")
     FunctionTable = deferred("tmmcalc.linkage.tables.synthesis_generation", "FunctionTable")
     MotionSynthesisTable = deferred("tmmcalc.linkage.tables.synthesis_generation", "MotionSynthesisTable")
     DwellTable = deferred("tmmcalc.linkage.tables.synthesis_dwell", "DwellTable")
 
 # The kinds, of which a spec has one: each is a sub-table; a further one joins here and below.
-KINDS = ("slider_crank", "slotted_link", "rotating_slotted_link", "crank_rocker", "path", "function", "motion", "dwell")
+KINDS = (
+    "slider_crank",
+    "slotted_link",
+    "rotating_slotted_link",
+    "crank_rocker",
+    "trailing_rod",
+    "path",
+    "function",
+    "motion",
+    "dwell",
+)
 
 Solutions = Annotated[int, Whole("a number of solutions", 1, 50)]
 Choose = Annotated[int, Whole("the number of a solution", 1, 50)]
@@ -67,6 +79,9 @@ class LinkSynthesisTable(Table):
         default=None, description="A rotating slotted link that drives a slider."
     )
     crank_rocker: CrankRockerTable | None = Field(default=None, description="A crank-rocker from swing and time ratio.")
+    trailing_rod: TrailingRodTable | None = Field(
+        default=None, description="The trailing rod of a V-engine from the angle between its cylinders."
+    )
     path: PathTable | None = Field(default=None, description="A coupler point that passes through points.")
     function: FunctionTable | None = Field(default=None, description="An output that is a function of the input.")
     motion: MotionSynthesisTable | None = Field(default=None, description="A coupler that passes through poses.")

@@ -1,4 +1,4 @@
-"""The kinds of ``[synthesis]`` with closed forms: slider-crank, slotted links, crank-rocker."""
+"""The kinds of ``[synthesis]`` with closed forms: slider-crank, slotted links, crank-rocker, trailing rod."""
 
 import math
 from typing import Annotated
@@ -18,6 +18,8 @@ TimeRatio = Annotated[float, Number("a time ratio", "1.4", at_least=1, at_most=1
 Part = Annotated[float, Number("a ratio", "0.25", above=0, below=1)]
 Signed = Annotated[float, Number("a ratio", "0.3", above=-1e3, below=1e3)]
 Clearance = Annotated[float, Number("a clearance factor", "1.5", at_least=0, at_most=100)]
+VAngle = Annotated[float, Within(*_ANGLE, 1e-2, 180)]
+LugAngle = Annotated[float, Within(*_ANGLE, -360, 360)]
 LinkRatio = Annotated[float, Number("a ratio of lengths", "6", above=1, at_most=1e4)]
 
 
@@ -109,4 +111,19 @@ class CrankRockerTable(Table):
     largest_ratio: LinkRatio = Field(
         default=6.0,
         description="Largest ratio of the longest link to the crank, where the best transmission is sought.",
+    )
+
+
+class TrailingRodTable(Table):
+    """The trailing rod of a V-engine on its master rod: both pistons have equally high top dead centres."""
+
+    v_angle: VAngle = Field(description="beta: angle from the axis of the right cylinder to that of the left one.")
+    crank: Size = Field(description="r: length of the crank.")
+    rod: Size = Field(description="l: length of the master rod, which drives the right piston.")
+    lug: Size = Field(description="l_C: distance of the trailing rod's pin from the crank pin.")
+    lug_angle: LugAngle | None = Field(
+        default=None, description="alpha: angle of the lug from the master rod; found, or compared where it is given."
+    )
+    length: Size | None = Field(
+        default=None, description="l_4: length of the trailing rod; found, or compared where it is given."
     )

@@ -119,6 +119,22 @@ def check_crank_rocker(outline: Outline) -> Iterator[Finding]:
         yield Finding(path, rule, "keep two of them, or one for the best transmission")
 
 
+def check_trailing_rod(outline: Outline) -> Iterator[Finding]:
+    """The master rod is longer than crank and lug."""
+    asked = _asked(outline, "trailing_rod")
+    rod = None if asked is None else amount(asked.get("rod"), "length")
+    if asked is None or rod is None or rod <= 0:
+        return
+    for key, why in (
+        ("crank", "the crank does not turn round"),
+        ("lug", "nothing is left for the trailing rod, l - l_C"),
+    ):
+        length = amount(asked.get(key), "length")
+        if length is not None and length >= rod:
+            rule = f"{show(asked[key])} is not shorter than the master rod, {show(asked['rod'])}: {why}"
+            yield Finding(("synthesis", "trailing_rod", key), rule, f"write a {key} below {show(asked['rod'])}")
+
+
 def check_function(outline: Outline) -> Iterator[Finding]:
     """One source of the function, with its ranges, in the units of the output."""
     asked = _asked(outline, "function")
@@ -264,4 +280,12 @@ def _one_of(path: tuple[str, ...], asked: Raw, keys: Sequence[str]) -> Iterator[
         yield Finding((*path, there[1]), rule, "keep one of them")
 
 
-CHECKS = (check_kind, check_slider_crank, check_slotted_links, check_crank_rocker, check_function, check_poses)
+CHECKS = (
+    check_kind,
+    check_slider_crank,
+    check_slotted_links,
+    check_crank_rocker,
+    check_trailing_rod,
+    check_function,
+    check_poses,
+)

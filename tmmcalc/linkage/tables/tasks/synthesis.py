@@ -19,6 +19,7 @@ from tmmcalc.linkage.synthesis.task import (
     SliderCrankTask,
     SlottedTask,
     SynthesisTask,
+    TrailingRodTask,
 )
 
 if TYPE_CHECKING:
@@ -159,6 +160,7 @@ TASKS: dict[str, Callable[[Any], Any]] = {
     "slotted_link": _plain(SlottedTask, pressure="pressure_angle"),
     "rotating_slotted_link": _plain(RotatingTask, pressure="pressure_angle"),
     "crank_rocker": _plain(CrankRockerTask, transmission="transmission_angle"),
+    "trailing_rod": _plain(TrailingRodTask),
     "path": _poses,
     "function": _function,
     "motion": _poses,
