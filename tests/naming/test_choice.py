@@ -186,8 +186,11 @@ def test_every_fact_by_choice_has_a_name_of_its_own() -> None:
     assert told.meaning == "left side of Z2*Z3/(Z1*Z2') <= u_max"
 
 
-def test_factors_of_strength_are_named_by_what_they_belong_to() -> None:
+def test_members_and_factors_are_named_by_what_they_belong_to() -> None:
     run = tmmcalc.run(tmmcalc.load_spec("configs/gears-coaxial.toml"))
+    omega = run.tell("train.plans.lines.1.omega")
+    assert omega.meaning.startswith("speed of 1;")
+    assert run.value("train.plans.lines.1.n") == pytest.approx(omega.value * 30 / math.pi, rel=1e-12)
     limit, safety, allowed = (
         run.tell(f"strength.factors.wheel 2'.{symbol}.value") for symbol in ("sigma_Hlim", "S_H", "sigma_HP")
     )
