@@ -191,3 +191,14 @@ def test_estimates_bound_their_errors() -> None:
         assert found.inertia is not None
         pairs.append((found.error, abs(float(Fraction(found.inertia) / exact - 1))))
     assert_bounds(pairs, "numbers")
+
+
+def test_loads_and_stresses_have_names() -> None:
+    run = tmmcalc.run(tmmcalc.load_spec("configs/extra-transloader.toml"))
+    loads = {each.load: each for each in run.results["transloader"].loads}
+    told = run.tell("transloader.loads.wind.F")
+    assert (told.value, told.unit, told.meaning) == (loads["wind"].value, "N", "size of load wind")
+    stress, allowed, use = (
+        run.value(f"transloader.beam of the trolley.B1.strength.{name}") for name in ("sigma", "sigma_allowed", "use")
+    )
+    assert use == pytest.approx(stress / allowed, rel=1e-14)

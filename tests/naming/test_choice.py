@@ -188,3 +188,28 @@ def test_rows_without_a_value_are_left_out(scene: RunResult, monkeypatch: pytest
     tmmcalc.run(scene.spec, target="forces", out=tmp_path, columns=["gap"])
     rows = [*csv.DictReader((tmp_path / "forces.csv").open())]
     assert [row["gap[m]"] for row in rows[4:7]] == ["4.0", "", "6.0"]
+
+
+def test_every_fact_by_choice_has_a_name_of_its_own() -> None:
+    run = tmmcalc.run(tmmcalc.load_spec("configs/gears-coaxial.toml"))
+    scene = Scene(run.spec, run.results)
+    for stage in run.results:
+        names = [each.quantity for each in offered(stage, scene)]
+        assert len(names) == len({*names}), stage
+    sides = [run.value(f"train.conditions.conditions.ratio.{k}.right") for k in (0, 1)]
+    assert sides == pytest.approx([8.15 - 0.08, 8.15 + 0.08], rel=1e-12)
+    told = run.tell("train.conditions.conditions.ratio.1.left")
+    assert told.meaning == "left side of Z2*Z3/(Z1*Z2') <= u_max"
+
+
+def test_members_and_factors_are_named_by_what_they_belong_to() -> None:
+    run = tmmcalc.run(tmmcalc.load_spec("configs/gears-coaxial.toml"))
+    omega = run.tell("train.plans.lines.1.omega")
+    assert omega.meaning.startswith("speed of 1;")
+    assert run.value("train.plans.lines.1.n") == pytest.approx(omega.value * 30 / math.pi, rel=1e-12)
+    limit, safety, allowed = (
+        run.tell(f"strength.factors.wheel 2'.{symbol}.value") for symbol in ("sigma_Hlim", "S_H", "sigma_HP")
+    )
+    assert (limit.unit, safety.unit) == ("Pa", "")
+    assert "Table D.4.4" in limit.meaning
+    assert allowed.value == pytest.approx(limit.value / safety.value, rel=1e-12)

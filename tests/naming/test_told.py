@@ -13,7 +13,7 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.through import between, integral
 from tmmcalc.naming.language import parse
 from tmmcalc.naming.scene import Scene
-from tmmcalc.naming.told import Told, one
+from tmmcalc.naming.told import Told, one, unknown
 from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.pipeline.runner import run
 
@@ -174,6 +174,24 @@ WRONG = {
     "at_max(S_D)@3": ("is asked of one row", "@2..12"),
     "forces.chosen(R_A)": ("has no rows to choose from", "criteria"),
 }
+
+
+def test_a_pattern_that_names_nothing_is_told_in_a_few_words(scene: RunResult) -> None:
+    remedy = unknown(parse("forces.qqq*"), scene.results, Scene(scene.spec, scene.results)).remedy
+    assert remedy.endswith("more, see tmmcalc names")
+    assert "stroke_D" not in remedy
+    assert len(remedy) < 600
+    assert unknown(parse("forces.max(R_OO*)"), scene.results).remedy == "did you mean R_O, R_O_y, R_O_x?"
+
+
+def test_meanings_are_of_what_they_name(scene: RunResult) -> None:
+    assert told(scene, "forces.M_drive_max").meaning == "largest drive along the positive input coordinate"
+    assert told(scene, "forces.R_A_max_at_phi").meaning == "largest reaction in A: phi there"
+
+
+def test_columns_have_meanings() -> None:
+    whole = run(tmmcalc.load_spec(SHAPER, ["motion.inertia=100"]), target=("balance",))
+    assert told(whole, "balance.max(M_R)").meaning == "shaking moment about the chosen point: max"
 
 
 @pytest.mark.parametrize("text", WRONG)

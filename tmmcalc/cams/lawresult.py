@@ -25,7 +25,10 @@ from tmmcalc.core.records import record
 
 POINTS = {"rise": "a", "high dwell": "b", "return": "c", "low dwell": "d"}  # at which a phase begins (fig. 5.2)
 DISPLACEMENT = Quantity("d{coordinate}[{size}]", "displacement from the lowest position", symbol="y")
-DERIVATIVE = Quantity("{coordinate}{order}[{slope}]", "derivative {order} of the displacement by the angle of the cam")
+DERIVATIVE = {  # by whether the follower turns
+    False: Quantity("S{order}[m]", "derivative {order} of the displacement by the angle of the cam"),
+    True: Quantity("psi{order}", "derivative {order} of the displacement by the angle of the cam"),
+}
 RATES = {  # by whether the follower turns
     False: (Quantity("v[m/s]", "velocity"), Quantity("a[m/s^2]", "acceleration"), Quantity("jerk[m/s^3]", "jerk")),
     True: (
@@ -198,7 +201,7 @@ def _remarks(shocks: tuple[Shock, ...], turns: bool) -> Iterator[str]:
 def law_columns(result: LawResult) -> dict[str, np.ndarray]:
     """Columns of all rows in SI, angles in deg, by their headers."""
     places = along(result.turns)
-    motion = [DISPLACEMENT.of(**places), *(DERIVATIVE.of(order=order, **places) for order in (1, 2, 3))]
+    motion = [DISPLACEMENT.of(**places), *(DERIVATIVE[result.turns].of(order=order) for order in (1, 2, 3))]
     found: dict[str, np.ndarray] = {"i": np.array(result.positions.labels)}
     found |= headed(result, "kinds") | headed(result.positions, "degrees") | headed(result, "part")
     found |= {told.key: row for told, row in zip(motion, result.motion, strict=True)}

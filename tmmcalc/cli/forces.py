@@ -60,8 +60,8 @@ def command(
     Example: tmmcalc forces my.toml --columns 'phi,M_drive,R_*' --positions 0:12:2
 
     By name alone: loads of inertia (Pi_*,Mi_*), parts of reactions in outer pins (RN_*,RT_*), arms (h_*), directions
-    (angle_R_*), all without friction (R0_*,RN0_*,RT0_*,N0_*,M0_drive), friction of each pair: reduced moment, power,
-    work (M_red_fr_*,P_fr_*,A_fr_*).
+    (angle_R_*), all without friction (R0_*,RN0_*,RT0_*,N0_*,M0_drive), the drive by Zhukovsky's lever (M_drive_lever),
+    friction of each pair: reduced moment, power, work (M_red_fr_*,P_fr_*,A_fr_*).
     """
     _check_flags({ITERATIONS: iterations, BODIES: bodies, LEVER: lever}, stop, columns, positions)
     scene = job.spec()

@@ -322,6 +322,6 @@ def standing_in(module: Any) -> Iterator[Quantity]:
 def _within(value: Any) -> Iterator[Quantity]:
     if isinstance(value, Quantity):
         yield value
-    elif isinstance(value, tuple):
-        for each in value:
+    elif isinstance(value, tuple | Mapping):
+        for each in value.values() if isinstance(value, Mapping) else value:
             yield from _within(each)

@@ -122,7 +122,7 @@ class Acting:
     """A load, and in which cases it acts."""
 
     load: str = quantity("load", "name of the load")
-    value: float = quantity("F[N]", "its size")
+    value: float = quantity("F[N]", "size of load {load}")
     cases: tuple[str, ...] = quantity("cases", "cases in which it acts")
     blank: tuple[str, ...] = quantity("blank", "cases that the source left blank")
 

@@ -58,7 +58,7 @@ def of_strength(spec: GearTables, results: Mapping[str, Any]) -> Any:
     from tmmcalc.gears.strength.chain import strength_factors
 
     sized, at, _ = sized_train(results)
-    return strength_factors(sized.sets, sized.task, at)
+    return strength_factors(sized.sets, sized.task, at).named
 
 
 def sized_train(results: Mapping[str, Any], row: int | None = None) -> tuple[Sized, int, int]:
@@ -105,7 +105,7 @@ def of_open_pair(spec: GearTables, results: Mapping[str, Any]) -> Mapping[str, A
     if found.strength is None or found.torque is None:
         return {}
     own = strength_task(found.task, found.torque)
-    return {"strength": strength_factors(tooth_sets(found.task.open.pair), own, 0)}
+    return {"strength": strength_factors(tooth_sets(found.task.open.pair), own, 0).named}
 
 
 def of_pair(spec: GearTables, results: Mapping[str, Any]) -> Mapping[str, Any]:

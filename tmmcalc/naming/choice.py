@@ -79,15 +79,20 @@ def _numbers(values: tuple[Any, ...] | list[Any]) -> bool:
 
 
 def _records(value: Any) -> Iterator[tuple[str, Any]]:
-    """The records in a value with what follows its name: of several their names, or their numbers from 0."""
+    """The records in a value with what follows its name: of several their names, or their numbers from 0.
+
+    Those that share a name are told apart by their number among them.
+    """
     if hasattr(value, "__record__"):
         yield "", value
     elif isinstance(value, Mapping):
         yield from ((f".{key}", part) for key, part in value.items() if hasattr(part, "__record__"))
     elif isinstance(value, tuple | list):
-        for number, part in enumerate(value):
+        words = [str(getattr(part, "name", number)) for number, part in enumerate(value)]
+        for number, (word, part) in enumerate(zip(words, value, strict=True)):
             if hasattr(part, "__record__"):
-                yield f".{getattr(part, 'name', number)}", part
+                among = f".{words[:number].count(word)}" if words.count(word) > 1 else ""
+                yield f".{word}{among}", part
 
 
 def _fact(path: str, told: Quantity, value: float, radians: bool) -> Chosen:

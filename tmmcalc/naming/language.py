@@ -46,6 +46,7 @@ ROWS = ("train", "criteria")  # stages whose rows are sets to choose from: one o
 ANY = "*"  # in place of a stage: that of the one that tells it
 WILD = frozenset("*?")
 LONGEST = 200  # characters; names have some forty
+SOME = 20  # of what there is are told where nothing is near
 EXAMPLES = "names are like motion.delta, forces.max(R_A), kinematics.S_D@12, kinematics.vS_D[phi=45 deg]"
 
 
@@ -219,7 +220,10 @@ def near(text: str, names: Iterable[str], what: str) -> str:
     """The names that are nearest to one that names nothing, or some of all, for the remedy of the error."""
     from difflib import get_close_matches  # late: only faults need it
 
-    every = list(dict.fromkeys(names))
+    every, text = list(dict.fromkeys(names)), "".join(letter for letter in text if letter not in WILD)
     bare = {name.partition(".")[2]: name for name in every}  # the stage may be left out
     close = get_close_matches(text, every, 3, 0.5) or [bare[each] for each in get_close_matches(text, bare, 3, 0.5)]
-    return f"did you mean {', '.join(close)}?" if close else f"{what}: {', '.join(every) or 'none'}"
+    if close:
+        return f"did you mean {', '.join(close)}?"
+    rest = f" and {len(every) - SOME} more, see tmmcalc names" if len(every) > SOME + 1 else ""
+    return f"{what}: {', '.join(every[:SOME] if rest else every) or 'none'}{rest}"

@@ -9,6 +9,7 @@ from string import Formatter
 
 from tmmcalc.core.quantity import FORMS, Quantity, given_out, standing_in
 from tmmcalc.core.stage import STAGES
+from tmmcalc.naming.language import ANY
 
 AXES = ("x", "y")  # what stands in a place of this name
 
@@ -16,6 +17,8 @@ AXES = ("x", "y")  # what stands in a place of this name
 @cache
 def described(stage: str, column: bool) -> Callable[[str, str], tuple[str, str]]:
     """A function of the name and the unit of a fact, or of a column: meaning and symbol, empty if none is declared.
+
+    The unit `ANY` is that of whatever has the name.
 
     >>> import tmmcalc.rooms
     >>> described("kinematics", True)("vx_D", "m/s")
@@ -25,15 +28,18 @@ def described(stage: str, column: bool) -> Callable[[str, str], tuple[str, str]]
     every = [each for kind in own.kinds for each in given_out(kind)]
     if column and (columns := own.part("columns")):
         every += standing_in(getmodule(columns))
-    plain = {each.name: each for each in every}
+        every += [each._replace(key=each.header) for each in every if each.header]
+    plain = {(each.name, each.unit): each for each in every}
+    names = {each.name: each for each in every}
     # what has most words of its own first: v{axis}_{point} before {axis}_{point}
     forms = [each for each in every if "{" in each.name and (_literal(each.name) or "{axis}" in each.name)]
     forms.sort(key=lambda each: -_literal(each.name))
 
     def found(name: str, unit: str) -> tuple[str, str]:
         unit = "" if unit == "-" else unit
-        if name in plain and _units(plain[name].unit, unit) is not None:
-            return plain[name].meaning, plain[name].symbol
+        same = plain.get((name, unit)) or names.get(name)
+        if same is not None and _units(same.unit, unit) is not None:
+            return same.meaning, same.symbol
         for each in forms:
             of_name, of_unit = _places(each.name, name), _units(each.unit, unit)
             if of_name is None or of_unit is None:
@@ -47,6 +53,8 @@ def described(stage: str, column: bool) -> Callable[[str, str], tuple[str, str]]
 
 def _units(form: str, unit: str) -> dict[str, str] | None:
     """The words in the places of a unit; a value may be told in the unit of people."""
+    if unit == ANY:
+        return {}
     found = _places(form, unit)
     return {} if found is None and (form, unit) in FORMS else found
 

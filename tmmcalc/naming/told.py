@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import isnan, nan
 from typing import Any
 
@@ -13,7 +13,7 @@ from tmmcalc.core.facts import labelled, named
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import STAGES
 from tmmcalc.naming.choice import Chosen, chosen_facts, error_meaning, forms_of_details, of_itself
-from tmmcalc.naming.language import Name, Place, like, near
+from tmmcalc.naming.language import ANY, Name, Place, like, near
 from tmmcalc.naming.meanings import described
 from tmmcalc.naming.rows import There, asked_of
 from tmmcalc.naming.scene import Scene
@@ -90,7 +90,7 @@ def one(name: Name, results: Mapping[str, Any], scene: Scene | None = None) -> T
     value.
     """
     if name.stage and not name.wild and name.stage not in results:
-        raise UsageError(f"this scene has no {name.stage}", remedy="tmmcalc plan says why a stage is left out")
+        raise _absent(name.stage)
     if name.wild:
         raise UsageError(f"{name.text} may name several quantities", remedy="write one name, without * and ?")
     stages = [name.stage] if name.stage else [*results]
@@ -110,7 +110,10 @@ def one(name: Name, results: Mapping[str, Any], scene: Scene | None = None) -> T
 
 def unknown(name: Name, results: Mapping[str, Any], scene: Scene | None = None) -> UsageError:
     """The error of a name that names nothing in these results, with the nearest of what there is."""
+    if name.stage in STAGES and name.stage not in results:
+        return _absent(name.stage)
     alone = name.stage if name.stage in results else ""
+    results = {alone: results[alone]} if alone else results
     columns = [header for stage, result in results.items() for header in columns_of(stage, result)]
     if scene is not None:
         columns += [f"{stage}.{each.name}" for stage in results for each in scene.further(stage)]
@@ -130,6 +133,10 @@ def unknown(name: Name, results: Mapping[str, Any], scene: Scene | None = None) 
         remedy = near(name.what, (each.partition(".")[2] for each in every), f"its {kind} are")
         return UsageError(f"{alone} tells no {name.what!r}", remedy=remedy)
     return UsageError(f"no quantity is called {name.text!r}", remedy=near(name.what, every, kind))
+
+
+def _absent(stage: str) -> UsageError:
+    return UsageError(f"this scene has no {stage}", remedy="tmmcalc plan says why a stage is left out")
 
 
 def listed(stage: str, result: Any) -> Iterator[Told | Extent]:
@@ -185,9 +192,18 @@ def _facts(stage: str, result: Any) -> Iterator[Told]:
     """Its facts, each once: of a name that stands in several parts of the summary the last."""
     known, found = described(stage, column=False), dict[str, Told]()
     for name, (value, unit), label in labelled(stage, result):
-        meaning, symbol = known(name.rpartition(".")[2], unit)
+        meaning, symbol = _of_fact(known, name.rpartition(".")[2], unit)
         found[f"{name}[{unit}]"] = Told(stage, name, value, unit, "", error_meaning(name) or meaning or label, symbol)
     yield from found.values()
+
+
+def _of_fact(known: Callable[[str, str], tuple[str, str]], name: str, unit: str) -> tuple[str, str]:
+    """Meaning and symbol of a fact; of a place, ``R_A_max_at_phi``, by what stands there."""
+    found = known(name, unit)
+    of, at, along = name.rpartition("_at_")
+    if at and not found[0] and (meaning := known(of, ANY)[0]):
+        return f"{meaning}: {along} there", ""
+    return found
 
 
 def _ordinary(

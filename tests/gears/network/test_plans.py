@@ -18,7 +18,7 @@ from tmmcalc.core.errors import TmmError
 from tmmcalc.gears.chosen.choice import written_set
 from tmmcalc.gears.chosen.motion import equations, moving, plans_of, written
 from tmmcalc.gears.gearingtask import layout_task
-from tmmcalc.gears.network.model import FRAME, INTERNAL, Network
+from tmmcalc.gears.network.model import FRAME, INTERNAL, Body, Mesh, Network
 from tmmcalc.gears.network.places import places
 from tmmcalc.gears.network.plans import Plans, plans
 from tmmcalc.gears.network.speeds import Motion, solve_speeds
@@ -107,6 +107,17 @@ def test_any_train(network: Network) -> None:
     hung = {(carrier, name) for k, carrier in enumerate(network.carriers) for name in names(network, k)}
     assert len(willis(network, motion)) == len(hung) - len(parts(network))
     check_plans(network, plans(network, motion), omega, scale)
+
+
+def test_a_planet_on_the_axis_of_its_carrier() -> None:
+    """A ring of as many teeth couples it: a planet beside it is on the line of centres."""
+    meshes = (Mesh("c0", 61, "pa0", 61, INTERNAL), Mesh("pa0", 75, "pa1", 89, INTERNAL))
+    network = Network(meshes, (Body("pa0", "H"), Body("pa1", "H")))
+    motion = solve_speeds(network, {"H": 3.0, "c0": -7.0})
+    found = {each.member: each for each in plans(network, motion).lines}
+    assert found["pa0"].x == found["c0"].x == 0.0
+    assert found["pa1"].x == pytest.approx(7.0 * plans(network, motion).assumed, rel=1e-12)
+    check_plans(network, plans(network, motion), by_numpy(network, {"H": 3.0, "c0": -7.0}), 10.0)
 
 
 def parts(network: Network) -> list[set[tuple[str, str]]]:

@@ -71,6 +71,13 @@ def test_loads_of_inertia_and_ideal_reactions_beside_the_real_ones(
     np.testing.assert_allclose(numbered(result, found["R0_B"]), np.hypot(IDEAL["R32x"], IDEAL["R32y"]), **AGREE)
 
 
+def test_the_drive_by_the_lever_is_that_of_the_case(worked: tuple[Forces, dict[str, np.ndarray]]) -> None:
+    """Table D.3.2: the balancing moment, which the lever finds from velocities and forces alone."""
+    result, found = worked
+    np.testing.assert_allclose(numbered(result, found["M_drive_lever"]), FRICTION["M_bal"], **AGREE)
+    assert np.max(np.abs(found["M_drive_difference"])) < 1e-13 * np.max(np.abs(result.drive))
+
+
 def test_friction_reduced_to_the_crank(worked: tuple[Forces, dict[str, np.ndarray]]) -> None:
     """dyn-press-reduced: M_F is the sum over the pairs."""
     result, found = worked

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from tmmcalc.extras.tables.tasks.transloader import to_transloader
@@ -15,3 +16,10 @@ kind = Transloader
 def errors(result: Transloader) -> dict[str, Any]:
     """Estimates of its errors."""
     return {"numbers": result.error}
+
+
+def details(spec: Any, results: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Facts by choice: every load by its name, and the stress of every part by its case and kind."""
+    found: Transloader = results["transloader"]
+    stresses = {f"{each.part}.{each.case}.{each.kind}": each for each in found.checks}
+    return {**{f"loads.{each.load}": each for each in found.loads}, **stresses}

@@ -21,10 +21,10 @@ class Condition:
     of: str = quantity("of", "the mesh or wheels that it is of; empty: the train")
     formula: str = quantity("formula", "the condition in letters")
     numbers: str = quantity("numbers", "the same with numbers")
-    left: float = quantity("left", "left side")
+    left: float = quantity("left", "left side of {formula}")
     relation: str = quantity("relation", "=, >, >= or <=")
-    right: float = quantity("right", "right side; of what has to be whole the nearest whole number")
-    kept: bool = quantity("kept", "whether it is kept")
+    right: float = quantity("right", "right side of {formula}; of what has to be whole the nearest whole number")
+    kept: bool = quantity("kept", "whether {formula} is kept")
     asked: bool = quantity("asked", "whether it was asked for; else it is custom")
     source: str = quantity("source", "formula of the textbook")
 

@@ -95,6 +95,11 @@ class ContactPoint:
     theta2: float = quantity("theta_2", "specific sliding of wheel 2", source="= 1 - u*rho_1/rho_2")
     pressure: float = quantity("lambda", "coefficient of specific pressure", source="= m*(1/rho_1 + side/rho_2)")
 
+    @property
+    def name(self) -> str:
+        """The point, by which it is known among the others."""
+        return self.point
+
 
 @record
 class PairAngles:

@@ -9,6 +9,7 @@ from dataclasses import fields
 
 import numpy as np
 
+from tmmcalc.core.quantity import Quantity
 from tmmcalc.gears.involute.contour.contour import Contour, contours
 from tmmcalc.gears.involute.contour.errors import contour_error
 from tmmcalc.gears.involute.contour.interval import ShiftInterval, intervals
@@ -20,6 +21,8 @@ from tmmcalc.gears.meshing.choice import contour_task
 from tmmcalc.gears.meshing.contours import Area, Blocking, ContourCorner, ContourPoint, Outline, PairContour
 from tmmcalc.gears.meshing.results import Pairs
 
+X1 = Quantity("x1", "profile shift of wheel 1 on the boundary")
+X2 = Quantity("x2", "profile shift of wheel 2 on the boundary")
 SPARED = ("exists", "theta1", "theta2")  # of the margins, which are no lines of the contour
 
 
@@ -142,6 +145,6 @@ def blocking_columns(found: Blocking) -> dict[str, np.ndarray]:
         "pair": np.array(names, str),
         "contour": np.array(kinds, str),
         "line": np.concatenate(lines) if lines else np.array([], str),
-        "x1": np.concatenate([x1 for x1, _ in places]) if places else np.zeros(0),
-        "x2": np.concatenate([x2 for _, x2 in places]) if places else np.zeros(0),
+        X1.key: np.concatenate([x1 for x1, _ in places]) if places else np.zeros(0),
+        X2.key: np.concatenate([x2 for _, x2 in places]) if places else np.zeros(0),
     }

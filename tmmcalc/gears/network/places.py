@@ -153,11 +153,18 @@ class _Plane:
                     yield far
 
     def _beside(self, k: int, near: str, far: str, centre: complex) -> complex:
-        """A planet in mesh with a placed one: at the distance of both, on the orbit that a central wheel gives it."""
+        """A planet in mesh with a placed one: at the distance of both, on the orbit that a central wheel gives it.
+
+        One that a coupling holds on the axis of the carrier has no direction; the other is then on the line of centres.
+        """
         placed, orbit, apart = self.at[self.axis[near]] - centre, self._orbit(far), self.distances[k]
-        if orbit is None:
-            return centre + placed * (1 + apart / abs(placed))
         own = abs(placed)
+        if not own:
+            return centre + (apart if orbit is None else orbit)
+        if orbit is None:
+            return centre + placed * (1 + apart / own)
+        if not orbit:
+            return centre
         cosine = (own * own + orbit * orbit - apart * apart) / (2 * own * orbit)
         cosine = max(-1.0, min(1.0, cosine))
         turned = 0.0 if 1 - cosine <= CLOSE else pi if 1 + cosine <= CLOSE else acos(cosine)

@@ -52,13 +52,18 @@ class PlanLine:
     x: float = quantity("x_axis[m]", "place of its axis along the line of centres")
     y: float = quantity("y_axis[m]", "place of its axis beside the line of centres")
     axis_velocity: float = quantity("v_axis[m/s]", "velocity of its axis across the line of centres")
-    speed: float = quantity("omega[rad/s]", "its speed; of a bevel planet on its own axis against its carrier")
+    speed: float = quantity("omega[rad/s]", "speed of {member}; of a bevel planet on its own axis against its carrier")
     slope: float = quantity("theta[rad]", "angle of its line and of its ray from the line of no motion")
     ray: float = quantity("omega_drawn[m]", "length that its ray cuts off in the plan of speeds")
     centre_x: float | None = quantity("x_centre[m]", "its point at rest, along the line of centres")  # None: no turn
     centre_y: float | None = quantity("y_centre[m]", "its point at rest, beside the line of centres")
 
-    @derived("n[rpm]", "its speed")
+    @property
+    def name(self) -> str:
+        """The member, by which the line is known among those of a plan."""
+        return self.member
+
+    @derived("n[rpm]", "speed of {member} in turns a minute")
     def turns(self) -> float:
         """The speed in turns a minute."""
         return self.speed / (pi / 30)

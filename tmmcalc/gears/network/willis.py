@@ -40,6 +40,11 @@ class Willis:
         "i_carrier", "ratio of the first to the carrier with the last held, 1 - i^c", source="(4.19)"
     )
 
+    @property
+    def name(self) -> str:
+        """The wheels that it ties together, by which it is known among the others."""
+        return f"{self.first}-{self.last}"
+
 
 def willis(network: Network, motion: Motion, wheels: Wheels | None = None) -> tuple[Willis, ...]:
     """The equations of all carriers in the order of the meshes; ``wheels`` name the wheels of the meshes.

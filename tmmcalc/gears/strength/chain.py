@@ -18,7 +18,7 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.strength.basis import Basis, basis_of
 from tmmcalc.gears.strength.demand import K_D, K_M, form_factors
-from tmmcalc.gears.strength.endurance import Coefficient, Factor, made
+from tmmcalc.gears.strength.endurance import Coefficient, Factor, NamedFactor, made
 from tmmcalc.gears.strength.explain import factors, real_width
 from tmmcalc.gears.strength.loads import MeshLoads, mesh_loads
 from tmmcalc.gears.strength.results import Strength
@@ -39,6 +39,23 @@ class StrengthFactors:
     teeth: tuple[int, ...] = quantity("teeth", "numbers of teeth")
     accepted: bool = quantity("accepted", "whether it is strong enough")
     factors: tuple[Factor, ...]
+
+    @property
+    def named(self) -> NamedFactors:
+        """The same for who asks by name."""
+        told = (each.told for each in self.factors)
+        factors = (NamedFactor(t.of, t.symbol, t.unit.strip("-"), t.source, t.value) for t in told)
+        return NamedFactors(self.planets, self.teeth, self.accepted, tuple(factors))
+
+
+@record
+class NamedFactors:
+    """What the strength of one train is made of, each by what it belongs to and its symbol."""
+
+    planets: int = quantity("planets", "number of planets or layshafts")
+    teeth: tuple[int, ...] = quantity("teeth", "numbers of teeth")
+    accepted: bool = quantity("accepted", "whether it is strong enough")
+    factors: tuple[NamedFactor, ...]
 
 
 def strength_factors(sets: ToothSets, task: StrengthTask, at: int) -> StrengthFactors:

@@ -64,6 +64,22 @@ class Factor:
 
 
 @record
+class NamedFactor:
+    """A coefficient as it is told by name: by what it belongs to and its symbol."""
+
+    of: str
+    symbol: str
+    unit: str  # empty: without dimension
+    source: str
+    value: float = quantity("value[{unit}]", "{symbol} of {of}: {source}")
+
+    @property
+    def name(self) -> str:
+        """What it belongs to and its symbol."""
+        return f"{self.of}.{self.symbol}"
+
+
+@record
 class Endurance:
     """Permissible stresses of one wheel."""
 

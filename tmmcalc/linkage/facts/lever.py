@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from tmmcalc.core.quantity import Quantity, keyed, table
 from tmmcalc.linkage.forces.columns import drive_of
+from tmmcalc.linkage.forces.further import BY_LEVER, OFF_LEVER
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import Forces, side_of
 from tmmcalc.linkage.lever import Lever, LeverForce, fastest, lever
@@ -15,8 +16,6 @@ from tmmcalc.report.numbers import number, round_scale
 
 REACH = 100.0  # longest velocity of a pin on the lever [mm]
 POSITION = Quantity("i", "number of the position").key
-BY_LEVER = Quantity("{name}_lever[{unit}]", "{name} by Zhukovsky's lever")
-DIFFERENCE = Quantity("{name}_difference[{unit}]", "{name} by the lever, less that of the force analysis")
 SHARE = Quantity("{name}_difference[%]", "the same, against the largest {name} of the motion")
 
 
@@ -53,7 +52,7 @@ def _balance(result: Forces, label: str, found: Lever) -> Fact:
         **keyed(found, "moment"),
         BY_LEVER.of(**places).key: found.drive,
         drive.key: found.kinetostatic,
-        DIFFERENCE.of(**places).key: found.difference,
+        OFF_LEVER.of(**places).key: found.difference,
         SHARE.of(**places).key: share,
     }
     return Fact(f"balance in position {label}", text, {f"balance_in_{label}": values})

@@ -1,4 +1,4 @@
-"""Columns by choice of the forces table: loads of inertia, components along links, arms, reactions without friction.
+"""Columns by choice of the forces table: inertia, parts along links, arms, what is without friction, the lever.
 
 Nothing of them is computed before a column is made; then the mechanism is solved once more at the rows of the result.
 
@@ -21,12 +21,14 @@ from tmmcalc.core.numerics.panels import panels, resolved
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.quantity import Quantity
 from tmmcalc.linkage.assembly import TURN
+from tmmcalc.linkage.forces.columns import drive_of
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
 from tmmcalc.linkage.forces.refinement import PARTS
 from tmmcalc.linkage.forces.results import LEAST_ARM, Forces
 from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.forces.verification import friction_power
 from tmmcalc.linkage.forces.wrench import Slideway, seat_of
+from tmmcalc.linkage.lever import lever
 from tmmcalc.linkage.loading import Body, Loading
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.loads.sources import InertiaLoad, Place, inertia_load
@@ -54,6 +56,8 @@ DIRECTION = Quantity(
 )
 ARM = Quantity("h_{joint}[m]", "arm of the normal force in {joint} from the slider's point, along the guide")
 IDEAL_DRIVE = Quantity("{letter}0_drive[{unit}]", "drive without friction")
+BY_LEVER = Quantity("{name}_lever[{unit}]", "{name} by Zhukovsky's lever")
+OFF_LEVER = Quantity("{name}_difference[{unit}]", "{name} by the lever, less that of the force analysis")
 IDEAL = (
     Quantity("R0_{joint}_x[N]", "reaction in {joint} along x without friction"),
     Quantity("R0_{joint}_y[N]", "reaction in {joint} along y without friction"),
@@ -75,7 +79,10 @@ def further_columns(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
     solved = _Solved(mechanism, loading, kinematics, result)
     groups = {name: group for group in kinematics.structure.groups if group.kind for name in group.outer}
     found = [each for body in loading.heavy for each in _inertia(solved, body)]
+    drive = drive_of(result.turns)
     found.append(column(IDEAL_DRIVE.of(**_of_drive(result.turns)), lambda: solved.ideal.drive))
+    found.append(column(BY_LEVER.of(name=drive.name, unit=drive.unit), lambda: solved.by_lever))
+    found.append(column(OFF_LEVER.of(name=drive.name, unit=drive.unit), lambda: solved.by_lever - result.drive))
     for j, pair in enumerate(result.pairs):
         joint = mechanism.joint(pair.joint)
         if joint.kind == "revolute" and joint.name in groups:
@@ -163,6 +170,12 @@ class _Solved:
         scene = self.statics.scene
         bare = scene._replace(loading=replace(scene.loading, pairs=()))
         return stacked(compile_statics(bare), self.result.theta, self.side, checked=False)[0]
+
+    @cached_property
+    def by_lever(self) -> Real:
+        """The drive (n,) that balances Zhukovsky's lever; no scale of its plan matters to it."""
+        rows = zip(self.result.theta.tolist(), self.side.tolist(), strict=True)
+        return np.array([lever(self.statics, self.kinematics, theta, side, 1.0).drive for theta, side in rows])
 
     def inertia(self, body: Body) -> InertiaLoad:
         """Force and couple of inertia of a body."""

@@ -74,7 +74,9 @@ class Forces:
     virtual: Real = quantity(  # (n,)
         "virtual[-]", "drive by virtual power less the drive, against the largest drive"
     )
-    drive_extremes: tuple[Extreme, Extreme]  # least and largest drive
+    drive_extremes: tuple[Extreme, Extreme] = quantity(  # least and largest drive
+        "{letter}_drive_max[{unit}]", "largest drive along the positive input coordinate"
+    )
     power_extremes: tuple[Extreme, Extreme]
     power_mean: Mean = quantity("P_drive_mean[W]", "mean power of the drive over the motion")
     grades: tuple[Grade, ...]

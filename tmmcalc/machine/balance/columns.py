@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
@@ -38,6 +39,11 @@ def columns(result: Balancing) -> list[Column]:
         *(each for scheme in result.schemes for each in _left(scheme.name.replace(" ", "_"), scheme.balance)),
         *([] if result.redistribution is None else _left(ON_LINKS, result.redistribution.after)),
     ]
+
+
+def linkage_columns(result: Any) -> list[Column]:
+    """The columns of the linkage in what the stage has balanced; none without one."""
+    return [] if result.linkage is None else columns(result.linkage)
 
 
 def _left(scheme: str, balance: Balance | Shaking) -> Iterator[Column]:

@@ -35,6 +35,9 @@ kinds = (
 )
 
 
+columns = "tmmcalc.machine.balance.columns:linkage_columns"
+
+
 @record
 class Balances:
     """What of a spec is balanced; None: it has none."""
@@ -145,9 +148,9 @@ def table(result: Balances) -> Table | None:
     """All columns of the linkage, one row a position; None without one."""
     if result.linkage is None:
         return None
-    from tmmcalc.machine.balance.columns import columns
+    from tmmcalc.machine.balance.columns import linkage_columns
 
-    chosen = columns(result.linkage)
+    chosen = linkage_columns(result)
     return Table(
         ["i", *(c.header for c in chosen)], DeferredColumns([np.array(result.labels), *(c.make for c in chosen)])
     )

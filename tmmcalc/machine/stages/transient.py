@@ -15,7 +15,7 @@ from tmmcalc.core.stage import said
 from tmmcalc.core.stored import Table
 from tmmcalc.machine.attached import Attached
 from tmmcalc.machine.model import DriveShaft, FlywheelTask, MotionTask, MotorChoice, TransientTask
-from tmmcalc.machine.transient.columns import timed_columns
+from tmmcalc.machine.transient.columns import stacked_columns
 from tmmcalc.machine.transient.timed import TimedMotions
 from tmmcalc.machine.wanted import curved
 
@@ -44,6 +44,7 @@ Given = tuple[
 ]
 
 kind = TimedMotions
+columns = stacked_columns
 
 OWN = ("merson", "rk4", "collocation", "auto")  # methods of integration that are the program's own
 POSITIONAL = (
@@ -195,9 +196,8 @@ def errors(result: TimedMotions) -> dict[str, Any]:
 def table(result: TimedMotions) -> Table:
     """All columns, one row a time, one motion after the other."""
     labels = np.concatenate([np.full(len(motion.t), motion.name) for motion in result.motions])
-    stacked = zip(*(timed_columns(motion) for motion in result.motions), strict=True)
-    columns = [(same[0].header, np.concatenate([column.make() for column in same])) for same in stacked]
-    return Table(["motion", *(header for header, _ in columns)], [labels, *(values for _, values in columns)])
+    found = stacked_columns(result)
+    return Table(["motion", *(each.header for each in found)], [labels, *(each.make() for each in found)])
 
 
 def omits(spec: MachineTables) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from tmmcalc.core.columns import Column, column, columns_of
 from tmmcalc.core.quantity import Quantity
-from tmmcalc.machine.transient.timed import TimedMotion
+from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
 
 ANGLE = Quantity("theta{mass}[deg]", "angle of a rotating mass; 1 is the motor's")
 SPEED = Quantity("omega{mass}[rad/s]", "speed of a rotating mass")
@@ -30,3 +30,13 @@ def timed_columns(motion: TimedMotion) -> list[Column]:
     ]
     time, *further = columns_of(motion)
     return [time, *masses, *shafts, *further]
+
+
+def stacked_columns(result: TimedMotions) -> list[Column]:
+    """The same of all motions, one after the other; the masses of the drive are the same in all."""
+    every = zip(*map(timed_columns, result.motions), strict=True)
+    return [same[0]._replace(make=partial(_joined, same)) for same in every]
+
+
+def _joined(same: tuple[Column, ...]) -> np.ndarray:
+    return np.concatenate([each.make() for each in same])
