@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, example, given
 
 import tmmcalc
 from gears.formulas import worked
@@ -26,6 +26,10 @@ from tmmcalc.gears.network.willis import willis
 from tmmcalc.pipeline.runner import run
 
 CONFIGS = Path(__file__).parents[3] / "configs"
+MEETING = Network(  # s0 turns in the housing where the plan has the axis of the planet
+    tuple(Mesh(one, 12, other, 12) for one, other in (("c0", "pa0"), ("c1", "pa0"), ("c2", "pa0"), ("c0", "s0"))),
+    (Body("pa0", "H"),),
+)
 WRITTEN = ("circulating", "differential", "ravigneaux")
 
 
@@ -86,6 +90,7 @@ def check_plans(network: Network, found: Plans, omega: dict[str, float], scale: 
             assert abs(rest) <= 1e-9 * scale
 
 
+@example(MEETING)
 @given(trains())
 @EXAMPLES
 def test_any_train(network: Network) -> None:
@@ -118,6 +123,16 @@ def test_a_planet_on_the_axis_of_its_carrier() -> None:
     assert found["pa0"].x == found["c0"].x == 0.0
     assert found["pa1"].x == pytest.approx(7.0 * plans(network, motion).assumed, rel=1e-12)
     check_plans(network, plans(network, motion), by_numpy(network, {"H": 3.0, "c0": -7.0}), 10.0)
+
+
+def test_axes_that_only_meet_in_the_plan_are_two_points() -> None:
+    """The carrier takes that of its planet along, at 3 rad/s on 12 mm; that of the wheel stays."""
+    motion = solve_speeds(MEETING, {"H": 3.0, "c0": -7.0})
+    found = {point.members: point for point in plans(MEETING, motion).points if point.kind == "axis"}
+    assert {members: point.velocity for members, point in found.items()} == pytest.approx(
+        {("c0", "c1", "c2", "H"): 0.0, ("pa0",): 0.036, ("s0",): 0.0}, abs=1e-15
+    )
+    assert found["pa0",].x == found["s0",].x == pytest.approx(0.012, rel=1e-12)
 
 
 def parts(network: Network) -> list[set[tuple[str, str]]]:

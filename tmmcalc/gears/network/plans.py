@@ -158,16 +158,24 @@ class _Moving:
         bearer = self.network.bearer(name)
         return 0j if bearer == FRAME else self.of_point(bearer, self.at.axes[name])
 
+    def bearer_of_axis(self, name: str) -> str:
+        """The member, or the frame, that moves the axis of a member: one about that very axis does not."""
+        bearer = self.network.bearer(name)
+        while bearer != FRAME and self.at.axes[bearer] == self.at.axes[name]:
+            bearer = self.network.bearer(bearer)
+        return bearer
+
     def of_point(self, name: str, place: complex) -> complex:
         """Velocity of a point of a member that is not tilted."""
         return 0j if name == FRAME else self.of_axis(name) + 1j * self.omega[name] * (place - self.at.axes[name])
 
 
 def _axes(moving: _Moving) -> Iterator[Raw]:
-    """The axes with the members that turn about each."""
-    shared: dict[tuple[complex, str], list[str]] = {}
+    """The axes with the members that turn about each; two that only meet in the plan move apart."""
+    shared: dict[tuple[complex, str, str], list[str]] = {}
     for name, place in moving.at.axes.items():
-        shared.setdefault((place, name if moving.network.tilted(name) else ""), []).append(name)
+        tilted = name if moving.network.tilted(name) else ""
+        shared.setdefault((place, moving.bearer_of_axis(name), tilted), []).append(name)
     for names in shared.values():
         place = moving.at.axes[names[0]]
         yield f"O_{names[0]}", "axis", tuple(names), None, place, moving.of_axis(names[0])
