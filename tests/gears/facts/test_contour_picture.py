@@ -345,9 +345,18 @@ class TestPoints:
 
     @pytest.mark.slow
     def test_sliding_that_does_not_exist_is_a_dash(self) -> None:
+        pair = pair_of("14/27")
+        first = replace(pair.points[0], sliding=(0.0, 0.9))
+        _, key = blocking_figure(Blocking((replace(pair, points=(first, *pair.points[1:])),), ())).axes
+        assert texts(key).count("\N{EN DASH}") == 1
+
+    @pytest.mark.slow
+    def test_sliding_on_the_limit_of_undercut_has_no_end(self) -> None:
         pair, _, _, key = sheet_of("14/27")
-        none = sum(not theta for point in pair.points for theta in point.sliding)
-        assert none == texts(key).count("\N{EN DASH}") > 0
+        (corner,) = [point for point in pair.points if point.name == "E"]
+        across = math.atan(math.tan(math.radians(20)) / math.cos(math.radians(15)))
+        assert corner.x1 == pytest.approx(1 - 7 * math.sin(across) ** 2 / math.cos(math.radians(15)), rel=1e-12)
+        assert texts(key).count("\N{MINUS SIGN}\N{INFINITY}") == 1
 
     def test_a_broken_condition_is_marked(self) -> None:
         pair, _, _, key = sheet_of("empty")
