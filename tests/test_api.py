@@ -11,6 +11,7 @@ import pytest
 
 import tmmcalc
 
+BEARING = Path(__file__).parents[1] / "configs" / "extra-bearing.toml"
 STUB = Path(tmmcalc.__file__).with_name("__init__.pyi")
 
 
@@ -44,3 +45,16 @@ def test_nothing_is_loaded_before_it_is_used() -> None:
     code = "import sys; before = {*sys.modules}; import tmmcalc; print(*sorted({*sys.modules} - before))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert {*done.stdout.split()} == {"__future__", "tmmcalc", "tmmcalc._version"}
+
+
+@pytest.mark.parametrize("path", [BEARING, str(BEARING)])
+def test_a_run_takes_the_path_of_a_spec(path: str | Path, tmp_path: Path) -> None:
+    found = tmmcalc.run(path, out=tmp_path)
+    of_spec = tmmcalc.run(tmmcalc.load_spec(BEARING))
+    assert found.value("bearing.BPFO") == of_spec.value("bearing.BPFO") > 0
+    assert (tmp_path / "bearing.toml").exists()
+
+
+def test_a_run_of_a_file_that_is_not_there() -> None:
+    with pytest.raises(tmmcalc.UsageError, match=r"nowhere\.toml"):
+        tmmcalc.run("nowhere.toml")

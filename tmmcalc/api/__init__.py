@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def run(
-    spec: Spec,
+    spec: Spec | str | Path,
     *,
     target: str | None = None,
     out: str | Path | None = None,
@@ -27,6 +27,7 @@ def run(
 ) -> Run:
     """Run the pipeline up to ``target`` (None: every stage that the spec has), with files in ``out`` if given.
 
+    ``spec`` is a spec, or the path of its file, which is read as by ``load_spec`` and may fail as there.
     A stage whose stored inputs are unchanged is loaded; ``fresh`` recomputes all, ``from_stage`` that one
     and the following. ``csv`` None writes CSV files up to 2000 rows, ``columns`` are names and wildcards of those
     that they have (empty: all). ``skip`` leaves stages out, with all that read them. ``settings`` are options of
@@ -35,10 +36,11 @@ def run(
     """
     from tmmcalc.api.results import Run
     from tmmcalc.pipeline.runner import run as _run
+    from tmmcalc.project import load_spec
 
     folder = Path(out) if out is not None else None
     found = _run(
-        spec,
+        load_spec(spec) if isinstance(spec, str | Path) else spec,
         target=target,
         out=folder,
         fresh=fresh,
