@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +24,11 @@ def parts(name: str) -> tuple[Any, Any, Any]:
 
 
 def spec(table: str, **keys: object) -> tmmcalc.Spec:
-    return tmmcalc.parse_spec(f"[{table}]\n" + "".join(f"{key} = {json.dumps(keys[key])}\n" for key in keys))
+    return tmmcalc.parse_spec(written(table, keys))
+
+
+def written(table: str, keys: Mapping[str, object]) -> str:
+    return f"[{table}]\n" + "".join(f"{key} = {json.dumps(keys[key])}\n" for key in keys)
 
 
 def test_contact() -> None:
@@ -167,3 +172,106 @@ def test_bearing() -> None:
         (found.roller, "BSF"),
     ):
         assert value == pytest.approx(expected[key], rel=tol["rel"])
+
+
+def test_liner() -> None:
+    inputs, expected, tol = parts("liner-01")
+    clamp = inputs["clamp"]
+    text = f"""
+[liner]
+radius = "{inputs["r1_mm"]} mm"
+thickness = "{inputs["h_mm"]} mm"
+ring_outer = "{inputs["r2_mm"]} mm"
+ring_width = "{inputs["b_mm"]} mm"
+young = "{inputs["E_MPa"]} MPa"
+poisson = {inputs["mu"]}
+load = "{inputs["q_N_per_mm"]} N/mm"
+continuity = "{inputs["continuity"]}"
+LENGTH
+[liner.clamp]
+gas_pressure = "{clamp["p_max_MPa"]} MPa"
+bore = "{clamp["bore_mm"]} mm"
+arm = "{clamp["arm_mm"]} mm"
+factor = {clamp["factor"]}
+"""
+    for length in ("", 'length = "1 m"\nrows = 100'):  # 61/alpha is long
+        found = tmmcalc.solve_liner(tmmcalc.parse_spec(text.replace("LENGTH", length)))
+        for value, key in (
+            (found.alpha, "alpha_s"),
+            (found.stiffness, "D"),
+            (found.ring_area, "F_ring"),
+            (found.ring_inertia, "I_ring"),
+            (found.moment, "m"),
+            (found.force, "Q0"),
+            (found.couple, "M0"),
+            (found.other_force, "Q0_edge"),
+            (found.other_couple, "M0_edge"),
+            (found.end, "w0"),
+            (found.turn, "psi"),
+            (found.centre, "u_ring"),
+            (found.axial[0], "sigma_x_at_ring"),
+        ):
+            assert value == pytest.approx(expected[key], rel=tol["rel"]), key
+    at = [x // 10 for x in inputs["x_mm"]]  # a row each 10 mm
+    assert 1e3 * found.x[at] == pytest.approx(inputs["x_mm"])
+    assert found.w[at] == pytest.approx(expected["w"], rel=tol["rel"])
+    assert found.bend[at] == pytest.approx(expected["M"], rel=tol["rel"])
+
+
+@pytest.mark.parametrize("blanks", ["without", "with"])
+@pytest.mark.parametrize("factors", ["sum", "product"])
+def test_transloader(factors: str, blanks: str) -> None:
+    inputs, expected, tol = parts("transloader-01")
+    part, trolley, hoist = inputs["part"], inputs["trolley"], inputs["hoist"]
+    named = {"pressure": "q0", "area": "area", "height": "n", "shape": "c", "overload": "gamma", "dynamic": "beta"}
+    tables = [
+        written(f"transloader.{name}", {key: wind[symbol] for key, symbol in named.items()})
+        for name, wind in inputs["winds"].items()
+    ]
+    tables.append(written("transloader.loads", {name: f"{size} kN" for name, size in inputs["loads_kN"].items()}))
+    found = tmmcalc.solve_transloader(
+        tmmcalc.parse_spec(f"""
+[transloader]
+capacity = "{inputs["capacity_t"]} t"
+gravity = {inputs["g"]}
+mass = "{inputs["mass_t"]} t"
+factors = "{factors}"
+blanks = "{blanks}"
+trolley = {{ path = "{trolley["L0"]} m", acceleration = "{trolley["j"]} m/s^2" }}
+hoist = {{ height = "{hoist["H"]} m", acceleration = "{hoist["j"]} m/s^2" }}
+inertia = {{ weights = {json.dumps([f"{weight} kN" for weight in inputs["inertia"]["G_kN"]])} }}
+{"".join(tables)}
+[[transloader.parts]]
+name = "jib"
+mechanism = "{part["mechanism"]}"
+duty = "{part["duty"]}"
+making = "{part["making"]}"
+area = "{part["area_cm2"]} cm^2"
+strength = "{part["strength_MPa"]} MPa"
+endurance = "{part["endurance_MPa"]} MPa"
+{written("transloader.parts.influence", part["influence"])}
+""")
+    )
+    for drive, what in zip(found.drives, ("trolley", "hoist"), strict=True):
+        told = [expected[key] for key in (f"v_{what}_peak", f"v_{what}", f"t_{what}")]
+        assert [drive.peak, drive.speed, drive.time] == pytest.approx(told, rel=tol["rel"])
+    assert found.inertia == pytest.approx(expected["P"], rel=tol["rel"])
+    assert {each.load: each.value for each in found.loads} == pytest.approx(expected["loads_N"], rel=tol["rel"])
+    assert [mass / 1e3 for mass in found.masses] == pytest.approx(expected["masses_t"], rel=tol["rel"])
+    acting = {"+", "?"} if blanks == "with" else {"+"}
+    for each in found.loads:
+        signs = zip(inputs["cases"], inputs["matrix"][each.load], strict=True)
+        assert list(each.cases) == [case for case, sign in signs if sign in acting]
+    other = "product" if factors == "sum" else "sum"
+    strength = [check for check in found.checks if check.kind == "strength"]
+    assert [check.case for check in strength] == inputs["cases"]
+    assert [check.force for check in strength] == pytest.approx(expected[f"N_{blanks}"], rel=tol["rel"])
+    assert [check.stress for check in strength] == pytest.approx(
+        [force / (1e-4 * part["area_cm2"]) for force in expected[f"N_{blanks}"]], rel=tol["rel"]
+    )
+    (endurance,) = [check for check in found.checks if check.kind == "endurance"]
+    for kind, checks in (("strength", strength), ("endurance", [endurance])):
+        for values, by in (([check.allowed for check in checks], factors), ([check.other for check in checks], other)):
+            limits = expected[f"{kind}_MPa_{by}"]
+            limits = limits if kind == "strength" else [limits]
+            assert [value / 1e6 for value in values] == pytest.approx(limits, rel=tol["rel"])
