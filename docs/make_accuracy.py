@@ -10,19 +10,14 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-import numpy as np
-from light import light
-from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, LogLocator
-
 from tmmcalc import load_spec
 from tmmcalc.accuracy.document import TOLERANCES, called, told
-from tmmcalc.accuracy.picture import accuracy_figure
+from tmmcalc.accuracy.picture import accuracy_drawing
 from tmmcalc.accuracy.solve import solve_accuracy
 from tmmcalc.core.atomic import replace_file
 from tmmcalc.core.studies.measure import Clock
 from tmmcalc.core.studies.study import Accuracy, Ladder, Series, Study
-from tmmcalc.report.drawing.page import picture
+from tmmcalc.report.drawing import written
 
 HOME = Path(__file__).parent
 ROOT = HOME.parent
@@ -56,24 +51,11 @@ def page() -> str:
 def _scene(name: str, heading: str) -> str:
     spec = load_spec(ROOT / "configs" / f"{name}.toml")
     result = solve_accuracy(spec, clock=Clock(repeats=9, budget=1.0), tell=_tell)
-    drawn = picture("svg", lambda: _figure(result, heading), {"svg.fonttype": "none"})
-    replace_file(HOME / "accuracy" / f"{name}.svg", light(drawn.decode()).encode())
+    replace_file(HOME / "accuracy" / f"{name}.svg", written("svg", accuracy_drawing(result, heading)))
     begun = [f"## {heading}\n", f"`configs/{name}.toml`\n", f"![error over run time](accuracy/{name}.svg)\n"]
     parts = [_study(study) for study in result.studies] + [_ladder(ladder) for ladder in result.ladders]
     settled = [f"{SETTLED} {', '.join(result.settled)}.\n"] if result.settled else []
     return "\n".join((*begun, *settled, _orders(result), *parts))
-
-
-def _figure(result: Accuracy, heading: str) -> Figure:
-    """The diagrams with few ticks: in a file these take more room than all the curves."""
-    figure = accuracy_figure(result, heading)
-    for axes in figure.axes:
-        axes.minorticks_off()
-        axes.tick_params(left=False, bottom=False)
-        for axis in (axes.xaxis, axes.yaxis):
-            axis.set_major_locator(LogLocator(numticks=6))
-        axes.yaxis.set_major_formatter(FuncFormatter(lambda error, _: np.format_float_scientific(error, 0, trim="-")))
-    return figure
 
 
 def _tell(words: str) -> None:

@@ -1,21 +1,19 @@
 """Write the pictures of the README and of the guide: ``make pictures``.
 
-Each is that of ``tmmcalc plot configs/NAME.toml STAGE``, with the flags below, its text as text and in few bytes.
+Each is that of ``tmmcalc plot configs/NAME.toml STAGE``, with the flags below, its text as text.
 """
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from light import light
-
 from tmmcalc import load_spec
 from tmmcalc.cli.plot import PICTURES
 from tmmcalc.core.atomic import replace_file
 from tmmcalc.core.stage import resolve
 from tmmcalc.pipeline.runner import run
+from tmmcalc.report.drawing import written
 from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
-from tmmcalc.report.drawing.page import picture
 
 HOME = Path(__file__).parent
 DRAWN = {  # file: ready spec, stage, flags
@@ -24,16 +22,16 @@ DRAWN = {  # file: ready spec, stage, flags
 }
 
 
-def drawing(name: str, stage: str, given: dict[str, str]) -> str:
-    """The picture of a stage of a ready spec as text."""
+def drawing(name: str, stage: str, given: dict[str, str]) -> bytes:
+    """The picture of a stage of a ready spec."""
     spec = load_spec(HOME.parent / "configs" / f"{name}.toml")
     results = run(spec, target=stage).results
     flags = dict.fromkeys((POSITIONS, POLYGONS, CHOOSE, PHASE), None) | given
     order = Order(spec, results, flags, results.__getitem__, lambda text: text)
     shown = PICTURES[stage]
-    return light(picture("svg", lambda: resolve(shown.figure)(order), {"svg.fonttype": "none"}).decode(), places=1)
+    return written("svg", resolve(shown.figure)(order))
 
 
 if __name__ == "__main__":
     for file, (name, stage, given) in DRAWN.items():
-        replace_file(HOME / file, drawing(name, stage, given).encode())
+        replace_file(HOME / file, drawing(name, stage, given))

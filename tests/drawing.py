@@ -17,9 +17,9 @@ def draw_stage(stage: str, spec: Any, results: Mapping[str, Any], file: Path) ->
 
 def draw_kinematics(mechanism: Any, result: Any, file: Path, *, positions: Any = None, polygons: Any = None) -> None:
     def figure() -> Any:
-        from tmmcalc.linkage.pictures.kinematics import kinematics_figure
+        from tmmcalc.linkage.pictures.kinematics import kinematics_drawing
 
-        return kinematics_figure(mechanism, result, positions, polygons)
+        return kinematics_drawing(mechanism, result, positions, polygons)
 
     draw(file, figure)
 
@@ -28,9 +28,9 @@ def draw_forces(
     mechanism: Any, loading: Any, kinematics: Any, result: Any, file: Path, *, polygons: Any = None
 ) -> None:
     def figure() -> Any:
-        from tmmcalc.linkage.pictures.forces import forces_figure
+        from tmmcalc.linkage.pictures.forces import forces_drawing
 
-        return forces_figure(mechanism, loading, kinematics, result, polygons)
+        return forces_drawing(mechanism, loading, kinematics, result, polygons)
 
     draw(file, figure)
 
@@ -40,7 +40,7 @@ def draw_cam(stage: str, task: Any, result: Any, file: Path) -> None:
         from importlib import import_module
 
         home = import_module(f"tmmcalc.cams.pictures.{stage}")
-        return getattr(home, f"{stage.removeprefix('cam_')}_figure")(task, result)
+        return getattr(home, f"{stage.removeprefix('cam_')}_drawing")(task, result)
 
     draw(file, figure)
 
@@ -51,6 +51,8 @@ def drawn(stage: str, room: str, file: Path, *given: Any, **chosen: Any) -> None
     def figure() -> Any:
         from importlib import import_module
 
-        return getattr(import_module(f"tmmcalc.{room}.pictures.{stage}"), f"{stage}_figure")(*given, **chosen)
+        home = import_module(f"tmmcalc.{room}.pictures.{stage}")
+        make = getattr(home, f"{stage}_drawing", None) or getattr(home, f"{stage}_figure")
+        return make(*given, **chosen)
 
     draw(file, figure)

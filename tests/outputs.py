@@ -71,8 +71,6 @@ WARM = [
     *("pydantic.main", "pydantic.type_adapter", "pydantic.functional_validators", "pydantic.plugin._loader"),
     *(f"scipy.{part}" for part in ("integrate", "interpolate", "linalg", "optimize", "sparse.linalg", "special")),
     *("rich.console", "rich.progress", "rich.table", "ezdxf", "ezdxf.path"),
-    *("matplotlib.figure", "matplotlib.patches", "matplotlib.ticker"),
-    *("matplotlib.backends.backend_svg", "matplotlib.backends.backend_agg"),
 ]
 
 MASKS = [

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from matplotlib.figure import Figure
+from paper import curves, written
 
 from tmmcalc.accuracy.document import TOLD, accuracy_document, tidy_document
-from tmmcalc.accuracy.picture import accuracy_figure
+from tmmcalc.accuracy.picture import ASKED, accuracy_drawing
 from tmmcalc.core.studies.study import Accuracy, Ladder, Point, Reference, Rung, Series, Study
+from tmmcalc.report.drawing.diagram import Diagram
+from tmmcalc.report.drawing.shapes import Drawing
 
 EXACT = Reference("known", 1e-16)
 FINE = Series("fine", (Point("a", 1.0, 1e-3, 1e-3), Point("b", 0.5, 1e-9, 2e-3)), order=2.0, expected=2.0)
@@ -26,41 +28,41 @@ LADDER = Ladder("transient", "stiffness", "N*m/rad", 0.2, 0.01, EXACT, tuple(_ru
 ALL = Accuracy((STUDY, ALONE), (), (LADDER,))
 
 
-def _panels(figure: Figure) -> list[str]:
-    return [axes.get_title() for axes in figure.axes if axes.get_visible()]
+def _panels(drawing: Drawing) -> list[Diagram]:
+    return [field for field in drawing.fields if isinstance(field, Diagram)]
 
 
 def test_a_panel_a_study_and_a_ladder() -> None:
-    figure = accuracy_figure(ALL, "All", 1e-6)
-    assert _panels(figure) == ["motion: speed", "transient: stiffness"], "one setting alone is no comparison"
-    study, ladder = (axes for axes in figure.axes if axes.get_visible())
-    names = study.get_legend_handles_labels()[1]
-    assert names == ["fine (order 2)", "rough", "broken (no result)", "tolerance asked for"]
-    assert [next(iter(line.get_ydata())) for line in study.get_lines() if line.get_label() == names[-1]] == [1e-6]
-    assert ladder.get_ylabel() == "evaluations"
-    assert {line.get_label() for line in ladder.get_lines()} == {
-        "fixed steps at the limit of stability",
-        "choice of the program",
-    }
+    drawing = accuracy_drawing(ALL, "All", 1e-6)
+    study, ladder = _panels(drawing)  # one setting alone is no comparison
+    said = written(drawing)
+    assert {"motion: speed", "transient: stiffness"} <= set(said)
+    assert "kinematics: positions" not in said
+    names = ["fine (order 2)", "rough", "broken (no result)", "tolerance asked for"]
+    assert [text for text in said if text in names] == names
+    (asked,) = curves(study, ASKED)
+    assert asked.imag == pytest.approx([1e-6, 1e-6])
+    assert ladder.y.name == "evaluations"
+    assert {"fixed steps at the limit of stability", "choice of the program"} <= set(said)
 
 
 def test_axes_span_so_much_that_the_scatter_of_a_clock_is_small() -> None:
-    axes = accuracy_figure(Accuracy((STUDY,), ()), "One").axes[0]
-    low, high = axes.get_xlim()
+    (panel,) = _panels(accuracy_drawing(Accuracy((STUDY,), ()), "One"))
+    low, high = panel.x.low, panel.x.high
     assert high / low > 10**1.5
     assert low < 0.1 < 2.0 < high, "all times are inside"
 
 
 @pytest.mark.slow
 def test_more_sheets_keep_the_size_of_the_panels() -> None:
-    figure = accuracy_figure(Accuracy((STUDY,) * 7, ()), "Seven")
-    widths = {round(axes.get_position().width, 2) for axes in figure.axes if axes.get_visible()}
-    assert len(_panels(figure)) == 7
+    panels = _panels(accuracy_drawing(Accuracy((STUDY,) * 7, ()), "Seven"))
+    widths = {round(panel.box.width, 2) for panel in panels}
+    assert len(panels) == 7
     assert max(widths) < 1.5 * min(widths)
 
 
 def test_nothing_to_draw() -> None:
-    assert not _panels(accuracy_figure(Accuracy((ALONE,), ()), "None"))
+    assert not _panels(accuracy_drawing(Accuracy((ALONE,), ()), "None"))
 
 
 def test_rows_for_programs_hold_studies_and_ladders() -> None:

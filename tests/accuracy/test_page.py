@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from importlib.util import module_from_spec, spec_from_file_location
 from types import ModuleType
 
@@ -24,11 +23,7 @@ def _maker() -> ModuleType:
     assert found is not None
     assert found.loader is not None
     module = module_from_spec(found)
-    sys.path.insert(0, str(PAGE.parent))  # where it finds what makes pictures light
-    try:
-        found.loader.exec_module(module)
-    finally:
-        sys.path.remove(str(PAGE.parent))
+    found.loader.exec_module(module)
     return module
 
 

@@ -173,8 +173,10 @@ def test_loss_of_contact_by_vibration() -> None:
 @pytest.mark.slow
 def test_a_groove_is_changed_from_wall_to_wall() -> None:
     """Two walls hold the roller: no contact is lost; where the load changes its sign the other wall presses."""
+    from paper import written
+
     from tmmcalc.cams.facts.cam_elastic import document as elastic_document
-    from tmmcalc.cams.pictures.cam_elastic import elastic_figure
+    from tmmcalc.cams.pictures.cam_elastic import elastic_drawing
     from tmmcalc.report.plaintext import lines
 
     given = roller_task(spring=Spring("none"))
@@ -192,7 +194,7 @@ def test_a_groove_is_changed_from_wall_to_wall() -> None:
     assert "lost" not in said
     (note,) = result.notes
     assert f"{len(change)} times a turn" in note
-    heading = elastic_figure(task, result).subfigs[0].get_suptitle()
+    heading = next(text for text in written(elastic_drawing(task, result)) if text.startswith("Elastic follower"))
     assert "the outer wall of the groove presses" in heading
 
 

@@ -134,7 +134,6 @@ def test_jamming_ends_with_its_code(tmp_path):
 
 @sparing(("task", "follower"), list(cams()), ids=["groove", "flat", "rocker"], every=3, first=1)
 def test_pictures(task, follower, tmp_path):
-    pytest.importorskip("matplotlib")
     from drawing import draw_cam
 
     for name, result in (

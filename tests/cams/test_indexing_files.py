@@ -135,26 +135,22 @@ def test_documents_print_what_was_found() -> None:
 
 @pytest.mark.slow
 def test_pictures() -> None:
-    pytest.importorskip("matplotlib")
-    from cams.test_law_profile_pictures import texts
-    from tmmcalc.cams.pictures.indexing import indexing_figure
-    from tmmcalc.report.drawing.page import picture
+    from paper import on_sheet
+    from paper import written as words_of
+
+    from tmmcalc.cams.pictures.indexing import indexing_drawing
+    from tmmcalc.report.drawing import written
 
     pointed = task(law=step_law("linear"), ratio=2.0, roller=None)
-    made = []
-
-    def figure():
-        made.append(indexing_figure(pointed, solve_indexing(pointed), radians(30)))
-        return made[-1]
-
-    assert picture("svg", figure) == picture("svg", figure)
-    said = texts(made[0])
-    for word in ("front cam and its row", "load against the motion", "a loop", "O_2", "k_\\mathrm{m}"):
+    one, other = (indexing_drawing(pointed, solve_indexing(pointed), radians(30)) for _ in range(2))
+    assert written("svg", one) == written("svg", other)
+    assert not on_sheet(one)
+    said = " ".join(words_of(one))
+    for word in ("front cam and its row", "load against the motion", "a loop", "O_2", "k_m"):
         assert word in said
 
 
 def test_the_scheme_stands_where_the_law_has_it() -> None:
-    pytest.importorskip("matplotlib")
     from tmmcalc.cams.indexing.second import rows_of as rollers_at
     from tmmcalc.cams.indexing.second import turned
     from tmmcalc.cams.indexing.solve import drive_of
@@ -170,7 +166,6 @@ def test_the_scheme_stands_where_the_law_has_it() -> None:
 
 
 def test_a_law_without_profile_has_no_picture(tmp_path: Path) -> None:
-    pytest.importorskip("matplotlib")
     from drawing import drawn
 
     given = task(law=StepLaw("2.9", 1.625), ratio=None, roller=None)

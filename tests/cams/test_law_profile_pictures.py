@@ -6,21 +6,23 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from drawing import draw_cam
+from paper import curves, diagram, frames, of_words, on_sheet, written
 from sparing import sparing
 
 from cams.turns import task_of, turn
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.lawresult import solve_law
+from tmmcalc.cams.pictures.cam_law import law_drawing
+from tmmcalc.cams.pictures.cam_profile import profile_drawing
+from tmmcalc.cams.pictures.curvature import CUSP, PITCH, WORKING
+from tmmcalc.cams.pictures.profilemarks import NUMBER
 from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.task import Loads
 from tmmcalc.core.errors import UsageError
-
-pytest.importorskip("matplotlib")
-
-from drawing import draw_cam
-
-from tmmcalc.cams.pictures.cam_law import law_figure
-from tmmcalc.cams.pictures.cam_profile import profile_figure
+from tmmcalc.report.drawing.pens import DIMENSION, PATH
+from tmmcalc.report.drawing.shapes import Arc, Dimension
+from tmmcalc.report.drawing.wording import corners
 
 STEM, ROCKER = turn("cosine", "const", high=0), turn("sine", stroke=radians(20))
 SIZES = {"roller": 0.006, "centres": 0.1, "rocker": 0.09}
@@ -37,10 +39,8 @@ SCENES = {
 }
 
 
-def texts(figure):
-    from matplotlib.text import Text
-
-    return " ".join(each.get_text() for each in figure.findobj(Text))
+def texts(drawing):
+    return " ".join(written(drawing))
 
 
 @sparing("name", SCENES, every=5)
@@ -48,7 +48,9 @@ def test_profiles(name, tmp_path: Path):
     program, follower, asked = SCENES[name]
     task = task_of(program, follower.kind, steps=6, **asked)
     result = solve_profile(task, follower)
-    said = texts(profile_figure(task, result))
+    drawing = profile_drawing(task, result)
+    assert not on_sheet(drawing)
+    said = texts(drawing)
     assert ("second wall" in said) == (name == "groove")
     assert ("undercut" in said) == (name == "undercut")
     assert "low dwell" in said
@@ -64,15 +66,15 @@ def test_the_curvature_of_a_working_profile_is_whole(roller: float):
     follower = Follower("translating", 0.055, 0.01, roller)
     task = task_of(STEM, "translating", steps=6)
     result = solve_profile(task, follower)
-    figure = profile_figure(task, result)
-    axes = next(each for each in figure.axes if "curvature" in each.get_ylabel())
-    drawn = np.concatenate([line.get_ydata() for line in axes.lines if len(line.get_ydata()) > 100])
-    low, high = axes.get_ylim()
+    drawing = profile_drawing(task, result)
+    field = diagram(drawing, "curvature $κ$, 1/mm")
+    drawn = np.concatenate([line.imag for pen in (PITCH, WORKING) for line in curves(field, pen) if len(line) > 100])
+    assert len(drawn) > 1000
     assert np.isfinite(drawn).all()
-    assert low < drawn.min() < drawn.max() < high
+    assert field.y.low < drawn.min() < drawn.max() < field.y.high
     peak = 1e-3 / (1 / result.sharpest.value - roller)
     assert drawn.max() == pytest.approx(peak, rel=1e-3)
-    assert f"{peak:.4g}" in texts(figure)
+    assert f"{peak:.4g}" in texts(drawing)
 
 
 @pytest.mark.slow
@@ -80,7 +82,7 @@ def test_the_curvature_of_a_working_profile_is_whole(roller: float):
 def test_laws(program, kind, tmp_path: Path):
     task = task_of(program, kind, steps=6, loads=Loads(60.0))
     result = solve_law(task)
-    said = texts(law_figure(task, result))
+    said = texts(law_drawing(task, result))
     assert ("b, c" in said.replace("b, c", "", 1)) == (program is STEM)  # no high dwell: one point in both diagrams
     assert "572.96 rpm" in said
     file = tmp_path / "law.png"
@@ -90,16 +92,18 @@ def test_laws(program, kind, tmp_path: Path):
         draw_cam("cam_law", task, result, tmp_path / "law.gif")
 
 
-def boxes(figure, names):
-    """Extents [dots] of the texts that begin with one of the names."""
-    from matplotlib.text import Text
+def boxes(drawing, names):
+    """Boxes [mm] of the texts that begin with one of the names: left, right, bottom, top."""
+    return {words.text: extent(words) for words in of_words(drawing) if words.text.startswith(names)}
 
-    found = [each for each in figure.findobj(Text) if each.get_text().startswith(names)]
-    return {each.get_text(): each.get_window_extent() for each in found}
+
+def extent(words):
+    z = corners(words)
+    return z.real.min(), z.real.max(), z.imag.min(), z.imag.max()
 
 
 def apart(every):
-    return not any(a.overlaps(b) for a, b in combinations(every, 2))
+    return not any(a[0] < b[1] and b[0] < a[1] and a[2] < b[3] and b[2] < a[3] for a, b in combinations(every, 2))
 
 
 FACE = turn("const", rise=60, high=0, back=60)
@@ -112,37 +116,70 @@ def test_phases_are_named_clear_of_each_other_and_of_the_walls(name):
     program, follower, asked = NAMED[name]
     task = task_of(program, follower.kind, **asked)
     result = solve_profile(task, follower)
-    figure = profile_figure(task, result)
-    found = boxes(figure, ("rise ", "high dwell ", "return ", "low dwell "))
+    drawing = profile_drawing(task, result)
+    found = boxes(drawing, ("rise ", "high dwell ", "return ", "low dwell "))
     assert sorted(found) == sorted(f"{phase.kind} {degrees(phase.angle):.6g}°" for phase in program.phases)
     assert apart(found.values())
-    axes = figure.axes[0]
+    board = board_of(drawing)
     for wall in (result.working, result.outer):
         if wall is not None:
-            on_paper = axes.transData.transform(np.column_stack((wall.points.real, wall.points.imag)))
-            assert not any(box.count_contains(on_paper) for box in found.values())
+            z = board.paper(wall.points)
+            for left, right, bottom, top in found.values():
+                assert not np.any((z.real > left) & (z.real < right) & (z.imag > bottom) & (z.imag < top))
+
+
+def board_of(drawing):
+    (board,) = [each for each in frames(drawing) if not hasattr(each, "x")]
+    return board
 
 
 @sparing("name", NAMED, every=8)
 def test_positions_are_numbered_as_in_the_tables_and_can_be_read(name):
-    from matplotlib.text import Text
-
     program, follower, asked = NAMED[name]
     task = task_of(program, follower.kind, **asked)
     result = solve_profile(task, follower)
-    figure = profile_figure(task, result)
-    assert "at i of the tables" in texts(figure)
-    written = [
-        each for each in figure.axes[0].findobj(Text) if each.get_text().isdigit() and each.get_fontsize() == 6.5
-    ]
-    assert len(written) >= 3
-    assert apart([each.get_window_extent() for each in written])
+    drawing = profile_drawing(task, result)
+    assert "at i of the tables" in texts(drawing)
+    numbers = [words for words in of_words(drawing) if words.height == NUMBER and words.colour == PATH.colour]
+    assert len(numbers) >= 3
+    assert apart([extent(words) for words in numbers])
     curve = result.working.points if result.flat else result.pitch
-    for each in written:
-        row = result.positions.labels.index(each.get_text())
-        place = figure.axes[0].transData.transform([curve[row].real, curve[row].imag])
-        middle = figure.axes[0].transData.transform(each.get_position())
-        assert np.hypot(*(place - middle)) < 6.5 * figure.dpi / 25.4
+    for words in numbers:
+        row = result.positions.labels.index(words.text)
+        assert abs(board_of(drawing).place(complex(curve[row])) - words.at) < 6.5
+
+
+@sparing("name", NAMED, every=4)
+def test_the_profile_has_its_dimensions(name):
+    """Radii end at their circle, distances are to scale, the arcs of the phases have the angles of the phases."""
+    program, follower, asked = NAMED[name]
+    task = task_of(program, follower.kind, **asked)
+    result = solve_profile(task, follower)
+    drawing = profile_drawing(task, result)
+    board, said = board_of(drawing), written(drawing)
+    centre = board.place(0j)
+    arcs = [each for each in drawing.shapes if isinstance(each, Arc) and each.pen == DIMENSION]
+    angles = [phase.angle for phase in program.phases if phase.angle > 0]
+    np.testing.assert_allclose([arc.end - arc.start for arc in arcs], angles, atol=1e-9)
+    assert all(abs(arc.centre - centre) < 1e-9 for arc in arcs)
+    largest = 1e3 * np.max(np.abs(result.working.points))
+    (shown,) = [float(text.rpartition(" = ")[2]) for text in said if text.startswith("$r_{max}$ = ")]
+    assert shown == pytest.approx(largest, rel=2e-3)
+    assert f"$R_0$ = {1e3 * follower.base:.5g}" in said
+    assert (f"$r_2$ = {1e3 * follower.roller:.5g}" in said) == (follower.roller > 0)
+    sizes = {each.text: each for each in drawing.shapes if isinstance(each, Dimension)}
+    expected = {}
+    if follower.kind == "oscillating":
+        expected = {"l_0": follower.centres, "l_2": follower.rocker}
+    elif follower.offset:
+        expected = {"e": follower.offset}
+    assert set(sizes) == {f"${symbol}$ = {1e3 * value:.5g}" for symbol, value in expected.items()}
+    for symbol, value in expected.items():
+        each = sizes[f"${symbol}$ = {1e3 * value:.5g}"]
+        along = 1.0 if each.angle is None else np.exp(1j * each.angle)
+        way = each.second - each.first
+        length = abs(way) if each.angle is None else abs((way * np.conj(along)).real)
+        assert length * board.mu == pytest.approx(value, rel=1e-9)
 
 
 @pytest.mark.slow
@@ -150,42 +187,30 @@ def test_only_the_line_of_the_cusp_has_its_look():
     """It bounds the pitch curve: the working profile may cross it, and must not be taken for it."""
     follower = Follower("translating", 0.055, 0.01, 0.02)
     task = task_of(STEM)
-    axes = profile_figure(task, solve_profile(task, follower)).axes[1]
-    (cusp,) = [line for line in axes.lines if {*line.get_ydata()} == {1e-3 / follower.roller}]
-    assert {line.get_color() for line in axes.lines if line is not cusp}.isdisjoint({cusp.get_color()})
-    assert "cusp of the pitch curve" in " ".join(each.get_text() for each in axes.get_legend().get_texts())
+    drawing = profile_drawing(task, solve_profile(task, follower))
+    field = diagram(drawing, "curvature $κ$, 1/mm")
+    (cusp,) = curves(field, CUSP)
+    assert cusp.imag == pytest.approx(1e-3 / follower.roller, rel=1e-9)
+    assert {PITCH.colour, WORKING.colour}.isdisjoint({CUSP.colour})
+    assert "cusp of the pitch curve" in texts(drawing)
 
 
 @pytest.mark.slow
 def test_short_phases_are_named_beside_each_other():
     task = task_of(turn("cosine", rise=5, high=5, back=5))
-    figure = law_figure(task, solve_law(task))
-    found = boxes(figure, ("rise\n", "high dwell\n", "return\n", "low dwell\n"))
+    drawing = law_drawing(task, solve_law(task))
+    found = boxes(drawing, ("rise\n", "high dwell\n", "return\n", "low dwell\n"))
     assert len(found) == 4
     assert apart(found.values())
-    frame = figure.axes[0].get_window_extent()
-    assert all(box.x0 > frame.x0 - 1 and box.x1 < frame.x1 for box in found.values())
+    frame = frames(drawing)[0].box
+    assert all(left > frame.left - 0.1 and right < frame.right for left, right, _, _ in found.values())
 
 
 @pytest.mark.slow
 def test_a_rocker_has_one_unit_for_its_angle_in_the_portrait():
     task = task_of(ROCKER, "oscillating")
-    figure = law_figure(task, solve_law(task))
-    portrait = figure.axes[-1]
-    assert max(np.max(line.get_xdata()) for line in portrait.lines if len(line.get_xdata()) > 9) == pytest.approx(
-        radians(20)
-    )
-    assert portrait.get_xlabel().endswith(", rad")
-    assert [axes.get_ylabel().rpartition("$")[2] for axes in figure.axes] == [", °", "", ", 1/rad", ", 1/rad²", ""]
-
-
-@pytest.mark.slow
-def test_a_jump_at_the_begin_of_the_turn_is_drawn_over_the_frame():
-    program = turn("cosine")
-    axes = law_figure(task_of(program, steps=6), solve_law(task_of(program, steps=6))).axes[2]
-    places = {
-        line.get_xdata()[0]
-        for line in axes.lines
-        if len(line.get_xdata()) == 2 and line.get_xdata()[0] == line.get_xdata()[1] and not line.get_clip_on()
-    }
-    assert places == {0.0, 360.0}
+    fields = frames(law_drawing(task, solve_law(task)))
+    portrait = fields[-1]
+    assert max(np.max(line.real) for line in curves(portrait) if len(line) > 9) == pytest.approx(radians(20))
+    assert portrait.x.name.endswith(", rad")
+    assert [field.y.name.rpartition("$")[2] for field in fields] == [", °", "", ", 1/rad", ", 1/rad²", ""]

@@ -89,7 +89,6 @@ def test_files(cli: Cli) -> None:
 
 @pytest.mark.slow
 def test_pictures(cli: Cli) -> None:
-    pytest.importorskip("matplotlib")
     assert cli("plot", "lantern.toml", "indexing", "-o", "a.svg", "--phase", "20 deg").code == 0
     assert Path("a.svg").stat().st_size > 10_000
     assert cli("plot", "lantern.toml", "indexing", "--positions", "3").code == 2

@@ -77,7 +77,6 @@ def test_gears_are_told_what_constraints_removed(cli: Cli) -> None:
 
 @pytest.mark.slow
 def test_pictures(cli: Cli) -> None:
-    pytest.importorskip("matplotlib")
     for spec, stage in (("f.toml", "feasibility"), ("f.toml", "synthesis")):
         assert cli("plot", spec, stage, "-o", f"{stage}.svg", "-q") == (0, "", "")
     assert cli("plot", "f.toml", "synthesis", "-o", "two.svg", "-q", "--choose", "2").code == 0

@@ -74,7 +74,6 @@ def test_points_without_a_solution(cli: Cli) -> None:
 
 @pytest.mark.slow
 def test_pictures(cli: Cli) -> None:
-    pytest.importorskip("matplotlib")
     for flags, file in ((RATIO, "one.svg"), ((*RATIO, *SWING), "two.svg")):
         assert cli("feasibility", "f.toml", *flags, "-q", "--picture", file).code == 0
         assert np.frombuffer(Path(file).read_bytes(), np.uint8).size > 10_000

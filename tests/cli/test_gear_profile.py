@@ -247,7 +247,6 @@ def test_sound_wheels_are_drawn_and_the_others_named(cli: Cli, unsound: str) -> 
 @pytest.mark.slow
 @sparing("stage", ["pair", "profile"], every=2)
 def test_sheets_of_sound_wheels(cli: Cli, unsound: str, stage: str) -> None:
-    pytest.importorskip("matplotlib")
     assert cli("plot", unsound, stage, "-o", "sheets.svg")[0] == 0
     assert Path("sheets.svg").exists()
     code, _, err = cli("plot", unsound, "pair", "--choose", "1", "-o", "one.svg")

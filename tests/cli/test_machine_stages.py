@@ -103,7 +103,6 @@ def test_the_table_of_a_linkage(cli: Cli) -> None:
     ("spec", "stage"), [("press.toml", "transient"), ("press.toml", "balance"), ("engine.toml", "balance")], every=3
 )
 def test_pictures(cli: Cli, spec: str, stage: str) -> None:
-    pytest.importorskip("matplotlib")
     assert cli("plot", spec, stage, "-o", "a.png", "-q") == (0, "", "")
     assert Path("a.png").read_bytes().startswith(b"\x89PNG")
     code, _, err = cli("plot", spec, stage, "--positions", "1")

@@ -11,8 +11,6 @@ from tmmcalc.core.errors import NoSolutionError
 
 from .conftest import Cli
 
-pytest.importorskip("matplotlib")
-
 
 @sparing(
     ("args", "said"),
@@ -120,13 +118,20 @@ def test_what_leads_to_no_picture_is_refused(cli: Cli, args: tuple[str, ...], sa
     assert not Path("my.out").exists()
 
 
-@pytest.mark.parametrize("args", [("run", "my.toml", "--plots"), ("plot", "my.toml", "--all"), ("plot", "my.toml")])
-def test_without_matplotlib_nothing_is_computed(
-    cli: Cli, args: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(("form", "package", "extra"), [("pdf", "reportlab", "plot"), ("dxf", "ezdxf", "cad")])
+def test_without_its_package_nothing_is_computed(
+    cli: Cli, form: str, package: str, extra: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("tmmcalc.report.drawing.find_spec", lambda name: None)
-    code, out, err = cli(*args)
+    code, out, err = cli("plot", "my.toml", "-o", f"my.{form}")
     assert (code, out) == (2, "")
-    assert "pictures need matplotlib" in err
-    assert "[plot]" in err
-    assert not Path("my.out").exists()
+    assert f"pictures as {form} need {package}" in err
+    assert f"[{extra}]" in err
+    assert not Path(f"my.{form}").exists()
+    assert cli("plot", "my.toml", "-o", "my.svg", "-q").code == 0  # which needs none
+
+
+@pytest.mark.parametrize(("form", "begins"), [("dxf", b"  0\nSECTION"), ("pdf", b"%PDF"), ("png", b"\x89PNG")])
+def test_forms_of_a_picture(cli: Cli, form: str, begins: bytes) -> None:
+    assert cli("plot", "my.toml", "-o", f"my.{form}", "-q").code == 0
+    assert Path(f"my.{form}").read_bytes().startswith(begins)

@@ -189,7 +189,7 @@ def test_check_imports_no_numbers(folder: Path) -> None:
 
 
 def test_kinematics_to_a_pipe_imports_what_it_needs(folder: Path) -> None:
-    spared = {"scipy", "matplotlib", "rich", "difflib"}
+    spared = {"scipy", "reportlab", "rich", "difflib"}
     first = imported(folder, "kinematics", "my.toml", "-q")
     assert "numpy" in first
     assert not first & spared

@@ -415,7 +415,6 @@ def test_run_stops_where_asked(cli: Cli) -> None:
 
 @pytest.mark.slow
 def test_plot_writes_a_picture(cli: Cli) -> None:
-    pytest.importorskip("matplotlib")
     assert cli("plot", "my.toml", "-q") == (0, "", "")
     assert Path("my.svg").read_bytes().startswith(b"<?xml")
     assert not Path("my.out").exists()
@@ -425,7 +424,6 @@ def test_plot_writes_a_picture(cli: Cli) -> None:
     "flags", [("structure",), ("-o", "a.doc"), ("-o", "no/a.svg"), ("--polygons", "1:3"), ("--positions", "77")]
 )
 def test_plot_refuses(cli: Cli, flags: tuple[str, ...]) -> None:
-    pytest.importorskip("matplotlib")
     code, out, _ = cli("plot", "my.toml", *flags)
     assert (code, out) == (2, "")
     assert not list(Path().glob("*.svg"))

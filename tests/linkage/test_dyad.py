@@ -364,12 +364,9 @@ def test_estimates_bound_the_errors_near_dead_points(kind: str) -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_picture_has_the_vectors_of_all_points(kind: str) -> None:
-    pytest.importorskip("matplotlib")
-    from matplotlib.colors import to_hex
-    from matplotlib.patches import Polygon
-
     from tmmcalc.linkage.pictures.dyad import KINDS as PANELS
-    from tmmcalc.linkage.pictures.dyad import dyad_figure
+    from tmmcalc.linkage.pictures.dyad import dyad_drawing
+    from tmmcalc.report.drawing.shapes import Area
 
     def drawn() -> tuple[DyadTask, DyadState]:
         task = random_task(np.random.default_rng(seeds.pop()), kind)
@@ -381,9 +378,10 @@ def test_the_picture_has_the_vectors_of_all_points(kind: str) -> None:
     told = outer + [
         [complex(each.x, each.y), complex(each.vx, each.vy), complex(each.ax, each.ay)] for each in found.points
     ]
-    for order, axes in enumerate(dyad_figure(task, found).axes, 1):
-        heads = [each for each in axes.patches if isinstance(each, Polygon)]
-        tips = [complex(*each.get_xy()[0]) for each in heads if to_hex(each.get_facecolor()) == PANELS[order - 1][3]]
+    drawing = dyad_drawing(task, found)
+    for order, board in enumerate(drawing.fields, 1):
+        heads = [shape for shape in drawing.shapes if isinstance(shape, Area)]
+        tips = [board.data(complex(each.points[0])) for each in heads if each.fill == PANELS[order - 1][3].colour]
         assert len(tips) == len(told)
         scales = [(tip - point[0]) / point[order] for tip, point in zip(tips, told, strict=True)]
         assert scales == pytest.approx([scales[0].real] * len(scales), rel=1e-9)

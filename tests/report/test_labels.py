@@ -1,36 +1,57 @@
-"""Labels keep clear of curves, however far these leave the picture."""
+"""Names keep clear of curves, however far these leave the picture, and say where they found no room."""
 
 from __future__ import annotations
 
 import numpy as np
-from matplotlib.figure import Figure
+from paper import of_words
 
-from tmmcalc.report.drawing.labels import BEYOND, MM, STEP, Labels
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.field import Board, Field
+from tmmcalc.report.drawing.labels import STEP
+from tmmcalc.report.drawing.pens import THICK
+from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.drawing.wording import corners
 
-
-def labels() -> Labels:
-    axes = Figure(figsize=(100 / MM, 100 / MM), dpi=100).add_axes((0, 0, 1, 1))
-    axes.set_xlim(0, 100)
-    axes.set_ylim(0, 100)  # a unit is 1 mm
-    return Labels(axes)
-
-
-def test_a_curve_of_kilometres_takes_points_near_the_axes_alone() -> None:
-    one = labels()
-    one.avoid([-1e9 - 1e9j, 1e9 + 1e9j])
-    one.avoid([1e9 + 1j, 1e9 + 2j])
-    points = np.concatenate(one._points)
-    near = points[1:-2]
-    assert len(points) < 2 * (100 + 2 * BEYOND) / STEP
-    assert near.real.min() < 0
-    assert near.real.max() > 100
-    np.testing.assert_allclose(near.real, near.imag, atol=1e-5)
+PAGE = Box(0.0, 0.0, 100.0, 100.0)
 
 
-def test_a_curve_within_the_axes_is_taken_whole() -> None:
-    one = labels()
-    one.avoid([10 + 10j, 90 + 10j, 90 + 20j])
-    points = np.concatenate(one._points)
+def field() -> Field:
+    """A unit of data is 1 mm."""
+    return Field(Drawing(100.0, 100.0), PAGE, 0j, (1.0, 1.0))
+
+
+def test_a_curve_of_kilometres_takes_points_in_the_frame_alone() -> None:
+    one = field()
+    one.curve(np.array([-1e9 - 1e9j, 1e9 + 1e9j]), THICK)
+    one.curve(np.array([1e9 + 1j, 1e9 + 2j]), THICK)
+    points = np.concatenate(one.labels._points)
+    assert len(points) < 3 * 100 / STEP
+    assert points.real.min() > -1e-6
+    assert points.real.max() < 100 + 1e-6
+    np.testing.assert_allclose(points.real, points.imag, atol=1e-5)
+
+
+def test_a_curve_within_the_frame_is_taken_whole() -> None:
+    one = field()
+    one.curve(np.array([10 + 10j, 90 + 10j, 90 + 20j]), THICK)
+    points = np.concatenate(one.labels._points)
     np.testing.assert_allclose(points.real.max(), 90, rtol=1e-9)
     assert len(points) == 1 + int(80 / STEP) + int(10 / STEP)
-    assert one.crowded([10 + 10j, 1e12 + 10j], 1.0) > 60
+    assert one.labels.crowded([10 + 10j, 150 + 10j], 1.0) > 60
+
+
+def test_names_stand_apart_and_what_has_no_room_is_told() -> None:
+    drawing = Drawing(100.0, 100.0)
+    board = Board(drawing, PAGE, np.array([0j, 1 + 1j]), 10.0)
+    for _ in range(60):
+        board.labels.put("name", [50 + 50j])
+    boxes = [corners(words) for words in of_words(drawing)]
+    free = len(boxes) - len(board.labels.faults)
+    assert 3 < free < 60
+    assert board.labels.count == 60
+
+    def apart(one: np.ndarray, other: np.ndarray) -> bool:
+        gap = np.maximum(one.real.min() - other.real.max(), other.real.min() - one.real.max())
+        return bool(gap > 0 or one.imag.min() > other.imag.max() or other.imag.min() > one.imag.max())
+
+    assert all(apart(boxes[k], boxes[j]) for k in range(free) for j in range(k))

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 
 import openpyxl
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from openpyxl.utils import range_boundaries
 
@@ -36,6 +36,7 @@ def cells(*column: object, header: str = "x") -> list[object]:
     return [page.cell(row, 1).value for row in range(2, 2 + len(column))]
 
 
+@settings(deadline=None)  # a workbook is written for every number
 @given(st.floats(allow_nan=False, allow_infinity=False, allow_subnormal=False))
 def test_a_number_is_read_back_bit_by_bit(value: float) -> None:
     assert cells(value) == [value]

@@ -23,7 +23,7 @@ TESTS = Path(__file__).parents[1]
 EVERY = ("numpy", "pydantic", "tomli_w", "tmmcalc.project", "tmmcalc.pipeline.runner")  # of a run
 HEAVY = (
     "scipy",
-    "matplotlib",
+    "reportlab",
     "joblib",
     "dask",
     "distributed",
@@ -67,12 +67,12 @@ def observe(file: str, *overrides: str) -> dict[str, Any]:
 
 
 def imported(file: str, target: str | None, *overrides: str) -> list[str]:
-    """Modules of the program, of scipy and of matplotlib after a run to a stage that stores nothing."""
+    """Modules of the program, of scipy and of reportlab after a run to a stage that stores nothing."""
     from tmmcalc.pipeline.runner import run
     from tmmcalc.project import load_spec
 
     run(load_spec(file, overrides), target=target)
-    return sorted(name for name in sys.modules if name.startswith(("tmmcalc.", "scipy", "matplotlib")))
+    return sorted(name for name in sys.modules if name.startswith(("tmmcalc.", "scipy", "reportlab")))
 
 
 def answer(what: str, *given: Any) -> Any:

@@ -5,54 +5,32 @@ A study of one setting, or whose settings are all exact, has nothing to compare 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import partial
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from tmmcalc.core.studies.study import Accuracy, Ladder, Series, Study
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES, INK
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.logplots import MARKS, Dots, framed, pages
+from tmmcalc.report.drawing.pens import CURVES, INK, Pen
+from tmmcalc.report.drawing.shapes import Drawing
 
-COLUMNS, ROWS = 3, 2  # of panels on a sheet
-MARKS = "osD^vP*X"
-DOT: dict[str, Any] = {"markersize": 4.0, "markeredgewidth": 0.8, "linewidth": 1.1}
 LEAST_TIMES, LEAST_ERRORS = 1.6, 3.0  # decades that an axis spans at least, so that the scatter of a clock stays small
 ROOM = 0.08  # beyond the outermost points, of the span
 NONE = "no result"
 ROUNDING = 1e-12  # an error that is none
-LONG, MANY = (
-    26,
-    5,
-)  # characters of a name that takes the width of a legend, and names that need two columns all the same
-
-Panel = Callable[[Axes], None]
+ASKED = Pen("TOLERANCE", 0.25, (2.5, 1.3), INK)
 
 
-def accuracy_figure(result: Accuracy, heading: str, tolerance: float | None = None) -> Figure:
+def accuracy_drawing(result: Accuracy, heading: str, tolerance: float | None = None) -> Drawing:
     """As many sheets of six panels as the studies and ladders need; ``tolerance`` is drawn across them."""
-    panels: list[Panel] = [
-        partial(_study, study=study, tolerance=tolerance) for study in result.studies if _compares(study)
-    ]
-    panels += [partial(_ladder, ladder=ladder) for ladder in result.ladders]
-    sheets = max(-(-len(panels) // (COLUMNS * ROWS)), 1)
-    columns = 2 if len(panels) == 4 else min(max(len(panels), 1), COLUMNS)
-    rows = ROWS if len(panels) > columns else 1
-    figure, pages = blank(sheets)
-    for at, page in enumerate(pages):
-        page.suptitle(heading, fontsize=10, parse_math=False)  # a title is the user's own text
-        shown = panels[at * COLUMNS * ROWS : (at + 1) * COLUMNS * ROWS]
-        places = page.subplots(rows, columns, squeeze=False).ravel().tolist()
-        for axes, draw in zip(places, shown, strict=False):
-            draw(axes)
-        for axes in places[len(shown) :]:
-            axes.set_visible(False)
-    settle(figure)
-    return figure
+    studies = [study for study in result.studies if _compares(study)]
+    drawing, places = pages(len(studies) + len(result.ladders), heading)
+    for box, study in zip(places, studies, strict=False):
+        _study(drawing, box, study, tolerance)
+    for box, ladder in zip(places[len(studies) :], result.ladders, strict=True):
+        _ladder(drawing, box, ladder)
+    return drawing
 
 
 def _compares(study: Study) -> bool:
@@ -61,35 +39,29 @@ def _compares(study: Study) -> bool:
     return len(points) > 1 and any(point.error is None or point.error > ROUNDING for point in points)
 
 
-def _study(axes: Axes, study: Study, tolerance: float | None) -> None:
-    for series, style in zip(study.series, _styles(len(study.series)), strict=True):
-        _curve(axes, series, style)
-    _scales(axes, f"{study.stage}: {study.quantity}", "run time, ms", "largest relative error")
+def _study(drawing: Drawing, box: Box, study: Study, tolerance: float | None) -> None:
+    curves = [_curve(series, k) for k, series in enumerate(study.series)]
     told = [p for series in study.series for p in series.points if p.error is not None]
-    axes.set_xlim(*_span([(p.seconds or 0.0) * 1e3 for p in told], LEAST_TIMES))
-    axes.set_ylim(*_span([p.error or 0.0 for p in told], LEAST_ERRORS))
-    if tolerance is not None:
-        axes.axhline(tolerance, color=INK, linewidth=0.7, linestyle=(0, (6, 3)), zorder=3, label="tolerance asked for")
-    _legend(axes)
+    x = _span([(p.seconds or 0.0) * 1e3 for p in told], LEAST_TIMES)
+    y = _span([p.error or 0.0 for p in told], LEAST_ERRORS)
+    names = f"{study.stage}: {study.quantity}", "run time, ms", "largest relative error"
+    levels = [] if tolerance is None else [(tolerance, ASKED)]
+    key = [] if tolerance is None else [("tolerance asked for", ASKED)]
+    framed(drawing, box, names, curves, levels, ends=(x, y), key=key)
 
 
-def _ladder(axes: Axes, ladder: Ladder) -> None:
+def _ladder(drawing: Drawing, box: Box, ladder: Ladder) -> None:
     """Evaluations of the textbook's step and of the program's choice along the ladder."""
-    values = [rung.value for rung in ladder.rungs]
-    textbook, choice = _styles(2)
-    steps = [rung.textbook_evaluations for rung in ladder.rungs]
-    axes.plot(values, steps, label="fixed steps at the limit of stability", zorder=4, **DOT, **textbook)
-    chosen = [rung.evaluations for rung in ladder.rungs]
-    axes.plot(values, chosen, label="choice of the program", zorder=4, **DOT, **choice)
-    _scales(axes, f"{ladder.stage}: {ladder.quantity}", f"value, {ladder.unit}", "evaluations")
-    axes.set_xlim(*_span(values, LEAST_TIMES))
-    axes.set_ylim(*_span(steps + chosen, LEAST_ERRORS))
-    axes.xaxis.set_major_formatter(axes.yaxis.get_major_formatter())
-    _legend(axes)
-
-
-def _styles(count: int) -> list[dict[str, Any]]:
-    return [{**CURVES[k % len(CURVES)], "marker": MARKS[k % len(MARKS)]} for k in range(count)]
+    values = tuple(rung.value for rung in ladder.rungs)
+    steps = tuple(float(rung.textbook_evaluations) for rung in ladder.rungs)
+    chosen = tuple(float(rung.evaluations) for rung in ladder.rungs)
+    curves = [
+        Dots("fixed steps at the limit of stability", values, steps, CURVES[0], MARKS[0]),
+        Dots("choice of the program", values, chosen, CURVES[1], MARKS[1]),
+    ]
+    names = f"{ladder.stage}: {ladder.quantity}", f"value, {ladder.unit}", "evaluations"
+    ends = _span(values, LEAST_TIMES), _span(steps + chosen, LEAST_ERRORS)
+    framed(drawing, box, names, curves, [], ends=ends)
 
 
 def _span(values: Sequence[float], least: float) -> tuple[float, float]:
@@ -101,31 +73,10 @@ def _span(values: Sequence[float], least: float) -> tuple[float, float]:
     return float(10 ** (middle - half)), float(10 ** (middle + half))
 
 
-def _scales(axes: Axes, title: str, x: str, y: str) -> None:
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_title(title)
-    axes.set_xlabel(x)
-    axes.set_ylabel(y)
-    axes.xaxis.set_major_locator(LogLocator(numticks=9))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda time, _: f"{time:g}"))
-    axes.yaxis.set_major_locator(LogLocator(numticks=9))
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_minor_formatter(NullFormatter())
-    axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
-    axes.set_axisbelow(True)
-
-
-def _legend(axes: Axes) -> None:
-    names = axes.get_legend_handles_labels()[1]
-    columns = 1 if max(map(len, names), default=0) > LONG and len(names) < MANY else 2
-    place: dict[str, Any] = {"loc": "upper center", "bbox_to_anchor": (0.5, -0.16)}
-    axes.legend(ncols=columns, frameon=False, fontsize=6.5, handlelength=3, **place)
-
-
-def _curve(axes: Axes, series: Series, style: dict[str, Any]) -> None:
+def _curve(series: Series, k: int) -> Dots:
     told = [p for p in series.points if p.error is not None and p.seconds is not None]
     order = NONE if not told else "" if series.order is None else f"order {series.order:.2g}"
     name = f"{series.method} ({order})" if order else series.method
-    times, errors = [(p.seconds or 0.0) * 1e3 for p in told], [p.error or 0.0 for p in told]
-    axes.plot(times, errors, label=name, zorder=4, **DOT, **style)
+    times = tuple((p.seconds or 0.0) * 1e3 for p in told)
+    errors = tuple(p.error or 0.0 for p in told)
+    return Dots(name, times, errors, CURVES[k % len(CURVES)], MARKS[k % len(MARKS)])

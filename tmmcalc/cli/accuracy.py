@@ -96,10 +96,10 @@ def command(
     deliver(_document(result, heading, form, tolerance), form, out)
     drawn = plot if result.studies or result.ladders else None
     if drawn is not None:
-        from tmmcalc.accuracy.picture import accuracy_figure
+        from tmmcalc.accuracy.picture import accuracy_drawing
         from tmmcalc.report.drawing import draw
 
-        draw(drawn, lambda: accuracy_figure(result, heading, tolerance))
+        draw(drawn, lambda: accuracy_drawing(result, heading, tolerance))
     elif plot is not None:
         say("no stage of this scene has a choice of methods: there is nothing to draw", "yellow")
     for file in (out, drawn):

@@ -15,9 +15,8 @@ from tmmcalc.cli.output import check_picture, show, title
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
     from tmmcalc.feasibility.maps import RegionMap
+    from tmmcalc.report.drawing.shapes import Drawing
 
 
 @with_flags
@@ -85,7 +84,7 @@ def _map(job: Job, form: Format, over: list[str], picture: Path | None) -> None:
     if picture is not None:
         from tmmcalc.report.drawing import draw
 
-        draw(picture, lambda: _figure(result))
+        draw(picture, lambda: _drawing(result))
         if not job.quiet:
             note_written(picture)
     from tmmcalc.feasibility.facts.regions import region_document
@@ -95,10 +94,10 @@ def _map(job: Job, form: Format, over: list[str], picture: Path | None) -> None:
     job.check_warnings(printed)
 
 
-def _figure(result: RegionMap) -> Figure:
-    from tmmcalc.feasibility.pictures.regions import region_figure
+def _drawing(result: RegionMap) -> Drawing:
+    from tmmcalc.feasibility.pictures.regions import region_drawing
 
-    return region_figure(result)
+    return region_drawing(result)
 
 
 def _check_flags(job: Job) -> None:

@@ -48,11 +48,10 @@ def check_apart(*files: Path | None) -> None:
 
 def check_picture(file: Path, where: str) -> None:
     """Raise UsageError if no picture could be drawn to a file; asked before the computation."""
-    from tmmcalc.report.drawing import check_matplotlib, form_of
+    from tmmcalc.report.drawing import check_writer, form_of
 
     check_place(file, where)
-    form_of(file)
-    check_matplotlib()
+    check_writer(form_of(file))
 
 
 def check_tolerance(error: float) -> None:

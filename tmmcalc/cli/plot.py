@@ -18,7 +18,7 @@ from tmmcalc.cli.output import check_picture, raise_failures
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.plan import plan
 from tmmcalc.core.stage import Picture
-from tmmcalc.report.drawing import check_matplotlib, draw
+from tmmcalc.report.drawing import draw
 from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS
 from tmmcalc.rooms import STAGES
 
@@ -108,7 +108,7 @@ def command(
             "-o",
             "--out",
             metavar="FILE",
-            help="Picture, by suffix svg, png or pdf (default: <spec>.svg); of --all their folder (default: "
+            help="Picture, by suffix svg, png, pdf or dxf (default: <spec>.svg); of --all their folder (default: "
             "<spec>.out).",
             show_default=False,
             callback=written,
@@ -167,7 +167,6 @@ def command(
 
 def _draw_all(job: Job, folder: Path, flags: Mapping[str, str | None], quiet: bool) -> None:
     """Draw all pictures of a spec into a folder, which is made if it is not there."""
-    check_matplotlib()
     scene = job.spec()
     try:
         folder.mkdir(parents=True, exist_ok=True)

@@ -75,13 +75,11 @@ def _sheets(job: Job, result: RunResult) -> list[Worksheet]:
 
 
 def _drawing(job: Job) -> Callable[[Spec, RunResult, Path], RunResult]:
-    """What adds the pictures to a run; refused at once where none could be drawn."""
+    """What adds the pictures to a run; refused at once where there is no folder for them."""
     if not job.store:
         raise UsageError("--no-store leaves no folder for pictures", where="--plots", remedy="leave one of the two out")
     from tmmcalc.cli.plot import with_pictures
-    from tmmcalc.report.drawing import check_matplotlib
 
-    check_matplotlib()
     return partial(with_pictures, quiet=job.quiet)
 
 

@@ -100,9 +100,9 @@ def command(
     deliver(_document(result, heading, form), form, out)
     if plot is not None:
         from tmmcalc.report.drawing import draw
-        from tmmcalc.stress.picture import stress_figure
+        from tmmcalc.stress.picture import stress_drawing
 
-        draw(plot, lambda: stress_figure(result, heading))
+        draw(plot, lambda: stress_drawing(result, heading))
     for file in (out, plot):
         if file is not None and not quiet:
             note_written(file)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.errors import TmmError
@@ -11,14 +10,14 @@ from tmmcalc.core.stage import STAGES, arguments, resolve
 from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from tmmcalc.report.drawing.shapes import Drawing
 
 NONE = dict.fromkeys((POSITIONS, POLYGONS, CHOOSE, PHASE))  # no flags
 
 
 def figure_of(
     stage: str, spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | None] = NONE
-) -> Callable[[], Figure]:
+) -> Callable[[], Drawing]:
     """What draws the picture of a stage that has one; ``flags`` are those of ``tmmcalc plot``."""
     from tmmcalc.pipeline.runner import upstream_of
     from tmmcalc.project import parse_spec
@@ -31,17 +30,17 @@ def figure_of(
         return own.solve(*arguments(own.inputs(spec)), **upstream_of(own, results))
 
     order = Order(spec, results, flags, solved, parse_spec)
-    draw: Callable[[Order], Figure] = resolve(picture.figure)
+    draw: Callable[[Order], Drawing] = resolve(picture.figure)
     return lambda: draw(order)
 
 
 def svg_of(stage: str, spec: Any, results: Mapping[str, Any]) -> str | None:
-    """The picture of a stage as SVG; None if it has none, if it cannot be drawn, and without matplotlib."""
-    if STAGES[stage].picture is None or find_spec("matplotlib") is None:
+    """The picture of a stage as SVG; None if it has none, or if it cannot be drawn."""
+    if STAGES[stage].picture is None:
         return None
-    from tmmcalc.report.drawing.page import picture
+    from tmmcalc.report.drawing import written
 
     try:
-        return picture("svg", figure_of(stage, spec, results)).decode()
+        return written("svg", figure_of(stage, spec, results)()).decode()
     except TmmError:
         return None

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from tmmcalc.pipeline.why import Why, in_toml, packages
 from tmmcalc.report.document import Document, Fact, View
 
-HEAVY = ("matplotlib", "scipy", "joblib")
+HEAVY = ("scipy", "joblib")
 
 
 def why_document(reasons: Sequence[Why], spec: object, title: str) -> Document:

@@ -2,61 +2,32 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from matplotlib.ticker import LogLocator, NullFormatter
-
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.logplots import MARKS, Dots, framed, pages
+from tmmcalc.report.drawing.pens import CURVES, Pen
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.stress.results import LIMITS, Ladder, Stress
 
-COLUMNS, ROWS = 3, 2  # of panels on a sheet
-MARKS = "osD^vP*X"
 SAME = 1.001  # ratio of conditions that are one
-DOT: dict[str, Any] = {"markersize": 3.5, "markeredgewidth": 0.7, "linewidth": 1.0}
+LIMIT = Pen("LIMITS", 0.2, (2.0, 1.5), "#a0a0a0")
+EXPECTED = (0.4, 0.7)
 
 
-def stress_figure(result: Stress, heading: str) -> Figure:
+def stress_drawing(result: Stress, heading: str) -> Drawing:
     """As many sheets of six panels as the ladders need."""
-    ladders = result.ladders
-    sheets = max(-(-len(ladders) // (COLUMNS * ROWS)), 1)
-    figure, pages = blank(sheets)
-    for at, page in enumerate(pages):
-        page.suptitle(heading, fontsize=10, parse_math=False)  # a title is the user's own text
-        shown = ladders[at * COLUMNS * ROWS : (at + 1) * COLUMNS * ROWS]
-        wide = min(len(shown), COLUMNS) or 1
-        panels = page.subplots(-(-len(shown) // wide) or 1, wide, squeeze=False).ravel().tolist()
-        for axes, ladder in zip(panels, shown, strict=False):
-            _draw(axes, ladder)
-        for axes in panels[len(shown) :]:
-            axes.set_visible(False)
-    settle(figure)
-    return figure
+    drawing, places = pages(len(result.ladders), heading)
+    for box, ladder in zip(places, result.ladders, strict=True):
+        _draw(drawing, box, ladder)
+    return drawing
 
 
-def _draw(axes: Axes, ladder: Ladder) -> None:
+def _draw(drawing: Drawing, box: Box, ladder: Ladder) -> None:
     level = _level(ladder)
-    drawn = False
+    curves: list[Dots] = []
     for k, stage in enumerate(ladder.stages()):
-        style = {**CURVES[k % len(CURVES)], "marker": MARKS[k % len(MARKS)]}
-        drawn |= _curve(axes, ladder, stage, style, level)
-    for limit in LIMITS:
-        axes.axhline(limit, linewidth=0.6, color="#a0a0a0", linestyle=(0, (4, 3)), zorder=1)
-    axes.set_xscale("linear" if level else "log")
-    axes.set_yscale("log")
-    axes.set_title(ladder.name)
-    axes.set_xlabel("what is varied" if level else ladder.condition)
-    axes.set_ylabel("largest relative error")
-    axes.yaxis.set_major_locator(LogLocator(numticks=9))
-    for axis in (axes.yaxis,) if level else (axes.xaxis, axes.yaxis):
-        axis.set_minor_formatter(NullFormatter())
-    axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
-    axes.set_axisbelow(True)
-    axes.margins(0.08)
-    if drawn:
-        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.18), ncols=3, frameon=False, fontsize=6.5)
+        curves += _curves(ladder, stage, CURVES[k % len(CURVES)], MARKS[k % len(MARKS)], level)
+    names = ladder.name, "what is varied" if level else ladder.condition, "largest relative error"
+    framed(drawing, box, names, curves, [(limit, LIMIT) for limit in LIMITS], linear=level)
 
 
 def _level(ladder: Ladder) -> bool:
@@ -65,7 +36,7 @@ def _level(ladder: Ladder) -> bool:
     return len(met) > 0 and max(met) < SAME * min(met)
 
 
-def _curve(axes: Axes, ladder: Ladder, stage: str, style: dict[str, Any], level: bool) -> bool:
+def _curves(ladder: Ladder, stage: str, pen: Pen, mark: str, level: bool) -> list[Dots]:
     """The observed errors of a stage, and thin beside them its estimates with what the last digit of the data does."""
     told = [
         (rung.size if level else rung.condition, met.error, met.covered)
@@ -73,10 +44,11 @@ def _curve(axes: Axes, ladder: Ladder, stage: str, style: dict[str, Any], level:
         if met.error is not None and rung.condition is not None
     ]
     if not told:
-        return False
+        return []
     told.sort(key=lambda row: row[0])
-    axes.plot([row[0] for row in told], [row[1] for row in told], label=stage, zorder=4, **DOT, **style)
+    found = [Dots(stage, tuple(row[0] for row in told), tuple(row[1] for row in told), pen, mark)]
     estimated = [(row[0], row[2]) for row in told if row[2]]
     if estimated:
-        axes.plot(*zip(*estimated, strict=True), linewidth=0.7, linestyle=":", color=style.get("color"), zorder=3)
-    return True
+        thin = Pen("EXPECTED", 0.25, EXPECTED, pen.colour)
+        found.append(Dots("", tuple(x for x, _ in estimated), tuple(y for _, y in estimated), thin, ""))
+    return found

@@ -4,21 +4,19 @@ from math import radians
 
 import numpy as np
 import pytest
+from drawing import draw_cam
+from paper import curves, data, diagram, frames, on_sheet
 from sparing import sparing
 
-pytest.importorskip("matplotlib")
-
-from drawing import draw_cam
-from matplotlib.lines import Line2D
-from matplotlib.patches import Polygon
-
 from cams.turns import task_of, turn
-from tmmcalc.cams.pictures.cam_pressure import pressure_figure
-from tmmcalc.cams.pictures.cam_synthesis import synthesis_figure
-from tmmcalc.cams.pictures.zone import LIMIT, ZONE
+from tmmcalc.cams.pictures.cam_pressure import EXCEEDED, pressure_drawing
+from tmmcalc.cams.pictures.cam_synthesis import synthesis_drawing
+from tmmcalc.cams.pictures.zone import HATCH, LIMIT
 from tmmcalc.cams.pressure.solve import solve_pressure
 from tmmcalc.cams.synthesis.solve import solve_synthesis
 from tmmcalc.cams.task import AngleLimits
+from tmmcalc.report.drawing.pens import CURVES
+from tmmcalc.report.drawing.shapes import Area, Hatching
 
 LIMITS = AngleLimits(radians(32), radians(40))
 TASKS = {
@@ -43,20 +41,21 @@ def test_files(name, tmp_path):
         assert file.stat().st_size > 10_000
 
 
-def limit_lines(axes):
-    return [line for line in axes.lines if line.get_color() == LIMIT["color"] and len(line.get_xdata()) == 2]
+def limit_lines(board):
+    return [line for line in curves(board, LIMIT) if len(line) == 2]
 
 
 def test_tangents_touch_the_curve_and_meet_in_the_axis():
     task = TASKS["translating"]
     found = solve_synthesis(task)
-    axes = synthesis_figure(task, found).axes[0]
+    drawing = synthesis_drawing(task, found)
+    assert not on_sheet(drawing)
+    (board,) = frames(drawing)
     o = -1e3 * complex(found.follower.start, found.follower.offset)
-    curve = max(axes.lines, key=lambda line: len(line.get_xdata()))
-    points = np.asarray(curve.get_xdata()) + 1j * np.asarray(curve.get_ydata())
+    pens = [CURVES[k]._replace(width=0.6) for k in (0, 2)]
+    points = np.concatenate([line for pen in pens for line in curves(board, pen)])
     distances = []
-    for line in limit_lines(axes):
-        a, b = (complex(x, y) for x, y in zip(line.get_xdata(), line.get_ydata(), strict=True))
+    for a, b in limit_lines(board):
         along = (b - a) / abs(b - a)
         distances.append(abs((np.conj(along) * (o - a)).imag))
         side = (np.conj(along) * (points - a)).imag
@@ -67,23 +66,25 @@ def test_tangents_touch_the_curve_and_meet_in_the_axis():
 @sparing("name", ["oscillating", "mirrored"], every=2)
 def test_lines_of_the_rocker_meet_in_the_axis(name):
     task = TASKS[name]
-    axes = synthesis_figure(task, solve_synthesis(task)).axes[0]
-    lines = limit_lines(axes)
+    drawing = synthesis_drawing(task, solve_synthesis(task))
+    (board,) = frames(drawing)
+    lines = limit_lines(board)
     assert len(lines) == 2
-    for line in lines:
-        a, b = (complex(x, y) for x, y in zip(line.get_xdata(), line.get_ydata(), strict=True))
+    for a, b in lines:
         assert abs((np.conj(b - a) * (0 - a)).imag) / abs(b - a) < 1e-12  # O is the origin
-    zone = next(p for p in axes.patches if isinstance(p, Polygon) and p.get_hatch() == ZONE["hatch"])
-    corners = zone.get_xy()
-    assert np.min(np.hypot(*corners.T)) < 1e-12
+    (zone,) = [each for each in drawing.shapes if isinstance(each, Hatching) and each.pen == HATCH]
+    assert np.min(np.abs(data(board, zone.loops[0]))) < 1e-12
 
 
 def test_the_angle_and_its_limits():
     task = TASKS["exceeded"]
     found = solve_pressure(task, solve_synthesis(task).follower)
-    axes = pressure_figure(task, found).axes[0]
-    curve = max(axes.lines, key=lambda line: len(line.get_xdata()))
-    assert np.max(curve.get_ydata()) == pytest.approx(np.degrees(found.rise.largest.value), abs=0.5)
-    levels = {round(float(line.get_ydata()[0]), 9) for line in limit_lines(axes) if isinstance(line, Line2D)}
+    drawing = pressure_drawing(task, found)
+    assert not on_sheet(drawing)
+    field = diagram(drawing, "pressure angle $θ$, °")
+    (curve,) = curves(field, CURVES[0])
+    assert np.max(curve.imag) == pytest.approx(np.degrees(found.rise.largest.value), abs=0.5)
+    levels = {round(float(line[0].imag), 9) for line in limit_lines(field)}
     assert levels == {32.0, -32.0, 40.0, -40.0}
-    assert len(axes.collections) == len(found.rise.exceeded) + len(found.back.exceeded) > 0
+    beyond = [each for each in drawing.shapes if isinstance(each, Area) and each.fill == EXCEEDED]
+    assert len(beyond) == len(found.rise.exceeded) + len(found.back.exceeded) > 0

@@ -114,15 +114,17 @@ def test_a_picture_shows_the_speed_that_the_stage_had(
 
     from drawing import draw_stage
 
-    from tmmcalc.report.drawing.page import blank
+    from tmmcalc.report.drawing.page import sheets
 
     drawn: list[CamTask] = []
 
-    def figure(task: CamTask, result: object) -> object:
+    def drawing(task: CamTask, result: object) -> object:
         drawn.append(task)
-        return blank(1)[0]
+        return sheets(1)[0]
 
-    monkeypatch.setattr(import_module(f"tmmcalc.cams.pictures.{stage}"), f"{stage.removeprefix('cam_')}_figure", figure)
+    monkeypatch.setattr(
+        import_module(f"tmmcalc.cams.pictures.{stage}"), f"{stage.removeprefix('cam_')}_drawing", drawing
+    )
     text = (CONFIGS / "press.toml").read_text() + CAM.format(begin=40.0, mass=2.0) + OPTIMUM
     spec = parse_spec(text)
     draw_stage(stage, spec, run(spec, target=stage).results, tmp_path / "a.svg")

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import pytest
 from drawing import drawn
+from paper import of_words, on_sheet, written
 from sparing import sparing
-
-pytest.importorskip("matplotlib")
-
-from matplotlib.colors import to_hex
-from matplotlib.patches import Rectangle
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.feasibility.judge import Constraint, Feasibility, FeasibilityTask, judge
-from tmmcalc.feasibility.pictures.feasibility import FAILS, HOLDS, IDLE, feasibility_figure
+from tmmcalc.feasibility.pictures.feasibility import FAILS, HOLDS, IDLE, feasibility_drawing
+from tmmcalc.report.drawing.diagram import Diagram
+from tmmcalc.report.drawing.shapes import Area, Hatching
+from tmmcalc.report.drawing.wording import corners
 
 VALUES = {"a": (1.2, "m", 1.0, None), "b": (3.0, "N", None, 2.0), "c": (50.0, "W", None, 10.0)}
 TASK = FeasibilityTask(
@@ -37,28 +37,32 @@ def found(rows: int = 1) -> Feasibility:
 
 def test_bars_are_margins() -> None:
     result = judge(TASK, VALUES)
-    axes = feasibility_figure(result).axes[0]
-    bars = [bar for bar in axes.patches if isinstance(bar, Rectangle) and bar.get_height() == pytest.approx(0.42)]
-    assert [bar.get_width() for bar in bars] == pytest.approx([20.0, -50.0, -100.0])
-    assert [to_hex(bar.get_facecolor()) for bar in bars] == [HOLDS, FAILS, IDLE]
-    assert [bool(bar.get_hatch()) for bar in bars] == [False, True, True]
-    assert [text.get_text() for text in axes.texts[:3]] == ["+20 %", "-50 %", "-400 %"]
-    assert [label.get_text() for label in axes.get_yticklabels()] == ["a", "b", "c"]
-    right = [label.get_text() for label in axes.figure.axes[1].get_yticklabels()]
-    assert right[1] == "s min w is 3 N\nat most 2 N"
-    title = axes.figure.get_suptitle()
-    assert title == "Constraints: not feasible: b\nrule: a and b and (a or c)"
+    drawing = feasibility_drawing(result)
+    (field,) = drawing.fields
+    assert isinstance(field, Diagram)
+    bars = [shape for shape in drawing.shapes if isinstance(shape, Area) and shape.fill in (HOLDS, FAILS, IDLE)]
+    reached = [field.data(complex(bar.points[1])).real for bar in bars]
+    assert reached == pytest.approx([20.0, -50.0, -100.0])
+    assert [bar.fill for bar in bars] == [HOLDS, FAILS, IDLE]
+    hatched = [shape.loops[0] for shape in drawing.shapes if isinstance(shape, Hatching)]
+    assert len(hatched) == 2
+    assert np.array_equal(hatched[0], bars[1].points)
+    said = written(drawing)
+    assert [text for text in said if text.endswith(" %")] == ["+20 %", "−50 %", "−400 %"]
+    assert [text for text in said if text in "abc"] == ["a", "b", "c"]
+    assert "s min w is 3 N\nat most 2 N" in said
+    assert "Constraints: not feasible: b\nrule: a and b and (a or c)" in said
 
 
 @sparing("rows", [1, 4, 10], every=3)
 def test_words_do_not_run_into_one_another(rows: int) -> None:
-    figure = feasibility_figure(found(rows))
-    figure.draw_without_rendering()
-    for axes in figure.axes:
-        boxes = [label.get_window_extent() for label in axes.get_yticklabels()]
-        centres = np.array([(box.y0 + box.y1) / 2 for box in boxes])
-        assert all(np.diff(np.sort(centres)) > 0.85 * max(box.height for box in boxes))
-        assert all(box.x0 >= 0 and box.x1 <= figure.bbox.width for box in boxes)
+    drawing = feasibility_drawing(found(rows))
+    assert not on_sheet(drawing)
+    for side in (1, -1):
+        boxes = [corners(words) for words in of_words(drawing) if words.align == side and not words.clear]
+        boxes.sort(key=lambda box: float(box.imag.min()))
+        for below, above in pairwise(boxes):
+            assert above.imag.min() > below.imag.max()
 
 
 def test_a_file_of_another_kind(tmp_path: Path) -> None:

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-
-pytest.importorskip("matplotlib")
-
-from matplotlib.collections import Collection
-from matplotlib.contour import QuadContourSet
+from paper import curves, diagram
 
 from tmmcalc.core.errors import NoSolutionError, TmmError
 from tmmcalc.feasibility.judge import Constraint, Feasibility, FeasibilityTask, judge
 from tmmcalc.feasibility.maps import Parameter, RegionMap, region_map
-from tmmcalc.feasibility.pictures.regions import region_figure
+from tmmcalc.feasibility.pictures.regions import REGION, region_drawing
+from tmmcalc.report.drawing.pens import CURVES
+from tmmcalc.report.drawing.shapes import Area, Drawing
 
 X = np.linspace(-2, 2, 41)
 TASK = FeasibilityTask(
@@ -31,8 +29,15 @@ def parameter(name: str) -> Parameter:
     return Parameter(name, tuple(X), tuple(f"{name}={x}" for x in X))
 
 
-def corners(drawn: Collection) -> np.ndarray:
-    return np.concatenate([np.asarray(path.vertices) for path in drawn.get_paths()])
+def fills(drawing: Drawing) -> list[np.ndarray]:
+    """Corners of the areas where the rule holds, on paper."""
+    return [shape.points for shape in drawing.shapes if isinstance(shape, Area) and shape.fill == REGION]
+
+
+def inside(at: complex, polygon: np.ndarray) -> bool:
+    """Whether a polygon winds around a place."""
+    turned = np.angle((np.roll(polygon, -1) - at) / (polygon - at))
+    return bool(abs(np.sum(turned)) > np.pi)
 
 
 def plane() -> RegionMap:
@@ -40,23 +45,24 @@ def plane() -> RegionMap:
 
 
 def test_borders_and_fill() -> None:
-    axes = region_figure(plane()).axes[0]
-    disk, right, fill = (each for each in axes.collections if isinstance(each, QuadContourSet))
-    circle = corners(disk)
-    assert np.hypot(*circle.T) == pytest.approx(np.ones(len(circle)), abs=0.006)
-    line = corners(right)
-    assert line[:, 0] == pytest.approx(np.full(len(line), 0.25), abs=1e-12)
-    assert line[:, 1].min() == pytest.approx(-1.5)  # below there is no solution
-    (region,) = fill.get_paths()
-    inside = region.contains_points([(0.6, 0.0), (0.3, 0.9), (0.2, 0.0), (0.8, 0.8), (1.05, 0.0)])
-    assert inside.tolist() == [True, True, False, False, False]
+    drawing = region_drawing(plane())
+    field = diagram(drawing, "x")
+    (circle,), (line,) = (curves(field, CURVES[k]._replace(dashes=())) for k in (0, 1))
+    assert np.abs(circle) == pytest.approx(np.ones(len(circle)), abs=0.006)
+    assert line.real == pytest.approx(np.full(len(line), 0.25), abs=1e-9)
+    assert line.imag.min() == pytest.approx(-1.5)  # below there is no solution
+    (area,) = fills(drawing)
+    places = (0.6 + 0j, 0.3 + 0.9j, 0.2 + 0j, 0.8 + 0.8j, 1.05 + 0j)
+    assert [inside(field.place(at), area) for at in places] == [True, True, False, False, False]
 
 
 def test_curves_of_one_parameter() -> None:
-    axes = region_figure(region_map([parameter("x")], [found(x, 0.0) for x in X])).axes[0]
-    values = [np.asarray(line.get_ydata()) for line in axes.lines[:2]]
-    assert values[0] == pytest.approx(100 * (1 - X**2))
-    assert values[1] == pytest.approx(100 * (X - 0.25) / 0.25)
-    (fill,) = axes.collections
-    spans = corners(fill)[:, 0]
-    assert (spans.min(), spans.max()) == pytest.approx((0.25, 1.0), abs=0.013)
+    drawing = region_drawing(region_map([parameter("x")], [found(x, 0.0) for x in X]))
+    field = diagram(drawing, "x")
+    values = [np.concatenate(curves(field, CURVES[k])) for k in (0, 1)]
+    shown = values[0].real, values[1].real
+    assert values[0].imag == pytest.approx(100 * (1 - shown[0] ** 2), abs=0.3)
+    assert values[1].imag == pytest.approx(100 * (shown[1] - 0.25) / 0.25, abs=1e-6)
+    (area,) = fills(drawing)
+    spans = [field.data(complex(at)).real for at in area]
+    assert (min(spans), max(spans)) == pytest.approx((0.25, 1.0), abs=0.013)

@@ -3,34 +3,48 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import cache
+from itertools import combinations
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
+from paper import curves, data, diagram, inside, of_words, on_sheet, written
 from sparing import sparing
-
-pytest.importorskip("matplotlib")
-
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from matplotlib.patches import Polygon
 
 from tmmcalc.api import run
 from tmmcalc.cli.plot import ordered, picture_of
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.plan import plan
 from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.model import ToothSets
-from tmmcalc.gears.pictures.criteria import criteria_figure
-from tmmcalc.gears.pictures.endview import extent
+from tmmcalc.gears.pictures.cloud import MANY, evenly
+from tmmcalc.gears.pictures.criteria import criteria_drawing
+from tmmcalc.gears.pictures.criteria import figure as figure_of_criteria
+from tmmcalc.gears.pictures.endview import PITCH, extent
+from tmmcalc.gears.pictures.front import CLOUD, EDGE, FRONT, SHADE, WINNER
+from tmmcalc.gears.pictures.graphs import PERMITTED, POINT, SURE
 from tmmcalc.gears.pictures.placed import PlacedTrain, placed
 from tmmcalc.gears.pictures.scheme import scheme_sheet
-from tmmcalc.gears.pictures.train import chosen_rows, numbered_rows, train_figure
+from tmmcalc.gears.pictures.sideview import WHEELS
+from tmmcalc.gears.pictures.solutions import BARS, COPRIME, OTHER
+from tmmcalc.gears.pictures.train import chosen_rows, figure, numbered_rows, train_drawing
 from tmmcalc.gears.scheme import layout_of
+from tmmcalc.gears.selection.results import MEASURES
 from tmmcalc.gears.trains import Trains
-from tmmcalc.project import load_spec
-from tmmcalc.report.drawing.page import blank, settle
+from tmmcalc.project import load_spec, parse_spec
+from tmmcalc.project.templates import names, path
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.diagram import Diagram
+from tmmcalc.report.drawing.field import Board, Field
+from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.pens import Pen
+from tmmcalc.report.drawing.shapes import Arc, Area, Drawing
 
 
 class Ordered(NamedTuple):
@@ -85,27 +99,44 @@ def train_of(layout: str, **more: Any) -> PlacedTrain:
     return placed(sets_of(layout), 0, **more)
 
 
-def drawn(train: PlacedTrain) -> tuple[Figure, Axes]:
-    figure, (sheet,) = blank(1)
-    finish = scheme_sheet(sheet, train, "")
-    settle(figure)
-    finish()
-    return figure, figure.axes[0]
+def drawn(train: PlacedTrain) -> tuple[Drawing, Board]:
+    drawing, (box,) = sheets(1)
+    return drawing, scheme_sheet(drawing, box, train, "Train")
 
 
 @cache
-def sheet_of(layout: str) -> tuple[PlacedTrain, Figure, Axes]:
+def sheet_of(layout: str) -> tuple[PlacedTrain, Drawing, Board]:
     train = train_of(layout)
     return train, *drawn(train)
 
 
-def texts(axes: Axes) -> list[str]:
-    return [text.get_text() for text in axes.texts]
+def diagrams(drawing: Drawing, name: str) -> list[Diagram]:
+    """All diagrams with an axis of this name."""
+    return [each for each in drawing.fields if isinstance(each, Diagram) and name in (each.x.name, each.y.name)]
 
 
-def axes_of(figure: Figure, label: str) -> Axes:
-    (found,) = [axes for axes in figure.axes if label in (axes.get_xlabel(), axes.get_ylabel())]
-    return found
+def circles(field: Field, pen: Pen) -> NDArray[np.complex128]:
+    """Middles of the circles of a pen in a field, as data."""
+    arcs = [each for each in field.drawing.shapes if isinstance(each, Arc) and each.pen == pen]
+    return data(field, np.array([each.centre for each in arcs if inside(np.array([each.centre]), field.box)]))
+
+
+def areas(field: Field, *fills: str) -> list[NDArray[np.complex128]]:
+    """Corners of the areas of some colours in a field, as data, in the order in which they are drawn."""
+    found = [each for each in field.drawing.shapes if isinstance(each, Area) and each.fill in fills]
+    return [data(field, each.points) for each in found if inside(each.points, field.box)]
+
+
+def marks(field: Field, pen: Pen) -> tuple[NDArray[np.complex128], list[str]]:
+    """Middles of the filled signs of a pen in a field, on paper, with their colours."""
+    found = [each for each in field.drawing.shapes if isinstance(each, Arc | Area) and each.pen == pen]
+    found = [each for each in found if inside(each.points, field.box)]
+    return np.array([each.points.mean() for each in found]), [each.fill for each in found]
+
+
+def extents(corners: Sequence[NDArray[np.complex128]]) -> list[tuple[float, float]]:
+    """Width and height of polygons."""
+    return [(float(np.ptp(each.real)), float(np.ptp(each.imag))) for each in corners]
 
 
 @sparing("layout", LAYOUTS, every=3)
@@ -122,33 +153,46 @@ class TestScheme:
                 assert min(abs(total - apart) for total in sums) == pytest.approx(0, abs=1e-9 * train.height)
 
     def test_what_stands_on_the_sheet(self, layout: str) -> None:
-        train, figure, axes = sheet_of(layout)
-        said = texts(axes)
+        train, drawing, board = sheet_of(layout)
+        said = written(drawing, board.box)
         for wheel in train.wheels:
             assert wheel.name in said
             assert f"$z_{{{wheel.name}}}$ = {wheel.teeth}" in said
         assert ("H" in said) is train.scheme.planetary
-        (table,) = figure.axes[1].tables
-        first = [table[row, 0].get_text().get_text() for row in range(1, len(train.wheels) + 1)]
-        assert first == [wheel.name for wheel in train.wheels]
+        beside = [each for each in of_words(drawing) if each.at.real > board.box.right]
+        heights = sorted({each.at.imag for each in beside}, reverse=True)
+        rows = [[each.text for each in beside if each.at.imag == height] for height in heights]
+        assert rows[0][:2] == ["wheel", "$z$"]
+        table = rows[1 : len(train.wheels) + 1]
+        assert [row[:2] for row in table] == [[wheel.name, str(wheel.teeth)] for wheel in train.wheels]
+        assert [float(row[3]) for row in table] == pytest.approx(
+            [2 * wheel.reference for wheel in train.wheels], rel=1e-4
+        )
 
     def test_both_directions_have_one_scale_and_all_is_inside(self, layout: str) -> None:
-        _, _, axes = sheet_of(layout)
-        box = axes.get_window_extent()
-        x, y = axes.get_xlim(), axes.get_ylim()
-        assert (x[1] - x[0]) / box.width == pytest.approx((y[1] - y[0]) / box.height, rel=1e-9)
-        everything = np.concatenate([np.asarray(line.get_xydata()) for line in axes.lines])
-        assert x[0] < everything[:, 0].min() < everything[:, 0].max() < x[1]
-        assert y[0] < everything[:, 1].min() < everything[:, 1].max() < y[1]
+        _, drawing, board = sheet_of(layout)
+        side = board.paper([0j, board.mu * 10, board.mu * 10j])
+        assert abs(side[1] - side[0]) == pytest.approx(10) == abs(side[2] - side[0])
+        assert not on_sheet(drawing)
+        assert not board.labels.faults
+
+    def test_circles_have_their_radii(self, layout: str) -> None:
+        """Every pitch circle of the end view by its radius and its place, relative to the main axis."""
+        train, drawing, board = sheet_of(layout)
+        for k, pen in enumerate(PITCH):
+            own = [each for each in drawing.shapes if isinstance(each, Arc) and each.pen == pen]
+            radii = sorted(each.radius * board.mu for each in own)
+            asked = [r for wheel in train.wheels for r, plane in wheel.pitch if plane == k for _ in wheel.axes]
+            assert radii == pytest.approx(sorted(asked))
 
     def test_bars_of_the_side_view_reach_the_pitch_circles(self, layout: str) -> None:
-        train, _, axes = sheet_of(layout)
-        across = 1 if train.scheme.branched else 0
-        heights = {
-            round(float(np.ptp(patch.get_xy()[:, across])), 6) for patch in axes.patches if isinstance(patch, Polygon)
-        }
-        external = [wheel for wheel in train.wheels if not wheel.internal]
-        assert {round(2 * wheel.rolling, 6) for wheel in external} <= heights
+        train, drawing, board = sheet_of(layout)
+        bars = [each for each in drawing.shapes if isinstance(each, Area) and each.pen in WHEELS]
+        sizes = extents([data(board, each.points) for each in bars])
+        heights = [height if train.scheme.branched else width for width, height in sizes]
+        for wheel in train.wheels:
+            if not wheel.internal:
+                assert min(abs(2 * wheel.rolling - height) for height in heights) < 1e-6
 
 
 class TestPlaces:
@@ -164,12 +208,11 @@ class TestPlaces:
         train = train_of("coaxial", module=np.array([0.002, 0.003]), width=np.array([0.03, 0.05]))
         assert train.distances == (pytest.approx(0.081), pytest.approx(0.081))
         assert 2 * train.wheel("3").reference == pytest.approx(0.111)
-        _, axes = drawn(train)
-        (scale,) = [text for text in texts(axes) if text.startswith("scale")]
+        drawing, board = drawn(train)
+        (scale,) = [text for text in written(drawing) if text.startswith("scale")]
         part = float(scale.removeprefix("scale 1:"))
-        box = axes.get_window_extent()
-        paper = box.width / axes.figure.dpi * 0.0254
-        assert (axes.get_xlim()[1] - axes.get_xlim()[0]) / paper == pytest.approx(part, rel=1e-3)
+        ends = board.data(complex(board.box.left)), board.data(complex(board.box.right))
+        assert abs(ends[1] - ends[0]) / (1e-3 * board.box.width) == pytest.approx(part, rel=1e-9)
 
     def test_modules_that_are_not_chosen_grow_with_the_cube_root_of_the_ratio(self) -> None:
         train = train_of("unfolded3")
@@ -203,56 +246,68 @@ def order(tmp_path_factory: pytest.TempPathFactory) -> Ordered:
 
 
 @pytest.fixture(scope="module")
-def of_train(order: Ordered) -> Figure:
-    return train_figure(order.results["train"], numbered_rows(order.results["train"], 2))
+def of_train(order: Ordered) -> Drawing:
+    return train_drawing(order.results["train"], numbered_rows(order.results["train"], 2))
 
 
 @pytest.fixture(scope="module")
-def of_criteria(order: Ordered) -> Figure:
-    return criteria_figure(order.results["criteria"], order.results["train"])
+def of_criteria(order: Ordered) -> Drawing:
+    return criteria_drawing(order.results["criteria"], order.results["train"])
 
 
 class TestTrain:
     @pytest.mark.slow
-    def test_every_candidate_is_in_the_bars(self, order: Ordered, of_train: Figure) -> None:
-        panels = [axes for axes in of_train.axes if axes.get_xlabel() == "combinations of wheels"]
+    def test_every_candidate_is_in_the_bars(self, order: Ordered, of_train: Drawing) -> None:
+        panels = diagrams(of_train, "combinations of wheels")
         variants = order.results["train"].variants
         assert len(panels) == len(variants)
-        for axes, variant in zip(panels, variants, strict=True):
-            left, *removed, candidates = [round(bar.get_width()) for bar in axes.patches]
+        for field, variant in zip(panels, variants, strict=True):
+            ends = [round(float(bar.real.max())) for bar in areas(field, *BARS.values())]
+            candidates, *removed, left = ends
             assert candidates == variant.synthesis.candidates == left + sum(removed)
             assert left == variant.synthesis.count
-            assert axes.get_xscale() == "log"
+            assert field.x.log
+            said = [text.replace("\N{NO-BREAK SPACE}", "") for text in written(of_train, field.box)]
+            assert {str(left), str(candidates), *(f"\N{MINUS SIGN}{count}" for count in removed)} <= set(said)
 
-    def test_every_set_is_a_point(self, order: Ordered, of_train: Figure) -> None:
-        panels = [axes for axes in of_train.axes if axes.get_xlabel() == "$z_1 + z_2$"]
-        for axes, variant in zip(panels, order.results["train"].variants, strict=True):
-            points = np.concatenate([np.asarray(line.get_xydata()) for line in axes.lines[:2]])
-            assert len(points) == variant.synthesis.count > 2
+    def test_every_set_is_a_point(self, order: Ordered, of_train: Drawing) -> None:
+        panels = diagrams(of_train, "$z_1 + z_2$")
+        for field, variant in zip(panels, order.results["train"].variants, strict=True):
+            triangles = [each.mean() for each in curves(field, OTHER.pen)]
+            points = np.concatenate((circles(field, COPRIME.pen), triangles))
             z = {wheel: variant.sets.of(wheel).astype(float) for wheel in variant.sets.scheme.wheels}
             ratio = 1 + (z["3"] / z["1"] if "2'" not in z else z["2"] * z["3"] / z["1"] / z["2'"])
-            error = 100 * (ratio / 7.29 - 1)
-            assert sorted(points[:, 1]) == pytest.approx(sorted(error), abs=1e-9)
-            assert set(points[:, 0]) == set(z["1"] + z["2"])
-            assert "/".join(map(str, variant.sets.teeth[1])) in texts(axes)
+            sets = z["1"] + z["2"] + 100j * (ratio / 7.29 - 1)
+            # the middle of a triangle lies a little beside the place of its sign
+            apart = np.abs(field.paper(sets)[:, None] - field.paper(points))
+            assert variant.synthesis.count == len(sets) > 2
+            assert apart.min(axis=1).max() < 0.3
+            assert apart.min(axis=0).max() < 0.3
+            teeth = "/".join(map(str, variant.sets.teeth[1]))
+            assert f"set 2, drawn: {teeth}" in written(of_train)
 
-    def test_points_of_the_task_lie_on_the_curves(self, of_train: Figure) -> None:
-        wheel = axes_of(of_train, "$i_{1H}$")
-        points = [np.asarray(line.get_xydata())[0] for line in wheel.lines if line.get_marker() == "o"]
+    def test_points_of_the_task_lie_on_the_curves(self, of_train: Drawing) -> None:
+        wheel = diagram(of_train, "$i_{1H}$")
+        points = circles(wheel, POINT.pen)
         eta0 = 0.975 * 0.985
-        assert all(point == pytest.approx([7.29, eta0 + (1 - eta0) / 7.29]) for point in points)
-        assert len(points) == 2
-        modules = axes_of(of_train, "tooth ratio $U$")
-        (point,) = [np.asarray(line.get_xydata())[0] for line in modules.lines if line.get_marker() == "o"]
-        first = (point[1] ** 4 * 6.29) ** (1 / 3)  # mu*^4 = U1^2/U2 with U1 U2 = U, and coaxiality (4.21)
-        assert first + 1 == pytest.approx(point[1] * (6.29 / first - 1), rel=1e-9)
+        assert points.tolist() == pytest.approx([complex(7.29, eta0 + (1 - eta0) / 7.29)] * 2)
+        modules = diagram(of_train, "tooth ratio $U$")
+        (point,) = circles(modules, POINT.pen)
+        first = (point.imag**4 * 6.29) ** (1 / 3)  # mu*^4 = U1^2/U2 with U1 U2 = U, and coaxiality (4.21)
+        assert first + 1 == pytest.approx(point.imag * (6.29 / first - 1), rel=1e-9)
+        for field in (wheel, modules):
+            places = field.paper(circles(field, POINT.pen))
+            lines = np.concatenate([field.paper(line) for line in curves(field)])
+            assert np.abs(places[:, None] - lines).min(axis=1).max() < 1.0
 
-    def test_limits_by_the_number_of_planets(self, of_train: Figure) -> None:
-        axes = axes_of(of_train, "number of planets $K$")
-        tops = [bar.get_height() for bar in axes.patches]
+    def test_limits_by_the_number_of_planets(self, of_train: Drawing) -> None:
+        field = diagram(of_train, "number of planets $K$")
         table = [13.92, 5.82, 3.85, 3.00, 2.53, 2.23], [11.29, 4.62, 2.99, 2.29, 1.91, 1.66]  # textbook 4.7, cut
-        for found, printed in zip((tops[:6], tops[6:]), table, strict=True):
-            assert all(abs(top - value) < 0.011 for top, value in zip(found, printed, strict=True))
+        for colour, printed in zip((PERMITTED, SURE), table, strict=True):
+            bars = areas(field, colour)
+            assert [round(float(bar.real.mean())) for bar in bars] == list(range(3, 9))
+            tops = [float(bar.imag.max()) for bar in bars]
+            assert all(abs(top - value) < 0.011 for top, value in zip(tops, printed, strict=True))
 
     def test_a_set_that_there_is_not(self, order: Ordered) -> None:
         most = max(len(variant.sets) for variant in order.results["train"].variants)
@@ -277,59 +332,94 @@ class TestTrain:
 
 class TestCriteria:
     @pytest.mark.slow
-    def test_front_and_winner(self, order: Ordered, of_criteria: Figure) -> None:
+    def test_front_and_winner(self, order: Ordered, of_criteria: Drawing) -> None:
         result = order.results["criteria"]
-        axes = axes_of(of_criteria, "mass of moving wheels $M$, kg")
-        edge, rings, star = (np.asarray(line.get_xydata()) for line in axes.lines[:3])
-        pool = result.pool
-        shown = sum(len(cloud.get_offsets()) for cloud in axes.collections)
-        beyond = [int(text.split()[0]) for text in texts(axes) if text.endswith("beyond the picture")]
-        assert shown + sum(beyond) == len(pool)
-        assert np.all(rings <= [axes.get_xlim()[1], axes.get_ylim()[1]])
-        assert rings.tolist() == np.column_stack((pool.mass, pool.inertia))[result.front].tolist()
-        assert star[0, 1] == pool.inertia.min()
+        field, pool = diagrams(of_criteria, "mass of moving wheels $M$, kg")[0], result.pool
+        trains = pool.mass + 1j * pool.inertia
+        edge, rings = curves(field, EDGE)[0], circles(field, FRONT.pen)
+        beyond = [int(text.split()[0]) for text in written(of_criteria) if text.endswith("beyond the picture")]
+        cloud, _ = marks(field, CLOUD.pen)
+        assert len(cloud) + sum(beyond) == len(pool)
+        assert rings == pytest.approx(trains[result.front])
+        (star,) = curves(field, WINNER.pen)
+        assert abs(field.paper(star).mean() - field.place(trains[np.argmin(pool.inertia)])) < 1e-6
         # nothing lies below and left of the border
         corners = edge[::2]
-        for x, y in corners:
-            assert not np.any((pool.mass < x) & (pool.inertia < y))
-        assert np.all(np.diff(corners[:, 0]) >= 0)
-        assert np.all(np.diff(corners[:, 1]) <= 0)
+        for corner in corners:
+            assert not np.any((pool.mass < corner.real * (1 - 1e-9)) & (pool.inertia < corner.imag * (1 - 1e-9)))
+        assert np.all(np.diff(corners.real) >= -1e-12)
+        assert np.all(np.diff(corners.imag) <= 1e-12)
 
-    def test_all_pairs_of_four_criteria(self, of_criteria: Figure) -> None:
-        named = [
-            axes for axes in of_criteria.axes if axes.lines and axes.get_xlabel().startswith(("inertia, ", "size, "))
-        ]
-        assert len(named) == 2
-        assert sum(bool(axes.lines) and axes.axison for axes in of_criteria.axes) == 1 + 6
+    def test_shades_tell_the_size(self, order: Ordered, of_criteria: Drawing) -> None:
+        """The colour of every train is that of the bar between whose numbers its size lies."""
+        result = order.results["criteria"]
+        field, pool = diagrams(of_criteria, "mass of moving wheels $M$, kg")[0], result.pool
+        steps = [each for each in of_criteria.shapes if isinstance(each, Area) and each.pen == SHADE]
+        beside = Box(field.box.right + 8, field.box.bottom - 1, of_criteria.width, field.box.top + 1)
+        words = [each for each in of_words(of_criteria) if inside(np.array([each.at]), beside) and not each.turn]
+        heights = np.array(sorted(each.at.imag for each in words))
+        sizes = np.array(sorted(float(each.text) for each in words))
+        trains = field.paper(pool.mass + 1j * pool.inertia)
+        middles, fills = marks(field, CLOUD.pen)
+        assert len(set(fills)) > 3
+        for at, fill in zip(middles.tolist(), fills, strict=True):
+            (step,) = [each.points.imag for each in steps if each.fill == fill]
+            low, high = np.interp([step.min(), step.max()], heights, sizes)
+            own = 1e3 * pool.size[np.abs(trains - at) < 0.3]
+            assert np.any((low - 1e-6 <= own) & (own <= high + 1e-6))
 
-    def test_rows_are_numbered_from_1(self, order: Ordered, of_criteria: Figure) -> None:
+    def test_all_pairs_of_four_criteria(self, order: Ordered, of_criteria: Drawing) -> None:
+        fields = [each for each in of_criteria.fields if isinstance(each, Diagram)]
+        pairs = [(each.x.name.split()[0].strip(","), each.y.name.split()[0].strip(",")) for each in fields[1:]]
+        keys = order.results["criteria"].objectives
+        assert len(fields) == 1 + 6
+        assert pairs == [*combinations(keys, 2)]
+        pool, front = order.results["criteria"].pool, order.results["criteria"].front
+        last = fields[-1]
+        assert circles(last, FRONT.pen) == pytest.approx(1e3 * pool.size[front] + 100j * pool.error[front], abs=1e-6)
+
+    @pytest.mark.slow
+    def test_pairs_of_many_criteria_take_more_sheets(self, order: Ordered) -> None:
+        every = replace(order.results["criteria"], objectives=MEASURES)
+        drawing = criteria_drawing(every, order.results["train"])
+        fields = [each for each in drawing.fields if isinstance(each, Diagram)]
+        assert drawing.height == (1 + 4 + 1) * 210
+        assert len(fields) == 1 + 21 == 1 + len({(each.x.name, each.y.name) for each in fields[1:]})
+        assert all(min(each.box.width, each.box.height) > 40 for each in fields)
+        assert not on_sheet(drawing)
+
+    def test_rows_are_numbered_from_1(self, order: Ordered, of_criteria: Drawing) -> None:
         """As in criteria.csv and in the text, of which the winner is row ``place + 1``."""
         result = order.results["criteria"]
-        axes = axes_of(of_criteria, "mass of moving wheels $M$, kg")
-        legend = axes.get_legend()
-        assert legend is not None
-        assert f"row {result.winner.place + 1}, chosen" in [text.get_text() for text in legend.get_texts()]
-        numbers = {int(text) for text in texts(axes) if text.isdigit()}
+        field, pool = diagrams(of_criteria, "mass of moving wheels $M$, kg")[0], result.pool
+        size = f"$D$ = {1e3 * pool.size[result.winner.place]:.4g} mm"
+        assert f"row {result.winner.place + 1}, chosen: {result.winner.name}, {size}" in written(of_criteria)
+        seen = [words for words in of_words(of_criteria) if inside(np.array([words.at]), field.box)]
+        numbers = {int(words.text): words.at for words in seen if words.colour == FRONT.pen.colour}
         assert numbers
-        assert numbers <= {row + 1 for row in result.front.tolist() if row != result.winner.place}
+        assert set(numbers) <= {row + 1 for row in result.front.tolist() if row != result.winner.place}
+        for number, at in numbers.items():
+            assert abs(at - field.place(complex(pool.mass[number - 1], pool.inertia[number - 1]))) < 12
 
     @pytest.mark.slow
     def test_the_train_that_is_drawn(self, order: Ordered) -> None:
         result = order.results["criteria"]
         for choose in (None, 1):
-            figure = criteria_figure(result, order.results["train"], choose)
+            drawing = criteria_drawing(result, order.results["train"], choose)
             place = result.winner.place if choose is None else choose - 1
             sets = result.variants[result.pool.variant[place]].sets
-            (table,) = [table for axes in figure.axes for table in axes.tables]
-            teeth = [int(table[k + 1, 1].get_text().get_text()) for k in range(len(sets.scheme.wheels))]
+            words = list(of_words(drawing))
+            (z,) = [each for each in words if each.text == "$z$"]
+            column = sorted((each for each in words if each.at.real == z.at.real), key=lambda each: -each.at.imag)
+            teeth = [int(each.text) for each in column[1:]]
             assert teeth == sets.teeth[result.pool.row[place]].tolist()
-            assert table[0, 4].get_text().get_text() == "b, mm"
+            assert "$b$, mm" in [each.text for each in words if each.at.imag == z.at.imag]
 
     def test_a_row_that_there_is_not(self, order: Ordered) -> None:
         result = order.results["criteria"]
         for choose in (0, len(result.pool) + 1):
             with pytest.raises(UsageError, match=f"no row {choose}"):
-                criteria_figure(result, order.results["train"], choose)
+                criteria_drawing(result, order.results["train"], choose)
 
 
 @pytest.mark.slow
@@ -347,3 +437,32 @@ def test_equal_results_give_equal_bytes(order: Ordered, stage: str, tmp_path: Pa
 def test_choose_belongs_to_gears() -> None:
     with pytest.raises(UsageError, match="--choose cannot be used with the picture of kinematics"):
         picture_of("kinematics", {"--choose": "1"})
+
+
+UNSOLVED = "extreme/no-tooth-set"
+TRAINED = [name for name in names() if "[train" in path(name).read_text(encoding="utf-8") and name != UNSOLVED]
+
+
+@sparing("name", TRAINED, every=5, first=1)
+@pytest.mark.parametrize("make", [figure, figure_of_criteria], ids=["train", "criteria"])
+def test_ready_specs_on_paper(name: str, make: Callable[[Order], Drawing]) -> None:
+    """Nothing over the edge of the sheets, hardly a name without a free place, no file of thousands of signs."""
+    spec = load_spec(path(name))
+    target = "criteria" if "criteria" in plan(spec).running else "train"
+    if make is figure_of_criteria and target == "train":
+        pytest.skip("this scene chooses no train")
+    results = run(spec, target=target).results
+    drawing = make(Order(spec, results, {"--choose": None}, results.get, parse_spec))
+    assert not on_sheet(drawing)
+    named = sum(field.labels.count for field in drawing.fields)
+    faults = [fault for field in drawing.fields for fault in field.labels.faults]
+    assert len(faults) <= 0.01 * named
+    for field in drawing.fields:
+        signs = [each for each in drawing.shapes if isinstance(each, Arc | Area) and inside(each.points, field.box)]
+        assert len(signs) < 1.1 * MANY
+    assert all(1.6 <= words.height <= 3.5 for words in of_words(drawing))
+
+
+def test_clouds_are_thinned_evenly() -> None:
+    assert evenly(100_000).size == MANY
+    assert set(np.diff(evenly(100_000))) == {33, 34}

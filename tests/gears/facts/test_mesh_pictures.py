@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -11,12 +12,8 @@ from typing import Any
 import numpy as np
 import pytest
 from drawing import drawn
+from paper import arcs, covered, curves, written
 from sparing import sparing
-
-pytest.importorskip("matplotlib")
-
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.plane import Plane
@@ -27,12 +24,17 @@ from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import Kind, PairTask
 from tmmcalc.gears.pictures.generation import generation_of
-from tmmcalc.gears.pictures.pair import pair_figure
+from tmmcalc.gears.pictures.pair import pair_drawing
 from tmmcalc.gears.pictures.pairtable import parameters
 from tmmcalc.gears.pictures.placedpair import PlacedPair, placed_pair
-from tmmcalc.gears.pictures.profile import profile_figure
-from tmmcalc.gears.pictures.sketch import spread
-from tmmcalc.gears.pictures.slidingcurves import course, singles
+from tmmcalc.gears.pictures.profile import profile_drawing
+from tmmcalc.gears.pictures.sketch import WORKING, spread
+from tmmcalc.gears.pictures.slidingcurves import SLIDING, course, singles
+from tmmcalc.gears.pictures.toothdrawing import OUTLINE
+from tmmcalc.report.drawing.diagram import Diagram
+from tmmcalc.report.drawing.page import A4
+from tmmcalc.report.drawing.pens import DIMENSION
+from tmmcalc.report.drawing.shapes import Drawing
 
 M = 0.005
 TASKS: dict[str, tuple[tuple[int, int], tuple[float, float], Kind, float]] = {
@@ -58,13 +60,13 @@ def solved(name: str, cutter: Cutter | None = None) -> MeshPair:
 
 
 @cache
-def figure_of(name: str) -> Figure:
-    return pair_figure(Pairs((solved(name),), "", ()))
+def drawing_of(name: str) -> Drawing:
+    return pair_drawing(Pairs((solved(name),), "", ()))
 
 
 @cache
-def profile_of(name: str) -> Figure:
-    return profile_figure(Pairs((solved(name),), "", ()))
+def profile_of(name: str) -> Drawing:
+    return profile_drawing(Pairs((solved(name),), "", ()))
 
 
 def placed(name: str, phase: float = 0.0) -> PlacedPair:
@@ -169,14 +171,6 @@ def _gamma(found: MeshPair) -> float:
     return sign * 2 * sum(found.shifts) * math.tan(found.task.rack.angle) / total
 
 
-def lines_of(axes: Axes) -> list[Plane]:
-    return [np.asarray(line.get_xydata()) @ np.array([1, 1j]) for line in axes.lines]
-
-
-def texts(axes: Axes) -> list[str]:
-    return [text.get_text() for text in axes.texts]
-
-
 @pytest.mark.parametrize("name", TASKS)
 def test_active_flanks_lie_on_the_teeth(name: str) -> None:
     for body in placed(name).bodies:
@@ -187,8 +181,8 @@ def test_active_flanks_lie_on_the_teeth(name: str) -> None:
 class TestMesh:
     @sparing("name", ALL, every=8)
     def test_every_circle_is_drawn_with_its_radius(self, name: str) -> None:
-        axes = figure_of(name).axes[0]
-        drawn, said = lines_of(axes), " ".join(texts(axes))
+        drawing = drawing_of(name)
+        shown, said = arcs(drawing.fields[0]), " ".join(written(drawing))
         for body in placed(name).bodies:
             if body.sizes is None:
                 assert all(word in said for word in ("root line", "tip line", "datum", "pitch line"))
@@ -200,29 +194,50 @@ class TestMesh:
                 body.sizes.root,
                 body.sizes.reference,
             ):
-                assert any(
-                    len(z) > 20 and np.ptp(np.abs(z - body.centre)) < 1e-12 < 1 for z in drawn if _on(z, body, radius)
-                )
+                assert any(abs(at - body.centre) < 1e-9 and abs(r - radius) < 1e-9 for at, r in shown)
                 assert f"= {1e3 * radius:.5g}" in said
 
     def test_scale_holds_on_paper(self) -> None:
-        figure = figure_of("helical")
-        axes = figure.axes[0]
-        (head,) = [
-            text.get_text() for sub in figure.subfigs for text in sub.texts if "lengths in mm" in text.get_text()
-        ]
+        drawing = drawing_of("helical")
+        (head,) = [text for text in written(drawing) if "lengths in mm" in text]
         scale = float(head.split("= ")[1].split(" m/mm")[0])
-        box = axes.get_window_extent()
-        for limits, size in ((axes.get_xlim(), box.width), (axes.get_ylim(), box.height)):
-            assert (limits[1] - limits[0]) / (size / axes.figure.dpi * 25.4) == pytest.approx(scale, rel=1e-9)
+        board = drawing.fields[0]
+        for way in (1.0, 1j):
+            assert board.place(way * scale) - board.place(0.0) == pytest.approx(way, rel=1e-9)
+
+    @sparing("name", ALL, every=8)
+    def test_teeth_are_tall(self, name: str) -> None:
+        """A tooth is at least 40 mm high on paper wherever the contact A2A1 and the teeth about it then fit."""
+        pair, board = placed(name), drawing_of(name).fields[0]
+        mm = abs(board.data(1.0) - board.data(0.0))
+        heights = [abs(body.sizes.tip - body.sizes.root) for body in pair.bodies if body.sizes is not None]
+        assert min(heights) / mm >= 40
+        ends = board.paper(pair.on_line(np.array([pair.found.line.begins, pair.found.line.ends])))
+        assert all(board.box.left < z.real < board.box.right for z in ends.tolist())
+
+    @sparing("name", ALL, every=8)
+    def test_what_is_drawn_strong_are_the_active_flanks(self, name: str) -> None:
+        pair, board = placed(name), drawing_of(name).fields[0]
+        for body in pair.bodies:
+            shown = curves(board, WORKING[body.number - 1])
+            assert shown
+            for z in shown:
+                assert min(distance_to(flank, z).max() for flank in body.flanks) < 1e-6 * M
 
     def test_names_of_points(self) -> None:
-        said = texts(figure_of("helical").axes[0])
+        said = written(drawing_of("helical"))
         for name in ("N_1", "L_1", "A_2", "A_1", "L_2", "N_2", "P_{01}", "P_{02}", "D_1", "D_2"):
             assert f"${name}$" in said
         assert "$P$" in said
-        assert "$\\alpha_{tw}$ = 27.956°" in said
-        assert "$ym$ = 4.765" in said
+        assert "$α_{tw}$ = 27.956°" in said
+
+    def test_distance_of_the_reference_circles(self) -> None:
+        """y m is the centre distance less that of the reference circles, and so long is its line."""
+        found, board = solved("helical"), drawing_of("helical").fields[0]
+        size = found.distance - found.reference_distance
+        upright = [z for z in curves(board, DIMENSION) if len(z) == 2 and abs(z[0].real - z[1].real) < 1e-12]
+        assert any(abs(z[1] - z[0]) == pytest.approx(size, rel=1e-9) for z in upright)
+        assert "$y$$m$ = 4.765" in written(drawing_of("helical"))
 
     def test_undercut_ends_the_contact_at_the_involute(self) -> None:
         pair = placed("undercut")
@@ -236,27 +251,19 @@ class TestMesh:
         rows = {row[0]: row[1:] for row in parameters(found)}
         assert rows["teeth $z$"] == ("14", "17")
         assert rows["$a_w$"][-1] == "84.999"
-        assert rows["contact ratio $\\varepsilon_\\alpha$"][-1] == "1.112"
+        assert rows["contact ratio $ε_α$"][-1] == "1.112"
         # m z/(2 cos beta)
         assert rows["reference circle $r$"] == ("36.235", "43.999")
         assert rows["clearance at the root"] == ("1.25", "1.25")
-        written = texts(figure_of("helical").axes[1])
-        assert all(text in written for row in parameters(found) for text in row)
+        shown = written(drawing_of("helical"))
+        assert all(text in shown for row in parameters(found) for text in row)
 
     @sparing("name", ALL, every=8)
     def test_texts_do_not_cover_each_other(self, name: str) -> None:
-        figure = figure_of(name)
-        figure.canvas.draw()
-        axes = figure.axes[0]
-        boxes = [text.get_window_extent() for text in axes.texts]
-        slack = 0.2 / 25.4 * figure.dpi
-        for k, one in enumerate(boxes):
-            for other in boxes[k + 1 :]:
-                over = min(one.x1, other.x1) - max(one.x0, other.x0), min(one.y1, other.y1) - max(one.y0, other.y0)
-                assert min(over) < slack, [text.get_text() for text in axes.texts]
+        assert not covered(drawing_of(name))
 
     def test_a_pair_that_there_is_not(self) -> None:
-        for draw in (pair_figure, profile_figure):
+        for draw in (pair_drawing, profile_drawing):
             for choose in (0, 2):
                 with pytest.raises(UsageError, match=f"no pair {choose}"):
                     draw(Pairs((solved("spur"),), "", ()), choose=choose)
@@ -264,14 +271,15 @@ class TestMesh:
     @pytest.mark.slow
     def test_one_of_several(self) -> None:
         several = Pairs((solved("spur"), solved("large")), "", ())
-        assert len(pair_figure(several).subfigs) == 4
-        chosen = pair_figure(several, choose=2)
-        assert len(chosen.subfigs) == 2
-        assert "100" in texts(chosen.axes[1])
+        assert pair_drawing(several).height == 4 * A4[1]
+        chosen = pair_drawing(several, choose=2)
+        assert chosen.height == 2 * A4[1]
+        assert "100" in written(chosen)
 
-
-def _on(z: Plane, body: Any, radius: float) -> bool:
-    return bool(abs(abs(z[0] - body.centre) - radius) < 1e-12)
+    def test_a_name_with_a_sign_of_formulas(self) -> None:
+        found = solved("spur")
+        named = replace(found, task=replace(found.task, name="5 $ a piece"))
+        assert any("5 \\$ a piece" in text for text in written(pair_drawing(Pairs((named,), "", ()))))
 
 
 class TestCourse:
@@ -290,18 +298,22 @@ class TestCourse:
     @sparing("name", ALL, every=8)
     def test_points_stand_below_their_places_in_the_mesh(self, name: str) -> None:
         pair = placed(name)
-        mesh, _, upper, lower = figure_of(name).axes[:4]
-        for axes in (upper, lower):
-            assert axes.get_xlim() == pytest.approx(mesh.get_xlim())
-            for one, other in zip(_sides(axes), _sides(mesh), strict=True):
-                assert one == pytest.approx(other, abs=1e-6)
-        curve = next(line for line in upper.lines if line.get_label() == "$\\vartheta_1$")
-        x, y = np.asarray(curve.get_xdata(), float), np.asarray(curve.get_ydata(), float)
+        mesh, upper, lower = drawing_of(name).fields[:3]
         line = pair.found.line
-        ends = [float(pair.on_line(rho).real) for rho in (line.begins, line.ends)]
-        assert sorted((x.min(), x.max())) == pytest.approx(sorted(ends), abs=1e-9)
-        at = float(np.interp(0.0, y[np.argsort(y)], x[np.argsort(y)]))
-        assert at == pytest.approx(pair.pitch_point.real, abs=2e-3 * M)
+        for diagram in (upper, lower):
+            assert isinstance(diagram, Diagram)
+            assert (diagram.box.left, diagram.box.right) == (mesh.box.left, mesh.box.right)
+            for rho in (line.begins, line.pitch, line.ends):
+                below = diagram.place(complex(1e3 * rho, 0.0)).real
+                assert below == pytest.approx(mesh.place(complex(pair.on_line(rho))).real, abs=1e-6)
+        (curve,) = curves(upper, SLIDING[0])
+        assert isinstance(upper, Diagram)
+        ends = curve[np.argsort(curve.real)][[0, -1]]
+        for end, rho in zip(ends, sorted((line.begins, line.ends)), strict=True):
+            deep = course(pair.found, np.array([rho])).theta1[0] < upper.y.low  # the frame cuts the curve off
+            assert end.imag == pytest.approx(upper.y.low) if deep else end.real == pytest.approx(1e3 * rho, abs=1e-6)
+        order = np.argsort(curve.imag)
+        assert np.interp(0.0, curve.imag[order], curve.real[order]) == pytest.approx(1e3 * line.pitch, abs=2 * M)
 
     def test_where_one_pair_of_teeth_touches(self) -> None:
         pair = placed("spur")
@@ -313,11 +325,6 @@ class TestCourse:
         assert len(middle.contacts()) == 1
         late = placed_pair(pair.found, (line.pitch - (first + line.ends) / 2) / pair.found.sizes[0].base)
         assert len(late.contacts()) == 2
-
-
-def _sides(axes: Axes) -> tuple[float, float]:
-    box = axes.get_window_extent()
-    return box.x0, box.x1
 
 
 class TestProfile:
@@ -355,23 +362,28 @@ class TestProfile:
 
     @sparing("name", ["helical", "undercut", "ring", "rack"], every=8)
     def test_the_enlarged_tooth(self, name: str) -> None:
-        figure = profile_of(name)
+        drawing = profile_of(name)
         for place in (0, 1):
             member = both(solved(name))[place]
             half = half_tooth(member)
-            axes = figure.axes[3 * place + 1]
+            board = drawing.fields[2 * place + 1]
             height: Callable[[Plane], Any] = np.imag if member.shape == "rack" else np.abs
-            outline = max((z for z in lines_of(axes) if _spans(height(z), half, member.module)), key=len)
+            (outline,) = curves(board, OUTLINE)
+            assert _spans(height(outline), half, member.module)
             assert outline[-1].real == pytest.approx(0.0, abs=1e-9)
             joint = "F" if half.undercut or member.shape != "external" else "L"
-            assert {f"${joint}$", "$D$", "$A$"} <= set(texts(axes))
+            assert {f"${joint}$", "$D$", "$A$"} <= set(written(drawing, board.box))
+
+    @sparing("name", ["helical", "undercut", "ring", "rack"], every=8)
+    def test_texts_do_not_cover_each_other(self, name: str) -> None:
+        assert not covered(profile_of(name))
 
     def test_radii_of_curvature(self) -> None:
         sizes = solved("helical").sizes[0]
-        written = texts(profile_of("helical").axes[2])
+        said = written(profile_of("helical"))
         assert sizes.limit is not None
         for value in (sizes.limit, math.sqrt(sizes.tip**2 - sizes.base**2)):
-            assert any(text == f"{round(1e3 * value, 4):.7g}" for text in written)
+            assert any(text == f"{round(1e3 * value, 4):.7g}" for text in said)
 
 
 def _spans(values: np.ndarray, half: Any, module: float) -> bool:

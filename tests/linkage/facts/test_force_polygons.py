@@ -8,19 +8,18 @@ from typing import Any
 import numpy as np
 import pytest
 from machines import PINS, pin
+from paper import of_words
 
 import tmmcalc
 from linkage.scenes import CONFIGS
-
-pytest.importorskip("matplotlib")
-
-from matplotlib.figure import Figure
-
 from tmmcalc.linkage.freebody import FreeBody, free_bodies
 from tmmcalc.linkage.pictures.course import statics_of
 from tmmcalc.linkage.pictures.forcepolygon import NAMED, ForceVector, draw_force_polygon, vectors_of
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.shapes import Drawing
 
 MM = 25.4
 PRESS = f"""
@@ -71,12 +70,14 @@ def bodies_of(spec: Any, label: str) -> tuple[FreeBody, ...]:
 
 def names_of(body: FreeBody) -> tuple[list[tuple[str, complex]], list[ForceVector], float]:
     """Names with their places [N], the vectors, and the scale [N/mm], on a square of paper."""
-    figure = Figure(figsize=(3.2, 2.6), dpi=100)
-    axes = figure.add_axes((0.02, 0.02, 0.96, 0.86))
-    axes.set_aspect("equal")
-    draw_force_polygon(axes, body, None)
-    width = np.diff(axes.get_xlim()).item() / (axes.get_window_extent().width * MM / figure.dpi)
-    return [(text.get_text(), complex(*text.get_position())) for text in axes.texts], vectors_of(body), width
+    drawing = Drawing(78.0, 62.0)
+    draw_force_polygon(drawing, Box(0.0, 0.0, 78.0, 62.0), body, None)
+    if not drawing.fields:  # a body without forces
+        return [], vectors_of(body), 1.0
+    (board,) = drawing.fields
+    assert isinstance(board, Board)
+    names = [(words.text, board.data(words.at)) for words in of_words(drawing) if words.clear]
+    return names, vectors_of(body), board.mu
 
 
 def away(at: complex, vector: ForceVector) -> float:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from paper import curves, diagram, written
 from sparing import sparing
 from typer.testing import CliRunner
 
@@ -17,12 +18,14 @@ from tmmcalc.cli.app import app
 from tmmcalc.linkage.facts.plan import plan_document
 from tmmcalc.linkage.facts.synthesis import document as synthesis_document
 from tmmcalc.linkage.facts.synthesis import summary as synthesis_summary
-from tmmcalc.linkage.pictures.synthesis import synthesis_figure
+from tmmcalc.linkage.pictures.synthesis import synthesis_drawing
 from tmmcalc.linkage.synthesis.results import Synthesis
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec, parse_spec, templates
 from tmmcalc.report.document import Document
+from tmmcalc.report.drawing.pens import CURVES, MARK
+from tmmcalc.report.drawing.shapes import Dimension
 
 CONFIGS = Path(templates.folder())
 
@@ -137,11 +140,12 @@ def test_plan_of_a_link_that_never_reverses() -> None:
 def test_picture_shows_both_extremes_with_dimensions() -> None:
     found = solved("slider-crank")
     mechanism = to_linkage(parse_spec(found.best.spec).linkage)
-    axes = synthesis_figure(mechanism, found).axes
-    texts = [text.get_text() for text in axes[0].texts]
+    drawing = synthesis_drawing(mechanism, found)
+    stroke, *_ = [shape.text for shape in drawing.shapes if isinstance(shape, Dimension)]
+    texts = [*written(drawing), *(shape.text for shape in drawing.shapes if isinstance(shape, Dimension))]
+    assert stroke.startswith("$S$ = 200")
     for symbol in "rle":
         assert any(text.startswith(f"${symbol}$ = {1e3 * found.best.size(symbol):.2f}"[:9]) for text in texts), symbol
-    assert any(text.startswith("$S$ = 200") for text in texts)
     assert any(text.startswith(("6'", "12'")) for text in texts)  # the second extreme
 
 
@@ -149,11 +153,12 @@ def test_picture_shows_both_extremes_with_dimensions() -> None:
 def test_picture_marks_the_wanted_points() -> None:
     found = solved("motion")
     mechanism = to_linkage(parse_spec(found.best.spec).linkage)
-    axes = synthesis_figure(mechanism, found).axes[0]
-    assert {"1", "2", "3", "4"} <= {text.get_text() for text in axes.texts}
+    drawing = synthesis_drawing(mechanism, found)
+    (board,) = drawing.fields
+    assert {"1", "2", "3", "4"} <= set(written(drawing))
     precision = found.best.precision
     assert precision is not None
-    middles = [complex(*np.mean(line.get_xydata(), axis=0)) for line in axes.lines if len(line.get_xdata()) == 2]
+    middles = [complex(np.mean(line)) for line in curves(board, MARK) if len(line) == 2]
     for point in precision.points:
         assert min(abs(middle - point) for middle in middles) < 1e-12
 
@@ -162,12 +167,9 @@ def test_picture_marks_the_wanted_points() -> None:
 def test_picture_of_a_function_shows_its_error() -> None:
     found = solved("function")
     mechanism = to_linkage(parse_spec(found.best.spec).linkage)
-    axes = synthesis_figure(mechanism, found).axes
+    below = diagram(synthesis_drawing(mechanism, found), "error, °")
     precision = found.best.precision
     assert precision is not None
-    curves = [
-        line.get_ydata() for panel in axes for line in panel.lines if len(line.get_ydata()) == len(precision.fine)
-    ]
-    assert any(
-        np.max(np.abs(curve)) == pytest.approx(math.degrees(np.max(np.abs(precision.error)))) for curve in curves
-    )
+    (curve,) = curves(below, CURVES[0])
+    assert len(curve) == len(precision.fine)
+    assert np.max(np.abs(curve.imag)) == pytest.approx(math.degrees(np.max(np.abs(precision.error))))

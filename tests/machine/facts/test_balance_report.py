@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from linkage.scenes import crank_slider, four_bar, full_turn, with_input, yoke
+from paper import curves, written
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.chain import compile_chain
@@ -31,6 +32,8 @@ from tmmcalc.machine.facts.balance import summary as balance_summary
 from tmmcalc.machine.model import EngineTask, RotorTask
 from tmmcalc.machine.stages.balance import Balances
 from tmmcalc.report.document import Document
+from tmmcalc.report.drawing.pens import CURVES
+from tmmcalc.report.drawing.shapes import Area
 from tmmcalc.report.plaintext import lines
 from tmmcalc.report.render import render
 
@@ -417,58 +420,55 @@ def test_it_reads_well_in_80_columns() -> None:
 
 
 class TestPicture:
-    @pytest.fixture(autouse=True)
-    def matplotlib(self) -> None:
-        pytest.importorskip("matplotlib")
-
     def figure(self, result: Balances) -> Any:
-        from tmmcalc.machine.pictures.balance import balance_figure
+        from tmmcalc.machine.pictures.balance import balance_drawing
 
-        return balance_figure(result)
+        return balance_drawing(result)
 
     def test_hodographs_and_levels_of_the_press(self) -> None:
+        from tmmcalc.machine.pictures.balance import WEIGHT
+
         case = CASES["dyn-balance-press"]["expected"]
-        fixed, turning, forces, _ = self.figure(press()).axes
-        rings = [line for line in fixed.lines if line.get_linestyle() == "--"]
-        (ring,) = [line for line in rings if len(line.get_xdata()) > 100]
-        radius = np.hypot(ring.get_xdata(), ring.get_ydata())
-        assert radius == pytest.approx(np.full(len(radius), case["centroid_X1"]), rel=1e-5)
-        ends = [complex(*line.get_xydata()[-1]) for line in turning.lines if len(line.get_xdata()) == 2]
-        assert any(end == pytest.approx(complex(case["centroid_X1"], 0), rel=1e-5) for end in ends)
-        levels = [line.get_ydata()[0] for line in forces.lines if len(set(line.get_ydata())) == 1]
+        fixed, turning, forces, _ = self.figure(press()).fields
+        (ring,) = [line for line in curves(fixed, WEIGHT) if len(line) > 100]
+        assert np.abs(ring) == pytest.approx(np.full(len(ring), case["centroid_X1"]), rel=1e-5)
+        heads = [shape for shape in turning.drawing.shapes if isinstance(shape, Area) and len(shape.points) == 3]
+        tips = [turning.data(complex(head.points[0])) for head in heads]
+        assert any(tip == pytest.approx(complex(case["centroid_X1"], 0), rel=1e-5) for tip in tips)
+        levels = [line.imag[0] for line in curves(forces) if len(line) == 2 and line[0].imag == line[1].imag]
         for level in (case["rms_before"], case["rms_after"], case["rms_after_counterrotating_pair"]):
             assert any(found == pytest.approx(level, rel=1e-5) for found in levels)
-        curve = max(forces.lines, key=lambda line: (len(line.get_ydata()), line.get_ydata()[0]))
-        assert curve.get_ydata()[::30] == pytest.approx([*case["R_modulus"], case["R_modulus"][0]], rel=1e-5)
+        (curve,) = curves(forces, CURVES[0])
+        assert curve.imag[::30] == pytest.approx([*case["R_modulus"], case["R_modulus"][0]], rel=1e-5)
 
     @pytest.mark.slow
     def test_the_smallest_circle_touches_the_hodograph(self) -> None:
         """In the axes of the crank the smallest circle passes through the outermost places and holds all others."""
-        _, turning, _, _ = self.figure(press()).axes
-        (ring,) = [line for line in turning.lines if line.get_linestyle() == ":"]
-        path = next(line for line in turning.lines if len(line.get_xdata()) > 700)
-        z = ring.get_xdata() + 1j * ring.get_ydata()
+        from tmmcalc.machine.pictures.balance import CIRCLE, FORCE
+
+        _, turning, _, _ = self.figure(press()).fields
+        (z,) = [line for line in curves(turning, CIRCLE) if len(line) > 100]
+        (path,) = curves(turning, FORCE)
         centre = complex(np.mean(z[:-1]))
         radius = abs(z[0] - centre)
-        away = np.abs(path.get_xdata() + 1j * path.get_ydata() - centre)
-        assert away.max() == pytest.approx(radius, rel=1e-4)
+        assert np.abs(path - centre).max() == pytest.approx(radius, rel=1e-4)
 
     @pytest.mark.slow
     def test_a_clockwise_crank_runs_to_negative_angles(self) -> None:
-        axes = self.figure(press(-5.0, 0.7)).axes[2]
-        assert axes.get_xlim() == (0.0, -360.0)
-        assert axes.get_legend() is not None
+        forces = self.figure(press(-5.0, 0.7)).fields[2]
+        assert (forces.x.low, forces.x.high) == (0.0, -360.0)
 
     @pytest.mark.slow
     def test_an_engine_shows_what_weights_leave(self) -> None:
         result = engine(in_line(4, 0.09, GEAR))
-        polar, sizes = self.figure(result).axes  # the couple is nothing
-        assert polar.get_xlabel() == "$F_x$, N"
+        drawing = self.figure(result)
+        assert len(drawing.fields) == 2  # the couple is nothing
+        assert "$F_x$, N" in written(drawing)
         assert result.engine is not None
-        names = [entry.get_text() for entry in sizes.get_legend().get_texts()]
+        names = [text for text in written(drawing) if ": rms" in text]
         assert names[0] == f"as it is: rms {result.engine.balance.force_size.rms:.4g}"
         assert names[1].startswith("balance shafts: rms 41.6")
-        assert len(self.figure(engine(vee(6, math.pi / 3, 0.1, GEAR))).axes) == 4
+        assert len(self.figure(engine(vee(6, math.pi / 3, 0.1, GEAR))).fields) == 4
 
     @pytest.mark.slow
     def test_sheets_and_what_is_refused(self, tmp_path: Path) -> None:

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 from machines import MOTOR, TURN, spec_text
+from paper import curves, written
 
 from machine.transient.scenes import constant, cycle
 from tmmcalc.api import run
@@ -31,6 +32,7 @@ from tmmcalc.machine.verdicts import Verdict
 from tmmcalc.pipeline.summary import run_document
 from tmmcalc.project import parse_spec
 from tmmcalc.report.document import Document
+from tmmcalc.report.drawing.pens import CURVES
 from tmmcalc.report.errors import with_errors
 from tmmcalc.report.plaintext import lines
 from tmmcalc.report.render import render
@@ -293,30 +295,29 @@ def test_it_reads_well_in_80_columns(whole: Any) -> None:
 
 
 class TestPicture:
-    @pytest.fixture(autouse=True)
-    def matplotlib(self) -> None:
-        pytest.importorskip("matplotlib")
-
     def panels(self, result: TimedMotions) -> list[Any]:
-        from tmmcalc.machine.pictures.transient import transient_figure
+        from tmmcalc.machine.pictures.transient import transient_drawing
 
-        return list(transient_figure(result).axes)
+        return list(transient_drawing(result).fields)
 
     def test_the_speed_with_its_events(self, start: TimedMotions) -> None:
+        from tmmcalc.machine.pictures.transient import EVENT
+
         (motion,) = start.motions
         speed, moments = self.panels(start)
-        (curve,) = [line for line in speed.lines if len(line.get_xdata()) == len(motion.t)]
-        assert np.array_equal(curve.get_ydata(), motion.omega[0])
-        marks = {float(line.get_xdata()[0]) for line in speed.lines if line.get_xdata()[0] == line.get_xdata()[-1]}
-        assert {event.time for event in motion.events} <= marks
-        assert {" 1", "2 "} <= {text.get_text() for text in speed.texts}
-        assert moments.get_xlabel() == "$t$, s"
-        assert [float(line.get_ydata()[0]) for line in moments.lines[:2]] == pytest.approx([50.0, -20.0])
+        (curve,) = curves(speed, CURVES[0])
+        np.testing.assert_allclose(curve.real, motion.t, atol=1e-9)
+        np.testing.assert_allclose(curve.imag, motion.omega[0], atol=1e-9)
+        marks = sorted(float(line.real[0]) for line in curves(speed, EVENT))
+        assert marks == [pytest.approx(time) for time in sorted(event.time for event in motion.events)]
+        assert {"1", "2"} <= set(written(speed.drawing, speed.box))
+        assert moments.x.name == "$t$, s"
+        assert [curves(moments, pen)[0].imag[0] for pen in CURVES[:2]] == pytest.approx([50.0, -20.0])
 
     def test_a_flat_tail_is_magnified(self, whole: Any) -> None:
         result = whole.results["transient"]
         _, tail, _ = self.panels(result)
-        low, high = tail.get_ylim()
+        low, high = tail.y.low, tail.y.high
         regime = whole.results["motion"].regime
         assert regime.omega_min - 0.3 * (regime.omega_max - regime.omega_min) < low < regime.omega_min
         assert regime.omega_max < high < regime.omega_max + 0.3 * (regime.omega_max - regime.omega_min)
@@ -325,10 +326,9 @@ class TestPicture:
         result = two_mass(5)
         (motion,) = result.motions
         panels = self.panels(result)
-        shafts = panels[-1]
-        assert np.array_equal(shafts.lines[0].get_ydata(), motion.shaft_moment[0])
-        names = [text.get_text() for text in panels[0].get_legend().get_texts()]
-        assert names == ["crank", "rotor"]
+        (shaft,) = curves(panels[-1], CURVES[0])
+        np.testing.assert_allclose(shaft.imag, motion.shaft_moment[0], atol=1e-9)
+        assert [text for text in written(panels[0].drawing) if text in ("crank", "rotor")] == ["crank", "rotor"]
 
     @pytest.mark.slow
     def test_every_motion_has_a_sheet(self, tmp_path: Path) -> None:

@@ -56,5 +56,5 @@ def test_large_turns_are_told() -> None:
 @pytest.mark.slow
 def test_frequencies_take_no_scipy() -> None:
     """Only the start by a motor integrates."""
-    assert not within(imported("pendulum-rotor.toml"), "scipy", "matplotlib", "tmmcalc.linkage.forces", "tmmcalc.gears")
+    assert not within(imported("pendulum-rotor.toml"), "scipy", "reportlab", "tmmcalc.linkage.forces", "tmmcalc.gears")
     assert within(imported("vibratory-device.toml", None, SHORT), "scipy.integrate")

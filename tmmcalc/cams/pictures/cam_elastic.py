@@ -3,61 +3,57 @@
 from __future__ import annotations
 
 from math import degrees
-from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from tmmcalc.cams.elastic import ElasticResult
+from tmmcalc.cams.pictures.cam_forces import LOST
 from tmmcalc.cams.pictures.ordered import cam_of
 from tmmcalc.cams.separation import Contact
 from tmmcalc.cams.task import CamTask
-from tmmcalc.report.drawing.curves import bottom, frame
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import input_axis
+from tmmcalc.report.drawing.diagram import Axis
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES, INK, MARK, THIN
+from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.panels import Panel, panels
+from tmmcalc.report.drawing.pens import INK, OTHER, Pen
+from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.numbers import number
 
-TICKS = 25
 WALL = "#e4e4e4"
 LOWEST = 1e-4  # of the spectra's amplitude that is drawn, part of the stroke
+OWN = Pen("OWN_RATIO", 0.3, (2.4, 0.9))
+HEAD = 12.0  # room of the heading [mm]
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage."""
-    return elastic_figure(cam_of(order), order.results["cam_elastic"])
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage."""
+    return elastic_drawing(cam_of(order), order.results["cam_elastic"])
 
 
-def elastic_figure(task: CamTask, result: ElasticResult) -> Figure:
+def elastic_drawing(task: CamTask, result: ElasticResult) -> Drawing:
     """Two sheets: the turn, and the spectra."""
-    figure, (first, second) = blank(2)
-    upper, lower = first.subplots(2, 1, sharex=True)
+    drawing, (first, second) = sheets(2)
     multiple = number(result.multiple, 5)
-    heading = f"Elastic follower, natural frequency {multiple} times that of the cam"
-    first.suptitle(heading + _shaded(result.contact), fontsize=10)
+    heading = f"Elastic follower, natural frequency {multiple} times that of the cam" + _shaded(result.contact)
+    drawing.add(Words(complex(first.middle.real, first.top), heading, 3.2, 1j))
     phi = np.degrees(result.phi)
     unit, force = ("rad/s²", "N·m") if result.turns else ("m/s²", "N")
-    upper.plot(phi, result.given, linewidth=1.1, label="of the cam's law", **CURVES[1])
-    upper.plot(phi, result.response, linewidth=1.3, label="of the mass", **CURVES[0])
-    frame(upper, f"acceleration, {unit}", phi, True, TICKS)
-    lower.plot(phi, result.rigid, linewidth=1.1, label="rigid train", **CURVES[1])
-    lower.plot(phi, result.load, linewidth=1.3, label="elastic train", **CURVES[0])
-    frame(lower, f"load along the lift $P_c$, {force}", phi, True, TICKS)
-    low, high = lower.get_ylim()
-    colour: dict[str, Any] = {"color": MARK, "alpha": 0.25} if result.contact.closure == "force" else {"color": WALL}
+    rows = [
+        Panel(f"acceleration, {unit}", (("of the mass", result.response), ("of the cam's law", result.given))),
+        Panel(f"load along the lift $P_c$, {force}", (("elastic train", result.load), ("rigid train", result.rigid))),
+    ]
+    upper, lower = panels(drawing, first.inset(3, 0, 0, HEAD), phi, input_axis(True, phi), rows)
+    colour = LOST if result.contact.closure == "force" else WALL
     for begin, end in result.contact.beyond if result.contact.judged else ():
-        lower.axvspan(degrees(begin), degrees(end), zorder=0.5, linewidth=0, **colour)
-    lower.set_ylim(low, max(high, 0.08 * (high - low)))
-    for axes in (upper, lower):
+        lower.band(degrees(begin), degrees(end), colour)
+    for diagram in (upper, lower):
         for start in np.degrees(task.program.starts[1:-1]).tolist():
-            axes.axvline(start, color=THIN, linewidth=0.6, zorder=1)
-        axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, handlelength=3, borderaxespad=0.3)
-    bottom([upper, lower], True)
-    second.suptitle("Residual vibration after a rise from rest", fontsize=10)
-    _spectra(second.subplots(), result)
-    settle(figure)
-    return figure
+            diagram.vertical(start, OTHER)
+    drawing.add(Words(complex(second.middle.real, second.top), "Residual vibration after a rise from rest", 3.2, 1j))
+    _spectra(drawing, second.inset(3, 0, 0, 6), result)
+    return drawing
 
 
 def _shaded(contact: Contact) -> str:
@@ -67,26 +63,15 @@ def _shaded(contact: Contact) -> str:
     return "\nshaded: " + ("the follower leaves the cam" if contact.lost else "the outer wall of the groove presses")
 
 
-def _spectra(axes: Axes, result: ElasticResult) -> None:
+def _spectra(drawing: Drawing, box: Box, result: ElasticResult) -> None:
     """Amplitude over the stroke by the ratio of phase time and natural period; the cam's own ratio is marked."""
-    for each, style in zip(result.spectra, CURVES, strict=False):
-        axes.semilogy(result.ratios, each.residual, linewidth=1.4, label=each.law, zorder=4, **style)
-    axes.set_ylim(LOWEST, 2.0)
-    axes.set_xlim(0.0, float(result.ratios[-1]))
+    along = Axis("time of the phase over the natural period", 0.0, float(result.ratios[-1]))
+    lines = tuple((each.law, each.residual) for each in result.spectra)
+    row = Panel("amplitude over the stroke", lines, log=True, ends=(LOWEST, 2.0))
+    (diagram,) = panels(drawing, box, result.ratios, along, [row])
     for phase in result.phases:
         if phase.ratio < result.ratios[-1]:
-            axes.axvline(phase.ratio, color=INK, linewidth=1.0, linestyle=(0, (6, 2)), zorder=3)
-            axes.annotate(
-                f"{phase.kind}: {number(phase.ratio, 4)}",
-                (phase.ratio, 1.15 if phase.kind == "rise" else 0.8),
-                xytext=(4, 0),
-                textcoords="offset points",
-                fontsize=7.5,
-                va="center",
-                bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
-                zorder=5,
-            )
-    axes.grid(True, which="major", linewidth=0.35, color="#d0d0d0")
-    axes.set_xlabel("time of the phase over the natural period")
-    axes.set_ylabel("amplitude over the stroke")
-    axes.legend(loc="upper right", ncols=2, handlelength=3.5, frameon=True, framealpha=0.9, edgecolor="none")
+            diagram.vertical(phase.ratio, OWN)
+            at = diagram.place(complex(phase.ratio, 1.6 if phase.kind == "rise" else 1.2))
+            words = f"{phase.kind}: {number(phase.ratio, 4)}"
+            drawing.add(Words(at + 1.5, words, 2.5, -1, colour=INK, clear=True), level=20)

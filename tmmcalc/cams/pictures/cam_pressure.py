@@ -5,48 +5,46 @@ from __future__ import annotations
 from math import degrees
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.ordered import cam_of
+from tmmcalc.cams.pictures.zone import LIMIT
 from tmmcalc.cams.pressure.angle import Reached, pressure_angle
 from tmmcalc.cams.pressure.solve import Pressure
 from tmmcalc.cams.task import CamTask
-from tmmcalc.report.drawing.curves import DOTTED, bottom, frame, mark
-from tmmcalc.report.drawing.labels import Labels, signed
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import DOTTED, input_axis, stacked
+from tmmcalc.report.drawing.diagram import Axis, Diagram, room
+from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.limits import places, with_limits
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES, INK, MARK, THIN
-from tmmcalc.report.numbers import angle
+from tmmcalc.report.drawing.page import titled
+from tmmcalc.report.drawing.pens import CURVES, OTHER
+from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.numbers import angle, number
 
-TICKS = 25
-
-
-def figure(order: Order) -> Figure:
-    """The figure of the stage."""
-    return pressure_figure(cam_of(order), order.results["cam_pressure"])
+EXCEEDED = "#f3c3a3"  # what is beyond a limit
+NOISE = 1e-12  # [rad] of an extreme that is zero
 
 
-def pressure_figure(task: CamTask, result: Pressure) -> Figure:
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage."""
+    return pressure_drawing(cam_of(order), order.results["cam_pressure"])
+
+
+def pressure_drawing(task: CamTask, result: Pressure) -> Drawing:
     """One sheet: theta above, the displacement under it."""
-    figure, (sheet,) = blank(1)
-    sheet.suptitle("Pressure angle over a turn of the cam", fontsize=10)
-    upper, lower = sheet.subplots(2, 1, height_ratios=[2.2, 1.0], sharex=True)
+    drawing, box = titled("Pressure angle over a turn of the cam", 3.2)
+    upper, lower = stacked(box, [0, 0], [2.2, 1.0])
     phi, theta, lift = _dense(task, result)
-    _draw_angle(upper, task, result, phi, theta)
-    factor, name = (
-        (degrees(1.0), "$\\Delta\\psi$, °") if result.follower.kind == "oscillating" else (1e3, "$\\Delta S$, mm")
-    )
-    lower.plot(np.degrees(phi), factor * lift, linewidth=1.3, **CURVES[2])
-    frame(lower, name, np.degrees(phi), True, TICKS)
-    _phases(lower, task)
-    bottom([upper, lower], True)
-    settle(figure)
-    _label(upper, task, result, phi, theta)
-    _name_phases(lower, task)
-    return figure
+    _draw_angle(drawing, upper, task, result, phi, theta)
+    turns = result.follower.kind == "oscillating"
+    factor, name = (degrees(1.0), "$Δψ$, °") if turns else (1e3, "$ΔS$, mm")
+    diagram = Diagram(drawing, lower, input_axis(True, np.degrees(phi)), Axis(name, *room([factor * lift], 0.35)))
+    _phases(diagram, task)
+    diagram.curve(np.degrees(phi) + 1j * factor * lift, CURVES[2]._replace(dashes=()))
+    _name_phases(diagram, task)
+    return drawing
 
 
 def _dense(task: CamTask, result: Pressure) -> tuple[Values, Values, Values]:
@@ -58,48 +56,44 @@ def _dense(task: CamTask, result: Pressure) -> tuple[Values, Values, Values]:
     return places(dense), with_limits(dense, theta), with_limits(dense, motion[0].reshape(dense.x.shape))
 
 
-def _draw_angle(axes: Axes, task: CamTask, result: Pressure, phi: Values, theta: Values) -> None:
-    axes.plot(np.degrees(phi), np.degrees(theta), linewidth=1.4, zorder=4, **CURVES[0])
-    if len(result.phi) <= DOTTED:
-        axes.plot(
-            np.degrees(result.phi), np.degrees(result.theta), "o", markersize=2.4, color=CURVES[0]["color"], zorder=5
-        )
-    frame(axes, "pressure angle $\\theta$, °", np.degrees(phi), True, TICKS)
-    _phases(axes, task)
+def _draw_angle(drawing: Drawing, box: Box, task: CamTask, result: Pressure, phi: Values, theta: Values) -> None:
     high = max(np.max(np.abs(theta)), *(on.limit or 0.0 for on in (result.rise, result.back)))
-    axes.set_ylim(-1.18 * max(degrees(high), 1.0), 1.18 * max(degrees(high), 1.0))
-    for on, (a, b) in zip((result.rise, result.back), _spans(task), strict=True):
-        for sign in (1, -1) if on.limit is not None else ():
-            level = sign * degrees(on.limit or 0.0)
-            axes.plot([a, b], [level, level], color=MARK, linewidth=1.1, linestyle=(0, (6, 2)), zorder=3)
-        for low, top in on.exceeded:
-            inside = (phi >= low) & (phi <= top)
-            limit = np.copysign(on.limit or 0.0, theta[inside])
-            axes.fill_between(
-                np.degrees(phi[inside]), np.degrees(limit), np.degrees(theta[inside]), color=MARK, alpha=0.3, zorder=2
-            )
+    top = 1.18 * max(degrees(high), 1.0)
+    along = input_axis(True, np.degrees(phi))
+    diagram = Diagram(drawing, box, along, Axis("pressure angle $θ$, °", -top, top), numbered=False)
+    _phases(diagram, task)
+    spans = _spans(task)
+    for on, (a, b) in zip((result.rise, result.back), spans, strict=True):
+        for level in () if on.limit is None else (degrees(on.limit), -degrees(on.limit)):
+            diagram.curve(np.array([complex(a, level), complex(b, level)]), LIMIT, level=3)
+        for low, last in on.exceeded:
+            inside = (phi >= low) & (phi <= last)
+            x, over = np.degrees(phi[inside]), np.degrees(theta[inside])
+            limit = np.copysign(degrees(on.limit or 0.0), over)
+            diagram.filled(np.concatenate((x + 1j * limit, (x + 1j * over)[::-1])), EXCEEDED)
+    diagram.curve(np.degrees(phi) + 1j * np.degrees(theta), CURVES[0])
+    if len(result.phi) <= DOTTED:
+        diagram.dots(np.degrees(result.phi), np.degrees(result.theta), CURVES[0])
+    for on, span in zip((result.rise, result.back), spans, strict=True):
+        _name_limit(diagram, on, *span)
+    done: list[complex] = []
+    for extreme in (each for on in (result.rise, result.back) for each in (on.least, on.largest)):
+        at = complex(degrees(extreme.phi), degrees(extreme.value) if abs(extreme.value) > NOISE else 0.0)
+        if all(abs(diagram.place(at) - other) > 0.5 for other in done):
+            done.append(diagram.place(at))
+            diagram.mark(at, number(at.imag, 5), CURVES[0])
 
 
-def _label(axes: Axes, task: CamTask, result: Pressure, phi: Values, theta: Values) -> None:
-    labels = Labels(axes)
-    labels.avoid(np.degrees(phi) + 1j * np.degrees(theta), 1.0)
-    for on, (a, b) in zip((result.rise, result.back), _spans(task), strict=True):
-        _label_limit(axes, labels, on, a, b)
-        for extreme in (on.least, on.largest):
-            at = complex(degrees(extreme.phi), degrees(extreme.value) if abs(extreme.value) > 1e-12 else 0.0)
-            mark(axes, labels, at, CURVES[0], 5)
-
-
-def _label_limit(axes: Axes, labels: Labels, on: Reached, a: float, b: float) -> None:
+def _name_limit(diagram: Diagram, on: Reached, a: float, b: float) -> None:
     if on.limit is None:
-        text = "not limited"
-        labels.put(text, [complex((a + b) / 2, 0.9 * axes.get_ylim()[1])], size=7.5, color=MARK)
+        at = diagram.paper([complex((a + b) / 2, 0.9 * diagram.y.high)])
+        diagram.labels.put("not limited", at, height=2.2, colour=LIMIT.colour)
         return
     for sign in (1, -1):
         level = sign * degrees(on.limit)
-        labels.avoid([complex(a, level), complex(b, level)], 1.0)
-        text = f"${'' if sign > 0 else '-'}[\\theta]$ = {signed(float(angle(level)), 5)}°"
-        labels.put(text, [complex(b, level), complex(a, level)], size=7.5, prefer=1 + sign * 1j, color=MARK)
+        text = f"{'' if sign > 0 else '−'}[$θ$] = {minus(number(float(angle(level)), 5))}°"
+        at = diagram.paper([complex(a + part * (b - a), level) for part in (1.0, 0.0, 0.5)])
+        diagram.labels.put(text, at, height=2.2, prefer=1 + sign * 1j, colour=LIMIT.colour)
 
 
 def _spans(task: CamTask) -> list[tuple[float, float]]:
@@ -112,16 +106,14 @@ def _spans(task: CamTask) -> list[tuple[float, float]]:
     return spans
 
 
-def _phases(axes: Axes, task: CamTask) -> None:
+def _phases(diagram: Diagram, task: CamTask) -> None:
     for start in np.degrees(task.program.starts[1:-1]).tolist():
-        axes.axvline(start, color=THIN, linewidth=0.6, zorder=1)
+        diagram.vertical(start, OTHER)
 
 
-def _name_phases(axes: Axes, task: CamTask) -> None:
-    starts, high = np.degrees(task.program.starts), axes.get_ylim()[1]
-    labels = Labels(axes)
-    line = axes.lines[0]
-    labels.avoid(np.asarray(line.get_xdata()) + 1j * np.asarray(line.get_ydata()), 1.0)
+def _name_phases(diagram: Diagram, task: CamTask) -> None:
+    starts = np.degrees(task.program.starts)
     for phase, a, b in zip(task.program.phases, starts[:-1], starts[1:], strict=True):
         if b > a:
-            labels.put(phase.kind, [complex((a + b) / 2, 0.55 * high)], size=7.5, prefer=1j, color=INK)
+            at = diagram.paper([complex((a + b) / 2, part * diagram.y.high) for part in (0.93, 0.8, 0.5)])
+            diagram.labels.put(phase.kind, at, height=2.2, prefer=-1j, gaps=(0.0, 0.9, 1.7, 2.8))

@@ -2,67 +2,58 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import degrees
-
-from matplotlib.figure import Figure
 
 from tmmcalc.cams.pictures.face import draw_convexity
 from tmmcalc.cams.pictures.ordered import cam_of
 from tmmcalc.cams.pictures.phaseplane import content_of as plane_content
-from tmmcalc.cams.pictures.phaseplane import draw_plane, name_axes
+from tmmcalc.cams.pictures.phaseplane import draw_plane
 from tmmcalc.cams.pictures.rockers import content_of as rocker_content
 from tmmcalc.cams.pictures.rockers import draw_rockers
 from tmmcalc.cams.pictures.zone import BASE, LIMIT, OTHER, PASSING, ZONE
 from tmmcalc.cams.pressure.angle import Reached
 from tmmcalc.cams.synthesis.results import Design, Synthesis
 from tmmcalc.cams.task import CamTask
-from tmmcalc.report.drawing.board import Board
+from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.key import Part, Sample, write_key
-from tmmcalc.report.drawing.labels import signed
+from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES
-from tmmcalc.report.numbers import angle
+from tmmcalc.report.drawing.page import titled
+from tmmcalc.report.drawing.pens import CURVES
+from tmmcalc.report.drawing.polar import AROUND
+from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.numbers import angle, number
 
 MARGIN = 9.0  # mm of paper around the drawing
-SYMBOLS = {"S0": "S_0", "e": "e", "R0": "R_0", "l0": "l_0", "l2": "l_2", "psi0": "\\psi_0", "r2": "r_2"}
+SYMBOLS = {"S0": "S_0", "e": "e", "R0": "R_0", "l0": "l_0", "l2": "l_2", "psi0": "ψ_0", "r2": "r_2"}
 HEADINGS = {
-    "translating": "Admissible places of the cam's axis: diagram $S'(\\Delta S)$",
+    "translating": "Admissible places of the cam's axis: diagram $S'$($ΔS$)",
     "oscillating": "Admissible places of the cam's axis: positions of the rocker",
     "flat": "Flat-faced follower: convexity of the profile and reach of the face",
 }
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage."""
-    return synthesis_figure(cam_of(order), order.results["cam_synthesis"])
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage."""
+    return synthesis_drawing(cam_of(order), order.results["cam_synthesis"])
 
 
-def synthesis_figure(task: CamTask, result: Synthesis) -> Figure:
+def synthesis_drawing(task: CamTask, result: Synthesis) -> Drawing:
     """One sheet: the drawing to one scale, beside it the sizes, the designs and the meaning of the lines."""
-    figure, (sheet,) = blank(1)
-    sheet.suptitle(HEADINGS[result.kind], fontsize=10)
+    drawing, box = titled(HEADINGS[result.kind], 3.2)
     if result.kind == "flat" and result.convexity is not None:
-        finish = draw_convexity(sheet, task, result.convexity, result.follower)
-        settle(figure)
-        finish()
-        return figure
-    left, right = sheet.subfigures(1, 2, squeeze=False, width_ratios=[2.3, 1.0])[0]
-    plane, key = left.subplots(), right.subplots()
-    key.set_axis_off()
-    draw: Callable[[Board, CamTask, Synthesis], None] = draw_plane
-    content = plane_content
+        draw_convexity(drawing, box, task, result.convexity, result.follower)
+        return drawing
+    plane, key = box.split(2.4, 1.0, gap=5, across=True)
     if result.kind == "oscillating":
-        plane.set_axis_off()
-        draw, content = draw_rockers, rocker_content
+        board = Board(drawing, plane, rocker_content(task, result), MARGIN)
+        draw_rockers(board, task, result)
     else:
-        name_axes(plane, result)
-    settle(figure)
-    board = Board(plane, content(task, result), MARGIN)
-    draw(board, task, result)
-    write_key(key, list(_parts(result, board.mu)))
-    return figure
+        left, bottom, right = AROUND
+        board = Board(drawing, plane.inset(left, bottom, right, 0), plane_content(task, result), MARGIN)
+        draw_plane(board, task, result)
+    write_key(drawing, key, list(_parts(result, board.mu)))
+    return drawing
 
 
 def _parts(result: Synthesis, mu: float) -> list[Part]:
@@ -72,16 +63,16 @@ def _parts(result: Synthesis, mu: float) -> list[Part]:
     ]
     limits = [
         (
-            f"$[\\theta]$, {word}",
-            "not limited" if on.limit is None else f"{signed(float(angle(degrees(on.limit))), 5)}°",
+            f"[$θ$], {word}",
+            "not limited" if on.limit is None else f"{minus(number(float(angle(degrees(on.limit))), 5))}°",
         )
         for word, on in (("rise", result.rise), ("return", result.back))
         if on is not None
     ]
     reached = [
         (
-            f"$|\\theta|$ max, {word}",
-            f"{signed(degrees(abs(on.worst.value)), 5)}° at $\\varphi$ = {signed(degrees(on.worst.phi), 4)}°"
+            f"$|θ|$ max, {word}",
+            f"{minus(number(degrees(abs(on.worst.value)), 5))}° at $φ$ = {minus(number(degrees(on.worst.phi), 4))}°"
             f"{_unlimited(on)}",
         )
         for word, on in (("rise", result.rise), ("return", result.back))
@@ -89,7 +80,7 @@ def _parts(result: Synthesis, mu: float) -> list[Part]:
     ]
     parts = [Part("The cam taken", [*sizes, *limits, *reached])]
     parts += [_design_part(result, design) for design in result.designs]
-    scale = f"1 mm of paper: {signed(mu if result.kind == 'translating' else 1e3 * mu, 4)} mm"
+    scale = f"1 mm of paper: {minus(number(mu if result.kind == 'translating' else 1e3 * mu, 4))} mm"
     return [*parts, Part(f"Lines ({scale})", samples=_samples(result))]
 
 
@@ -100,7 +91,7 @@ def _design_part(result: Synthesis, design: Design) -> Part:
     names = ", ".join(f"${SYMBOLS[name]}$" for name in sizes)
     ends = (("rise", design.rise, result.rise), ("return", design.back, result.back))
     angles = [
-        (f"$|\\theta|$ max, {word}", f"{signed(degrees(max(map(abs, own))), 5)}°{_unlimited(on)}")
+        (f"$|θ|$ max, {word}", f"{minus(number(degrees(max(map(abs, own))), 5))}°{_unlimited(on)}")
         for word, own, on in ends
     ]
     return Part(
@@ -118,13 +109,13 @@ def _unlimited(on: Reached | None) -> str:
 
 def _samples(result: Synthesis) -> list[Sample]:
     swings = result.kind == "oscillating"
-    what = "ends of $l_2\\psi'$ laid off along the rocker" if swings else "$S'(\\Delta S)$"
+    what = "ends of $l_2$$ψ'$ along the rocker" if swings else "$S'$($ΔS$)"
     samples = [
-        Sample(f"{what}, rise", {"linewidth": 1.5, **CURVES[0]}),
-        Sample(f"{what}, return", {"linewidth": 1.5, **CURVES[2]}),
-        Sample("$\\theta$ at its limit", LIMIT),
+        Sample(f"{what}, rise", CURVES[0]._replace(width=0.6)),
+        Sample(f"{what}, return", CURVES[2]._replace(width=0.6)),
+        Sample("$θ$ at its limit", LIMIT),
         Sample("the same where others are nearer", OTHER),
-        Sample("admissible places of $O$", ZONE, fill=True),
+        Sample("admissible places of $O$", ZONE),
     ]
     if not swings:
         return samples
@@ -134,4 +125,8 @@ def _samples(result: Synthesis) -> list[Sample]:
 
 
 def _shown(name: str, value: float) -> str:
-    return f"{signed(float(angle(degrees(value))), 6)}°" if name == "psi0" else f"{signed(1e3 * value, 6)} mm"
+    return (
+        f"{minus(number(float(angle(degrees(value))), 6))}°"
+        if name == "psi0"
+        else f"{minus(number(1e3 * value, 6))} mm"
+    )

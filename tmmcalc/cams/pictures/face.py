@@ -2,61 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import degrees
 
 import numpy as np
-from matplotlib.figure import SubFigure
 
 from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.pictures.zone import LIMIT
 from tmmcalc.cams.synthesis.results import Convexity
 from tmmcalc.cams.task import CamTask
-from tmmcalc.report.drawing.curves import bottom, frame, mark
-from tmmcalc.report.drawing.labels import Labels, signed
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import input_axis, stacked
+from tmmcalc.report.drawing.diagram import Axis, Diagram, room
+from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.limits import places, with_limits
-from tmmcalc.report.drawing.style import CURVES, INK, MARK
+from tmmcalc.report.drawing.pens import AXIS, CURVES, INK
+from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.numbers import number
 
-TICKS = 25
+FORBIDDEN = "#fae5d9"
+START = AXIS._replace(colour=INK)
 
 
-def draw_convexity(sheet: SubFigure, task: CamTask, found: Convexity, follower: Follower) -> Callable[[], None]:
-    """Lay two diagrams out: radius of the profile and of what it is made; place of the contact on the face."""
-    upper, lower = sheet.subplots(2, 1, height_ratios=[1.8, 1.0], sharex=True)
+def draw_convexity(drawing: Drawing, box: Box, task: CamTask, found: Convexity, follower: Follower) -> None:
+    """Two diagrams: radius of the profile and of what it is made; place of the contact on the face."""
+    upper, lower = stacked(box, [0, 0], [1.8, 1.0])
     dense = task.program.panels.halved()
     y, y1, y2, _ = (with_limits(dense, row.reshape(dense.x.shape)) for row in task.program.at(dense.x.ravel()))
     phi, rho = np.degrees(places(dense)), 1e3 * (follower.start + y + y2)
-    upper.plot(phi, rho, linewidth=1.4, zorder=4, **CURVES[0])
-    frame(upper, "radius of the profile $\\rho = S_0 + F$, mm", phi, True, TICKS)
-    upper.axhline(1e3 * follower.start, color=INK, linewidth=0.8, linestyle=(0, (8, 2, 1.5, 2)))
-    upper.axhline(1e3 * found.limit, color=MARK, linewidth=1.1, linestyle=(0, (6, 2)))
-    upper.fill_between(phi, 0, 1e3 * found.limit, color=MARK, alpha=0.15, linewidth=0)
-    upper.set_ylim(min(0.0, 1.15 * float(rho.min())) - 0.03 * float(rho.max()), 1.12 * float(rho.max()))
-    sign = -follower.sense  # the contact stands to the left on the rise of a clockwise cam
-    place = sign * 1e3 * y1
-    lower.plot(phi, place, linewidth=1.4, zorder=4, **CURVES[2])
-    frame(lower, "contact on the face, mm\n(positive to the right)", phi, True, TICKS)
-    for reach in (-found.left, found.right):
-        lower.axhline(1e3 * reach, color=MARK, linewidth=1.1, linestyle=(0, (6, 2)))
-    bottom([upper, lower], True)
-
-    def finish() -> None:
-        labels = Labels(upper)
-        labels.avoid(phi + 1j * rho, 1.0)
-        at = complex(degrees(found.least.phi), 1e3 * found.radius)
-        mark(upper, labels, at, CURVES[0], 6)
-        edge = float(phi[-1])
-        labels.put(
-            f"$S_0$ = {signed(1e3 * follower.start, 6)}",
-            [complex(0.8 * edge, 1e3 * follower.start)],
-            size=8.5,
-            prefer=1j,
-        )
-        text = f"$r_m$ = {signed(1e3 * found.limit, 5)}: $S_0 \\geq r_m - F_{{min}}$ = {signed(1e3 * found.needed, 6)}"
-        labels.put(text, [complex(0.8 * edge, 1e3 * found.limit)], size=8.5, prefer=1j, color=MARK)
-        labels = Labels(lower)
-        labels.avoid(phi + 1j * place, 1.0)
-        for reach, word in ((-found.left, "left"), (found.right, "right")):
-            text = f"{word} {signed(1e3 * abs(reach), 6)}"
-            labels.put(text, [complex(0.8 * edge, 1e3 * reach)], size=8, prefer=-1j if reach > 0 else 1j, color=MARK)
-
-    return finish
+    along = input_axis(True, phi)
+    low = min(0.0, 1.15 * float(rho.min())) - 0.03 * float(rho.max())
+    up = Axis("radius of the profile $ρ = S_0 + F$, mm", low, 1.12 * float(rho.max()))
+    diagram = Diagram(drawing, upper, along, up, numbered=False)
+    corners = [0j, along.high + 0j, complex(along.high, 1e3 * found.limit), 1e3j * found.limit]
+    diagram.filled(np.array(corners), FORBIDDEN)
+    diagram.level(1e3 * follower.start, START)
+    diagram.level(1e3 * found.limit, LIMIT)
+    diagram.curve(phi + 1j * rho, CURVES[0])
+    at = complex(degrees(found.least.phi), 1e3 * found.radius)
+    diagram.mark(at, number(at.imag, 6), CURVES[0])
+    diagram.name_level(1e3 * follower.start, f"$S_0$ = {minus(number(1e3 * follower.start, 6))}", INK)
+    text = f"$r_m$ = {minus(number(1e3 * found.limit, 5))}: $S_0 ≥ r_m − F_{{min}}$ = "
+    diagram.name_level(1e3 * found.limit, text + minus(number(1e3 * found.needed, 6)), LIMIT.colour)
+    place = -follower.sense * 1e3 * y1  # the contact stands to the left on the rise of a clockwise cam
+    reaches = np.array([-1e3 * found.left, 1e3 * found.right])
+    name = "contact, mm (> 0: right)"
+    diagram = Diagram(drawing, lower, along, Axis(name, *room([place, reaches], 0.2, 0.2)))
+    for reach in reaches.tolist():
+        diagram.level(reach, LIMIT)
+    diagram.curve(phi + 1j * place, CURVES[2])
+    for reach, word in zip(reaches.tolist(), ("left", "right"), strict=True):
+        diagram.name_level(reach, f"{word} {minus(number(abs(reach), 6))}", LIMIT.colour)

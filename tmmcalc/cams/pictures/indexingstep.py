@@ -2,109 +2,100 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import degrees
-from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
 
 from tmmcalc.cams.indexing.efficiency import against, aiding
 from tmmcalc.cams.indexing.flanks import Drive, Flank
 from tmmcalc.cams.indexing.results import Cam, Indexing
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.report.drawing.curves import frame
-from tmmcalc.report.drawing.labels import Labels, signed
-from tmmcalc.report.drawing.style import CURVES, MARK
+from tmmcalc.cams.pictures.zone import LIMIT
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import stacked
+from tmmcalc.report.drawing.diagram import Axis, Diagram, room
+from tmmcalc.report.drawing.pens import CURVES, MARK, Pen
+from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.numbers import number
 
 DENSE = 401
-LIMIT: dict[str, Any] = {"color": MARK, "linewidth": 1.0, "linestyle": (0, (6, 2)), "zorder": 3}
-PLACE: dict[str, Any] = {"color": "#6b6b6b", "linewidth": 0.7, "linestyle": (0, (9, 2, 2, 2)), "zorder": 2}
-FAINT = {"linewidth": 0.9, "alpha": 0.45}
-STRONG = {"linewidth": 1.5}
+PLACE = Pen("PLACES", 0.2, (4.0, 1.0, 1.0, 1.0), "#6b6b6b")
+FAINT = 0.15  # width of what the other flank takes over [mm]
+K = np.linspace(0.0, 1.0, DENSE)
+Named = tuple[str, Values, Pen]
 
 
-def draw_step(panels: list[Axes], drive: Drive, result: Indexing, cam: Cam) -> None:
-    """The curves and frames; texts follow by `name_step`."""
-    k = np.linspace(0.0, 1.0, DENSE)
+def draw_step(drawing: Drawing, box: Box, drive: Drive, result: Indexing, cam: Cam) -> None:
+    """Four diagrams with the place of the tip of the lobe in each."""
+    left, right = box.split(1, 1, gap=6, across=True)
+    boxes = [frame for half in (left, right) for frame in half.split(1, 1, gap=4)]
     front, groove = Flank(drive, "A"), Flank(drive, "B")
-    _motion(panels[0], front, k)
-    _pressure(panels[1], front, groove, result, cam, k)
-    _polar(panels[2], front, k)
-    _efficiency(panels[3], front, groove, result, cam, k)
-    for axes in panels:
-        axes.axvline(cam.handover.part, **PLACE)
-        axes.tick_params(labelbottom=True)
-        axes.set_xlabel("$k = \\varphi/\\varphi_\\mathrm{p}$")
+    _diagram(drawing, boxes[0], cam, "motion of the wheel", _motion(front))
+    _efficiency(drawing, boxes[1], cam, result, front, groove)
+    _pressure(drawing, boxes[2], cam, result, front, groove)
+    _polar(drawing, boxes[3], cam, front)
 
 
-def _motion(axes: Axes, flank: Flank, k: Values) -> None:
-    y, y1, y2, _ = flank.motion(k)
-    curves = (np.degrees(y) / degrees(2 * flank.drive.half), y1, y2)
-    names = ("$\\beta/\\beta_\\mathrm{m}$", "$\\beta'$", "$\\beta''$")
-    for values, name, style in zip(curves, names, CURVES, strict=False):
-        axes.plot(k, values, label=name, zorder=4, **{**style, **STRONG})
-    frame(axes, "motion of the wheel", k, False, 11)
-    axes.legend(loc="lower left", ncols=3)
+def _diagram(
+    drawing: Drawing, box: Box, cam: Cam, name: str, curves: Sequence[Named], ends: tuple[float, float] | None = None
+) -> Diagram:
+    """A frame over k with its curves, a key above it and the place of the tip."""
+    (frame,) = stacked(box, [1])
+    low, high = room([values[np.isfinite(values)] for _, values, _ in curves]) if ends is None else ends
+    diagram = Diagram(drawing, frame, Axis("$k = φ$/$φ_p$", 0.0, 1.0), Axis(name, low, high))
+    diagram.vertical(cam.handover.part, PLACE)
+    for _, values, pen in curves:
+        diagram.curve(K + 1j * values, pen)
+    diagram.key([(name, pen) for name, _, pen in curves if name])
+    return diagram
 
 
-def _pressure(axes: Axes, front: Flank, groove: Flank, result: Indexing, cam: Cam, k: Values) -> None:
-    end = cam.handover.part
-    for flank, own, name, style in (
-        (front, k <= end, "$\\vartheta_1$ on A", CURVES[0]),
-        (groove, k >= end, "$\\vartheta_2$ on B", CURVES[1]),
+def _motion(flank: Flank) -> list[Named]:
+    y, y1, y2, _ = flank.motion(K)
+    turn = np.degrees(y) / degrees(2 * flank.drive.half)
+    return [("$β$/$β_m$", turn, CURVES[0]), ("$β'$", y1, CURVES[1]), ("$β''$", y2, CURVES[2])]
+
+
+def _pressure(drawing: Drawing, box: Box, cam: Cam, result: Indexing, front: Flank, groove: Flank) -> None:
+    """Of each flank where it works, and thin where the other one does; the limits, the start and the tip."""
+    end, curves = cam.handover.part, list[Named]()
+    for flank, own, name, pen in (
+        (front, end >= K, "$ϑ_1$ on A", CURVES[0]),
+        (groove, end <= K, "$ϑ_2$ on B", CURVES[1]),
     ):
-        values = np.degrees(flank.pressure(k))
-        whole = values if flank is front else np.where(np.abs(k - 0.5) < 1e-9, np.nan, values)
-        axes.plot(k, whole, zorder=3, **{**style, **FAINT})
-        axes.plot(k[own], values[own], label=name, zorder=4, **{**style, **STRONG})
+        values = np.degrees(flank.pressure(K))
+        whole = values if flank is front else np.where(np.abs(K - 0.5) < 1e-9, np.nan, values)
+        faint = pen._replace(layer=f"{pen.layer}_THIN", width=FAINT)
+        curves += [("", whole, faint), (name, np.where(own, values, np.nan), pen)]
+    diagram = _diagram(drawing, box, cam, "pressure angle, °", curves, (-95.0, 95.0))
     for sign in (1, -1):
-        axes.axhline(sign * degrees(result.limit), **LIMIT)
-    frame(axes, "pressure angle, °", k, False, 11)
-    axes.set_ylim(-95, 95)
-    axes.legend(loc="lower left", ncols=2)
+        diagram.level(sign * degrees(result.limit), LIMIT)
+    for at in (complex(cam.handover.part, degrees(cam.handover.angle)), complex(0.0, degrees(result.start_pressure))):
+        diagram.mark(at, f"{number(at.imag, 4)}°", MARK)
+    diagram.name_level(degrees(result.limit), "±$θ_d$", MARK.colour)
 
 
-def _polar(axes: Axes, front: Flank, k: Values) -> None:
+def _polar(drawing: Drawing, box: Box, cam: Cam, front: Flank) -> None:
     """The polar angle of A at k and of the back of the lobe at 1 - k: equal radii, whose angles meet at the tip."""
-    back = Flank(front.drive, "back")
-    ahead = np.degrees(front.polar(k) - front.drive.step * k)
-    behind = np.degrees(back.polar(1 - k) - front.drive.step * (1 - k))
-    for values, name, style in ((ahead, "$\\delta_1(k)$", CURVES[0]), (behind, "$\\delta_3(1 - k)$", CURVES[2])):
-        axes.plot(k, values, label=name, zorder=4, **{**style, **STRONG})
-    frame(axes, "polar angle of the lobe, °", k, False, 11)
-    axes.legend(loc="lower left", ncols=2)
+    back, step = Flank(front.drive, "back"), front.drive.step
+    ahead = np.degrees(front.polar(K) - step * K)
+    behind = np.degrees(back.polar(1 - K) - step * (1 - K))
+    curves = [("$δ_1(k)$", ahead, CURVES[0]), ("$δ_3(1 − k)$", behind, CURVES[2])]
+    diagram = _diagram(drawing, box, cam, "polar angle of the lobe, °", curves)
+    tip = diagram.point(complex(cam.handover.part, -degrees(step) / 2), MARK)
+    diagram.labels.put(f"$k_m$ = {number(cam.handover.part, 4)}", [tip], prefer=1 + 1j, gaps=(0.9, 2.0, 4.0, 6.0, 8.0))
 
 
-def _efficiency(axes: Axes, front: Flank, groove: Flank, result: Indexing, cam: Cam, k: Values) -> None:
-    first = k <= cam.handover.part
-    angle = np.where(first, front.pressure(k), groove.pressure(k))
-    sigma = np.where(first, front.rise_angle(k), groove.rise_angle(k))
-    for formula, name, style in (
-        (against, "load against the motion", CURVES[0]),
-        (aiding, "load along the motion", CURVES[1]),
-    ):
-        axes.plot(k, formula(angle, sigma, *result.frictions)[0], label=name, zorder=4, **{**style, **STRONG})
-    frame(axes, "efficiency $\\eta$", k, False, 11)
-    axes.set_ylim(0.0, 1.05)
-    axes.legend(loc="upper left", ncols=2)
-
-
-def name_step(panels: list[Axes], drive: Drive, result: Indexing, cam: Cam) -> None:
-    """The tip of the lobe and the limits by name."""
-    end, (_, pressure, polar, _) = cam.handover, panels
-    k = np.linspace(0.0, 1.0, DENSE)
-    labels = Labels(pressure)
-    for name in ("A", "B"):
-        labels.avoid(k + 1j * np.degrees(Flank(drive, name).pressure(k)))
-    labels.avoid([complex(0.0, degrees(result.limit)), complex(1.0, degrees(result.limit))])
-    for at in (complex(end.part, degrees(end.angle)), complex(0.0, degrees(result.start_pressure))):
-        pressure.plot(at.real, at.imag, "D", markersize=3.6, markerfacecolor="white", color=MARK, zorder=6)
-        labels.put(f"{signed(at.imag, 4)}°", [at], size=7, prefer=1 + 1j)
-    labels.put("$\\pm\\theta_\\mathrm{d}$", [complex(0.04, degrees(result.limit))], size=8, prefer=1j, color=MARK)
-    labels = Labels(polar)
-    ahead = -np.degrees(Flank(drive, "A").polar(k) - drive.step * k) - degrees(drive.step)
-    for values in (ahead, -degrees(drive.step) - ahead):
-        labels.avoid(k + 1j * values)
-    tip = complex(end.part, -degrees(drive.step) / 2)
-    polar.plot(tip.real, tip.imag, "D", markersize=3.6, markerfacecolor="white", color=MARK, zorder=6)
-    labels.put(f"$k_\\mathrm{{m}}$ = {signed(end.part, 4)}", [tip], size=8, prefer=1 + 1j)
+def _efficiency(drawing: Drawing, box: Box, cam: Cam, result: Indexing, front: Flank, groove: Flank) -> None:
+    first = cam.handover.part >= K
+    angle = np.where(first, front.pressure(K), groove.pressure(K))
+    sigma = np.where(first, front.rise_angle(K), groove.rise_angle(K))
+    curves = [
+        (name, formula(angle, sigma, *result.frictions)[0], pen)
+        for formula, name, pen in (
+            (against, "load against the motion", CURVES[0]),
+            (aiding, "load along the motion", CURVES[1]),
+        )
+    ]
+    _diagram(drawing, box, cam, "efficiency $η$", curves, (0.0, 1.05))

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import degrees, pi
-from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
 
 from tmmcalc.cams.indexing.bounds import start_pressure
 from tmmcalc.cams.indexing.flanks import Drive, Flank
@@ -16,8 +14,13 @@ from tmmcalc.cams.indexing.results import Indexing
 from tmmcalc.cams.indexing.solve import drive_of
 from tmmcalc.cams.indexing.task import IndexingTask
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.pictures.indexingstep import LIMIT, PLACE
-from tmmcalc.report.drawing.style import CURVES
+from tmmcalc.cams.pictures.indexingstep import PLACE
+from tmmcalc.cams.pictures.zone import LIMIT
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import SIDES, stacked
+from tmmcalc.report.drawing.diagram import ROW, Axis, Diagram, key_above, one_scale
+from tmmcalc.report.drawing.pens import CURVES
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.numbers import number
 
 POINTS = 33
@@ -26,65 +29,70 @@ DENSE = 601
 LARGEST_STEP = 0.98 * pi
 
 
-def draw_study(panels: list[Axes], task: IndexingTask, result: Indexing, drive: Drive) -> None:
+def draw_study(drawing: Drawing, box: Box, task: IndexingTask, result: Indexing, drive: Drive) -> None:
     """The groove at three lambda; theta_1m, theta_2 and k_m over lambda and over the step."""
-    _grooves(panels[0], result, drive)
+    left, right = box.split(1.0, 1.1, gap=6, across=True)
+    _grooves(drawing, left, result, drive)
+    upper, lower = right.split(1, 1, gap=4)
     limits = result.bounds
     high = max(limits.ratio_max or 0.0, 1.05 * result.ratio, 1.2 * limits.ratio_min)
     ratios = np.linspace(limits.ratio_min, high, POINTS)
-    _curves(panels[1], ratios, [drive_of(task, ratio) for ratio in ratios.tolist()], task)
-    for ratio in (limits.ratio_max, result.ratio):
-        if ratio is not None:
-            panels[1].axvline(ratio, **(PLACE if ratio == result.ratio else LIMIT))
-    panels[1].set_xlabel("$\\lambda = a/l_k$")
+    across = Axis("$λ = a$/$l_k$", float(ratios[0]), float(ratios[-1]))
+    both = _curves(drawing, upper, across, ratios, [drive_of(task, ratio) for ratio in ratios.tolist()], task)
+    for diagram in both:
+        if limits.ratio_max is not None:
+            diagram.vertical(limits.ratio_max, LIMIT)
+        diagram.vertical(result.ratio, PLACE)
     low = limits.step_min or 0.0
     steps = np.linspace(low, max(min(limits.step_max or pi, LARGEST_STEP), 1.05 * low, 1.02 * result.step), POINTS)
     drives = [drive_of(replace(task, step=step), result.ratio) for step in steps.tolist()]
-    _curves(panels[2], np.degrees(steps), drives, task)
-    panels[2].axvline(degrees(result.step), **PLACE)
-    panels[2].set_xlabel(f"$\\varphi_\\mathrm{{p}}$, °, at $\\lambda$ = {number(result.ratio, 5)}")
+    x = np.degrees(steps)
+    across = Axis(f"$φ_p$, °, at $λ$ = {number(result.ratio, 5)}", float(x[0]), float(x[-1]), True)
+    for diagram in _curves(drawing, lower, across, x, drives, task):
+        diagram.vertical(degrees(result.step), PLACE)
 
 
-def _grooves(axes: Axes, result: Indexing, drive: Drive) -> None:
+def _grooves(drawing: Drawing, box: Box, result: Indexing, drive: Drive) -> None:
     """Pitch curves of the groove below lambda_min, at it, and of the drive, each turned upright."""
     k = np.linspace(0.0, 1.0, DENSE)
-    for ratio, name, style in (
-        (BELOW * result.bounds.ratio_min, f"{BELOW:g} $\\lambda_\\mathrm{{min}}$, a loop", CURVES[1]),
-        (result.bounds.ratio_min, "$\\lambda_\\mathrm{min}$, a point", CURVES[2]),
-        (result.ratio, f"$\\lambda$ = {number(result.ratio, 5)}", CURVES[0]),
+    curves = []
+    for ratio, name, pen in (
+        (BELOW * result.bounds.ratio_min, f"{BELOW:g} $λ_{{min}}$, a loop", CURVES[1]),
+        (result.bounds.ratio_min, "$λ_{min}$, a point", CURVES[2]),
+        (result.ratio, f"$λ$ = {number(result.ratio, 5)}", CURVES[0]),
     ):
         flank = Flank(replace(drive, centres=ratio * drive.wheel), "B")
         points = 1e3j * flank.roller(k) * np.exp(-1j * drive.step * (k - 0.5))
-        axes.plot(points.real, points.imag, label=name, linewidth=1.3, **style)
-    axes.set_aspect("equal", adjustable="datalim")
-    axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
-    axes.set_xlabel("pitch curve of the groove, mm")
-    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=1)
+        curves.append((name, points, pen))
+    every = np.concatenate([points for _, points, _ in curves])
+    air = 0.05 * max(float(np.ptp(every.real)), float(np.ptp(every.imag)))
+    frame = box.inset(SIDES[0] - 3.0, 10, 2, 2 * ROW + 2)
+    x = Axis("pitch curve of the groove, mm", float(every.real.min()) - air, float(every.real.max()) + air)
+    y = Axis("", float(every.imag.min()) - air, float(every.imag.max()) + air)
+    high = min(frame.height, frame.width * (y.high - y.low) / (x.high - x.low))
+    frame = frame.inset(0, frame.height - high, 0, 0)
+    diagram = Diagram(drawing, frame, *one_scale(frame, x, y))
+    for _, points, pen in curves:
+        diagram.curve(points, pen)
+    key_above(drawing, frame, [(name, pen) for name, _, pen in curves])
 
 
-def _curves(axes: Axes, x: Values, drives: list[Drive | None], task: IndexingTask) -> None:
+def _curves(
+    drawing: Drawing, box: Box, across: Axis, x: Values, drives: list[Drive | None], task: IndexingTask
+) -> list[Diagram]:
+    """The pressure angles with their limit above, k_m below."""
     found = [None if drive is None else handover(drive) for drive in drives]
     start = [0.0 if drive is None else degrees(start_pressure(drive.rollers, drive.ratio)) for drive in drives]
     angle = [np.nan if tip is None else degrees(tip.angle) for tip in found]
     part = [np.nan if tip is None else tip.part for tip in found]
-    axes.plot(x, start, label="$\\vartheta_{1\\mathrm{m}}$, °", linewidth=1.4, **CURVES[0])
-    axes.plot(x, angle, label="$\\vartheta_2(k_\\mathrm{m})$, °", linewidth=1.4, **CURVES[1])
-    axes.axhline(degrees(task.limit), **LIMIT)
-    axes.set_ylim(0.0, 90.0)
-    axes.set_xlim(x[0], x[-1])
-    axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
-    second = axes.twinx()
-    style: dict[str, Any] = {"linewidth": 1.4, **CURVES[2]}
-    second.plot(x, part, **style)
-    second.set_ylim(0.5, 1.0)
-    second.set_ylabel("$k_\\mathrm{m}$")
-    axes.plot([], [], label="$k_\\mathrm{m}$, right", **style)
-    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3)
-
-
-def name_study(panels: list[Axes], task: IndexingTask) -> None:
-    """The limit of the pressure angle by name."""
-    for axes in panels[1:]:
-        low, high = axes.get_xlim()
-        place = complex(low + 0.03 * (high - low), degrees(task.limit) + 1.5)
-        axes.text(place.real, place.imag, "$\\theta_\\mathrm{d}$", fontsize=8, color=LIMIT["color"])
+    upper, lower = stacked(box, [1, 0], [1.7, 1.0])
+    above = Diagram(drawing, upper, across, Axis("pressure angle, °", 0.0, 90.0), numbered=False)
+    above.level(degrees(task.limit), LIMIT)
+    named = [("$ϑ_{1m}$", start, CURVES[0]), ("$ϑ_2(k_m)$", angle, CURVES[1])]
+    for _, values, pen in named:
+        above.curve(x + 1j * np.array(values), pen)
+    above.key([(name, pen) for name, _, pen in named])
+    above.name_level(degrees(task.limit), "$θ_d$", LIMIT.colour)
+    below = Diagram(drawing, lower, across, Axis("$k_m$", 0.5, 1.0))
+    below.curve(x + 1j * np.array(part), CURVES[2])
+    return [above, below]

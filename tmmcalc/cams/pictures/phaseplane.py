@@ -9,17 +9,29 @@ from __future__ import annotations
 from math import atan, cos, sin
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from tmmcalc.cams.follower import Complex
-from tmmcalc.cams.pictures.zone import LIMIT, OTHER, ZONE, axis_of_cam, dimension
+from tmmcalc.cams.pictures.zone import (
+    HATCH,
+    HEIGHT,
+    LIMIT,
+    OTHER,
+    ZONE,
+    axis_of_cam,
+    dimension,
+    limit_point,
+    name_limit,
+    textbook_choice,
+)
 from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.synthesis.translatingsizes import Line, lines_of, region_of
 from tmmcalc.cams.task import CamTask
-from tmmcalc.report.drawing.board import Board
-from tmmcalc.report.drawing.labels import signed
-from tmmcalc.report.drawing.style import CURVES, INK, THIN
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.pens import CURVES
+from tmmcalc.report.drawing.polar import name_axes
+from tmmcalc.report.drawing.shapes import Words
+from tmmcalc.report.numbers import number
 
 POINTS = 241
 FAR = 5.0  # S0 to which the zone is drawn
@@ -34,72 +46,71 @@ def content_of(task: CamTask, result: Synthesis) -> Complex:
     return np.concatenate((curves, curves.max(keepdims=True) + 0.5 * reach, np.array(ends)))
 
 
-def name_axes(axes: Axes, result: Synthesis) -> None:
-    """What stands along the axes; e is said in the user's sense."""
-    e = "e" if result.follower.sense > 0 else "-e"
-    axes.set_xlabel("$\\Delta S$, mm  ($S_0$ to the left of zero)")
-    axes.set_ylabel(f"$S'$, mm  (${e}$ below zero)")
-
-
 def draw_plane(board: Board, task: CamTask, result: Synthesis) -> None:
     """Zone, curve, tangents, the axis with S0 and e, the textbook's choice."""
-    axes = board.axes
-    axes.axhline(0, color=INK, linewidth=0.8, zorder=3)
-    axes.axvline(0, color=INK, linewidth=0.8, zorder=3)
-    axes.grid(True, linewidth=0.35, color="#dddddd", zorder=0)
-    axes.set_axisbelow(True)
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(MaxNLocator(10))
-        axis.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 6)))
-    for end in ((-1e6 + 0j, 1e6 + 0j), (-1e6j, 1e6j)):
-        board.labels.avoid(
-            np.clip(np.array(end).real, *axes.get_xlim()) + 1j * np.clip(np.array(end).imag, *axes.get_ylim()), 2.0
-        )
+    box = board.box
+    name_axes(board, ("ΔS", "S'"), 1.0, "mm")
+    e = "e" if result.follower.sense > 0 else "−e"  # in the user's sense
+    words = f"$S_0$ to the left of zero, ${e}$ below it"
+    board.drawing.add(Words(complex(box.right, box.bottom - 4.5), words, 2.1, 1 + 1j))
+    low, high = board.data(complex(box.left, box.bottom)), board.data(complex(box.right, box.top))
+    for ends in ((low.real, high.real), (1j * low.imag, 1j * high.imag)):
+        board.labels.avoid(board.paper(list(ends)), 2.0)
     lines = lines_of(task)
     region = region_of(lines, (0.0, FAR * result.follower.start))  # to beyond the border of the drawing
-    board.area((-1e3 * (region.y + 1j * region.x)).tolist(), weight=0.0, **ZONE)
-    for kind, style in (("rise", CURVES[0]), ("return", CURVES[2])):
-        board.line(_curve(task, kind), linewidth=1.7, zorder=8, **{"weight": 1.5, **style})
+    board.filled(np.asarray(-1e3 * (region.y + 1j * region.x), complex), ZONE, hatch=HATCH)
+    for kind, pen in (("rise", CURVES[0]), ("return", CURVES[2])):
+        board.line(_curve(task, kind), pen._replace(width=0.6), weight=1.5, level=8)
     held = () if result.region is None else zip(result.region.phi.tolist(), result.region.side.tolist(), strict=True)
     bounding = set(held)
     for line in lines:
         _draw_tangent(board, task, line, (line.phi, line.side) in bounding)
     _draw_axis(board, result)
+    for line in lines:
+        if (line.phi, line.side) in bounding:
+            _name_tangent(board, task, line)
 
 
 def _draw_tangent(board: Board, task: CamTask, line: Line, bounds: bool) -> None:
     """The tangent through its point of the curve, from beyond it to the border of the drawing."""
+    at, along = _touching(task, line)
+    left, right = board.data(complex(board.box.left)).real, board.data(complex(board.box.right)).real
+    over = min(0.12 * (right - left), (right - at.real) / along.real)
+    ends = [at + over * along, at - (at.real - left) / along.real * along]
+    board.line(ends, LIMIT if bounds else OTHER, level=6 if bounds else 2)
+    if bounds:
+        limit_point(board, at)
+
+
+def _touching(task: CamTask, line: Line) -> tuple[complex, complex]:
+    """The point of the curve [mm] at which a tangent touches it, and its direction."""
     y, y1 = task.program.at(np.array([line.phi]))[:2, 0]
     lean = atan(1 / line.slope)
-    at, along = 1e3 * complex(y, y1), complex(cos(lean), sin(lean))
-    left, right = board.axes.get_xlim()
-    over = min(0.12 * (right - left), (right - at.real) / along.real)
-    board.line([at + over * along, at - (at.real - left) / along.real * along], **(LIMIT if bounds else OTHER))
-    if not bounds:
-        return
-    board.axes.plot(at.real, at.imag, "o", markersize=4, markerfacecolor="white", color=LIMIT["color"], zorder=12)
-    board.labels.put(f"{signed(np.degrees(line.phi), 4)}°", [at], size=7.5, prefer=complex(1, line.side))
-    text = f"${'+' if line.side > 0 else '-'}[\\theta]$"
-    board.labels.put(text, [at - 0.45 * (at.real - left) * along], size=8.5, color=LIMIT["color"])
+    return 1e3 * complex(y, y1), complex(cos(lean), sin(lean))
+
+
+def _name_tangent(board: Board, task: CamTask, line: Line) -> None:
+    """The angle of the cam at its point, and the limit along it."""
+    at, along = _touching(task, line)
+    left = board.data(complex(board.box.left)).real
+    name_limit(board, at, f"{minus(number(np.degrees(line.phi), 4))}°", complex(1, line.side))
+    places = board.paper([at - part * (at.real - left) * along for part in (0.3, 0.4, 0.5, 0.2)])
+    text = f"{'+' if line.side > 0 else '−'}[$θ$]"
+    board.labels.put(text, places, height=HEIGHT, prefer=1j * line.side, colour=LIMIT.colour)
 
 
 def _draw_axis(board: Board, result: Synthesis) -> None:
     o = _axis(result)
-    high = board.axes.get_ylim()[0] + 7 * board.mu
+    high = board.data(complex(0, board.box.bottom)).imag + 7 * board.mu
     for z in (o, complex(0, o.imag)):
-        board.line([z, complex(z.real, high - 2 * board.mu)], color=THIN, linewidth=0.6, zorder=3)
-    dimension(board, complex(o.real, high), complex(0, high), f"$S_0$ = {signed(-o.real, 6)}")
-    e = result.follower.sense * result.follower.offset * 1e3 + 0.0
-    dimension(board, complex(o.real, 0), o, f"$e$ = {signed(e, 6)}")
+        board.line([z, complex(z.real, high - 2 * board.mu)], OTHER, level=3)
+    dimension(board, complex(o.real, high), complex(0, high), f"$S_0$ = {minus(number(-o.real, 6))}")
+    axis_of_cam(board, o)
     book = next((each for each in result.designs if each.name.startswith("textbook (")), None)
     if book is not None:
-        at = -1e3 * complex(book.start, book.offset)
-        board.axes.plot(
-            at.real, at.imag, "s", markersize=5, markerfacecolor="white", color=CURVES[3]["color"], zorder=14
-        )
-        board.labels.avoid([at], 3.0)
-        board.labels.put("$O^*$ (5.44)", [at], size=8.5, prefer=1 + 1j, color=CURVES[3]["color"], gaps=(2.0, 3.0, 5.0))
-    axis_of_cam(board, o)
+        textbook_choice(board, -1e3 * complex(book.start, book.offset), "$O^*$ (5.44)")
+    e = result.follower.sense * result.follower.offset * 1e3 + 0.0
+    dimension(board, complex(o.real, 0), o, f"$e$ = {minus(number(e, 6))}")
 
 
 def _axis(result: Synthesis) -> complex:

@@ -10,13 +10,28 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.follower import Complex
-from tmmcalc.cams.pictures.zone import BASE, LIMIT, OTHER, PASSING, ZONE, axis_of_cam, dimension, swept_of
+from tmmcalc.cams.pictures.zone import (
+    BASE,
+    HATCH,
+    HEIGHT,
+    LIMIT,
+    OTHER,
+    PASSING,
+    ZONE,
+    axis_of_cam,
+    dimension,
+    limit_point,
+    name_limit,
+    swept_of,
+    textbook_choice,
+)
 from tmmcalc.cams.synthesis.halfplanes import Family, Lines, families
 from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.task import CamTask
-from tmmcalc.report.drawing.board import Board
-from tmmcalc.report.drawing.labels import signed
-from tmmcalc.report.drawing.style import CURVES, INK, THIN
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.pens import AXIS, CURVES, INK, THICK, WHITE
+from tmmcalc.report.numbers import number
 
 POINTS = 181
 STEPS = 8  # positions of a phase that are drawn
@@ -52,9 +67,11 @@ def draw_rockers(board: Board, task: CamTask, result: Synthesis) -> None:
     """Zone, positions, velocities, lines of the limit, the axis with its base circle."""
     placed = Placed(result)
     _draw_zone(board, placed, task, result)
-    _draw_lines(board, placed, task, result)
+    tips = _draw_lines(board, placed, task, result)
     _draw_positions(board, placed, task, result)
     _draw_axis(board, placed, task, result)
+    for text, tip in tips:
+        name_limit(board, tip, text, tip - result.follower.centres, HEIGHT)
 
 
 def _draw_zone(board: Board, placed: Placed, task: CamTask, result: Synthesis) -> None:
@@ -63,16 +80,20 @@ def _draw_zone(board: Board, placed: Placed, task: CamTask, result: Synthesis) -
     if region is None or not len(region.x):
         return
     corners = (region.x + 1j * region.y) / result.follower.rocker
-    board.area(placed.at(corners.astype(complex)).tolist(), weight=0.0, **ZONE)
+    board.filled(placed.at(corners.astype(complex)), ZONE, hatch=HATCH)
     swept = swept_of(task, result)
     if swept is not None:
         branch, border = (placed.at(points) for points in swept)
-        board.area(border.tolist(), weight=0.0, facecolor="white", edgecolor="none", linewidth=0.0, zorder=1.2)
-        board.line(branch, **PASSING)
+        board.filled(border, WHITE, level=-2.5)
+        board.line(branch, PASSING, level=6)
 
 
-def _draw_lines(board: Board, placed: Placed, task: CamTask, result: Synthesis) -> None:
-    """On both sides the line that bounds the zone next to the axis, and faint the others of its phase and side."""
+def _draw_lines(board: Board, placed: Placed, task: CamTask, result: Synthesis) -> list[tuple[str, complex]]:
+    """On both sides the line that bounds the zone next to the axis, and faint the others of its phase and side.
+
+    The names of the points K at which the former begin, with their places.
+    """
+    found = []
     bounds, program = _bounds(result), task.program
     for family in families(task):
         held = [phi for phi, side in bounds if side == family.side and _in_phase(task, family.kind, phi)]
@@ -80,18 +101,14 @@ def _draw_lines(board: Board, placed: Placed, task: CamTask, result: Synthesis) 
             continue
         k = next(k for k, phase in enumerate(program.phases) if phase.kind == family.kind)
         others = family.at(np.linspace(program.starts[k], program.starts[k + 1], STEPS + 1))
-        style = {"colors": OTHER["color"], "linewidths": OTHER["linewidth"], "zorder": 2}
-        board.lines(_strokes(placed, task, family, others), weight=0.0, **style)
+        board.lines(_strokes(placed, task, family, others), OTHER, weight=0.0, level=2)
         lines = family.at(np.array(held[:1]))
         for stroke in _strokes(placed, task, family, lines):
-            board.line(stroke, **LIMIT)
+            board.line(stroke, LIMIT, level=6)
         tip = complex(placed.at(_ends_on_lines(family, lines))[0])
-        dot = {"markersize": 4, "markerfacecolor": "white", "color": LIMIT["color"], "zorder": 12}
-        board.axes.plot(tip.real, tip.imag, "o", **dot)
-        text = f"$K$ at {signed(np.degrees(held[0]), 4)}°"
-        board.labels.put(
-            text, [tip], size=8, prefer=tip - result.follower.centres, gaps=(2.0, 3.5), color=LIMIT["color"]
-        )
+        limit_point(board, tip)
+        found.append((f"$K$ at {minus(number(np.degrees(held[0]), 4))}°", tip))
+    return found
 
 
 def _strokes(placed: Placed, task: CamTask, family: Family, lines: Lines) -> list[list[complex]]:
@@ -114,48 +131,39 @@ def _draw_positions(board: Board, placed: Placed, task: CamTask, result: Synthes
     program = task.program
     pivot = complex(placed.at(np.zeros(1, complex))[0])
     swing = np.exp(1j * np.linspace(0, program.stroke, 61))
-    board.line(placed.at(swing), color=THIN, linewidth=0.8, zorder=5)
-    for kind, style in (("rise", CURVES[0]), ("return", CURVES[2])):
-        board.line(placed.at(_velocity_ends(task, result, kind)), zorder=8, linewidth=1.7, weight=1.5, **style)
+    board.line(placed.at(swing), OTHER._replace(width=0.3), level=5)
+    for kind, pen in (("rise", CURVES[0]), ("return", CURVES[2])):
+        board.line(placed.at(_velocity_ends(task, result, kind)), pen._replace(width=0.6), weight=1.5, level=8)
         k = next(k for k, phase in enumerate(program.phases) if phase.kind == kind)
         phi = np.linspace(program.starts[k], program.starts[k + 1], STEPS + 1)
         y, y1 = program.at(phi)[:2]
         u = np.exp(1j * y)
         pieces = [placed.at(u), placed.at(u * (1 - task.asked.assembly * y1))]
-        board.lines(
-            [[complex(a), complex(b)] for a, b in zip(*pieces, strict=True)],
-            weight=0.3,
-            colors=style["color"],
-            linewidths=0.8,
-            zorder=7,
-        )
-        board.lines([[pivot, complex(c)] for c in pieces[0]], weight=0.2, colors=THIN, linewidths=0.5, zorder=3)
+        laid_off = [[complex(a), complex(b)] for a, b in zip(*pieces, strict=True)]
+        board.lines(laid_off, pen._replace(width=0.25, dashes=()), weight=0.3, level=7)
+        board.lines([[pivot, complex(c)] for c in pieces[0]], OTHER, weight=0.2, level=3)
     for point, name in ((swing[0], "$C_0$"), (swing[-1], "$C_m$")):
         z = complex(placed.at(np.array([point]))[0])
-        board.line([pivot, z], linewidth=1.6, zorder=9)
-        board.circle(z, 1.1, zorder=14)
-        board.labels.put(name, [z], size=9, prefer=z - pivot)
-    board.circle(pivot, 1.5, zorder=14)
-    board.labels.put("$A$", [pivot], size=9.5, prefer=1 - 1j)
+        board.line([pivot, z], THICK._replace(width=0.6), level=9)
+        board.circle(z, 0.9, level=14)
+        board.labels.put(name, board.paper([z]), height=2.6, prefer=z - pivot)
+    board.circle(pivot, 1.2, level=14)
+    board.labels.put("$A$", board.paper([pivot]), height=2.6, prefer=1 - 1j)
 
 
 def _draw_axis(board: Board, placed: Placed, task: CamTask, result: Synthesis) -> None:
     follower = result.follower
     pivot, roller = complex(follower.centres), complex(placed.at(np.ones(1, complex))[0])
-    board.line([0, pivot], color=INK, linewidth=0.9, linestyle=(0, (8, 2, 1.5, 2)), zorder=6)
-    board.labels.put(f"$l_0$ = {signed(1e3 * follower.centres, 6)}", [pivot / 2], size=8.5, prefer=-1j)
-    circle = follower.base * np.exp(1j * np.linspace(0, 2 * np.pi, 181))
-    board.line(circle, weight=0.6, **BASE)
-    dimension(board, 0j, roller, f"$R_0$ = {signed(1e3 * follower.base, 6)}")
+    board.line([0, pivot], AXIS._replace(colour=INK), level=6)
+    board.line(follower.base * np.exp(1j * np.linspace(0, 2 * np.pi, 181)), BASE, weight=0.6, level=5)
     book = next((each for each in result.designs if each.name.startswith("textbook (")), None)
     if book is not None:
-        at = complex(placed.at(np.array([book.centres / follower.rocker * np.exp(-1j * book.start)]))[0])
-        board.axes.plot(
-            at.real, at.imag, "s", markersize=5, markerfacecolor="white", color=CURVES[3]["color"], zorder=14
-        )
-        board.labels.avoid([at], 3.0)
-        board.labels.put("$O^*$ (5.50)", [at], size=8.5, prefer=1 + 1j, color=CURVES[3]["color"], gaps=(2.0, 3.0, 5.0))
+        at = book.centres / follower.rocker * np.exp(-1j * book.start)
+        textbook_choice(board, complex(placed.at(np.array([at]))[0]), "$O^*$ (5.50)")
+    distance = f"$l_0$ = {minus(number(1e3 * follower.centres, 6))}"
+    board.labels.put(distance, board.paper([part * pivot for part in (0.5, 0.65, 0.35)]), height=HEIGHT, prefer=-1j)
     axis_of_cam(board, 0j)
+    dimension(board, 0j, roller, f"$R_0$ = {minus(number(1e3 * follower.base, 6))}")
 
 
 def _velocity_ends(task: CamTask, result: Synthesis, kind: str) -> Complex:

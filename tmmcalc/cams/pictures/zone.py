@@ -6,8 +6,6 @@ highest roller (`tmmcalc.cams.synthesis.pivotborder`); all that lies on the side
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from tmmcalc.cams.follower import Complex
@@ -15,35 +13,58 @@ from tmmcalc.cams.pivot import highest
 from tmmcalc.cams.synthesis.pivotborder import hyperbola
 from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.task import CamTask
-from tmmcalc.report.drawing.board import Board
-from tmmcalc.report.drawing.style import INK, MARK, PATH, THIN
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.pens import CURVES, DIMENSION, INK, MARK, MIDDLE, PATH, Pen
+from tmmcalc.report.drawing.shapes import Area
 
 POINTS = 241
 FAR = 1e3  # of the longer of rocker and centre distance: where the branch is cut
-ZONE: dict[str, Any] = {"facecolor": "#e3f1ea", "edgecolor": "#7fbf9f", "hatch": "////", "linewidth": 0.0, "zorder": 1}
-LIMIT: dict[str, Any] = {"color": MARK, "linewidth": 1.2, "linestyle": (0, (6, 2)), "zorder": 6}
-PASSING: dict[str, Any] = {"color": "#7a5195", "linewidth": 1.2, "linestyle": (0, (8, 2, 2, 2)), "zorder": 6}
-OTHER: dict[str, Any] = {"color": THIN, "linewidth": 0.5, "linestyle": "-", "zorder": 2}
-BASE: dict[str, Any] = {"color": PATH, "linewidth": 1.0, "linestyle": (0, (6, 2, 1, 2)), "zorder": 5}
-DIMENSION: dict[str, Any] = {"color": INK, "linewidth": 0.6, "zorder": 7}
+ZONE, HATCH = "#e3f1ea", Pen("ADMISSIBLE", 0.13, colour="#a9d6bf")
+LIMIT = Pen("LIMITS", 0.4, (3.0, 1.0), MARK.colour)
+PASSING = Pen("PASSING", 0.4, (4.5, 1.0, 1.0, 1.0), "#7a5195")
+OTHER = Pen("OTHER_LINES", 0.18, colour="#9a9a9a")
+BASE = Pen("BASE_CIRCLE", 0.3, (3.5, 0.9, 0.7, 0.9), PATH.colour)
+BOOK = CURVES[3]._replace(layer="TEXTBOOK", dashes=())
+HEIGHT = 2.4  # of names [mm]
 
 
-def axis_of_cam(board: Board, at: complex, name: str = "$O$", **style: Any) -> None:
+def axis_of_cam(board: Board, at: complex) -> None:
     """A double circle with its name."""
-    board.circle(at, 1.5, zorder=15, **style)
-    board.circle(at, 0.35, zorder=16, **{"facecolor": INK, **style})
-    board.labels.put(name, [at], size=9.5, prefer=-1 - 1j)
+    board.circle(at, 1.3, level=15)
+    board.dot(at, 0.35, level=16)
+    board.labels.put("$O$", board.paper([at]), height=2.6, prefer=-1 - 1j)
 
 
 def dimension(board: Board, a: complex, b: complex, text: str) -> None:
-    """A dimension line from a to b with heads at both ends and its text beside the middle."""
+    """A dimension line from a to b with heads at both ends and its text where it covers least beside the middle."""
     if abs(b - a) < 1.5 * board.mu:
         return
-    board.line([a, b], **DIMENSION)
+    board.line([a, b], DIMENSION, level=7)
     length = min(2.2, 0.3 * abs(b - a) / board.mu)
-    board.arrowhead(a, a - b, length)
-    board.arrowhead(b, b - a, length)
-    board.labels.put(text, [(a + b) / 2], size=8.5, prefer=1j * (b - a))
+    board.arrowhead(a, a - b, DIMENSION, length)
+    board.arrowhead(b, b - a, DIMENSION, length)
+    places = board.paper([a + part * (b - a) for part in (0.5, 0.35, 0.65)])
+    board.labels.put(text, places, height=HEIGHT, prefer=1j * (b - a), gaps=(0.9, 1.7, 3.0, 5.0, 7.0))
+
+
+def textbook_choice(board: Board, at: complex, name: str) -> None:
+    """A square where the textbook's formulas put the axis, with their name."""
+    here = board.place(at)
+    corners = here + 0.95 * np.array([-1 - 1j, 1 - 1j, 1 + 1j, -1 + 1j])
+    board.drawing.add(Area(corners, "#ffffff", BOOK), level=14)
+    board.labels.avoid([*corners, corners[0]], 3.0)
+    board.labels.put(name, [here], height=HEIGHT, gaps=(2.0, 3.0, 5.0, 7.0), colour=BOOK.colour)
+
+
+def limit_point(board: Board, at: complex) -> None:
+    """An open circle where a line of the limit begins."""
+    board.circle(at, 0.7, MIDDLE._replace(colour=LIMIT.colour, width=0.25), level=12)
+
+
+def name_limit(board: Board, at: complex, text: str, prefer: complex, height: float = 2.1) -> None:
+    """Its name."""
+    gaps = (1.0, 2.0, 3.5, 5.0, 7.0, 9.0, 11.0)
+    board.labels.put(text, board.paper([at]), height=height, prefer=prefer, gaps=gaps, colour=INK)
 
 
 def swept_of(task: CamTask, result: Synthesis) -> tuple[Complex, Complex] | None:

@@ -3,43 +3,83 @@
 from __future__ import annotations
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from tmmcalc.extras.contact import Contact
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.diagram import Axis, Diagram, room
+from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES, MARK
+from tmmcalc.report.drawing.page import titled
+from tmmcalc.report.drawing.pens import CURVES, MARK, Pen
+from tmmcalc.report.drawing.polar import AROUND, name_axes
+from tmmcalc.report.drawing.shapes import Area, Drawing, Words
 from tmmcalc.report.numbers import number
 
+MARGIN = 6.0  # free border of the field [mm]
+LEVELS = 14  # shades of the pressure
+PALE, DEEP = np.array([0xF7, 0xFB, 0xFF]), np.array([0x08, 0x30, 0x6B])
+BAR = 4.0  # width of the scale of shades [mm]
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage."""
-    return contact_figure(order.results["contact"])
+
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage."""
+    return contact_drawing(order.results["contact"])
 
 
-def contact_figure(result: Contact) -> Figure:
+def contact_drawing(result: Contact) -> Drawing:
     """The field of pressure from above, and along the axis of x beside Hertz."""
-    figure, (sheet,) = blank(1)
-    sheet.suptitle(f"Contact pressure, largest {number(1e-6 * result.peak, 5)} MPa", fontsize=10)
-    field, section = sheet.subplots(1, 2)
+    drawing, box = titled(f"Contact pressure, largest {number(1e-6 * result.peak, 5)} MPa")
+    left, right = box.split(1, 1, gap=6, across=True)
+    _field(drawing, left, result)
+    _section(drawing, right, result)
+    return drawing
+
+
+def _field(drawing: Drawing, box: Box, result: Contact) -> None:
+    """A square for every element, shaded by its pressure, with the ellipse of Hertz."""
     x, y, p = 1e3 * result.x, 1e3 * result.y, 1e-6 * result.pressure
-    filled = field.tricontourf(x, y, p, levels=14, cmap="Blues")
-    sheet.colorbar(filled, ax=field, label="p, MPa", shrink=0.7)
-    field.set_aspect("equal")
-    field.set_xlabel("$x$, mm")
-    field.set_ylabel("$y$, mm")
-    axis = np.flatnonzero(np.abs(result.y) < result.step / 4)
+    z, half = x + 1j * y, 1e3 * result.step / 2
+    corners = half * np.array([-1 - 1j, 1 - 1j, 1 + 1j, -1 + 1j])
+    board = Board(drawing, box.inset(*AROUND, 16), np.concatenate([z - half * (1 + 1j), z + half * (1 + 1j)]), MARGIN)
+    name_axes(board, ("x", "y"), float(np.max(np.abs(z))), "mm")
+    top = float(p.max()) or 1.0
+    for at, pressure in zip(z.tolist(), p.tolist(), strict=True):
+        drawing.add(Area(board.paper(at + corners), _shade(pressure / top)), level=2)
     smooth = result.hertz
     if smooth is not None:
         turn = np.linspace(0, 2 * np.pi, 181)
-        field.plot(1e3 * smooth.along_x * np.cos(turn), 1e3 * smooth.along_y * np.sin(turn), color=MARK, linewidth=1.0)
-        fine = np.linspace(x[axis[0]], x[axis[-1]], 401)
+        ellipse = 1e3 * (smooth.along_x * np.cos(turn) + 1j * smooth.along_y * np.sin(turn))
+        board.line(ellipse, MARK._replace(width=0.35), level=4)
+    wide = box.width - 40.0
+    for k in range(LEVELS):
+        at = complex(box.left + 20 + k * wide / LEVELS, box.top - 6)
+        cell = at + np.array([0, wide / LEVELS, wide / LEVELS + 1j * BAR, 1j * BAR])
+        drawing.add(Area(cell, _shade((k + 0.5) / LEVELS)))
+    drawing.add(Words(complex(box.left + 19, box.top - 4), "0", 2.3, 1))
+    drawing.add(Words(complex(box.left + 21 + wide, box.top - 4), f"{number(top, 4)} MPa", 2.3, -1))
+
+
+def _shade(part: float) -> str:
+    level = min(int(max(part, 0.0) * LEVELS), LEVELS - 1) / (LEVELS - 1)
+    return "#" + "".join(f"{round(v):02x}" for v in (PALE + level * (DEEP - PALE)).tolist())
+
+
+def _section(drawing: Drawing, box: Box, result: Contact) -> None:
+    """The pressure on the axis of x."""
+    x, p = 1e3 * result.x, 1e-6 * result.pressure
+    axis = np.flatnonzero(np.abs(result.y) < result.step / 4)
+    axis = axis[np.argsort(x[axis])]
+    values, smooth = [p[axis]], result.hertz
+    fine = np.linspace(float(x[axis[0]]), float(x[axis[-1]]), 401)
+    if smooth is not None:
         part = np.maximum(1 - (fine / (1e3 * smooth.along_x)) ** 2, 0.0)
-        section.plot(fine, 1e-6 * smooth.peak * np.sqrt(part), label="Hertz", linewidth=1.1, **CURVES[1])
-    section.plot(x[axis], p[axis], ".", label="boundary integral", color=CURVES[0]["color"], zorder=4)
-    section.legend()
-    section.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
-    section.set_xlabel("$x$ at $y = 0$, mm")
-    section.set_ylabel("p, MPa")
-    settle(figure)
-    return figure
+        values.append(1e-6 * smooth.peak * np.sqrt(part))
+    air = 0.04 * float(np.ptp(fine))
+    across = Axis("$x$ at $y$ = 0, mm", float(fine[0]) - air, float(fine[-1]) + air)
+    field = Diagram(drawing, box.inset(16, 12, 2, 7), across, Axis("$p$, MPa", *room(values)))
+    names = [("boundary integral: points", Pen("POINTS", 0.3, colour=CURVES[0].colour))]
+    if smooth is not None:
+        field.curve(fine + 1j * values[1], CURVES[1])
+        names.append(("Hertz", CURVES[1]))
+    field.dots(x[axis], p[axis], CURVES[0])
+    field.key(names)

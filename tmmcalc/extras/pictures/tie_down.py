@@ -2,45 +2,41 @@
 
 from __future__ import annotations
 
-from matplotlib.figure import Figure
+import math
 
 from tmmcalc.extras.tie_down import TieDown
-from tmmcalc.report.drawing.axes import diagram, levels
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import MARK, THIN
+from tmmcalc.report.drawing.page import titled
+from tmmcalc.report.drawing.panels import PLACE, Panel, panels
+from tmmcalc.report.drawing.pens import AXIS, MARK
+from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.numbers import number
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage."""
-    return tie_down_figure(order.results["tie_down"])
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage."""
+    return tie_down_drawing(order.results["tie_down"])
 
 
-def tie_down_figure(result: TieDown) -> Figure:
+def tie_down_drawing(result: TieDown) -> Drawing:
     """Forces of a stretched and an opposite tie over k; thresholds by equilibrium are named, the load is a point."""
-    figure, (sheet,) = blank(1)
-    sheet.suptitle("Forces of the ties of a load", fontsize=10)
-    axes = sheet.subplots()
-    lines = [
-        ("R by (3)", 1e-3 * result.forces),
-        ("R by equilibrium", 1e-3 * result.balance),
+    drawing, box = titled("Forces of the ties of a load")
+    lines = (
+        ("$R$ by (3)", 1e-3 * result.forces),
+        ("$R$ by equilibrium", 1e-3 * result.balance),
         ("opposite tie by equilibrium", 1e-3 * result.slackening),
-    ]
-    diagram(axes, result.k, lines, "force of a tie, kN")
+    )
+    rows = [Panel("force of a tie, kN", lines)]
+    (field,) = panels(drawing, box, result.k, "inertia force over weight, $k$", rows)
     at = result.thresholds
-    named = ("slips", at.slip), ("slack", at.slack), ("yields", at.yielding), ("tips", at.tipping)
-    for name, k in named:
+    for name, k in (("slips", at.slip), ("slack", at.slack), ("yields", at.yielding), ("tips", at.tipping)):
         if k is not None and 0 < k <= result.k[-1]:
-            axes.axvline(k, color=THIN, linewidth=0.7, linestyle=(0, (4, 3)), zorder=1)
-            text = f"{name}, k = {number(k, 4)}"
-            axes.annotate(
-                text, (k, 1.0), xycoords=("data", "axes fraction"), xytext=(-2, -4), textcoords="offset points",
-                rotation=90, ha="right", va="top", fontsize=6.5,
-            )  # fmt: skip
+            field.vertical(k, PLACE)
+            place = complex(field.place(complex(k, 0.0)).real - 0.8, field.box.top - 1.5)
+            words = Words(place, f"{name}, $k$ = {number(k, 4)}", 2.3, 1 - 1j, math.pi / 2, clear=True)
+            drawing.add(words, level=8)
     if result.preload:
-        levels(axes, [1e-3 * result.preload, 2e-3 * result.preload], ["P0", "2 P0"])
-    axes.plot([result.factor], [1e-3 * result.balanced], "o", color=MARK, markersize=5, zorder=5)
-    axes.set_xlabel("inertia force over weight, $k$")
-    settle(figure)
-    return figure
+        field.level(1e-3 * result.preload, AXIS, "$P_0$")
+        field.level(2e-3 * result.preload, AXIS, "$2 P_0$")
+    field.point(complex(result.factor, 1e-3 * result.balanced), MARK, 0.9, MARK.colour)
+    return drawing

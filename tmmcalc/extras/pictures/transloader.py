@@ -3,39 +3,46 @@
 from __future__ import annotations
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
 
 from tmmcalc.extras.loadcases import CASES, LOADS
 from tmmcalc.extras.transloader import MINUTE, Drive, Transloader
-from tmmcalc.report.drawing.axes import diagram
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.diagram import HEIGHT, ROW, Axis, key_above, ticks, written
+from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES, MARK, PLATE, THIN
+from tmmcalc.report.drawing.page import titled
+from tmmcalc.report.drawing.panels import Panel, panels
+from tmmcalc.report.drawing.pens import CURVES, GRID, MARK, PLATE, THIN, WHITE, Pen
+from tmmcalc.report.drawing.shapes import Area, Drawing, Words
+
+ALLOWED = Pen("ALLOWED", 0.7, colour=MARK.colour)
+OTHER = Pen("ALLOWED_OTHER", 0.5, colour="#8a8a8a")
+CELL = Pen("TABLE", 0.18, colour=THIN.colour)
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage."""
-    return transloader_figure(order.results["transloader"])
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage."""
+    return transloader_drawing(order.results["transloader"])
 
 
-def transloader_figure(result: Transloader) -> Figure:
+def transloader_drawing(result: Transloader) -> Drawing:
     """Ways of trolley and hoist above, the loads of the cases and the stresses of the parts below."""
-    figure, (sheet,) = blank(1)
-    sheet.suptitle("Grab transloader", fontsize=10)
-    rows = (1 if result.drives else 0) + 1
-    grid = sheet.add_gridspec(rows, 2, height_ratios=[1, 1.4][-rows:])
-    for k, drive in enumerate(result.drives):
-        _way(sheet.add_subplot(grid[0, k if len(result.drives) > 1 else slice(None)]), drive)
-    _loads(sheet.add_subplot(grid[-1, 0 if result.checks else slice(None)]), result)
+    drawing, box = titled("Grab transloader")
+    below = box
+    if result.drives:
+        above, below = box.split(1, 1.4, gap=3)
+        for part, drive in zip(
+            above.split(*(1.0 for _ in result.drives), gap=5, across=True), result.drives, strict=True
+        ):
+            _way(drawing, part, drive)
+    parts = below.split(1, 1, gap=5, across=True) if result.checks else [below]
+    _loads(drawing, parts[0], result)
     if result.checks:
-        _stresses(sheet.add_subplot(grid[-1, 1]), result)
-    settle(figure)
-    return figure
+        _stresses(drawing, parts[1], result)
+    return drawing
 
 
-def _way(axes: Axes, drive: Drive) -> None:
+def _way(drawing: Drawing, box: Box, drive: Drive) -> None:
     """The speed over the time, beside the way that is nothing but acceleration and braking."""
     top, reached = drive.shortest / 2, min(drive.speed, drive.peak)
     t = np.array(sorted({0.0, top, drive.shortest, reached / drive.acceleration, drive.time}))
@@ -44,42 +51,56 @@ def _way(axes: Axes, drive: Drive) -> None:
     rising = MINUTE * drive.acceleration
     slow = np.clip(np.minimum(rising * np.minimum(t, drive.time - t), MINUTE * reached), 0.0, None)
     fast = np.clip(rising * np.minimum(t, drive.shortest - t), 0.0, None)
-    lines = [(f"{drive.what}, {drive.time:.3g} s", slow), (f"up to the peak, {drive.shortest:.3g} s", fast)]
-    diagram(axes, t, lines, "v, m/min")
-    axes.set_xlabel("$t$, s")
+    lines = ((f"{drive.what}, {drive.time:.3g} s", slow), (f"up to the peak, {drive.shortest:.3g} s", fast))
+    panels(drawing, box, t, "$t$, s", [Panel("$v$, m/min", lines)])
 
 
-def _loads(axes: Axes, result: Transloader) -> None:
+def _loads(drawing: Drawing, box: Box, result: Transloader) -> None:
     """A cell for each load and case: its size where it acts."""
-    for row, load in enumerate(result.loads):
+    names = [LOADS[each.load].meaning for each in result.loads]
+    drawing.add(Words(complex(box.middle.real, box.top), "loads by case, kN", 2.5, 1j))
+    frame = box.inset(max(width(name, 2.0) for name in names) + 2, 6, 1, 7)
+    wide, high = frame.width / len(CASES), frame.height / len(names)
+    for row, (load, name) in enumerate(zip(result.loads, names, strict=True)):
+        y = frame.top - (row + 0.5) * high
+        drawing.add(Words(complex(frame.left - 1.5, y), name, min(2.0, 0.5 * high), 1))
         for column, case in enumerate(CASES):
             acting, left_blank = case in load.cases, case in load.blank
-            colour = PLATE if acting else "#ffffff"
-            corner = column - 0.5, row - 0.5
-            axes.add_patch(Rectangle(corner, 1, 1, facecolor=colour, edgecolor=THIN, linewidth=0.5))
+            at = complex(frame.left + (column + 0.5) * wide, y)
+            cell = at + np.array([complex(s * wide / 2, t * high / 2) for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
+            drawing.add(Area(cell, PLATE if acting else WHITE, CELL))
             text = (f"{load.value / 1000:.4g}" if acting else "") + ("?" if left_blank else "")
-            axes.text(column, row, text, ha="center", va="center", fontsize=7)
-    axes.set_xlim(-0.5, len(CASES) - 0.5)
-    axes.set_ylim(len(result.loads) - 0.5, -0.5)
-    axes.set_xticks(range(len(CASES)), list(CASES))
-    axes.set_yticks(range(len(result.loads)), [LOADS[each.load].meaning for each in result.loads], fontsize=7)
-    axes.tick_params(length=0)
-    axes.set_title("loads by case, kN", fontsize=8)
+            if text:
+                drawing.add(Words(at, text, min(2.0, 0.5 * high, 0.9 * wide / width(text))))
+    for column, case in enumerate(CASES):
+        drawing.add(Words(complex(frame.left + (column + 0.5) * wide, frame.bottom - 1.5), case, 2.0, 1j))
 
 
-def _stresses(axes: Axes, result: Transloader) -> None:
+def _stresses(drawing: Drawing, box: Box, result: Transloader) -> None:
     """Bars of the stresses, with what is allowed as marks."""
-    places = range(len(result.checks))
-    stress, allowed, other = (
-        [1e-6 * getattr(each, name) for each in result.checks] for name in ("stress", "allowed", "other")
-    )
-    axes.barh(places, stress, height=0.6, zorder=3, color=CURVES[0]["color"], label="stress")
-    factors = ("sum", "product") if result.factors == "sum" else ("product", "sum")
-    axes.plot(allowed, places, "|", markersize=14, markeredgewidth=2, color=MARK, label=f"allowed, {factors[0]}")
-    axes.plot(other, places, "|", markersize=9, color=THIN, label=f"allowed, {factors[1]}")
     names = [f"{each.part}, {each.case} {each.kind}" for each in result.checks]
-    axes.set_yticks(places, names, fontsize=7)
-    axes.invert_yaxis()
-    axes.grid(True, axis="x", linewidth=0.35, color="#d0d0d0", zorder=0)
-    axes.set_xlabel("stress, MPa")
-    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, borderaxespad=0.3)
+    rows = [(1e-6 * each.stress, 1e-6 * each.allowed, 1e-6 * each.other) for each in result.checks]
+    frame = box.inset(max(width(name, 2.0) for name in names) + 2, 11, 2, ROW + 3)
+    top = 1.08 * max(max(row) for row in rows)
+    axis, unit, high = Axis("stress, MPa", 0.0, top), frame.width / top, frame.height / len(rows)
+    values = ticks(axis, max(2, int(frame.width / 14)))
+    for value in values:
+        x = frame.left + value * unit
+        drawing.line([complex(x, frame.bottom), complex(x, frame.top)], GRID, level=-1)
+        drawing.add(Words(complex(x, frame.bottom - 1.5), written(value, values), 2.2, 1j))
+    for row, ((stress, allowed, other), name) in enumerate(zip(rows, names, strict=True)):
+        y, half = frame.top - (row + 0.5) * high, 0.3 * high
+        end = frame.left + stress * unit
+        corners = [complex(frame.left, y - half), complex(end, y - half), complex(end, y + half)]
+        drawing.add(Area(np.array([*corners, complex(frame.left, y + half)]), CURVES[0].colour))
+        drawing.add(Words(complex(frame.left - 1.5, y), name, min(2.0, 0.5 * high), 1))
+        for value, pen, reach in ((other, OTHER, 0.3), (allowed, ALLOWED, 0.42)):
+            x = frame.left + value * unit
+            drawing.line([complex(x, y - reach * high), complex(x, y + reach * high)], pen, level=2)
+    outline = [complex(frame.left, frame.bottom), complex(frame.right, frame.bottom)]
+    drawing.line([*outline, complex(frame.right, frame.top), complex(frame.left, frame.top)], THIN, closed=True)
+    drawing.add(Words(complex(frame.middle.real, frame.bottom - 5.5), axis.name, HEIGHT, 1j))
+    factors = ("sum", "product") if result.factors == "sum" else ("product", "sum")
+    bars = Pen("BARS", 1.4, colour=CURVES[0].colour)
+    key = [("stress", bars), (f"allowed, {factors[0]}", ALLOWED), (f"allowed, {factors[1]}", OTHER)]
+    key_above(drawing, frame, key)

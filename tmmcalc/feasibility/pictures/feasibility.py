@@ -8,14 +8,16 @@ from __future__ import annotations
 
 import textwrap
 
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
+import numpy as np
 
 from tmmcalc.feasibility.facts.feasibility import limits_in_words, measured
 from tmmcalc.feasibility.judge import Feasibility, Verdict
+from tmmcalc.report.drawing.diagram import Axis, Diagram
+from tmmcalc.report.drawing.lettering import minus, width
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import INK, THIN
+from tmmcalc.report.drawing.page import titled
+from tmmcalc.report.drawing.pens import INK, MIDDLE, WHITE, Pen
+from tmmcalc.report.drawing.shapes import Area, Drawing, Hatching, Words
 
 HOLDS, FAILS, IDLE = "#009e73", "#d55e00", "#9a9a9a"
 REGION = "#e3f2ec"
@@ -23,71 +25,64 @@ LEAST, MOST = 10.0, 100.0  # [%] half the scale, at least and at most
 LEAST_ROWS = 5  # that a sheet is divided into
 TWO_LINES = 20  # rows up to which a quantity and its limits stand in two lines
 INSIDE = 0.75  # part of the scale beyond which the figure of a bar stands in it
+HEIGHT = 2.3  # of words [mm]
+FAILED = Pen("HATCH_FAILS", 0.25, colour=WHITE)
 WRAP = 110  # characters of a line of the rule
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage."""
-    return feasibility_figure(order.results["feasibility"])
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage."""
+    return feasibility_drawing(order.results["feasibility"])
 
 
-def feasibility_figure(result: Feasibility) -> Figure:
+def feasibility_drawing(result: Feasibility) -> Drawing:
     """One sheet: a bar a constraint in the order of the spec, the rule above."""
-    figure, (sheet,) = blank(1)
     state = "feasible" if result.feasible else f"not feasible: {', '.join(result.failing)}"
     of = f" of solution {result.chosen} of {len(result.candidates)}" if result.candidates else ""
-    sheet.suptitle("\n".join([f"Constraints{of}: {state}", *textwrap.wrap(f"rule: {result.rule}", WRAP)]), fontsize=10)
-    axes = sheet.subplots()
+    title = "\n".join([f"Constraints{of}: {state}", *textwrap.wrap(f"rule: {result.rule}", WRAP)])
+    drawing, box = titled(title, 3.0)
     margins = [100 * verdict.margin for verdict in result.verdicts]
     scale = min(max(LEAST, *(1.1 * abs(margin) for margin in margins)), MOST)
-    axes.axvspan(0, scale, color=REGION, zorder=0)
-    axes.axvline(0, color=INK, linewidth=1.0, zorder=4)
-    for row, verdict in enumerate(result.verdicts):
-        _bar(axes, row, verdict, scale, verdict.name in result.failing)
-    _frame(axes, result, scale)
-    settle(figure)
-    return figure
+    rows = max(len(result.verdicts), LEAST_ROWS)
+    between = "\n" if len(result.verdicts) <= TWO_LINES else "; "
+    words = [f"{measured(each)}{between}{' and '.join(limits_in_words(each))}" for each in result.verdicts]
+    height = min(HEIGHT, 0.35 * (box.height - 14) / rows)
+    left = max(width(each.name, height) for each in result.verdicts) + 3
+    right = max(width(each, height) for each in words) + 3
+    frame = box.inset(left, 12, right, 2)
+    across = Axis("margin to the nearer limit, % of it", -scale, scale)
+    field = Diagram(drawing, frame, across, Axis("", 0.0, 1.0), lettered=False)
+    field.band(0.0, scale, REGION)
+    field.vertical(0.0, MIDDLE)
+    pitch = frame.height / rows
+    for row, (verdict, said) in enumerate(zip(result.verdicts, words, strict=True)):
+        y = frame.top - (row + 0.5) * pitch
+        drawing.add(Words(complex(frame.left - 1.5, y), verdict.name, height, 1))
+        drawing.add(Words(complex(frame.right + 1.5, y), said, height, -1))
+        _bar(field, y, pitch, verdict, scale, verdict.name in result.failing)
+    for side, name, colour in ((1, "holds", HOLDS), (-1, "fails", FAILS)):
+        at = complex(frame.right - 1.5 if side > 0 else frame.left + 1.5, frame.bottom + 1.5)
+        drawing.add(Words(at, name, HEIGHT, side - 1j, colour=colour))
+    return drawing
 
 
-def _bar(axes: Axes, row: int, verdict: Verdict, scale: float, at_fault: bool) -> None:
+def _bar(field: Diagram, y: float, pitch: float, verdict: Verdict, scale: float, at_fault: bool) -> None:
     """The margin, its figure at the end; what fails is hatched, so that a grey print tells it too."""
-    margin = 100 * verdict.margin
+    margin, draw = 100 * verdict.margin, field.drawing
     end = min(max(margin, -scale), scale)
     colour = FAILS if at_fault else HOLDS if verdict.holds else IDLE
-    hatch = None if verdict.holds else "///"
-    axes.barh(row, end, height=0.42, color=colour, zorder=3, hatch=hatch, edgecolor="white", linewidth=0)
+    zero, tip = (field.place(complex(value, 0)).real for value in (0.0, end))
+    half = 0.21 * pitch
+    corners = np.array([complex(x, y + h) for x, h in ((zero, -half), (tip, -half), (tip, half), (zero, half))])
+    draw.add(Area(corners, colour), level=3)
+    if not verdict.holds:
+        draw.add(Hatching((corners,), pitch=2.0, pen=FAILED), level=3)
     if end != margin:
-        axes.plot(
-            [0.985 * end], [row], marker=">" if end > 0 else "<", color=INK, markersize=6, clip_on=False, zorder=5
-        )
+        side = 1 if end > 0 else -1
+        head = complex(tip - 1.0 * side, y)
+        draw.add(Area(head + side * np.array([2.2, 1.2j, -1.2j]), INK), level=5)
     side = 1 if verdict.margin >= 0 else -1
     inwards = -side if abs(end) > INSIDE * scale else side
-    axes.annotate(
-        f"{margin:+.3g} %" if abs(margin) < 100 else f"{margin:+.0f} %",
-        (end, row),
-        xytext=(12 * inwards, 0),
-        textcoords="offset points",
-        ha="left" if inwards > 0 else "right",
-        va="center",
-        bbox={"boxstyle": "round,pad=0.2", "facecolor": "white", "edgecolor": "none"} if inwards != side else None,
-        zorder=6,
-    )
-
-
-def _frame(axes: Axes, result: Feasibility, scale: float) -> None:
-    """Names on the left, quantities with their limits on the right."""
-    verdicts = result.verdicts
-    rows, bottom = range(len(verdicts)), max(len(verdicts), LEAST_ROWS) - 0.4
-    between = "\n" if len(verdicts) <= TWO_LINES else "; "
-    words = [f"{measured(verdict)}{between}{' and '.join(limits_in_words(verdict))}" for verdict in verdicts]
-    axes.set_yticks(rows, [verdict.name for verdict in verdicts], fontsize=9)
-    right = axes.twinx()
-    right.set_yticks(rows, words)
-    for side in (axes, right):
-        side.set_ylim(bottom, -0.6)
-        side.tick_params(axis="y", length=0)
-    axes.set_xlim(-scale, scale)
-    axes.set_xlabel("margin to the nearer limit, % of it")
-    axes.text(0.99, 0.015, "holds", transform=axes.transAxes, ha="right", va="bottom", color=HOLDS)
-    axes.text(0.01, 0.015, "fails", transform=axes.transAxes, ha="left", va="bottom", color=FAILS)
-    axes.grid(axis="x", color=THIN, linewidth=0.3, alpha=0.6)
+    text = minus(f"{margin:+.3g} %" if abs(margin) < 100 else f"{margin:+.0f} %")
+    at = complex(tip + (4 if inwards != side else 2) * inwards, y)
+    draw.add(Words(at, text, HEIGHT, -inwards, clear=True), level=6)

@@ -6,65 +6,101 @@ Borders run between the points of the grid as if margins were linear there. Of o
 from __future__ import annotations
 
 import textwrap
-from typing import Any
+from itertools import pairwise
 
 import numpy as np
-from matplotlib.artist import Artist
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
-from matplotlib.patheffects import withTickedStroke
+from numpy.typing import NDArray
 
+from tmmcalc.core.plane import Plane
 from tmmcalc.feasibility.logic import Values
 from tmmcalc.feasibility.maps import RegionMap
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES, INK, THIN
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.diagram import Axis, Diagram, key_rows
+from tmmcalc.report.drawing.key import samples_in_rows
+from tmmcalc.report.drawing.page import titled
+from tmmcalc.report.drawing.pens import CURVES, INK, Pen
+from tmmcalc.report.drawing.shapes import Area, Drawing, Stroke
 from tmmcalc.report.numbers import number
 
 REGION = "#d5ece2"
 WRAP = 110  # characters of a line of the rule
 DOTS = 2000  # points of a grid up to which they are marked
 FINER = 8  # steps between two values, within which margins are linear
-BEST = (0, (1.0, 2.0))
+BEST = Pen("BEST", 0.3, (0.4, 0.8), INK)
+POINTS = Pen("GRID_POINTS", 0.13, colour="#9a9a9a")
+BARRED = Pen("NO_SOLUTION", 0.25, colour="#9a9a9a")
+HOLDS = Pen("REGION", 2.2, colour=REGION)
+TICKS = (2.2, 1.1)  # of a border, to the side that fails: from one to the next, and their length [mm]
 SCALE = 100.0  # [%] of the margins of one parameter, at most
 
 
-def region_figure(result: RegionMap) -> Figure:
+def region_drawing(result: RegionMap) -> Drawing:
     """One sheet: over two parameters the plane with the borders, over one the margins as curves."""
-    figure, (sheet,) = blank(1)
     share = f"{np.count_nonzero(result.feasible)} of {len(result.feasible)} points"
     heading = f"Feasible parameters: {share}"
-    sheet.suptitle("\n".join([heading, *textwrap.wrap(f"rule: {result.rule}", WRAP)]), fontsize=10)
-    axes = sheet.subplots()
+    drawing, box = titled("\n".join([heading, *textwrap.wrap(f"rule: {result.rule}", WRAP)]), 3.2)
+    names = _names(result)
+    foot = 4.8 * len(key_rows(names, box.width)) + 3
+    frame = box.inset(18, 12 + foot, 4, 2)
     if len(result.parameters) == 1:
-        _curves(axes, result)
+        _curves(drawing, frame, result)
     else:
-        _plane(axes, result)
-    axes.set_xlabel(result.parameters[0].header)
-    _legend(axes, result)
-    settle(figure)
-    return figure
+        _plane(drawing, frame, result)
+    samples_in_rows(drawing, Box(box.left, box.bottom, box.right, box.bottom + foot - 2), names)
+    return drawing
 
 
-def _plane(axes: Axes, result: RegionMap) -> None:
+def _plane(drawing: Drawing, box: Box, result: RegionMap) -> None:
     """The region filled, its borders with ticks to the side that fails, points without a solution crossed."""
     x, y = (np.array(each.values) for each in result.parameters)
+    across, up = (Axis(each.header, v[0], v[-1]) for each, v in zip(result.parameters, (x, y), strict=True))
+    field = Diagram(drawing, box, across, up)
     fine = _between(x), _between(y)
     blank = _plane_between((x, y), fine, result.solved.astype(float), result) < 1
     margins = [_plane_between((x, y), fine, each, result) for each in result.margins]
-    for k, field in enumerate(margins):
-        shown = np.ma.array(-field, mask=blank)
-        if shown.count() and shown.min() <= 0 < shown.max():
-            lines = axes.contour(*fine, shown, levels=[0.0], colors=[_colour(k)], linewidths=1.4)
-            lines.set(path_effects=[withTickedStroke(spacing=8, angle=60, length=0.6)])
-    region = np.ma.array(result.exact(margins), mask=blank)
-    if region.count() and region.max() >= 0:
-        axes.contourf(*fine, region, levels=[0.0, np.inf], colors=[REGION], zorder=0)
-    _points(axes, result, np.repeat(x, len(y)), np.tile(y, len(x)))
-    axes.set_ylabel(result.parameters[1].header)
-    axes.set_xlim(x[0], x[-1])
-    axes.set_ylim(y[0], y[-1])
+    for area in _filled(fine, np.where(blank, np.nan, result.exact(margins))):
+        drawing.add(Area(field.paper(area), REGION), level=-3)
+    for k, margin in enumerate(margins):
+        for line in _lines(fine, np.where(blank, np.nan, margin)):
+            _border(field, line, _pen(k))
+    _points(field, result, np.repeat(x, len(y)), np.tile(y, len(x)))
+
+
+def _filled(fine: tuple[Values, Values], values: Values) -> list[Plane]:
+    """Areas where values are not below zero; what is not a number is left out."""
+    from contourpy import FillType, contour_generator
+
+    found = contour_generator(*fine, np.ma.masked_invalid(values), fill_type=FillType.OuterCode)
+    parts: list[Plane] = []
+    for points, codes in zip(*found.filled(0.0, np.inf), strict=True):
+        # holes are cut in by a way there and back, so that one polygon tells the area
+        starts = [*np.flatnonzero(codes == 1).tolist(), len(points)]
+        loops = [points[a:b] @ np.array([1, 1j]) for a, b in pairwise(starts)]
+        outer = loops[0]
+        parts.append(np.concatenate([outer, *(np.append(hole, outer[-1:]) for hole in loops[1:])]))
+    return parts
+
+
+def _lines(fine: tuple[Values, Values], values: Values) -> list[Plane]:
+    """Where values are zero, with what is above zero on the left."""
+    from contourpy import contour_generator
+
+    lines = contour_generator(*fine, np.ma.masked_invalid(values)).lines(0.0)
+    return [np.asarray(line @ np.array([1, 1j])) for line in lines]
+
+
+def _border(field: Diagram, line: Plane, pen: Pen) -> None:
+    """A border with ticks to the side that fails."""
+    field.curve(line, pen)
+    z = field.paper(line)
+    way = np.concatenate(([0.0], np.cumsum(np.abs(np.diff(z)))))
+    for at in np.arange(TICKS[0] / 2, way[-1], TICKS[0]).tolist():
+        k = min(int(np.searchsorted(way, at)), len(z) - 1)
+        step = z[k] - z[k - 1]
+        if step:
+            foot = z[k - 1] + step * (at - way[k - 1]) / abs(step)
+            side = -1j * np.exp(0.5j) * step / abs(step)  # to the right, where values are below zero
+            field.drawing.add(Stroke(np.array([foot, foot + TICKS[1] * side]), pen._replace(width=0.2)), level=4)
 
 
 def _between(x: Values) -> Values:
@@ -78,52 +114,52 @@ def _plane_between(at: tuple[Values, Values], fine: tuple[Values, Values], value
     return np.array([np.interp(fine[0], at[0], row) for row in columns.T])
 
 
-def _points(axes: Axes, result: RegionMap, x: Values, y: Values) -> None:
+def _points(field: Diagram, result: RegionMap, x: Values, y: Values) -> None:
+    z = x + 1j * y
     if len(x) <= DOTS:
-        axes.plot(x[result.solved], y[result.solved], ".", color=THIN, markersize=1.5, zorder=1)
-    axes.plot(x[~result.solved], y[~result.solved], "x", color=THIN, markersize=4, markeredgewidth=0.7, clip_on=False)
-    axes.plot(x[result.best], y[result.best], "o", color=INK, markersize=5, fillstyle="none", clip_on=False)
+        for at in z[result.solved].tolist():
+            field.marker(at, "o", POINTS, 0.35)
+    for at in z[~result.solved].tolist():
+        field.marker(at, "X", BARRED, 1.1)
+    field.marker(complex(z[result.best]), "o", Pen("POINTS", 0.3, colour=INK), 1.9, filled=False)
 
 
-def _curves(axes: Axes, result: RegionMap) -> None:
+def _curves(drawing: Drawing, box: Box, result: RegionMap) -> None:
     """Margins in percent, blank where there is no solution; the feasible part is filled."""
     x = np.array(result.parameters[0].values)
-    for k, margins in enumerate(result.margins):
-        axes.plot(x, np.where(result.solved, 100 * margins, np.nan), linewidth=1.3, **CURVES[k % len(CURVES)])
     largest = float(np.max(np.abs(100 * result.margins)))
     scale = min(1.1 * largest, SCALE) or 1.0
+    across = Axis(result.parameters[0].header, x[0], x[-1])
+    field = Diagram(drawing, box, across, Axis("margin to the nearer limit, % of it", -scale, scale))
     fine = _between(x)
     region = result.exact([np.interp(fine, x, each) for each in result.margins]) >= 0
     region &= np.interp(fine, x, result.solved) == 1
-    axes.fill_between(fine, -scale, scale, where=region, color=REGION, zorder=0, linewidth=0)
-    axes.axhline(0, color=INK, linewidth=0.9)
-    axes.axvline(x[result.best], color=INK, linewidth=0.8, linestyle=BEST)
-    axes.plot(x[~result.solved], np.zeros(np.count_nonzero(~result.solved)), "x", color=THIN, markersize=5)
-    axes.set_ylim(-scale, scale)
-    axes.set_xlim(x[0], x[-1])
-    axes.set_ylabel("margin to the nearer limit, % of it")
-    axes.grid(axis="y", color=THIN, linewidth=0.3, alpha=0.6)
+    for low, high in _runs(region):
+        field.band(float(fine[low]), float(fine[high]), REGION)
+    for k, margins in enumerate(result.margins):
+        for low, high in _runs(np.asarray(result.solved, bool)):
+            field.curve(x[low : high + 1] + 100j * margins[low : high + 1], CURVES[k % len(CURVES)])
+    field.vertical(float(x[result.best]), BEST)
+    for at in x[~result.solved].tolist():
+        field.marker(complex(at, 0.0), "X", BARRED, 1.2)
 
 
-def _colour(k: int) -> str:
-    return str(CURVES[k % len(CURVES)]["color"])
+def _runs(mask: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First and last index of every row of neighbours that hold."""
+    padded = np.concatenate(([False], mask, [False])).astype(int)
+    starts, ends = np.flatnonzero(np.diff(padded) == 1), np.flatnonzero(np.diff(padded) == -1) - 1
+    return list(zip(starts.tolist(), ends.tolist(), strict=True))
 
 
-def _legend(axes: Axes, result: RegionMap) -> None:
+def _pen(k: int) -> Pen:
+    return CURVES[k % len(CURVES)]._replace(dashes=())
+
+
+def _names(result: RegionMap) -> list[tuple[str, Pen]]:
     flat = len(result.parameters) == 1
-    dashes: list[Any] = [CURVES[k % len(CURVES)]["linestyle"] if flat else "-" for k in range(len(result.names))]
-    handles: list[Artist] = [
-        Line2D([], [], label=name, color=_colour(k), linestyle=dashes[k], linewidth=1.4)
-        for k, name in enumerate(result.names)
-    ]
+    names = [(name, CURVES[k % len(CURVES)] if flat else _pen(k)) for k, name in enumerate(result.names)]
     places = zip(result.parameters, result.at(result.best), strict=True)
     best = ", ".join(number(each.values[k], 5) for each, k in places)
-    label = f"{'best' if result.feasible.any() else 'nearest'} point ({best})"
-    handles.append(Patch(color=REGION, label="the rule holds"))
-    if flat:
-        handles.append(Line2D([], [], color=INK, linestyle=BEST, label=label))
-    else:
-        handles.append(Line2D([], [], color=INK, marker="o", linestyle="", fillstyle="none", label=label))
-    if not result.solved.all():
-        handles.append(Line2D([], [], marker="x", linestyle="", color=THIN, label="no solution"))
-    axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.07), ncols=min(6, len(handles)))
+    label = f"{'best' if result.feasible.any() else 'nearest'} point ({best}){'' if flat else ': circle'}"
+    names += [("the rule holds", HOLDS), (label, BEST)]
+    return names if result.solved.all() else [*names, ("no solution: crosses", BARRED)]

@@ -2,8 +2,8 @@
 blocking contours.
 
 placed (a train to scale) -> endview, lengthwise -> sideview -> scheme (sheet)
-solutions, graphs, front (sheets) -> train, criteria (figures of the stages)
-placedpair (a pair to scale) -> sketch -> dimensions -> mesh; slidingcurves, listing -> pairtable -> pairsheet (of pair)
-generation -> toothdrawing -> toothpicture (figure of the stage profile)
-contourpaths -> contourlines, contourlook -> contournumbers -> contourplane, contourkey -> contour (figure of blocking)
+cloud -> solutions, graphs, front (diagrams); with the scheme -> train, criteria (drawings of the stages)
+placedpair (a pair to scale) -> sketch -> dimensions -> mesh; slidingcurves, listing -> pairtable -> pair (of the stage)
+generation -> toothdrawing -> profile, wheel (of the stages)
+contourpaths -> contourlines, contourlook -> contournumbers -> contourplane, contourkey -> blocking (of the stage)
 """

@@ -6,28 +6,30 @@ a pinch point are pale. Numbers in circles are those of the textbook's figures 4
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import degrees
-
-from matplotlib.figure import Figure, SubFigure
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.meshing.contours import Blocking, PairContour
 from tmmcalc.gears.pictures.contourkey import write_key
-from tmmcalc.gears.pictures.contourplane import content_of, draw_plane
-from tmmcalc.report.drawing.labels import signed
+from tmmcalc.gears.pictures.contourplane import draw_plane
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.lettering import minus, plain
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
+from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.numbers import number
 
 LEAST = "\N{GREATER-THAN OR EQUAL TO}"
+HEADING, TITLE = 14.0, 3.0  # room of the heading and the height of its letters [mm]
+KEY, GAP = 106.0, 6.0  # width of the key and its distance from the plane
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage, of the pair that is chosen."""
-    return blocking_figure(order.results["blocking"], choose=order.choice)
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage, of the pair that is chosen."""
+    return blocking_drawing(order.results["blocking"], choose=order.choice)
 
 
-def blocking_figure(result: Blocking, *, choose: int | None = None) -> Figure:
+def blocking_drawing(result: Blocking, *, choose: int | None = None) -> Drawing:
     """A sheet for every pair, or for pair ``choose`` alone, from 1.
 
     Raises `UsageError` for a pair that there is not, and if no pair has a contour.
@@ -40,41 +42,24 @@ def blocking_figure(result: Blocking, *, choose: int | None = None) -> Figure:
             f"there is no contour {choose}", where="plot", value=choose, limit=count, remedy=f"1 to {count}"
         )
     shown = result.pairs if choose is None else result.pairs[choose - 1 : choose]
-    figure, sheets = blank(len(shown))
-    finish = [_sheet(sheet, pair) for sheet, pair in zip(sheets, shown, strict=True)]
-    settle(figure)
-    for draw in finish:
-        draw()
-    return figure
-
-
-def _sheet(sheet: SubFigure, pair: PairContour) -> Callable[[], None]:
-    """Lay the sheet out; what is returned draws when the layout is settled."""
-    sheet.suptitle(_heading(pair), fontsize=10)
-    left, right = sheet.subfigures(1, 2, squeeze=False, width_ratios=[1.62, 1.0])[0]
-    plane, key = left.subplots(), right.subplots()
-    key.set_axis_off()
-    low, high = content_of(pair).tolist()
-    plane.set_xlim(low.real, high.real)
-    plane.set_ylim(low.imag, high.imag)
-    plane.set_xlabel("shift of wheel 1, $x_1$")
-    plane.set_ylabel("shift of wheel 2, $x_2$")
-
-    def finish() -> None:
-        write_key(key, pair, draw_plane(plane, pair))
-
-    return finish
+    drawing, boxes = sheets(len(shown), "Blocking contours")
+    for box, pair in zip(boxes, shown, strict=True):
+        drawing.add(Words(complex(box.middle.real, box.top), _heading(pair), TITLE, 1j))
+        free = box.inset(0, 0, 0, HEADING)
+        plane = Box(free.left, free.bottom, free.right - KEY - GAP, free.top)
+        seen = draw_plane(drawing, plane, pair)
+        write_key(drawing, Box(free.right - KEY, free.bottom, free.right, free.top), pair, seen)
+    return drawing
 
 
 def _heading(pair: PairContour) -> str:
     """The pair and the limits that its contour keeps."""
     teeth = f"{pair.teeth[0]}/{pair.teeth[1]}"
-    name = pair.name if teeth in pair.name else f"{pair.name}: $z$ = {teeth}" if pair.name else f"$z$ = {teeth}"
-    tips = f"{signed(pair.thickness, 4)} $m$" if pair.thickness else "0"
-    limits = f"$\\varepsilon_\\alpha$ {LEAST} {signed(pair.contact_ratio, 4)}, $s_a$ {LEAST} {tips}"
-    rack = (
-        f"$\\alpha$ = {signed(degrees(pair.rack.angle), 4)}\N{DEGREE SIGN}, $h_a^*$ = {signed(pair.rack.addendum, 4)}"
-    )
-    helix = f", $\\beta$ = {signed(degrees(abs(pair.helix)), 4)}\N{DEGREE SIGN}" if pair.helix else ""
-    made = f"$m$ = {signed(1e3 * pair.module, 4)} mm, {rack}{helix}"
+    called = plain(pair.name)
+    name = called if teeth in called else f"{called}: $z$ = {teeth}" if called else f"$z$ = {teeth}"
+    tips = f"{minus(number(pair.thickness, 4))} $m$" if pair.thickness else "0"
+    limits = f"$ε_α$ {LEAST} {minus(number(pair.contact_ratio, 4))}, $s_a$ {LEAST} {tips}"
+    rack = f"$α$ = {number(degrees(pair.rack.angle), 4)}°, $h_a^*$ = {number(pair.rack.addendum, 4)}"
+    helix = f", $β$ = {number(degrees(abs(pair.helix)), 4)}°" if pair.helix else ""
+    made = f"$m$ = {number(1e3 * pair.module, 4)} mm, {rack}{helix}"
     return f"Blocking contour, {name}\n{made}; limits: {limits}"

@@ -6,38 +6,32 @@ The column is measured in mm from its upper left corner; if all does not fit, ev
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from textwrap import wrap
-from typing import Any
 
-from matplotlib.axes import Axes
-from matplotlib.patches import Circle, Rectangle
+import numpy as np
 
 from tmmcalc.core.records import record
 from tmmcalc.gears.meshing.contours import UNBOUNDED, Area, ContourPoint, PairContour
 from tmmcalc.gears.pictures.contourlines import Stroke, chosen, indexed, number_of
-from tmmcalc.gears.pictures.contourlook import BELT, BORDER, FILL, FONT, HATCH, PALE, RING, STRICT, STROKES, marker_of
-from tmmcalc.report.drawing.labels import MM
-from tmmcalc.report.drawing.style import INK, MARK
+from tmmcalc.gears.pictures.contourlook import BELT, HATCHED, PALE, RING, STRICT, Look, marker, ring
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.lettering import extent, minus, wrapped
+from tmmcalc.report.drawing.pens import INK, MARK
+from tmmcalc.report.drawing.shapes import Area as Patch
+from tmmcalc.report.drawing.shapes import Drawing, Hatching, Words
 
-SIZE = 7.0  # of the text [points]
-WIDE = 0.52  # mean width of a letter, in parts of its size
-LINE = 3.35  # height of a line of text [mm]
+SIZE = 2.0  # height of the text [mm]
+HEADING = 2.5  # and of headings
+LINE = 3.6  # height of a line of text [mm]
 SPACE = 0.75  # between rows
 SAMPLE = 8.0  # length of the sample of a line
+PATCH = 10.5  # and of that of an area
 LEFT = 13.5  # where the words begin
-HEADS = (
-    "$x_1$",
-    "$x_2$",
-    "$\\varepsilon_\\alpha$",
-    "$s_{a1}$",
-    "$s_{a2}$",
-    "$\\vartheta_1$",
-    "$\\vartheta_2$",
-    "$a_w$, mm",
-)
-COLUMNS = (11.0, 11.5, 9.5, 10.0, 9.5, 11.0, 11.0, 13.0)  # widths of the table [mm]
+HEADS = ("$x_1$", "$x_2$", "$ε_α$", "$s_{a1}$", "$s_{a2}$", "$ϑ_1$", "$ϑ_2$", "$a_w$, mm")
+COLUMNS = (11.0, 11.5, 9.5, 9.5, 9.5, 10.5, 10.5, 13.0)  # widths of the table [mm]
+POINTS = 20.0  # where its columns begin
 SLIDING = 5  # column of the first specific sliding
 DECIMALS = (4, 4, 3, 3, 3, 2, 2, 3)
+VALUES = (58.0, 74.0)  # right ends of the columns of margins
 MARGINS = (
     ("no undercut", "undercut1", "undercut2"),
     ("active flank whole", "tolerated1", "tolerated2"),
@@ -46,7 +40,7 @@ MARGINS = (
     ("contact ratio", "contact_ratio", ""),
 )
 SAME = 1e-9  # difference of areas that is none
-MINUS = "\N{MINUS SIGN}"
+MINUS = minus("-")
 
 
 @record
@@ -57,178 +51,168 @@ class Row:
     draw: Callable[[float, float], None]  # at the y of its upper border, by the common shrinking
 
 
-def write_key(axes: Axes, pair: PairContour, seen: Sequence[Stroke]) -> None:
-    """Write the column, whose place must be settled; ``seen`` are the lines that the picture shows."""
-    box = axes.get_window_extent()
-    width, height = (v * MM / axes.figure.dpi for v in (box.width, box.height))
-    axes.set_xlim(0, width)
-    axes.set_ylim(-height, 0)
-    rows = [
-        *_lines(axes, seen, width),
-        *_areas(axes, pair, width),
-        *_points(axes, pair, width),
-        *_chosen(axes, pair, seen, width),
-    ]
-    rows += _notes(axes, pair, width)
-    shrink = min(1.0, height / sum(row.height for row in rows))
-    y = 0.0
+def write_key(drawing: Drawing, box: Box, pair: PairContour, seen: Sequence[Stroke]) -> None:
+    """Write the column from the top of a rectangle; ``seen`` are the lines that the picture shows."""
+    key = _Key(drawing, box)
+    rows = [*key.lines(seen), *key.areas(pair), *key.points(pair), *key.chosen(pair, seen), *key.notes(pair)]
+    shrink = min(1.0, box.height / sum(row.height for row in rows))
+    y = box.top
     for row in rows:
         row.draw(y, shrink)
         y -= shrink * row.height
 
 
-def _head(axes: Axes, text: str) -> Row:
-    return Row(2.0 + LINE, lambda y, k: _write(axes, 0.0, y - k * 1.6, text, k, weight="bold"))
+class _Key:
+    """The rows of the column, which draw when their place is known."""
 
+    def __init__(self, drawing: Drawing, box: Box) -> None:
+        self.drawing, self.left, self.width = drawing, box.left, box.width
 
-def _write(axes: Axes, x: float, y: float, text: str, shrink: float, **style: Any) -> None:
-    """A line of text below y."""
-    style = {"ha": "left", "va": "center_baseline", "color": INK, **style}
-    axes.text(x, y - shrink * LINE / 2, text, fontsize=shrink * SIZE, **style)
+    def write(
+        self, x: float, y: float, text: str, shrink: float, align: int = -1, colour: str = INK, size: float = SIZE
+    ) -> None:
+        """A line of text below y, x mm from the left of the column; all lines of a row have one base."""
+        above, below = extent(text, shrink * size)
+        middle = y - shrink * (LINE + size) / 2 + (above - below) / 2
+        self.drawing.add(Words(complex(self.left + x, middle), text, shrink * size, align, colour=colour))
 
+    def head(self, text: str) -> Row:
+        """A heading."""
+        return Row(2.2 + LINE, lambda y, k: self.write(0.0, y - k * 1.6, text, k, size=HEADING))
 
-def _worded(axes: Axes, text: str, width: float, left: float, sign: Callable[[float, float], None] | None) -> Row:
-    """Words in as many lines as they need, with a sign before them."""
-    parts = wrap(text, int((width - left) / (WIDE * SIZE * MM / 72))) or [""]
-    height = LINE * len(parts) + SPACE
+    def worded(self, text: str, left: float = 0.0, sign: Callable[[float, float], None] | None = None) -> Row:
+        """Words in as many lines as they need, with a sign before them."""
+        parts = wrapped(text, self.width - left, SIZE)
+        height = LINE * len(parts) + SPACE
 
-    def draw(y: float, k: float) -> None:
-        if sign is not None:
-            sign(y - k * (height - SPACE) / 2, k)
-        for n, part in enumerate(parts):
-            _write(axes, left, y - k * LINE * n, part, k)
+        def draw(y: float, k: float) -> None:
+            if sign is not None:
+                sign(y - k * (height - SPACE) / 2, k)
+            for n, part in enumerate(parts):
+                self.write(left, y - k * LINE * n, part, k)
 
-    return Row(max(height, 2 * RING + SPACE), draw) if sign is not None else Row(height, draw)
+        return Row(max(height, 2 * RING + SPACE), draw) if sign is not None else Row(height, draw)
 
+    def lines(self, seen: Sequence[Stroke]) -> Iterator[Row]:
+        """The lines that the picture shows."""
+        if seen:
+            yield self.head("Lines")
+        for stroke in seen:
+            yield self.worded(stroke.text, LEFT, self._sample(stroke))
 
-def _lines(axes: Axes, seen: Sequence[Stroke], width: float) -> Iterator[Row]:
-    if seen:
-        yield _head(axes, "Lines")
-    for stroke in seen:
-        yield _worded(axes, stroke.text, width, LEFT, _sample(axes, stroke))
+    def _sample(self, stroke: Stroke) -> Callable[[float, float], None]:
+        numbers = [text for text in stroke.number.split(", ") if text]
+        within, _ = stroke.pens
 
+        def draw(y: float, k: float) -> None:
+            start = complex(self.left, y)
+            self.drawing.line([start, start + (SAMPLE if len(numbers) < 2 else SAMPLE / 2)], within)
+            for n, text in enumerate(reversed(numbers)):
+                self.drawing.add(*ring(start + LEFT - 1.2 - RING - 2 * RING * n, text, within.colour, k))
 
-def _sample(axes: Axes, stroke: Stroke) -> Callable[[float, float], None]:
-    numbers = [text for text in stroke.number.split(", ") if text]
+        return draw
 
-    def draw(y: float, k: float) -> None:
-        axes.plot([0, SAMPLE if len(numbers) < 2 else SAMPLE / 2], [y, y], linewidth=1.2, **stroke.look)
-        for n, text in enumerate(reversed(numbers)):
-            x = LEFT - 1.2 - RING - 2 * RING * n
-            axes.add_patch(Circle((x, y), k * RING, facecolor="white", edgecolor=stroke.look["color"], linewidth=0.7))
-            axes.text(x, y, text, ha="center", va="center_baseline", fontsize=k * FONT, color=INK)
+    def areas(self, pair: PairContour) -> Iterator[Row]:
+        """What the areas are, with their sizes."""
+        strict, tolerated = pair.strict, pair.tolerated
+        if strict.main is not None or tolerated.main is not None:
+            yield self.head("Areas")
+        if strict.main is not None:
+            text = f"admissible without undercut, area {strict.main.area:.4f}"
+            yield self.worded(text, LEFT, self._patch(STRICT, False))
+        if tolerated.main is not None and (strict.main is None or tolerated.main.area > strict.main.area + SAME):
+            text = "admissible, not recommended: undercut that leaves the active flank whole; "
+            text += f"area of all {tolerated.main.area:.4f}"
+            yield self.worded(text, LEFT, self._patch(BELT, True))
+        if strict.pieces or tolerated.pieces:
+            text = "admissible beyond a pinch point, or apart: with a tip circle inside its reference circle"
+            yield self.worded(text, LEFT, self._patch(PALE, not strict.pieces))
 
-    return draw
+    def _patch(self, look: Look, hatched: bool) -> Callable[[float, float], None]:
+        def draw(y: float, k: float) -> None:
+            start, half = complex(self.left, y), 1.6j * k
+            around = np.array([start - half, start + PATCH - half, start + PATCH + half, start + half])
+            self.drawing.add(Patch(around, BELT.fill if hatched else look.fill))
+            if hatched:
+                self.drawing.add(Hatching((around,), pen=HATCHED))
+            self.drawing.line(around, look.border, closed=True)
 
+        return draw
 
-def _areas(axes: Axes, pair: PairContour, width: float) -> Iterator[Row]:
-    strict, tolerated = pair.strict, pair.tolerated
-    if strict.main is not None or tolerated.main is not None:
-        yield _head(axes, "Areas")
-    if strict.main is not None:
-        text = f"admissible without undercut, area {strict.main.area:.4f}"
-        yield _worded(axes, text, width, LEFT, _swatch(axes, STRICT, False))
-    if tolerated.main is not None and (strict.main is None or tolerated.main.area > strict.main.area + SAME):
-        text = "admissible, not recommended: undercut that leaves the active flank whole; "
-        text += f"area of all {tolerated.main.area:.4f}"
-        yield _worded(axes, text, width, LEFT, _swatch(axes, BELT, True))
-    if strict.pieces or tolerated.pieces:
-        text = "admissible beyond a pinch point, or apart: with a tip circle inside its reference circle"
-        yield _worded(axes, text, width, LEFT, _swatch(axes, PALE, not strict.pieces))
+    def points(self, pair: PairContour) -> Iterator[Row]:
+        """The points in figures, and what each of them is."""
+        if not pair.points:
+            return
+        yield self.head("Points")
+        yield self._cells(HEADS, "", None)
+        for point in pair.points:
+            values = (point.x1, point.x2, point.contact_ratio, *point.tip_thickness, *point.sliding)
+            every = zip((*values, 1e3 * point.distance), DECIMALS, strict=True)
+            texts = [_fixed(value, decimals) for value, decimals in every]
+            for k, theta in enumerate(point.sliding, start=SLIDING):
+                if not theta:  # the flank would have to begin inside the base circle
+                    texts[k] = "\N{EN DASH}"
+                elif abs(theta) > UNBOUNDED:  # it begins on the base circle
+                    texts[k] = f"{MINUS}\N{INFINITY}"
+            yield self._cells(texts, point.name, point)
+        said = [f"{point.name}: {indexed(point.title)}" for point in pair.points if point.name != "chosen"]
+        if said:
+            yield self.worded("; ".join(said))
 
-
-def _swatch(axes: Axes, look: dict[str, dict[str, Any]], hatched: bool) -> Callable[[float, float], None]:
-    def draw(y: float, k: float) -> None:
-        high, wide = 1.6 * k, 10.5
-        line = look[BORDER]
-        fill = BELT[FILL] if hatched else look[FILL]
-        outline = {"edgecolor": line["color"], "linewidth": line["linewidth"]}
-        axes.add_patch(Rectangle((0, y - high), wide, 2 * high, **fill | outline))
-        if hatched:
-            for n in range(int((wide - 2 * high) / HATCH) + 1):
-                x = n * HATCH
-                axes.plot([x, x + 2 * high], [y - high, y + high], color=BELT[STROKES]["colors"], linewidth=0.5)
-
-    return draw
-
-
-def _points(axes: Axes, pair: PairContour, width: float) -> Iterator[Row]:
-    if not pair.points:
-        return
-    yield _head(axes, "Points")
-    places = [LEFT + 8.5 + sum(COLUMNS[: k + 1]) for k in range(len(COLUMNS))]
-
-    def cells(texts: Sequence[str], start: str, point: ContourPoint | None) -> Row:
+    def _cells(self, texts: Sequence[str], start: str, point: ContourPoint | None) -> Row:
         def draw(y: float, k: float) -> None:
             left = 0.0
             if point is not None:
-                axes.plot(1.2, y - k * LINE / 2, **marker_of(point))
+                self.drawing.add(marker(point, complex(self.left + 1.2, y - k * LINE / 2)))
                 left = 3.6
-            _write(axes, left, y, start, k)
-            for x, text in zip(places, texts, strict=True):
-                _write(axes, x, y, text, k, ha="right")
+            self.write(left, y, start, k)
+            for n, text in enumerate(texts):
+                self.write(POINTS + sum(COLUMNS[: n + 1]), y, text, k, align=1)
 
         return Row(LINE + 0.6, draw)
 
-    yield cells(HEADS, "", None)
-    for point in pair.points:
-        values = (point.x1, point.x2, point.contact_ratio, *point.tip_thickness, *point.sliding, 1e3 * point.distance)
-        texts = [_fixed(v, n) for v, n in zip(values, DECIMALS, strict=True)]
-        for k, theta in enumerate(point.sliding, start=SLIDING):
-            if not theta:  # the flank would have to begin inside the base circle
-                texts[k] = "\N{EN DASH}"
-            elif abs(theta) > UNBOUNDED:
-                texts[k] = f"{MINUS}\N{INFINITY}"
-        yield cells(texts, point.name, point)
-    said = [f"{point.name}: {indexed(point.title)}" for point in pair.points if point.name != "chosen"]
-    if said:
-        yield _worded(axes, "; ".join(said), width, 0.0, None)
+    def chosen(self, pair: PairContour, seen: Sequence[Stroke]) -> Iterator[Row]:
+        """Margins of the chosen shifts and how far x1 may go at their sum."""
+        point = chosen(pair)
+        if point is None:
+            return
+        where = "in the strict contour" if point.strict else "in the hatched belt"
+        yield self.head(f"Chosen shifts: {where if point.tolerated else 'not admissible'}")
+        yield self._three("margin", "wheel 1", "wheel 2")
+        for text, one, two in MARGINS:
+            values = [f"{_fixed(pair.margins[key], 4)}" if key in pair.margins else "" for key in (one, two)]
+            numbers = ", ".join(dict.fromkeys(number_of(pair, key, seen) for key in (one, two) if key))
+            yield self._three(f"{text} ({numbers})", *values)
+        if pair.low is not None and pair.high is not None:
+            ends = [number_of(pair, key, seen) if key else "" for key in pair.ends]
+            low, high = (
+                f"{_fixed(x, 4)} (line {number})" if number else _fixed(x, 4)
+                for x, number in zip((pair.low, pair.high), ends, strict=True)
+            )
+            text = f"At the sum {_fixed(point.x1 + point.x2, 4)} the shift x1 may be {low} to {high}."
+            yield self.worded(indexed(text))
+
+    def _three(self, text: str, one: str, two: str) -> Row:
+        def draw(y: float, k: float) -> None:
+            self.write(0.0, y, text, k)
+            for x, value in zip(VALUES, (one, two), strict=True):
+                self.write(x, y, value, k, align=1, colour=MARK.colour if value.startswith(MINUS) else INK)
+
+        return Row(LINE + 0.2, draw)
+
+    def notes(self, pair: PairContour) -> Iterator[Row]:
+        """Reasons of what there is not."""
+        strict, tolerated = (list(_reasons(area)) for area in (pair.strict, pair.tolerated))
+        found = [f"strict contour: {text}" for text in strict if text not in tolerated]
+        found += [f"{'both contours' if text in strict else 'tolerated contour'}: {text}" for text in tolerated]
+        found += pair.missing
+        for text in found:
+            yield self.worded(indexed(f"{text[:1].upper()}{text[1:]}"))
 
 
 def _fixed(value: float, decimals: int) -> str:
     text = f"{value:.{decimals}f}"
-    return (text.lstrip("-") if not float(text) else text).replace("-", MINUS)
-
-
-def _chosen(axes: Axes, pair: PairContour, seen: Sequence[Stroke], width: float) -> Iterator[Row]:
-    """Margins of the chosen shifts and how far x1 may go at their sum."""
-    point = chosen(pair)
-    if point is None:
-        return
-    where = "in the strict contour" if point.strict else "in the hatched belt"
-    yield _head(axes, f"Chosen shifts: {where if point.tolerated else 'not admissible'}")
-    yield _three(axes, "margin", "wheel 1", "wheel 2")
-    for text, one, two in MARGINS:
-        values = [f"{_fixed(pair.margins[key], 4)}" if key in pair.margins else "" for key in (one, two)]
-        numbers = ", ".join(dict.fromkeys(number_of(pair, key, seen) for key in (one, two) if key))
-        yield _three(axes, f"{text} ({numbers})", *values)
-    if pair.low is not None and pair.high is not None:
-        ends = [number_of(pair, key, seen) if key else "" for key in pair.ends]
-        low, high = (
-            f"{_fixed(x, 4)} (line {number})" if number else _fixed(x, 4)
-            for x, number in zip((pair.low, pair.high), ends, strict=True)
-        )
-        text = indexed(f"At the sum {_fixed(point.x1 + point.x2, 4)} the shift x1 may be {low} to {high}.")
-        yield _worded(axes, text, width, 0.0, None)
-
-
-def _three(axes: Axes, text: str, one: str, two: str) -> Row:
-    def draw(y: float, k: float) -> None:
-        _write(axes, 0.0, y, text, k)
-        for x, value in ((58.0, one), (74.0, two)):
-            _write(axes, x, y, value, k, ha="right", color=MARK if value.startswith(MINUS) else INK)
-
-    return Row(LINE + 0.2, draw)
-
-
-def _notes(axes: Axes, pair: PairContour, width: float) -> Iterator[Row]:
-    """Reasons of what there is not."""
-    strict, tolerated = (list(_reasons(area)) for area in (pair.strict, pair.tolerated))
-    found = [f"strict contour: {text}" for text in strict if text not in tolerated]
-    found += [f"{'both contours' if text in strict else 'tolerated contour'}: {text}" for text in tolerated]
-    found += pair.missing
-    for text in found:
-        yield _worded(axes, indexed(f"{text[:1].upper()}{text[1:]}"), width, 0.0, None)
+    return minus(text.lstrip("-") if not float(text) else text)
 
 
 def _reasons(area: Area) -> Iterator[str]:

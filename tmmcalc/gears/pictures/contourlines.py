@@ -10,7 +10,6 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import groupby
-from typing import Any
 
 import numpy as np
 
@@ -19,31 +18,33 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.task import LINES
 from tmmcalc.gears.meshing.contours import ContourPoint, PairContour
 from tmmcalc.gears.pictures.contourpaths import outlines, paths_of
-from tmmcalc.report.drawing.labels import signed
-from tmmcalc.report.drawing.style import INK, MARK
+from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.pens import INK, MARK, Pen
+from tmmcalc.report.numbers import number as digits
 
 RATIO, TIP, FILLET = "#0072b2", "#8f6b00", "#00795a"
 SLIDING, STRENGTH = "#7a5195", "#c2558f"
-SUMS = {"14": MARK, "15": "#6b6b6b", "16": "#6b6b6b"}
-SOLID: Any = "-"
-LOOKS: dict[str, dict[str, Any]] = {
-    "1": {"color": INK, "linestyle": SOLID},
-    "11": {"color": INK, "linestyle": SOLID},
-    "2": {"color": INK, "linestyle": (0, (7, 2))},
-    "10": {"color": INK, "linestyle": (0, (7, 2))},
-    "3": {"color": FILLET, "linestyle": SOLID},
-    "4": {"color": RATIO, "linestyle": (0, (6, 1.8))},
-    "5": {"color": RATIO, "linestyle": SOLID},
-    "6": {"color": SLIDING, "linestyle": (0, (9, 1.6, 1.6, 1.6))},
-    "7": {"color": TIP, "linestyle": (0, (2.4, 1.4))},
-    "8": {"color": TIP, "linestyle": (0, (6, 1.8))},
-    "9": {"color": TIP, "linestyle": SOLID},
-    "12": {"color": STRENGTH, "linestyle": (0, (5, 1.4, 1.4, 1.4, 1.4, 1.4))},
-    "14": {"color": SUMS["14"], "linestyle": (0, (12, 2, 2, 2))},
-    "15": {"color": SUMS["15"], "linestyle": (0, (4, 3))},
-    "16": {"color": SUMS["16"], "linestyle": (0, (12, 2, 2, 2))},
+SUMS = ("14", "15", "16")
+GREY = "#6b6b6b"
+WITHIN, BEYOND = 0.4, 0.2  # width of lines in the contour and outside [mm]
+LOOKS: dict[str, tuple[str, tuple[float, ...]]] = {
+    "1": (INK, ()),
+    "11": (INK, ()),
+    "2": (INK, (2.6, 0.8)),
+    "10": (INK, (2.6, 0.8)),
+    "3": (FILLET, ()),
+    "4": (RATIO, (2.2, 0.8)),
+    "5": (RATIO, ()),
+    "6": (SLIDING, (3.2, 0.7, 0.7, 0.7)),
+    "7": (TIP, (0.9, 0.6)),
+    "8": (TIP, (2.2, 0.8)),
+    "9": (TIP, ()),
+    "12": (STRENGTH, (1.8, 0.6, 0.6, 0.6, 0.6, 0.6)),
+    "14": (MARK.colour, (4.2, 0.8, 0.8, 0.8)),
+    "15": (GREY, (1.5, 1.1)),
+    "16": (GREY, (4.2, 0.8, 0.8, 0.8)),
 }
-PLAIN: dict[str, Any] = {"color": "#6b6b6b", "linestyle": (0, (1.4, 1.4))}
+PLAIN = (GREY, (0.6, 0.6))
 BARE = ("6", "12")  # lines of equality: what is constant along them is a difference of zero
 THICKNESS = ("7", "8", "9")  # lengths
 SAME = 1e-9  # values that are one
@@ -64,10 +65,12 @@ class Stroke:
     paths: tuple[Plane, ...]  # x1 + i x2
 
     @property
-    def look(self) -> dict[str, Any]:
-        """Colour and dash pattern."""
+    def pens(self) -> tuple[Pen, Pen]:
+        """The pens inside the contour and outside."""
         leading = DIGITS.match(self.number)
-        return LOOKS.get(leading[0], PLAIN) if leading else PLAIN
+        colour, dashes = LOOKS.get(leading[0], PLAIN) if leading else PLAIN
+        layer = f"LINE_{self.number.replace(', ', '_').replace(chr(39), '_') or 'OTHER'}".upper()
+        return Pen(f"{layer}_WITHIN", WITHIN, dashes, colour), Pen(layer, BEYOND, dashes, colour)
 
     @property
     def text(self) -> str:
@@ -79,7 +82,7 @@ class Stroke:
         title = indexed(self.title)
         if self.value is None:
             return title
-        value = signed(self.value, 5)
+        value = minus(digits(self.value, 5))
         if f"= {value}" in title:
             return title
         if self.value and self.number.startswith(THICKNESS) and "modules" not in title:

@@ -3,59 +3,49 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
+from tmmcalc.core.records import record
 from tmmcalc.gears.meshing.contours import ContourPoint
-from tmmcalc.report.drawing.board import Board
-from tmmcalc.report.drawing.style import INK, MARK
+from tmmcalc.report.drawing.pens import INK, MARK, WHITE, Pen
+from tmmcalc.report.drawing.shapes import Arc, Area, Shape, Words
 
 RING = 1.9  # radius of the circle around a number [mm]
-FONT = 6.5  # of the number
-FILL, BORDER, STROKES = "fill", "border", "strokes"
-STRICT: dict[str, dict[str, Any]] = {
-    FILL: {"facecolor": "#dfeaf4"},
-    BORDER: {"color": INK, "linewidth": 2.0},
-}
-BELT: dict[str, dict[str, Any]] = {
-    FILL: {"facecolor": "#faf6ec"},
-    BORDER: {"color": INK, "linewidth": 0.9},
-    STROKES: {"colors": "#8c8468", "linewidths": 0.5},
-}
-PALE: dict[str, dict[str, Any]] = {
-    FILL: {"facecolor": "#eff3f7"},
-    BORDER: {"color": "#7d8891", "linewidth": 0.9},
-}
-HATCH = 2.0  # distance of the hatching's strokes [mm]
-CHOSEN: dict[str, Any] = {
-    "color": MARK,
-    "marker": "o",
-    "markersize": 6.0,
-    "markeredgecolor": INK,
-    "markeredgewidth": 0.8,
-    "linestyle": "",
-    "zorder": 14,
-}
-CORNER: dict[str, Any] = {**CHOSEN, "color": INK, "markersize": 4.2, "zorder": 13}
-OTHER: dict[str, Any] = {**CHOSEN, "color": "white", "marker": "D", "markersize": 4.0, "zorder": 12}
+NUMBER = 1.8  # height of the number
+DOTS = {"chosen": 1.05, "corner": 0.75, "other": 0.95}  # radii of points [mm]
+OUTLINE = Pen("POINTS", 0.25)
 JOINT = " = "
 
 
-def draw_ring(board: Board, at: complex, text: str, color: str) -> None:
-    """A number in a circle on its line; texts keep clear of it."""
-    board.circle(at, RING, edgecolor=color, linewidth=0.7, zorder=15)
-    around = at + RING * board.mu * np.exp(1j * np.linspace(0, 2 * np.pi, 25))
-    board.labels.avoid(around, 8.0)  # other numbers sooner cover lines
-    look: dict[str, Any] = {"ha": "center", "va": "center_baseline", "zorder": 16, "color": INK}
-    board.axes.text(at.real, at.imag, text, fontsize=FONT, **look)
+@record
+class Look:
+    """How a region is filled and bordered."""
+
+    fill: str
+    border: Pen
 
 
-def marker_of(point: ContourPoint) -> dict[str, Any]:
-    """How a point is drawn: the chosen one, C, D, E, and the others."""
+STRICT = Look("#dfeaf4", Pen("STRICT_CONTOUR", 0.7))
+BELT = Look("#faf6ec", Pen("TOLERATED_CONTOUR", 0.32))
+PALE = Look("#eff3f7", Pen("PIECES", 0.32, (), "#7d8891"))
+HATCHED = Pen("TOLERATED_HATCH", 0.18, (), "#8c8468")
+
+
+def ring(at: complex, text: str, colour: str, part: float = 1.0) -> list[Shape]:
+    """A number in a circle at a place on paper; ``part`` is its size."""
+    around = Pen("NUMBERS", 0.25, (), colour)
+    size = NUMBER * (1.0 if len(text) < 3 else 0.85)
+    return [Arc(at, part * RING, around, fill=WHITE), Words(at, text, part * size)]
+
+
+def marker(point: ContourPoint, at: complex) -> Shape:
+    """The sign of a point at a place on paper: the chosen one, C, D, E, and the others."""
     if point.name == "chosen":
-        return CHOSEN
-    return CORNER if len(point.name) == 1 else OTHER
+        return Arc(at, DOTS["chosen"], OUTLINE, fill=MARK.colour)
+    if len(point.name) == 1:
+        return Arc(at, DOTS["corner"], OUTLINE, fill=INK)
+    return Area(at + DOTS["other"] * np.array([1, 1j, -1, -1j]), WHITE, OUTLINE)
 
 
 def together(points: Sequence[ContourPoint], near: float) -> list[tuple[ContourPoint, str]]:

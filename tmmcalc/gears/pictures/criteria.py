@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
-from matplotlib.figure import Figure, SubFigure
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.gears.pictures.front import pairs_sheet, pareto_sheet
+from tmmcalc.gears.pictures.front import pairs_of, pairs_sheet, pareto_sheet
 from tmmcalc.gears.pictures.placed import placed
 from tmmcalc.gears.pictures.scheme import scheme_sheet
 from tmmcalc.gears.pictures.words import CRITERIA, layout_name, ratio_text, teeth_text
@@ -16,19 +13,21 @@ from tmmcalc.gears.selection.results import Pool, Selection
 from tmmcalc.gears.selection.solve import speed_ratio
 from tmmcalc.gears.sizing import rows_of
 from tmmcalc.gears.trains import Trains
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
+from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.numbers import number
 
 USUAL = 3  # objectives that the first diagram shows together: mass, inertia, size
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage, with the train that is chosen."""
-    return criteria_figure(order.results["criteria"], order.results["train"], order.choice)
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage, with the train that is chosen."""
+    return criteria_drawing(order.results["criteria"], order.results["train"], order.choice)
 
 
-def criteria_figure(result: Selection, trains: Trains, choose: int | None = None) -> Figure:
+def criteria_drawing(result: Selection, trains: Trains, choose: int | None = None) -> Drawing:
     """The winner's sheets, or those of row ``choose`` of the stage's table, from 1.
 
     Raises `UsageError` for a row that there is not.
@@ -36,16 +35,13 @@ def criteria_figure(result: Selection, trains: Trains, choose: int | None = None
     place = result.winner.place if choose is None else choose - 1
     check_row(place, len(result.pool))
     more = len(result.objectives) > USUAL or bool(set(result.objectives) - {"mass", "inertia", "size"})
-    paired = more and len(result.objectives) > 1
-    figure, sheets = blank(3 if paired else 2)
-    finish = [pareto_sheet(sheets[0], result, place, _heading(result, place))]
-    if paired:
-        finish.append(pairs_sheet(sheets[1], result, place))
-    finish.append(_scheme(sheets[-1], result, trains, place))
-    settle(figure)
-    for draw in finish:
-        draw()
-    return figure
+    pairs = pairs_of(result) if more and len(result.objectives) > 1 else []
+    drawing, (first, *others, last) = sheets(2 + len(pairs), "Choice of the gear train")
+    pareto_sheet(drawing, first, result, place, _heading(result, place))
+    for box, part in zip(others, pairs, strict=True):
+        pairs_sheet(drawing, box, result, part, place)
+    _scheme(drawing, last, result, trains, place)
+    return drawing
 
 
 def check_row(place: int, count: int) -> None:
@@ -77,7 +73,7 @@ def _heading(result: Selection, place: int) -> str:
     return f"{first}\n{second}, {value}; the next best has {other}"
 
 
-def _scheme(sheet: SubFigure, result: Selection, trains: Trains, place: int) -> Callable[[], None]:
+def _scheme(drawing: Drawing, box: Box, result: Selection, trains: Trains, place: int) -> None:
     """The train of a row with its modules and widths."""
     pool = result.pool
     at, row = int(pool.variant[place]), int(pool.row[place])
@@ -98,10 +94,10 @@ def _scheme(sheet: SubFigure, result: Selection, trains: Trains, place: int) -> 
     teeth = teeth_text(variant.sets.teeth[row].tolist())
     measured = ", ".join(_measured(pool, key, place) for key in ("mass", "inertia", "size", "efficiency", "error"))
     heading = f"{name}: {ratio_text(kind, ratio)}, $z$ = {teeth}\n{measured}"
-    return scheme_sheet(sheet, train, heading)
+    scheme_sheet(drawing, box, train, heading)
 
 
 def _measured(pool: Pool, key: str, place: int) -> str:
-    symbols = {"mass": "$M$", "inertia": "$J$", "size": "$D$", "efficiency": "$\\eta$", "error": "error of the ratio"}
+    symbols = {"mass": "$M$", "inertia": "$J$", "size": "$D$", "efficiency": "$η$", "error": "error of the ratio"}
     _, factor, unit = CRITERIA[key]
     return f"{symbols[key]} = {number(factor * float(getattr(pool, key)[place]), 4)} {unit}".strip()

@@ -2,130 +2,191 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Sequence, Sized
+from itertools import combinations, pairwise
+from math import ceil, comb, sqrt
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
-from matplotlib.figure import SubFigure
-from matplotlib.lines import Line2D
-from matplotlib.ticker import FuncFormatter, MaxNLocator, NullFormatter
+from numpy.typing import NDArray
 
+from tmmcalc.core.plane import Plane
 from tmmcalc.gears.criteria.choice import front
 from tmmcalc.gears.criteria.objectives import OBJECTIVES
+from tmmcalc.gears.model import Values
+from tmmcalc.gears.pictures.cloud import MANY, Mark, draw_marks, evenly, fitted, shares, write_key
 from tmmcalc.gears.pictures.words import CRITERIA, axis_name, teeth_text
 from tmmcalc.gears.selection.results import Pool, Selection
-from tmmcalc.report.drawing.labels import Labels, signed
-from tmmcalc.report.drawing.style import INK, MARK
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.diagram import HEIGHT, Axis, Diagram, ticks, written
+from tmmcalc.report.drawing.page import headed
+from tmmcalc.report.drawing.pens import THIN, WHITE, Pen
+from tmmcalc.report.drawing.shapes import Area, Drawing, Words
 from tmmcalc.report.numbers import number
 
-MANY = 3000  # more points than this are drawn as an image
 NAMED = 25  # members of the front that are numbered, evenly chosen
 BEYOND = 2.0  # times the largest values of the front: heavier trains are left out of the picture
-WIDE = 30.0  # a larger relation of the largest to the least value takes a logarithmic axis
-MARKERS = ("o", "^", "s", "D", "v", "P", "X", "<", ">")  # of variants
-COLOURS = "viridis_r"
-EDGE_ROOM = 0.06  # beyond the values on both sides, in parts of their range
-SEEN = 1.03  # room about the values on a logarithmic axis
-FRONT: dict[str, Any] = {
-    "color": MARK,
-    "marker": "o",
-    "linestyle": "",
-    "markersize": 8.0,
-    "markerfacecolor": "none",
-    "markeredgewidth": 1.0,
-    "zorder": 6,
-}
-WINNER: dict[str, Any] = {
-    "color": INK,
-    "marker": "*",
-    "linestyle": "",
-    "markersize": 14,
-    "markerfacecolor": "none",
-    "markeredgewidth": 1.2,
-    "zorder": 8,
-}
-EDGE: dict[str, Any] = {"color": MARK, "linewidth": 0.9, "linestyle": (0, (6, 2)), "zorder": 3}
-CLOUD: dict[str, Any] = {"color": "#8aa6bd", "marker": ".", "linestyle": "", "markersize": 3.2, "zorder": 3}
+SIGNS = ("o", "^", "s", "D", "v", "P", "X", "<", ">")  # of variants
+SIZE = 1.7  # width of the sign of a train [mm]
+SHADES = 8  # of the size, about
+PALE, DEEP = np.array([0xBF, 0xDD, 0xF0]), np.array([0x06, 0x22, 0x50])  # colours of the least and the largest
+BAR, BESIDE = 4.0, 21.0  # width of the scale of shades, and room for it and its numbers at the right [mm]
+PAIRS = 6  # diagrams of two criteria on a sheet at most
+LEFT, BELOW = 19.0, 10.0  # room for numbers and names of the axes of a frame [mm]
+FAR = 3.2  # a number whose middle is farther from its point has a line to it [mm]
+GAPS = (1.6, 2.4, 3.6, 5.0, 7.0)
+FRONT = Mark("o", Pen("FRONT", 0.35, (), "#d55e00"), 2.8)
+WINNER = Mark("*", Pen("TRAIN_DRAWN", 0.35), 3.4)
+EDGE = Pen("BORDER_OF_FRONT", 0.3, (2.4, 0.9), "#d55e00")
+LEADER = Pen("LEADERS_OF_ROWS", 0.13, (), "#d55e00")
+SHADE = Pen("SHADES", 0.0)
+CLOUD = Mark("o", Pen("TRAINS", 0.1, (), WHITE), 0.9, "#7d9cb5")
 
 
-def pareto_sheet(sheet: SubFigure, result: Selection, place: int, heading: str) -> Callable[[], None]:
-    """Inertia against mass; ``place`` is the row that is marked. What is returned draws the texts."""
-    pool = result.pool
-    sheet.suptitle(heading, fontsize=10)
-    axes = sheet.subplots()
+def pareto_sheet(drawing: Drawing, box: Box, result: Selection, place: int, heading: str) -> Diagram:
+    """Inertia against mass, the size as a shade; ``place`` is the row that is marked."""
+    pool, near = result.pool, np.flatnonzero(_near(result, place))
+    clouds = [near[pool.variant[near] == k] for k in range(len(result.variants))]
+    shown = [
+        np.union1d(each[evenly(len(each), most)], np.intersect1d(each, [*result.front.tolist(), place]))
+        for each, most in zip(clouds, shares([*map(len, clouds)]), strict=True)
+    ]
+    size = CRITERIA["size"][1] * pool.size
+    borders = _borders(size[near])
+    free = headed(drawing, box, heading)
+    top = write_key(drawing, free, _names(result, place, clouds, shown))
+    if len(near) < len(pool):
+        beyond = len(pool) - len(near)
+        said = f"{beyond} heavier or more inert {'train lies' if beyond == 1 else 'trains lie'} beyond the picture"
+        drawing.add(Words(complex(free.right - BESIDE, top - 0.8), said, HEIGHT, 1 + 1j))
+        top -= 0.8 + 1.6 * HEIGHT
+    frame = Box(free.left + LEFT, free.bottom + BELOW, free.right - BESIDE, top - 2)
     x, y = pool.mass, pool.inertia
-    near = _near(result, place)
-    colours = _draw_trains(axes, result, near)
-    axes.plot(*_staircase(pool), **EDGE)
-    axes.plot(x[result.front], y[result.front], **FRONT)
-    axes.plot(x[place], y[place], **WINNER)
-    for axis, values in (("x", x), ("y", y)):
-        _scale(axes, axis, values[near])
-    axes.set_xlabel(axis_name("mass"))
-    axes.set_ylabel(axis_name("inertia"))
-    bar = sheet.colorbar(colours, ax=axes, pad=0.015, aspect=40)
-    bar.set_label(axis_name("size"))
-    bar.outline.set_linewidth(0.5)
-    _legend(axes, result, place)
-    if not near.all():
-        text = f"{np.count_nonzero(~near)} heavier or more inert trains lie beyond the picture"
-        axes.text(0.995, 0.985, text, transform=axes.transAxes, ha="right", va="top", size=7.5)
-
-    def finish() -> None:
-        _label(axes, result, place, near)
-
-    return finish
+    field = Diagram(drawing, frame, fitted(axis_name("mass"), x[near]), fitted(axis_name("inertia"), y[near]))
+    for k, own in enumerate(shown):
+        draw_marks(field, x[own] + 1j * y[own], _sign_of(k), 1.0, [_shade(v, borders) for v in size[own].tolist()])
+    field.curve(_staircase(pool), EDGE, level=5)
+    draw_marks(field, x[result.front] + 1j * y[result.front], FRONT, 0.6)
+    draw_marks(field, x[[place]] + 1j * y[[place]], WINNER, 1.0)
+    _draw_bar(drawing, Box(frame.right + 4, frame.bottom, frame.right + 4 + BAR, frame.top), borders)
+    _label(field, result, place)
+    return field
 
 
-def _near(result: Selection, place: int) -> np.ndarray:
+def _near(result: Selection, place: int) -> NDArray[np.bool_]:
     """Trains (n,) that are not far heavier or more inert than the front and the train that is drawn."""
     pool, shown = result.pool, [*result.front.tolist(), place]
     limits = [BEYOND * float(values[shown].max()) for values in (pool.mass, pool.inertia)]
     return np.asarray((pool.mass <= limits[0]) & (pool.inertia <= limits[1]))
 
 
-def _draw_trains(axes: Axes, result: Selection, near: np.ndarray) -> ScalarMappable:
-    """The trains in the colour of their size, every variant with its own marker; returns the scale of colours."""
+def _names(
+    result: Selection, place: int, clouds: Sequence[Sized], shown: Sequence[Sized]
+) -> list[tuple[str, Mark | Pen]]:
+    """What the signs mean; of every variant how many trains it has, and how many are drawn if they are thinned."""
+    names: list[tuple[str, Mark | Pen]] = []
+    for k, variant in enumerate(result.variants):
+        if len(variant.sets):
+            thinned = f", {len(shown[k])} drawn, evenly" if len(shown[k]) < len(clouds[k]) else ""
+            mark = _sign_of(k)._replace(fill=_colour(0.5))
+            names.append((f"{variant.title}: {len(variant.sets)}{thinned}", mark))
+    said = ", ".join(key.replace("_", " ") for key in result.objectives)
+    names.append((f"front in {said}: {len(result.front)}, numbered by rows", FRONT))
+    names.append(("border in mass and inertia", EDGE))
     pool = result.pool
-    size = CRITERIA["size"][1] * pool.size
-    norm = Normalize(float(size[near].min()), float(size[near].max()))
-    for k in range(len(result.variants)):
-        own = near & (pool.variant == k)
-        look: dict[str, Any] = {"marker": MARKERS[k % len(MARKERS)], "s": 22, "linewidths": 0, "zorder": 4}
-        look |= {"c": size[own], "cmap": COLOURS, "norm": norm, "rasterized": np.count_nonzero(near) > MANY}
-        axes.scatter(pool.mass[own], pool.inertia[own], **look)
-    return ScalarMappable(norm, COLOURS)
+    sets = result.variants[int(pool.variant[place])].sets
+    size = f"$D$ = {number(1e3 * float(pool.size[place]), 4)} mm"
+    name = f"{sets.layout} {teeth_text(sets.teeth[int(pool.row[place])].tolist())}, {size}"
+    names.append((f"row {place + 1}, {'chosen' if place == result.winner.place else 'drawn'}: {name}", WINNER))
+    return names
 
 
-def pairs_sheet(sheet: SubFigure, result: Selection, place: int) -> Callable[[], None]:
-    """Every objective against every other one, below the diagonal."""
-    keys, pool = result.objectives, result.pool
-    sheet.suptitle("All pairs of criteria: front of all together in rings, the train drawn as a star", fontsize=10)
-    count = len(keys) - 1
-    grid = sheet.subplots(count, count, squeeze=False, sharex="col", sharey="row")
-    for row, second in enumerate(keys[1:]):
-        for column, first in enumerate(keys[:-1]):
-            axes = grid[row, column]
-            if column > row:
-                axes.set_axis_off()
-                continue
-            x, y = (CRITERIA[key][1] * getattr(pool, key) for key in (first, second))
-            axes.plot(x, y, rasterized=len(x) > MANY, **CLOUD)
-            axes.plot(x[result.front], y[result.front], **{**FRONT, "markersize": 4.5, "markeredgewidth": 0.7})
-            axes.plot(x[place], y[place], **{**WINNER, "markersize": 10})
-            axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
-            axes.tick_params(length=2.5)
-            for axis in (axes.xaxis, axes.yaxis):
-                axis.set_major_locator(MaxNLocator(4))
-                axis.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 5)))
-            if row == count - 1:
-                axes.set_xlabel(_short(first))
-            if column == 0:
-                axes.set_ylabel(_short(second))
-    return lambda: None
+def _sign_of(variant: int) -> Mark:
+    return Mark(SIGNS[variant % len(SIGNS)], Pen("TRAINS", 0.1, (), WHITE), SIZE)
+
+
+def _borders(size: Values) -> list[float]:
+    """Round sizes [mm] between which the shades change, from below the least to above the largest."""
+    low, high = float(size.min()), float(size.max())
+    inner = ticks(Axis("", low, high), SHADES) if high > low else [low]
+    step = inner[1] - inner[0] if len(inner) > 1 else max(high - low, abs(low), 1.0)
+    first = inner[0] if inner[0] <= low else inner[0] - step
+    return [first + k * step for k in range(max(1, ceil((high - first) / step - 1e-9)) + 1)]
+
+
+def _shade(size: float, borders: list[float]) -> str:
+    """The colour of a size: that of the step between two borders in which it lies."""
+    steps = len(borders) - 1
+    step = min(int(np.searchsorted(borders, size, "right")) - 1, steps - 1)
+    return _colour(step / (steps - 1) if steps > 1 else 0.5)
+
+
+def _colour(part: float) -> str:
+    return "#" + "".join(f"{round(v):02x}" for v in (PALE + part * (DEEP - PALE)).tolist())
+
+
+def _draw_bar(drawing: Drawing, box: Box, borders: list[float]) -> None:
+    """The shades one above another with the sizes between them."""
+    each = box.height / (len(borders) - 1)
+    for k, (low, high) in enumerate(pairwise(borders)):
+        step = Box(box.left, box.bottom + k * each, box.right, box.bottom + (k + 1) * each)
+        drawing.add(Area(step.corners, _shade((low + high) / 2, borders), SHADE))
+    for k, value in enumerate(borders):
+        y = box.bottom + k * each
+        drawing.line([complex(box.right, y), complex(box.right + 0.9, y)], THIN)
+        drawing.add(Words(complex(box.right + 1.5, y), written(value, borders), HEIGHT, -1))
+    at = complex(box.right + 14, box.middle.imag)
+    drawing.add(Words(at, axis_name("size"), HEIGHT + 0.5, 1j, np.pi / 2))
+
+
+def _staircase(pool: Pool) -> Plane:
+    """The border of what is reached in mass and inertia alone."""
+    edge = front(pool, ("mass", "inertia"))
+    order = edge[np.argsort(pool.mass[edge], kind="stable")]
+    x, y = np.repeat(pool.mass[order], 2)[1:], np.repeat(pool.inertia[order], 2)[:-1]
+    return np.asarray(x + 1j * y)
+
+
+def _label(field: Diagram, result: Selection, place: int) -> None:
+    """Some members of the front by their rows, from 1, where there is room."""
+    pool = result.pool
+    others = [row for row in result.front.tolist() if row != place]
+    for row in others[:: max(1, -(-len(others) // NAMED))]:
+        at = field.place(complex(pool.mass[row], pool.inertia[row]))
+        said, colour = str(row + 1), FRONT.pen.colour
+        middle = field.labels.put_where_free(said, at, height=1.8, gaps=GAPS, prefer=-1 - 1j, colour=colour)
+        if middle is not None and abs(middle - at) > FAR:
+            toward = (middle - at) / abs(middle - at)
+            field.drawing.line([at + FRONT.size / 2 * toward, middle], LEADER, level=7)
+
+
+def pairs_of(result: Selection) -> list[Sequence[tuple[str, str]]]:
+    """Every objective with every other one, as many pairs as one sheet shows together."""
+    pairs = list(combinations(result.objectives, 2))
+    each = ceil(len(pairs) / ceil(len(pairs) / PAIRS))
+    return [pairs[k : k + each] for k in range(0, len(pairs), each)]
+
+
+def pairs_sheet(
+    drawing: Drawing, box: Box, result: Selection, pairs: Sequence[tuple[str, str]], place: int
+) -> list[Diagram]:
+    """A diagram for each pair of objectives, in as many columns as rows, or one more."""
+    pool = result.pool
+    rows = np.union1d(evenly(len(pool), MANY // comb(len(result.objectives), 2)), [*result.front.tolist(), place])
+    thinned = f"; {len(rows)} of {len(pool)} trains drawn, evenly" if len(rows) < len(pool) else ""
+    heading = "All pairs of criteria: front of all together in rings, the train drawn as a star; arrows point to the"
+    free = headed(drawing, box, f"{heading} better{thinned}", 3.0)
+    columns = ceil(sqrt(len(pairs)))
+    lines = free.split(*(1.0 for _ in range(ceil(len(pairs) / columns))), gap=3)
+    places = [cell for line in lines for cell in line.split(*(1.0 for _ in range(columns)), gap=4, across=True)]
+    found = []
+    for cell, (first, second) in zip(places, pairs, strict=False):
+        x, y = (CRITERIA[key][1] * getattr(pool, key) for key in (first, second))
+        across, up = fitted(_short(first), x), fitted(_short(second), y)
+        field = Diagram(drawing, cell.inset(LEFT, BELOW, 1, 1), across, up)
+        for marked, mark in ((rows, CLOUD), (result.front, FRONT), ([place], WINNER)):
+            draw_marks(field, x[marked] + 1j * y[marked], mark._replace(size=mark.size * (1 if mark is CLOUD else 0.7)))
+        found.append(field)
+    return found
 
 
 def _short(key: str) -> str:
@@ -134,72 +195,3 @@ def _short(key: str) -> str:
     better = "\N{RIGHTWARDS ARROW}" if OBJECTIVES[key].largest else "\N{LEFTWARDS ARROW}"
     name = key.replace("_", " ")
     return f"{name}, {unit} {better}" if unit else f"{name} {better}"
-
-
-def _staircase(pool: Pool) -> tuple[np.ndarray, np.ndarray]:
-    """The border of what is reached in mass and inertia alone."""
-    edge = front(pool, ("mass", "inertia"))
-    order = edge[np.argsort(pool.mass[edge], kind="stable")]
-    x, y = np.repeat(pool.mass[order], 2)[1:], np.repeat(pool.inertia[order], 2)[:-1]
-    return x, y
-
-
-def _scale(axes: Axes, axis: str, values: np.ndarray) -> None:
-    low, high = float(values.min()), float(values.max())
-    own = axes.xaxis if axis == "x" else axes.yaxis
-    if low > 0 and high > WIDE * low:
-        (axes.set_xscale if axis == "x" else axes.set_yscale)("log")
-        own.set_minor_formatter(NullFormatter())
-        (axes.set_xlim if axis == "x" else axes.set_ylim)(low / SEEN**3, high * SEEN**3)
-    else:
-        edge = EDGE_ROOM * ((high - low) or abs(high) or 1.0)
-        (axes.set_xlim if axis == "x" else axes.set_ylim)(low - edge, high + edge)
-        own.set_major_locator(MaxNLocator(9))
-    own.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 6)))
-    axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
-    axes.set_axisbelow(True)
-    axes.tick_params(length=2.5)
-
-
-def _legend(axes: Axes, result: Selection, place: int) -> None:
-    handles = [
-        Line2D(
-            [],
-            [],
-            color="#4c7a8f",
-            linestyle="",
-            marker=MARKERS[k % len(MARKERS)],
-            markersize=4.5,
-            label=f"{variant.title}: {len(variant.sets)}",
-        )
-        for k, variant in enumerate(result.variants)
-        if len(variant.sets)
-    ]
-    said = ", ".join(key.replace("_", " ") for key in result.objectives)
-    handles.append(Line2D([], [], label=f"front in {said}: {len(result.front)}, numbered by rows", **FRONT))
-    handles.append(Line2D([], [], label="border in mass and inertia", **EDGE))
-    chosen = "chosen" if place == result.winner.place else "drawn"
-    handles.append(Line2D([], [], label=f"row {place + 1}, {chosen}", **WINNER))
-    axes.legend(
-        handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, columnspacing=1.4, handlelength=2
-    )
-
-
-def _label(axes: Axes, result: Selection, place: int, near: np.ndarray) -> None:
-    """The train that is drawn by its teeth, some members of the front by their rows, from 1."""
-    pool, labels = result.pool, Labels(axes)
-    cloud = (pool.mass + 1j * pool.inertia)[near]
-    for at in cloud[:: max(1, len(cloud) // MANY)].tolist():
-        labels.avoid([at], 1.0)
-    for row in result.front.tolist():
-        labels.avoid([complex(pool.mass[row], pool.inertia[row])], 3.0)
-    at = complex(pool.mass[place], pool.inertia[place])
-    sets = result.variants[int(pool.variant[place])].sets
-    text = f"{sets.layout} {teeth_text(sets.teeth[int(pool.row[place])].tolist())}"
-    size = f"$D$ = {number(1e3 * float(pool.size[place]), 4)} mm"
-    labels.put(f"{text}, {size}", [at], size=8, gaps=(3.0, 4.2, 6.0, 8.0))
-    others = [row for row in result.front.tolist() if row != place]
-    chosen = others[:: max(1, -(-len(others) // NAMED))]
-    for row in chosen:
-        spot = complex(pool.mass[row], pool.inertia[row])
-        labels.put(str(row + 1), [spot], size=6.5, gaps=(2.0, 3.0, 4.4), color=MARK)

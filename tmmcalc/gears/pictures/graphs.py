@@ -9,24 +9,26 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import partial
 from math import prod
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import SubFigure
-from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
+from tmmcalc.core.plane import Plane
 from tmmcalc.gears.bounds import single_planet_limits
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency
 from tmmcalc.gears.kinds import from_tooth_ratio
 from tmmcalc.gears.network.curves import Curve, efficiency_over_ratio, efficiency_over_reduction, ratio_over_inverted
 from tmmcalc.gears.network.types import efficiency
+from tmmcalc.gears.pictures.cloud import Mark, draw_marks, write_key
 from tmmcalc.gears.proportion import RANGE, RANGE_INTERNAL, curve, equal_strength
 from tmmcalc.gears.radial import ratio_limits
 from tmmcalc.gears.scheme import Layout
 from tmmcalc.gears.trains import Request, Variant
-from tmmcalc.report.drawing.labels import Labels, signed
-from tmmcalc.report.drawing.style import CURVES, INK
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.diagram import Axis, Diagram
+from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.pens import CURVES, WHITE, Pen
+from tmmcalc.report.drawing.shapes import Area, Drawing, Words
 from tmmcalc.report.numbers import number
 
 PLANETS = range(3, 9)
@@ -35,18 +37,18 @@ LOWEST = -1.0  # efficiency that is shown
 RATIO, REDUCTION, INVERTED, LARGEST = 20.0, 100.0, 8.0, 10.0  # limits of the figures
 SAMPLES = 1600  # of a curve with a pole
 ROOM = 1.15
-POINT: dict[str, Any] = {
-    "color": INK,
-    "marker": "o",
-    "markersize": 5,
-    "markerfacecolor": "white",
-    "linestyle": "",
-    "zorder": 8,
-    "clip_on": False,
-}
-COLUMNS = 3
+TITLE, LEFT, BELOW = 2.8, 16.0, 10.0  # height of a title, room at the left of a frame and under it [mm]
+PALER = Pen("CURVES_OF_TEXTBOOK_1", 0.3, CURVES[0].dashes, "#8a8a8a")
+PALER_TOO = Pen("CURVES_OF_TEXTBOOK_2", 0.3, CURVES[1].dashes, "#8a8a8a")
+POINT = Mark("o", Pen("POINTS_OF_THE_TASK", 0.25), 1.5, WHITE)
+TASK = Pen("TASK", 0.35, (5.0, 1.2, 1.0, 1.2))
+LOCKED = "#fbeee6"  # where efficiency is below zero
+PERMITTED, SURE, BAR = "#dfe6ec", "#a9cbe2", Pen("BARS", 0.0)
+BROAD = 0.6  # of a bar
 
-Panel = Callable[[Axes], Callable[[], None]]  # draws; what it returns writes the texts
+Panel = Callable[[Drawing, Box], Diagram]
+Named = list[tuple[str, Mark | Pen]]
+Task = tuple[complex, str, str]  # a point of the task, its layout, its value in words
 
 
 class Point(NamedTuple):
@@ -74,23 +76,6 @@ def graphs_of(variants: Sequence[Variant]) -> list[Panel]:
     return panels
 
 
-def graphs_sheet(sheet: SubFigure, panels: Sequence[Panel]) -> Callable[[], None]:
-    """Lay the sheet out; what is returned draws the texts when the layout is settled."""
-    sheet.suptitle("Curves of choice; circles: the task", fontsize=10)
-    columns = 2 if len(panels) == 4 else min(len(panels), COLUMNS)
-    rows = -(-len(panels) // columns)
-    places = sheet.subplots(rows, columns, squeeze=False).ravel().tolist()
-    finish = [panel(axes) for panel, axes in zip(panels, places, strict=False)]
-    for axes in places[len(panels) :]:
-        axes.set_axis_off()
-
-    def write() -> None:
-        for step in finish:
-            step()
-
-    return write
-
-
 def _point(request: Request) -> Point:
     layout, u = request.scheme, request.task.nominal
     speed = from_tooth_ratio(layout, "i_1H", u) if layout.planetary and layout.sign else None
@@ -103,170 +88,155 @@ def _inverted_efficiency(layout: Layout) -> float:
     return prod(meshes.internal if mesh.internal else meshes.external for mesh in layout.meshes)
 
 
-def _modules(axes: Axes, points: Sequence[Point]) -> Callable[[], None]:
+def _modules(drawing: Drawing, box: Box, points: Sequence[Point]) -> Diagram:
     """mu* over U for an external and an internal second mesh."""
     tied = [point for point in points if point.layout.stepped and point.u > 1]
-    found: list[tuple[complex, str]] = []
-    lines: list[np.ndarray] = []
+    found: list[Task] = []
+    lines: list[tuple[Plane, Pen]] = []
+    names: Named = []
     for k, (internal, ends, name) in enumerate(((False, RANGE, "AA, coaxial"), (True, RANGE_INTERNAL, "AI"))):
         own = [point for point in tied if bool(point.layout.rings) is internal]
         low = min([ends[0], *(point.u for point in own)])
         high = max([ends[1], *(ROOM * point.u for point in own)])
         drawn = curve(internal=internal, low=low, high=high)
-        axes.plot(drawn.ratio, drawn.modules, linewidth=1.4, label=name, zorder=5, **CURVES[k])
-        lines.append(drawn.ratio + 1j * drawn.modules)
+        lines.append((drawn.ratio + 1j * drawn.modules, CURVES[k]))
+        names.append((name, CURVES[k]))
         for point in own:
             value = float(equal_strength(point.u, internal=internal).modules[0])
-            found.append((complex(point.u, value), f"{point.layout.key}: $\\mu^*$ = {number(value, 4)}"))
-    _frame(axes, "Module ratio of equal strength", "tooth ratio $U$", "$\\mu^* = m_2/m_1$")
-    axes.set_ylim(0.0, ROOM * max(float(line.imag.max()) for line in lines))
-    axes.legend(loc="lower right")
-    return _marked(axes, found, lines)
+            found.append((complex(point.u, value), point.layout.key, f"$μ^*$ = {number(value, 4)}"))
+    every = np.concatenate([z for z, _ in lines])
+    across = Axis("tooth ratio $U$", float(every.real.min()), float(every.real.max()))
+    up = Axis("$μ^* = m_2/m_1$", 0.0, ROOM * float(every.imag.max()))
+    return _graph(drawing, box, "Module ratio of equal strength", across, up, names, lines, found)
 
 
-def _ratios(axes: Axes, points: Sequence[Point]) -> Callable[[], None]:
+def _ratios(drawing: Drawing, box: Box, points: Sequence[Point]) -> Diagram:
     """i_1H over i_13^H, and the reduction of a carrier that drives."""
     values = [1 - point.i_1h for point in points if point.i_1h is not None]
     low, high = min([-INVERTED, *(ROOM * v for v in values)]), max([INVERTED, *(ROOM * v for v in values)])
     bottom, top = min(-INVERTED, 1 - high), max(LARGEST, 1 - low)
     curves = ratio_over_inverted(low, high, top, points=SAMPLES)
-    for k, name in ((0, "$i_{1H}$"), (1, "$|1/i_{1H}|$"), (2, "")):
-        style = CURVES[min(k, 1)]
-        axes.plot(curves[k].x, curves[k].y, linewidth=1.4, label=name or None, zorder=5, **style)
-    axes.set_ylim(bottom, top)
-    _frame(axes, "Ratio", "ratio of the inverted train $i_{13}^H$", "$i_{1H}$, $|1/i_{1H}|$")
-    axes.legend(loc="upper right")
+    lines = [(each.x + 1j * each.y, CURVES[min(k, 1)]) for k, each in enumerate(curves)]
+    across, up = Axis("ratio of the inverted train $i_{13}^H$", low, high), Axis("$i_{1H}$, $|1/i_{1H}|$", bottom, top)
+    names: Named = [("$i_{1H}$", CURVES[0]), ("$|1/i_{1H}|$", CURVES[1])]
     found = [
-        (complex(1 - point.i_1h, point.i_1h), f"{point.layout.key}: $i_{{1H}}$ = {signed(point.i_1h, 5)}")
+        (complex(1 - point.i_1h, point.i_1h), point.layout.key, f"$i_{{1H}}$ = {minus(number(point.i_1h, 5))}")
         for point in points
         if point.i_1h is not None
     ]
-    return _marked(axes, found, [each.x + 1j * each.y for each in curves])
+    return _graph(drawing, box, "Ratio", across, up, names, lines, found)
 
 
-def _by_wheel(axes: Axes, points: Sequence[Point], eta0: float) -> Callable[[], None]:
+def _by_wheel(drawing: Drawing, box: Box, points: Sequence[Point], eta0: float) -> Diagram:
     """Efficiency over i_1H with wheel 1 driving."""
     values = [point.i_1h for point in points if point.i_1h is not None]
     low, high = min([-RATIO, *(ROOM * v for v in values)]), max([RATIO, *(ROOM * v for v in values)])
-    lines = _pairs(axes, lambda eta: efficiency_over_ratio(eta, low, high, LOWEST), eta0)
-    axes.axhspan(LOWEST, 0.0, color="#d55e00", alpha=0.08, linewidth=0, zorder=0)
-    axes.text(0.98, 0.04, "self-locking", transform=axes.transAxes, ha="right", size=7.5, color="#b34700")
-    axes.set_ylim(LOWEST, 1.2)
-    axes.set_xlim(low, high)
-    _frame(axes, "Wheel 1 drives", "$i_{1H}$", "$\\eta$")
-    axes.legend(loc="center right", bbox_to_anchor=(1.0, 0.64))
+    lines, names = _pairs(lambda eta: efficiency_over_ratio(eta, low, high, LOWEST), eta0)
+    across, up = Axis("$i_{1H}$", low, high), Axis("$η$", LOWEST, 1.2)
     found = []
     for point in points:
         if point.i_1h is not None and (value := float(efficiency(point.i_1h, eta0))) >= LOWEST:
-            found.append((complex(point.i_1h, value), f"{point.layout.key}: $\\eta$ = {signed(value, 3)}"))
-    return _marked(axes, found, lines)
+            found.append((complex(point.i_1h, value), point.layout.key, f"$η$ = {minus(number(value, 3))}"))
+    field = _graph(drawing, box, "Wheel 1 drives", across, up, names, lines, found)
+    drawing.add(Area(field.paper(Box(low, LOWEST, high, 0.0).corners), LOCKED), level=-3)
+    corner = complex(field.box.right - 1.5, field.box.bottom + 1.5)
+    drawing.add(Words(corner, "self-locking", 2.4, 1 - 1j, colour="#b34700"))
+    return field
 
 
-def _by_carrier(axes: Axes, points: Sequence[Point], eta0: float) -> Callable[[], None]:
+def _by_carrier(drawing: Drawing, box: Box, points: Sequence[Point], eta0: float) -> Diagram:
     """Efficiency over the reduction |1/i_1H| with the carrier driving."""
     reducing = [point for point in points if point.i_1h is not None and abs(point.i_1h) < 1]
     largest = max([REDUCTION, *(2 / abs(point.i_1h) for point in reducing if point.i_1h)])
-    lines = _pairs(axes, lambda eta: efficiency_over_reduction(eta, largest), eta0, each=True)
-    axes.set_xscale("log")
-    axes.set_ylim(0.0, 1.05)
-    axes.set_xlim(1.0, largest)
-    _frame(axes, "The carrier drives, $|i_{1H}| < 1$", "$|1/i_{1H}|$", "$\\eta$")
-    axes.xaxis.set_major_locator(LogLocator())
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda v, _: number(v, 6)))
-    axes.xaxis.set_minor_formatter(NullFormatter())
-    axes.legend(loc="upper right")
+    lines, names = _pairs(lambda eta: efficiency_over_reduction(eta, largest), eta0, each=True)
+    across, up = Axis("$|1/i_{1H}|$", 1.0, largest, log=True), Axis("$η$", 0.0, 1.05)
     found = []
     for point in reducing:
         if point.i_1h is not None:
             value = float(efficiency(point.i_1h, eta0, "H"))
-            found.append((complex(1 / abs(point.i_1h), value), f"{point.layout.key}: $\\eta$ = {number(value, 3)}"))
-    return _marked(axes, found, lines)
+            found.append((complex(1 / abs(point.i_1h), value), point.layout.key, f"$η$ = {number(value, 3)}"))
+    return _graph(drawing, box, "The carrier drives, $|i_{1H}| < 1$", across, up, names, lines, found)
 
 
 def _pairs(
-    axes: Axes, curves: Callable[[float], tuple[Curve, ...]], eta0: float, *, each: bool = False
-) -> list[np.ndarray]:
+    curves: Callable[[float], tuple[Curve, ...]], eta0: float, *, each: bool = False
+) -> tuple[list[tuple[Plane, Pen]], Named]:
     """The curves for the train's own inverted efficiency and for the textbook's; ``each`` branch with its name."""
-    lines = []
-    for eta, thick in ((eta0, 1.5), (TEXTBOOK, 0.8)):
+    lines: list[tuple[Plane, Pen]] = []
+    names: Named = []
+    for eta, pens in ((eta0, CURVES), (TEXTBOOK, (PALER, PALER_TOO))):
         for k, found in enumerate(curves(eta)):
-            style = CURVES[k if each else 0] if thick > 1 else {**CURVES[k if each else 0], "color": "#8a8a8a"}
-            name = f"$\\eta_0$ = {number(eta, 4)}"
-            label = f"{_written(found.label)}, {name}" if each else name
-            axes.plot(found.x, found.y, linewidth=thick, label=label if each or k == 0 else None, zorder=5, **style)
-            lines.append(found.x + 1j * found.y)
-    return lines
+            pen = pens[k if each else 0]
+            name = f"$η_0$ = {number(eta, 4)}"
+            if each or k == 0:
+                names.append((f"{_written(found.label)}, {name}" if each else name, pen))
+            lines.append((found.x + 1j * found.y, pen))
+    return lines, names
 
 
 def _written(label: str) -> str:
     """A range of i_1H with true signs."""
-    return label.replace("i_1H", "$i_{1H}$").replace("-1", "\N{MINUS SIGN}1")
+    return minus(label.replace("i_1H", "$i_{1H}$"))
 
 
-def _limits(axes: Axes, request: Request) -> Callable[[], None]:
+def _limits(drawing: Drawing, box: Box, request: Request) -> Diagram:
     """How large the ratio may be with each number of planets; the ratio of the task across."""
     task, known = request.task, list(PLANETS)
+    bars: list[tuple[list[float], list[float], str]]  # from, to, colour
     if task.scheme.paired:
         bounds = [ratio_limits(k) for k in known]
         tops = [bound.high or 0.0 for bound in bounds]
-        axes.bar(
-            known,
-            [top - bound.low for top, bound in zip(tops, bounds, strict=True)],
-            bottom=[bound.low for bound in bounds],
-            width=0.6,
-            color="#a9cbe2",
-            zorder=2,
-            label="permissible",
-        )
-        value, name = 1 + float(task.nominal), "i_{1H}"
+        bars = [([bound.low for bound in bounds], tops, SURE)]
+        names = [("permissible", SURE)]
+        value, symbol = 1 + float(task.nominal), "i_{1H}"
     else:
         gap = 2 * task.addendum + (task.demands.gap or 0)
         found = [single_planet_limits(k, sun=task.limits.least, tips=float(gap)) for k in known]
         tops = [limit.permissible or 0.0 for limit in found]
-        axes.bar(known, tops, width=0.6, color="#dfe6ec", zorder=2, label="permissible, some sun")
-        least = [max(limit.rational or 0.0, 0.0) for limit in found]
-        axes.bar(known, least, width=0.6, color="#a9cbe2", zorder=3, label=f"sun of {task.limits.least} teeth")
-        value, name = float(task.nominal), "U"
-    axes.axhline(
-        value,
-        color=INK,
-        linewidth=1.0,
-        linestyle=(0, (8, 2, 1.5, 2)),
-        zorder=5,
-        label=f"task: ${name}$ = {number(value, 5)}",
-    )
+        zero = [0.0 for _ in known]
+        bars = [(zero, tops, PERMITTED), (zero, [max(limit.rational or 0.0, 0.0) for limit in found], SURE)]
+        names = [("permissible, some sun", PERMITTED), (f"sun of {task.limits.least} teeth", SURE)]
+        value, symbol = float(task.nominal), "U"
+    key: Named = [(name, Mark("s", BAR, 2.6, colour)) for name, colour in names]
+    key.append((f"task: ${symbol}$ = {number(value, 5)}", TASK))
+    across = Axis("number of planets $K$", known[0] - 0.7, known[-1] + 0.7, whole=True)
+    up = Axis(f"${symbol}$", 0.0, ROOM * max(*tops, value))
+    field = _graph(drawing, box, f"{task.layout}: neighbours clear each other", across, up, key)
+    half = BROAD / 2
+    for starts, ends, colour in bars:
+        for k, low, high in zip(known, starts, ends, strict=True):
+            if high > low:
+                bar = Box(k - half, low, k + half, high)
+                drawing.add(Area(field.paper(bar.corners), colour, BAR), level=1)
+    field.level(value, TASK)
     for k, top in zip(known, tops, strict=True):
-        axes.text(k, top, number(top, 3), ha="center", va="top", size=7, zorder=6)
-    _frame(axes, f"{task.layout}: neighbours clear each other", "number of planets $K$", f"${name}$")
-    axes.set_ylim(0.0, ROOM * max(*tops, value))
-    axes.legend(loc="upper right")
-    return lambda: None
+        at = field.place(complex(k, top))
+        near = abs(at.imag - field.place(complex(k, value)).imag + 1.8) < 2.4  # the line of the task would strike it
+        drawing.add(Words(at + (4.2j if near else 0.7j), number(top, 3), 2.2, -1j), level=6)
+    return field
 
 
-def _frame(axes: Axes, title: str, x: str, y: str) -> None:
-    axes.set_title(title, loc="left")
-    axes.set_xlabel(x)
-    axes.set_ylabel(y)
-    axes.axhline(0, color="#333333", linewidth=0.8, zorder=1.5)
-    axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
-    axes.set_axisbelow(True)
-    for axis in (axes.xaxis, axes.yaxis):
-        if axis.get_scale() == "linear":
-            axis.set_major_locator(MaxNLocator(7))
-            axis.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 6)))
-    axes.tick_params(length=2.5)
-
-
-def _marked(axes: Axes, points: Sequence[tuple[complex, str]], lines: Sequence[np.ndarray]) -> Callable[[], None]:
-    """Draw the points; what is returned writes their names."""
-    for at, _ in points:
-        axes.plot(at.real, at.imag, **POINT)
-
-    def write() -> None:
-        labels = Labels(axes)
-        for line in lines:
-            labels.avoid(line, 0.7)
-        for at, text in points:
-            labels.put(text, [at], size=7.5, gaps=(1.9, 2.8, 4.0, 5.5))
-
-    return write
+def _graph(
+    drawing: Drawing,
+    box: Box,
+    title: str,
+    x: Axis,
+    y: Axis,
+    names: Named,
+    lines: Sequence[tuple[Plane, Pen]] = (),
+    tasks: Sequence[Task] = (),
+) -> Diagram:
+    """Curves, and the points of the task with their names, in a frame under its title and the names of the curves."""
+    drawing.add(Words(complex(box.left, box.top), title, TITLE, -1 + 1j))
+    key = [*names, *([("task", POINT)] if tasks else [])]
+    top = write_key(drawing, box.inset(0, 0, 0, 1.9 * TITLE), key)
+    field = Diagram(drawing, Box(box.left + LEFT, box.bottom + BELOW, box.right - 2, top - 2), x, y)
+    field.labels.avoid(field.paper([complex(x.low), complex(x.high)]))
+    for z, pen in lines:
+        field.curve(z, pen)
+    draw_marks(field, np.array([at for at, *_ in tasks]), POINT, 2.0)
+    # layouts of one ratio share their point
+    for at, said in dict.fromkeys((at, said) for at, _, said in tasks):
+        keys = ", ".join(key for other, key, same in tasks if (other, same) == (at, said))
+        field.labels.put(f"{keys}: {said}", [field.place(at)], height=2.3, gaps=(1.9, 2.8, 4.0, 5.5))
+    return field

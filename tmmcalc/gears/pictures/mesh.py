@@ -3,33 +3,44 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
 
 from tmmcalc.core.plane import Plane
 from tmmcalc.gears.pictures.dimensions import generating_points, pressure_angle
 from tmmcalc.gears.pictures.placedpair import ALIKE, CIRCLES, SIGNS, Body, Circle, Mark, PlacedPair
-from tmmcalc.gears.pictures.sketch import ACTION, CENTRES, COLOURS, FACES, SIZE, STYLES, THIN, Sketch, spread
-from tmmcalc.report.drawing.board import Board
-from tmmcalc.report.drawing.labels import MM
-from tmmcalc.report.drawing.style import INK
-from tmmcalc.report.numbers import number
+from tmmcalc.gears.pictures.sketch import (
+    ACTION,
+    ACTIVE,
+    COLOURS,
+    CONTACT,
+    FACES,
+    POINT,
+    PROFILE,
+    WORKING,
+    Sketch,
+    circle_pen,
+)
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.pens import AXIS, GRID, INK, THIN
+from tmmcalc.report.drawing.shapes import Arc, Drawing
+from tmmcalc.report.numbers import ROUND, number, round_scale
 
-MARGIN = 7.0  # free border [mm]
-COLUMN = 27.0  # width of the columns of radii at the sides [mm]
-LINE_PITCH = 4.6  # of the texts in a column [mm]
+MARGIN = 4.0  # free border [mm]
 REACH = 8.0  # points of the line of action farther from P than this are left out [module]
+TALL = 40.0  # height of a tooth on paper that is wished for [mm]
+DEEP = 0.3  # [module] of the body behind the root circle that is shown at least
 OUT = 8.0  # of the line of centres beyond what it belongs to [mm]
 OVER = 4.0  # of the line of action beyond its last points [mm]
 SECTOR = math.radians(65)  # of a circle on both sides of the line of centres
 
 
-def draw_mesh(axes: Axes, pair: PlacedPair) -> Board:
-    """Draw on an axes whose place is settled; the board has the scale and the limits."""
-    board = Board(axes, _content(axes, pair), MARGIN)
-    axes.set_axis_off()
+def draw_mesh(drawing: Drawing, box: Box, pair: PlacedPair) -> Board:
+    """Draw in the rectangle, with columns of radii on both sides of it; the board has the scale and the limits."""
+    board = Board(drawing, box, *_shown(box, pair))
+    corners = [complex(box.left, box.bottom), complex(box.right, box.bottom)]
+    drawing.line([*corners, complex(box.right, box.top), complex(box.left, box.top)], GRID, closed=True, level=-1)
     picture = _Mesh(board, pair)
     for body in pair.bodies:
         picture.body(body)
@@ -42,15 +53,41 @@ def draw_mesh(axes: Axes, pair: PlacedPair) -> Board:
     return board
 
 
-def _content(axes: Axes, pair: PlacedPair) -> Plane:
-    """Teeth and the points of the line of action, with room for the columns at the sides."""
-    reach, at = REACH * pair.found.task.module, pair.pitch_point
-    first, second = (body.edge for body in pair.bodies)
-    low, high = float(first.real.min()), float(second.real.max())
-    width = axes.get_window_extent().width * MM / axes.figure.dpi - 2 * MARGIN
-    room = (high - low) * COLUMN / (width - 2 * COLUMN)
-    marks = np.array([mark.at for mark in pair.marks if abs(mark.at - at) < reach])
-    return np.concatenate([first, second, marks, [complex(low - room, at.imag), complex(high + room, at.imag)]])
+def _shown(box: Box, pair: PlacedPair) -> tuple[Plane, float, float]:
+    """What is shown, its margin and the scale: all, or where teeth would be too low the contact between tall ones."""
+    module, at = pair.found.task.module, pair.pitch_point
+    marks = np.array([mark.at for mark in pair.marks if abs(mark.at - at) < REACH * module])
+    everything = np.concatenate([*(body.edge for body in pair.bodies), marks])
+    least, most = everything.imag.min(), everything.imag.max()
+    line = pair.on_line(np.array([pair.found.line.begins, pair.found.line.ends]))
+    depths = [_depths(body) for body in pair.bodies]
+    heights = np.array([end for depth in depths for end in depth])
+    low, high = max(heights.min() - DEEP * module, least), min(heights.max() + DEEP * module, most)
+    contact = np.concatenate([line, [at, 1j * low, 1j * high]])
+    tooth = min(abs(tip - root) for tip, root in depths)
+    widest, needed = (_scale(box, content) for content in (everything, contact))
+    mu = max(needed, min(widest, _below(tooth / TALL)))
+    return (everything if mu >= widest else contact), MARGIN, mu
+
+
+def _depths(body: Body) -> tuple[float, float]:
+    """Where tip and root lie on the line of centres."""
+    if body.sizes is None:
+        return float(body.edge.imag.min()), float(body.edge.imag.max())
+    sense = -1 if body.number == 2 and body.kind == "external" else 1
+    return body.centre.imag + sense * body.sizes.tip, body.centre.imag + sense * body.sizes.root
+
+
+def _scale(box: Box, content: Plane) -> float:
+    """The round scale at which all of it keeps its margin."""
+    size = complex(float(np.ptp(content.real)), float(np.ptp(content.imag)))
+    return round_scale(max(size.real / (box.width - 2 * MARGIN), size.imag / (box.height - 2 * MARGIN)))
+
+
+def _below(value: float) -> float:
+    """The greatest round scale that is not above a value."""
+    power = 10.0 ** math.floor(math.log10(value))
+    return max(m * power for m in ROUND if m * power <= value * (1 + 1e-9))
 
 
 class _Mesh(Sketch):
@@ -58,37 +95,22 @@ class _Mesh(Sketch):
 
     def body(self, body: Body) -> None:
         """Teeth, the material behind them, active flanks."""
-        face: dict[str, Any] = {"facecolor": FACES[body.number - 1], "edgecolor": "none", "zorder": 1, "weight": 0.0}
-        self.board.area(np.concatenate([body.edge, body.back[:: _along(body)]]), **face)
-        self.board.line(body.edge, linewidth=1.2, zorder=7, weight=1.0)
+        self.board.face(np.concatenate([body.edge, body.back[:: _along(body)]]), FACES[body.number - 1], level=1)
+        self.board.line(body.edge, PROFILE, level=7)
         for flank in body.flanks:
-            self.board.line(flank, linewidth=2.8, color=COLOURS[body.number - 1], zorder=8, weight=0.5)
+            self.board.line(flank, WORKING[body.number - 1], weight=0.5, level=8)
 
     def circles(self) -> None:
         """The circles of both wheels, of a rack its lines, with their radii in the columns at the sides."""
         for body in self.pair.bodies:
-            named = []
-            for text, style, arc in self._rack_lines(body) if body.sizes is None else self._arcs(body):
-                run = _longest(arc, self._between(arc, body))
-                if len(run) > 1:
-                    self.board.line(run, color=COLOURS[body.number - 1], zorder=5, weight=0.3, **style)
-                    named.append((text, _end(run, body.number)))
-            self._column(named, body)
+            if body.sizes is None:
+                self._rack_lines(body)
+            else:
+                self._arcs(body)
 
-    def _between(self, arc: Plane, body: Body) -> np.ndarray:
-        """What of an arc is shown: all but the column on the wheel's own side."""
-        x0, x1, _, _ = self.frame
-        room = (COLUMN - 3.0) * self.mm
-        own = arc.real > x0 + room if body.number == 1 else arc.real < x1 - room
-        return self.seen(arc) & own
-
-    def _arcs(self, body: Body) -> list[tuple[str, dict[str, Any], Plane]]:
-        sizes = body.sizes
-        if sizes is None:
-            return []
-        x0, x1, y0, y1 = self.frame
-        diagonal = abs(complex(x1 - x0, y1 - y0))
-        found: list[tuple[str, dict[str, Any], Plane]] = []
+    def _arcs(self, body: Body) -> None:
+        sizes, colour = body.sizes, COLOURS[body.number - 1]
+        assert sizes is not None
         named: dict[Circle, list[Circle]] = {}
         for circle in CIRCLES:
             radius = getattr(sizes, circle)
@@ -97,106 +119,97 @@ class _Mesh(Sketch):
                 named[same[0]].append(circle)
             else:
                 named[circle] = [circle]
-        towards = 0.0 if body.number == 1 or sizes.kind == "ring" else math.pi
+        towards = -math.pi / 2 if body.number == 2 and sizes.kind == "external" else math.pi / 2
         for circle, names in named.items():
             radius = getattr(sizes, circle)
-            half = min(SECTOR, 1.3 * diagonal / radius)
-            turn = towards + math.pi / 2 + np.linspace(-half, half, 1201)
-            said = "{=}".join(f"r_{{{SIGNS[name]}{body.number}}}" for name in names)
-            text = f"${said}$ = {number(1e3 * radius, 5)}"
-            found.append((text, STYLES[circle], body.centre + radius * np.exp(1j * turn)))
-        return found
+            pen, ends = circle_pen(circle, colour, body.number), (towards - SECTOR, towards + SECTOR)
+            arcs = self.board.arc(body.centre, radius, pen, start=ends[0], end=ends[1], weight=0.3, level=5)
+            said = " = ".join(f"r_{{{SIGNS[name]}{body.number}}}" for name in names)
+            self._name_at_side(f"${said}$ = {number(1e3 * radius, 5)}", [z for arc in arcs for z in arc.points], body)
 
-    def _rack_lines(self, body: Body) -> list[tuple[str, dict[str, Any], Plane]]:
-        x0, x1, _, _ = self.frame
+    def _rack_lines(self, body: Body) -> None:
         pitch, datum = self.pair.pitch_point.imag, body.centre.imag
-        level = {
-            "root line": (body.edge.imag.max(), STYLES["root"]),
-            "datum line": (datum, STYLES["reference"]),
-            "pitch line": (pitch, STYLES["operating"]),
-            "tip line": (body.edge.imag.min(), STYLES["tip"]),
+        level: dict[str, tuple[float, Circle]] = {
+            "root line": (body.edge.imag.max(), "root"),
+            "datum line": (datum, "reference"),
+            "pitch line": (pitch, "operating"),
+            "tip line": (body.edge.imag.min(), "tip"),
         }
         if abs(datum - pitch) < ALIKE * self.pair.found.task.module:
             del level["pitch line"]
-            level = {("datum and\npitch line" if k == "datum line" else k): v for k, v in level.items()}
-        x = np.linspace(x0, x1, 401)
-        return [(text, style, x + 1j * y) for text, (y, style) in level.items()]
+            level = {("datum, pitch line" if k == "datum line" else k): v for k, v in level.items()}
+        for text, (y, circle) in level.items():
+            ends = [complex(self.low.real, y), complex(self.high.real, y)]
+            self.board.line(ends, circle_pen(circle, COLOURS[body.number - 1], body.number), weight=0.3, level=5)
+            if self.low.imag < y < self.high.imag:
+                self._name_at_side(text, self.board.paper(ends).tolist(), body)
 
-    def _column(self, named: list[tuple[str, complex]], body: Body) -> None:
-        """Texts one under another beside the ends of their circles, with leaders that do not cross."""
-        if not named:
-            return
-        x0, x1, y0, y1 = self.frame
-        left = body.number == 1
-        named.sort(key=lambda item: (-item[1].imag, item[1].real if left else -item[1].real))
-        step = LINE_PITCH * self.mm
-        heights = spread([end.imag for _, end in named], step, y0 + 0.7 * step, y1 - 0.7 * step)
-        foot = x0 + (COLUMN - 7.0) * self.mm if left else x1 - (COLUMN - 7.0) * self.mm
-        side = foot + (-1.0 if left else 1.0) * self.mm
-        for (text, end), y in zip(named, heights, strict=True):
-            self.board.line([end, complex(foot, y)], weight=0.3, zorder=4, **THIN)
-            style = {"size": 7.5, "color": COLOURS[body.number - 1], "va": "center", "ha": "right" if left else "left"}
-            style["bbox"] = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
-            self.board.axes.text(side, y, text, zorder=20, **style)
-            edge = x0 if left else x1
-            self.board.labels.avoid([complex(side, y), complex(edge, y)], 3.0)
+    def _name_at_side(self, text: str, ends: list[complex], body: Body) -> None:
+        """The text in the column of a wheel, beside the outermost end of its line on paper; none where none is seen."""
+        if ends:
+            side = 0 if body.number == 1 else 1
+            end = (min, max)[side](ends, key=lambda z: z.real)
+            self.beside[side].append((text, self.board.data(end), COLOURS[body.number - 1]))
 
     def centres(self) -> None:
         """The line of centres with the centres that are in the frame, the common tangent at P."""
-        _, _, y0, y1 = self.frame
         edge, over = 1.0 * self.mm, OUT * self.mm
         ends = np.concatenate([[body.centre for body in self.pair.bodies], *(body.back for body in self.pair.bodies)])
-        low, high = max(y0 + edge, ends.imag.min() - over), min(y1 - edge, ends.imag.max() + over)
-        self.board.line([complex(0, low), complex(0, high)], weight=0.4, **CENTRES)
+        low = max(self.low.imag + edge, ends.imag.min() - over)
+        high = min(self.high.imag - edge, ends.imag.max() + over)
+        self.board.line([complex(0, low), complex(0, high)], AXIS, weight=0.4, level=6)
         for body in self.pair.bodies:
             if body.sizes is None:
                 continue
             name, at = f"$O_{body.number}$", body.centre
             if self.seen(np.array([at]), 3.0)[0]:
-                self.board.circle(at, 0.8, zorder=9)
-                self.text(name, at, 1 + 0j, size=SIZE)
+                self.board.circle(at, 0.8, level=9)
+                self.text(name, at, 1 + 0j)
             else:
                 below = at.imag < self.pair.pitch_point.imag
                 if body.number == 1 and self.pair.found.task.kind == "internal":
                     continue  # both centres lie below; one arrow points to them
                 if body.kind == "ring" and not self.seen(np.array([self.pair.bodies[0].centre]), 3.0)[0]:
                     name = "$O_1$, $O_2$"
-                end = complex(0, y0 + edge if below else y1 - edge)
-                self.board.arrowhead(end, -1j if below else 1j, 2.6)
-                self.text(f"to {name}", end + (2 if below else -2) * 1j * self.mm, 1 + 0j, size=7.5)
+                end = complex(0, self.low.imag + edge if below else self.high.imag - edge)
+                self.board.arrowhead(end, -1j if below else 1j, AXIS, 2.6)
+                self.text(f"to {name}", end + (2 if below else -2) * 1j * self.mm, 1 + 0j, height=2.5)
 
     def action(self) -> None:
         """The line of action with its points, and where flanks touch."""
         pair, line = self.pair, self.pair.found.line
         rho = np.array([mark.rho for mark in pair.marks])
         over = OVER * self.mm
-        self.board.line(pair.on_line(np.array([rho.min() - over, rho.max() + over])), linewidth=0.8, zorder=9)
-        active = pair.on_line(np.array([line.begins, line.ends]))
-        self.board.line(active, linewidth=2.4, color=ACTION, zorder=10)
+        self.board.line(pair.on_line(np.array([rho.min() - over, rho.max() + over])), ACTION, level=9)
+        self.board.line(pair.on_line(np.array([line.begins, line.ends])), ACTIVE, level=10)
         for body in pair.bodies:
             if body.sizes is None:
                 continue
             foot = pair.base_point if body.number == 1 else pair.mark("N2").at
-            self.board.line([foot, body.centre], weight=0.2, zorder=4, **THIN)
+            self.board.line([foot, body.centre], THIN, weight=0.2, level=4)
         for mark in pair.marks:
             if self.seen(np.array([mark.at]))[0]:
-                self.board.circle(mark.at, 0.65, facecolor=INK, zorder=12)
-            elif mark.name in ("N1", "N2"):
-                self._leaving(mark)
-        for rho1 in pair.contacts():
-            self.board.circle(complex(pair.on_line(rho1)), 1.3, facecolor="none", edgecolor=ACTION, zorder=13)
+                self.board.circle(mark.at, 0.65, POINT, fill=INK, level=12)
+        ends = [mark for mark in pair.marks if mark.name in ("N1", "N2") and not self.seen(np.array([mark.at]))[0]]
+        for left in (True, False):
+            if marks := [mark for mark in ends if (mark.at.real < pair.pitch_point.real) is left]:
+                self._leaving(marks)
+        for at in self.board.paper(pair.on_line(pair.contacts())).tolist():
+            self.board.drawing.add(Arc(at, 1.3, CONTACT), level=13)
+            self.board.labels.avoid(at + 1.3 * np.exp(2j * np.pi * np.linspace(0, 1, 13)), 2.0)
         for text, at, anchors in self._merged():
             prefer = pair.direction * (1j if at.real > 0 else -1j)
-            self.text(text, anchors, prefer, size=SIZE)
+            self.text(text, anchors, prefer)
 
-    def _leaving(self, mark: Mark) -> None:
-        """Where the line of action leaves the frame towards a point outside."""
+    def _leaving(self, marks: list[Mark]) -> None:
+        """Where the line of action leaves the frame towards points outside."""
         start = self.pair.pitch_point
-        line = start + (mark.at - start) * np.linspace(0.0, 1.0, 2001)
+        line = start + (marks[0].at - start) * np.linspace(0.0, 1.0, 2001)
         inside = line[self.seen(line, 1.0)]
-        onward = (mark.at - start) / abs(mark.at - start)
-        self.board.arrowhead(complex(inside[-1]), onward, 2.6)
-        self.text(f"to {_name(mark.name)}", inside[-1:] - 4 * self.mm * onward, -1j, size=7.5)
+        onward = (marks[0].at - start) / abs(marks[0].at - start)
+        self.board.arrowhead(complex(inside[-1]), onward, ACTION, 2.6)
+        text = f"to {', '.join(_name(mark.name) for mark in marks)}"
+        self.text(text, inside[-1] - np.array([4, 8, 12]) * self.mm * onward, -1j, height=2.5)
 
     def _merged(self) -> list[tuple[str, complex, Plane]]:
         """Names of the points in the frame; points that fall together have one text."""
@@ -222,19 +235,3 @@ def _along(body: Body) -> int:
 
 def _name(mark: str) -> str:
     return f"${mark[0]}_{mark[1]}$" if len(mark) > 1 else f"${mark}$"
-
-
-def _longest(arc: Plane, shown: np.ndarray) -> Plane:
-    """The longest run of points that are shown."""
-    at = np.flatnonzero(np.diff(np.concatenate([[0], shown.astype(int), [0]])))
-    runs = list(zip(at[::2].tolist(), at[1::2].tolist(), strict=True))
-    if not runs:
-        return arc[:0]
-    start, end = max(runs, key=lambda run: run[1] - run[0])
-    return arc[start:end]
-
-
-def _end(run: Plane, number: int) -> complex:
-    """The end of a circle on the side of the wheel's column: left of the first, right of the second."""
-    ends = [complex(run[0]), complex(run[-1])]
-    return min(ends, key=lambda z: z.real) if number == 1 else max(ends, key=lambda z: z.real)

@@ -10,7 +10,7 @@ from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.pictures.listing import Heading, Row
 from tmmcalc.gears.pictures.placedpair import ALIKE, SIGNS, Circle, PlacedPair
 from tmmcalc.gears.pictures.slidingcurves import course, singles
-from tmmcalc.report.drawing.labels import signed
+from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.numbers import number
 
 NAMES: dict[Circle, str] = {
@@ -23,7 +23,7 @@ NAMES: dict[Circle, str] = {
 
 
 def _mm(value: float) -> str:
-    return signed(round(1e3 * value, 3), 7)
+    return minus(number(round(1e3 * value, 3), 7))
 
 
 def _degrees(value: float) -> str:
@@ -37,18 +37,18 @@ def parameters(found: MeshPair) -> list[Row]:
     rows: list[Row] = [
         Heading(("Pair",)),
         ("module $m$", "", _mm(task.module)),
-        ("rack: $\\alpha$, $h_a^*$, $c^*$", "", f"{_degrees(rack.angle)}, {rack.addendum:g}, {rack.clearance:g}"),
-        ("helix angle $\\beta$", "", _degrees(task.helix)),
+        ("rack: $α$, $h_a^*$, $c^*$", "", f"{_degrees(rack.angle)}, {rack.addendum:g}, {rack.clearance:g}"),
+        ("helix angle $β$", "", _degrees(task.helix)),
         ("face width $b$", "", _mm(task.face_width)) if task.face_width else (),
         (length, "", _mm(found.distance)),
         ("reference distance $a$", "", _mm(found.reference_distance)) if task.kind != "rack" else (),
-        ("pressure angle $\\alpha_{tw}$", "", _degrees(found.angle_w)),
-        ("modification $y$", "", signed(round(found.modification, 5), 5)) if task.kind != "rack" else (),
-        ("tip shortening $\\Delta y$", "", signed(round(found.shortening, 5), 5)) if task.kind == "external" else (),
-        ("contact ratio $\\varepsilon_\\alpha$", "", number(found.contact_ratio, 5)),
+        ("pressure angle $α_{tw}$", "", _degrees(found.angle_w)),
+        ("modification $y$", "", minus(number(round(found.modification, 5), 5))) if task.kind != "rack" else (),
+        ("tip shortening $Δ$$y$", "", minus(number(round(found.shortening, 5), 5))) if task.kind == "external" else (),
+        ("contact ratio $ε_α$", "", number(found.contact_ratio, 5)),
         ("with the flanks left", "", number(found.shortened, 5)) if _shortened(found) else (),
-        ("overlap ratio $\\varepsilon_\\beta$", "", number(found.overlap, 5)) if found.overlap else (),
-        ("total $\\varepsilon_\\gamma$", "", number(found.total, 5)) if found.overlap else (),
+        ("overlap ratio $ε_β$", "", number(found.overlap, 5)) if found.overlap else (),
+        ("total $ε_γ$", "", number(found.total, 5)) if found.overlap else (),
         ("active length $A_2A_1$", "", _mm(found.line.end - found.line.start)),
         Heading(("Wheel", *(sizes.name for sizes in found.sizes))),
     ]
@@ -63,7 +63,7 @@ def _of_wheels(found: MeshPair) -> list[Row]:
     sizes = found.sizes
     rows: list[Row] = [
         ("teeth $z$", *(str(one.teeth) for one in sizes)),
-        ("shift $x$", *(signed(round(one.shift, 5), 5) for one in sizes)),
+        ("shift $x$", *(minus(number(round(one.shift, 5), 5)) for one in sizes)),
     ]
     for circle, name in NAMES.items():
         index = SIGNS[circle]
@@ -91,7 +91,7 @@ def contact_values(pair: PlacedPair) -> list[Row]:
     points += singles(pair)
     points = sorted((point for point in points if point[1] > 0), key=lambda point: point[1])
     values = course(pair.found, np.array([rho for _, rho in points]))
-    rows: list[Row] = [Heading(("", "$\\varrho_1$, mm", "$\\vartheta_1$", "$\\vartheta_2$", "$\\lambda$"))]
+    rows: list[Row] = [Heading(("", "$ρ_1$, mm", "$ϑ_1$", "$ϑ_2$", "$λ$"))]
     for k, (name, rho) in enumerate(points):
         numbers = (values.theta1[k], values.theta2[k], values.pressure[k])
         sign = f"${name[0]}_{name[1]}$" if len(name) > 1 else f"${name}$"
@@ -105,4 +105,4 @@ def contact_values(pair: PlacedPair) -> list[Row]:
 
 def _fixed(value: float) -> str:
     """Four decimals with a true minus sign."""
-    return f"{round(value, 4) + 0.0:.4f}".replace("-", "\N{MINUS SIGN}")
+    return minus(f"{round(value, 4) + 0.0:.4f}")

@@ -7,19 +7,16 @@ rack's straight flank cuts, D where its rounding reaches the root circle, A the 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import numpy as np
-from matplotlib.figure import Figure, SubFigure
-from matplotlib.lines import Line2D
 
 from tmmcalc.gears.meshing.halftooth import Half, ProfilePart, fault_of, half_tooth
 from tmmcalc.gears.meshing.members import Member, Toothed, members
 from tmmcalc.gears.meshing.refusal import error_of_all
 from tmmcalc.gears.meshing.results import Pairs
 from tmmcalc.gears.pictures.generation import generation_of
-from tmmcalc.gears.pictures.listing import Heading, Row, list_rows
-from tmmcalc.gears.pictures.pair import chosen, scale, tell
+from tmmcalc.gears.pictures.listing import HEIGHT, Heading, Row, list_rows
+from tmmcalc.gears.pictures.pair import chosen, heading, scale, tell
 from tmmcalc.gears.pictures.toothdrawing import (
     ACTIVE,
     CENTRE_PATH,
@@ -29,18 +26,24 @@ from tmmcalc.gears.pictures.toothdrawing import (
     ToothDrawing,
     joint_of,
 )
-from tmmcalc.report.drawing.labels import signed
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.key import Part, Sample, write_key
+from tmmcalc.report.drawing.lettering import minus, plain, wrapped
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import INK
+from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.numbers import number
+
+TABLE = 60.0  # width of the table [mm]
+SCALED = 2.3  # height of the scales of both drawings
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage, of the pair that is chosen."""
-    return profile_figure(order.results["pair"], choose=order.choice)
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage, of the pair that is chosen."""
+    return profile_drawing(order.results["pair"], choose=order.choice)
 
 
-def profile_figure(found: Pairs, *, choose: int | None = None) -> Figure:
+def profile_drawing(found: Pairs, *, choose: int | None = None) -> Drawing:
     """One sheet a wheel; ``choose`` is the number of a pair, from 1, whose wheels are drawn; None: all.
 
     The sheet of a wheel that has no profile tells why. Raises `UsageError` for a pair that there is not,
@@ -51,48 +54,39 @@ def profile_figure(found: Pairs, *, choose: int | None = None) -> Figure:
     errors = [fault for fault in faults if fault is not None]
     if len(errors) == len(shown):
         raise error_of_all(errors, len(shown))
-    figure, sheets = blank(len(shown))
-    finish = []
-    for sheet, member, fault in zip(sheets, shown, faults, strict=True):
+    drawing, boxes = sheets(len(shown), "Profiles of teeth")
+    for box, member, fault in zip(boxes, shown, faults, strict=True):
         if fault is None:
-            finish.append(draw_sheet(sheet, member))
+            draw_sheet(drawing, box, member)
         else:
-            tell(sheet, f"{_title(member)} has no profile", [fault])
-    settle(figure)
-    for draw in finish:
-        draw()
-    return figure
+            tell(drawing, box, f"{_title(member)} has no profile", [fault])
+    return drawing
 
 
-def draw_sheet(sheet: SubFigure, member: Toothed) -> Callable[[], None]:
-    """Lay the sheet of one wheel out; what is returned draws."""
+def draw_sheet(drawing: Drawing, box: Box, member: Toothed) -> None:
+    """The sheet of one wheel."""
     half, generation = half_tooth(member), generation_of(member)
-    left, middle = sheet.add_axes((0.015, 0.03, 0.41, 0.86)), sheet.add_axes((0.435, 0.03, 0.335, 0.86))
-    table = sheet.add_axes((0.785, 0.05, 0.205, 0.84))
-
-    def finish() -> None:
-        section = "; transverse section" if member.wheel.helix else ""
-        sheet.text(0.015, 0.965, f"{_title(member)}{section}", size=10)
-        first = SpaceDrawing(left, member, half, generation)
-        second = ToothDrawing(middle, member, half)
-        heads = ((0.015, generation.what, first.board), (0.435, "Left half of the tooth", second.board))
-        for x, text, board in heads:
-            sheet.text(x, 0.925, f"{text}, {scale(board.mu)}", size=8)
-        list_rows(table, _rows(member, half), (27.0, 43.5, 60.0))
-        table.legend(
-            handles=_handles(member, half), loc="lower left", handlelength=3, borderaxespad=0, labelspacing=0.7
-        )
-
-    return finish
+    free = heading(drawing, box, _title(member), "transverse section" if member.wheel.helix else "")
+    beside = Box(free.right - TABLE, free.bottom, free.right, free.top)
+    left, right = Box(free.left, free.bottom, beside.left - 3.0, free.top - 6.0).split(1.13, 1.0, gap=3.0, across=True)
+    first = SpaceDrawing(drawing, left, member, half, generation)
+    second = ToothDrawing(drawing, right, member, half)
+    for place, text, board in ((left, generation.what, first.board), (right, "Left half of the tooth", second.board)):
+        said = f"{text}\n{scale(board.mu)}"
+        drawing.add(Words(complex(place.left, free.top), said, SCALED, -1 + 1j))
+    end = list_rows(drawing, beside, _rows(member, half), (22.5, 41.0, TABLE))
+    write_key(
+        drawing, Box(beside.left, beside.bottom, beside.right, end - 6.0), [Part("Lines", (), _samples(member, half))]
+    )
 
 
 def _title(member: Toothed) -> str:
     named = {"external": "Tooth", "ring": "Tooth of the ring,", "rack": "Tooth of the rack"}[member.shape]
     if isinstance(member, Member) and member.shape == "rack":
-        return f"{named}, mate of wheel {member.found.task.wheels[0]}"
-    shift = signed(round(member.shift, 5), 5)
-    pair = f" of {member.pair}" if member.pair else ""
-    return f"{named} of wheel {member.name}{pair}: $z$ = {member.wheel.teeth}, $x$ = {shift}".replace(
+        return f"{named}, mate of wheel {plain(member.found.task.wheels[0])}"
+    shift = minus(number(round(member.shift, 5), 5))
+    pair = f" of {plain(member.pair)}" if member.pair else ""
+    return f"{named} of wheel {plain(member.name)}{pair}: $z$ = {member.wheel.teeth}, $x$ = {shift}".replace(
         "ring, of", "ring,"
     )
 
@@ -102,7 +96,7 @@ def _rows(member: Toothed, half: Half) -> list[Row]:
     m = member.module
     rolls: list[Row] = [Heading(("", "", "$y$, mm", "$R$, mm"))]
     if member.shape != "rack":
-        rolls = [Heading(("", "$\\varphi$, deg", "$r$, mm", "$R$, mm"))]
+        rolls = [Heading(("", "$φ$, deg", "$r$, mm", "$R$, mm"))]
     for name, part, at in _curvatures(member, half):
         at_ = np.array([at])
         place, radius, roll = part.curve.point(at_)[0], float(part.radius(at_)[0]), float(part.roll(at_)[0])
@@ -117,22 +111,20 @@ def _rows(member: Toothed, half: Half) -> list[Row]:
     rolls += [("",), ("$R$ < 0: hollow",)]
     if half.undercut:
         rolls.append(("undercut: the fillet crosses the involute in $F$",))
-    if half.remark:
-        rolls.append((half.remark,))
+    rolls += [(line,) for line in wrapped(half.remark, TABLE, HEIGHT)]
     return rolls
 
 
-def _handles(member: Toothed, half: Half) -> list[Line2D]:
+def _samples(member: Toothed, half: Half) -> list[Sample]:
     """What the lines are."""
-    found = [Line2D([], [], label="tooth", **OUTLINE, color=INK)]
+    found = [Sample("tooth", OUTLINE)]
     if isinstance(member, Member):
-        found.append(Line2D([], [], label="active flank", **ACTIVE))
+        found.append(Sample("active flank", ACTIVE))
     if member.shape != "external":
         return found
-    for (name, color, dashes), roll in zip(MOMENTS, half.rolls, strict=False):
-        text = f"rack at $\\varphi_{name}$ = {_deg(roll)}°"
-        found.append(Line2D([], [], label=text, color=color, linestyle=dashes, linewidth=1.0))
-    return [*found, Line2D([], [], label="path of $S$, centre of the rounding", **CENTRE_PATH)]
+    for (name, pen), roll in zip(MOMENTS, half.rolls, strict=False):
+        found.append(Sample(f"rack at $φ_{name}$ = {_deg(roll)}°", pen))
+    return [*found, Sample("path of $S$, centre of the rounding", CENTRE_PATH)]
 
 
 def _curvatures(member: Toothed, half: Half) -> list[tuple[str, ProfilePart, float]]:
@@ -148,8 +140,8 @@ def _curvatures(member: Toothed, half: Half) -> list[tuple[str, ProfilePart, flo
 
 
 def _deg(value: float) -> str:
-    return signed(round(math.degrees(value), 3), 7)
+    return minus(number(round(math.degrees(value), 3), 7))
 
 
 def _mm(value: float) -> str:
-    return signed(round(1e3 * value, 4) + 0.0, 7)
+    return minus(number(round(1e3 * value, 4) + 0.0, 7))

@@ -3,54 +3,56 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from math import gcd
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import SubFigure
-from matplotlib.lines import Line2D
 
 from tmmcalc.core.plane import Plane
 from tmmcalc.gears.pictures import endview, lengthwise, sideview
-from tmmcalc.gears.pictures.endview import PITCH_WEIGHT, PLANES, TIP, length_text
+from tmmcalc.gears.pictures.endview import CENTRES, PITCH, TIPS, length_text
 from tmmcalc.gears.pictures.placed import PlacedTrain
-from tmmcalc.report.drawing.board import Board
-from tmmcalc.report.drawing.style import INK
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.key import samples_in_rows
+from tmmcalc.report.drawing.lettering import width
+from tmmcalc.report.drawing.page import headed
+from tmmcalc.report.drawing.pens import THIN, Pen
+from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.numbers import number
 
-MARGIN = 9.0  # free border of the views [mm]
-APART = 0.13  # between the views, in parts of the height of the train
-ROW = 0.036  # height of a row of the table, in parts of its axes
+MARGIN = 5.0  # free border of the views [mm]
+APART = 0.11  # between the views, in parts of the height of the train
+NAMED = 0.06  # room for the name at the left end of a shaft that lies across, in the same parts
+TABLE = 52.0  # width of the table [mm]
+FOOT = 6.0  # height of the row of samples under the views [mm]
+ROW, HEIGHT = 6.2, 2.5  # of the table: from row to row, and of its letters [mm]
+LINE, FACT = 5.0, 2.4  # the same of what is told below it
 ALIKE = 1e-9  # relative: pressure angles that are one
 
 
-def scheme_sheet(sheet: SubFigure, train: PlacedTrain, heading: str) -> Callable[[], None]:
-    """Lay the sheet out; what is returned draws when the layout is settled."""
-    sheet.suptitle(heading, fontsize=10)
-    left, right = sheet.subfigures(1, 2, squeeze=False, width_ratios=[3.4, 1.0])[0]
-    views, table = left.subplots(), right.subplots()
-    views.set_axis_off()
-    table.set_axis_off()
-    _tabulate(table, train)
+def scheme_sheet(drawing: Drawing, box: Box, train: PlacedTrain, heading: str) -> Board:
+    """Fill a sheet with a train; the board of the views."""
+    free = headed(drawing, box, heading)
+    views = free.inset(0, 0, TABLE + 4, 0)
+    table = Box(free.right - TABLE, free.bottom, free.right, free.top)
+    below = _tabulate(drawing, table, train)
+    _tell(drawing, Box(table.left, table.bottom, table.right, below), train)
+    board = _views(drawing, views.inset(0, FOOT, 0, 0), train)
+    foot = Box(views.left, views.bottom, views.right, views.bottom + FOOT - 2)
+    samples_in_rows(drawing, foot, _samples(train))
+    drawing.add(Words(complex(table.right, table.bottom), _scale(train, board.mu), HEIGHT, 1 - 1j))
+    return board
 
-    def finish() -> None:
-        _draw(views, train)
 
-    return finish
-
-
-def _draw(axes: Axes, train: PlacedTrain) -> None:
+def _views(drawing: Drawing, box: Box, train: PlacedTrain) -> Board:
     to, at, content = _arranged(train)
-    board = Board(axes, content, MARGIN)
+    board = Board(drawing, box, content, MARGIN)
     sideview.draw_side_view(board, train, to)
     endview.draw_end_view(board, train, at)
     _axis_line(board, train, to)
     endview.label_end_view(board, train, at)
     sideview.label_side_view(board, train, to)
-    axes.legend(handles=_handles(train), loc="lower left", bbox_to_anchor=(0.0, -0.02), ncols=4, handlelength=3)
-    axes.text(1.0, -0.01, _scale(train, board.mu), transform=axes.transAxes, ha="right", va="bottom", size=8)
+    return board
 
 
 def _arranged(train: PlacedTrain) -> tuple[sideview.To, complex, Plane]:
@@ -59,7 +61,7 @@ def _arranged(train: PlacedTrain) -> tuple[sideview.To, complex, Plane]:
     apart = APART * train.height
     if train.scheme.branched:
         at = complex(side.real.max() - end.real.min() + apart)
-        return complex, at, np.concatenate((side, at + end))
+        return complex, at, np.concatenate((side, at + end, [side.real.min() - NAMED * train.height]))
     # seen from above: the axis of the shafts runs down, below the end view
     at = 1j * (side.real.max() - end.imag.min() + apart)
 
@@ -74,17 +76,17 @@ def _axis_line(board: Board, train: PlacedTrain, to: sideview.To) -> None:
     """The main axis through the side view."""
     if train.scheme.branched:
         frame, over = lengthwise.frame_of(train), 3 * board.mu
-        board.line((to(frame.left, 0.0) - over, to(frame.right, 0.0) + over), weight=0.2, **endview.CENTRE)
+        board.line((to(frame.left, 0.0) - over, to(frame.right, 0.0) + over), CENTRES, weight=0.2, level=2)
 
 
-def _handles(train: PlacedTrain) -> list[Line2D]:
+def _samples(train: PlacedTrain) -> list[tuple[str, Pen]]:
     found = []
     for plane in range(train.planes):
         names = ", ".join(w.name for w in train.wheels if w.planes[0] <= plane <= w.planes[1])
-        label = f"pitch circles {names}"
-        found.append(Line2D([], [], label=label, linewidth=PITCH_WEIGHT, **PLANES[plane % len(PLANES)]))
+        found.append((f"pitch circles {names}", PITCH[plane % len(PITCH)]))
     if train.scheme.branched:
-        found.append(Line2D([], [], label="tips of planets", color=INK, **TIP))
+        planets = [wheel for wheel in train.wheels if wheel.planet]
+        found.append(("tips of planets", TIPS[endview.plane_of(planets[0])]))
     return found
 
 
@@ -95,27 +97,32 @@ def _scale(train: PlacedTrain, mu: float) -> str:
     return said if train.widths is not None else f"{said}; widths of wheels not to scale"
 
 
-def _tabulate(axes: Axes, train: PlacedTrain) -> None:
-    """Wheels with their teeth, modules, diameters; below it what else is to be known."""
+def _tabulate(drawing: Drawing, box: Box, train: PlacedTrain) -> float:
+    """The wheels in a table on top of a rectangle; where it ends."""
     unit = 1e3 if train.known else 1.0
-    named = ("m, mm", "d, mm") if train.known else ("$m/m_1$", "$d/m_1$")
-    heads = ["wheel", "z", *named]
-    if train.widths is not None:
-        heads.append("b, mm")
-    rows = []
+    named = ("$m$, mm", "$d$, mm") if train.known else ("$m/m_1$", "$d/m_1$")
+    rows: list[Sequence[str]] = [("wheel", "$z$", *named, *(("$b$, mm",) if train.widths is not None else ()))]
     for wheel in train.wheels:
         row = [wheel.name, str(wheel.teeth), number(unit * wheel.module, 4), number(unit * 2 * wheel.reference, 5)]
-        if train.widths is not None:
-            row.append(number(1e3 * _width(train, wheel.name), 4))
-        rows.append(row)
-    height = ROW * (len(rows) + 1)
-    look: dict[str, Any] = {"cellLoc": "center", "edges": "horizontal", "bbox": (0.0, 1.0 - height, 1.0, height)}
-    table = axes.table(cellText=rows, colLabels=heads, **look)
-    table.auto_set_font_size(False)
-    table.set_fontsize(8)
-    for cell in table.get_celld().values():
-        cell.set_linewidth(0.5)
-    axes.text(0.0, 1.0 - height - ROW, "\n".join(_facts(train)), va="top", size=7.5, linespacing=1.5)
+        rows.append(row if train.widths is None else [*row, number(1e3 * _width(train, wheel.name), 4)])
+    widest = [max(width(row[k], HEIGHT) for row in rows) for k in range(len(rows[0]))]
+    columns = box.split(*(each + 2.0 for each in widest), across=True)
+    size = HEIGHT * min(1.0, (box.width - 2.2 * len(columns)) / sum(widest))
+    for k, cells in enumerate(rows):
+        y = box.top - k * ROW
+        drawing.line([complex(box.left, y), complex(box.right, y)], THIN)
+        for column, text in zip(columns, cells, strict=True):
+            drawing.add(Words(complex(column.middle.real, y - ROW / 2), text, size))
+    end = box.top - len(rows) * ROW
+    drawing.line([complex(box.left, end), complex(box.right, end)], THIN)
+    return end
+
+
+def _tell(drawing: Drawing, box: Box, train: PlacedTrain) -> None:
+    """What else is to be known, line by line."""
+    for k, text in enumerate(_facts(train)):
+        size = min(FACT, box.width / width(text))
+        drawing.add(Words(complex(box.left, box.top - (k + 1.2) * LINE), text, size, -1))
 
 
 def _width(train: PlacedTrain, name: str) -> float:
@@ -136,16 +143,16 @@ def _facts(train: PlacedTrain) -> list[str]:
         one, other = train.wheel(mesh.first).teeth, train.wheel(mesh.second).teeth
         text = f"mesh {mesh.first}-{mesh.second}: $a_w$ = {length_text(train, distance)}"
         if _raised(train):
-            text += f", $\\alpha_w$ = {number(math.degrees(angle), 4)}°"
-        shared = gcd(one, other)
-        found.append(f"{text}\n    {'coprime' if shared == 1 else f'common factor {shared}'}")
+            text += f", $α_w$ = {number(math.degrees(angle), 4)}°"
+        shared = math.gcd(one, other)
+        found += [text, f"     {'coprime' if shared == 1 else f'common factor {shared}'}"]
     gap = train.gap
     if gap is not None:
         found.append(f"gap of neighbours {length_text(train, gap.size)}")
     if _raised(train) and train.scheme.branched:
         found.append("tips drawn without profile shift")
     if train.estimated:
-        found.append("modules not chosen yet, drawn with\n$m_{k+1} = m_k\\,u_k^{1/3}$ (4.4)")
+        found += ["modules not chosen yet, drawn with", "$m_{k+1} = m_k u_k^{1/3}$ (4.4)"]
     elif not train.known:
         found.append("lengths in modules of stage 1")
     return found

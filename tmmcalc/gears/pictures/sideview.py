@@ -7,21 +7,27 @@ opposite to it is drawn where there is one, the others are left out. Shafts in a
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from tmmcalc.gears.pictures.endview import RIM, style_of
+from tmmcalc.gears.pictures.endview import COLOURS, RIM, plane_of
 from tmmcalc.gears.pictures.lengthwise import Frame, carrier_at, frame_of, free_places, shown, sleeve_end, span_of
 from tmmcalc.gears.pictures.placed import PlacedTrain, Wheel
-from tmmcalc.report.drawing.board import Board
-from tmmcalc.report.drawing.symbols import hatched
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.pens import WHITE, Pen
+from tmmcalc.report.drawing.signs import hatched
 
 # On paper [mm].
 SLEEVE = 1.3  # half height of a sleeve around a shaft
 BEARING = (4.6, 0.9)  # length, and distance from the shaft
-FACE = {0: "#dbe9f4", 1: "#f9e0d0", 2: "#d3ece4"}  # of wheels by plane
+FACE = ("#dbe9f4", "#f9e0d0", "#d3ece4")  # of wheels by plane
 
-SHAFT: dict[str, Any] = {"linewidth": 2.0, "zorder": 4}
-CARRIER: dict[str, Any] = {"linewidth": 2.6, "zorder": 6}
+WHEELS = tuple(Pen(f"WHEELS_{k}", 0.35, (), colour) for k, colour in enumerate(COLOURS, 1))
+SHAFT = Pen("SHAFTS", 0.7)
+HELD = Pen("SHAFTS_HELD", 1.1)
+AXLE = Pen("AXLES", 0.5)
+SLEEVES = Pen("SLEEVES", 0.35)
+CARRIER = Pen("CARRIER", 0.9)
+ON_SHAFT, ON_WHEEL, ON_CARRIER, ON_AXLE = 4, 5, 6, 7  # levels, those drawn last above
 To = Callable[[float, float], complex]  # place along the axis and across it -> board
 
 
@@ -48,18 +54,18 @@ def label_side_view(board: Board, train: PlacedTrain, to: To) -> None:
     ends = [to(frame.left, 0.0), to(frame.right, 0.0)]
     for wheel in train.wheels:
         text = f"$z_{{{wheel.name}}}$ = {wheel.teeth}"
-        anchors = [to(s, r) for s, r in free_places(train, wheel)]
-        board.labels.put(text, anchors, size=8, gaps=(1.2, 2.0), color=style_of(wheel)["color"])
+        anchors = board.paper([to(s, r) for s, r in free_places(train, wheel)])
+        board.labels.put(text, anchors, gaps=(1.2, 2.0, 3.2, 4.6), colour=COLOURS[plane_of(wheel)])
     if train.scheme.planetary:
         middle = abs(train.wheel("2").axes[0]) / 2
-        board.labels.put("H", [to(carrier_at(train), middle)], size=8, gaps=(1.2, 2.0), ring=True)
+        board.labels.put("H", board.paper([to(carrier_at(train), middle)]), gaps=(1.2, 2.0), ring=True)
     if not train.scheme.branched:
         ends[1] = to(frame.right, train.wheels[-1].axes[0].real)
     elif train.output == "H" and train.scheme.carrier == "left":
         ends[1] = to(sleeve_end(train), SLEEVE * board.mu)
     names = ("input", "output") if train.driver == "1" else ("output", "input")
     for name, end, other in zip(names, ends, reversed(ends), strict=True):
-        board.labels.put(name, [end], size=7.5, gaps=(1.5, 2.5), prefer=end - other)
+        board.labels.put(name, board.paper([end]), gaps=(1.5, 2.5), prefer=end - other)
 
 
 class _View(NamedTuple):
@@ -70,24 +76,24 @@ class _View(NamedTuple):
     to: To
     frame: Frame
 
-    def line(self, *places: tuple[float, float], **style: Any) -> None:
-        self.board.line([self.to(s, r) for s, r in places], **style)
+    def line(self, pen: Pen, *places: tuple[float, float], level: float = ON_SHAFT) -> None:
+        self.board.line([self.to(s, r) for s, r in places], pen, level=level)
 
-    def area(self, s: tuple[float, float], r: tuple[float, float], **style: Any) -> None:
+    def area(self, s: tuple[float, float], r: tuple[float, float], pen: Pen, fill: str, level: float) -> None:
         corners = [self.to(s[0], r[0]), self.to(s[1], r[0]), self.to(s[1], r[1]), self.to(s[0], r[1])]
-        self.board.area(corners, **style)
+        self.board.area(corners, pen, fill=fill, level=level)
 
     def wheel(self, wheel: Wheel) -> None:
         """A bar to the pitch circle; of a ring its rim on both sides."""
         span = span_of(self.frame, wheel)
-        look = {"facecolor": FACE[wheel.planes[0] % 3], "edgecolor": style_of(wheel)["color"], "zorder": 5}
+        pen, fill = WHEELS[plane_of(wheel)], FACE[plane_of(wheel)]
         for axis in shown(self.train, wheel):
             if not wheel.internal:
-                self.area(span, (axis - wheel.rolling, axis + wheel.rolling), **look)
+                self.area(span, (axis - wheel.rolling, axis + wheel.rolling), pen, fill, ON_WHEEL)
                 continue
             rim = RIM * wheel.module
             for sign in (1, -1):
-                self.area(span, (sign * wheel.reference, sign * (wheel.reference + rim)), **look)
+                self.area(span, (sign * wheel.reference, sign * (wheel.reference + rim)), pen, fill, ON_WHEEL)
                 if wheel.fixed:
                     edge = sign * (wheel.reference + rim)
                     ends = self.to(span[0], edge), self.to(span[1], edge)
@@ -100,7 +106,7 @@ class _View(NamedTuple):
         if wheel.internal:
             self._web(wheel, start - 0.5 * self.frame.clear, start)
             end = start - 0.5 * self.frame.clear
-        self.line((self.frame.left, 0.0), (end, 0.0), **SHAFT)
+        self.line(SHAFT, (self.frame.left, 0.0), (end, 0.0))
         part = 0.2 if self.train.scheme.carrier == "left" else 0.35
         self.bearing(self.frame.left + part * (start - self.frame.left), 0.0)
 
@@ -111,12 +117,12 @@ class _View(NamedTuple):
         if wheel.internal:
             start = end + 0.5 * self.frame.clear
             self._web(wheel, start, end)
-        self.line((start, 0.0), (self.frame.right, 0.0), **SHAFT)
+        self.line(SHAFT, (start, 0.0), (self.frame.right, 0.0))
         self.bearing(self.frame.right - 0.35 * (self.frame.right - end), 0.0)
 
     def _web(self, ring: Wheel, at: float, edge: float) -> None:
         rim = ring.reference + 0.5 * RIM * ring.module
-        self.line((edge, rim), (at, rim), (at, -rim), (edge, -rim), **SHAFT)
+        self.line(SHAFT, (edge, rim), (at, rim), (at, -rim), (edge, -rim))
 
     def planets(self) -> None:
         """The axle of every planet or the layshaft, and the sleeve of a block."""
@@ -129,12 +135,12 @@ class _View(NamedTuple):
                 if len(block) > 1:
                     gap = span_of(frame, block[0])[1], span_of(frame, block[-1])[0]
                     half = SLEEVE * self.board.mu
-                    self.area(gap, (axis - half, axis + half), facecolor="white", linewidth=0.9, zorder=4)
+                    self.area(gap, (axis - half, axis + half), SLEEVES, WHITE, ON_SHAFT)
                 if scheme.planetary:
-                    self.line(*self._axle(axis, start, end), linewidth=1.4, zorder=7)
+                    self.line(AXLE, *self._axle(axis, start, end), level=ON_AXLE)
                 else:
                     over = 0.8 * frame.clear + BEARING[0] * self.board.mu
-                    self.line((start - over, axis), (end + over, axis), **SHAFT)
+                    self.line(SHAFT, (start - over, axis), (end + over, axis))
                     for place in (start - 0.6 * over, end + 0.6 * over):
                         self.bearing(place, axis)
 
@@ -150,15 +156,16 @@ class _View(NamedTuple):
         at, frame, half = carrier_at(self.train), self.frame, SLEEVE * self.board.mu
         axes = [axis for wheel in self.train.wheels if wheel.planet for axis in shown(self.train, wheel)]
         if self.train.scheme.carrier == "right":
-            self.line((at, max(axes)), (at, min(0.0, *axes)), **CARRIER)
-            self.line((at, 0.0), (frame.right, 0.0), **SHAFT)
+            self.line(CARRIER, (at, max(axes)), (at, min(0.0, *axes)), level=ON_CARRIER)
+            self.line(SHAFT, (at, 0.0), (frame.right, 0.0))
             self.bearing(frame.right - 0.35 * (frame.right - at), 0.0)
             return
         end = sleeve_end(self.train) if self.train.output == "H" else at - 2.5 * half
         for sign in (1, -1):
             reached = [axis for axis in axes if sign * axis > 0]
-            self.line((at, sign * half), (end, sign * half), **{**CARRIER, "linewidth": 1.6})
-            self.line((at, sign * half), (at, sign * max(map(abs, reached), default=half)), **CARRIER)
+            self.line(AXLE, (at, sign * half), (end, sign * half), level=ON_CARRIER)
+            arm = (at, sign * half), (at, sign * max(map(abs, reached), default=half))
+            self.line(CARRIER, *arm, level=ON_CARRIER)
         if self.train.output == "H":
             self.bearing((end + at) / 2, 0.0, half)
 
@@ -169,7 +176,7 @@ class _View(NamedTuple):
             return
         end = span_of(self.frame, wheel)[1]
         wall = end + 0.6 * (self.frame.right - end)
-        self.line((end, 0.0), (wall, 0.0), **{**SHAFT, "linewidth": 3.2})
+        self.line(HELD, (end, 0.0), (wall, 0.0))
         half = 3.2 * self.board.mu
         away = self.to(1.0, 0.0) - self.to(0.0, 0.0)
         hatched(self.board, self.to(wall, -half), self.to(wall, half), away)
@@ -181,7 +188,7 @@ class _View(NamedTuple):
         inside = frame.planes[0][0] - over, frame.planes[-1][1] + over
         for axis in sorted({wheel.axes[0].real for wheel in self.train.wheels}):
             ends = frame.left if axis == first else inside[0], frame.right if axis == last else inside[1]
-            self.line((ends[0], axis), (ends[1], axis), **SHAFT)
+            self.line(SHAFT, (ends[0], axis), (ends[1], axis))
             for place in (inside[0] + 0.3 * over, inside[1] - 0.3 * over):
                 self.bearing(place, axis)
 

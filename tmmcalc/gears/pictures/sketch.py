@@ -1,29 +1,47 @@
-"""A pair on a board while it is drawn: its frame, texts that come last, and the look of all its lines."""
+"""A pair on a board while it is drawn: its frame, texts that come last, columns at the sides, the look of all lines."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from tmmcalc.core.plane import Plane
 from tmmcalc.gears.pictures.placedpair import Body, Circle, PlacedPair
-from tmmcalc.report.drawing.board import Board
-from tmmcalc.report.drawing.style import CURVES, INK
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.lettering import width
+from tmmcalc.report.drawing.pens import AXIS, INK, THIN, Pen
+from tmmcalc.report.drawing.shapes import Words
 
-COLOURS = (CURVES[0]["color"], CURVES[1]["color"])  # of wheels 1 and 2
+COLOURS = ("#0072b2", "#d55e00")  # of wheels 1 and 2
 FACES = ("#e4eef6", "#fbeadf")
-ACTION = "#009e73"
-STYLES: dict[Circle, dict[str, Any]] = {
-    "tip": {"linewidth": 0.6, "linestyle": "-"},
-    "operating": {"linewidth": 1.0, "linestyle": (0, (12, 2, 2, 2))},
-    "reference": {"linewidth": 0.6, "linestyle": (0, (12, 2, 2, 2, 2, 2))},
-    "base": {"linewidth": 0.7, "linestyle": (0, (5, 2))},
-    "root": {"linewidth": 0.6, "linestyle": "-"},
+PROFILE = Pen("PROFILES", 0.5)
+WORKING = tuple(Pen(f"WORKING_FLANKS_{k}", 1.0, (), colour) for k, colour in enumerate(COLOURS, 1))
+ACTION = Pen("LINE_OF_ACTION", 0.3)
+ACTIVE = Pen("ACTIVE_LINE_OF_ACTION", 0.9, (), "#009e73")
+CONTACT = Pen("CONTACTS", 0.35, (), "#009e73")
+POINT = Pen("POINTS", 0.13)
+LOOKS: dict[Circle, tuple[float, tuple[float, ...]]] = {
+    "tip": (0.25, ()),
+    "operating": (0.4, AXIS.dashes),
+    "reference": (0.25, (5.0, 1.0, 0.8, 1.0, 0.8, 1.0)),
+    "base": (0.25, (2.4, 1.0)),
+    "root": (0.25, ()),
 }
-THIN: dict[str, Any] = {"linewidth": 0.5, "color": INK}
-CENTRES: dict[str, Any] = {"linewidth": 0.6, "color": INK, "linestyle": (0, (14, 2, 2, 2)), "zorder": 6}
-SIZE = 8.5  # of the names of points
+LAYERS = {"operating": "PITCH"}
+HEIGHT = 2.8  # of the names of points [mm]
+SMALLER = 2.3  # of values at angles and distances
+PITCH = 4.6  # of the texts in a column [mm]
+COLUMN = 27.0  # width of a column [mm]
+LEADER = 5.0  # of it, between the frame and the texts
+
+
+def circle_pen(circle: Circle, colour: str = INK, number: int = 0) -> Pen:
+    """The pen of a circle, of a wheel with this number."""
+    wide, dashes = LOOKS[circle]
+    name = f"{LAYERS.get(circle, circle.upper())}_CIRCLES"
+    return Pen(f"{name}_{number}" if number else name, wide, dashes, colour)
 
 
 class Sketch:
@@ -31,26 +49,42 @@ class Sketch:
 
     def __init__(self, board: Board, pair: PlacedPair) -> None:
         self.board, self.pair, self.mm = board, pair, board.mu
-        (x0, x1), (y0, y1) = board.axes.get_xlim(), board.axes.get_ylim()
-        self.frame = x0, x1, y0, y1
+        box = board.box
+        self.low, self.high = board.data(complex(box.left, box.bottom)), board.data(complex(box.right, box.top))
         self.texts: list[tuple[str, Plane, complex, dict[str, Any]]] = []  # texts that come when all is drawn
+        self.beside: tuple[list[tuple[str, complex, str]], ...] = ([], [])  # texts, places, colours of both columns
 
     def seen(self, z: Plane, inset: float = 0.0) -> np.ndarray:
         """Which points lie within the frame, ``inset`` mm inside it."""
-        x0, x1, y0, y1 = self.frame
         b = inset * self.mm
-        return np.asarray((z.real > x0 + b) & (z.real < x1 - b) & (z.imag > y0 + b) & (z.imag < y1 - b))
+        across = (z.real > self.low.real + b) & (z.real < self.high.real - b)
+        return np.asarray(across & (z.imag > self.low.imag + b) & (z.imag < self.high.imag - b))
 
     def text(self, text: str, anchors: Plane | complex, prefer: complex, **style: Any) -> None:
         """Write this later, near one of the anchors."""
         self.texts.append((text, np.atleast_1d(np.asarray(anchors)), prefer, style))
 
     def names(self) -> None:
-        """All texts, those of the points first."""
+        """All texts, those of the points first, then the columns."""
         for text, anchors, prefer, style in self.texts:
             inside = [complex(z) for z in anchors if self.seen(np.array([z]))[0]]
             if inside:
-                self.board.labels.put(text, inside, gaps=(1.3, 2.0, 3.0, 4.4, 6.0), prefer=prefer, **style)
+                self.board.name(text, inside, **{"height": HEIGHT, "prefer": prefer, **style})
+        for left, named in zip((True, False), self.beside, strict=True):
+            self._column(named, left)
+
+    def _column(self, named: Sequence[tuple[str, complex, str]], left: bool) -> None:
+        """Texts one under another beside the ends of their lines, with leaders that do not cross."""
+        box, drawing = self.board.box, self.board.drawing
+        ends = [(text, self.board.place(at), colour) for text, at, colour in named]
+        ends.sort(key=lambda item: (-item[1].imag, item[1].real if left else -item[1].real))
+        heights = spread([at.imag for _, at, _ in ends], PITCH, box.bottom + 0.5 * PITCH, box.top - 0.5 * PITCH)
+        for (text, end, colour), y in zip(ends, heights, strict=True):
+            foot = complex(box.left - LEADER if left else box.right + LEADER, y)
+            drawing.line([end, foot], THIN, level=4)
+            side = foot + (-0.8 if left else 0.8)
+            size = 2.3 * min(1.0, (COLUMN - LEADER - 0.8) / width(text, 2.3))
+            drawing.add(Words(side, text, size, 1 if left else -1, colour=colour), level=20)
 
 
 def up_of(body: Body) -> complex:

@@ -10,7 +10,6 @@ import math
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
 
 from tmmcalc.core.plane import Plane
 from tmmcalc.gears.involute.profile.generation import in_wheel, path_of_centre, rack_outline
@@ -18,27 +17,30 @@ from tmmcalc.gears.meshing.halftooth import Half, ProfilePart
 from tmmcalc.gears.meshing.members import Member, Toothed
 from tmmcalc.gears.pictures.generation import Generation
 from tmmcalc.gears.pictures.placedpair import CIRCLES, SIGNS, Circle, active_flank
-from tmmcalc.gears.pictures.sketch import FACES, STYLES, spread
-from tmmcalc.report.drawing.board import Board
-from tmmcalc.report.drawing.style import INK, MARK, PATH
+from tmmcalc.gears.pictures.sketch import FACES, POINT, circle_pen, spread
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.lettering import width
+from tmmcalc.report.drawing.pens import AXIS, INK, MARK, PATH, THIN, Pen
+from tmmcalc.report.drawing.shapes import Drawing, Words
 
 DEEP = 0.7  # [module] of the body behind the root circle of a space
 SHALLOW = 0.3  # the same of the enlarged tooth
 POINTS = 81
 OVER = 12.0  # of the axis beyond what is drawn [mm]
 LINE_PITCH = 4.4  # of the names of circles [mm]
-TOOL: dict[str, Any] = {"linewidth": 0.55, "color": "#5b87a6", "zorder": 4}
-UPRIGHT: dict[str, Any] = {"linewidth": 1.2, "color": PATH, "zorder": 6}
-OUTLINE: dict[str, Any] = {"linewidth": 1.8, "zorder": 8}
-ACTIVE: dict[str, Any] = {"linewidth": 3.4, "color": "#009e73", "zorder": 9}
-CENTRE_PATH: dict[str, Any] = {"linewidth": 0.9, "color": MARK, "linestyle": (0, (4, 1.5)), "zorder": 7}
-AXIS: dict[str, Any] = {"linewidth": 0.6, "linestyle": (0, (14, 2, 2, 2)), "zorder": 5}
-THIN: dict[str, Any] = {"linewidth": 0.5, "zorder": 6}
+NAME, LEADER = 2.5, 3.0  # height of these names and length of their leaders
+ROOM = 15.0  # of names and leaders at the right of the frame at most
+TOOL = Pen("TOOL_POSITIONS", 0.18, (), "#5b87a6")
+UPRIGHT = Pen("TOOL_UPRIGHT", 0.4, (), PATH.colour)
+OUTLINE = Pen("PROFILES", 0.6)
+ACTIVE = Pen("ACTIVE_FLANKS", 1.1, (), "#009e73")
+CENTRE_PATH = Pen("PATH_OF_CENTRE", 0.3, (1.6, 0.8), MARK.colour)
 CIRCLE_COLOUR = "#555555"
-MOMENTS: tuple[tuple[str, str, Any], ...] = (
-    ("L", "#0072b2", "-"),
-    ("D", "#cc79a7", (0, (5, 1.5))),
-    ("A", "#e69f00", (0, (8, 1.5, 2, 1.5))),
+MOMENTS = (
+    ("L", Pen("TOOL_AT_L", 0.35, (), "#0072b2")),
+    ("D", Pen("TOOL_AT_D", 0.35, (2.4, 0.8), "#cc79a7")),
+    ("A", Pen("TOOL_AT_A", 0.35, (3.6, 0.8, 1.0, 0.8), "#e69f00")),
 )
 
 
@@ -70,66 +72,64 @@ def _radii(member: Toothed, half: Half) -> list[tuple[str, Circle, float]]:
 class _Drawing:
     """A board with circles about the centre of a wheel, or lines along a rack."""
 
-    def __init__(self, axes: Axes, member: Toothed, content: Plane, margin: float) -> None:
-        self.member, self.board = member, Board(axes, content, margin)
-        axes.set_axis_off()
-        self.mm = self.board.mu
-        (self.x0, self.x1), (self.y0, self.y1) = axes.get_xlim(), axes.get_ylim()
+    def __init__(self, drawing: Drawing, box: Box, member: Toothed, content: Plane, margin: float) -> None:
+        self.member, self.board = member, Board(drawing, box.inset(0, 0, ROOM, 0), content, margin)
+        self.mm, frame = self.board.mu, self.board.box
+        self.low = self.board.data(complex(frame.left, frame.bottom))
+        self.high = self.board.data(complex(frame.right, frame.top))
         self.straight = member.shape == "rack"
         self.face = FACES[member.place if isinstance(member, Member) else 0]
 
-    def circle(self, radius: float) -> Plane:
-        """The circle or line within the frame, from the left to the right."""
-        x = np.linspace(self.x0 + self.mm, self.x1 - self.mm, 401)
-        if self.straight:
-            return x + 1j * radius
-        x = x[np.abs(x) < radius]
-        points = x + 1j * np.sqrt(radius**2 - x**2)
-        return points[(points.imag > self.y0 + self.mm) & (points.imag < self.y1 - self.mm)]
-
-    def circles(self, half: Half, room: float) -> None:
-        """All circles with their names at the right, ``room`` mm from the edge."""
-        named = []
+    def circles(self, half: Half) -> None:
+        """All circles, or lines, that are in the frame, with their names at its right."""
+        named, frame, drawing = list[tuple[str, complex]](), self.board.box, self.board.drawing
         for text, circle, radius in _radii(self.member, half):
-            arc = self.circle(radius)
-            arc = arc[arc.real < self.x1 - room * self.mm]
-            if len(arc) > 1:
-                self.board.line(arc, color=CIRCLE_COLOUR, weight=0.3, **STYLES[circle])
-                named.append((text, complex(arc[-1])))
+            pen, places = circle_pen(circle, CIRCLE_COLOUR), list[complex]()
+            if self.straight:
+                ends = [complex(self.low.real, radius), complex(self.high.real, radius)]
+                self.board.line(ends, pen, weight=0.3, level=2)
+                if self.low.imag < radius < self.high.imag:
+                    places = self.board.paper(ends).tolist()
+            else:
+                arcs = self.board.arc(0j, radius, pen, end=math.pi, weight=0.3, level=2)
+                places = [complex(z) for arc in arcs for z in arc.points]
+            if places:
+                named.append((text, complex(max(places, key=lambda z: z.real))))
         named.sort(key=lambda item: -item[1].imag)
-        step, heights = LINE_PITCH * self.mm, [end.imag for _, end in named]
-        heights = spread(heights, step, self.y0 + step, self.y1 - step)
+        heights = spread(
+            [end.imag for _, end in named], LINE_PITCH, frame.bottom + LINE_PITCH / 2, frame.top - LINE_PITCH / 2
+        )
         for (text, end), y in zip(named, heights, strict=True):
-            foot = complex(end.real + 3 * self.mm, y)
-            self.board.line([end, foot], weight=0.3, **THIN)
-            self.board.axes.text(foot.real + self.mm, y, text, size=8, va="center", zorder=20)
-            self.board.labels.avoid([foot, foot + 6 * self.mm], 3.0)
+            foot = complex(frame.right + LEADER, y)
+            drawing.line([end, foot], THIN, level=4)
+            size = NAME * min(1.0, (ROOM - LEADER - 0.8) / width(text, NAME))
+            drawing.add(Words(foot + 0.8, text, size, -1), level=20)
 
     def axis(self, content: Plane) -> None:
         """The axis of the tooth or space, through all that is drawn."""
         low, high = float(content.imag.min()) - OVER * self.mm, float(content.imag.max()) + OVER * self.mm
-        ends = max(low, self.y0 + self.mm), min(high, self.y1 - self.mm)
-        self.board.line([complex(0, y) for y in ends], weight=0.3, **AXIS)
+        ends = max(low, self.low.imag + self.mm), min(high, self.high.imag - self.mm)
+        self.board.line([complex(0, y) for y in ends], AXIS, weight=0.3, level=5)
 
 
 class SpaceDrawing(_Drawing):
     """The generation of one space."""
 
-    def __init__(self, axes: Axes, member: Toothed, half: Half, generation: Generation) -> None:
+    def __init__(self, drawing: Drawing, box: Box, member: Toothed, half: Half, generation: Generation) -> None:
         outline = generation.outline
-        super().__init__(axes, member, outline, 12.0)
+        super().__init__(drawing, box, member, outline, 2.5)
         self._body(outline, half)
-        self.circles(half, 14.0)
+        self.circles(half)
         for k, tool in enumerate(generation.positions):
             middle = k == len(generation.positions) // 2
-            self.board.line(tool, weight=0.05, **(UPRIGHT if middle else TOOL))
-        self.board.line(outline, weight=1.0, **OUTLINE)
+            self.board.line(tool, UPRIGHT if middle else TOOL, weight=0.05, level=6 if middle else 4)
+        self.board.line(outline, OUTLINE, level=8)
         if generation.path is not None:
-            self.board.line(generation.path, weight=0.4, **CENTRE_PATH)
+            self.board.line(generation.path, CENTRE_PATH, weight=0.4, level=7)
         self.axis(np.concatenate([outline, *generation.positions]))
         if generation.path is not None:
             middle = generation.path[len(generation.path) // 2]
-            self.board.labels.put("$S$", [complex(middle)], size=9, color=MARK)
+            self.board.labels.put("$S$", self.board.paper([complex(middle)]), height=2.8, colour=MARK.colour)
 
     def _body(self, outline: Plane, half: Half) -> None:
         m, member = self.member.module, self.member
@@ -141,26 +141,25 @@ class SpaceDrawing(_Drawing):
             behind = back * np.exp(1j * np.angle(outline[[0, -1]]))
             turn = np.angle(behind * -1j)
             behind = back * 1j * np.exp(1j * np.linspace(turn[0], turn[1], 61))
-        look: dict[str, Any] = {"facecolor": self.face, "edgecolor": "none", "zorder": 1, "weight": 0.0}
-        self.board.area(np.concatenate([outline, behind[::-1]]), **look)
+        self.board.face(np.concatenate([outline, behind[::-1]]), self.face, level=1)
 
 
 class ToothDrawing(_Drawing):
     """Half a tooth, enlarged."""
 
-    def __init__(self, axes: Axes, member: Toothed, half: Half) -> None:
+    def __init__(self, drawing: Drawing, box: Box, member: Toothed, half: Half) -> None:
         m = member.module
         self.half, self.runs = half, {part.name: m * _sampled(part) for part in half.parts}
         outline = np.concatenate(list(self.runs.values()))
-        super().__init__(axes, member, np.concatenate([outline, [1j * outline.imag.min()]]), 13.0)
+        super().__init__(drawing, box, member, np.concatenate([outline, [1j * outline.imag.min()]]), 5.0)
         self._body(outline)
-        self.circles(half, 12.0)
+        self.circles(half)
         if member.shape == "external":
             self._tool()
-        self.board.line(outline, weight=1.0, **OUTLINE)
+        self.board.line(outline, OUTLINE, level=8)
         active = self._active()
         if active.size:
-            self.board.line(active, weight=0.5, **ACTIVE)
+            self.board.line(active, ACTIVE, weight=0.5, level=9)
         self.axis(outline)
         self._points(active)
 
@@ -173,8 +172,7 @@ class ToothDrawing(_Drawing):
         behind = foot * (1 - arc) + 1j * back * arc
         if not self.straight:
             behind = behind / np.abs(behind) * abs(back)
-        look: dict[str, Any] = {"facecolor": self.face, "edgecolor": "none", "zorder": 1, "weight": 0.0}
-        self.board.area(np.concatenate([outline, behind[::-1]]), **look)
+        self.board.face(np.concatenate([outline, behind[::-1]]), self.face, level=1)
 
     def _active(self) -> Plane:
         """The part of the flank that touches the mate; empty without one."""
@@ -199,35 +197,32 @@ class ToothDrawing(_Drawing):
         at = {"L": rolls.limit, "D": rolls.root, "A": rolls.tip}
         span = max(rolls.tip - min(rolls.limit, rolls.root), 1e-6)
         wide = np.linspace(min(rolls.limit, rolls.root) - 0.6 * span, rolls.tip + 0.2 * span, 401)
-        self.board.line(self._inside(m * path_of_centre(flank, wide)), weight=0.5, **CENTRE_PATH)
+        self.board.line(m * path_of_centre(flank, wide), CENTRE_PATH, weight=0.5, level=7)
         around = np.exp(2j * np.pi * np.linspace(0, 1, 121))
         rounding = complex(float(tool.x), float(tool.y)) + tool.width * around.real + 1j * tool.height * around.imag
-        for name, color, dashes in MOMENTS:
+        for name, pen in MOMENTS:
             roll = np.array([at[name]])
-            style = {"color": color, "linestyle": dashes, "zorder": 5}
-            self.board.line(m * in_wheel(flank, rack_outline(flank), roll)[0], weight=0.15, linewidth=1.0, **style)
+            self.board.line(m * in_wheel(flank, rack_outline(flank), roll)[0], pen, weight=0.15, level=5)
             if name != "A":
                 circle = m * in_wheel(flank, rounding, roll)[0]
-                self.board.line(circle, weight=0.15, linewidth=0.6, **style)
+                self.board.line(circle, pen._replace(width=0.2), weight=0.15, level=5)
             centre = complex(m * path_of_centre(flank, roll)[0])
-            if self._inside(np.array([centre])).size:
-                self.board.circle(centre, 0.55, facecolor=color, edgecolor=color, zorder=12)
-                self.board.labels.put(f"$S_{name}$", [centre], size=8, color=color, gaps=(1.4, 2.2, 3.4))
+            if self.low.real < centre.real < self.high.real and self.low.imag < centre.imag < self.high.imag:
+                self.board.dot(centre, colour=pen.colour, level=12)
+                self._name(f"$S_{name}$", centre, height=2.5, colour=pen.colour)
 
-    def _inside(self, z: Plane) -> Plane:
-        return z[(z.real > self.x0) & (z.real < self.x1) & (z.imag > self.y0) & (z.imag < self.y1)]
+    def _name(self, text: str, at: complex, **style: Any) -> None:
+        self.board.labels.put(text, self.board.paper([at]), **{"gaps": (1.2, 2.0, 3.0, 4.4, 6.0), **style})
 
     def _points(self, active: Plane) -> None:
         """Names of the points of the profile."""
         for name, at in _named(self.member, self.half):
-            self.board.circle(at, 0.7, facecolor=INK, zorder=12)
-            self.board.labels.put(f"${name}$", [at], size=9, prefer=-1 + 0j, gaps=(1.6, 2.4, 3.4, 4.8))
+            self.board.circle(at, 0.7, POINT, fill=INK, level=12)
+            self._name(f"${name}$", at, height=2.8, prefer=-1 + 0j)
         if not self.straight and active.size:
             radii = np.abs(active)
             last = active[np.argmax(radii) if self.member.shape == "ring" else np.argmin(radii)]
-            self.board.labels.put(
-                "$r_p$", [complex(last)], size=8, prefer=1 + 0j, gaps=(2.2, 3.2, 4.6), color="#00664b"
-            )
+            self._name("$r_p$", complex(last), height=2.5, prefer=1 + 0j, colour="#00664b")
 
 
 def _sampled(part: ProfilePart) -> Plane:

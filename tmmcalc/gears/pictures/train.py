@@ -4,37 +4,43 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
-from matplotlib.figure import Figure
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.columns import ratios
 from tmmcalc.gears.kinds import from_tooth_ratio
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.pictures.criteria import check_row
-from tmmcalc.gears.pictures.graphs import graphs_of, graphs_sheet
+from tmmcalc.gears.pictures.graphs import graphs_of
 from tmmcalc.gears.pictures.placed import PlacedTrain, placed
 from tmmcalc.gears.pictures.scheme import scheme_sheet
-from tmmcalc.gears.pictures.solutions import solutions_sheet
+from tmmcalc.gears.pictures.solutions import solutions_panel
 from tmmcalc.gears.pictures.words import layout_name, ratio_text, teeth_text
 from tmmcalc.gears.search.measures import tooth_ratio
 from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.trains import Trains, Variant
-from tmmcalc.report.drawing.labels import signed
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
+from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.numbers import number
 
+ROWS = 2  # strips of diagrams that share a sheet
+COLUMNS = 3  # diagrams that stand side by side at most
+Strip = Sequence[Callable[[Drawing, Box], object]]  # what stands side by side
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage, with the set that is chosen."""
+
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage, with the set that is chosen."""
     result, selection = order.results["train"], order.results.get("criteria")
     if selection is not None:
         place = selection.winner.place if order.choice is None else order.choice - 1
         told = f"row {place + 1} of {len(selection.pool)} trains compared, "
-        return train_figure(result, chosen_rows(result, selection, order.choice), told)
-    return train_figure(result, numbered_rows(result, 1 if order.choice is None else order.choice))
+        return train_drawing(result, chosen_rows(result, selection, order.choice), told)
+    return train_drawing(result, numbered_rows(result, 1 if order.choice is None else order.choice))
 
 
 def numbered_rows(result: Trains, choose: int) -> list[int | None]:
@@ -61,24 +67,38 @@ def chosen_rows(result: Trains, selection: Selection, choose: int | None = None)
     return [found if k == at else None for k in range(len(result.variants))]
 
 
-def train_figure(result: Trains, rows: Sequence[int | None], told: str = "") -> Figure:
-    """Two sheets a variant, of which ``rows`` names the set that is drawn, one where it names none; one of curves.
+def train_drawing(result: Trains, rows: Sequence[int | None], told: str = "") -> Drawing:
+    """A sheet for the set of every variant that ``rows`` names, then sets, removals and curves, two strips a sheet.
 
     ``told`` is said of the set before its number among all.
     """
-    panels = graphs_of(result.variants)
-    figure, sheets = blank(sum(row is not None for row in rows) + len(result.variants) + bool(panels))
-    places, finish = iter(sheets), list[Callable[[], None]]()
+    schemes = [(variant, row) for variant, row in zip(result.variants, rows, strict=True) if row is not None]
+    strips = _strips(result, rows)
+    drawing, boxes = sheets(len(schemes) + -(-len(strips) // ROWS), "Synthesis of the gear train")
+    for (variant, row), box in zip(schemes, boxes, strict=False):
+        scheme_sheet(drawing, box, _to_scale(variant, row), _heading(variant, row, told))
+    for k, box in enumerate(boxes[len(schemes) :]):
+        here = strips[ROWS * k : ROWS * (k + 1)]
+        for strip, part in zip(here, box.split(*(1.0 for _ in here), gap=5), strict=True):
+            for draw, place in zip(strip, part.split(*(1.0 for _ in strip), gap=6, across=True), strict=True):
+                draw(drawing, place)
+    return drawing
+
+
+def _strips(result: Trains, rows: Sequence[int | None]) -> list[Strip]:
+    """One of every variant with sets, those without share theirs, then the curves of choice."""
+    found: list[Strip] = []
+    empty = []
     for variant, row in zip(result.variants, rows, strict=True):
-        if row is not None:
-            finish.append(scheme_sheet(next(places), _to_scale(variant, row), _heading(variant, row, told)))
-        finish.append(solutions_sheet(next(places), variant, row))
-    if panels:
-        finish.append(graphs_sheet(next(places), panels))
-    settle(figure)
-    for draw in finish:
-        draw()
-    return figure
+        panel = partial(solutions_panel, variant=variant, row=row)
+        if len(variant.sets):
+            found.append([panel])
+        else:
+            empty.append(panel)
+    panels = graphs_of(result.variants)
+    for each, columns in ((empty, COLUMNS - 1), (panels, ROWS if len(panels) == ROWS**2 else COLUMNS)):
+        found += [each[k : k + columns] for k in range(0, len(each), columns)]
+    return found
 
 
 def _to_scale(variant: Variant, row: int) -> PlacedTrain:
@@ -97,6 +117,6 @@ def _heading(variant: Variant, row: int, told: str) -> str:
     error = 100 * float(ratios(request, sets)[1][row])
     said = "" if ratio is None else f": {ratio_text(request.kind, ratio)}"
     first = f"{layout_name(request.scheme, sets.planets)}{said}"
-    asked = f"error {signed(error, 3)} % of {number(float(request.nominal), 8)}"
+    asked = f"error {minus(number(error, 3))} % of {minus(number(float(request.nominal), 8))}"
     named = f"{told}set {row + 1} of {variant.synthesis.count}"
     return f"{first}\n$z$ = {teeth_text(sets.teeth[row].tolist())}, {asked}; {named}"

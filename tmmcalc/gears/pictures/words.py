@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
+from unicodedata import normalize
 
 from tmmcalc.gears.scheme import Layout
-from tmmcalc.report.drawing.labels import signed
+from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.numbers import number
 
 KINDS = {"u": "U", "i_1H": "i_{1H}", "i_H1": "i_{H1}", "i_14": "i_{14}"}
-MINUS = "\N{MINUS SIGN}"
 EXACT = 100_000  # larger denominators are not written out
 
 CRITERIA: dict[str, tuple[str, float, str]] = {
@@ -17,7 +18,7 @@ CRITERIA: dict[str, tuple[str, float, str]] = {
     "inertia": ("reduced inertia $J$", 1.0, "kg·m²"),
     "size": ("size $D$", 1e3, "mm"),
     "envelope": ("envelope", 1e3, "mm"),
-    "efficiency": ("efficiency $\\eta$", 1.0, ""),
+    "efficiency": ("efficiency $η$", 1.0, ""),
     "error": ("error of the ratio", 100.0, "%"),
     "width_deviation": ("$b/m$ beyond the usual", 1.0, ""),
 }
@@ -31,7 +32,7 @@ def axis_name(key: str) -> str:
 
 def layout_name(scheme: Layout, planets: int) -> str:
     """The layout in a sentence with its designation and the number of planets."""
-    called = f" ({scheme.designation})" if scheme.planetary else ""
+    called = f" ({normalize('NFC', scheme.designation)})" if scheme.planetary else ""
     name = scheme.title[0].upper() + scheme.title[1:] + called
     if not scheme.branched:
         return name
@@ -47,9 +48,9 @@ def ratio_text(kind: str, value: Fraction) -> str:
     >>> ratio_text("i_1H", Fraction(22, 3))
     '$i_{1H}$ = 7.333333 = 22/3'
     """
-    text = f"${KINDS.get(kind, kind)}$ = {signed(float(value), 7)}"
+    text = f"${KINDS.get(kind, kind)}$ = {minus(number(float(value)))}"
     exact = 1 < value.denominator < EXACT
-    return f"{text} = {str(value).replace('-', MINUS)}" if exact else text
+    return f"{text} = {minus(str(value))}" if exact else text
 
 
 def teeth_text(teeth: Iterable[int]) -> str:

@@ -4,53 +4,46 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
-
-import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.pictures.cycle import whole_cycle
-from tmmcalc.linkage.pictures.scheme import draw_scheme, prepare
+from tmmcalc.linkage.pictures.scheme import draw_scheme
 from tmmcalc.linkage.synthesis.dwell.results import Dwell
 from tmmcalc.linkage.synthesis.results import Design
-from tmmcalc.report.drawing.curves import Diagram, Line, bottom
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import Graph, Line, column
 from tmmcalc.report.drawing.key import Part, Sample, write_key
-from tmmcalc.report.drawing.labels import signed
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES
+from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.pens import CURVES
+from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.numbers import number
 
 DEGREE = math.degrees(1.0)
-OWN: dict[str, Any] = {"linewidth": 1.1, "zorder": 12.5, **CURVES[2]}
-OTHER: dict[str, Any] = {"linewidth": 1.1, "zorder": 12.4, **CURVES[3]}
-DWELL = {"color": "#f2e6c9", "zorder": 0.5}
+OWN, OTHER, DWELL = CURVES[2], CURVES[3], "#f2e6c9"
 SKIPPED = ("x_E", "y_E", "x_D2", "y_D2", "x_F", "y_F")  # sizes that the key leaves to the table
 
 
-def dwell_figure(mechanism: Mechanism, design: Design, dwell: Dwell) -> Figure:
+def dwell_drawing(mechanism: Mechanism, design: Design, dwell: Dwell) -> Drawing:
     """A sheet with the mechanism in position 1, and one with the diagrams over the turn of the crank."""
     motion = solve_kinematics(mechanism)
-    figure, (first, second) = blank(2)
-    first.suptitle(f"{design.name}, dwell of {signed(DEGREE * dwell.dwell_angle, 5)}°", fontsize=10)
-    grid = first.add_gridspec(1, 2, width_ratios=[2.4, 1.0])
-    scheme, key = first.add_subplot(grid[0, 0]), first.add_subplot(grid[0, 1])
-    key.set_axis_off()
+    drawing, (first, second) = sheets(2)
+    title = f"{design.name}, dwell of {minus(number(DEGREE * dwell.dwell_angle, 5))}°"
+    drawing.add(Words(complex(first.middle.real, first.top), title, 3.5, 1j))
+    scheme, key = first.inset(0, 0, 0, 7).split(2.4, 1.0, gap=4, across=True)
     cycle = whole_cycle(chain_of(mechanism, motion), motion)
-    prepare(scheme, cycle)
-    left, right = second.subfigures(1, 2, squeeze=False)[0]
-    drawn = [*_panels(left, _of_motion(dwell), dwell), *_panels(right, _of_forces(dwell), dwell)]
-    settle(figure)
-    board = draw_scheme(scheme, motion, cycle, [0])
-    board.line(dwell.slots.own, weight=0.3, **OWN)
-    board.line(dwell.slots.other, weight=0.3, **OTHER)
-    for diagram, axes in drawn:
-        diagram.label(axes)
-    write_key(key, _key(design, dwell))
-    return figure
+    board = draw_scheme(drawing, scheme, motion, cycle, [0])
+    board.line(dwell.slots.own, OWN, weight=0.3, level=12.5)
+    board.line(dwell.slots.other, OTHER, weight=0.3, level=12.4)
+    write_key(drawing, key, _key(design, dwell))
+    for part, graphs in zip(
+        second.split(1, 1, gap=4, across=True), (_of_motion(dwell), _of_forces(dwell)), strict=True
+    ):
+        _panels(drawing, part, graphs, dwell)
+    return drawing
 
 
 def _key(design: Design, dwell: Dwell) -> list[Part]:
@@ -59,26 +52,26 @@ def _key(design: Design, dwell: Dwell) -> list[Part]:
     ]
     checks = [(check.name.replace("|S|", "$|S|$"), _shown(check.achieved, check.unit)) for check in design.checks]
     samples = [
-        Sample("slot $\\Gamma$ of the crank pin $A$ in link 5", OWN),
+        Sample("slot $Γ$ of the crank pin $A$ in link 5", OWN),
         Sample("its other branch", OTHER),
-        Sample("dwell, in the diagrams", DWELL, fill=True),
+        Sample("dwell, in the diagrams", DWELL),
     ]
     return [Part("Sizes", sizes), Part("By simulation", checks), Part("Lines", samples=samples)]
 
 
 def _formula(symbol: str) -> str:
     letter, _, index = symbol.partition("_")
-    greek = {"phi": "\\varphi", "psi": "\\psi", "alpha": "\\alpha"}.get(letter, letter)
-    return f"${greek}_{{\\mathrm{{{index}}}}}$" if index else f"${greek}$"
+    greek = {"phi": "φ", "psi": "ψ", "alpha": "α"}.get(letter, letter)
+    return f"${greek}_{{{index}}}$" if index else f"${greek}$"
 
 
 def _shown(value: float, unit: str) -> str:
     if unit == "rad":
-        return f"{signed(DEGREE * value, 6)}°"
-    return f"{signed(1e3 * value, 6)} mm" if unit == "m" else signed(value, 5)
+        return f"{minus(number(DEGREE * value, 6))}°"
+    return f"{minus(number(1e3 * value, 6))} mm" if unit == "m" else minus(number(value, 5))
 
 
-def _of_motion(dwell: Dwell) -> list[Diagram]:
+def _of_motion(dwell: Dwell) -> list[Graph]:
     """S with the place of B, and both transfer functions."""
     factor, unit = (1e3, "mm") if dwell.output == "slider" else (DEGREE, "°")
     fine, rows = dwell.fine, dwell.motion
@@ -92,7 +85,7 @@ def _of_motion(dwell: Dwell) -> list[Diagram]:
     ]
 
 
-def _of_forces(dwell: Dwell) -> list[Diagram]:
+def _of_forces(dwell: Dwell) -> list[Graph]:
     """Forces of the bars and the crank, pressure angle, driving moment."""
     fine, rows = dwell.fine, dwell.motion
     forces = [
@@ -102,7 +95,7 @@ def _of_forces(dwell: Dwell) -> list[Diagram]:
     ]
     return [
         _diagram(dwell, "R", "N", forces),
-        _diagram(dwell, "\\delta", "°", [("$\\delta$", DEGREE * fine.delta, DEGREE * rows.delta, ())]),
+        _diagram(dwell, "δ", "°", [("$δ$", DEGREE * fine.delta, DEGREE * rows.delta, ())]),
         _diagram(dwell, "M_1", "N*m", [("$M_1$", fine.moment, rows.moment, ())]),
     ]
 
@@ -110,22 +103,20 @@ def _of_forces(dwell: Dwell) -> list[Diagram]:
 Curve = tuple[str, Real, Real, tuple[tuple[float, float], ...]]
 
 
-def _diagram(dwell: Dwell, symbol: str, unit: str, curves: Sequence[Curve]) -> Diagram:
-    lines = tuple(Line(name, v, at, style, marks) for (name, v, at, marks), style in zip(curves, CURVES, strict=False))
-    return Diagram(symbol, unit, True, dwell.fine.phi, dwell.motion.phi, lines)
+def _diagram(dwell: Dwell, symbol: str, unit: str, curves: Sequence[Curve]) -> Graph:
+    several = len(curves) > 1
+    lines = tuple(
+        Line(name if several else "", values, nodes, pen, marks)
+        for (name, values, nodes, marks), pen in zip(curves, CURVES, strict=False)
+    )
+    return Graph(symbol, unit, True, dwell.fine.phi, dwell.motion.phi, lines)
 
 
-def _panels(part: Any, diagrams: Sequence[Diagram], dwell: Dwell) -> list[tuple[Diagram, Axes]]:
+def _panels(drawing: Drawing, box: Box, graphs: Sequence[Graph], dwell: Dwell) -> None:
     """The diagrams one under another, the dwell shaded."""
-    panels = np.ravel(part.subplots(len(diagrams), 1)).tolist()
-    for diagram, axes in zip(diagrams, panels, strict=True):
-        diagram.draw(axes)
-        if len(diagram.lines) > 1:
-            diagram.legend(axes, len(diagram.lines))
+    for diagram in column(drawing, box, graphs):
         for low, high in _rests(dwell):
-            axes.axvspan(DEGREE * low, DEGREE * high, **DWELL)
-    bottom(panels, True)
-    return list(zip(diagrams, panels, strict=True))
+            diagram.band(DEGREE * low, DEGREE * high, DWELL)
 
 
 def _rests(dwell: Dwell) -> list[tuple[float, float]]:

@@ -7,23 +7,27 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from tmmcalc.linkage.dyadstate import DyadState, DyadTask, Port
-from tmmcalc.report.drawing import symbols
-from tmmcalc.report.drawing.board import Board
-from tmmcalc.report.drawing.labels import signed
+from tmmcalc.report.drawing import signs
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.lettering import minus, point_name
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import INK, MARGIN, MARK, PATH, THIN
+from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.pens import AXIS, THICK, THIN, Pen
+from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.numbers import number, round_scale
 
 LONGEST = 0.35  # of the size of the dyad: the longest vector
 SHORT = 1e-9  # a vector shorter than this, against the longest, is not drawn
 BEYOND = 0.12  # of the size: how far a line is drawn beyond its slider
-HEAD = 2.6  # length of an arrowhead [mm]
-KINDS = (("Velocities", "v", "m/s", PATH), ("Accelerations", "a", "m/s²", MARK))
+HEAD = 3.0  # length of an arrowhead [mm]
+MARGIN = 9.0  # free border [mm]
+KINDS = (
+    ("Velocities", "v", "m/s", Pen("VECTORS_VELOCITY", 0.5, (), "#0072b2")),
+    ("Accelerations", "a", "m/s²", Pen("VECTORS_ACCELERATION", 0.5, (), "#d55e00")),
+)
 Segment = tuple[complex, complex]
 
 
@@ -44,30 +48,25 @@ class _Moving(NamedTuple):
     vectors: tuple[complex, complex]
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage."""
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage."""
     from tmmcalc.linkage.tables.tasks.dyad import to_dyad
 
-    return dyad_figure(to_dyad(order.spec), order.results["dyad"])
+    return dyad_drawing(to_dyad(order.spec), order.results["dyad"])
 
 
-def dyad_figure(task: DyadTask, result: DyadState) -> Figure:
+def dyad_drawing(task: DyadTask, result: DyadState) -> Drawing:
     """One sheet: velocities on the left, accelerations on the right, angular ones below."""
-    figure, (sheet,) = blank(1)
-    variant = "" if result.variant is None else f", variant {result.variant:+d}".replace("-", "\N{MINUS SIGN}")
-    sheet.suptitle(f"Dyad {result.kind}{variant}", fontsize=10)
-    panels = sheet.subplots(1, 2).tolist()
-    for axes, (title, *_) in zip(panels, KINDS, strict=True):
-        axes.set_title(f"{title}\nscale")
-        axes.set_xlabel("omega")
-    settle(figure)
-    for order, axes in enumerate(panels):
-        _draw(axes, task, result, order)
-    return figure
+    drawing, (box,) = sheets(1)
+    variant = "" if result.variant is None else minus(f", variant {result.variant:+d}")
+    drawing.add(Words(complex(box.middle.real, box.top), f"Dyad {result.kind}{variant}", 3.5, 1j))
+    for order, part in enumerate(box.inset(0, 0, 0, 7).split(1, 1, gap=4, across=True)):
+        _draw(drawing, part, task, result, order)
+    return drawing
 
 
-def _draw(axes: Axes, task: DyadTask, result: DyadState, order: int) -> None:
-    title, letter, unit, colour = KINDS[order]
+def _draw(drawing: Drawing, box: Box, task: DyadTask, result: DyadState, order: int) -> None:
+    title, letter, unit, pen = KINDS[order]
     parts, moving = _parts(task, result), _moving(task, result)
     content = np.array([*(end for bars in parts.bars.values() for bar in bars for end in bar), *(p.at for p in moving)])
     size = float(max(np.ptp(content.real), np.ptp(content.imag)))
@@ -76,47 +75,48 @@ def _draw(axes: Axes, task: DyadTask, result: DyadState, order: int) -> None:
     lines = [(q - BEYOND * size * e, q + (max(s, 0.0) + BEYOND * size) * e) for q, e, s in parts.lines]
     lines = [(q + (min(s, 0.0) * e), end) for (q, end), (_, e, s) in zip(lines, parts.lines, strict=True)]
     tips = [point.at + point.vectors[order] / scale for point in moving]
-    board = Board(axes, np.array([*content, *tips, *(end for line in lines for end in line)]), MARGIN)
+    content = np.array([*content, *tips, *(end for line in lines for end in line)])
+    board = Board(drawing, box.inset(0, 7, 0, 6), content, MARGIN)
     for line in lines:
-        board.line(line, color=THIN, linewidth=0.9, linestyle=(0, (8, 2, 1, 2)), zorder=symbols.Z_GUIDE)
+        board.line(line, AXIS, level=signs.GUIDE)
     for at, e in parts.blocks:
-        symbols.block(board, at, e)
+        signs.block(board, at, e)
     for mark in task.points:
         at = next(point.at for point in moving if point.name == mark.name)
         start, end = max(parts.bars[mark.link], key=lambda bar: abs(bar[1] - bar[0]))
-        board.line((start, at, end), color=THIN, linewidth=0.7, zorder=symbols.Z_GUIDE)
+        board.line((start, at, end), THIN, level=signs.GUIDE)
     for bars in parts.bars.values():
         for bar in bars:
-            board.line(bar, linewidth=2.0, zorder=symbols.Z_LINK)
+            board.line(bar, THICK, level=signs.LINK)
     for at in parts.pins:
-        symbols.pin(board, at)
+        signs.pin(board, at)
     for point, tip in zip(moving, tips, strict=True):
         if abs(point.vectors[order]) > SHORT * longest:
-            along = (tip - point.at) / abs(tip - point.at)
-            head = min(HEAD, 0.45 * abs(tip - point.at) / board.mu)
-            board.line((point.at, tip - 0.8 * head * board.mu * along), color=colour, linewidth=1.4, zorder=13)
-            board.arrowhead(tip, along, head, facecolor=colour, zorder=14)
+            board.vector(point.at, tip, pen, HEAD, level=13)
         if not any(abs(point.at - pin) < SHORT * size for pin in parts.pins):
-            board.circle(point.at, 0.55, facecolor=INK, zorder=symbols.Z_PIN)
+            board.dot(point.at, level=signs.PINS)
     for point in moving:
-        board.labels.put(point.name, [point.at], size=8.0, style="italic", gaps=(1.8, 2.7, 3.8, 5.0))
+        board.labels.put(point_name(point.name), board.paper([point.at]), gaps=(1.4, 2.2, 3.2, 4.5))
     for link, bars in parts.bars.items():
         if bars:
             start, end = max(bars, key=lambda bar: abs(bar[1] - bar[0]))
-            middle = [start + t * (end - start) for t in (0.5, 0.4, 0.6, 0.3, 0.7)]
-            board.labels.put(link, middle, size=7.0, ring=True, gaps=(0.8, 1.6, 2.6, 3.8))
-    axes.set_xticks([])
-    axes.set_yticks([])
-    named = f"$\\mu_{letter}$ = {number(scale * board.mu, 4)} ({unit})/mm" if longest else "none"
-    axes.set_title(f"{title}, {named},  $\\mu_l$ = {number(board.mu, 4)} m/mm")
-    axes.set_xlabel(_turning(result, order))
+            middle = board.paper([start + t * (end - start) for t in (0.5, 0.4, 0.6, 0.3, 0.7)])
+            board.labels.put(link, middle, height=1.8, ring=True, gaps=(0.8, 1.6, 2.6, 3.8))
+    frame = board.box
+    corners = [complex(frame.left, frame.bottom), complex(frame.right, frame.bottom)]
+    corners += [complex(frame.right, frame.top), complex(frame.left, frame.top)]
+    drawing.line(corners, THIN, closed=True)
+    named = f"$μ_{letter}$ = {number(scale * board.mu, 4)} ({unit})/mm" if longest else "none"
+    text = f"{title}, {named},  $μ_l$ = {number(board.mu, 4)} m/mm"
+    drawing.add(Words(complex(box.middle.real, box.top), text, 2.8, 1j))
+    drawing.add(Words(complex(box.middle.real, box.bottom), _turning(result, order), 2.5, -1j))
 
 
 def _turning(result: DyadState, order: int) -> str:
     """Angular velocities or accelerations of both links, in words."""
-    sign, unit = (("\\omega", "rad/s"), ("\\varepsilon", "rad/s²"))[order]
+    sign, unit = (("ω", "rad/s"), ("ε", "rad/s²"))[order]
     values = [(link.link, (link.omega, link.eps)[order]) for link in result.links]
-    return ",   ".join(f"${sign}_{name}$ = {signed(value, 6)} {unit}" for name, value in values)
+    return ",   ".join(f"${sign}_{name}$ = {minus(number(value, 6))} {unit}" for name, value in values)
 
 
 def _moving(task: DyadTask, result: DyadState) -> list[_Moving]:

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
-from matplotlib.figure import Figure, SubFigure
 
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.facts.places import speed_text
@@ -17,110 +15,101 @@ from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.pictures.choice import check_positions
 from tmmcalc.linkage.pictures.course import DiagramCourse, course_of, statics_of
 from tmmcalc.linkage.pictures.cutting import draw_sheet, sheets_of
-from tmmcalc.linkage.pictures.hodographs import draw_hodograph, hodographs_of, prepare
+from tmmcalc.linkage.pictures.hodographs import draw_hodograph, hodographs_of
 from tmmcalc.linkage.results import Extreme, Kinematics
-from tmmcalc.report.drawing.curves import Diagram, Line, bottom
-from tmmcalc.report.drawing.labels import upright
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import Graph, Line, column
+from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.order import POLYGONS, Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES
+from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.pens import CURVES, Pen
+from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.numbers import NOISE
 
+HEADING = 9.0  # room of the heading [mm]
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage: reactions and drive, and the free bodies in a position that is asked for."""
+
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage: reactions and drive, and the free bodies in a position that is asked for."""
     from tmmcalc.linkage.tables.tasks.loading import to_loading
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     result = order.results["forces"]
     mechanism, loading = to_linkage(order.spec.linkage), to_loading(order.spec)
-    return forces_figure(mechanism, loading, order.results["kinematics"], result, order.row(POLYGONS, result.labels))
+    return forces_drawing(mechanism, loading, order.results["kinematics"], result, order.row(POLYGONS, result.labels))
 
 
-def forces_figure(
+def forces_drawing(
     mechanism: Mechanism, loading: Loading, kinematics: Kinematics, result: Forces, marked: int | None
-) -> Figure:
+) -> Drawing:
     """One sheet, and those of the free bodies in the row ``marked``; raises `UsageError` for one that is not there."""
     check_positions(len(result.labels), [] if marked is None else [marked])
     statics = statics_of(mechanism, loading, kinematics)
     cuts = [] if marked is None else sheets_of(statics, kinematics, result, marked)
-    figure, sheets = blank(1 + len(cuts))
-    _first_sheet(figure, sheets[0], statics, result)
-    for sheet, cut in zip(sheets[1:], cuts, strict=True):
-        draw_sheet(sheet, cut)
-    return figure
+    drawing, boxes = sheets(1 + len(cuts))
+    _over_the_cycle(drawing, boxes[0], statics, result)
+    for box, cut in zip(boxes[1:], cuts, strict=True):
+        draw_sheet(drawing, box, cut)
+    return drawing
 
 
-def _first_sheet(figure: Figure, sheet: SubFigure, statics: Statics, result: Forces) -> None:
+def _over_the_cycle(drawing: Drawing, box: Box, statics: Statics, result: Forces) -> None:
     chain, course = statics.scene.chain, course_of(statics)
-    sheet.suptitle(_heading(result), fontsize=9)
-    left, right = sheet.subfigures(1, 2, squeeze=False, width_ratios=[1.0, 1.15])[0]
-    upper, lower = right.subfigures(2, 1, squeeze=False, height_ratios=[1.25, 1.0])[:, 0]
-    reactions, drives = _reaction_diagrams(statics, result, course), _drive_diagrams(result, course)
+    drawing.add(Words(complex(box.middle.real, box.top), _heading(result), 2.5, 1j))
+    left, right = box.inset(0, 0, 0, HEADING).split(1.0, 1.15, gap=4.0, across=True)
     shown = hodographs_of(chain.mechanism, result)
-    panels = left.subplots(len(reactions), 1, sharex=True, squeeze=False)[:, 0].tolist()
-    lines = lower.subplots(len(drives), 1, sharex=True).tolist()
-    polar = upper.subplots(1, len(shown), squeeze=False)[0].tolist() if shown else []
-    for axes, diagram in zip([*panels, *lines], [*reactions.values(), *drives], strict=True):
-        diagram.draw(axes)
-    for axes, (name, diagram) in zip(panels, reactions.items(), strict=True):
-        diagram.legend(axes, 4)
-        axes.text(1.0, 1.03, name, ha="right", va="bottom", fontsize=8, transform=axes.transAxes)
-    bottom(panels, result.turns)
-    bottom(lines, result.turns)
-    for axes in polar:
-        prepare(axes)
-    settle(figure)
-    for axes, drawn in zip(polar, shown, strict=True):
-        draw_hodograph(axes, result, course, drawn, chain.structure.input_link)
-    for axes, diagram in zip([*panels, *lines], [*reactions.values(), *drives], strict=True):
-        diagram.label(axes)
+    upper, lower = right.split(1.25, 1.0, gap=2.0) if shown else (None, right)
+    column(drawing, left, _reaction_graphs(statics, result, course))
+    column(drawing, lower, _drive_graphs(result, course))
+    if upper is not None:
+        for part, each in zip(upper.split(*(1.0 for _ in shown), gap=3.0, across=True), shown, strict=True):
+            draw_hodograph(drawing, part, result, course, each, chain.structure.input_link)
 
 
 def _heading(result: Forces) -> str:
     kind = {"coupling": "driven through a coupling", "gear": "driven by a gear", "slider": "driven along the guide"}
-    speed = speed_text(result).replace("-", "\N{MINUS SIGN}")
+    speed = minus(speed_text(result))
     first = f"Reactions and drive at {speed}, {kind[result.drive_kind]}"
-    return f"{first}\n$R_\\mathrm{{A}}$ (1–2): force of link 1 on link 2 in joint A"
+    return f"{first}\n$R_A$ (1–2): force of link 1 on link 2 in joint A"
 
 
-def _reaction_diagrams(statics: Statics, result: Forces, course: DiagramCourse) -> dict[str, Diagram]:
+def _reaction_graphs(statics: Statics, result: Forces, course: DiagramCourse) -> list[Graph]:
     """Sizes of the reactions, one diagram a group; the input joint stands with the first."""
     rows = {pair.joint: j for j, pair in enumerate(result.pairs)}
     structure, first = statics.scene.chain.structure, statics.scene.chain.input_joint.name
     groups = {group.name: (group.outer[0], *group.inner, *group.outer[1:]) for group in structure.groups}
     if not groups:
         groups = {f"I(0,{structure.input_link})": ()}
-    found = {}
+    found = []
     for k, (name, joints) in enumerate(groups.items()):
         own = [rows[joint] for joint in dict.fromkeys((first, *joints) if k == 0 else joints)]
         lines = tuple(_size(result, course, j, CURVES[i % len(CURVES)]) for i, j in enumerate(own))
-        found[name] = Diagram("|R|", "N", result.turns, course.phi, result.phi, lines)
+        found.append(Graph("|R|", "N", result.turns, course.phi, result.phi, lines, title=name))
     return found
 
 
-def _size(result: Forces, course: DiagramCourse, j: int, style: dict[str, Any]) -> Line:
+def _size(result: Forces, course: DiagramCourse, j: int, pen: Pen) -> Line:
     pair = result.pairs[j]
-    label = f"$R_{{{upright(pair.joint)}}}$ ({pair.links[0]}–{pair.links[1]})"
+    label = f"$R_{{{pair.joint}}}$ ({pair.links[0]}–{pair.links[1]})"
     seen = pair.force.value > NOISE * max(each.force.value for each in result.pairs)
     marks = (_mark(result, pair.force),) if seen else ()
-    return Line(label, np.abs(course.reaction[j]), np.abs(result.reaction[j]), style, marks)
+    return Line(label, np.abs(course.reaction[j]), np.abs(result.reaction[j]), pen, marks)
 
 
-def _drive_diagrams(result: Forces, course: DiagramCourse) -> list[Diagram]:
+def _drive_graphs(result: Forces, course: DiagramCourse) -> list[Graph]:
     """Moment (force) of the drive, and its power."""
     what = ("M_d", "N*m", result.drive, course.drive, result.drive_extremes)
     if not result.turns:
         what = ("F_d", "N", *what[2:])
     power = ("P_d", "W", result.power, course.drive * result.speed, result.power_extremes)
     return [
-        Diagram(symbol, unit, result.turns, course.phi, result.phi, (_driven(result, values, nodes, pair, style),))
-        for (symbol, unit, nodes, values, pair), style in zip((what, power), CURVES, strict=False)
+        Graph(symbol, unit, result.turns, course.phi, result.phi, (_driven(result, values, nodes, pair, pen),))
+        for (symbol, unit, nodes, values, pair), pen in zip((what, power), CURVES, strict=False)
     ]
 
 
-def _driven(result: Forces, values: Real, nodes: Real, pair: tuple[Extreme, Extreme], style: dict[str, Any]) -> Line:
-    return Line("", values, nodes, {**style, "linestyle": "-"}, tuple(_mark(result, extreme) for extreme in pair))
+def _driven(result: Forces, values: Real, nodes: Real, pair: tuple[Extreme, Extreme], pen: Pen) -> Line:
+    return Line("", values, nodes, pen._replace(dashes=()), tuple(_mark(result, extreme) for extreme in pair))
 
 
 def _mark(result: Forces, extreme: Extreme) -> tuple[float, float]:

@@ -9,9 +9,9 @@ from itertools import combinations
 
 from tmmcalc.linkage.pictures.bodies import LinkOutline, Segment
 from tmmcalc.linkage.pictures.cycle import LinkageMotion
-from tmmcalc.report.drawing import symbols
-from tmmcalc.report.drawing.board import Board
-from tmmcalc.report.drawing.style import PLATE
+from tmmcalc.report.drawing import signs
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.pens import MIDDLE, PLATE, THICK
 
 SHARP = 0.05  # sine of an angle below which two bars are one line
 
@@ -23,17 +23,17 @@ def draw_link(board: Board, body: LinkOutline, motion: LinkageMotion, k: int = 0
     def placed(points: tuple[complex, ...]) -> list[complex]:
         return [complex(motion.place(body.link, p)[k]) for p in points]
 
-    z = symbols.Z_SLOT if body.slots else symbols.Z_LINK
+    level = signs.SLOT if body.slots else signs.LINK
     if body.plate:
-        board.area(placed(body.plate), facecolor=PLATE, linewidth=1.6, zorder=z - 0.5, alpha=0.9)
+        board.area(placed(body.plate), MIDDLE, fill=PLATE, level=level - 0.5)
     for slot in body.slots:
-        board.line(placed(slot), linewidth=1.8, zorder=symbols.Z_SLOT)
+        board.line(placed(slot), THICK, level=signs.SLOT)
     for bar in body.bars:
-        board.line(placed(bar), linewidth=1.8, zorder=symbols.Z_LINK)
+        board.line(placed(bar), THICK, level=signs.LINK)
     for block in body.blocks:
-        symbols.block(board, placed((block.centre,))[0], block.direction * turn)
+        signs.block(board, placed((block.centre,))[0], block.direction * turn)
     for at, first, second in _corners(body):
-        symbols.weld(board, placed((at,))[0], first * turn, second * turn)
+        signs.weld(board, placed((at,))[0], first * turn, second * turn)
 
 
 def _corners(body: LinkOutline) -> Iterator[tuple[complex, complex, complex]]:

@@ -12,7 +12,6 @@ from collections.abc import Iterator
 from itertools import product
 
 import numpy as np
-from matplotlib.axes import Axes
 
 from tmmcalc.linkage.freebody import Acting, Couple, FreeBody
 from tmmcalc.linkage.model import FRAME, Joint
@@ -20,14 +19,16 @@ from tmmcalc.linkage.pictures.bodies import bodies
 from tmmcalc.linkage.pictures.cycle import LinkageMotion
 from tmmcalc.linkage.pictures.links import draw_link
 from tmmcalc.linkage.pins import Pin, find_pins
-from tmmcalc.report.drawing import symbols
-from tmmcalc.report.drawing.board import Board
-from tmmcalc.report.drawing.labels import symbol
-from tmmcalc.report.drawing.style import FORCES, INK, THIN
+from tmmcalc.report.drawing import signs
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.lettering import point_name, symbol
+from tmmcalc.report.drawing.pens import AXIS, FORCES
+from tmmcalc.report.drawing.shapes import Drawing
 
 MARGIN = 18.0  # free border [mm]
 SHORTEST, LONGEST = 7.0, 13.0  # arrows [mm]
-HEAD = 2.3
+HEAD = 2.8
 GAPS = (0.9, 6.0, 11.0)  # between a point and its arrow [mm]
 MEETING = 4.6  # what lies nearer to the point is not counted as covered [mm]
 CLEAR = 1.2  # nearer than this to other lines an arrow covers them [mm]
@@ -39,20 +40,19 @@ ARC = 3.6  # radius of a couple's arc [mm]
 PITCH = math.radians(35)  # half of the arc of a pitch circle that is shown
 
 
-def draw_load_diagram(axes: Axes, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> float:
-    """Draw on an axes whose place is settled; returns the scale of the links [m/mm]."""
-    diagram = _Diagram(axes, body, motion, cycle)
+def draw_load_diagram(drawing: Drawing, box: Box, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> float:
+    """Draw in a rectangle; returns the scale of the links [m/mm]."""
+    diagram = _Diagram(drawing, box, body, motion, cycle)
     diagram.links()
     diagram.forces()
     diagram.couples()
-    axes.set_axis_off()
     return diagram.board.mu
 
 
 class _Diagram:
     """One load diagram while it is drawn."""
 
-    def __init__(self, axes: Axes, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> None:
+    def __init__(self, drawing: Drawing, box: Box, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> None:
         self.body, self.motion = body, motion
         self.mechanism = motion.chain.mechanism
         self.pins = find_pins(self.mechanism)
@@ -61,7 +61,7 @@ class _Diagram:
         content = [self.place(s.link, p) for s in self.shapes for p in s.corners]
         content += [self.place_of(pin) for pin in self.own_pins()]
         content += [force.at for force in body.forces if force.kind == "drive"]
-        self.board = Board(axes, np.array([*content, *self._room(content)]), MARGIN)
+        self.board = Board(drawing, box, np.array([*content, *self._room(content)]), MARGIN)
 
     def _room(self, content: list[complex]) -> list[complex]:
         """Corners around links that all stand in one point, which would give no scale."""
@@ -95,26 +95,24 @@ class _Diagram:
         for pin in self.own_pins():
             at = self.place_of(pin)
             if pin.joints:
-                symbols.pin(self.board, at)
-                self.board.labels.put(pin.name, [at], size=7, style="italic", gaps=(1.6, 2.4, 3.4))
+                signs.pin(self.board, at)
+                self.board.labels.put(point_name(pin.name), self.board.paper([at]), gaps=(1.3, 2.2, 3.2))
             else:
-                symbols.centre_of_mass(self.board, at)
+                signs.centre_of_mass(self.board, at)
 
     def _guide_line(self, joint: Joint) -> None:
         link = joint.links[0]
         at, e = self.place(link, joint.points[0]), complex(self.motion.turn(link)[0]) * joint.directions[0]
         reach = 12 * self.board.mu * e
-        style = {"linewidth": 0.7, "linestyle": (0, (6, 1.5, 1, 1.5)), "color": THIN, "zorder": 1}
-        self.board.line((at - reach, at + reach), weight=0.1, **style)
+        self.board.line((at - reach, at + reach), AXIS, weight=0.1, level=1)
 
     def _pitch_circle(self, at: complex) -> None:
         """A part of the pitch circle of the gear on the crank, around the pitch point."""
         joint = self.mechanism.joint(self.mechanism.input.joint)
         pivot = joint.points[joint.links.index(FRAME)]
         arc = pivot + (at - pivot) * np.exp(1j * np.linspace(-PITCH, PITCH, 30))
-        style = {"linewidth": 0.8, "linestyle": (0, (6, 1.5, 1, 1.5)), "color": THIN, "zorder": 1}
-        self.board.line(arc, weight=0.1, **style)
-        self.board.circle(at, 0.5, facecolor=INK)
+        self.board.line(arc, AXIS, weight=0.1, level=1)
+        self.board.dot(at, 0.5)
 
     def forces(self) -> None:
         """All forces, the largest first, for it has the first choice of its side."""
@@ -125,15 +123,15 @@ class _Diagram:
 
     def _force(self, force: Acting, size: float) -> None:
         """One arrow where it is nearest to its point and covers least."""
-        e, mu = force.value / abs(force.value), self.board.mu
+        e = force.value / abs(force.value)
         tail, head = min(self._places(force.at, e, size), key=lambda found: found[2])[:2]
-        style = FORCES[force.kind]
-        self.board.line((tail, head - e * 0.8 * HEAD * mu), solid_capstyle="butt", zorder=13, **style)
-        self.board.arrowhead(head, e, HEAD, facecolor=style["color"], zorder=14)
+        pen = FORCES[force.kind]
+        self.board.vector(tail, head, pen, HEAD, level=13)
         anchors = sorted((tail, head), key=lambda p: -abs(p - force.at))
         prefer = anchors[0] - anchors[1]
         label = symbol(force.letter, force.index)
-        self.board.labels.put(label, anchors, size=8, color=style["color"], prefer=prefer, gaps=(0.9, 1.6, 2.6))
+        at = self.board.paper(anchors)
+        self.board.labels.put(label, at, colour=pen.colour, prefer=prefer, gaps=(0.9, 1.6, 2.6))
 
     def _places(self, at: complex, e: complex, size: float) -> Iterator[tuple[complex, complex, float]]:
         """Where an arrow could be, tail and head; and what is said against it, what it covers included.
@@ -145,7 +143,7 @@ class _Diagram:
             near = at + side * gap * mu * e + 1j * e * offset * BESIDE * mu
             far = near + side * e * size
             counted = near + side * e * max(0.0, MEETING - gap) * mu
-            covered = self.board.labels.crowded((counted, far), CLEAR)
+            covered = self.board.labels.crowded(self.board.paper((counted, far)).tolist(), CLEAR)
             against = covered + (PUSHED if side < 0 else 0.0) + 0.5 * (gap - GAPS[0]) + APART * abs(offset)
             yield (near, far, against) if side > 0 else (far, near, against)
 
@@ -159,18 +157,12 @@ class _Diagram:
 
     def _couple(self, couple: Couple, radius: float) -> None:
         """An open circle of 250 degrees with its head in the sense of the couple."""
-        mu, sense, style = self.board.mu, math.copysign(1.0, couple.value), FORCES[couple.kind]
-        arc = couple.at + radius * mu * np.exp(1j * sense * np.radians(np.linspace(-35, 215, 40)))
-        self.board.line(arc[:-3], weight=0.6, zorder=13, **{**style, "linewidth": 1.1})
+        sense, pen = math.copysign(1.0, couple.value), FORCES[couple.kind]
+        around = np.exp(1j * sense * np.radians(np.linspace(-35, 215, 40)))
+        arc = couple.at + radius * self.board.mu * around
+        self.board.line(arc[:-3], pen, weight=0.6, level=13)
         tip = complex(arc[-1])
-        self.board.arrowhead(
-            tip,
-            1j * sense * (tip - couple.at) + 0.25 * (couple.at - tip),
-            HEAD * 0.9,
-            facecolor=style["color"],
-            zorder=14,
-        )
-        label = symbol(couple.letter, couple.index)
-        self.board.labels.put(
-            label, [complex(arc[len(arc) // 2]), complex(arc[8])], size=7.5, color=style["color"], gaps=(0.8, 1.6, 2.6)
-        )
+        direction = 1j * sense * (tip - couple.at) + 0.25 * (couple.at - tip)
+        self.board.arrowhead(tip, direction, pen, HEAD * 0.9, level=14)
+        anchors = self.board.paper([complex(arc[len(arc) // 2]), complex(arc[8])])
+        self.board.labels.put(symbol(couple.letter, couple.index), anchors, colour=pen.colour, gaps=(0.8, 1.6, 2.6))

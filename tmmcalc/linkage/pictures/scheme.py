@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from tmmcalc.core.plane import Plane
 from tmmcalc.linkage.model import FRAME, Joint
@@ -17,29 +14,27 @@ from tmmcalc.linkage.pictures.cycle import LinkageMotion, motion_at
 from tmmcalc.linkage.pictures.links import draw_link
 from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.report.drawing import symbols
-from tmmcalc.report.drawing.board import Board
-from tmmcalc.report.drawing.labels import signed
-from tmmcalc.report.drawing.style import BLOCK, INK, MARGIN, MARK, PATH, THIN
+from tmmcalc.report.drawing import signs
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.lettering import minus, point_name
+from tmmcalc.report.drawing.pens import MARK, OTHER, PATH
+from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.drawing.wording import corners
 from tmmcalc.report.numbers import number
 
-Z_PATH, Z_OTHERS = 1, 2
-LARGE = 3.0  # a mechanism larger than this is dimensioned in m, a smaller one in mm
+PATHS, OTHERS = 1, 2  # levels of what lies beneath the links
+MARGIN = 9.0  # free border [mm]
+HEAD = 9.5  # height of the two lines above [mm]
+GREY = "#555555"
 
 
-def prepare(axes: Axes, cycle: LinkageMotion) -> None:
-    """Title, names of the axes and wide limits, so that the layout reserves the room that the scheme will need."""
-    content = _content(cycle)
-    middle, reach = complex(content.real.mean(), content.imag.mean()), _size(content)
-    axes.set_xlim(middle.real - reach, middle.real + reach)
-    axes.set_ylim(middle.imag - reach, middle.imag + reach)
-    axes.set_title("formula\nposition")
-    _dimension(axes, reach)
-
-
-def draw_scheme(axes: Axes, result: Kinematics, cycle: LinkageMotion, positions: Sequence[int]) -> Board:
-    """Draw on an axes whose place is settled; the first of ``positions`` has main lines. Returns the board."""
-    scheme = _Scheme(axes, result, cycle, positions)
+def draw_scheme(
+    drawing: Drawing, box: Box, result: Kinematics, cycle: LinkageMotion, positions: Sequence[int]
+) -> Board:
+    """Draw in a rectangle; the first of ``positions`` has main lines. Returns the board."""
+    top = complex(box.left, box.top)
+    scheme = _Scheme(drawing, box.inset(0, 0, 0, HEAD), result, cycle, positions)
     scheme.paths()
     scheme.others()
     scheme.frame()
@@ -47,14 +42,16 @@ def draw_scheme(axes: Axes, result: Kinematics, cycle: LinkageMotion, positions:
     scheme.joints()
     scheme.drive()
     scheme.names()
-    axes.set_title(_title(result, positions[0], scheme.board.mu))
+    drawing.add(Words(top, _title(result, positions[0], scheme.board.mu), 2.5, -1 + 1j))
     return scheme.board
 
 
 class _Scheme:
     """One scheme while it is drawn."""
 
-    def __init__(self, axes: Axes, result: Kinematics, cycle: LinkageMotion, positions: Sequence[int]) -> None:
+    def __init__(
+        self, drawing: Drawing, box: Box, result: Kinematics, cycle: LinkageMotion, positions: Sequence[int]
+    ) -> None:
         self.result, self.cycle, self.positions = result, cycle, positions
         self.mechanism = cycle.chain.mechanism
         self.pins = find_pins(self.mechanism)
@@ -62,8 +59,8 @@ class _Scheme:
         self.rough = bodies(self.mechanism, self.pins, cycle, 0.0)
         content = np.concatenate([_content(cycle), _content(self.motion, cycle)])
         self.size = _size(content)
-        self.board = Board(axes, content, MARGIN)
-        self.bodies = bodies(self.mechanism, self.pins, cycle, (BLOCK[0] / 2 + 2) * self.board.mu)
+        self.board = Board(drawing, box, content, MARGIN)
+        self.bodies = bodies(self.mechanism, self.pins, cycle, (signs.BLOCK[0] / 2 + 2) * self.board.mu)
         self.middle = complex(np.mean([self.place(b.link, p) for b in self.bodies for p in b.corners]))
 
     def place(self, link: int, p: complex, k: int = 0) -> complex:
@@ -79,8 +76,7 @@ class _Scheme:
         for pin in self.pins:
             if not pin.fixed and not pin.centre:
                 path = self.cycle.place(*next(iter(pin.at.items())))
-                style = {"linewidth": 0.7, "linestyle": (0, (6, 1.5, 1, 1.5)), "color": PATH, "zorder": Z_PATH}
-                self.board.line(path, weight=0.08, **style)
+                self.board.line(path, PATH, weight=0.08, level=PATHS)
 
     def others(self) -> None:
         """The other positions thin, numbered along the circle of the crank pin."""
@@ -90,7 +86,7 @@ class _Scheme:
             for body in self.rough
             for segment in body.segments
         ]
-        self.board.lines(segments, weight=0.02, colors=THIN, linewidths=0.35, zorder=Z_OTHERS)
+        self.board.lines(segments, OTHER, weight=0.02, level=OTHERS)
         if self.result.turns and len(self.positions) > 1:
             self._number_positions()
 
@@ -106,15 +102,9 @@ class _Scheme:
             if all(abs(text - other) > 2.6 * self.board.mu for other in last):
                 last.append(text)
                 label = self.result.labels[self.positions[k]]
-                style: dict[str, Any] = {
-                    "fontsize": 5,
-                    "ha": "center",
-                    "va": "center",
-                    "color": "#555555",
-                    "zorder": Z_PATH,
-                }
-                self.board.axes.text(text.real, text.imag, label, **style)
-                self.board.labels.avoid([text - 0.8 * self.board.mu, text + 0.8 * self.board.mu], 0.8)
+                words = Words(self.board.place(text), label, 1.3, 0j, colour=GREY)
+                self.board.drawing.add(words, level=PATHS)
+                self.board.labels.keep(corners(words))
 
     def _crank(self) -> tuple[complex, complex | None]:
         """Place of the crank's pivot, and the crank pin in the axes of the crank."""
@@ -128,10 +118,10 @@ class _Scheme:
         """Pivots on their supports, guides and sleeves of the frame."""
         for pin in self.pins:
             if pin.fixed and pin.joints:
-                symbols.pivot(self.board, pin.at[FRAME], self._free_side(pin))
+                signs.pivot(self.board, pin.at[FRAME], self._free_side(pin))
             elif pin.fixed and not self._on_guide(pin):
                 at = pin.at[FRAME]
-                self.board.axes.plot(at.real, at.imag, "+", color=INK, markersize=5, markeredgewidth=0.7)
+                signs.cross(self.board, at)
         for joint in self.mechanism.joints:
             if joint.kind == "prismatic" and joint.links[1] == FRAME:
                 self._guide(joint)
@@ -139,7 +129,7 @@ class _Scheme:
                 link = joint.links[1]
                 direction = joint.directions[1] * complex(self.motion.turn(link)[0])
                 at = centre_of_block(joint, self.pins)
-                symbols.sleeve(self.board, at, direction, self._outward(at, direction))
+                signs.sleeve(self.board, at, direction, self._outward(at, direction))
 
     def _on_guide(self, pin: Pin) -> bool:
         """Points of the frame that only carry a guide's line need no sign of their own."""
@@ -152,7 +142,7 @@ class _Scheme:
         q, e = joint.points[1], joint.directions[1]
         low, high = travel(joint, self.pins, self.cycle)
         ends = (q + low * e, q + high * e)
-        symbols.guide(self.board, ends, self._outward(sum(ends) / 2, e))
+        signs.guide(self.board, ends, self._outward(sum(ends) / 2, e))
 
     def _outward(self, at: complex, direction: complex) -> complex:
         """The side of a guide that looks away from the mechanism; below or right of one through its middle."""
@@ -183,11 +173,11 @@ class _Scheme:
                 continue
             at = self._place_of(pin)
             if pin.joints:
-                symbols.pin(self.board, at)
+                signs.pin(self.board, at)
             elif pin.centre:
-                symbols.centre_of_mass(self.board, at)
+                signs.centre_of_mass(self.board, at)
             elif not self._at_block(pin):
-                self.board.circle(at, 0.55, facecolor=INK, zorder=symbols.Z_PIN)
+                self.board.dot(at, level=signs.PINS)
 
     def _at_block(self, pin: Pin) -> bool:
         return any(pin.at.get(body.link) == one.centre for body in self.bodies for one in body.blocks)
@@ -203,26 +193,27 @@ class _Scheme:
             pivot, pin = self._crank()
             arm = self.place(link, pin) - pivot if pin is not None else complex(self.motion.turn(link)[0])
             radius = min(max(0.5 * abs(arm), 5 * self.board.mu), 9 * self.board.mu)
-            at = symbols.sense_arrow(self.board, pivot, arm, radius, sense)
-            self.board.labels.put(f"$\\omega_{{{link}}}$", [at], color=MARK, prefer=at - pivot)
+            at = signs.sense_arrow(self.board, pivot, arm, radius, sense)
+            self.board.labels.put(f"$ω_{link}$", self.board.paper([at]), colour=MARK.colour, prefer=at - pivot)
             return
         side = joint.links.index(link)
         e = joint.directions[side] * complex(self.motion.turn(link)[0])
         forward = e * sense * (1 if side == 0 else -1)
         at = self.place(link, joint.points[side])
-        beside = forward * BLOCK[0] / 2 - self._outward(at, e) * BLOCK[1]
-        name = symbols.straight_arrow(self.board, at + beside * self.board.mu, forward)
-        self.board.labels.put(f"$v_{{{link}}}$", [name], color=MARK)
+        beside = forward * signs.BLOCK[0] / 2 - self._outward(at, e) * signs.BLOCK[1]
+        name = signs.straight_arrow(self.board, at + beside * self.board.mu, forward)
+        self.board.labels.put(f"$v_{link}$", self.board.paper([name]), colour=MARK.colour)
 
     def names(self) -> None:
         """Names of points, then numbers of links, each where it covers least."""
-        labels = self.board.labels
+        board = self.board
         for pin in sorted(self.pins, key=lambda pin: pin.centre):
             at = pin.at[FRAME] if pin.fixed else self._place_of(pin)
-            size = 6.5 if pin.centre else 8.5
-            labels.put(pin.name, [at], size=size, style="italic", gaps=(1.8, 2.7, 3.8, 5.0))
+            name, height = point_name(pin.name), 1.8 if pin.centre else 2.5
+            board.labels.put(name, board.paper([at]), height=height, gaps=(1.4, 2.2, 3.2, 4.5))
         for body in self.bodies:
-            labels.put(str(body.link), list(self._beside(body)), size=6.5, ring=True, gaps=(0.8, 1.6, 2.6, 3.8, 5.5))
+            beside = board.paper(list(self._beside(body)))
+            board.labels.put(str(body.link), beside, height=1.8, ring=True, gaps=(0.6, 1.4, 2.4, 3.6, 5.2))
 
     def _beside(self, body: LinkOutline) -> Iterator[complex]:
         """Anchors for the number of a link."""
@@ -263,19 +254,10 @@ def _rays(at: complex, segment: Sequence[complex], reach: float) -> list[complex
     return [(p - at) / abs(p - at) for p in (a, b) if abs(p - at) > reach / 4]
 
 
-def _dimension(axes: Axes, size: float) -> None:
-    """Axes in mm or m."""
-    unit, factor = ("m", 1.0) if size > LARGE else ("mm", 1000.0)
-    for axis, name in ((axes.xaxis, "x"), (axes.yaxis, "y")):
-        axis.set_major_locator(MaxNLocator(7, steps=[1, 2, 2.5, 5, 10]))
-        axis.set_major_formatter(FuncFormatter(lambda v, _: signed(round(v * factor, 9))))
-        axis.set_label_text(f"{name}, {unit}")
-    axes.tick_params(length=2.5)
-
-
 def _title(result: Kinematics, position: int, mu: float) -> str:
     """Which position the main lines show, and the scale on paper."""
     along = result.phi[position]
-    where = f"$\\varphi$ = {signed(math.degrees(along), 5)}°" if result.turns else f"$s - s_0$ = {signed(along, 5)} m"
+    value = minus(number(math.degrees(along) if result.turns else along, 5))
+    where = f"$φ$ = {value}°" if result.turns else f"$s − s_0$ = {value} m"
     formula = result.structure.formula.replace("->", "→")
-    return f"{formula}\nPosition {result.labels[position]}, {where},  $\\mu_l$ = {number(mu, 4)} m/mm"
+    return f"{formula}\nPosition {result.labels[position]}, {where},  $μ_l$ = {number(mu, 4)} m/mm"

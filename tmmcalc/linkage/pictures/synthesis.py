@@ -7,26 +7,26 @@ output over the crank's angle and its error.
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.pictures.cycle import whole_cycle
-from tmmcalc.linkage.pictures.scheme import draw_scheme, prepare
+from tmmcalc.linkage.pictures.scheme import draw_scheme
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.synthesis.results import Design, Precision, Synthesis
-from tmmcalc.report.drawing.board import Board
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.diagram import Axis, Diagram, room
+from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.key import Part, write_key
-from tmmcalc.report.drawing.labels import signed
+from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.order import CHOOSE, Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES, MARK, PATH
+from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.pens import CURVES, MARK, Pen
+from tmmcalc.report.drawing.shapes import Dimension, Drawing, Words
 from tmmcalc.report.numbers import number
 
 # Links that are dimensioned, by kind: symbol and the two points.
@@ -43,22 +43,15 @@ STROKES = {  # slider whose stroke is dimensioned, and the side of its guide on 
     "rotating_slotted_link": ("E", 1j),
     "trailing_rod": ("B", -1j),
 }
-SYMBOLS = {
-    "lambda": "\\lambda",
-    "alpha": "\\alpha",
-    "beta": "\\beta",
-    "eps": "\\varepsilon",
-    "psi": "\\psi",
-    "gamma": "\\gamma",
-    "two_phi": "2\\varphi",
-}
+SYMBOLS = {"lambda": "λ", "alpha": "α", "beta": "β", "eps": "ε", "psi": "ψ", "gamma": "γ", "two_phi": "2φ"}
+MEASURE = Pen("DIMENSIONS", 0.2, colour=MARK.colour)
 BESIDE = 6.5  # of a dimension line from what it measures [mm of paper]
 DEGREE = math.degrees(1.0)
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage: the solution that is chosen, by default the one that ``tmmcalc synth`` chooses."""
-    from tmmcalc.linkage.pictures.dwell import dwell_figure
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage: the solution that is chosen, by default the one that ``tmmcalc synth`` chooses."""
+    from tmmcalc.linkage.pictures.dwell import dwell_drawing
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     result: Synthesis = order.results["synthesis"]
@@ -68,33 +61,29 @@ def figure(order: Order) -> Figure:
     design = result.designs[choose - 1]
     mechanism = to_linkage(order.read(design.spec).linkage)
     if design.dwell is not None:
-        return dwell_figure(mechanism, design, design.dwell)
-    return synthesis_figure(mechanism, result, choose)
+        return dwell_drawing(mechanism, design, design.dwell)
+    return synthesis_drawing(mechanism, result, choose)
 
 
-def synthesis_figure(mechanism: Mechanism, result: Synthesis, choose: int = 1) -> Figure:
+def synthesis_drawing(mechanism: Mechanism, result: Synthesis, choose: int = 1) -> Drawing:
     """One sheet: the scheme to scale, beside it sizes and figures of merit, or the function."""
     design, motion = result.designs[choose - 1], solve_kinematics(mechanism)
-    figure, (sheet,) = blank(1)
-    sheet.suptitle(f"{result.kind.replace('_', ' ').capitalize()} synthesis: {design.name}", fontsize=10)
+    drawing, (box,) = sheets(1)
+    title = f"{result.kind.replace('_', ' ').capitalize()} synthesis: {design.name}"
+    drawing.add(Words(complex(box.middle.real, box.top), title, 3.5, 1j))
+    scheme, beside = box.inset(0, 0, 0, 7).split(2.1, 1.0, gap=5, across=True)
     precision = design.precision
-    grid = sheet.add_gridspec(3, 2, width_ratios=[2.1, 1.0], height_ratios=[2.4, 1.0, 1.0])
-    scheme = sheet.add_subplot(grid[:, 0])
+    if precision is not None and not len(precision.points):
+        beside, diagrams = beside.split(1.0, 1.0, gap=2)
+        _function(drawing, diagrams, precision)
     cycle = whole_cycle(chain_of(mechanism, motion), motion)
-    prepare(scheme, cycle)
-    functional = precision is not None and not len(precision.points)
-    key = sheet.add_subplot(grid[0 if functional else slice(None), 1])
-    key.set_axis_off()
-    if precision is not None and functional:
-        _function(sheet.add_subplot(grid[1, 1]), sheet.add_subplot(grid[2, 1]), precision)
-    settle(figure)
-    board = draw_scheme(scheme, motion, cycle, _positions(motion, precision))
+    board = draw_scheme(drawing, scheme, motion, cycle, _positions(motion, precision))
     if precision is None:
         _dimensions(board, mechanism, motion, result.kind, design)
     elif len(precision.points):
         _wanted(board, precision)
-    write_key(key, _parts(design))
-    return figure
+    write_key(drawing, beside, _parts(design))
+    return drawing
 
 
 def _positions(motion: Kinematics, precision: Precision | None) -> list[int]:
@@ -120,7 +109,8 @@ def _dimensions(board: Board, mechanism: Mechanism, motion: Kinematics, kind: st
     for symbol, one, two in LENGTHS.get(kind, ()):
         a, b = (_place(mechanism, motion, name, rows[0]) for name in (one, two))
         text = f"${_symbol(symbol)}$ = {number(1e3 * design.size(symbol), 5)}"
-        board.labels.put(text, [a + t * (b - a) for t in (0.5, 0.35, 0.65)], size=7.5, color=MARK)
+        anchors = board.paper([a + t * (b - a) for t in (0.5, 0.35, 0.65)])
+        board.labels.put(text, anchors, height=2.2, colour=MARK.colour)
     if kind in STROKES and len(rows) > 1:
         slider, side = STROKES[kind]
         ends = [_place(mechanism, motion, slider, row) for row in rows[:2]]
@@ -136,41 +126,43 @@ def _dimensions(board: Board, mechanism: Mechanism, motion: Kinematics, kind: st
 
 
 def _dimension_line(board: Board, a: complex, b: complex, text: str, side: complex) -> None:
-    """A line with arrowheads at ``side`` of what it measures, with thin lines to its ends."""
-    shift = side * BESIDE * board.mu
-    style: dict[str, Any] = {"color": MARK, "linewidth": 0.6, "zorder": 14}
-    for end in (a, b):
-        board.line([end, end + 1.15 * shift], **style)
-    one, two = a + shift, b + shift
-    board.line([one, two], **style)
-    board.arrowhead(one, one - two, facecolor=MARK)
-    board.arrowhead(two, two - one, facecolor=MARK)
-    board.labels.put(text, [(one + two) / 2, one + 0.3 * (two - one)], size=7.5, color=MARK, prefer=side)
+    """A dimension at ``side`` of what it measures."""
+    ends = board.paper([a, b])
+    first, second = ends.tolist()
+    made = Dimension(first, second, first + side * BESIDE, text, 2.2, pen=MEASURE)
+    board.drawing.add(made, level=14)
+    board.labels.avoid(ends + side * BESIDE, 2.0)
 
 
 def _wanted(board: Board, found: Precision) -> None:
     """The wanted points as numbered crosses; of poses short lines in the direction of the body."""
     for k, at in enumerate(found.points.tolist()):
-        size = 1.6 * board.mu
+        size = 1.1 * board.mu
         for way in (1 + 1j, 1 - 1j):
-            board.line([at - size * way, at + size * way], color=MARK, linewidth=1.2, zorder=15)
+            board.line([at - size * way, at + size * way], MARK, level=15)
         if len(found.points) <= 24:
-            board.labels.put(str(k + 1), [at], size=6.5, color=MARK)
+            board.labels.put(str(k + 1), board.paper([at]), height=1.9, colour=MARK.colour)
 
 
-def _function(above: Axes, below: Axes, found: Precision) -> None:
+def _function(drawing: Drawing, box: Box, found: Precision) -> None:
     """The output at the points over the crank's angle, and its error over the range."""
     unit, factor = ("mm", 1e3) if found.unit == "m" else ("°", DEGREE)
-    x = DEGREE * found.crank
-    above.plot(x, factor * found.wanted, "o", color=MARK, markersize=4, label="wanted")
-    above.plot(x, factor * found.found, "x", color=PATH, markersize=5, label="simulated")
-    above.set_ylabel(f"output, {unit}")
-    above.legend()
-    below.plot(DEGREE * found.fine, factor * found.error, linewidth=1.2, **CURVES[0])
-    below.plot(x, factor * (found.found - found.wanted), "o", color=MARK, markersize=4)
-    below.axhline(0.0, color="#555555", linewidth=0.5)
-    below.set_ylabel(f"error, {unit}")
-    below.set_xlabel("$\\varphi$, °")
+    x, fine = DEGREE * found.crank, DEGREE * found.fine
+    low, high = float(min(x.min(), fine.min())), float(max(x.max(), fine.max()))
+    across = Axis("$φ$, °", low - 0.03 * (high - low), high + 0.03 * (high - low), True)
+    upper, lower = box.inset(16, 9, 2, 5).split(1, 1, gap=9)
+    wanted, reached = factor * found.wanted, factor * found.found
+    both = np.concatenate((wanted, reached))
+    air = 0.08 * float(np.ptp(both)) or 1.0
+    ends = Axis(f"output, {unit}", float(both.min()) - air, float(both.max()) + air)
+    above = Diagram(drawing, upper, across, ends, numbered=False)
+    above.dots(x, wanted, CURVES[0], 0.9)
+    above.dots(x, reached, CURVES[1], 0.45)
+    above.key([("wanted", CURVES[0]), ("simulated", CURVES[1])])
+    error, missed = factor * found.error, factor * (found.found - found.wanted)
+    below = Diagram(drawing, lower, across, Axis(f"error, {unit}", *room([error, missed])))
+    below.curve(fine + 1j * error, CURVES[0])
+    below.dots(x, missed, CURVES[1], 0.6)
 
 
 def _parts(design: Design) -> list[Part]:
@@ -179,7 +171,7 @@ def _parts(design: Design) -> list[Part]:
     for name, value in design.merits.items():
         label, unit = name.rstrip("]").replace("_", " ").partition("[")[::2]
         shown, unit = (1e3 * value, "mm") if unit == "m" else (value, unit.replace("deg", "°"))
-        merits.append((label, f"{signed(shown, 5)} {unit}".strip()))
+        merits.append((label, f"{minus(number(shown, 5))} {unit}".strip()))
     checks = [
         (check.name, f"{_shown(check.achieved, check.unit)}" + ("" if check.target is None else "  ✓"))
         for check in design.checks
@@ -196,11 +188,11 @@ def _symbol(name: str) -> str:
     letter, _, index = name.partition("_")
     if name in SYMBOLS:
         return SYMBOLS[name]
-    letter = {"phi": "\\varphi", "psi": "\\psi", "eps": "\\varepsilon"}.get(letter, letter)
-    return f"{letter}_{{\\mathrm{{{index}}}}}" if index else (letter if len(letter) == 1 else f"\\mathrm{{{letter}}}")
+    letter = {"phi": "φ", "psi": "ψ", "eps": "ε"}.get(letter, letter)
+    return f"{letter}_{{{index}}}" if index else letter
 
 
 def _shown(value: float, unit: str) -> str:
     if unit == "rad":
-        return f"{signed(DEGREE * value, 6)}°"
-    return f"{signed(1e3 * value, 6)} mm" if unit == "m" else signed(value, 6)
+        return f"{minus(number(DEGREE * value, 6))}°"
+    return f"{minus(number(1e3 * value, 6))} mm" if unit == "m" else minus(number(value, 6))

@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.records import record
@@ -16,16 +13,18 @@ from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.unsteady.results import Unsteady
 from tmmcalc.linkage.unsteady.solve import solve_unsteady
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
-from tmmcalc.report.drawing.curves import bottom, frame
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import BELOW, DOTTED, SIDES
+from tmmcalc.report.drawing.diagram import ROW, Axis, Diagram, room
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES
+from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.pens import CURVES, Pen
+from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.numbers import number
 
-PHASE: dict[str, Any] = {"color": "#b8b8b8", "linewidth": 0.6, "zorder": 1}
+PHASE = Pen("PHASES", 0.2, colour="#b8b8b8")
 SMOOTH = 400  # steps of the curves
 SAME = 1e-9  # of the duration: a row of the table
-DOTTED = 72  # more rows than this are not marked one by one
 
 
 @record
@@ -36,32 +35,31 @@ class Graph:
     curves: tuple[tuple[str, Values], ...]
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage."""
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage."""
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
     from tmmcalc.linkage.tables.tasks.unsteady import to_unsteady
 
     mechanism, task = to_linkage(order.spec.linkage), to_unsteady(order.spec)
-    return unsteady_figure(mechanism, task, order.results["kinematics"], order.results["unsteady"])
+    return unsteady_drawing(mechanism, task, order.results["kinematics"], order.results["unsteady"])
 
 
-def unsteady_figure(mechanism: Mechanism, task: UnsteadyTask, kinematics: Kinematics, result: Unsteady) -> Figure:
+def unsteady_drawing(mechanism: Mechanism, task: UnsteadyTask, kinematics: Kinematics, result: Unsteady) -> Drawing:
     """A sheet for the input and the outputs, and one for the links."""
     dense = solve_unsteady(mechanism, replace(task, steps=task.steps * -(-SMOOTH // task.steps)), kinematics)
     graphs = [_input(dense), *([_outputs(dense)] if result.outputs else []), *_links(dense)]
-    figure, sheets = blank((len(graphs) + 1) // 2)
-    for k, sheet in enumerate(sheets):
+    drawing, boxes = sheets((len(graphs) + 1) // 2)
+    heading = Words(complex(boxes[0].middle.real, boxes[0].top), _heading(result), 3.0, 1j)
+    drawing.add(heading)
+    for k, box in enumerate(boxes):
         pair = graphs[2 * k : 2 * k + 2]
-        sheet.suptitle(_heading(result) if k == 0 else "", fontsize=10)
-        for part, graph in zip(sheet.subfigures(1, len(pair), squeeze=False)[0], pair, strict=True):
-            panels = part.subplots(3, 1).tolist()
-            part.suptitle(graph[0].title.split("|")[0], fontsize=9)
-            for axes, each in zip(panels, graph, strict=True):
-                _draw(axes, each, dense, result)
-            bottom(panels, False)
-            panels[-1].set_xlabel("$t$, s")
-    settle(figure)
-    return figure
+        free = box.inset(0, 0, 0, 7.0 if k == 0 else 0.0)
+        for part, graph in zip(free.split(*(1.0 for _ in pair), gap=4, across=True), pair, strict=True):
+            drawing.add(Words(complex(part.middle.real, part.top), graph[0].title.split("|")[0], 2.8, 1j))
+            frames = part.inset(0, BELOW, 0, 6.0).split(1, 1, 1)
+            for row, (frame, each) in enumerate(zip(frames, graph, strict=True)):
+                _draw(drawing, frame, each, dense, result, numbered=row == 2)
+    return drawing
 
 
 def _heading(result: Unsteady) -> str:
@@ -99,7 +97,7 @@ def _links(result: Unsteady) -> list[tuple[Graph, ...]]:
     turning = [k for k in range(len(moved.link_ids)) if np.ptp(moved.angle[k]) > 0]
     if not turning:
         return []
-    rows = ((r"\varphi", np.degrees(moved.angle)), (r"\omega", moved.dangle), (r"\varepsilon", moved.ddangle))
+    rows = (("φ", np.degrees(moved.angle)), ("ω", moved.dangle), ("ε", moved.ddangle))
     return [
         tuple(
             Graph(f"Links|${name}$, {unit}", tuple((f"link {moved.link_ids[k]}", values[k]) for k in turning))
@@ -116,18 +114,22 @@ def _degrees(angular: bool) -> float:
     return 180 / np.pi if angular else 1.0
 
 
-def _draw(axes: Axes, graph: Graph, dense: Unsteady, result: Unsteady) -> None:
+def _draw(drawing: Drawing, box: Box, graph: Graph, dense: Unsteady, result: Unsteady, *, numbered: bool) -> None:
     """Curves over the time with dots at the rows of the table; a jump is the upright line between its two rows."""
     rows = [k for k, t in enumerate(dense.t) if np.min(np.abs(result.t - t)) <= SAME * dense.t[-1]]
-    for k, (label, values) in enumerate(graph.curves):
-        style = CURVES[k % len(CURVES)]
-        axes.plot(dense.t, values, linewidth=1.3, zorder=4, label=label, **style)
+    several = len(graph.curves) > 1
+    left, bottom, right, top = SIDES
+    values = [row for _, row in graph.curves]
+    span = (float(dense.t[0]), float(dense.t[-1])) if len(result.t) > 1 else (0.0, 1.0)
+    axis = Axis(graph.title.split("|")[1], *room(values))
+    frame = box.inset(left, bottom, right, top + (ROW if several else 0.0))
+    diagram = Diagram(drawing, frame, Axis("$t$, s", *span), axis, numbered=numbered)
+    for k, row in enumerate(values):
+        pen = CURVES[k % len(CURVES)]
+        diagram.curve(dense.t + 1j * row, pen)
         if len(result.t) <= DOTTED:
-            axes.plot(dense.t[rows], values[rows], "o", markersize=2.2, color=style["color"], zorder=5, linestyle="")
+            diagram.dots(dense.t[rows], row[rows], pen)
     for instant in result.law.instants:
-        axes.axvline(instant, **PHASE)
-    span = result.t if len(result.t) > 1 else np.array([0.0, 1.0])
-    frame(axes, graph.title.split("|")[1], span, False, 0)
-    if len(graph.curves) > 1:
-        place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": 6}
-        axes.legend(handlelength=3, columnspacing=1.2, borderaxespad=0.3, **place)
+        diagram.vertical(instant, PHASE)
+    if several:
+        diagram.key([(label, CURVES[k % len(CURVES)]) for k, (label, _) in enumerate(graph.curves)])

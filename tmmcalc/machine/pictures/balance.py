@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from matplotlib.figure import Figure, SubFigure
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.fourier import TURN, Magnitude, Series
@@ -19,61 +18,56 @@ from tmmcalc.core.plane import Plane, Real
 from tmmcalc.machine.balance.solve import Balancing, Scheme
 from tmmcalc.machine.facts.shakingmoment import moved, phi_at
 from tmmcalc.machine.pictures.shaking import Path, Polar, Ring, Sizes, Spot, shaking_sheet
-from tmmcalc.report.drawing.curves import Diagram, Line
-from tmmcalc.report.drawing.labels import signed
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import Graph, Line
+from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES
-from tmmcalc.report.numbers import NOISE
+from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.pens import CURVES
+from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.numbers import NOISE, number
 
 if TYPE_CHECKING:
     from tmmcalc.machine.stages.balance import Balances
 
 SAMPLES = 721  # of a turn
-FORCE: dict[str, Any] = {**CURVES[0], "linewidth": 1.5}
-WEIGHT: dict[str, Any] = {"color": "#d55e00", "linestyle": "--", "linewidth": 1.1}
-LEFT: dict[str, Any] = {"color": "#009e73", "linestyle": "-.", "linewidth": 1.1}
-CIRCLE: dict[str, Any] = {"color": "#cc79a7", "linestyle": ":", "linewidth": 1.4}
+FORCE = CURVES[0]._replace(width=0.5)
+WEIGHT, LEFT, CIRCLE = CURVES[1], CURVES[2], CURVES[3]
+HEADING = 12.0  # room of the heading [mm]
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage."""
-    return balance_figure(order.results["balance"])
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage."""
+    return balance_drawing(order.results["balance"])
 
 
-def balance_figure(result: Balances) -> Figure:
+def balance_drawing(result: Balances) -> Drawing:
     """A sheet of the linkage, and one of the engine. Raises `UsageError` for a rotor alone."""
     linkage, engine = result.linkage, result.engine
     if linkage is None and engine is None:
         raise UsageError("there is no picture of a rotor", where="plot", remedy="tmmcalc balance tells its loads")
-    figure, sheets = blank(2 if linkage is not None and engine is not None else 1)
-    finish = []
+    drawing, boxes = sheets(2 if linkage is not None and engine is not None else 1)
     if linkage is not None:
-        finish.append(_linkage_sheet(sheets[0], linkage))
+        _linkage_sheet(drawing, boxes[0], linkage)
     if engine is not None:
         from tmmcalc.machine.pictures.engine import engine_sheet
 
-        finish.append(engine_sheet(sheets[-1], engine))
-    settle(figure)
-    for draw in finish:
-        draw()
-    return figure
+        engine_sheet(drawing, boxes[-1], engine)
+    return drawing
 
 
-def _linkage_sheet(sheet: SubFigure, result: Balancing) -> Callable[[], None]:
-    """Lay a sheet out; what is returned draws when the layout is settled."""
-    sheet.suptitle(_heading(result), fontsize=10)
-    return shaking_sheet(
-        sheet, (_fixed(result), _turning(result)), (_forces(result), _moments(result)), "$\\varphi$, °"
-    )
+def _linkage_sheet(drawing: Drawing, box: Box, result: Balancing) -> None:
+    drawing.add(Words(complex(box.middle.real, box.top), _heading(result), 3.0, 1j))
+    views = (_fixed(result), _turning(result)), (_forces(result), _moments(result))
+    shaking_sheet(drawing, box.inset(0, 0, 0, HEADING), *views)
 
 
 def _heading(result: Balancing) -> str:
     found = result.shaking
-    speed = f"{signed(found.speed)} rad/s ({signed(found.speed * 30 / math.pi)} rpm)"
+    speed = minus(f"{number(found.speed)} rad/s ({number(found.speed * 30 / math.pi)} rpm)")
     about = "the crank's pivot"
     if found.about != found.pivot:
-        about = f"({signed(1e3 * found.about.real)}, {signed(1e3 * found.about.imag)}) mm"
+        about = minus(f"({number(1e3 * found.about.real)}, {number(1e3 * found.about.imag)}) mm")
     return (
         f"Shaking force $R$ and moment $M_R$ about {about} at {speed}\n$D$: what the schemes of balancing leave of it"
     )
@@ -137,7 +131,7 @@ def _forces(result: Balancing) -> Sizes:
     if result.redistribution is not None:
         after = result.redistribution.after
         rows.append(_Left("counterweights", len(rows), after.series, after.force, after.size))
-    return _sizes(result, ("|R|,\\ |D|", "N"), rows, np.abs)
+    return _sizes(result, ("|R|, |D|", "N"), rows, np.abs)
 
 
 def _moments(result: Balancing) -> Sizes:
@@ -175,13 +169,13 @@ def _sizes(
         for row, some in zip(rows, seen, strict=True)
     ]
     levels = tuple(row.size.rms * some for row, some in zip(rows, seen, strict=True))
-    return Sizes(Diagram(*named, True, phi, result.phi, tuple(lines)), levels)
+    return Sizes(Graph(*named, True, phi, result.phi, tuple(lines)), levels)
 
 
 def _line(result: Balancing, row: _Left, values: Real, nodes: Real) -> Line:
     """A curve with its largest value marked."""
-    style = CURVES[row.colour % len(CURVES)]
+    pen = CURVES[row.colour % len(CURVES)]
     at = math.radians(phi_at(result, row.size.at))
     value = float(np.interp(abs(at), np.abs(_angles(result)[0]), values))
     marks = ((at, math.copysign(row.size.largest, value)),) if values.any() else ()
-    return Line(row.label, values, nodes, style, marks)
+    return Line(row.label, values, nodes, pen, marks)

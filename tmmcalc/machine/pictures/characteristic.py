@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.lines import Line2D
-from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.numerics.panels import Values
@@ -18,9 +13,13 @@ from tmmcalc.machine.motors.characteristics import Characteristic
 from tmmcalc.machine.motors.model import CharacteristicKind
 from tmmcalc.machine.power import MotorDuty
 from tmmcalc.machine.regime import Regime
-from tmmcalc.report.drawing.curves import suited
-from tmmcalc.report.drawing.labels import Labels, signed
-from tmmcalc.report.drawing.style import CURVES, INK
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import BELOW, SIDES, suited
+from tmmcalc.report.drawing.diagram import ROW, Axis, Diagram, key_rows
+from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.pens import AXIS, CURVES, INK, Pen
+from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.numbers import number
 
 FORMS: tuple[tuple[CharacteristicKind, str], ...] = (
     ("parabolic", "parabola"),
@@ -33,12 +32,14 @@ FORMS: tuple[tuple[CharacteristicKind, str], ...] = (
 )
 USUAL = ("parabolic", "linear", "kloss")  # of an induction motor: drawn beside each other
 SAMPLES = 400
+ABSCISSA = "$ω$ of the input shaft, rad/s"
 MARGIN = 0.12  # of the range of speeds, on both sides
 HEADROOM = 1.15
-PATH: dict[str, Any] = {"color": "#0072b2", "linewidth": 6, "alpha": 0.3, "solid_capstyle": "butt", "zorder": 3}
-BAND: dict[str, Any] = {"color": "#0072b2", "alpha": 0.12, "linewidth": 0, "zorder": 1}
-MEAN: dict[str, Any] = {"color": INK, "linewidth": 0.8, "linestyle": (0, (8, 2, 1.5, 2)), "zorder": 2}
-POINT: dict[str, Any] = {"color": INK, "markerfacecolor": "white", "markersize": 4.5, "zorder": 8, "linestyle": ""}
+PATH = Pen("MOTION", 1.6, colour="#b3d4e8")  # of the steady motion on the characteristic
+BAND = "#e3f0f7"
+MEAN = AXIS._replace(layer="MEAN")
+POINT = Pen("POINTS", 0.3, colour=INK)
+SPEEDS = "#0072b2"
 
 
 @record
@@ -47,7 +48,7 @@ class Curve:
 
     name: str
     form: Characteristic
-    style: dict[str, Any]
+    pen: Pen
 
 
 @record
@@ -82,30 +83,50 @@ def motor_curves(result: Motion, duty: MotorDuty, efficiency: float) -> MotorCur
             form = driver_of(duty.motor, kind, duty.ratio, efficiency).characteristic
         except UsageError:
             continue
-        style = CURVES[len(found) % len(CURVES)]
-        found.append(Curve(name, form, {"linewidth": 1.9 if not found else 1.1, "zorder": 5, **style}))
+        pen = CURVES[len(found) % len(CURVES)]
+        found.append(Curve(name, form, pen._replace(width=0.35 if found else 0.6)))
     return MotorCurves(tuple(found), result.regime)
 
 
-def draw_near(axes: Axes, motor: MotorCurves) -> float:
-    """All forms about the working range, and the path of the regime on them; returns the factor of the moments."""
+def draw_motor(drawing: Drawing, box: Box, motor: MotorCurves) -> None:
+    """The working range, and under it the whole curve if it is known."""
+    parts = box.split(1, 1) if motor.kloss is not None else [box]
+    _draw_near(drawing, parts[0], motor)
+    for part in parts[1:]:
+        _draw_whole(drawing, part, motor)
+
+
+def _draw_near(drawing: Drawing, box: Box, motor: MotorCurves) -> None:
+    """All forms about the working range, the path of the regime on them, marked points and extreme speeds."""
     low, high = motor.range
     omega = np.linspace(low, high, SAMPLES)
     moments = [np.broadcast_to(curve.form.moment(omega), omega.shape) for curve in motor.curves]
-    regime = motor.regime
+    regime, used = motor.regime, motor.curves[0].form
     peak = max(float(np.max(np.abs(moment))) for moment in [*moments, regime.driving])
     factor, unit = suited(peak, "N*m")
-    axes.plot(_closed(regime.omega), _closed(regime.driving) * factor, **PATH)
+    names = _names(motor)
+    rows = ROW * len(key_rows(names, box.width - SIDES[0] - SIDES[2])) + SIDES[3]
+    driving = _closed(regime.driving) * factor
+    heights = np.concatenate([*(moment * factor for moment in moments), driving, [0.0]])
+    air = MARGIN * float(np.ptp(heights))
+    up = Axis(f"$M_d$, {unit}", float(heights.min()) - air, float(heights.max()) + air)
+    frame = box.inset(SIDES[0], BELOW + SIDES[1], SIDES[2], rows)
+    diagram = Diagram(drawing, frame, Axis(ABSCISSA, low, high), up)
+    diagram.curve(_closed(regime.omega) + 1j * driving, PATH, level=2)
     for curve, moment in zip(motor.curves, moments, strict=True):
-        axes.plot(omega, moment * factor, **curve.style)
-    axes.axhline(regime.mean_moment * factor, **MEAN)
-    _frame(axes, unit)
-    axes.set_xlim(low, high)
-    return factor
+        diagram.curve(omega + 1j * moment * factor, curve.pen)
+    diagram.level(regime.mean_moment * factor, MEAN)
+    diagram.key(names)
+    _points(diagram, used, factor, (("H", used.nominal), ("C", used.synchronous)))
+    for speed, word in ((regime.omega_min, "min"), (regime.omega_max, "max")):
+        driving_there = float(np.interp(speed, [regime.omega_min, regime.omega_max], _at_extremes(regime)))
+        at = diagram.point(complex(speed, driving_there * factor), Pen("POINTS", 0.3, colour=SPEEDS), 0.6)
+        text = f"$ω_{{{word}}}$ = {minus(number(speed, 5))}"
+        diagram.labels.put(text, [at], height=2.2, gaps=(1.0, 1.8, 3.0, 4.6), colour=SPEEDS)
 
 
-def draw_whole(axes: Axes, motor: MotorCurves) -> float:
-    """The whole curve from standstill on, with the range that the near view shows; returns the factor."""
+def _draw_whole(drawing: Drawing, box: Box, motor: MotorCurves) -> None:
+    """The whole curve from standstill on, with the range of the speeds."""
     whole = motor.kloss
     assert whole is not None
     low, high = motor.range
@@ -115,49 +136,24 @@ def draw_whole(axes: Axes, motor: MotorCurves) -> float:
     moment = whole.moment(omega)
     factor, unit = suited(float(np.max(np.abs(moment))), "N*m")
     inside = np.linspace(max(low, 0.0), high, SAMPLES)
+    top = HEADROOM * float(np.max(moment))
+    up = Axis(f"$M_d$, {unit}", min(float(moment[-1]), -0.1 * top) * factor, top * factor)
+    frame = box.inset(SIDES[0], BELOW + SIDES[1], SIDES[2], SIDES[3] + ROW)
+    diagram = Diagram(drawing, frame, Axis(ABSCISSA, 0.0, high), up)
     for curve in motor.curves:
         x = omega if curve.form is whole else inside
-        axes.plot(x, curve.form.moment(x) * factor, **curve.style)
-    axes.axvspan(motor.regime.omega_min, motor.regime.omega_max, **BAND)
-    _frame(axes, unit)
-    axes.set_xlim(0.0, high)
-    axes.set_title("H rated point, C without load, K break-down; shaded: the range above", loc="left", fontsize=7.5)
-    top = HEADROOM * float(np.max(moment))
-    axes.set_ylim(min(float(moment[-1]), -0.1 * top) * factor, top * factor)
-    return factor
+        diagram.curve(x + 1j * np.broadcast_to(curve.form.moment(x), x.shape) * factor, curve.pen)
+    diagram.band(motor.regime.omega_min, motor.regime.omega_max, BAND)
+    text = "$H$ rated point, $C$ without load, $K$ break-down; shaded: the range above"
+    drawing.add(Words(complex(frame.left, frame.top + 1.2), text, 2.0, -1 - 1j))
+    _points(diagram, whole, factor, (("H", whole.nominal), ("C", whole.synchronous), ("K", whole.critical)))
 
 
-def legend(axes: Axes, motor: MotorCurves) -> None:
+def _names(motor: MotorCurves) -> list[tuple[str, Pen]]:
     """The forms, the path of the regime, the mean moment."""
     used, *others = motor.curves
-    handles = [Line2D([], [], label=f"{used.name}, in use", **used.style)]
-    handles += [Line2D([], [], label=curve.name, **curve.style) for curve in others]
-    handles.append(Line2D([], [], label="steady motion", **PATH))
-    handles.append(Line2D([], [], label="mean moment", **MEAN))
-    axes.legend(
-        handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3, handlelength=2.4, columnspacing=1.0
-    )
-
-
-def label_near(axes: Axes, motor: MotorCurves, factor: float) -> None:
-    """Rated and no-load point, and the extreme speeds."""
-    labels, regime = _avoiding(axes, motor, factor, np.linspace(*motor.range, SAMPLES)), motor.regime
-    form = motor.curves[0].form
-    _points(axes, labels, form, factor, (("H", form.nominal), ("C", form.synchronous)))
-    for omega, text in ((regime.omega_min, "min"), (regime.omega_max, "max")):
-        moment = float(np.interp(omega, [regime.omega_min, regime.omega_max], _at_extremes(regime)))
-        at = complex(omega, moment * factor)
-        axes.plot(at.real, at.imag, "D", markersize=3.6, markerfacecolor="white", color="#0072b2", zorder=9)
-        name = f"$\\omega_\\mathrm{{{text}}}$ = {signed(omega, 5)}"
-        labels.put(name, [at], size=7, gaps=(1.2, 2.0, 3.2, 5.0), color="#0072b2")
-
-
-def label_whole(axes: Axes, motor: MotorCurves, factor: float) -> None:
-    """Rated, no-load and break-down point."""
-    form = motor.kloss
-    assert form is not None
-    labels = _avoiding(axes, motor, factor, np.linspace(0.0, axes.get_xlim()[1], SAMPLES))
-    _points(axes, labels, form, factor, (("H", form.nominal), ("C", form.synchronous), ("K", form.critical)))
+    forms = [(f"{used.name}, in use", used.pen), *((curve.name, curve.pen) for curve in others)]
+    return [*forms, ("steady motion", PATH), ("mean moment", MEAN)]
 
 
 def _at_extremes(regime: Regime) -> tuple[float, float]:
@@ -167,35 +163,14 @@ def _at_extremes(regime: Regime) -> tuple[float, float]:
 
 
 def _points(
-    axes: Axes, labels: Labels, form: Characteristic, factor: float, points: tuple[tuple[str, float | None], ...]
+    diagram: Diagram, form: Characteristic, factor: float, points: tuple[tuple[str, float | None], ...]
 ) -> None:
     for name, omega in points:
         if omega is not None:
-            at = complex(omega, float(form.moment(omega)) * factor)
-            axes.plot(at.real, at.imag, "o", **POINT)
-            labels.put(name, [at], size=8, gaps=(1.0, 1.6, 2.6))
-
-
-def _avoiding(axes: Axes, motor: MotorCurves, factor: float, omega: Values) -> Labels:
-    labels = Labels(axes)
-    for curve in motor.curves:
-        moment = np.broadcast_to(curve.form.moment(omega), omega.shape)
-        labels.avoid(omega + 1j * moment * factor, 0.7)
-    return labels
+            at = diagram.point(complex(omega, float(form.moment(omega)) * factor), POINT, 0.75)
+            diagram.labels.put(f"${name}$", [at], gaps=(0.9, 1.5, 2.5))
 
 
 def _closed(values: Values) -> Values:
     flat = values.ravel()
     return np.append(flat, flat[0])
-
-
-def _frame(axes: Axes, unit: str) -> None:
-    axes.axhline(0, color="#333333", linewidth=0.8, zorder=1.5)
-    axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
-    axes.set_axisbelow(True)
-    axes.set_ylabel(f"$M_\\mathrm{{d}}$, {unit}")
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(MaxNLocator(6))
-        axis.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 6)))
-    axes.set_xlabel("$\\omega$ of the input shaft, rad/s")
-    axes.tick_params(length=2.5)

@@ -7,18 +7,20 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from matplotlib.figure import SubFigure
 
 from tmmcalc.core.numerics.fourier import TURN, Magnitude, Series
 from tmmcalc.machine.balance.engines import EngineBalance
 from tmmcalc.machine.balance.enginetask import Engine
 from tmmcalc.machine.pictures.shaking import Path, Polar, Sizes, shaking_sheet
-from tmmcalc.report.drawing.curves import Diagram, Line
-from tmmcalc.report.drawing.labels import signed
-from tmmcalc.report.drawing.style import CURVES
-from tmmcalc.report.numbers import NOISE
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import Graph, Line
+from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.pens import CURVES
+from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.numbers import NOISE, number
 
 SAMPLES = 1441  # of a turn
+HEADING = 12.0  # room of the heading [mm]
 
 
 class Kind(NamedTuple):
@@ -35,16 +37,17 @@ FORCE = Kind("force", "F", "N", 0, lambda state: (state.force, state.force_size)
 COUPLE = Kind("couple", "C", "N*m", 1, lambda state: (state.couple, state.couple_size))
 
 
-def engine_sheet(sheet: SubFigure, result: Engine) -> Callable[[], None]:
-    """Lay a sheet out; what is returned draws when the layout is settled."""
+def engine_sheet(drawing: Drawing, box: Box, result: Engine) -> None:
+    """Draw a sheet."""
     balance = result.balance
-    speed = f"{signed(balance.speed)} rad/s ({signed(balance.speed * 30 / math.pi)} rpm)"
+    speed = minus(f"{number(balance.speed)} rad/s ({number(balance.speed * 30 / math.pi)} rpm)")
     count = f"{result.cylinders} cylinder{'s' if result.cylinders > 1 else ''}"
-    plane = f"couple about the plane $z$ = {signed(1e3 * balance.reference)} mm"
-    sheet.suptitle(f"Shaking force $F$ and couple $C$ of an engine of {count} at {speed}\n{plane}", fontsize=10)
+    plane = minus(f"couple about the plane $z$ = {number(1e3 * balance.reference)} mm")
+    title = f"Shaking force $F$ and couple $C$ of an engine of {count} at {speed}\n{plane}"
+    drawing.add(Words(complex(box.middle.real, box.top), title, 3.0, 1j))
     views = [_view(result, kind) for kind in (FORCE, COUPLE)]
     seen = [view for view in views if any(view[1].levels)] or views[:1]
-    return shaking_sheet(sheet, [polar for polar, _ in seen], [diagram for _, diagram in seen], "angle of the shaft, °")
+    shaking_sheet(drawing, box.inset(0, 0, 0, HEADING), [polar for polar, _ in seen], [sizes for _, sizes in seen])
 
 
 def _view(result: Engine, kind: Kind) -> tuple[Polar, Sizes]:
@@ -54,14 +57,15 @@ def _view(result: Engine, kind: Kind) -> tuple[Polar, Sizes]:
     for k, (label, state) in enumerate(_states(result)):
         series, size = kind.of(state)
         values = series.at(psi) * (size.largest > NOISE * state.scales[kind.scale])
-        style = CURVES[k]
-        paths.append(Path(label, values, np.empty(0, np.complex128), style))
+        pen = CURVES[k]
+        paths.append(Path(label, values, np.empty(0, np.complex128), pen))
         mark = ((size.at, size.largest),) if values.any() else ()
-        lines.append(Line(label, np.abs(values), np.empty(0), style, mark))
+        lines.append(Line(label, np.abs(values), np.empty(0), pen, mark))
         levels.append(size.rms if values.any() else 0.0)
     names = f"{kind.symbol}_x", f"{kind.symbol}_y"
-    diagram = Diagram(f"|{kind.symbol}|", kind.unit, True, psi, np.empty(0), tuple(lines))
-    return Polar(f"Hodograph of the {kind.name}", names, kind.unit, tuple(paths)), Sizes(diagram, tuple(levels))
+    along = "angle of the shaft, °"
+    graph = Graph(f"|{kind.symbol}|", kind.unit, True, psi, np.empty(0), tuple(lines), abscissa=along)
+    return Polar(f"Hodograph of the {kind.name}", names, kind.unit, tuple(paths)), Sizes(graph, tuple(levels))
 
 
 def _states(result: Engine) -> list[tuple[str, EngineBalance]]:

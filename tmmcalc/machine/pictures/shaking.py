@@ -2,27 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import SubFigure
-from matplotlib.lines import Line2D
 
 from tmmcalc.core.plane import Plane
 from tmmcalc.core.records import record
-from tmmcalc.linkage.pictures.hodographs import name_axes
-from tmmcalc.report.drawing.board import Board
-from tmmcalc.report.drawing.curves import DOTTED, Diagram, bottom, suited
-from tmmcalc.report.drawing.labels import signed
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import Graph, column, suited
+from tmmcalc.report.drawing.diagram import ROW, key_above, key_rows
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.pens import MIDDLE, Pen
+from tmmcalc.report.drawing.polar import AROUND, name_axes, number_tips
+from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.numbers import NOISE, number
 
 MARGIN = 8.0  # free border of a hodograph [mm]
-APART = 5.0  # positions nearer than this to a numbered one go without a number [mm]
+TITLE = 8.5  # height of its title
 HEIGHTS = (1.5, 1.0)  # of the diagrams, one under another
-COLUMNS = 3  # of a legend
-RMS: dict[str, Any] = {"linewidth": 0.8, "linestyle": (0, (9, 4)), "zorder": 3}
+RMS = Pen("LEVELS", 0.25, (5.0, 2.2))
 
 
 @record
@@ -32,7 +32,7 @@ class Path:
     label: str
     values: Plane
     nodes: Plane
-    style: dict[str, Any]
+    pen: Pen
 
 
 @record
@@ -41,7 +41,7 @@ class Spot:
 
     name: str
     at: complex
-    style: dict[str, Any]
+    pen: Pen
     arrow: bool = False
 
 
@@ -52,7 +52,7 @@ class Ring:
     label: str
     centre: complex
     radius: float
-    style: dict[str, Any]
+    pen: Pen
 
     @property
     def points(self) -> Plane:
@@ -85,104 +85,68 @@ class Polar:
         """The largest size, or one if there is nothing."""
         return float(np.max(np.abs(self._everything))) or 1.0
 
-    def prepare(self, axes: Axes) -> None:
-        """Heading, legend, names and numbers of the axes, so that the layout reserves room for them."""
-        axes.set_title(f"{self.heading}\n ", pad=20)
-        axes.set_xlim(-self._peak, self._peak)
-        axes.set_ylim(-self._peak, self._peak)
-        name_axes(axes, self.names, self._peak, self.unit)
-        named = [*((p.label, p.style) for p in self.paths), *((r.label, r.style) for r in self.rings)]
-        handles = [Line2D([], [], label=label, **{"linewidth": 1.3, **style}) for label, style in named]
-        axes.legend(handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=COLUMNS, handlelength=2.5)
-
-    def draw(self, axes: Axes) -> None:
-        """Draw on an axes whose place is settled."""
+    def draw(self, drawing: Drawing, box: Box) -> None:
+        """Draw in a rectangle, with the heading and the names of the lines above."""
         peak = self._peak
-        board = Board(axes, self._everything, MARGIN)
-        low, high = complex(axes.get_xlim()[0], axes.get_ylim()[0]), complex(axes.get_xlim()[1], axes.get_ylim()[1])
-        for ends in ((low.real, high.real), (1j * low.imag, 1j * high.imag)):
-            board.line(ends, linewidth=0.7, color="#333333", weight=0.3)
+        names = [*((p.label, p.pen) for p in self.paths), *((r.label, r.pen) for r in self.rings)]
+        room = TITLE + ROW * len(key_rows(names, box.width - AROUND[0] - AROUND[2]))
+        board = Board(drawing, box.inset(*AROUND, room), self._everything, MARGIN)
+        name_axes(board, self.names, peak, self.unit)
         for ring in self.rings:
-            board.line(ring.points, weight=0.4, zorder=3, **ring.style)
+            board.line(ring.points, ring.pen, weight=0.4, level=3)
         for path in self.paths:
-            board.line([*path.values, path.values[0]], weight=0.5, **{"linewidth": 1.3, "zorder": 5, **path.style})
-        board.circle(0j, 0.8, zorder=9)
+            board.line([*path.values, path.values[0]], path.pen, weight=0.5, level=5)
+        board.circle(0j, 0.8, MIDDLE, level=9)
         for spot in self.spots:
             _mark(board, spot, peak)
         for spot in self.spots:
-            gaps, color = (1.2, 2.0, 3.0, 4.4), spot.style["color"]
-            board.labels.put(spot.name, [spot.at], size=7.5, gaps=gaps, prefer=spot.at or 1, color=color)
-        self._number(board)
+            gaps, at = (1.0, 1.8, 2.8, 4.2), board.paper([spot.at])
+            board.labels.put(spot.name, at, gaps=gaps, prefer=spot.at or 1, colour=spot.pen.colour)
+        number_tips(board, self.labels, self.paths[0].nodes, self.paths[0].pen)
         factor, unit = suited(peak, self.unit)
-        axes.set_title(f"{self.heading}\n$\\mu$ = {number(board.mu * factor, 4)} {unit}/mm", pad=20)
-
-    def _number(self, board: Board) -> None:
-        """Positions as dots, some of them numbered where there is room."""
-        first = self.paths[0]
-        if not 0 < len(self.labels) <= DOTTED:
-            return
-        board.axes.plot(first.nodes.real, first.nodes.imag, "o", markersize=2.2, color=first.style["color"], zorder=8)
-        numbered: list[complex] = []
-        for label, tip in zip(self.labels, first.nodes.tolist(), strict=True):
-            if all(abs(tip - other) > APART * board.mu for other in [0j, *numbered]):
-                numbered.append(tip)
-                style = {"size": 5.5, "prefer": tip, "gaps": (0.8, 1.4, 2.2), "color": first.style["color"]}
-                board.labels.put(label, [tip], **style)
+        title = f"{self.heading}\n$μ$ = {number(board.mu * factor, 4)} {unit}/mm"
+        drawing.add(Words(complex(board.box.middle.real, box.top), title, 2.4, 1j))
+        key_above(drawing, board.box, names)
 
 
 def _mark(board: Board, spot: Spot, peak: float) -> None:
     """A place as a cross, or an arrow to it."""
+    solid = spot.pen._replace(dashes=(), width=0.45)
     if not spot.arrow:
-        board.axes.plot(spot.at.real, spot.at.imag, "x", markersize=5, zorder=10, color=spot.style["color"])
-        board.labels.avoid([spot.at], 4.0)
+        reach = 1.2 * board.mu
+        for way in (1 + 1j, 1 - 1j):
+            board.line((spot.at - reach * way, spot.at + reach * way), solid, weight=2.0, level=10)
     elif abs(spot.at) > NOISE * peak:
-        board.line((0j, spot.at), **{"linewidth": 1.3, "zorder": 7, **spot.style, "linestyle": "-"})
-        board.arrowhead(spot.at, spot.at, facecolor=spot.style["color"])
+        board.vector(0j, spot.at, solid, level=7)
 
 
 @record
 class Sizes:
     """A diagram of sizes over a turn with the rms level [SI] of each of its lines."""
 
-    diagram: Diagram
+    graph: Graph
     levels: tuple[float, ...]
 
-    def draw(self, axes: Axes) -> None:
-        """Curves, levels, and the legend with their values."""
-        factor, unit = self.diagram.scale
-        self.diagram.draw(axes)
-        if not any(line.values.any() for line in self.diagram.lines):
-            axes.set_ylim(-1.0, 1.0)
-        for line, level in zip(self.diagram.lines, self.levels, strict=True):
-            axes.axhline(level * factor, **RMS, color=line.style["color"])
-        handles = [
-            Line2D([], [], label=f"{line.label}: rms {signed(level * factor, 4)}", **{"linewidth": 1.3, **line.style})
-            for line, level in zip(self.diagram.lines, self.levels, strict=True)
+    @property
+    def named(self) -> Graph:
+        """The diagram with the levels in its key, and with ends where all is zero."""
+        factor, unit = self.graph.scale
+        names = [
+            (f"{line.label}: rms {minus(number(level * factor, 4))}", line.pen)
+            for line, level in zip(self.graph.lines, self.levels, strict=True)
         ]
-        handles.append(Line2D([], [], label=f"rms levels, {unit}", **RMS, color="#333333"))
-        place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": COLUMNS}
-        axes.legend(handles=handles, handlelength=3, columnspacing=1.2, borderaxespad=0.3, **place)
+        still = not any(line.values.any() for line in self.graph.lines)
+        ends = (-1.0, 1.0) if still else self.graph.ends
+        return replace(self.graph, key=(*names, (f"rms levels, {unit}", RMS)), ends=ends)
 
 
-def shaking_sheet(
-    sheet: SubFigure, polar: Sequence[Polar], diagrams: Sequence[Sizes], abscissa: str
-) -> Callable[[], None]:
-    """Lay out hodographs on the left, sizes on the right; what is returned draws when the layout is settled."""
-    left, right = sheet.subfigures(1, 2, squeeze=False, width_ratios=[1.0, 1.45])[0]
-    places = left.subplots(len(polar), 1, squeeze=False)[:, 0].tolist()
-    panels = right.subplots(len(diagrams), 1, sharex=True, squeeze=False, height_ratios=HEIGHTS[: len(diagrams)])
-    lines = panels[:, 0].tolist()
-    for axes, hodograph in zip(places, polar, strict=True):
-        hodograph.prepare(axes)
-    for axes, diagram in zip(lines, diagrams, strict=True):
-        diagram.draw(axes)
-    bottom(lines, True)
-    lines[-1].set_xlabel(abscissa)
-
-    def finish() -> None:
-        for axes, hodograph in zip(places, polar, strict=True):
-            hodograph.draw(axes)
-        for axes, diagram in zip(lines, diagrams, strict=True):
-            diagram.diagram.label(axes)
-
-    return finish
+def shaking_sheet(drawing: Drawing, box: Box, polar: Sequence[Polar], diagrams: Sequence[Sizes]) -> None:
+    """Hodographs on the left, sizes on the right."""
+    left, right = box.split(1.0, 1.45, gap=4, across=True)
+    for part, hodograph in zip(left.split(*(1.0 for _ in polar), gap=2), polar, strict=True):
+        hodograph.draw(drawing, part)
+    frames = column(drawing, right, [each.named for each in diagrams], HEIGHTS[: len(diagrams)])
+    for frame, each in zip(frames, diagrams, strict=True):
+        factor, _ = each.graph.scale
+        for line, level in zip(each.graph.lines, each.levels, strict=True):
+            frame.level(level * factor, RMS._replace(colour=line.pen.colour))

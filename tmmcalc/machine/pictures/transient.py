@@ -3,24 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure, SubFigure
-from matplotlib.lines import Line2D
-from matplotlib.patheffects import withStroke
 
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.records import record
 from tmmcalc.machine.facts.transient import ENDS
 from tmmcalc.machine.transient.results import Event
 from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
-from tmmcalc.report.drawing.curves import frame, mark, suited
-from tmmcalc.report.drawing.labels import Labels, signed
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import BELOW, SIDES, suited
+from tmmcalc.report.drawing.diagram import ROW, Axis, Diagram, key_rows, room
+from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES, MARK
+from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.pens import CURVES, MARK, Pen
+from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.numbers import number
 
 LISTED = 8  # events whose names are written out
@@ -29,7 +27,7 @@ SWING = 0.2  # of the range of the speed: a tail that swings by more needs no ma
 SMALL = 0.02  # of the height of a panel: a curve that goes no deeper below zero is cut there
 LATE = 0.95  # of the time: an event after it is numbered on its left
 ROOM = 0.15  # of the range of a magnified tail, below and above it
-EVENT: dict[str, Any] = {"color": MARK, "linewidth": 0.7, "linestyle": (0, (4, 3)), "zorder": 2}
+EVENT = Pen("EVENTS", 0.2, (1.6, 1.2), MARK.colour)
 
 
 @record
@@ -38,7 +36,7 @@ class Curve:
 
     label: str
     values: Values
-    style: dict[str, Any]
+    pen: Pen
     marked: bool = False  # its largest value is named
 
 
@@ -52,74 +50,82 @@ class Panel:
     curves: tuple[Curve, ...]
     tail: bool = False  # the axis shows the end of the first curve alone
 
-    def draw(self, axes: Axes) -> None:
-        """Curves and legend; texts follow by `label`, when the layout is settled."""
-        factor, unit = self._scale
-        for k, curve in enumerate(self.curves):
-            axes.plot(self.t, curve.values * factor, linewidth=1.3, zorder=6 - k, **curve.style)
-        span = self.t if len(self.t) > 1 else np.array([0.0, 1.0])
-        frame(axes, f"${self.symbol}$, {unit}", span, False, 0)
+    @property
+    def named(self) -> list[tuple[str, Pen]]:
+        """The names of its curves."""
+        return [(curve.label, curve.pen) for curve in self.curves]
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Of the ordinate as it is drawn."""
+        factor, _ = self._scale
         if self.tail:
             low, high = _range(self.curves[0].values[self.t >= (1 - TAIL) * self.t[-1]] * factor)
-            axes.set_ylim(low - ROOM * (high - low), high + ROOM * (high - low))
-        elif min(float(np.min(curve.values)) for curve in self.curves) * factor >= -SMALL * axes.get_ylim()[1]:
-            axes.set_ylim(bottom=0.0)
-        handles = [Line2D([], [], label=curve.label, linewidth=1.3, **curve.style) for curve in self.curves]
-        place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": 4}
-        axes.legend(handles=handles, handlelength=3, columnspacing=1.2, borderaxespad=0.3, **place)
+            return low - ROOM * (high - low), high + ROOM * (high - low)
+        low, high = room([curve.values * factor for curve in self.curves])
+        return (0.0 if low >= -SMALL * high else low), high
+
+    def draw(self, drawing: Drawing, box: Box, *, numbered: bool) -> Diagram:
+        """Curves, their names above, the largest values named."""
+        factor, unit = self._scale
+        span = (float(self.t[0]), float(self.t[-1])) if len(self.t) > 1 else (0.0, 1.0)
+        axis = Axis(f"${self.symbol}$, {unit}", *self.ends)
+        diagram = Diagram(drawing, box, Axis("$t$, s", *span), axis, numbered=numbered)
+        for k, curve in enumerate(self.curves):
+            diagram.curve(self.t + 1j * curve.values * factor, curve.pen, level=6 - k / 10)
+        diagram.key(self.named)
+        for curve in self.curves:
+            k = int(np.argmax(np.abs(curve.values)))
+            if curve.marked and curve.values[k]:
+                value = float(curve.values[k]) * factor
+                diagram.mark(complex(self.t[k], value), number(value, 4), curve.pen)
+        return diagram
 
     @property
     def _scale(self) -> tuple[float, str]:
         return suited(max(float(np.max(np.abs(curve.values))) for curve in self.curves), self.unit)
 
-    def label(self, axes: Axes) -> None:
-        """Name the largest values."""
-        factor, _ = self._scale
-        labels = Labels(axes)
-        for curve in self.curves:
-            labels.avoid(self.t + 1j * curve.values * factor, 0.7)
-        for curve in self.curves:
-            k = int(np.argmax(np.abs(curve.values)))
-            if curve.marked and curve.values[k]:
-                mark(axes, labels, complex(self.t[k], curve.values[k] * factor), curve.style)
+
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage."""
+    return transient_drawing(order.results["transient"])
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage."""
-    return transient_figure(order.results["transient"])
-
-
-def transient_figure(result: TimedMotions) -> Figure:
+def transient_drawing(result: TimedMotions) -> Drawing:
     """One sheet a motion."""
-    figure, sheets = blank(len(result.motions))
-    drawn = [_sheet(sheet, motion) for sheet, motion in zip(sheets, result.motions, strict=True)]
-    settle(figure)
-    for places, panels in drawn:
-        for axes, panel in zip(places, panels, strict=True):
-            panel.label(axes)
-    return figure
+    drawing, boxes = sheets(len(result.motions))
+    for box, motion in zip(boxes, result.motions, strict=True):
+        _sheet(drawing, box, motion)
+    return drawing
 
 
-def _sheet(sheet: SubFigure, motion: TimedMotion) -> tuple[list[Axes], list[Panel]]:
+def _sheet(drawing: Drawing, box: Box, motion: TimedMotion) -> None:
     """Speeds, the tail of the speed if it is flat, moments; events across them all."""
-    sheet.suptitle(_heading(motion), fontsize=10)
+    heading = _heading(motion)
+    drawing.add(Words(complex(box.middle.real, box.top), heading, 2.6, 1j))
     panels = [_speeds(motion), *_tail(motion), _moments(motion), *_shafts(motion)]
-    places = sheet.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0].tolist()
-    for axes, panel in zip(places, panels, strict=True):
-        panel.draw(axes)
+    left, bottom, right, top = SIDES
+    free = box.inset(left, BELOW, right, 3.0 + 4.6 * (heading.count("\n") + 1))
+    heads = [top + ROW * len(key_rows(panel.named, free.width)) for panel in panels]
+    height = (free.height - sum(heads) - bottom * len(panels)) / len(panels)
+    y, first = free.top, True
+    for k, (panel, head) in enumerate(zip(panels, heads, strict=True)):
+        frame = Box(free.left, y - head - height, free.right, y - head)
+        diagram = panel.draw(drawing, frame, numbered=k + 1 == len(panels))
         for event in motion.events:
-            axes.axvline(event.time, **EVENT)
-    places[-1].tick_params(labelbottom=True)
-    places[-1].set_xlabel("$t$, s")
-    _name_events(places[0], motion.events)
-    return places, panels
+            diagram.vertical(event.time, EVENT)
+        if first:
+            _name_events(diagram, motion.events)
+        y, first = frame.bottom - bottom, False
 
 
 def _heading(motion: TimedMotion) -> str:
-    first = (
-        f"{motion.name}: from {signed(float(motion.omega[-1, 0]), 5)} to {signed(float(motion.omega[-1, -1]), 5)} rad/s"
-    )
+    first = f"{motion.name}: from {_signed(motion.omega[-1, 0])} to {_signed(motion.omega[-1, -1])} rad/s"
     return f"{first} in {number(float(motion.t[-1]), 5)} s; {ENDS[motion.end]}\n{_events(motion.events)}"
+
+
+def _signed(value: float) -> str:
+    return minus(number(float(value), 5))
 
 
 def _events(events: Sequence[Event]) -> str:
@@ -129,18 +135,16 @@ def _events(events: Sequence[Event]) -> str:
     return "\n".join(lines) + (" ..." if len(events) > LISTED else "")
 
 
-def _name_events(axes: Axes, events: Sequence[Event]) -> None:
+def _name_events(diagram: Diagram, events: Sequence[Event]) -> None:
     """Numbers of the events in the uppermost panel; those of one instant stand together."""
     together: dict[float, list[str]] = {}
     for k, event in enumerate(events, 1):
         together.setdefault(event.time, []).append(str(k))
-    end = axes.get_xlim()[1]
     for time, numbers in together.items():
-        late = time > LATE * end
-        style: dict[str, Any] = {"fontsize": 6.5, "ha": "right" if late else "left", "va": "top", "color": MARK}
-        halo = [withStroke(linewidth=1.6, foreground="white")]
-        text = f"{', '.join(numbers)} " if late else f" {', '.join(numbers)}"
-        axes.text(time, 0.98, text, transform=axes.get_xaxis_transform(), path_effects=halo, zorder=20, **style)
+        side = 1 if time > LATE * diagram.x.high else -1
+        at = complex(diagram.place(complex(time, 0)).real - 0.7 * side, diagram.box.top - 0.8)
+        words = Words(at, ", ".join(numbers), 1.9, side + 1j, colour=MARK.colour, clear=True)
+        diagram.drawing.add(words, level=20)
 
 
 def _speeds(motion: TimedMotion) -> Panel:
@@ -151,7 +155,7 @@ def _speeds(motion: TimedMotion) -> Panel:
         Curve(_speed_name(motion, k), motion.omega[k] / motion.ratios[k], CURVES[i % len(CURVES)], k == crank)
         for i, k in enumerate(order)
     ]
-    return Panel("\\omega", "rad/s", motion.t, tuple(curves))
+    return Panel("ω", "rad/s", motion.t, tuple(curves))
 
 
 def _speed_name(motion: TimedMotion, k: int) -> str:
@@ -166,7 +170,7 @@ def _tail(motion: TimedMotion) -> list[Panel]:
     least, most = _range(speed[motion.t >= (1 - TAIL) * motion.t[-1]])
     if not 0 < most - least < SWING * (high - low):
         return []
-    return [Panel("\\omega", "rad/s", motion.t, (Curve("crank, magnified", speed, CURVES[0]),), tail=True)]
+    return [Panel("ω", "rad/s", motion.t, (Curve("crank, magnified", speed, CURVES[0]),), tail=True)]
 
 
 def _range(values: Values) -> tuple[float, float]:
@@ -176,8 +180,8 @@ def _range(values: Values) -> tuple[float, float]:
 def _moments(motion: TimedMotion) -> Panel:
     """Moments of motor and load on the crank's shaft."""
     motor = motion.motor_moment * motion.ratios[0]
-    curves = [Curve("motor $M_\\mathrm{d}$, reduced to the crank", motor, CURVES[0], True)] if motor.any() else []
-    curves.append(Curve("load $M_\\mathrm{load}$", motion.load_moment, CURVES[1], True))
+    curves = [Curve("motor $M_d$, reduced to the crank", motor, CURVES[0], True)] if motor.any() else []
+    curves.append(Curve("load $M_{load}$", motion.load_moment, CURVES[1], True))
     return Panel("M", "N*m", motion.t, tuple(curves))
 
 

@@ -8,53 +8,50 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure, SubFigure
-from matplotlib.patches import Polygon
 
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.manipulators.results import Manipulator
 from tmmcalc.manipulators.solve import solve_manipulator
 from tmmcalc.manipulators.task import ManipulatorTask, Obstacle
-from tmmcalc.report.drawing.curves import bottom, frame
-from tmmcalc.report.drawing.labels import Labels
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import blank, settle
-from tmmcalc.report.drawing.style import CURVES, INK, MARK, PATH, THIN
+from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.panels import Panel, marked, panels
+from tmmcalc.report.drawing.pens import INK, MIDDLE, Pen
+from tmmcalc.report.drawing.polar import AROUND, name_axes
+from tmmcalc.report.drawing.shapes import Area, Drawing, Hatching, Words
 from tmmcalc.report.numbers import number
 
 UNIFORM = 2  # number of the phase
 SMOOTH = 400  # steps of the curves
 ARMS = 5  # places in which the arm is drawn
-RAMP: dict[str, Any] = {"color": MARK, "linewidth": 1.8, "zorder": 5}
-EVEN: dict[str, Any] = {"color": PATH, "linewidth": 1.8, "zorder": 5}
-LIMB: dict[str, Any] = {"color": THIN, "linewidth": 1.4, "zorder": 3, "solid_capstyle": "round"}
-DOT: dict[str, Any] = {"markersize": 4.5, "zorder": 6}
-ZONE: dict[str, Any] = {"facecolor": "#ececec", "edgecolor": INK, "linewidth": 1.0, "hatch": "///", "zorder": 1}
-PHASE: dict[str, Any] = {"color": "#b8b8b8", "linewidth": 0.6, "zorder": 1}
+MARGIN = 9.0  # free border of the views [mm]
+HEADING = 12.0  # room of the heading [mm]
+RAMP = Pen("PATH_ACCELERATED", 0.6, colour="#d55e00")
+EVEN = Pen("PATH_UNIFORM", 0.6, colour="#0072b2")
+LIMB = Pen("ARM", 0.5, colour="#9a9a9a")
+ZONE = Pen("OBSTACLES", 0.35)
+FILL = "#ececec"
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage."""
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage."""
     from tmmcalc.manipulators.tables.tasks.manipulator import to_manipulator
 
-    return manipulator_figure(to_manipulator(order.spec), order.results["manipulator"])
+    return manipulator_drawing(to_manipulator(order.spec), order.results["manipulator"])
 
 
-def manipulator_figure(task: ManipulatorTask, result: Manipulator) -> Figure:
+def manipulator_drawing(task: ManipulatorTask, result: Manipulator) -> Drawing:
     """A sheet with the path, and one with gripper and joints over the time."""
-    figure, (first, second) = blank(2)
+    drawing, (first, second) = sheets(2)
     dense = solve_manipulator(replace(task, steps=task.steps * -(-SMOOTH // task.steps)))
-    first.suptitle(_heading(result), fontsize=10)
-    views = _draw_views(first, task, result, dense)
-    _draw_graphs(second, result, dense)
-    settle(figure)
-    for axes, places in views:
-        _name_ends(axes, places)
-    return figure
+    drawing.add(Words(complex(first.middle.real, first.top), _heading(result), 3.2, 1j))
+    _draw_views(drawing, first.inset(0, 0, 0, HEADING), task, result, dense)
+    _draw_graphs(drawing, second, result, dense)
+    return drawing
 
 
 def _heading(result: Manipulator) -> str:
@@ -64,27 +61,22 @@ def _heading(result: Manipulator) -> str:
     return f"Manipulator, {kind}, {problem}, T = {number(result.duration, 6)} s\n{colours}"
 
 
-def _draw_views(
-    sheet: SubFigure, task: ManipulatorTask, result: Manipulator, dense: Manipulator
-) -> list[tuple[Axes, Values]]:
+def _draw_views(drawing: Drawing, box: Box, task: ManipulatorTask, result: Manipulator, dense: Manipulator) -> None:
     """The vertical plane; in space the plan and the vertical plane that turns with the arm."""
     limbs = _limbs(dense)
     if not result.arm.spatial:
-        axes = sheet.subplots()
-        _draw_view(axes, result, dense, (result.gripper[0], dense.gripper[0]), limbs)
-        _draw_zones(axes, task.obstacles)
-        _name_axes(axes, "x", "y")
-        return [(axes, result.gripper[0])]
-    above, side = sheet.subplots(1, 2).tolist()
+        places = result.gripper[0], dense.gripper[0]
+        _draw_view(drawing, box, ("x", "y"), result, dense, places, limbs, task.obstacles)
+        return
+    left, right = box.split(1, 1, gap=4, across=True)
+    for part, title in ((left, "from above"), (right, "in the plane of the arm")):
+        drawing.add(Words(complex(part.middle.real, part.top), title, 2.8, 1j))
     plan, reach = ([view(each.gripper[0]) for each in (result, dense)] for view in (_from_above, _from_side))
-    _draw_view(above, result, dense, (plan[0], plan[1]), [limb[:2] for limb in limbs])
-    _draw_view(side, result, dense, (reach[0], reach[1]), [_turned(limb) for limb in limbs])
-    _name_axes(above, "x", "y")
-    _name_axes(side, "r", "z")
-    _draw_zones(above, task.obstacles)
-    above.set_title("from above")
-    side.set_title("in the plane of the arm")
-    return [(above, plan[0]), (side, reach[0])]
+    above, side = left.inset(0, 0, 0, 6), right.inset(0, 0, 0, 6)
+    flat = [limb[:2] for limb in limbs]
+    _draw_view(drawing, above, ("x", "y"), result, dense, (plan[0], plan[1]), flat, task.obstacles)
+    turned = [_turned(limb) for limb in limbs]
+    _draw_view(drawing, side, ("r", "z"), result, dense, (reach[0], reach[1]), turned, ())
 
 
 def _from_above(places: Values) -> Values:
@@ -93,11 +85,6 @@ def _from_above(places: Values) -> Values:
 
 def _from_side(places: Values) -> Values:
     return np.stack((np.hypot(places[0], places[1]), places[2]))
-
-
-def _name_axes(axes: Axes, across: str, up: str) -> None:
-    axes.set_xlabel(f"${across}$, m")
-    axes.set_ylabel(f"${up}$, m")
 
 
 def _turned(limb: Values) -> Values:
@@ -124,86 +111,76 @@ def _limbs(result: Manipulator) -> list[Values]:
 
 
 def _draw_view(
-    axes: Axes, result: Manipulator, dense: Manipulator, places: tuple[Values, Values], limbs: list[Values]
+    drawing: Drawing,
+    box: Box,
+    names: tuple[str, str],
+    result: Manipulator,
+    dense: Manipulator,
+    places: tuple[Values, Values],
+    limbs: list[Values],
+    obstacles: tuple[Obstacle, ...],
 ) -> None:
-    """Path by phases, points of equal time, the arm."""
-    for limb in limbs:
-        axes.plot(limb[0], limb[1], **LIMB)
-        axes.plot(limb[0, :-1], limb[1, :-1], "o", color=THIN, markersize=3.5, markerfacecolor="white", zorder=4)
-    dots, path = places
+    """Path by phases, points of equal time, the arm, what is in the way."""
+    dots, path = (row[0] + 1j * row[1] for row in places)
+    arms = [limb[0] + 1j * limb[1] for limb in limbs]
+    corners = [np.array(obstacle.corners) for obstacle in obstacles]
+    content = np.concatenate([path, *arms, *corners])
+    board = Board(drawing, box.inset(*AROUND, 1), content, MARGIN)
+    name_axes(board, names, float(np.max(np.abs(content))) or 1.0, "m")
+    for obstacle, z in zip(obstacles, corners, strict=True):
+        outline = board.paper(z)
+        drawing.add(Area(outline, FILL, ZONE), Hatching((outline,), pitch=2.5), level=1)
+        middle = complex(np.mean(outline))
+        drawing.add(Words(middle, obstacle.name, 2.3, clear=True), level=2)
+        board.labels.avoid([*outline, outline[0]])
+    for arm in arms:
+        board.line(arm, LIMB, level=3, weight=0.3)
+        for joint in arm[:-1].tolist():
+            board.circle(joint, 0.55, LIMB._replace(width=0.25), level=4)
     even = (dense.phase == UNIFORM) if dense.inverse else np.ones(len(dense.t), bool)
     ends = np.concatenate(([0], np.flatnonzero(np.diff(even)) + 1, [len(even)]))
     for low, high in pairwise(ends.tolist()):
-        axes.plot(path[0, low:high], path[1, low:high], **(EVEN if even[low] else RAMP))
+        board.line(path[low:high], EVEN if even[low] else RAMP, level=5)
     for k, label in enumerate(result.labels):
         if label.isdigit():
-            colour = EVEN if result.phase[k] == UNIFORM or not result.inverse else RAMP
-            axes.plot(dots[0, k], dots[1, k], "o", color=colour["color"], markerfacecolor="white", **DOT)
-    axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
-    axes.set_axisbelow(True)
-    axes.axhline(0, color="#333333", linewidth=0.8, zorder=1.5)
-    axes.axvline(0, color="#333333", linewidth=0.8, zorder=1.5)
-    axes.margins(0.1)
-    axes.set_aspect("equal", adjustable="datalim")
-
-
-def _draw_zones(axes: Axes, obstacles: tuple[Obstacle, ...]) -> None:
-    for obstacle in obstacles:
-        corners = np.array(obstacle.corners)
-        axes.add_patch(Polygon(np.column_stack((corners.real, corners.imag)), closed=True, **ZONE))
-        middle = complex(np.mean(corners))
-        box = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
-        axes.text(middle.real, middle.imag, obstacle.name, ha="center", va="center", fontsize=7, bbox=box, zorder=2)
-        axes.update_datalim(np.column_stack((corners.real, corners.imag)))
-
-
-def _name_ends(axes: Axes, places: Values) -> None:
-    labels = Labels(axes)
-    z = places[0] + 1j * places[1]
-    labels.avoid(z, 1.0)
+            pen = EVEN if result.phase[k] == UNIFORM or not result.inverse else RAMP
+            board.circle(complex(dots[k]), 0.7, pen._replace(width=0.3), level=6)
     for name, k in (("start", 0), ("end", -1)):
-        axes.plot(z[k].real, z[k].imag, "s", markersize=6, color=INK, markerfacecolor="white", zorder=7)
-        labels.put(name, [complex(z[k])], size=8, style="italic")
+        at = complex(dots[k])
+        here = board.place(at)
+        square = here + np.array([-1 - 1j, 1 - 1j, 1 + 1j, -1 + 1j])
+        drawing.add(Area(square, "#ffffff", MIDDLE._replace(colour=INK)), level=7)
+        board.labels.put(name, [here], gaps=(1.8, 2.8, 4.0))
 
 
-def _draw_graphs(sheet: SubFigure, result: Manipulator, dense: Manipulator) -> None:
+def _draw_graphs(drawing: Drawing, box: Box, result: Manipulator, dense: Manipulator) -> None:
     """Gripper on the left, joints on the right: values, rates, accelerations."""
-    left, right = sheet.subfigures(1, 2, squeeze=False)[0]
-    left.suptitle("Gripper", fontsize=9)
-    right.suptitle("Joints", fontsize=9)
+    left, right = box.split(1, 1, gap=4, across=True)
     axes = "xyz"[: result.gripper.shape[1]]
-    for order, panel in enumerate(_panels(left)):
-        unit = ("m", "m/s", "m/s²")[order]
-        symbol = ("", "v_", "a_")[order]
-        curves = [(f"${symbol}{name}$", row) for name, row in zip(axes, dense.gripper[order], strict=True)]
-        _draw_graph(panel, curves, unit, dense)
-    for order, panel in enumerate(_panels(right)):
-        unit = ("rad or m", "rad/s or m/s", "rad/s² or m/s²")[order]
-        dot = ("", "\\dot ", "\\ddot ")[order]
-        curves = [(f"${dot}{{{_symbol(name)}}}$", row) for name, row in zip(result.joints, dense.q[order], strict=True)]
-        _draw_graph(panel, curves, unit, dense)
+    gripper = [
+        Panel(unit, tuple((f"${symbol}{name}$", row) for name, row in zip(axes, dense.gripper[order], strict=True)))
+        for order, (symbol, unit) in enumerate((("", "m"), ("v_", "m/s"), ("a_", "m/s²")))
+    ]
+    rates = (("", "rad or m"), (", first derivative", "rad/s or m/s"), (", second derivative", "rad/s² or m/s²"))
+    joints = [
+        Panel(unit, tuple((f"${_symbol(name)}${said}", row) for name, row in zip(result.joints, values, strict=True)))
+        for (said, unit), values in zip(rates, dense.q, strict=True)
+    ]
+    instants = _instants(result)
+    for part, title, rows in ((left, "Gripper", gripper), (right, "Joints", joints)):
+        drawing.add(Words(complex(part.middle.real, part.top), title, 3.2, 1j))
+        marked(panels(drawing, part.inset(0, 0, 0, 6), dense.t, "$t$, s", rows), instants)
+
+
+def _instants(result: Manipulator) -> list[float]:
+    """Where phases begin and end."""
+    found = []
+    for law in (*(leg.law for leg in result.legs), *result.laws):
+        begin = next((leg.begin for leg in result.legs if leg.law is law), 0.0)
+        found += [begin + instant for instant in law.instants]
+    return found
 
 
 def _symbol(name: str) -> str:
     letter, _, index = name.partition("_")
-    return {"psi": r"\psi", "phi": r"\varphi"}.get(letter, letter) + (f"_{index}" if index else "")
-
-
-def _panels(part: SubFigure) -> list[Axes]:
-    panels: list[Axes] = part.subplots(3, 1).tolist()
-    return panels
-
-
-def _draw_graph(axes: Axes, curves: list[tuple[str, Values]], unit: str, result: Manipulator) -> None:
-    for k, (name, values) in enumerate(curves):
-        axes.plot(result.t, values, linewidth=1.3, zorder=4, label=name, **CURVES[k])
-    for law in (*(leg.law for leg in result.legs), *result.laws):
-        begin = next((leg.begin for leg in result.legs if leg.law is law), 0.0)
-        for instant in law.instants:
-            axes.axvline(begin + instant, **PHASE)
-    span = result.t if len(result.t) > 1 else np.array([0.0, 1.0])
-    frame(axes, unit, span, False, 0)
-    place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": 4}
-    axes.legend(handlelength=3, columnspacing=1.2, borderaxespad=0.3, **place)
-    bottom([axes], False)
-    axes.set_xlabel("$t$, s")
+    return {"psi": "ψ", "phi": "φ"}.get(letter, letter) + (f"_{index}" if index else "")

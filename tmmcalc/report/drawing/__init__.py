@@ -1,7 +1,9 @@
-"""Pictures of results, for people. matplotlib is needed only here, and only when a picture is drawn.
+"""Drawings in millimetres of paper: described once, written as SVG, PDF, DXF or PNG.
 
-The format follows the suffix of the file: svg, png or pdf. Equal inputs give equal bytes; the file is written in one
-step, and left alone if it has these bytes already.
+`shapes` are what a drawing is made of, `pens` the kinds of lines with their meaning, `lettering` measures words, `box`
+divides the page. `field` and `diagram` bring data to paper, `labels` finds room for names, `signs` are those of
+schemes. The form follows the suffix of the file. Equal drawings give equal bytes; the file is written in one step, and
+left alone if it has these bytes already.
 """
 
 from __future__ import annotations
@@ -14,38 +16,60 @@ from typing import TYPE_CHECKING
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from tmmcalc.report.drawing.shapes import Drawing
 
-FORMATS = ("svg", "png", "pdf")
+WRITERS = {  # the forms, and the package with its extra that each needs
+    "svg": ("", ""),
+    "png": ("pypdfium2", "plot"),
+    "pdf": ("reportlab", "plot"),
+    "dxf": ("ezdxf", "cad"),
+}
 
 
-def draw(file: Path, figure: Callable[[], Figure]) -> None:
-    """Write the figure that ``figure()`` makes.
+def draw(file: Path, make: Callable[[], Drawing]) -> None:
+    """Write the drawing that ``make()`` gives.
 
-    Raises `UsageError` for another suffix, a missing matplotlib, or a file that cannot be written.
+    Raises `UsageError` for another suffix, a missing package, or a file that cannot be written.
     """
     form = form_of(file)
-    check_matplotlib()
-    from tmmcalc.report.drawing.page import write
+    check_writer(form)
+    from tmmcalc.core.atomic import replace_file
 
-    write(file, form, figure)
+    replace_file(file, written(form, make()))
 
 
 def form_of(file: Path) -> str:
-    """The format that the suffix names."""
+    """The form that the suffix names; raises `UsageError` for another one."""
     form = file.suffix.lower().removeprefix(".")
-    if form not in FORMATS:
+    if form not in WRITERS:
         raise UsageError(
             f"no picture format for the suffix {file.suffix!r} of {file.name}",
             where="plot",
-            remedy=f"formats: {', '.join(FORMATS)}",
+            remedy=f"formats: {', '.join(WRITERS)}",
         )
     return form
 
 
-def check_matplotlib() -> None:
-    """Raise `UsageError` where matplotlib is not installed."""
-    if find_spec("matplotlib") is None:
+def check_writer(form: str) -> None:
+    """Raise `UsageError` where the package that writes this form is not installed."""
+    package, extra = WRITERS[form]
+    if package and find_spec(package) is None:
         from tmmcalc.core.installation import install
 
-        raise UsageError("pictures need matplotlib, which is not installed", where="plot", remedy=install("plot"))
+        said = f"pictures as {form} need {package}, which is not installed"
+        raise UsageError(said, where="plot", remedy=f"{install(extra)}; svg needs nothing")
+
+
+def written(form: str, drawing: Drawing) -> bytes:
+    """The bytes of a drawing in a form."""
+    if form == "svg":
+        from tmmcalc.report.drawing.svg import svg
+
+        return svg(drawing)
+    if form == "dxf":
+        from tmmcalc.report.drawing.dxf import dxf
+
+        return dxf(drawing)
+    from tmmcalc.report.drawing.pdf import pdf, png
+
+    return pdf(drawing) if form == "pdf" else png(drawing)

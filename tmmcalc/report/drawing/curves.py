@@ -3,22 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.lines import Line2D
-from matplotlib.ticker import FuncFormatter, MaxNLocator, MultipleLocator
 
 from tmmcalc.core.plane import Real
 from tmmcalc.core.records import record
-from tmmcalc.report.drawing.labels import Labels, signed
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.diagram import ROW, Axis, Curve, Diagram, key_rows, room
+from tmmcalc.report.drawing.pens import Pen
+from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.numbers import NOISE
 
-TICKS = 13  # ticks of the input coordinate that fit beside each other on the page
 DOTTED = 72  # more positions than this are not marked one by one
 PREFIXES = ((1e7, 1e-6, "M"), (1e4, 1e-3, "k"))
-SAME = 1e-3  # of the height of a diagram: nearer marks are one
+SIDES = (15.0, 3.0, 3.0, 2.0)  # room for numbers and names around a frame: left, bottom, right, top [mm]
+BELOW = 8.0  # and for those of the abscissa under the lowest
 
 
 @record
@@ -28,92 +27,102 @@ class Line:
     label: str
     values: Real
     nodes: Real
-    style: dict[str, Any]
+    pen: Pen
     marks: tuple[tuple[float, float], ...] = ()
 
 
 @record
-class Diagram:
+class Graph:
     """Curves of one quantity over phi [rad or m]: dense (m,), and at the positions (n,)."""
 
-    symbol: str
+    symbol: str  # as a formula without its signs
     unit: str
     turns: bool
     phi: Real
     phi_nodes: Real
     lines: tuple[Line, ...]
     digits: int = 4  # of marked values
+    title: str = ""  # above, on the right
+    ends: tuple[float, float] | None = None  # of the ordinate [SI]; None: all curves and zero, with air
+    key: tuple[tuple[str, Pen], ...] | None = None  # names above the frame; None: those of its lines
+    abscissa: str = ""  # name of the axis along; empty: that of the input coordinate
+    levels: tuple[tuple[float, Pen, str], ...] = ()  # heights [SI] with a line across and its name
 
     @property
     def scale(self) -> tuple[float, str]:
         """Factor from SI and the unit that is shown."""
         return suited(max(float(np.max(np.abs(line.values))) for line in self.lines), self.unit)
 
-    def draw(self, axes: Axes, ticks: int = TICKS) -> None:
-        """Curves and dots; texts follow by `label`, when the layout is settled."""
+    @property
+    def named(self) -> list[tuple[str, Pen]]:
+        """The names of its curves for a key."""
+        return [(line.label, line.pen) for line in self.lines if line.label] if self.key is None else [*self.key]
+
+    def draw(self, drawing: Drawing, box: Box, *, numbered: bool = True) -> Diagram:
+        """The diagram in a frame, with a key above it where its curves have names."""
         factor, unit = self.scale
-        x, nodes = coordinate(self.turns, self.phi), coordinate(self.turns, self.phi_nodes)
-        for line in self.lines:
-            axes.plot(x, line.values * factor, **{"linewidth": 1.3, "zorder": 4, **line.style})
-            if len(nodes) <= DOTTED:
-                dots = {"markersize": 2.2, "color": line.style["color"], "zorder": 5, "linestyle": ""}
-                axes.plot(nodes, line.nodes * factor, "o", **dots)
-        frame(axes, f"${self.symbol}$, {unit}", x, self.turns, ticks)
-        low, high = (choice([choice(line.values) for line in self.lines]) * factor for choice in (np.min, np.max))
-        if high > 0 and low > -NOISE * high:
-            axes.set_ylim(0.0, 1.15 * high)
-
-    def legend(self, axes: Axes, columns: int, **place: Any) -> None:
-        """The names of the curves, by default in a row above."""
-        handles = [Line2D([], [], label=line.label, **{"linewidth": 1.3, **line.style}) for line in self.lines]
-        place = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": columns, **place}
-        axes.legend(handles=handles, handlelength=3, columnspacing=1.2, borderaxespad=0.3, **place)
-
-    def label(self, axes: Axes) -> None:
-        """Mark and name the extremes; one that two curves share is named once."""
-        factor, _ = self.scale
-        labels, x = Labels(axes), coordinate(self.turns, self.phi)
-        for line in self.lines:
-            labels.avoid(x + 1j * line.values * factor, 0.7)
-        done: list[complex] = []
-        low, high = axes.get_ylim()
-        left, right = axes.get_xlim()
-        for line in self.lines:
-            for phi, value in line.marks:
-                value = 0.0 if abs(value) < NOISE * np.max(np.abs(line.values)) else value
-                at = complex(coordinate(self.turns, np.array(phi)), value * factor)
-                paper = complex(at.real / (right - left), at.imag / (high - low))
-                if all(abs(paper - other) > SAME for other in done):
-                    done.append(paper)
-                    mark(axes, labels, at, line.style, self.digits)
+        x, nodes = along_input(self.turns, self.phi), along_input(self.turns, self.phi_nodes)
+        values = [line.values * factor for line in self.lines]
+        low, high = room(values) if self.ends is None else (factor * self.ends[0], factor * self.ends[1])
+        along = input_axis(self.turns, x)
+        along = along._replace(name=self.abscissa or along.name)
+        up = Axis(f"${self.symbol}$, {unit}".removesuffix(", "), low, high)
+        diagram = Diagram(drawing, box, along, up, numbered=numbered)
+        for height, pen, _ in self.levels:
+            diagram.level(factor * height, pen)
+        if 0 < len(nodes) <= DOTTED:
+            for line in self.lines:
+                diagram.dots(nodes, line.nodes * factor, line.pen)
+        curves = []
+        for line, value in zip(self.lines, values, strict=True):
+            places = along_input(self.turns, np.array([phi for phi, _ in line.marks]))
+            heights = [0.0 if abs(v) < NOISE * np.max(np.abs(line.values)) else v * factor for _, v in line.marks]
+            marks = tuple(complex(at, height) for at, height in zip(places.tolist(), heights, strict=True))
+            curves.append(Curve(line.label, value, line.pen, marks))
+        diagram.draw(x, curves, key=False, digits=self.digits)
+        if self.named:
+            diagram.key(self.named)
+        for height, pen, name in self.levels:
+            diagram.name_level(factor * height, name, pen.colour)
+        return diagram
 
 
-def coordinate(turns: bool, phi: Real) -> Real:
+def column(drawing: Drawing, box: Box, graphs: Sequence[Graph], heights: Sequence[float] = ()) -> list[Diagram]:
+    """Diagrams of one abscissa, one under another, in these proportions; its numbers stand under the lowest."""
+    rows = [len(key_rows(graph.named, box.width - SIDES[0] - SIDES[2])) + bool(graph.title) for graph in graphs]
+    found = []
+    for k, (graph, head, place) in enumerate(zip(graphs, rows, stacked(box, rows, heights), strict=True)):
+        found.append(graph.draw(drawing, place, numbered=k + 1 == len(graphs)))
+        if graph.title:
+            drawing.add(Words(complex(place.right, place.top + SIDES[3] + ROW * head), graph.title, 2.5, 1 + 1j))
+    return found
+
+
+def stacked(box: Box, rows: Sequence[int], heights: Sequence[float] = ()) -> list[Box]:
+    """Frames of diagrams one under another, in these proportions, with so many rows of words above each of them.
+
+    Numbers and names of the axes have room around; those of the abscissa stand under the lowest frame alone.
+    """
+    left, bottom, right, top = SIDES
+    parts = heights or [1.0] * len(rows)
+    free = box.height - BELOW - ROW * sum(rows) - (top + bottom) * len(rows)
+    found, at = [], box.top
+    for row, part in zip(rows, parts, strict=True):
+        high = at - top - ROW * row
+        low = high - free * part / sum(parts)
+        found.append(Box(box.left + left, low, box.right - right, high))
+        at = low - bottom
+    return found
+
+
+def along_input(turns: bool, phi: Real) -> Real:
     """The input coordinate as it is drawn: degrees or mm."""
     return np.degrees(phi) if turns else phi * 1000
 
 
-def frame(axes: Axes, label: str, x: Real, turns: bool, ticks: int) -> None:
-    """Zero line, grid and ticks of one diagram; the numbers along x belong to the undermost alone."""
-    axes.axhline(0, color="#333333", linewidth=0.8, zorder=1.5)
-    axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
-    axes.set_axisbelow(True)
-    axes.set_xlim(x[0], x[-1])
-    axes.margins(y=0.2)
-    axes.set_ylabel(label)
-    if turns:
-        turn = abs(x[-1] - x[0])
-        axes.xaxis.set_major_locator(MultipleLocator(next((s for s in (5, 10, 15, 30, 60) if turn / s <= ticks), 90)))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 6)))
-    axes.yaxis.set_major_locator(MaxNLocator(6))
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda v, _: signed(v, 6)))
-    axes.tick_params(length=2.5, labelbottom=False)
-
-
-def bottom(panels: Sequence[Axes], turns: bool) -> None:
-    """The numbers along x and their name."""
-    panels[-1].tick_params(labelbottom=True)
-    panels[-1].set_xlabel("$\\varphi$, °" if turns else "$s - s_0$, mm")
+def input_axis(turns: bool, x: Real) -> Axis:
+    """The axis of the input coordinate."""
+    return Axis("$φ$, °" if turns else "$s − s_0$, mm", float(x[0]), float(x[-1]), turns)
 
 
 def suited(peak: float, unit: str) -> tuple[float, str]:
@@ -124,11 +133,3 @@ def suited(peak: float, unit: str) -> tuple[float, str]:
     """
     written = unit.replace("*", "·").replace("^2", "²")
     return next(((factor, prefix + written) for least, factor, prefix in PREFIXES if peak >= least), (1.0, written))
-
-
-def mark(axes: Axes, labels: Labels, at: complex, style: dict[str, Any], digits: int = 4) -> None:
-    """A diamond on an extreme value, with the number where it covers least."""
-    color = style["color"]
-    axes.plot(at.real, at.imag, "D", markersize=3.6, markerfacecolor="white", color=color, zorder=6, clip_on=False)
-    prefer = 1j if at.imag >= 0 else -1j
-    labels.put(signed(at.imag, digits), [at], size=7, prefer=prefer, gaps=(1.1, 1.8, 2.8, 4.0), color=color)

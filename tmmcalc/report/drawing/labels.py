@@ -1,90 +1,142 @@
-"""Texts that keep clear of what is drawn and of each other.
+"""Names that keep clear of what is drawn and of each other.
 
-Everything is measured on paper in mm: a text tries places around its anchors and takes the one where it
-covers least. The layout of the figure must be settled before.
+Everything is in mm of paper: a name tries places around its anchors and takes the one where it covers least. What then
+still covers another name or a line stands in `Labels.faults`, for the drawing's own warning.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.font_manager import FontProperties
-from matplotlib.patheffects import withStroke
-from matplotlib.textpath import TextPath
 
 from tmmcalc.core.plane import Plane, Real
-from tmmcalc.report.drawing.style import INK
-from tmmcalc.report.numbers import number
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.lettering import extent, width
+from tmmcalc.report.drawing.pens import INK, THIN, WHITE
+from tmmcalc.report.drawing.shapes import Arc, Drawing, Words
 
-MM = 25.4
 NEAR = 20.0  # what lies farther from an anchor cannot be covered [mm]
-BEYOND = 100.0  # of what is drawn beyond the axes so much counts as near to them [mm]
 STEP = 0.5  # spacing of the points that stand for a line [mm]
+AIR = 0.4  # between a name and what is around it [mm]
 CLEARLY = 0.8  # so much nearer to its own stroke than to another a name is told apart [mm]
 ASTRAY = 15.0  # what a mm less costs
 WRONG = 50.0  # and what it costs to be nearer to another one
-RING = 0.33  # radius of the ring around a number, mm to a point of its size
-NUMBERED = re.compile("([A-Za-z])([0-9]+'*)")  # a name that reads as a letter with an index
+OUTSIDE = 60.0  # what it costs to reach over the border
+COVERED = 4.0  # covering more than this is a fault
+LEVEL = 20.0  # names stand over all else
 AROUND = np.exp(1j * np.radians([45, 135, -45, -135, 90, 0, 180, -90, 22, 68, 112, 158, -22, -68, -112, -158]))
 
 
-class Labels:
-    """The texts of one axes."""
+class Fault(NamedTuple):
+    """A name that found no free place."""
 
-    def __init__(self, axes: Axes) -> None:
-        self.axes = axes
-        self._to_mm = MM / axes.figure.dpi
+    text: str
+    at: complex  # on paper
+    cost: float
+
+
+class Labels:
+    """The names of one field."""
+
+    def __init__(self, drawing: Drawing, box: Box) -> None:
+        self.drawing, self.box = drawing, box
+        self.faults: list[Fault] = []
+        self.count = 0
         self._points: list[Plane] = []
         self._weights: list[Real] = []
         self._taken: list[tuple[float, float, float, float]] = []
-        box = axes.get_window_extent()
-        self._frame = tuple(v * self._to_mm for v in (box.x0, box.x1, box.y0, box.y1))
-
-    def _paper(self, z: Plane) -> Plane:
-        xy = self.axes.transData.transform(np.column_stack((z.real, z.imag))) * self._to_mm
-        return np.asarray(xy[:, 0] + 1j * xy[:, 1])
-
-    def _data(self, at: complex) -> tuple[float, float]:
-        x, y = self.axes.transData.inverted().transform((at.real / self._to_mm, at.imag / self._to_mm))
-        return float(x), float(y)
 
     def avoid(self, line: Iterable[complex], weight: float = 1.0) -> None:
-        """Keep clear of this line (data coordinates), the more the greater the weight."""
-        z = self._paper(np.atleast_1d(np.asarray(list(line), dtype=complex)))
+        """Keep clear of this line on paper, the more the greater the weight."""
+        z = np.atleast_1d(np.asarray(list(line), dtype=complex))
         pieces = [z[:1]]
         for a, b in pairwise(z):
-            first, last = self._within(a, b)
-            count = max(1, int(abs(b - a) * (last - first) / STEP))
-            pieces.append(a + (b - a) * (first + (last - first) * np.arange(1, count + 1) / count))
+            count = max(1, int(abs(b - a) / STEP))
+            pieces.append(a + (b - a) * np.arange(1, count + 1) / count)
         points = np.concatenate(pieces)
         self._points.append(points)
         self._weights.append(np.full(len(points), weight))
 
-    def _within(self, a: complex, b: complex) -> tuple[float, float]:
-        """The part of a line on paper, from 0 to 1, that may come near to the axes.
+    def keep(self, corners: Plane) -> None:
+        """Keep a rectangle free of names, as of one that stands there."""
+        low, high = corners.real.min(), corners.real.max()
+        self._taken.append((float(low), float(high), float(corners.imag.min()), float(corners.imag.max())))
 
-        A steep curve leaves them by kilometres, which would take points by the hundred million.
+    def crowded(self, line: Sequence[complex], reach: float) -> float:
+        """How much of what is drawn lies within ``reach`` mm of a line on paper, by weight."""
+        count = max(2, int(abs(line[-1] - line[0]) / STEP))
+        along = line[0] + (line[-1] - line[0]) * np.linspace(0, 1, count)
+        points, weights = self._around(along, reach)
+        near = np.min(np.abs(points[:, None] - along), axis=1, initial=np.inf) < reach
+        outside = (along.real < self.box.left) | (along.real > self.box.right)
+        outside |= (along.imag < self.box.bottom) | (along.imag > self.box.top)
+        return float(weights[near].sum() + OUTSIDE * outside.any())
+
+    def put(
+        self,
+        text: str,
+        anchors: Iterable[complex],
+        *,
+        height: float = 2.5,
+        gaps: tuple[float, ...] = (0.9, 1.7, 2.8),
+        prefer: complex = 1 + 1j,
+        ring: bool = False,
+        colour: str = INK,
+        own: Sequence[complex] = (),
+        others: Sequence[Sequence[complex]] = (),
+    ) -> complex:
+        """Write a name near one of the anchors on paper, ``gaps`` mm away; a ``ring`` goes around it. Its middle.
+
+        ``own`` is the stroke, from end to end, that it names among the ``others``: it stands nearer to that one.
         """
-        x0, x1, y0, y1 = self._frame
-        first, last = 0.0, 1.0
-        for low, high, start, way in (
-            (x0 - BEYOND, x1 + BEYOND, a.real, (b - a).real),
-            (y0 - BEYOND, y1 + BEYOND, a.imag, (b - a).imag),
-        ):
-            if way:
-                ends = sorted(((low - start) / way, (high - start) / way))
-                first, last = max(first, ends[0]), min(last, ends[1])
-            elif not low <= start <= high:
-                return 0.0, 0.0
-        return (first, last) if first < last else (0.0, 0.0)
+        above, below = extent(text, height)
+        half = (width(text, height) / 2, (above + below) / 2)
+        radius = max(abs(complex(*half)) + 0.4, 0.95 * height)
+        half = (radius, radius) if ring else half
+        strokes = [np.array([stroke[0], stroke[-1]], complex) for stroke in (own, *others) if len(stroke)]
+        centres, costs = [], []
+        for rank, anchor in enumerate(anchors):
+            tried, cost = self._tried(complex(anchor), half, gaps, prefer)
+            if len(own):
+                cost = cost + _astray(tried, strokes)
+            centres.append(tried)
+            costs.append(cost + 0.4 * rank)
+        every = np.concatenate(costs)
+        best = int(np.argmin(every))
+        at = complex(np.concatenate(centres)[best])
+        self.count += 1
+        if every[best] > COVERED:
+            self.faults.append(Fault(text, at, float(every[best])))
+        self._taken.append((at.real - half[0], at.real + half[0], at.imag - half[1], at.imag + half[1]))
+        if ring:
+            self.drawing.add(Arc(at, radius, THIN, fill=WHITE), level=LEVEL)
+        self.drawing.add(Words(at, text, height, colour=colour, clear=not ring), level=LEVEL)
+        return at
+
+    def put_where_free(
+        self,
+        text: str,
+        anchor: complex,
+        *,
+        height: float = 2.5,
+        gaps: tuple[float, ...] = (0.9, 1.7, 2.8),
+        prefer: complex = 1 + 1j,
+        colour: str = INK,
+    ) -> complex | None:
+        """Write a name that may be left out: its middle, or None where no place around the anchor is free."""
+        above, below = extent(text, height)
+        _, cost = self._tried(anchor, (width(text, height) / 2, (above + below) / 2), gaps, prefer)
+        if float(cost.min()) > COVERED:
+            return None
+        return self.put(text, [anchor], height=height, gaps=gaps, prefer=prefer, colour=colour)
 
     def _around(self, line: Plane, reach: float) -> tuple[Plane, Real]:
         """The points that stand for what is drawn, with their weights: those within ``reach`` mm of a line and more."""
+        if not self._points:
+            return np.empty(0, complex), np.empty(0)
         if len(self._points) > 1:
             self._points, self._weights = [np.concatenate(self._points)], [np.concatenate(self._weights)]
         (points,), (weights,) = self._points, self._weights
@@ -93,85 +145,32 @@ class Labels:
         inside &= (points.imag > line.imag.min() - beyond) & (points.imag < line.imag.max() + beyond)
         return points[inside], weights[inside]
 
-    def crowded(self, line: Iterable[complex], reach: float) -> float:
-        """How much of what is drawn lies within ``reach`` mm of a line (data coordinates), by weight."""
-        z = self._paper(np.array(list(line), dtype=complex))
-        first, last = self._within(z[0], z[-1])
-        count = max(2, int(abs(z[-1] - z[0]) * (last - first) / STEP))
-        along = z[0] + (z[-1] - z[0]) * np.linspace(first, last, count)
-        points, weights = self._around(along, reach)
-        near = np.min(np.abs(points[:, None] - along), axis=1) < reach
-        x0, x1, y0, y1 = self._frame
-        outside = (along.real < x0) | (along.real > x1) | (along.imag < y0) | (along.imag > y1)
-        return float(weights[near].sum() + 60.0 * outside.any())
-
-    def put(
-        self,
-        text: str,
-        anchors: Iterable[complex],
-        *,
-        size: float = 8.0,
-        gaps: tuple[float, ...] = (1.5, 2.4, 3.6),
-        prefer: complex = 1 + 1j,
-        ring: bool = False,
-        own: Sequence[complex] = (),
-        others: Sequence[Sequence[complex]] = (),
-        **style: Any,
-    ) -> None:
-        """Write a text near one of the anchors (data coordinates), ``gaps`` mm away; a ``ring`` goes around it.
-
-        ``own`` is the stroke, from end to end, that it names among the ``others``: it stands nearer to that one.
-        """
-        half = (RING * size, RING * size) if ring else half_size(text, size)
-        strokes = [self._paper(np.array([line[0], line[-1]], dtype=complex)) for line in (own, *others) if len(line)]
-        centres, costs = [], []
-        for rank, anchor in enumerate(self._paper(np.array(list(anchors), dtype=complex))):
-            tried, cost = self._tried(complex(anchor), half, gaps, prefer)
-            if own:
-                cost += _astray(tried, strokes)
-            centres.append(tried)
-            costs.append(cost + 0.4 * rank)
-        at = complex(np.concatenate(centres)[int(np.argmin(np.concatenate(costs)))])
-        self._taken.append((at.real - half[0], at.real + half[0], at.imag - half[1], at.imag + half[1]))
-        box = {"boxstyle": "circle,pad=0.22", "fc": "white", "ec": INK, "lw": 0.6} if ring else None
-        halo = [] if ring else [withStroke(linewidth=1.6, foreground="white")]
-        level = "center" if text.startswith("$") else "center_baseline"
-        style = {"color": INK, "zorder": 20, "path_effects": halo, **style}
-        self.axes.text(*self._data(at), text, fontsize=size, ha="center", va=level, bbox=box, **style)
-
     def _tried(
         self, anchor: complex, half: tuple[float, float], gaps: tuple[float, ...], prefer: complex
     ) -> tuple[Plane, Real]:
-        """Centres of the text around an anchor and what each would cost."""
+        """Centres of the name around an anchor and what each would cost."""
         centres = np.concatenate([anchor + _outward(AROUND, half, gap) for gap in gaps])
         liking = np.tile((AROUND * np.conj(prefer / abs(prefer))).real, len(gaps))
         distance = np.repeat(np.arange(len(gaps)), len(AROUND))
         return centres, self._covered(anchor, centres, half) + 0.8 * distance - 0.5 * liking
 
     def _covered(self, anchor: complex, centres: Plane, half: tuple[float, float]) -> Real:
-        width, height = half[0] + 0.4, half[1] + 0.4
-        cost = np.zeros(len(centres))
-        if self._points:
-            points, weights = self._around(np.array([anchor]), NEAR + width)
-            near = np.abs(points - anchor) < NEAR + width
-            away = points[near][None, :] - centres[:, None]
-            cost += ((np.abs(away.real) < width) & (np.abs(away.imag) < height)) @ weights[near]
+        wide, high = half[0] + AIR, half[1] + AIR
+        points, weights = self._around(np.array([anchor]), NEAR + wide)
+        away = points[None, :] - centres[:, None]
+        cost = ((np.abs(away.real) < wide) & (np.abs(away.imag) < high)) @ weights
         for x0, x1, y0, y1 in self._taken:
-            over_x = np.minimum(centres.real + width, x1) - np.maximum(centres.real - width, x0)
-            over_y = np.minimum(centres.imag + height, y1) - np.maximum(centres.imag - height, y0)
-            cost += np.where((over_x > 0) & (over_y > 0), 12 + 4 * over_x * over_y, 0.0)
-        x0, x1, y0, y1 = self._frame
-        outside = (
-            (centres.real - width < x0)
-            | (centres.real + width > x1)
-            | (centres.imag - height < y0)
-            | (centres.imag + height > y1)
-        )
-        return np.asarray(cost + 60.0 * outside)
+            over_x = np.minimum(centres.real + wide, x1) - np.maximum(centres.real - wide, x0)
+            over_y = np.minimum(centres.imag + high, y1) - np.maximum(centres.imag - high, y0)
+            cost = cost + np.where((over_x > 0) & (over_y > 0), 12 + 4 * over_x * over_y, 0.0)
+        box = self.box
+        outside = (centres.real - wide < box.left) | (centres.real + wide > box.right)
+        outside |= (centres.imag - high < box.bottom) | (centres.imag + high > box.top)
+        return np.asarray(cost + OUTSIDE * outside)
 
 
 def _astray(centres: Plane, strokes: Sequence[Plane]) -> Real:
-    """What it costs a text to stand nearer to another stroke than to its own, the first of them."""
+    """What it costs a name to stand nearer to another stroke than to its own, the first of them."""
     own, *others = (_distance(centres, stroke) for stroke in strokes)
     nearest = np.min(others, axis=0) if others else np.full(len(centres), np.inf)
     short = np.maximum(CLEARLY - (nearest - own), 0.0)
@@ -189,43 +188,3 @@ def _distance(at: Plane, stroke: Plane) -> Real:
 def _outward(directions: Plane, half: tuple[float, float], gap: float) -> Plane:
     """Centre of a box whose border stands ``gap`` from the anchor along each direction."""
     return directions * gap + directions.real * half[0] + 1j * directions.imag * half[1]
-
-
-def half_size(text: str, size: float) -> tuple[float, float]:
-    """Half width and height of a line of text [mm]."""
-    box = TextPath((0, 0), text, size=size, prop=FontProperties(family="DejaVu Sans")).get_extents()
-    points = MM / 72
-    return box.width * points / 2, max(box.height, 0.72 * size) * points / 2
-
-
-def signed(value: float, digits: int = 7) -> str:
-    """A number with a true minus sign."""
-    return number(value, digits).replace("-", "\N{MINUS SIGN}")
-
-
-def upright(name: str) -> str:
-    """A name inside a formula; its underscores are letters there.
-
-    >>> upright("B_0")
-    '\\\\mathrm{B\\\\_0}'
-    """
-    return rf"\mathrm{{{escaped(name)}}}"
-
-
-def escaped(name: str) -> str:
-    """A name whose underscores do not begin an index."""
-    return name.replace("_", r"\_")
-
-
-def symbol(letter: str, index: str = "") -> str:
-    """The sign of a force as a formula: one letter with its index, or a longer name as it is.
-
-    >>> symbol("R", "21"), symbol("Q5"), symbol("gas")
-    ('$R_{\\\\mathrm{21}}$', '$Q_{\\\\mathrm{5}}$', 'gas')
-    """
-    numbered = NUMBERED.fullmatch(letter)
-    if not index and numbered:
-        letter, index = numbered[1], numbered[2]
-    if len(letter) > 1:
-        return letter
-    return f"${letter}_{{{upright(index)}}}$" if index else f"${letter}$"

@@ -1,68 +1,31 @@
-"""The page: sheets of A4 landscape, one under another, so that scales hold on paper."""
+"""The page of a picture: sheets of A4 landscape, one under another, so that scales hold on paper."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from io import BytesIO
-from pathlib import Path
-from typing import Any
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.lettering import width as width_of
+from tmmcalc.report.drawing.shapes import Drawing, Words
 
-import matplotlib
-import numpy as np
-from matplotlib.figure import Figure, SubFigure
-from matplotlib.layout_engine import ConstrainedLayoutEngine
-
-from tmmcalc.core.atomic import replace_file
-from tmmcalc.report.drawing.style import RC, SHEET
-
-PLACES = 9  # decimals of places on the figure, in parts of it
-UNDATED: dict[str, dict[str, Any]] = {
-    "svg": {"Date": None},
-    "pdf": {"CreationDate": None, "ModDate": None},
-    "png": {},
-}
+A4 = (297.0, 210.0)  # [mm]
+BORDER = 7.0  # free on all sides [mm]
 
 
-def write(file: Path, form: str, make: Callable[[], Figure]) -> None:
-    """Write the figure in this format, in one step; a file that has these bytes already is left alone."""
-    replace_file(file, picture(form, make))
+def sheets(count: int, title: str = "") -> tuple[Drawing, list[Box]]:
+    """An empty drawing of so many sheets, and the free rectangle of each, the first on top."""
+    wide, high = A4
+    drawing = Drawing(wide, count * high, title)
+    boxes = [Box(0.0, k * high, wide, (k + 1) * high).inset(*4 * (BORDER,)) for k in range(count)]
+    return drawing, boxes[::-1]
 
 
-def picture(form: str, make: Callable[[], Figure], others: Mapping[str, Any] | None = None) -> bytes:
-    """The bytes of the figure that ``make`` draws; they depend on it and the versions of the programs alone.
-
-    ``others`` are settings of matplotlib beside those of the program.
-    """
-    settings: Any = {k: v for k, v in matplotlib.rcParamsDefault.items() if not k.startswith("backend")}
-    settings.update(RC | dict(others or {}))
-    with matplotlib.rc_context(settings):
-        buffer = BytesIO()
-        make().savefig(buffer, format=form, metadata=UNDATED[form])
-    return buffer.getvalue()
+def titled(title: str, height: float = 3.5) -> tuple[Drawing, Box]:
+    """One sheet with a title of one or several lines on top, smaller if too wide, and the free rectangle under it."""
+    drawing, (box,) = sheets(1)
+    return drawing, headed(drawing, box, title, height)
 
 
-def blank(sheets: int) -> tuple[Figure, list[SubFigure]]:
-    """An empty figure of so many sheets."""
-    width, height = SHEET
-    figure = Figure(figsize=(width, sheets * height), layout=ConstrainedLayoutEngine(w_pad=0.1, h_pad=0.1))
-    return figure, list(figure.subfigures(sheets, 1, squeeze=False)[:, 0])
-
-
-def settle(figure: Figure) -> None:
-    """Let the constrained layout place the axes once; what follows is drawn in mm of paper."""
-    layout = figure.get_layout_engine()
-    if layout is not None:
-        layout.execute(figure)
-    figure.set_layout_engine("none")
-    _round(figure)
-
-
-def _round(figure: Figure | SubFigure) -> None:
-    """Round all places: the layout's solver leaves last digits that differ from run to run."""
-    for part in figure.subfigs:
-        box = part.bbox_relative
-        box.p0, box.p1 = np.round(box.p0, PLACES), np.round(box.p1, PLACES)
-        _round(part)
-    if isinstance(figure, Figure):
-        for axes in figure.axes:
-            axes.set_position(np.round(axes.get_position().bounds, PLACES).tolist())
+def headed(drawing: Drawing, box: Box, title: str, height: float = 3.5) -> Box:
+    """Write a title on top of a rectangle, smaller where it is too long; what is free under it."""
+    size = height * min(1.0, box.width / width_of(title, height))
+    drawing.add(Words(complex(box.middle.real, box.top), title, size, 1j))
+    return box.inset(0, 0, 0, height * (1.3 + 1.75 * title.count("\n")) + 2.5)

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
+from functools import partial
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure, SubFigure
 
 from tmmcalc.core.numerics.panels import Values
-from tmmcalc.report.drawing.axes import diagram, levels, marked, spread
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.diagram import HEIGHT, key_above
+from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.style import CURVES, INK, MARK
+from tmmcalc.report.drawing.panels import Panel, marked, panels
+from tmmcalc.report.drawing.pens import AXIS, CURVES, GRID, MARK, MIDDLE, THIN
+from tmmcalc.report.drawing.polar import AROUND, name_axes
+from tmmcalc.report.drawing.shapes import Area, Drawing, Words
 from tmmcalc.report.numbers import number
 from tmmcalc.vibration.pictures.sheets import Sheet, sheets_of
 from tmmcalc.vibration.vibrator.results import Curve, MotorStart, Start, VibratorResult
@@ -19,113 +22,127 @@ from tmmcalc.vibration.vibrator.task import COORDINATES, UNITS
 
 SHIFTS = [k for k, unit in enumerate(UNITS) if unit == "m"]
 TURNS = [k for k, unit in enumerate(UNITS) if unit == "rad"]
+NAMES = ("x", "y", "φ", "θ_x", "θ_y", "z", "γ")
 LOWEST = 1e-4  # of the largest amplitude that is drawn
 RPM = 30 / np.pi
 ENLARGED = 0.35  # of the part's size: how large the widest path is drawn
+ABOVE = np.array([1.0, 1j, 0.0])  # directions on paper of x, y, z: seen from above,
+ASLANT = np.array([np.exp(-1j * np.pi / 12), 0.55 * np.exp(1j * np.pi / 5), 1j])  # and aslant
+MARGIN = 9.0  # free border of the paths [mm]
 
 
-def figure(order: Order) -> Figure:
-    """The figure of the stage."""
-    return vibrator_figure(order.results["vibrator"])
+def figure(order: Order) -> Drawing:
+    """The drawing of the stage."""
+    return vibrator_drawing(order.results["vibrator"])
 
 
-def vibrator_figure(result: VibratorResult) -> Figure:
+def vibrator_drawing(result: VibratorResult) -> Drawing:
     """A sheet each of modes, resonance curve, starts and paths, as far as there are results."""
-    sheets: list[Sheet] = [("Natural modes", lambda sheet: _modes(sheet, result))]
+    content: list[Sheet] = [("Natural modes", partial(_modes, result=result))]
     if result.curve is not None:
-        curve = result.curve
-        sheets.append(("Resonance curve", lambda sheet: _curve(sheet, result, curve)))
+        content.append(("Resonance curve", partial(_curve, result=result, curve=result.curve)))
     if result.run_up is not None:
-        start = result.run_up
-        sheets.append(("Start with a given angle of the rotor", lambda sheet: _start(sheet, result, start)))
+        content.append(("Start with a given angle of the rotor", partial(_start, result=result, start=result.run_up)))
     if result.drive is not None:
-        drive = result.drive
-        sheets.append(("Start by the motor", lambda sheet: _start(sheet, result, drive)))
+        content.append(("Start by the motor", partial(_start, result=result, start=result.drive)))
     if result.paths:
-        sheets.append(("Paths of points of the part in steady motion", lambda sheet: _paths(sheet, result)))
-    return sheets_of(sheets)
+        content.append(("Paths of points of the part in steady motion", partial(_paths, result=result)))
+    return sheets_of(content)
 
 
-def _modes(sheet: SubFigure, result: VibratorResult) -> None:
+def _modes(drawing: Drawing, box: Box, result: VibratorResult) -> None:
     """Bars of the shapes, turns by what they move at the rods' radius against the largest displacement."""
-    grid = sheet.subplots(2, 4)
     arm = 1 / float(np.max(np.abs(result.shapes[TURNS]))) if np.any(result.shapes[TURNS]) else 1.0
-    weights = [1.0 if unit == "m" else arm for unit in UNITS]
-    names = ["$x$", "$y$", r"$\varphi$", r"$\theta_x$", r"$\theta_y$", "$z$", r"$\gamma$"]
-    for k, axes in enumerate(grid.flat):
-        if k >= len(COORDINATES):
-            axes.axis("off")
-            continue
-        colors = [CURVES[0]["color"] if unit == "m" else CURVES[1]["color"] for unit in UNITS]
-        axes.bar(names, result.shapes[:, k] * weights, color=colors, width=0.6, zorder=3)
-        axes.axhline(0, color=INK, linewidth=0.8)
-        axes.set_ylim(-1.15, 1.15)
+    weights = np.array([1.0 if unit == "m" else arm for unit in UNITS])
+    places = [part for row in box.split(1, 1, gap=4) for part in row.split(1, 1, 1, 1, gap=4, across=True)]
+    for k, part in enumerate(places[: len(COORDINATES)]):
         hertz = float(result.frequency[k]) / (2 * np.pi)
-        axes.set_title(f"{k + 1}: {number(hertz, 5)} Hz, {number(60 * hertz, 5)} rpm", fontsize=8)
-        axes.grid(True, axis="y", linewidth=0.35, color="#d0d0d0", zorder=0)
+        title = f"{k + 1}: {number(hertz, 5)} Hz, {number(60 * hertz, 5)} rpm"
+        drawing.add(Words(complex(part.middle.real, part.top), title, 2.4, 1j))
+        _bars(drawing, part.inset(2, 8, 2, 7), result.shapes[:, k] * weights)
 
 
-def _curve(sheet: SubFigure, result: VibratorResult, curve: Curve) -> None:
-    upper, lower = sheet.subplots(2, 1, sharex=True)
-    for axes, rows, factor, label, first in (
-        (upper, SHIFTS, 1e3, "amplitude, mm", 0),
-        (lower, TURNS, 180 / np.pi, "amplitude, °", 3),
-    ):
-        lines = [(COORDINATES[k], factor * curve.amplitude[k]) for k in rows if np.any(curve.amplitude[k] > 0)]
-        if not lines:
-            continue
-        top = max(float(np.max(values)) for _, values in lines)
-        diagram(axes, curve.omega * RPM, lines, label, first=first, logarithmic=True)
-        axes.set_ylim(LOWEST * top, 2 * top)
-        marked(axes, (result.frequency * RPM).tolist())
+def _bars(drawing: Drawing, frame: Box, values: Values) -> None:
+    pitch, unit = frame.width / len(values), frame.height / 2.3
+    zero = frame.middle.imag
+    for level in (-1.0, 0.0, 1.0):
+        y = zero + level * unit
+        drawing.line([complex(frame.left, y), complex(frame.right, y)], GRID if level else MIDDLE, level=1)
+    for k, value in enumerate(values.tolist()):
+        x, half = frame.left + (k + 0.5) * pitch, 0.3 * pitch
+        corners = np.array(
+            [complex(x + s * half, zero + h * unit) for s, h in ((-1, 0), (1, 0), (1, value), (-1, value))]
+        )
+        drawing.add(Area(corners, CURVES[0 if UNITS[k] == "m" else 1].colour))
+        drawing.add(Words(complex(x, frame.bottom - 1.5), f"${NAMES[k]}$", HEIGHT, 1j))
+
+
+def _curve(drawing: Drawing, box: Box, result: VibratorResult, curve: Curve) -> None:
+    rows = []
+    for of, factor, label, first in ((SHIFTS, 1e3, "amplitude, mm", 0), (TURNS, 180 / np.pi, "amplitude, °", 3)):
+        lines = tuple((COORDINATES[k], factor * curve.amplitude[k]) for k in of if np.any(curve.amplitude[k] > 0))
+        if lines:
+            top = max(float(np.max(values)) for _, values in lines)
+            rows.append(Panel(label, lines, first, True, (LOWEST * top, 2 * top)))
+    found = panels(drawing, box, curve.omega * RPM, "speed of the rotor, rpm", rows)
+    marked(found, (result.frequency * RPM).tolist())
+    for field in found:
         if result.steady is not None:
-            axes.axvline(result.steady.speed * RPM, color=MARK, linewidth=1.0, zorder=2)
-    lower.set_xlabel("speed of the rotor, rpm")
+            field.vertical(result.steady.speed * RPM, MARK)
 
 
-def _start(sheet: SubFigure, result: VibratorResult, start: Start | MotorStart) -> None:
-    speed, shifts, turns = sheet.subplots(3, 1, sharex=True)
+def _start(drawing: Drawing, box: Box, result: VibratorResult, start: Start | MotorStart) -> None:
     course = start.course
-    diagram(speed, course.t, [("rotor", course.omega * RPM)], "speed, rpm")
+    rows = [
+        Panel("speed, rpm", (("rotor", course.omega * RPM),)),
+        Panel("mm", _moved(course.q, SHIFTS, 1e3)),
+        Panel("°", _moved(course.q, TURNS, 180 / np.pi), 3),
+    ]
+    speed, *_ = panels(drawing, box, course.t, "$t$, s", rows)
     reached = float(np.max(course.omega)) * RPM
-    own = [(k, w) for k, w in enumerate((result.frequency * RPM).tolist(), 1) if w < 1.15 * reached]
-    levels(speed, [w for _, w in own], [str(k) for k, _ in own])
-    diagram(shifts, course.t, _moved(course.q, SHIFTS, 1e3), "mm")
-    diagram(turns, course.t, _moved(course.q, TURNS, 180 / np.pi), "°", first=3)
-    turns.set_xlabel("$t$, s")
+    for k, natural in enumerate((result.frequency * RPM).tolist(), 1):
+        if natural < 1.15 * reached:
+            speed.level(natural, AXIS, str(k))
 
 
-def _moved(q: Values, rows: list[int], factor: float) -> list[tuple[str, Values]]:
-    return [(COORDINATES[k], factor * q[k]) for k in rows]
+def _moved(q: Values, rows: list[int], factor: float) -> tuple[tuple[str, Values], ...]:
+    return tuple((COORDINATES[k], factor * q[k]) for k in rows)
 
 
-def _paths(sheet: SubFigure, result: VibratorResult) -> None:
-    """In space and from above, enlarged about the places at rest."""
-    space: Any = sheet.add_subplot(1, 2, 1, projection="3d")
-    plan = sheet.add_subplot(1, 2, 2)
+def _paths(drawing: Drawing, box: Box, result: VibratorResult) -> None:
+    """Aslant and from above, enlarged about the places at rest."""
     places = np.array([each.at for each in result.paths])
-    size = float(np.max(np.ptp(places, axis=0))) if len(places) > 1 else spread(float(np.max(np.abs(places))))
-    widest = spread(max(each.major for each in result.paths))
-    factor = ENLARGED * spread(size) / widest
-    for k, each in enumerate(result.paths):
-        at = 1e3 * (each.at + factor * each.path)
-        style = CURVES[k % len(CURVES)]
-        space.plot(at[:, 0], at[:, 1], at[:, 2], linewidth=1.2, label=each.name, **style)
-        plan.plot(at[:, 0], at[:, 1], linewidth=1.2, label=each.name, **style)
-        plan.plot(1e3 * each.at[0], 1e3 * each.at[1], "o", markersize=2.5, color=style["color"])
-        plan.plot(at[0, 0], at[0, 1], "D", markersize=3.5, markerfacecolor="white", color=style["color"])
-    space.set_xlabel("$x$, mm")
-    space.set_ylabel("$y$, mm")
-    space.set_zlabel("$z$, mm")
-    space.set_title(f"paths {number(factor, 3)} times enlarged", fontsize=8)
-    _plan(plan)
+    size = float(np.max(np.ptp(places, axis=0))) if len(places) > 1 else float(np.max(np.abs(places)))
+    widest = max(each.major for each in result.paths) or 1.0
+    factor = ENLARGED * (size or 1.0) / widest
+    names = [(each.name, CURVES[k % len(CURVES)]) for k, each in enumerate(result.paths)]
+    views = (f"paths {number(factor, 3)} times enlarged", ASLANT), ("from above; a diamond is $ψ$ = 0", ABOVE)
+    for part, (title, directions) in zip(box.split(1, 1, gap=4, across=True), views, strict=True):
+        flat = directions is ABOVE
+        drawn = [(1e3 * (each.at + factor * each.path)) @ directions for each in result.paths]
+        rest = [complex(1e3 * each.at @ directions) for each in result.paths]
+        content = np.concatenate([*drawn, np.array(rest)])
+        board = Board(drawing, part.inset(*AROUND, 12), content, MARGIN)
+        drawing.add(Words(complex(part.middle.real, part.top), title, 2.5, 1j))
+        if flat:
+            name_axes(board, ("x", "y"), float(np.max(np.abs(content))) or 1.0, "mm")
+        else:
+            _triad(board)
+        key_above(drawing, board.box, names)
+        for path, at, (_, pen) in zip(drawn, rest, names, strict=True):
+            board.line([*path, path[0]], pen, level=4)
+            board.dot(at, 0.5, colour=pen.colour, level=5)
+            start = board.place(complex(path[0]))
+            corners = np.array([start + 0.9 * w for w in (-1j, 1, 1j, -1)])
+            drawing.add(Area(corners, "#ffffff", pen._replace(width=0.25, dashes=())), level=6)
 
 
-def _plan(axes: Axes) -> None:
-    axes.set_aspect("equal", adjustable="datalim")
-    axes.margins(0.12)
-    axes.grid(True, linewidth=0.35, color="#d0d0d0", zorder=0)
-    axes.set_xlabel("$x$, mm")
-    axes.set_ylabel("$y$, mm")
-    axes.set_title(r"from above; a diamond is $\psi = 0$", fontsize=8)
-    axes.legend(loc="upper right", ncols=4)
+def _triad(board: Board) -> None:
+    """The directions of x, y, z in the corner, and the frame."""
+    box = board.box
+    corners = [complex(box.left, box.bottom), complex(box.right, box.bottom)]
+    board.drawing.line([*corners, complex(box.right, box.top), complex(box.left, box.top)], THIN, closed=True)
+    origin = complex(box.left + 8, box.bottom + 8)
+    for name, way in zip("xyz", ASLANT.tolist(), strict=True):
+        board.drawing.vector(origin, origin + 9 * way, MIDDLE)
+        board.drawing.add(Words(origin + 12 * way, f"${name}$", HEIGHT))

@@ -1,0 +1,84 @@
+"""What is drawn on paper, read back in the units of the data."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.diagram import Diagram
+from tmmcalc.report.drawing.field import Field
+from tmmcalc.report.drawing.pens import GRID, MIDDLE, THIN, Pen
+from tmmcalc.report.drawing.shapes import Arc, Drawing, Stroke, Words
+from tmmcalc.report.drawing.wording import corners
+
+OF_THE_FRAME = (GRID, THIN, MIDDLE)
+NEAR = 1e-6  # mm
+
+
+def diagram(drawing: Drawing, name: str) -> Diagram:
+    """The one diagram with an axis of this name."""
+    (found,) = [each for each in drawing.fields if isinstance(each, Diagram) and name in (each.x.name, each.y.name)]
+    return found
+
+
+def inside(z: NDArray[np.complex128], box: Box) -> bool:
+    """Whether places on paper lie in a rectangle."""
+    wide = (z.real > box.left - NEAR) & (z.real < box.right + NEAR)
+    return bool(np.all(wide & (z.imag > box.bottom - NEAR) & (z.imag < box.top + NEAR)))
+
+
+def curves(field: Field, pen: Pen | None = None) -> list[NDArray[np.complex128]]:
+    """Polylines in a field as data (n,), of a pen, or all but frame and grid, in the order in which they are drawn."""
+    strokes = [shape for shape in field.drawing.shapes if isinstance(shape, Stroke) and inside(shape.points, field.box)]
+    seen = [each for each in strokes if each.pen == pen or (pen is None and each.pen not in OF_THE_FRAME)]
+    return [data(field, each.points) for each in seen]
+
+
+def arcs(field: Field, pen: Pen | None = None) -> list[tuple[complex, float]]:
+    """Centres and radii, as data, of circles and arcs in a field, of a pen or all."""
+    shapes = [shape for shape in field.drawing.shapes if isinstance(shape, Arc) and inside(shape.points, field.box)]
+    unit = abs(field.data(1.0) - field.data(0.0))
+    return [(field.data(each.centre), each.radius * unit) for each in shapes if pen in (None, each.pen)]
+
+
+def covered(drawing: Drawing, slack: float = 0.2) -> list[tuple[str, str]]:
+    """Pairs of words of which one covers the other by more than so many mm in both directions."""
+    boxes = [(words.text, corners(words)) for words in of_words(drawing) if words.text.strip()]
+    found = []
+    for k, (one, a) in enumerate(boxes):
+        for other, b in boxes[k + 1 :]:
+            over = [min(f(a).max(), f(b).max()) - max(f(a).min(), f(b).min()) for f in (np.real, np.imag)]
+            if min(over) > slack:
+                found.append((one, other))
+    return found
+
+
+def frames(drawing: Drawing) -> list[Field]:
+    """Boards and diagrams in the order in which they were made."""
+    return drawing.fields
+
+
+def data(field: Field, places: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """Places on paper as data."""
+    return np.array([field.data(complex(at)) for at in places])
+
+
+def written(drawing: Drawing, box: Box | None = None) -> list[str]:
+    """All words, or those that stand in a rectangle, in the order in which they are drawn."""
+    return [words.text for words in of_words(drawing) if box is None or inside(np.array([words.at]), box)]
+
+
+def of_words(drawing: Drawing) -> Iterator[Words]:
+    """All words."""
+    return (shape for shape in drawing.shapes if isinstance(shape, Words))
+
+
+def on_sheet(drawing: Drawing) -> list[str]:
+    """What reaches over the edge of the paper: words, and points of other shapes."""
+    page = Box(0.0, 0.0, drawing.width, drawing.height)
+    found = [words.text for words in of_words(drawing) if not inside(corners(words), page)]
+    others = [shape for shape in drawing.shapes if not isinstance(shape, Words)]
+    return found + [type(shape).__name__ for shape in others if not inside(shape.points, page)]
