@@ -133,7 +133,7 @@ def test_where_the_machine_stalls() -> None:
     )
     stopped = passes(load, driven, 0.2)
     assert stopped is not None
-    told = [value for value in wanted("no-start").values if value.name == "transient.end_angle[deg]"]
+    told = [value for value in wanted("no-start").values if value.name == "transient.towards the load.end_angle[deg]"]
     assert math.degrees(stopped) == pytest.approx(told[0].value, rel=told[0].tolerance)
     assert wanted("stall-peak").words == f"the machine stalls at {math.degrees(stopped):.6g} deg of cycle 1"
 
