@@ -19,6 +19,7 @@ from tmmcalc.machine.cycle import Cycle
 INTERPOLATION = ORDER * EPS  # of a function carried from one set of points to another: a rounding for each point
 ROUNDED = 8 * EPS  # of a solution
 STORED = 2 * EPS  # of a result: its last operations
+STIFF = 100.0  # regulation beyond which the roundings of a moment come back twice
 TERMS = 4  # roundings of each term of a sum of moments: functions carried to the panels, products
 
 
@@ -109,11 +110,15 @@ def regime_errors(
     held = float(np.max(np.abs(solved.fall))) * fastest
     # of a solution for the excess alone rounding is that of its equations, of the whole speed that of two numbers, and
     # of what a motor that follows makes of the roundings of its moment
-    fed_back = EPS / 2 * min(max(solved.regulation, 1.0), TERMS)
-    rounding = solved.ringing * (ROUNDED if solved.above else fed_back)
-    lost = float(np.sum(solved.missing * cycle.panels.width)) / cycle.period * excess.size / fastest
-    # what is missing anywhere goes on until regulation takes it; where a motor lags it swings on
-    carried = lost * fastest / (1.0 if solved.lags else max(solved.regulation, 1.0))
+    fed_back = EPS / 2 * min(max(solved.regulation, 1.0), TERMS) * (2.0 if solved.regulation > STIFF else 1.0)
+    # the slower the shaft at its slowest, the more of its energy there a rounding of the largest is
+    slowest = max(excess.reference + float(np.min(excess.w)), EPS * fastest)
+    rounding = solved.ringing * (ROUNDED if solved.above else fed_back) * max(1.0, (fastest / slowest / 2) ** 2)
+    parts = solved.missing * cycle.panels.width / cycle.period * excess.size
+    lost = float(np.sum(parts)) / fastest
+    # what is missing anywhere goes on until regulation takes it; where a motor lags it swings on, and what comes from
+    # many panels meets in all phases
+    carried = float(np.linalg.norm(parts)) if solved.lags else float(np.sum(parts)) / max(solved.regulation, 1.0)
     near = _near(cycle, solved.missing, low_at) + _near(cycle, solved.missing, high_at)
     apart = near + 2 * (cycle.error * share + rounding)
     return RegimeErrors(
