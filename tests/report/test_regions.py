@@ -24,7 +24,9 @@ SEEDS = st.integers(0, 10_000)
 
 def star(rng: np.random.Generator, centre: complex, size: float) -> Plane:
     """A polygon that sees its centre from all corners."""
-    turns = np.sort(rng.uniform(0, 2 * np.pi, 9))
+    turns = (
+        (np.arange(9) + rng.uniform(0, 0.9, 9)) * 2 * np.pi / 9
+    )  # no gap of half a turn, behind which it would cross itself
     return np.asarray(centre + size * rng.uniform(0.2, 1.0, 9) * np.exp(1j * turns))
 
 
