@@ -68,11 +68,10 @@ def renamed(font: TTFont, face: str) -> None:
 def measured(font: TTFont) -> dict[str, Any]:
     """Sizes in parts of the em: height of capitals, of small letters, depth, and the advance of every letter."""
     em, advance = font["head"].unitsPerEm, font["hmtx"]
-    rounded = lambda value: round(value / em, 4)  # noqa: E731
     return {
-        "capital": rounded(font["OS/2"].sCapHeight),
-        "small": rounded(font["OS/2"].sxHeight),
-        "advance": {chr(c): rounded(advance[name][0]) for c, name in sorted(font.getBestCmap().items())},
+        "capital": round(font["OS/2"].sCapHeight / em, 4),
+        "small": round(font["OS/2"].sxHeight / em, 4),
+        "advance": {chr(c): round(advance[name][0] / em, 4) for c, name in sorted(font.getBestCmap().items())},
     }
 
 
