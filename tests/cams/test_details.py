@@ -7,6 +7,7 @@ import io
 import json
 from math import hypot, pi, radians, tan
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -78,9 +79,9 @@ def test_peaks_of_phases_by_dense_differences(turns: bool) -> None:
         assert motion.m2 == pytest.approx(stroke / (high - low) ** 2)
 
 
-def stem_task(**asked: object) -> CamTask:
+def stem_task(**asked: Any) -> CamTask:
     limits = AngleLimits(radians(32), radians(38), convex=0.004, shaft=0.012)
-    return CamTask(program(0.03, 70, 85, ("cosine", "sine")), Asked("translating", **asked), limits)  # type: ignore[arg-type]
+    return CamTask(program(0.03, 70, 85, ("cosine", "sine")), Asked("translating", **asked), limits)
 
 
 def test_sizes_of_a_stem_by_brute_force() -> None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 from math import radians
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -29,10 +30,10 @@ ROCKER = Follower("oscillating", 0.5, centres=0.1, rocker=0.1)
 FINE = 721
 
 
-def task_of(*overrides: str, **asked: object) -> CamTask:
+def task_of(*overrides: str, **asked: Any) -> CamTask:
     """The ready spec without its options."""
     made = to_cam(load_spec(SPEC, overrides))
-    return replace(made, optimum=Optimum(**asked))  # type: ignore[arg-type]
+    return replace(made, optimum=Optimum(**asked))
 
 
 def independent(task: CamTask, l2: float, base: float, r2: float, l0: float) -> dict[int, float]:
