@@ -42,6 +42,7 @@ class Picture:
     flags: tuple[str, ...] = ()
     figure: str = ""  # "module:function", (order) -> what draws it; empty: ``figure`` in the module of its stage
     beside: str = ""  # a later stage whose result it shows as well, if the scene has it
+    pieces: str = ""  # "module:function", (order) -> what of it stands on sheets, see `tmmcalc.report.sheets.piece`
 
 
 @record

@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from tmmcalc.report.language import tr_number
+
 DIGITS = 6  # significant digits of the largest value of a column
 MIDDLE_DIGITS = 4  # at least, of a value of middle size, where a few tower above the rest
 NOISE = 1e-12  # a value this small against the largest of its column is zero
@@ -19,7 +21,7 @@ def number(value: float, digits: int = 7, peak: float = 0.0) -> str:
     >>> number(1 / 3), number(2e-17, peak=1.0)
     ('0.3333333', '0')
     """
-    return _unsigned_zero(f"{_cleaned(value, peak):.{digits}g}")
+    return tr_number(_unsigned_zero(f"{_cleaned(value, peak):.{digits}g}"))
 
 
 def angle(degrees: float) -> str:
@@ -29,7 +31,7 @@ def angle(degrees: float) -> str:
     ('-18.81906', '0', '180')
     """
     text = f"{degrees:.{ANGLE_DECIMALS}f}".rstrip("0").rstrip(".")
-    return _unsigned_zero(text)
+    return tr_number(_unsigned_zero(text))
 
 
 def column(values: Sequence[float], peak: float = 0.0) -> list[str]:
@@ -45,7 +47,7 @@ def column(values: Sequence[float], peak: float = 0.0) -> list[str]:
     places = decimals(cleaned)
     if places is None:
         return scientific(cleaned, DIGITS)
-    return _trimmed([_unsigned_zero(f"{v:.{places}f}") for v in cleaned])
+    return [tr_number(cell) for cell in _trimmed([_unsigned_zero(f"{v:.{places}f}") for v in cleaned])]
 
 
 def decimals(values: Sequence[float]) -> int | None:
@@ -93,7 +95,7 @@ def as_number(text: str) -> float | str | None:
 
 def scientific(values: Sequence[float], digits: int = 3) -> list[str]:
     """Numbers in powers of ten; zero stays 0."""
-    return [f"{v:.{digits - 1}e}" if v else "0" for v in values]
+    return [tr_number(f"{v:.{digits - 1}e}") if v else "0" for v in values]
 
 
 def round_scale(value: float) -> float:

@@ -12,6 +12,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.diagram import ROW, Axis, Curve, Diagram, key_rows, room
 from tmmcalc.report.drawing.pens import Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr_unit
 from tmmcalc.report.numbers import NOISE
 
 DOTTED = 72  # more positions than this are not marked one by one
@@ -122,7 +123,7 @@ def along_input(turns: bool, phi: Real) -> Real:
 
 def input_axis(turns: bool, x: Real) -> Axis:
     """The axis of the input coordinate."""
-    return Axis("$φ$, °" if turns else "$s − s_0$, mm", float(x[0]), float(x[-1]), turns)
+    return Axis("$φ$, °" if turns else f"$s − s_0$, {tr_unit('mm')}", float(x[0]), float(x[-1]), turns)
 
 
 def suited(peak: float, unit: str) -> tuple[float, str]:
@@ -131,5 +132,6 @@ def suited(peak: float, unit: str) -> tuple[float, str]:
     >>> suited(25_000.0, "N"), suited(900.0, "N*m")
     ((0.001, 'kN'), (1.0, 'N·m'))
     """
-    written = unit.replace("*", "·").replace("^2", "²")
-    return next(((factor, prefix + written) for least, factor, prefix in PREFIXES if peak >= least), (1.0, written))
+    found = ((factor, prefix) for least, factor, prefix in PREFIXES if peak >= least)
+    factor, prefix = next(found, (1.0, ""))
+    return factor, tr_unit(prefix + unit)

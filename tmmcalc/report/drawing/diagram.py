@@ -14,6 +14,7 @@ from tmmcalc.report.drawing.field import Field
 from tmmcalc.report.drawing.lettering import minus, width
 from tmmcalc.report.drawing.pens import CURVES, GRID, MIDDLE, THIN, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Arc, Area, Drawing, Words
+from tmmcalc.report.language import tr_number
 from tmmcalc.report.numbers import number
 
 HEIGHT = 2.5  # of the numbers along the axes [mm]
@@ -284,9 +285,9 @@ def one_scale(box: Box, x: Axis, y: Axis) -> tuple[Axis, Axis]:
 def written(value: float, others: Sequence[float]) -> str:
     """A number of an axis, with the decimals that all of its numbers need."""
     if others and min(others) > 0 and max(others) >= 1e3 * min(others):  # of a logarithmic axis
-        return f"{value:g}" if 1e-3 <= value <= 1e4 else f"$10^{{{minus(str(round(math.log10(value))))}}}$"
+        return tr_number(f"{value:g}") if 1e-3 <= value <= 1e4 else f"$10^{{{minus(str(round(math.log10(value))))}}}$"
     decimals = max((_decimals(other) for other in others), default=0)
-    return minus(f"{value:.{decimals}f}") if decimals < 7 else minus(f"{value:g}")
+    return tr_number(minus(f"{value:.{decimals}f}" if decimals < 7 else f"{value:g}"))
 
 
 def _decimals(value: float) -> int:

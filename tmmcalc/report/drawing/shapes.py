@@ -14,6 +14,7 @@ import numpy as np
 from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.pens import DIMENSION, HATCH, INK, TEXT, Pen
+from tmmcalc.report.language import spoken
 
 ARROW = 2.5  # length of an arrowhead [mm]
 BARB = 0.2  # half of its width to its length
@@ -135,8 +136,8 @@ Shape = Stroke | Arc | Area | Hatching | Words | Dimension
 class Drawing:
     """A sheet of paper of ``width`` by ``height`` mm with its shapes, in the order in which they are drawn."""
 
-    def __init__(self, width: float, height: float, title: str = "", language: str = "en") -> None:
-        self.width, self.height, self.title, self.language = width, height, title, language
+    def __init__(self, width: float, height: float, title: str = "") -> None:
+        self.width, self.height, self.title, self.language = width, height, title, spoken()
         self.fields: list[Any] = []  # the boards and diagrams on it
         self._levels: list[tuple[float, Shape]] = []
 

@@ -1,0 +1,88 @@
+"""Translations: every text that is said has one, every one is said, and the font has its letters."""
+
+from __future__ import annotations
+
+import ast
+import re
+import tomllib
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+import tmmcalc
+from tmmcalc.core.errors import UsageError
+from tmmcalc.report.drawing.lettering import pieces
+from tmmcalc.report.language import LANGUAGES, PLACE, catalogue, files_of, speaking, spoken, tr, tr_count, tr_unit
+
+ROOT = Path(tmmcalc.__file__).parent
+OTHERS = [language for language in LANGUAGES if language != "en"]
+APOSTROPHE = re.compile(r"[А-Яа-яЄІЇҐєіїґ]['`][А-Яа-яЄІЇҐєіїґ]")
+POINT = re.compile(r"\d\.\d")
+FORMULA_NUMBER = re.compile(r"\(\d+\.\d+[^)]*\)")
+RUSSIAN = re.compile("[ыэъё]", re.IGNORECASE)
+
+
+@cache
+def said() -> dict[str, dict[str, str]]:
+    """The first arguments of ``tr`` and ``tr_count`` in the program, with the file of each."""
+    found: dict[str, dict[str, str]] = {"tr": {}, "tr_count": {}}
+    for file in ROOT.rglob("*.py"):
+        text = file.read_text(encoding="utf-8")
+        if ("tr(" not in text and "tr_count(" not in text) or file.name == "language.py":
+            continue
+        for node in ast.walk(ast.parse(text)):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in found:
+                argument = node.args[1 if node.func.id == "tr_count" else 0]
+                if isinstance(argument, ast.Constant):
+                    found[node.func.id][str(argument.value)] = str(file.relative_to(ROOT))
+    return found
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_every_text_has_its_translation(language: str) -> None:
+    words = catalogue(language)
+    assert {text: file for text, file in said()["tr"].items() if text not in words.texts} == {}
+    assert {text: file for text, file in said()["tr_count"].items() if text not in words.counts} == {}
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_a_text_is_translated_once(language: str) -> None:
+    seen: dict[str, tuple[Path, str]] = {}
+    for file in files_of(language):
+        words = tomllib.loads(file.read_text(encoding="utf-8"))
+        for text, found in words.items():
+            if isinstance(found, str):
+                assert text not in seen, f"{text!r} stands in {seen[text][0]} and {file}"
+                seen[text] = file, found
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_translations_hold_the_same_values_and_letters_of_the_font(language: str) -> None:
+    for text, found in catalogue(language).texts.items():
+        assert sorted(PLACE.findall(text)) == sorted(PLACE.findall(found)), text
+        for line in found.split("\n"):
+            pieces(line)
+        assert not POINT.search(FORMULA_NUMBER.sub("", found)), f"{found!r} has a decimal point"
+
+
+def test_ukrainian_is_spelt_as_it_should_be() -> None:
+    for found in catalogue("uk").texts.values():
+        assert not APOSTROPHE.search(found), f"{found!r}: the apostrophe is ’"
+        assert not RUSSIAN.search(found), f"{found!r} has a letter of another language"
+        assert '"' not in found, f"{found!r}: quotes are «»"
+
+
+def test_a_language_holds_within_its_block() -> None:
+    assert spoken() == "en"
+    with speaking("uk"):
+        assert (spoken(), tr_unit("N*m"), tr_count(22, "link", "links")) == ("uk", "Н·м", "22 ланки")
+        with speaking("en"):
+            assert tr_unit("N*m") == "N·m"
+        assert tr("a text that nobody translates") == "a text that nobody translates"
+    assert spoken() == "en"
+
+
+def test_an_unknown_language_is_refused() -> None:
+    with pytest.raises(UsageError, match="there is no language 'de'"), speaking("de"):
+        pass

@@ -1,0 +1,131 @@
+"""The language that drawings and notes are in: English, or a translation of it.
+
+A text stands in the program in English, ``tr("Position {label}", label="7")``. Files ``uk.toml`` beside what says it
+hold its translation, "English" = "Ukrainian", in which the same values stand; ``[units]`` in one of them the units,
+``[counts]`` words that follow a number, in the forms for 1, for 2 to 4 and for 5. ``with speaking("uk"):`` holds for all
+that is drawn within. A text without a translation stays English; `tests/report/test_language.py` finds it.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from tmmcalc.core.errors import UsageError
+
+LANGUAGES = {"en": "English", "uk": "Ukrainian"}
+PLACE = re.compile(r"\{(\w+)\}")
+UNIT = re.compile(r"[A-Za-z°%]+")
+POINT = re.compile(r"(?<=\d)\.(?=\d)")
+
+_spoken: ContextVar[str] = ContextVar("language", default="en")
+
+
+class Catalogue(NamedTuple):
+    """The words of a language by the English ones."""
+
+    texts: Mapping[str, str]
+    units: Mapping[str, str]
+    counts: Mapping[str, tuple[str, str, str]]
+
+
+@contextmanager
+def speaking(language: str) -> Iterator[None]:
+    """All texts within are in this language; raises `UsageError` for one that is not there."""
+    if language not in LANGUAGES:
+        known = ", ".join(LANGUAGES)
+        raise UsageError(f"there is no language {language!r}", where="--language", remedy=f"languages: {known}")
+    token = _spoken.set(language)
+    try:
+        yield
+    finally:
+        _spoken.reset(token)
+
+
+def spoken() -> str:
+    """The language in force."""
+    return _spoken.get()
+
+
+def tr(text: str, **values: Any) -> str:
+    """A text in the language in force; ``{name}`` is replaced by the value of this name, other braces stay.
+
+    >>> tr("Position {label}, $R_{21}$", label=7)
+    'Position 7, $R_{21}$'
+    >>> with speaking("uk"):
+    ...     tr("Position {label}", label=7)
+    'Положення 7'
+    """
+    language = _spoken.get()
+    found = text if language == "en" else catalogue(language).texts.get(text, text)
+    return PLACE.sub(lambda name: str(values.get(name[1], name[0])), found) if values else found
+
+
+def tr_unit(unit: str) -> str:
+    """A unit, written with ``*`` or ``·``, ``^2`` or ``²``.
+
+    >>> tr_unit("kg*m^2"), tr_unit("(m/s²)/mm")
+    ('kg·m²', '(m/s²)/mm')
+    >>> with speaking("uk"):
+    ...     tr_unit("kg*m^2"), tr_unit("rpm"), tr_unit("N/mm")
+    ('кг·м²', 'об/хв', 'Н/мм')
+    """
+    written = unit.replace("*", "·").replace("^2", "²").replace("^3", "³")
+    language = _spoken.get()
+    if language == "en":
+        return written
+    units = catalogue(language).units
+    return UNIT.sub(lambda name: units.get(name[0], name[0]), written)
+
+
+def tr_count(count: int, one: str, many: str) -> str:
+    """A whole number with what it counts.
+
+    >>> tr_count(1, "tooth", "teeth"), tr_count(3, "tooth", "teeth")
+    ('1 tooth', '3 teeth')
+    >>> with speaking("uk"):
+    ...     [tr_count(n, "tooth", "teeth") for n in (1, 3, 5, 11, 22)]
+    ['1 зубець', '3 зубці', '5 зубців', '11 зубців', '22 зубці']
+    """
+    language = _spoken.get()
+    forms = (one, many, many) if language == "en" else catalogue(language).counts.get(one, (one, many, many))
+    if language == "en":
+        return f"{count} {one if count == 1 else many}"
+    tens, ones = count % 100 // 10, count % 10
+    form = 2 if tens == 1 or not 1 <= ones <= 4 else 0 if ones == 1 else 1
+    return f"{count} {forms[form]}"
+
+
+def tr_number(text: str) -> str:
+    """A written number with the decimal sign of the language in force.
+
+    >>> with speaking("uk"):
+    ...     tr_number("-0.25")
+    '-0,25'
+    """
+    return text if _spoken.get() == "en" else POINT.sub(",", text)
+
+
+@cache
+def catalogue(language: str) -> Catalogue:
+    """All words of a language, from the files of the program that hold some."""
+    texts: dict[str, str] = {}
+    units: dict[str, str] = {}
+    counts: dict[str, tuple[str, str, str]] = {}
+    for file in files_of(language):
+        words = tomllib.loads(file.read_text(encoding="utf-8"))
+        units |= words.pop("units", {})
+        counts |= {one: tuple(forms) for one, forms in words.pop("counts", {}).items()}
+        texts |= words
+    return Catalogue(texts, units, counts)
+
+
+def files_of(language: str) -> list[Path]:
+    """The files that hold words of a language."""
+    return sorted(Path(__file__).parent.parent.rglob(f"{language}.toml"))
