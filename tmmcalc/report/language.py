@@ -2,8 +2,8 @@
 
 A text stands in the program in English, ``tr("Position {label}", label="7")``. Files ``uk.toml`` beside what says it
 hold its translation, "English" = "Ukrainian", in which the same values stand; ``[units]`` in one of them the units,
-``[counts]`` words that follow a number, in the forms for 1, for 2 to 4 and for 5. ``with speaking("uk"):`` holds for all
-that is drawn within. A text without a translation stays English; `tests/report/test_language.py` finds it.
+``[counts]`` words that follow a number, in the forms for 1, for 2 to 4 and for 5. ``with speaking("uk"):`` holds for
+all that is drawn within. A text without a translation stays English; `tests/report/test_language.py` finds it.
 """
 
 from __future__ import annotations
