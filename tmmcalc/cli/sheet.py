@@ -221,7 +221,7 @@ class _Making:
             self.failures[f"{sheet.file}: {piece.heading}"] = error
 
         drawing = drawn(sheet, self.style, failed)
-        self.warnings += _unplaced(drawing, sheet)
+        self.warnings += [*sheet.warnings(self.style), *_unplaced(drawing, sheet)]
         for form in forms:
             if form == PDF and tile is not None:
                 yield f"{sheet.file}-{tile}.pdf", tiled(drawing, sheet.file)
