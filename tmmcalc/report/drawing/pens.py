@@ -61,6 +61,7 @@ VECTORS = {
     "tangential": Pen("VECTORS_TANGENTIAL", 0.45, (2.0, 0.7, 0.7, 0.7), "#56b4e9"),
     "sliding": Pen("VECTORS_SLIDING", 0.5, (0.9, 0.8), "#cc79a7"),
     "coriolis": Pen("VECTORS_CORIOLIS", 0.45, (4.0, 0.9, 0.9, 0.9), "#d55e00"),
+    "special": Pen("VECTORS_SPECIAL", 0.3, (6.0, 1.0, 1.0, 1.0), "#6b6b6b"),
 }
 FORCES = {
     "load": Pen("FORCES_LOAD", 0.55, (), "#d55e00"),
