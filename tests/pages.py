@@ -83,4 +83,4 @@ def dxf_lines(data: bytes) -> list[Line]:
 
 def dxf_words(data: bytes) -> str:
     """All words of a DXF without their codes."""
-    return "\n".join(item.plain_text() for item in modelspace(data).query("MTEXT"))
+    return "\n".join(item.plain_text() for item in modelspace(data).query("MTEXT")).replace("\\/", "/")
