@@ -53,6 +53,7 @@ class Lever:
     """The lever of a position: its forces, and the drive that balances it beside that of the force analysis."""
 
     forces: tuple[LeverForce, ...]
+    balancing: tuple[LeverForce, ...]  # those of the drive as the force analysis found it
     mu: float = quantity("mu_v[m/s/mm]", "scale of the plan of velocities", symbol=r"\mu_v")
     moment: float = quantity("moment_sum[N*mm]", "sum of the moments about the pole")
     drive: float  # that balances it [N*m or N]
@@ -68,13 +69,16 @@ def lever(statics: Statics, kinematics: Kinematics, theta: float, side: float, m
     """The lever at theta to the scale ``mu`` [(m/s)/mm]; where friction jumps ``side`` -1 is the limit before."""
     scene, states = statics.scene, _states(statics, kinematics, theta)
     pins = find_pins(scene.chain.mechanism)
-    applied = [each for body in link_bodies(statics, theta, side) for each in _applied(body, states, pins)]
+    bodies = link_bodies(statics, theta, side)
+    applied = [each for body in bodies for each in _applied(body, states, pins)]
+    driving = [each for body in bodies for each in _driving(body, states, pins)]
     largest = max((abs(force) for *_, force, _ in applied), default=0.0)
     forces = tuple(_on_plan(*each, mu) for each in applied if abs(each[3]) > NOTHING * largest)
+    balancing = tuple(_on_plan(*each, mu) for each in driving if abs(each[3]) > NOTHING * largest)
     power = sum(cross(-1j * velocity, force) for *_, force, velocity in applied)
     place = scene.place(np.array([theta]), side)
     drive = float(np.ravel(statics.solve(place, side).drive)[0])
-    return Lever(forces, mu, float(power) / mu, -float(power) / kinematics.speed, drive)
+    return Lever(forces, balancing, mu, float(power) / mu, -float(power) / kinematics.speed, drive)
 
 
 def fastest(statics: Statics, kinematics: Kinematics, theta: float) -> float:
@@ -95,13 +99,22 @@ Applied = tuple[Acting | Couple, int, str, complex, complex]  # what, its link, 
 
 def _applied(body: FreeBody, states: dict[int, LinkState], pins: tuple[Pin, ...]) -> Iterator[Applied]:
     """The given forces of a link with the velocities of their points, each couple as two."""
+    return (each for each in _acting(body, states, pins) if each[0].kind not in UNGIVEN)
+
+
+def _driving(body: FreeBody, states: dict[int, LinkState], pins: tuple[Pin, ...]) -> Iterator[Applied]:
+    """What the drive does to a link, in the same way: its moment is a pair of forces as well."""
+    return (each for each in _acting(body, states, pins) if each[0].kind == "drive")
+
+
+def _acting(body: FreeBody, states: dict[int, LinkState], pins: tuple[Pin, ...]) -> Iterator[Applied]:
+    """All that acts on a link with the velocities of the points, each couple as two forces."""
     (link,) = body.links
     state = states[link]
     for force in body.forces:
-        if force.kind not in UNGIVEN:
-            yield force, link, "", force.value, _velocity(state, force.at)
+        yield force, link, "", force.value, _velocity(state, force.at)
     for couple in body.couples:
-        if couple.kind not in UNGIVEN and couple.value:
+        if couple.value:
             (tail, a), (head, b) = _points(link, state, pins)
             pair = 1j * couple.value / (b - a).conjugate()  # M/l along the left normal of the line
             yield couple, link, head, pair, _velocity(state, b)
