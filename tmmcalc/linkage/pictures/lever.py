@@ -13,7 +13,7 @@ import numpy as np
 
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import Forces, side_of
-from tmmcalc.linkage.lever import Lever, LeverForce, lever
+from tmmcalc.linkage.lever import Lever, LeverForce, levers
 from tmmcalc.linkage.pictures.loaddiagram import HEAD, LONGEST, SHORTEST, free_arrow
 from tmmcalc.linkage.pictures.plans import scale_note
 from tmmcalc.linkage.pictures.scheme import position_text
@@ -52,11 +52,11 @@ def draw_lever(
     plan = polygons(statics.scene.chain.mechanism, kinematics, position)
     turned = Polygon("p", {name: -1j * tip for name, tip in plan.velocity.vertices.items()}, plan.velocity.vectors)
     field = box.inset(0, 0, TABLE, TITLE)
-    at = float(result.theta[row]), side_of(result, row)
-    shown = _shown(lever(statics, kinematics, *at, 1.0))
+    at = np.array([result.theta[row]]), np.array([side_of(result, row)])
+    shown = _shown(levers(statics, kinematics, *at, 1.0)[0])
     content = np.array([*turned.vertices.values(), *(complex(f.x, f.y) for f in shown), *map(_foot, shown)])
     mu = standard_scale(needed(content, field, MARGIN))
-    found = lever(statics, kinematics, *at, mu)
+    found = levers(statics, kinematics, *at, mu)[0]
     shown = _shown(found)
     title = complex(field.middle.real, box.top)
     heading = tr("{position}: velocities turned by 90° clockwise", position=position_text(kinematics, position))

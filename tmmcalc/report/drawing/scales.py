@@ -1,4 +1,4 @@
-"""Standard scales of drawings: reductions and enlargements of lengths, round factors of all else.
+"""Standard scales of drawings: reductions and enlargements of lengths, round factors of all else; how they are written.
 
 A scale factor mu is the data to a mm of paper. That of lengths is in m/mm, so that 1:4 is 0.004 (GOST 2.302, which
 holds the series of ISO 5455); the others are 1, 2, 2.5, 4, 5 times a power of ten.
@@ -9,7 +9,7 @@ from __future__ import annotations
 from itertools import chain
 from math import floor, log10
 
-from tmmcalc.report.language import tr_number
+from tmmcalc.report.language import tr_number, tr_unit
 
 STEPS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
 REDUCTIONS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0, 15.0, 20.0, 25.0, 40.0, 50.0, 75.0, 100.0, 200.0, 400.0, 500.0, 800.0, 1e3)
@@ -52,3 +52,21 @@ def ratio(mu: float) -> str:
     """
     size = mu / MM
     return tr_number(f"1:{size:.4g}" if size >= 1 else f"{1 / size:.4g}:1")
+
+
+def scale_text(mu: float) -> str:
+    """A scale of lengths [m/mm] as it is written beside a picture.
+
+    >>> scale_text(0.0005), scale_text(0.002)
+    ('$μ_l$ = 0.0005 m/mm (2:1)', '$μ_l$ = 0.002 m/mm (1:2)')
+    """
+    return f"{factor_text('μ_l', mu, 'm/mm')} ({ratio(mu)})"
+
+
+def factor_text(symbol: str, factor: float, unit: str) -> str:
+    """A scale factor with its sign and unit.
+
+    >>> factor_text("μ_v", 0.025, "(m/s)/mm")
+    '$μ_v$ = 0.025 (m/s)/mm'
+    """
+    return f"${symbol}$ = {tr_number(f'{factor:.4g}')} {tr_unit(unit)}"
