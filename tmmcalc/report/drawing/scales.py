@@ -1,4 +1,4 @@
-"""Standard scales of lengths on drawings, and how scale factors are written beside them."""
+"""Standard scales of lengths on drawings (GOST 2.302), and how scale factors are written beside them."""
 
 from __future__ import annotations
 
@@ -6,29 +6,48 @@ import math
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.language import tr_number, tr_unit
 
-STEPS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)  # of enlargements, times a power of ten
-REDUCTIONS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0, 15.0, 20.0, 25.0, 40.0, 50.0, 75.0, 100.0)  # to 1:100 (GOST 2.302)
+STEPS = (1.0, 2.0, 2.5, 4.0, 5.0)  # of enlargements, and of reductions from 1:100 on, times a power of ten
+REDUCTIONS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0, 15.0, 20.0, 25.0, 40.0, 50.0, 75.0)
 SLACK = 1 + 1e-9
 
 
 def standard_scale(least: float) -> float:
-    """The standard scale of lengths that is ``least`` or next above, both [m/mm] (GOST 2.302).
-
-    Beyond 1:100 and 1000:1 its steps go on by powers of ten.
+    """The standard scale of lengths that is ``least`` or next above, both [m/mm].
 
     >>> standard_scale(0.00011), standard_scale(0.011), standard_scale(0.0011)
     (0.0002, 0.015, 0.002)
     """
-    part = 1e3 * least / SLACK
-    if part > REDUCTIONS[-1]:
-        power = 10.0 ** math.floor(math.log10(part))
-        return 1e-3 * next(step * power for step in STEPS if step * power >= part)
-    if part > 1:
-        return next(step for step in REDUCTIONS if step >= part) / 1e3
-    power = 10.0 ** math.floor(math.log10(1 / part))
-    return 1e-3 / max(step * power for step in STEPS if step * power <= 1 / part)
+    return min(mu for mu in _near(least) if mu * SLACK >= least)
+
+
+def larger_than(most: float) -> float:
+    """The standard scale that draws larger than ``most``, or just so: it is next below, both [m/mm].
+
+    >>> larger_than(0.00011), larger_than(0.011)
+    (0.0001, 0.01)
+    """
+    return max(mu for mu in _near(most) if mu <= most * SLACK)
+
+
+def fitting_scale(content: Plane, box: Box, margin: float) -> float:
+    """The standard scale [m/mm] at which all of a content [m] keeps its margin [mm] in a rectangle."""
+    size = complex(float(np.ptp(content.real)), float(np.ptp(content.imag)))
+    need = max(size.real / (box.width - 2 * margin), size.imag / (box.height - 2 * margin))
+    return standard_scale(need or 1e-6)
+
+
+def _near(mu: float) -> list[float]:
+    """Standard scales about a value, to both sides of it."""
+    power = math.floor(math.log10(1e3 * mu))
+    found = {1e-3 * part for part in REDUCTIONS}
+    for k in range(power - 1, power + 2):
+        found |= {float(f"{1e-3 / (step * 10.0**-k):.12g}") for step in STEPS if k <= 0}
+        found |= {float(f"{step * 10.0 ** (k - 3):.12g}") for step in STEPS if k >= 2}
+    return sorted(found)
 
 
 def scale_text(mu: float) -> str:
