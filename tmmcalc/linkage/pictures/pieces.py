@@ -47,7 +47,7 @@ def of_kinematics(order: Order) -> Iterator[Piece]:
     scheme = partial(draw_scheme, result=result, cycle=cycle, positions=positions)
     yield Piece("linkage", tr("Kinematic scheme in its positions"), _larger(scheme), (120, 110), (300, 250))
     plans, count = plans_of(mechanism, result, rows), len(rows)
-    for letter, heading in (("v", tr("Plans of velocities")), ("a", tr("Plans of accelerations"))):
+    for letter, heading in (("v", tr("Velocity polygons")), ("a", tr("Acceleration polygons"))):
         plan = partial(draw_plans_of_kind, result=result, plans=plans, letter=letter)
         yield Piece("linkage", heading, _larger(plan), (60 * count, 80), (110 * count, 140))
     for curves in _wished(order, columns_of(result, cycle)):

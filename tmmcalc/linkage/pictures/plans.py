@@ -152,7 +152,7 @@ def draw_plans_of_kind(
 
 def plan_name(letter: str) -> str:
     """What a plan of ``v`` or ``a`` is."""
-    return tr("Plan of velocities") if letter == "v" else tr("Plan of accelerations")
+    return tr("Velocity polygon") if letter == "v" else tr("Acceleration polygon")
 
 
 def scale_note(letter: str, mu: float) -> str:
