@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
     from tmmcalc.project import Spec
 
-SMALLEST, LARGEST = (150.0, 100.0), 3000.0  # paper of a picture [mm]
+SMALLEST, LARGEST = (180.0, 120.0), 3000.0  # paper of a picture [mm]
 SIZE = re.compile(r"(\d+(?:\.\d+)?)\s*[x×*]\s*(\d+(?:\.\d+)?)")
 WIDTH = 78  # of the list of pictures, which the help indents by two
 
