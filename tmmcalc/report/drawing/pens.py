@@ -33,6 +33,8 @@ HATCH = Pen("HATCH", 0.18)
 GRID = Pen("GRID", 0.13, colour="#cfcfcf")
 DIMENSION = Pen("DIMENSIONS", 0.25)
 FRAME = Pen("FRAME", 0.7)
+BLOCK = Pen("TITLE_BLOCK", 0.25)
+ZONES = Pen("ZONES", 0.35)
 MARK = Pen("MARKS", 0.5, colour="#d55e00")
 TEXT = Pen("TEXT", 0.25)
 
@@ -72,7 +74,7 @@ FORCES = {
     "friction": Pen("FORCES_FRICTION", 0.55, (0.9, 0.8), "#cc79a7"),
 }
 PENS = (
-    *(THICK, MIDDLE, THIN, AXIS, HIDDEN, OTHER, PATH, HATCH, GRID, DIMENSION, FRAME, MARK, TEXT),
+    *(THICK, MIDDLE, THIN, AXIS, HIDDEN, OTHER, PATH, HATCH, GRID, DIMENSION, FRAME, BLOCK, ZONES, MARK, TEXT),
     *CURVES,
     *VECTORS.values(),
     *FORCES.values(),
