@@ -23,7 +23,7 @@ from tmmcalc.gears.pictures.placedpair import placed_pair
 from tmmcalc.gears.pictures.sketch import COLUMN
 from tmmcalc.gears.pictures.slidingcurves import draw_course
 from tmmcalc.gears.pictures.toothpoints import INTERVALS, draw_tooth_points
-from tmmcalc.gears.pictures.words import train_name
+from tmmcalc.gears.pictures.words import pair_title, train_name
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import plain
 from tmmcalc.report.drawing.order import Order
@@ -54,7 +54,7 @@ def gearing(order: Order) -> Iterator[Piece]:
 def pair(order: Order) -> Iterator[Piece]:
     """Of every pair whose wheels have profiles the mesh, sliding, parameters, figures of quality."""
     for found in order.results["pair"].pairs:
-        name = plain(found.task.title)
+        name = pair_title(found.task)
         if all(fault_of(member) is None for member in both(found)):
             yield Piece(SHEET, tr("Mesh {pair}", pair=name), partial(_mesh, found=found), (200, 150), (330, 240))
             heading = tr("Specific sliding and specific pressure {pair}", pair=name)

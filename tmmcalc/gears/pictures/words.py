@@ -7,9 +7,10 @@ from fractions import Fraction
 from unicodedata import normalize
 
 from tmmcalc.gears.advice import called
+from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.scheme import Layout
-from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.lettering import minus, plain
 from tmmcalc.report.language import tr, tr_count, tr_unit
 from tmmcalc.report.numbers import number
 
@@ -112,6 +113,17 @@ def layout_name(scheme: Layout, planets: int) -> str:
 def train_name(sets: ToothSets) -> str:
     """A tooth set by its layout and its teeth."""
     return f"{layout_name(sets.scheme, sets.planets)}: $z$ = {teeth_text(sets.teeth[0].tolist())}"
+
+
+def pair_title(task: PairTask) -> str:
+    """A pair by its name and its teeth."""
+    first, second = task.teeth
+    teeth = f"$z$ = {first}/{second}"
+    if task.kind == "rack":
+        teeth = tr("$z$ = {teeth} and a rack", teeth=first)
+    elif task.kind == "internal":
+        teeth = tr("$z$ = {teeth}, internal", teeth=f"{first}/{second}")
+    return f"{plain(task.name)}: {teeth}" if task.name else teeth
 
 
 def ratio_text(kind: str, value: Fraction) -> str:
