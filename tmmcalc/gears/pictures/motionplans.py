@@ -24,7 +24,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board, Field
 from tmmcalc.report.drawing.lettering import minus, plain, width
 from tmmcalc.report.drawing.pens import AXIS, CURVES, INK, THIN, VECTORS, Pen
-from tmmcalc.report.drawing.scales import factor_text, scale_text, standard_scale
+from tmmcalc.report.drawing.scales import factor_text, length_scale, scale_text
 from tmmcalc.report.drawing.shapes import Arc, Drawing, Words
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
@@ -58,7 +58,7 @@ def draw_motion(drawing: Drawing, box: Box, found: Moving) -> Drawn:
     size = complex(float(np.ptp(view.content.real)), float(np.ptp(view.content.imag)))
     reach = _heights(told)
     high = max(size.imag, float(np.ptp([*reach, *view.content.imag])))
-    mu = standard_scale(max(high / (room.height - 2 * MARGIN), size.real / (SCHEME * box.width - 2 * MARGIN)))
+    mu = length_scale(max(high / (room.height - 2 * MARGIN), size.real / (SCHEME * box.width - 2 * MARGIN)))
     wide = size.real / mu + 2 * MARGIN
     board = Board(drawing, Box(box.left, room.bottom, box.left + wide, room.top), view.content, MARGIN, mu)
     view.draw(board)
