@@ -1,8 +1,9 @@
-"""The picture of the forces stage: reactions over the cycle, hodographs, drive; free bodies on sheets below."""
+"""The picture of the forces stage: reactions over the cycle, hodographs, drive; free bodies, levers on sheets below."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -16,40 +17,50 @@ from tmmcalc.linkage.pictures.choice import check_positions
 from tmmcalc.linkage.pictures.course import DiagramCourse, course_of, statics_of
 from tmmcalc.linkage.pictures.cutting import draw_sheet, sheets_of
 from tmmcalc.linkage.pictures.hodographs import draw_hodograph, hodographs_of
+from tmmcalc.linkage.pictures.lever import draw_lever
 from tmmcalc.linkage.results import Extreme, Kinematics
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import Graph, Line, column
 from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.order import POLYGONS, Order
-from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.page import headed, sheets
 from tmmcalc.report.drawing.pens import CURVES, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import NOISE
 
 HEADING = 9.0  # room of the heading [mm]
 
 
 def figure(order: Order) -> Drawing:
-    """The drawing of the stage: reactions and drive, and the free bodies in a position that is asked for."""
+    """The drawing of the stage: reactions and drive, free bodies and lever in the positions that are asked for."""
     from tmmcalc.linkage.tables.tasks.loading import to_loading
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     result = order.results["forces"]
     mechanism, loading = to_linkage(order.spec.linkage), to_loading(order.spec)
-    return forces_drawing(mechanism, loading, order.results["kinematics"], result, order.row(POLYGONS, result.labels))
+    return forces_drawing(mechanism, loading, order.results["kinematics"], result, order.rows(POLYGONS, result.labels))
 
 
 def forces_drawing(
-    mechanism: Mechanism, loading: Loading, kinematics: Kinematics, result: Forces, marked: int | None
+    mechanism: Mechanism, loading: Loading, kinematics: Kinematics, result: Forces, marked: Sequence[int] | None
 ) -> Drawing:
-    """One sheet, and those of the free bodies in the row ``marked``; raises `UsageError` for one that is not there."""
-    check_positions(len(result.labels), [] if marked is None else [marked])
+    """One sheet, and of each row ``marked`` those of the free bodies and the lever.
+
+    Raises `UsageError` for a row that is not there.
+    """
+    marked = list(dict.fromkeys(marked or ()))
+    check_positions(len(result.labels), marked)
     statics = statics_of(mechanism, loading, kinematics)
-    cuts = [] if marked is None else sheets_of(statics, kinematics, result, marked)
-    drawing, boxes = sheets(1 + len(cuts))
+    cuts = [sheets_of(statics, kinematics, result, row) for row in marked]
+    drawing, boxes = sheets(1 + sum(len(each) + 1 for each in cuts))
     _over_the_cycle(drawing, boxes[0], statics, result)
-    for box, cut in zip(boxes[1:], cuts, strict=True):
-        draw_sheet(drawing, box, cut)
+    further = iter(boxes[1:])
+    for row, each in zip(marked, cuts, strict=True):
+        for cut in each:
+            draw_sheet(drawing, next(further), cut)
+        box = headed(drawing, next(further), tr("Lever of Zhukovsky"))
+        draw_lever(drawing, box, statics, kinematics, result, row)
     return drawing
 
 

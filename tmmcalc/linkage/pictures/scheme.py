@@ -19,8 +19,10 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.lettering import minus, point_name
 from tmmcalc.report.drawing.pens import MARK, OTHER, PATH
+from tmmcalc.report.drawing.scales import length_scale, ratio
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.drawing.wording import corners
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 PATHS, OTHERS = 1, 2  # levels of what lies beneath the links
@@ -59,7 +61,7 @@ class _Scheme:
         self.rough = bodies(self.mechanism, self.pins, cycle, 0.0)
         content = np.concatenate([_content(cycle), _content(self.motion, cycle)])
         self.size = _size(content)
-        self.board = Board(drawing, box, content, MARGIN)
+        self.board = Board(drawing, box, content, MARGIN, scale=length_scale)
         self.bodies = bodies(self.mechanism, self.pins, cycle, (signs.BLOCK[0] / 2 + 2) * self.board.mu)
         self.middle = complex(np.mean([self.place(b.link, p) for b in self.bodies for p in b.corners]))
 
@@ -256,8 +258,18 @@ def _rays(at: complex, segment: Sequence[complex], reach: float) -> list[complex
 
 def _title(result: Kinematics, position: int, mu: float) -> str:
     """Which position the main lines show, and the scale on paper."""
-    along = result.phi[position]
-    value = minus(number(math.degrees(along) if result.turns else along, 5))
-    where = f"$φ$ = {value}°" if result.turns else f"$s − s_0$ = {value} m"
     formula = result.structure.formula.replace("->", "→")
-    return f"{formula}\nPosition {result.labels[position]}, {where},  $μ_l$ = {number(mu, 4)} m/mm"
+    return f"{formula}\n{position_text(result, position)},  {length_note(mu)}"
+
+
+def position_text(result: Kinematics, row: int) -> str:
+    """The number of a position and where the input stands in it."""
+    value, label = float(result.phi[row]), result.labels[row]
+    if result.turns:
+        return tr("Position {label}, $φ$ = {angle}°", label=label, angle=minus(number(math.degrees(value), 5)))
+    return tr("Position {label}, $s − s_0$ = {way} m", label=label, way=minus(number(value, 5)))
+
+
+def length_note(mu: float) -> str:
+    """A scale of lengths as it is written beside a scheme."""
+    return f"$μ_l$ = {number(mu, 4)} {tr_unit('m/mm')} ({ratio(mu)})"
