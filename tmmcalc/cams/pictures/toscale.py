@@ -27,11 +27,9 @@ def scale_of_mm(least: float) -> float:
 
 
 def closed_up(box: Box, content: Plane, margin: float, *, unit: float = 1.0) -> Box:
-    """As much of a rectangle, in its middle, as its content takes at a standard scale; ``unit`` [m] is that of data."""
+    """As much of the height of a rectangle as its content takes at a standard scale; ``unit`` [m] is that of data."""
     mu = length_scale(unit * needed(content, box, margin)) / unit
-    wide, high = (float(np.ptp(part)) / mu + 2 * margin for part in (content.real, content.imag))
-    side, end = max(box.width - wide, 0.0) / 2, max(box.height - high, 0.0) / 2
-    return box.inset(side, end, side, end)
+    return box.inset(0, max(box.height - float(np.ptp(content.imag)) / mu - 2 * margin, 0.0), 0, 0)
 
 
 def turn_to_scale(frame: Box) -> Box:

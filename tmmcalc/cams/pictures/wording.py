@@ -78,3 +78,21 @@ def design_name(design: Design, sense: int) -> str:
         return names[design.name]
     head = design.name.partition(", ")[0]
     return f"{names[head]}, $e$ = {mm(sense * design.offset, 6)} {tr_unit('mm')}"
+
+
+def constraint_name(number_of: int) -> str:
+    """A constraint of the optimal design by its number in the textbook's table 5.5, of a rocker up to 11."""
+    names = {
+        1: tr("closure of the pair"),
+        2: tr("roller without slip"),
+        3: tr("no undercut"),
+        4: tr("concave parts"),
+        5: tr("roller on its pin"),
+        6: tr("shaft strength"),
+        7: tr("bending of the stem"),
+        8: tr("pressure in the guide"),
+        9: tr("contact stress"),
+        10: tr("pressure angle of the cam"),
+        11: tr("room at the pivot"),
+    }
+    return names[number_of]
