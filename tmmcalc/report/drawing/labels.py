@@ -104,6 +104,7 @@ class Labels:
         ``own`` is the stroke, from end to end, that it names among the ``others``: it stands nearer to that one, or
         has a leader.
         """
+        height *= self.drawing.letters
         above, below = extent(text, height)
         half = (width(text, height) / 2, (above + below) / 2)
         radius = max(abs(complex(*half)) + 0.4, 0.95 * height)
@@ -134,8 +135,9 @@ class Labels:
         colour: str = INK,
     ) -> complex | None:
         """Write a name that may be left out: its middle, or None where no place around the anchor is free."""
-        above, below = extent(text, height)
-        _, cost = self._tried(anchor, (width(text, height) / 2, (above + below) / 2), gaps, prefer)
+        larger = height * self.drawing.letters
+        above, below = extent(text, larger)
+        _, cost = self._tried(anchor, (width(text, larger) / 2, (above + below) / 2), gaps, prefer)
         if float(cost.min()) > COVERED:
             return None
         return self.put(text, [anchor], height=height, gaps=gaps, prefer=prefer, colour=colour)
