@@ -58,7 +58,7 @@ def pair(order: Order) -> Iterator[Piece]:
         if all(fault_of(member) is None for member in both(found)):
             yield Piece(SHEET, tr("Mesh {pair}", pair=name), partial(_mesh, found=found), (200, 150), (330, 240))
             heading = tr("Specific sliding and specific pressure {pair}", pair=name)
-            yield Piece(SHEET, heading, partial(_course, found=found), (180, 110), (300, 170))
+            yield Piece(SHEET, heading, partial(_course, found=found), (205, 110), (300, 170))
         table = partial(draw_parameters, found=found)
         yield Piece(SHEET, tr("Parameters of the pair {pair}", pair=name), table, (100, 130), (150, 240))
         quality = partial(draw_quality, found=found)
@@ -78,7 +78,7 @@ def blocking(order: Order) -> Iterator[Piece]:
     """The contours of all pairs with the points that were chosen."""
     for found in order.results["blocking"].pairs:
         heading = tr("Blocking contour {pair}", pair=plain(found.name))
-        yield Piece(SHEET, heading, partial(_contour, found=found), (220, 130), (290, 180))
+        yield Piece(SHEET, heading, partial(_contour, found=found), (230, 140), (290, 180))
 
 
 def _moving(found: Moving) -> Piece:
@@ -105,6 +105,5 @@ def _course(drawing: Drawing, box: Box, found: MeshPair) -> None:
 
 
 def _contour(drawing: Drawing, box: Box, found: PairContour) -> None:
-    key = min(KEY, 0.45 * box.width)
-    seen = draw_plane(drawing, box.inset(0, 0, key + 6, 0), found)
-    write_key(drawing, Box(box.right - key, box.bottom, box.right, box.top), found, seen)
+    seen = draw_plane(drawing, box.inset(0, 0, KEY + 6, 0), found)
+    write_key(drawing, Box(box.right - KEY, box.bottom, box.right, box.top), found, seen)
