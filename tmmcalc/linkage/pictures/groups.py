@@ -18,7 +18,7 @@ from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr
 
 NAME = 16.0  # room of the name of a group, its class and scale [mm]
-LEAST = 45.0  # of a picture in a row with others [mm]
+LEAST = 50.0  # width and height of a picture beside others, if they can have it [mm]
 MARGIN = 7.0  # free border of a group [mm]
 GAP = 4.0  # between pictures [mm]
 
@@ -28,11 +28,11 @@ def cells(box: Box, count: int, scales: Callable[[list[Box]], Sequence[float]]) 
     found = []
     for columns in range(1, count + 1):
         lines = box.split(*[1.0] * math.ceil(count / columns), gap=GAP)
-        rooms = [cell for line in lines for cell in line.split(*[1.0] * columns, gap=GAP, across=True)][:count]
-        low = min(min(room.width, room.height) for room in rooms)
-        if low > LEAST or columns == 1:
-            found.append((sum(map(math.log, scales(rooms))), rooms))
-    return min(found, key=lambda each: each[0])[1]
+        found.append([cell for line in lines for cell in line.split(*[1.0] * columns, gap=GAP, across=True)][:count])
+    wide = [rooms for rooms in found if min(rooms[0].width, rooms[0].height) > LEAST]
+    if not wide:
+        return max(found, key=lambda rooms: min(rooms[0].width, rooms[0].height))
+    return min(wide, key=lambda rooms: sum(map(math.log, scales(rooms))))
 
 
 def draw_groups(drawing: Drawing, box: Box, structure: Structure, motion: LinkageMotion, cycle: LinkageMotion) -> None:
@@ -51,7 +51,7 @@ def draw_groups(drawing: Drawing, box: Box, structure: Structure, motion: Linkag
         return [scale_in(room(place), body, motion, cycle, MARGIN) for place, body in zip(places, free, strict=True)]
 
     for place, body, told in zip(cells(box, len(free), scales), free, classes, strict=True):
-        mu = draw_load_diagram(drawing, room(place), body, motion, cycle, MARGIN)
+        mu = draw_load_diagram(drawing, room(place), body, motion, cycle, MARGIN * larger)
         lines = f"{body.name}\n{told}\n{length_note(mu)}"
         drawing.add(Words(complex(place.middle.real, place.top), lines, 2.5 * larger, 1j))
         board = drawing.fields[-1]
