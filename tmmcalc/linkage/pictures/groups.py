@@ -25,14 +25,13 @@ GAP = 4.0  # between pictures [mm]
 
 def cells(box: Box, count: int, scales: Callable[[list[Box]], Sequence[float]]) -> list[Box]:
     """The rooms of so many pictures in a rectangle, row by row, in which they have the largest scales together."""
-    found = []
+    ways = []
     for columns in range(1, count + 1):
         lines = box.split(*[1.0] * math.ceil(count / columns), gap=GAP)
-        found.append([cell for line in lines for cell in line.split(*[1.0] * columns, gap=GAP, across=True)][:count])
-    wide = [rooms for rooms in found if min(rooms[0].width, rooms[0].height) > LEAST]
-    if not wide:
-        return max(found, key=lambda rooms: min(rooms[0].width, rooms[0].height))
-    return min(wide, key=lambda rooms: sum(map(math.log, scales(rooms))))
+        rooms = [cell for line in lines for cell in line.split(*[1.0] * columns, gap=GAP, across=True)][:count]
+        ways.append((min(min(room.width, room.height) for room in rooms), rooms))
+    large = [rooms for low, rooms in ways if low > LEAST] or [max(ways, key=lambda way: way[0])[1]]
+    return min(large, key=lambda rooms: sum(map(math.log, scales(rooms))))
 
 
 def draw_groups(drawing: Drawing, box: Box, structure: Structure, motion: LinkageMotion, cycle: LinkageMotion) -> None:
