@@ -12,10 +12,10 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.diagram import ROW, Axis, Curve, Diagram, key_above, key_rows, room
 from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.pens import Pen
-from tmmcalc.report.drawing.scales import standard_scale
+from tmmcalc.report.drawing.scales import factor_text, standard_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr_unit
-from tmmcalc.report.numbers import NOISE, number
+from tmmcalc.report.numbers import NOISE
 
 DOTTED = 72  # more positions than this are not marked one by one
 PREFIXES = ((1e7, 1e-6, "M"), (1e4, 1e-3, "k"))
@@ -145,8 +145,7 @@ def scale_factor(letter: str, mu: float, unit: str) -> str:
     >>> scale_factor("M", 25.0, "N*m"), scale_factor("ω", 0.04, "rad/s")
     ('$μ_{M}$ = 25 N·m/mm', '$μ_{ω}$ = 0.04 (rad/s)/mm')
     """
-    per = f"({unit})/mm" if "/" in unit else f"{unit}/mm"
-    return f"$μ_{{{letter}}}$ = {number(mu)} {tr_unit(per)}"
+    return factor_text(f"μ_{{{letter}}}", mu, f"({unit})/mm" if "/" in unit else f"{unit}/mm")
 
 
 def _room_of(title: str) -> float:
