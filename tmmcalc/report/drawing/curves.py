@@ -19,7 +19,8 @@ from tmmcalc.report.numbers import NOISE
 
 DOTTED = 72  # more positions than this are not marked one by one
 PREFIXES = ((1e7, 1e-6, "M"), (1e4, 1e-3, "k"))
-SIDES = (15.0, 3.0, 3.0, 2.0)  # room for numbers and names around a frame: left, bottom, right, top [mm]
+SIDES = (17.0, 3.0, 3.0, 2.0)  # room for numbers and names around a frame: left, bottom, right, top [mm]
+LONGER = 3.0  # and on the left for the numbers of an ordinate that a standard factor makes longer
 BELOW = 8.0  # and for those of the abscissa under the lowest
 
 
@@ -116,8 +117,8 @@ def column(drawing: Drawing, box: Box, graphs: Sequence[Graph], heights: Sequenc
     """
     if any(graph.mu for graph in graphs):
         x = along_input(graphs[0].turns, graphs[0].phi)
-        room = box.width - SIDES[0] - SIDES[2]
-        box = box.inset(0, 0, room - float(np.ptp(x)) / standard_scale(float(np.ptp(x)) / room), 0)
+        room = box.width - LONGER - SIDES[0] - SIDES[2]
+        box = box.inset(LONGER, 0, room - float(np.ptp(x)) / standard_scale(float(np.ptp(x)) / room), 0)
     wide = box.width - SIDES[0] - SIDES[2]
     rows = [graph.rows(wide) for graph in graphs]
     return [
