@@ -97,9 +97,9 @@ def _course(drawing: Drawing, box: Box, found: MeshPair) -> None:
     placed = placed_pair(found)
     marks = [mark.at.real for mark in placed.marks if mark.rho >= 0]
     over = BEYOND * (max(marks) - min(marks))
-    curves, beside = Box(box.left + 18, box.bottom + 13, box.right - VALUES - 6, box.top - 17), box
-    draw_course(drawing, tuple(curves.split(1.3, 1.0, gap=8)), placed, (min(marks) - over, max(marks) + over))  # type: ignore[arg-type]
-    upper, lower = Box(box.right - VALUES, beside.bottom, box.right, beside.top).split(1.4, 1.0, gap=4)
+    theta, pressure = Box(box.left + 18, box.bottom + 13, box.right - VALUES - 6, box.top - 17).split(1.3, 1.0, gap=8)
+    draw_course(drawing, (theta, pressure), placed, (min(marks) - over, max(marks) + over))
+    upper, lower = Box(box.right - VALUES, box.bottom, box.right, box.top).split(1.4, 1.0, gap=4)
     draw_whole(drawing, upper, placed)
     list_rows(drawing, lower, contact_values(placed), tuple(part * VALUES for part in (0.34, 0.56, 0.78, 1.0)))
 
