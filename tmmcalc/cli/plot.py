@@ -151,7 +151,7 @@ def command(
     ] = None,
     polygons: Annotated[
         str | None,
-        typer.Option(POLYGONS, metavar="POSITION", help="Add the polygons of velocities, or of forces, there."),
+        typer.Option(POLYGONS, metavar="LIST", help="Add plans of velocities, or of forces, in positions: '4,9'."),
     ] = None,
     choose: Annotated[
         int | None,
@@ -237,5 +237,5 @@ command.__doc__ = f"""{command.__doc__}
 
 {_list()}
 
-Example: tmmcalc plot my.toml kinematics -o my.svg --polygons 6
+Example: tmmcalc plot my.toml kinematics -o my.svg --polygons 4,9
 """

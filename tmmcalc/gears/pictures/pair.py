@@ -18,6 +18,7 @@ from tmmcalc.gears.pictures.pairtable import contact_values, parameters
 from tmmcalc.gears.pictures.placedpair import Body, PlacedPair, placed_pair
 from tmmcalc.gears.pictures.sketch import ACTION, ACTIVE, COLOURS, COLUMN, FACES, circle_pen
 from tmmcalc.gears.pictures.slidingcurves import draw_course
+from tmmcalc.gears.pictures.words import pair_title
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.lettering import minus, plain, width, wrapped
@@ -78,7 +79,7 @@ def pair_drawing(found: Pairs, *, choose: int | None = None, phase: float = 0.0)
     for k, pair in enumerate(sound):
         _draw_sheets(drawing, boxes[2 * k], boxes[2 * k + 1], pair)
     for box, (one, errors) in zip(boxes[2 * len(sound) :], faulty, strict=True):
-        tell(drawing, box, tr("Mesh {pair} cannot be drawn", pair=plain(one.task.title)), errors)
+        tell(drawing, box, tr("Mesh {pair} cannot be drawn", pair=pair_title(one.task)), errors)
     return drawing
 
 
@@ -121,7 +122,7 @@ def _draw_sheets(drawing: Drawing, first: Box, second: Box, pair: PlacedPair) ->
 
 def _title(pair: PlacedPair, mu: float) -> tuple[str, str]:
     found = pair.found
-    title, scale = plain(found.task.title), scale_text(mu)
+    title, scale = pair_title(found.task), scale_text(mu)
     head = tr("Mesh {pair}", pair=title) if found.task.name else tr("Mesh of {pair}", pair=title)
     if pair.phase:
         angle = minus(number(math.degrees(pair.phase), 4))

@@ -23,6 +23,7 @@ from tmmcalc.gears.pictures.placedpair import placed_pair
 from tmmcalc.gears.pictures.sketch import COLUMN
 from tmmcalc.gears.pictures.slidingcurves import draw_course
 from tmmcalc.gears.pictures.toothpoints import INTERVALS, draw_tooth_points
+from tmmcalc.gears.pictures.words import pair_title, train_name
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import plain
 from tmmcalc.report.drawing.order import Order
@@ -41,21 +42,19 @@ BEYOND = 0.04  # of the curves of sliding beyond the outermost points, in parts 
 
 def train(order: Order) -> Iterator[Piece]:
     """The train that was chosen, in motion; without criteria the first set of every variant."""
-    for title, found in trains_in_motion(order.spec, order.results, order.choice or 1):
-        yield _moving(tr("Gear train {name}", name=plain(title)), found)
+    for _, found in trains_in_motion(order.spec, order.results, order.choice or 1):
+        yield _moving(found)
 
 
 def gearing(order: Order) -> Iterator[Piece]:
     """The train that is written out, in motion."""
-    found = written(order.results["gearing"])
-    title = tr("Gear train") if found.chosen is None else tr("Gear train {name}", name=plain(found.chosen.title))
-    yield _moving(title, found)
+    yield _moving(written(order.results["gearing"]))
 
 
 def pair(order: Order) -> Iterator[Piece]:
     """Of every pair whose wheels have profiles the mesh, sliding, parameters, figures of quality."""
     for found in order.results["pair"].pairs:
-        name = plain(found.task.title)
+        name = pair_title(found.task)
         if all(fault_of(member) is None for member in both(found)):
             yield Piece(SHEET, tr("Mesh {pair}", pair=name), partial(_mesh, found=found), (200, 150), (330, 240))
             heading = tr("Specific sliding and specific pressure {pair}", pair=name)
@@ -82,7 +81,8 @@ def blocking(order: Order) -> Iterator[Piece]:
         yield Piece(SHEET, heading, partial(_contour, found=found), (220, 130), (290, 180))
 
 
-def _moving(heading: str, found: Moving) -> Piece:
+def _moving(found: Moving) -> Piece:
+    heading = tr("Gear train") if found.chosen is None else train_name(found.chosen.sets)
     return Piece(SHEET, heading, partial(draw_motion, found=found), (230, 130), (330, 190))
 
 

@@ -107,22 +107,29 @@ def _places(column: Box, body: FreeBody, drawn: Sheet) -> tuple[Box, Box, Box]:
     below = column.split(*HEIGHTS, gap=2.0)
     upper, polygon = column.split(*TALL, gap=2.0)
     beside = upper.split(upper.width - VALUES, VALUES, gap=2.0, across=True)
-    sizes = [scale_in(box.inset(0, 0, 0, NAME), body, drawn.motion, drawn.cycle) for box in (below[0], beside[0])]
+    rooms = [box.inset(0, 0, 0, NAME) for box in (below[0], beside[0])]
+    sizes = [scale_in(room, body, drawn.motion, drawn.cycle) for room in rooms]
     if drawn.others or sizes[0] <= sizes[1]:
         return below[0], below[1], below[2]
     return beside[0], polygon, beside[1].inset(0, 0, 0, NAME)
 
 
+def body_scale(drawing: Drawing, box: Box, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> float:
+    """The scale that `draw_body` would have in a rectangle."""
+    return scale_in(box.inset(0, 0, 0, NAME * drawing.letters), body, motion, cycle)
+
+
 def draw_body(drawing: Drawing, box: Box, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> None:
     """The load diagram of a body with its name and scale above."""
-    mu = draw_load_diagram(drawing, box.inset(0, 0, 0, NAME), body, motion, cycle)
-    drawing.add(Words(complex(box.middle.real, box.top), f"{body.name},  {length_note(mu)}", 2.5, 1j))
+    larger = drawing.letters
+    mu = draw_load_diagram(drawing, box.inset(0, 0, 0, NAME * larger), body, motion, cycle)
+    drawing.add(Words(complex(box.middle.real, box.top), f"{body.name},  {length_note(mu)}", 2.5 * larger, 1j))
 
 
 def _draw_values(drawing: Drawing, box: Box, body: FreeBody, other: FreeBody | None, limits: tuple[str, str]) -> None:
     """Size and direction of everything, in both limits if there are two."""
     parts = _parts(body)
-    now, then = (tr("size"), []) if other is None else (limits[0], [limits[1], tr("direction")])
+    now, then = (tr("magnitude"), []) if other is None else (limits[0], [limits[1], tr("direction")])
     head = ["", tr("joint"), now, tr("direction"), f"$h$, {tr_unit('mm')}", *then]
     rows = [_row(part, _found(other, part), len(head)) for part in parts]
     used = [k for k in range(len(head)) if k == 0 or any(row[k] for row in rows)]
@@ -156,7 +163,7 @@ def _draw_legend(drawing: Drawing, box: Box, bodies: Sequence[FreeBody]) -> None
     names = {
         "load": tr("load"),
         "weight": tr("weight"),
-        "inertia": tr("inertia"),
+        "inertia": tr("inertia force"),
         "spring": tr("spring"),
         "damper": tr("damper"),
         "drive": tr("drive"),

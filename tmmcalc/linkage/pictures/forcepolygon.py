@@ -52,15 +52,15 @@ def draw_force_polygon(drawing: Drawing, box: Box, body: FreeBody, other: FreeBo
     """Draw in a rectangle; ``other`` is the other limit, drawn dashed beneath."""
     title = complex(box.middle.real, box.top)
     if not body.forces:
-        drawing.add(Words(title, tr("no forces"), 2.5, 1j))
+        drawing.add(Words(title, tr("no forces"), 2.5 * drawing.letters, 1j))
         return
-    drawn, field = vectors_of(body), box.inset(0, 0, 0, TITLE)
+    drawn, field = vectors_of(body), box.inset(0, 0, 0, TITLE * drawing.letters)
     content = np.concatenate([body.vertices, *([other.vertices] if other else [])])
     left, strip = field.split(1 - STRIP, STRIP, gap=3.0, across=True)
     if not _short_runs(drawn, standard_scale(needed(content, field, MARGIN))):
         left = field
     chain = _Chain(drawing, left, content, drawn)
-    drawing.add(Words(title, scale_of_forces(chain.board.mu), 2.5, 1j))
+    drawing.add(Words(title, scale_of_forces(chain.board.mu), 2.5 * drawing.letters, 1j))
     if other:
         _draw_other(chain.board, other)
     chain.draw()
@@ -71,6 +71,11 @@ def draw_force_polygon(drawing: Drawing, box: Box, body: FreeBody, other: FreeBo
         chain.detail(place.inset(0, 1.5, 0, 0), run, LETTERS[k % len(LETTERS)])
     inside = [vector for run in runs for vector in run]
     chain.names([vector for vector in drawn if vector not in inside and (vector.kind or not chain.is_short(vector))])
+
+
+def polygon_scale(box: Box, body: FreeBody) -> float:
+    """The scale [N/mm] that the polygon of a body would have in a rectangle."""
+    return standard_scale(needed(body.vertices, box.inset(0, 0, 0, TITLE), MARGIN))
 
 
 def scale_of_forces(mu: float) -> str:

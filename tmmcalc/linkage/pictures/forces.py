@@ -8,7 +8,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.facts.places import speed_text
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.loading import Loading
@@ -26,8 +25,8 @@ from tmmcalc.report.drawing.order import POLYGONS, Order
 from tmmcalc.report.drawing.page import headed, sheets
 from tmmcalc.report.drawing.pens import CURVES, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
-from tmmcalc.report.language import tr
-from tmmcalc.report.numbers import NOISE
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.numbers import NOISE, number
 
 HEADING = 9.0  # room of the heading [mm]
 
@@ -78,10 +77,21 @@ def _over_the_cycle(drawing: Drawing, box: Box, statics: Statics, result: Forces
 
 
 def _heading(result: Forces) -> str:
-    kind = {"coupling": "driven through a coupling", "gear": "driven by a gear", "slider": "driven along the guide"}
-    speed = minus(speed_text(result))
-    first = f"Reactions and drive at {speed}, {kind[result.drive_kind]}"
-    return f"{first}\n$R_A$ (1–2): force of link 1 on link 2 in joint A"
+    drives = {
+        "coupling": tr("driven through a coupling"),
+        "gear": tr("driven by a gear"),
+        "slider": tr("driven along the guide"),
+    }
+    drive = drives[result.drive_kind]
+    first = tr("Reactions and drive at {speed}, {drive}", speed=_speed(result), drive=drive)
+    return f"{first}\n" + tr("$R_A$ (1–2): force of link 1 on link 2 in joint A")
+
+
+def _speed(result: Forces) -> str:
+    if not result.turns:
+        return f"{minus(number(result.speed))} {tr_unit('m/s')}"
+    rpm = result.speed * 30 / math.pi
+    return f"{minus(number(result.speed))} {tr_unit('rad/s')} ({minus(number(rpm))} {tr_unit('rpm')})"
 
 
 def _reaction_graphs(statics: Statics, result: Forces, course: DiagramCourse) -> list[Graph]:

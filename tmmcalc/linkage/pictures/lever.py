@@ -14,7 +14,7 @@ import numpy as np
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import Forces, side_of
 from tmmcalc.linkage.lever import Lever, LeverForce, levers
-from tmmcalc.linkage.pictures.loaddiagram import HEAD, LONGEST, SHORTEST, free_arrow
+from tmmcalc.linkage.pictures.loaddiagram import HEAD, arrow_length, free_arrow
 from tmmcalc.linkage.pictures.plans import scale_note
 from tmmcalc.linkage.pictures.scheme import position_text
 from tmmcalc.linkage.pictures.vectors import drawn_vectors, vertices_together
@@ -35,6 +35,7 @@ from tmmcalc.report.numbers import number
 MARGIN = 22.0  # free border, for arrows and arms [mm]
 TITLE = 12.0  # room of the heading and the scale [mm]
 TABLE = 84.0  # width of the table of moments [mm]
+FOOT = 24.0  # room under it for both drives [mm]
 SEEN = 1e-4  # of the largest force: less is left out
 LEAST = 1.0  # a shorter arm is not drawn [mm]
 SHIFTS = 2.6  # from one place of a dimension to the next [mm]
@@ -51,7 +52,8 @@ def draw_lever(
     position = kinematics.labels.index(result.labels[row].removesuffix("-"))
     plan = polygons(statics.scene.chain.mechanism, kinematics, position)
     turned = Polygon("p", {name: -1j * tip for name, tip in plan.velocity.vertices.items()}, plan.velocity.vectors)
-    field = box.inset(0, 0, TABLE, TITLE)
+    larger = drawing.letters
+    field = box.inset(0, 0, TABLE * larger, TITLE * larger)
     at = np.array([result.theta[row]]), np.array([side_of(result, row)])
     shown = _shown(levers(statics, kinematics, *at, 1.0)[0])
     content = np.array([*turned.vertices.values(), *(complex(f.x, f.y) for f in shown), *map(_foot, shown)])
@@ -60,14 +62,14 @@ def draw_lever(
     shown = _shown(found)
     title = complex(field.middle.real, box.top)
     heading = tr("{position}: velocities turned by 90° clockwise", position=position_text(kinematics, position))
-    drawing.add(Words(title, f"{heading}\n{scale_note('v', mu)}", 3.0, 1j))
+    drawing.add(Words(title, f"{heading}\n{scale_note('v', mu)}", 2.5 * larger, 1j))
     board = Board(drawing, field, content, MARGIN, mu)
     drawn = _Lever(board, turned, plan.fixed)
     drawn.lines()
     drawn.forces([force for force in shown if math.hypot(force.x, force.y) > LEAST])
     drawn.arms([force for force in shown if abs(force.arm) > LEAST])
     drawn.names()
-    table = Box(box.right - TABLE + 3.0, box.bottom, box.right, box.top - TITLE)
+    table = Box(field.right + 3.0, box.bottom, box.right, field.top)
     _draw_moments(drawing, table, found, shown, result.turns)
     return board, found
 
@@ -111,8 +113,8 @@ class _Lever:
         """Every force at the end of its velocity, the largest first."""
         largest = max((force.force for force in drawn), default=0.0)
         for force in sorted(drawn, key=lambda each: -each.force):
-            size = SHORTEST + (LONGEST - SHORTEST) * math.sqrt(force.force / largest)
-            tail, head = free_arrow(self.board, self.tip(force), _along(force), size * self.board.mu, (0.0,))
+            size = arrow_length(self.board, force.force / largest)
+            tail, head = free_arrow(self.board, self.tip(force), _along(force), size, (0.0,))
             self.board.vector(tail, head, FORCES[force.kind], HEAD, level=13)
             self.arrows.append((force, tail, head))
 
@@ -132,8 +134,8 @@ class _Lever:
         if abs(tip - end) > LEAST:
             board.drawing.line([tip, end], THIN, level=2)
             board.labels.avoid([tip, end], 0.5)
-        text = tr_number(f"{abs(force.arm):.2f}")
-        tried = [Dimension(pole, end, pole + shift * SHIFTS * e, text, LETTERS) for shift in TRIED]
+        text, height = tr_number(f"{abs(force.arm):.2f}"), LETTERS * board.drawing.letters
+        tried = [Dimension(pole, end, pole + shift * SHIFTS * e, text, height) for shift in TRIED]
         against = [self._against(dimension) + abs(shift) for dimension, shift in zip(tried, TRIED, strict=True)]
         dimension = tried[against.index(min(against))]
         board.drawing.add(dimension, level=10)
@@ -185,13 +187,13 @@ def force_name(force: LeverForce) -> str:
 
 def _draw_moments(drawing: Drawing, box: Box, found: Lever, shown: list[LeverForce], turns: bool) -> None:
     """Size, arm and moment of every force, their sum; the drive that balances it beside that of the force analysis."""
-    peak = max((abs(force.moment) for force in shown), default=0.0)
+    peak, larger = max((abs(force.moment) for force in shown), default=0.0), drawing.letters
     head = [tr("force"), tr_unit("N"), f"$h$, {tr_unit('mm')}", f"$F h$, {tr_unit('N*mm')}"]
     given = [force for force in shown if force.kind != "drive"]
     rows = [_row(force, peak) for force in given]
     rows.append(["$ΣF h$", "", "", minus(number(found.moment, 7, peak))])
     rows += [_row(force, peak) for force in shown if force.kind == "drive"]
-    high = draw_table(drawing, box.inset(0, 24.0, 0, 0), head, rows)
+    high = draw_table(drawing, box.inset(0, FOOT * larger, 0, 0), head, rows, 2.2 * larger)
     unit, letter = (tr_unit("N*m"), "M_d") if turns else (tr_unit("N"), "F_d")
     largest = max(abs(found.drive), abs(found.kinetostatic))
     off = 100 * abs(found.difference) / largest if largest else 0.0
@@ -206,7 +208,7 @@ def _draw_moments(drawing: Drawing, box: Box, found: Lever, shown: list[LeverFor
         tr("difference {share} %", share=tr_number(f"{off:.4f}")),
         tr("an arm is positive that turns counter-clockwise"),
     ]
-    drawing.add(Words(complex(box.left, box.top - high - 2.5), "\n".join(lines), 2.2, -1 + 1j))
+    drawing.add(Words(complex(box.left, box.top - high - 2.5), "\n".join(lines), 2.1 * larger, -1 + 1j))
 
 
 def _row(force: LeverForce, peak: float) -> list[str]:

@@ -42,19 +42,21 @@ ARC = 3.6  # radius of a couple's arc [mm]
 PITCH = math.radians(35)  # half of the arc of a pitch circle that is shown
 
 
-def draw_load_diagram(drawing: Drawing, box: Box, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> float:
-    """Draw in a rectangle; returns the scale of the links [m/mm]."""
+def draw_load_diagram(
+    drawing: Drawing, box: Box, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion, margin: float = MARGIN
+) -> float:
+    """Draw in a rectangle with a free border [mm]; returns the scale of the links [m/mm]."""
     diagram = _Diagram(body, motion, cycle)
-    diagram.on(drawing, box)
+    diagram.on(drawing, box, margin)
     diagram.links()
     diagram.forces()
     diagram.couples()
     return diagram.board.mu
 
 
-def scale_in(box: Box, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> float:
+def scale_in(box: Box, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion, margin: float = MARGIN) -> float:
     """The scale [m/mm] that the links of a body would have in a rectangle."""
-    return length_scale(needed(_Diagram(body, motion, cycle).content, box, MARGIN))
+    return length_scale(needed(_Diagram(body, motion, cycle).content, box, margin))
 
 
 class _Diagram:
@@ -70,9 +72,9 @@ class _Diagram:
         self.shapes = [shape for shape in shapes if shape.link in body.links]
         self.content = self._content()
 
-    def on(self, drawing: Drawing, box: Box) -> None:
+    def on(self, drawing: Drawing, box: Box, margin: float) -> None:
         """Take a rectangle to draw in."""
-        self.board = Board(drawing, box, self.content, MARGIN, scale=length_scale)
+        self.board = Board(drawing, box, self.content, margin, scale=length_scale)
 
     def _content(self) -> Plane:
         """All that must fit [m]."""
@@ -136,8 +138,7 @@ class _Diagram:
         """All forces, the largest first, for it has the first choice of its side."""
         largest = max((abs(force.value) for force in self.body.forces), default=0.0)
         for force in sorted(self.body.forces, key=lambda f: -abs(f.value)):
-            size = SHORTEST + (LONGEST - SHORTEST) * math.sqrt(abs(force.value) / largest)
-            self._force(force, size * self.board.mu)
+            self._force(force, arrow_length(self.board, abs(force.value) / largest))
 
     def _force(self, force: Acting, size: float) -> None:
         """One arrow where it is nearest to its point and covers least."""
@@ -170,6 +171,11 @@ class _Diagram:
         self.board.arrowhead(tip, direction, pen, HEAD * 0.9, level=14)
         anchors = self.board.paper([complex(arc[len(arc) // 2]), complex(arc[8])])
         self.board.labels.put(symbol(couple.letter, couple.index), anchors, colour=pen.colour, gaps=(0.8, 1.6, 2.6))
+
+
+def arrow_length(board: Board, part: float) -> float:
+    """The length [m] of the arrow of a force that is so large against the largest."""
+    return (SHORTEST + (LONGEST - SHORTEST) * math.sqrt(part)) * board.drawing.letters * board.mu
 
 
 def free_arrow(

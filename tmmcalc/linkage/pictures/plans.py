@@ -128,23 +128,31 @@ def draw_plans_of_kind(
     drawing: Drawing, box: Box, result: Kinematics, plans: Sequence[VectorPolygons], letter: str
 ) -> list[Board]:
     """The plans of velocities (``v``) or of accelerations (``a``) of some positions side by side, to one scale."""
-    parts = [part.inset(0, 0, 0, TITLE) for part in box.inset(0, 0, 0, TITLE).split(*(1.0 for _ in plans), across=True)]
-    scale = plan_scale(plans, parts[0])
-    mu = scale.velocity if letter == "v" else scale.acceleration
-    drawing.add(Words(complex(box.middle.real, box.top), scale_note(letter, mu), 3.5, 1j))
-    boards = []
-    for part, plan in zip(parts, plans, strict=True):
-        drawing.add(
-            Words(complex(part.middle.real, part.top + TITLE - 1), position_text(result, plan.position), 3.5, 1j)
+    head, height = TITLE * drawing.letters, 2.5 * drawing.letters
+    drawn = [plan.velocity if letter == "v" else plan.acceleration for plan in plans]
+    tips = [np.array([*each.vertices.values()]) for each in drawn]
+    wide = [float(np.ptp(each.real)) for each in tips]
+    shares = [max(each, max(wide) / 3) or 1.0 for each in wide]
+    parts = box.inset(0, 0, 0, head).split(*shares, across=True)
+    fields = [part.inset(0, 0, 0, head) for part in parts]
+    mu = standard_scale(
+        max(
+            needed(np.array([*each.vertices.values()]), field, MARGIN)
+            for each, field in zip(drawn, fields, strict=True)
         )
-        polygon = plan.velocity if letter == "v" else plan.acceleration
-        boards.append(draw_polygon(drawing, part, polygon, letter, plan.fixed, mu))
+    )
+    drawing.add(Words(complex(box.middle.real, box.top), scale_note(letter, mu), height, 1j))
+    boards = []
+    for part, field, plan, polygon in zip(parts, fields, plans, drawn, strict=True):
+        title = complex(part.middle.real, part.top)
+        drawing.add(Words(title, position_text(result, plan.position), height, 1j))
+        boards.append(draw_polygon(drawing, field, polygon, letter, plan.fixed, mu))
     return boards
 
 
 def plan_name(letter: str) -> str:
     """What a plan of ``v`` or ``a`` is."""
-    return tr("Plan of velocities") if letter == "v" else tr("Plan of accelerations")
+    return tr("Velocity polygon") if letter == "v" else tr("Acceleration polygon")
 
 
 def scale_note(letter: str, mu: float) -> str:

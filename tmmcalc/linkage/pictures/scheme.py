@@ -28,6 +28,7 @@ from tmmcalc.report.numbers import number
 PATHS, OTHERS = 1, 2  # levels of what lies beneath the links
 MARGIN = 9.0  # free border [mm]
 HEAD = 9.5  # height of the two lines above [mm]
+NUMBER = 1.3  # height of the numbers of positions [mm]
 GREY = "#555555"
 
 
@@ -35,8 +36,8 @@ def draw_scheme(
     drawing: Drawing, box: Box, result: Kinematics, cycle: LinkageMotion, positions: Sequence[int]
 ) -> Board:
     """Draw in a rectangle; the first of ``positions`` has main lines. Returns the board."""
-    top = complex(box.left, box.top)
-    scheme = _Scheme(drawing, box.inset(0, 0, 0, HEAD), result, cycle, positions)
+    top, larger = complex(box.left, box.top), drawing.letters
+    scheme = _Scheme(drawing, box.inset(0, 0, 0, HEAD * larger), result, cycle, positions)
     scheme.paths()
     scheme.others()
     scheme.frame()
@@ -44,7 +45,7 @@ def draw_scheme(
     scheme.joints()
     scheme.drive()
     scheme.names()
-    drawing.add(Words(top, _title(result, positions[0], scheme.board.mu), 2.5, -1 + 1j))
+    drawing.add(Words(top, _title(result, positions[0], scheme.board.mu), 2.5 * larger, -1 + 1j))
     return scheme.board
 
 
@@ -97,14 +98,15 @@ class _Scheme:
         if pin is None:
             return
         last: list[complex] = []
+        larger = self.board.drawing.letters
         order = sorted(range(len(self.positions)), key=lambda k: self.positions[k])
         for k in order:
             at = self.place(self.result.structure.input_link, pin, k)
-            text = at + (at - pivot) / abs(at - pivot) * 2.3 * self.board.mu
-            if all(abs(text - other) > 2.6 * self.board.mu for other in last):
+            text = at + (at - pivot) / abs(at - pivot) * 1.8 * NUMBER * larger * self.board.mu
+            if all(abs(text - other) > 2.0 * NUMBER * larger * self.board.mu for other in last):
                 last.append(text)
                 label = self.result.labels[self.positions[k]]
-                words = Words(self.board.place(text), label, 1.3, 0j, colour=GREY)
+                words = Words(self.board.place(text), label, NUMBER * larger, 0j, colour=GREY)
                 self.board.drawing.add(words, level=PATHS)
                 self.board.labels.keep(corners(words))
 

@@ -26,7 +26,7 @@ CLEARLY = 0.8  # so much nearer to its own stroke than to another a name is told
 ASTRAY = 15.0  # what a mm less costs
 WRONG = 50.0  # and what it costs to be nearer to another one
 FURTHER = (4.0, 6.0, 8.5, 11.5, 15.0, 19.0)  # gaps of a name that found no free place nearby [mm]
-FAR = 3.3  # a name that stands farther from its anchor has a leader [mm]
+FAR = 3.0  # a name that stands farther from its anchor has a leader [mm]
 TOUCHING = 0.3  # strokes nearer than this all along are told apart by no name [mm]
 CROSSED = 3.0  # what it costs a leader to cross another name, by mm
 OUTSIDE = 60.0  # what it costs to reach over the border
@@ -104,6 +104,7 @@ class Labels:
         ``own`` is the stroke, from end to end, that it names among the ``others``: it stands nearer to that one, or
         has a leader.
         """
+        height *= self.drawing.letters
         above, below = extent(text, height)
         half = (width(text, height) / 2, (above + below) / 2)
         radius = max(abs(complex(*half)) + 0.4, 0.95 * height)
@@ -134,8 +135,9 @@ class Labels:
         colour: str = INK,
     ) -> complex | None:
         """Write a name that may be left out: its middle, or None where no place around the anchor is free."""
-        above, below = extent(text, height)
-        _, cost = self._tried(anchor, (width(text, height) / 2, (above + below) / 2), gaps, prefer)
+        larger = height * self.drawing.letters
+        above, below = extent(text, larger)
+        _, cost = self._tried(anchor, (width(text, larger) / 2, (above + below) / 2), gaps, prefer)
         if float(cost.min()) > COVERED:
             return None
         return self.put(text, [anchor], height=height, gaps=gaps, prefer=prefer, colour=colour)

@@ -21,8 +21,8 @@ from tmmcalc.report.sheets.piece import Piece
 
 GAP = 6.0  # between pieces [mm]
 UNDER = 4.0  # from a heading to its picture [mm]
-TRIED = 150  # arrangements that are laid out in full, the most promising ones
-KEPT = 16  # ways to divide one column that are joined with others
+TRIED = 50  # arrangements that are laid out in full, the most promising ones
+KEPT = 8  # ways to divide one column that are joined with others
 FINALISTS = 5  # of these the columns are made wider and narrower
 STEPS = (0.2, 0.05)
 EPS = 1e-9  # [mm]
@@ -242,12 +242,12 @@ class _Task:
         """
         wide, high = self.room.corner
         beside = max(0.0, self.room.box.left + wide - box.left) if first else 0.0
-        lines = wrapped(piece.heading, box.width - beside, self.height) if piece.heading else []
-        down = high if beside and (len(lines) > 1 or width("".join(lines), self.height) > box.width - beside) else 0.0
-        if down:
-            beside = 0.0
-            lines = wrapped(piece.heading, box.width, self.height)
-        under = down + (self.head + (len(lines) - 1) * LEADING * self.height if lines else 0.0)
+        down = 0.0
+        if beside and width(piece.heading, self.height) > box.width - beside:
+            beside, down = 0.0, high
+        short = width(piece.heading, self.height) <= box.width - beside
+        lines = [piece.heading] if short else wrapped(piece.heading, box.width, self.height)
+        under = down + (self.head + (len(lines) - 1) * LEADING * self.height if piece.heading else 0.0)
         if beside:
             under = max(under, high)
         at = complex((box.left + beside + box.right) / 2, box.top - down)

@@ -152,7 +152,8 @@ def drawn(sheet: Sheet, style: Style, failed: Callable[[Piece, TmmError], None])
     {"gost": gost.frame, "iso": iso.frame, "none": _bare}[style.frame](drawing, titles)
     height = HEADINGS[sheet.format]
     for place in sheet.layout.places:
-        drawing.add(Words(place.head, "\n".join(place.heading), height, 1j))
+        if place.piece.heading:
+            drawing.add(Words(place.head, "\n".join(place.heading), height, 1j))
         before = drawing.mark()
         try:
             place.piece.draw(drawing, place.box)
