@@ -52,10 +52,8 @@ class Note(str):
         level, text, own, *numbers = self.__getnewargs__()
         return Note(level, text, f"{place}: {own}" if own else place, *numbers)
 
-    def stored(self) -> str | dict[str, Any]:
-        """What `restored` takes: the sentence alone if it has neither place nor numbers."""
-        if self.value is None and self.limit is None and not self.place:
-            return str(self)
+    def stored(self) -> dict[str, Any]:
+        """What it is made of, by name; parts that it has not are left out."""
         parts = zip(("level", "text", "place", "value", "limit", "unit", "name"), self.__getnewargs__(), strict=True)
         return {key: part for key, part in parts if part not in (None, "")}
 
@@ -63,16 +61,13 @@ class Note(str):
 Said = Note | str  # in a result: a sentence, with its numbers or without
 
 
-def restored(data: str | dict[str, Any]) -> Any:
-    """The note that `Note.stored` gave; a sentence without a level stays one.
+def restored(data: str | dict[str, Any]) -> Said:
+    """The note that `Note.stored` gave; a sentence is what it was.
 
-    >>> restored(Note("note", "two", value=2.0).stored()).value
-    2.0
+    >>> restored(Note("note", "two", value=2.0).stored())
+    'note: two'
     """
-    if isinstance(data, dict):
-        return Note(**data)
-    level, colon, text = data.partition(": ")
-    return Note(level, text) if colon and level in LEVELS else data
+    return Note(**data) if isinstance(data, dict) else data
 
 
 def held(
