@@ -72,6 +72,10 @@ class Stage:
     ``details(spec, results)``  facts by choice: a record whose declared quantities are told by name alone, never in a
                           document or a file that did not ask for them; or several such records by the word before them.
                           What its annotation says that it returns is listed without computing it
+    ``declares``          of a stage all names of whose columns are declared: where, beside its result and the module of
+                          its ``columns``: modules, ``module:NAME`` of one quantity, or names as they are. A name of no
+                          such form is told before anything is computed, see `tmmcalc.naming.declared`
+    ``words(spec)``       by place in braces of these names the words that the scene has for it; without it any word
     ``outlook()``         of a stage that settles the spec tables like those that it will find, by which a plan is made
 
     A part that is heavy to import is given by its name, ``"module:function"``: a stored result is loaded without the
@@ -91,6 +95,7 @@ class Stage:
     feeds: tuple[str, ...] = ()  # stages of rooms below that read its result, without knowing it, if the scene has it
     after: str = ""  # a stage of another room that comes before it, though it reads nothing of it
     settings: Mapping[str, Any] = field(default_factory=dict)  # options of the method and their defaults
+    by_name: Mapping[str, Any] = field(default_factory=dict)  # keywords that leave out what no name can ask for
     settles: bool = False  # whether what it found takes its place in the spec for the stages that come after it
     another: bool = False  # whether it is given the pipeline for specs that results hold, as ``another(text, stages)``
     every: bool = False  # whether it is given ``every`` result so far, to take what the stages that it reads have read

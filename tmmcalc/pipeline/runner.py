@@ -43,6 +43,7 @@ def run(
     on_event: Callable[[Event], None] | None = None,
     keep_going: bool = False,
     wait: float | None = None,
+    by_name: bool = False,
     stages: Mapping[str, Stage] = STAGES,
 ) -> RunResult:
     """Run every stage that ``target`` needs (None: all that the scene has) and return their results.
@@ -51,12 +52,14 @@ def run(
     With ``out`` each stage leaves its files there, and one whose files are valid is loaded, not computed.
     ``fresh`` computes all; ``from_stage`` that stage and all after it. ``csv``: True, False, or None for up
     to 2000 rows; ``columns``: names and wildcards of those that a CSV has, those by choice among them (empty: all);
-    then the CSV files are written last, and not at all if a name means nothing. ``skip``: stages that are left out,
+    then the CSV files are written last, and not at all if a name means nothing; nothing is computed if a name is of no
+    form that is declared. ``skip``: stages that are left out,
     with all that read them. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``tolerance``
     is the relative error asked of every stage: one with a choice takes the cheapest method for it. ``on_start`` is
     called with the name of a stage before it runs, ``on_event`` as soon as it is done. ``keep_going``: a stage without
     a solution ends only those that read it, and is told in ``failures``. ``wait``: seconds that a folder is waited for
-    while another process works in it.
+    while another process works in it. ``by_name``: the results are asked by name alone, neither stored nor shown, so
+    stages leave out what no name can ask for.
 
     Stored files that are whole but do not make a result are told as damaged, and all is computed afresh. Without a
     ``target`` the files that an earlier run left of stages that the scene has no more are removed.
@@ -69,25 +72,26 @@ def run(
     asked = scene or plan(spec, target, stages, skip)
     if first is None:
         _check_target(asked)
+        if columns:
+            from tmmcalc.naming.declared import check_columns
+
+            check_columns(columns, [stages[name] for name in asked.running], spec)
     options, forced = _options(settings or {}, stages, tolerance), _forced(fresh, from_stage, stages)
-    work = _Run(spec, stages, options, tolerance, keep_going, on_start, on_event)
+    work = _Run(spec, stages, options, tolerance, keep_going, on_start, on_event, by_name)
     archive = work.archive = _archive(out, csv, columns, wait, work.wait)
 
-    def settled_and_done(forced: Mapping[str, str]) -> Plan:
-        """Do the plan, and where a stage settles the spec the plan of what it found; return the one that was done."""
-        if first is None or not work.settle(first, forced):
-            work.through(asked, forced)
-            return asked
-        rest = planned(work.spec, target, stages, skip, first)
-        _check_target(rest)
-        work.through(rest, forced)
-        return rest
-
-    try:
-        done = settled_and_done(forced)
-    except UnfitError as error:
-        work.begin_afresh(spec, error)
-        done = settled_and_done(dict.fromkeys(stages, "stored files do not fit"))
+    for reasons in (forced, afresh := dict.fromkeys(stages, "stored files do not fit")):
+        try:
+            done = asked
+            if first is not None and work.settle(first, reasons):
+                done = planned(work.spec, target, stages, skip, first)
+                _check_target(done)
+            work.through(done, reasons)
+            break
+        except UnfitError as error:
+            if reasons is afresh:
+                raise
+            work.begin_afresh(spec, error)
     if columns:
         from tmmcalc.naming.scene import Scene
         from tmmcalc.pipeline.csvcolumns import by_choice
@@ -113,6 +117,7 @@ class _Run:
         keep_going: bool,
         on_start: Callable[[str], None] | None,
         on_event: Callable[[Event], None] | None,
+        by_name: bool,
     ) -> None:
         self.spec = spec
         self.stages = stages
@@ -121,6 +126,7 @@ class _Run:
         self.keep_going = keep_going
         self.on_start = on_start
         self.on_event = on_event
+        self.by_name = by_name
         self.archive: Archive | None = None
         self.outcomes: dict[str, Outcome] = {}
         self.events: list[Event] = []
@@ -163,8 +169,9 @@ class _Run:
     def computed(self, stage: Stage, inputs: Any, chosen: Mapping[str, Any]) -> Outcome:
         """What goes on of a result, stored where there is an archive: its record."""
         upstream = upstream_of(stage, Results(self.outcomes, self.alone))
+        less = stage.by_name if self.by_name else {}
         with believed([self.outcomes[name] for name in upstream if name in self.outcomes]):
-            record = stage.dump(stage.solve(*arguments(inputs), **upstream, **chosen))
+            record = stage.dump(stage.solve(*arguments(inputs), **upstream, **chosen, **less))
         outcome = Outcome(stage, lambda: record)
         if self.archive is not None:
             self.archive.save(outcome)
