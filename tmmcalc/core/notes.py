@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
+from math import pi
 from typing import Any
 
 LEVELS = ("note", "warning")
+SHOWN = {  # units of the data and of sentences, with the factor between them
+    ("m", "mm"): 1e3,
+    ("m/s", "m/min"): 60.0,
+    ("Pa", "MPa"): 1e-6,
+    ("rad", "deg"): 180 / pi,
+    ("rad/s", "rpm"): 30 / pi,
+}
 
 
 class Note(str):
@@ -71,18 +79,29 @@ def restored(data: str | dict[str, Any]) -> Said:
 
 
 def held(
-    level: str, text: str, value: float, limit: float, unit: str = "", *, name: str, place: str = "", **words: Any
+    level: str,
+    text: str,
+    value: float,
+    limit: float,
+    unit: str = "",
+    *,
+    name: str,
+    shown: str = "",
+    place: str = "",
+    **words: Any,
 ) -> Note:
     """A note on the quantity ``name`` held against a ``limit``, both in ``unit``.
 
-    ``text`` has both as ``{value:.4g}`` and ``{limit:g}``, in the digits that people are shown, ``{unit}``, and the
-    other ``words``.
+    ``text`` has both as ``{value:.4g}`` and ``{limit:g}``, in the digits and in the unit that people are ``shown``, and
+    the other ``words``.
 
-    >>> print(held("warning", "h/r = {value:.3g} is above {limit:g} in the {part}", 0.2, 0.1, name="h/r", part="ring"))
-    warning: h/r = 0.2 is above 0.1 in the ring
+    >>> print(held("warning", "h = {value:.3g} mm is above {limit:g} mm", 0.002, 0.001, "m", shown="mm", name="h"))
+    warning: h = 2 mm is above 1 mm
     """
     value, limit = float(value), float(limit)
-    return Note(level, text.format(value=value, limit=limit, unit=unit, **words), place, value, limit, unit, name)
+    factor = SHOWN[unit, shown] if shown else 1.0
+    said = text.format(value=factor * value, limit=factor * limit, unit=shown or unit, **words)
+    return Note(level, said, place, value, limit, unit, name)
 
 
 def finding(note: str) -> dict[str, Any]:
