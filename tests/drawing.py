@@ -19,7 +19,7 @@ def draw_kinematics(mechanism: Any, result: Any, file: Path, *, positions: Any =
     def figure() -> Any:
         from tmmcalc.linkage.pictures.kinematics import kinematics_drawing
 
-        return kinematics_drawing(mechanism, result, positions, polygons)
+        return kinematics_drawing(mechanism, result, positions, None if polygons is None else [polygons])
 
     draw(file, figure)
 
@@ -30,7 +30,7 @@ def draw_forces(
     def figure() -> Any:
         from tmmcalc.linkage.pictures.forces import forces_drawing
 
-        return forces_drawing(mechanism, loading, kinematics, result, polygons)
+        return forces_drawing(mechanism, loading, kinematics, result, None if polygons is None else [polygons])
 
     draw(file, figure)
 
