@@ -163,7 +163,7 @@ def _draw_legend(drawing: Drawing, box: Box, bodies: Sequence[FreeBody]) -> None
     names = {
         "load": tr("load"),
         "weight": tr("weight"),
-        "inertia": tr("force of inertia"),
+        "inertia": tr("inertia force"),
         "spring": tr("spring"),
         "damper": tr("damper"),
         "drive": tr("drive"),
