@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from tmmcalc.cams.room import ROOM as CAMS
-from tmmcalc.core.manifest import TABLES, merged
+from tmmcalc.core.manifest import TABLES, entries, merged, table
 from tmmcalc.core.stage import EVERY, STAGES
 from tmmcalc.extras.room import ROOM as EXTRAS
 from tmmcalc.feasibility.room import ROOM as FEASIBILITY
@@ -15,11 +16,21 @@ from tmmcalc.machine.room import ROOM as MACHINE
 from tmmcalc.manipulators.room import ROOM as MANIPULATORS
 from tmmcalc.vibration.room import ROOM as VIBRATION
 
-__all__ = ["ROOMS", "STAGES", "TABLES"]
+if TYPE_CHECKING:
+    from tmmcalc.report.tables.sheets import SheetsTable
+
+__all__ = ["ROOMS", "STAGES", "TABLES", "Shared"]
 
 ROOMS = (LINKAGE, MACHINE, GEARS, CAMS, VIBRATION, MANIPULATORS, EXTRAS, FEASIBILITY)
 
-TABLES |= merged([room.tables for room in ROOMS])
+
+class Shared:
+    """The table that belongs to no room."""
+
+    sheets: SheetsTable | None = table("The drawings that are handed in.")
+
+
+TABLES |= merged([*(room.tables for room in ROOMS), entries("tmmcalc.report", Shared)])
 STAGES |= merged([room.stages for room in ROOMS])
 STAGES |= {
     name: replace(stage, uses=tuple(each for each in STAGES if each != name))

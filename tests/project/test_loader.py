@@ -182,7 +182,7 @@ def test_a_good_spec_loads_nothing_that_only_faults_need(shaper: str) -> None:
 
 
 def test_tables_are_built_only_when_a_spec_has_them(shaper: str) -> None:
-    late = [entry for name, entry in TABLES.items() if name in (*LATE, *LATER, "constraints", "feasibility")]
+    late = [entry for name, entry in TABLES.items() if name in (*LATE, *LATER, "constraints", "feasibility", "sheets")]
     names = {f"{entry.home}.tables.{entry.name}" for entry in late}
     names |= {f"{entry.home}.tables.checks.{check}" for entry in late for check in entry.checks}
     names |= {f"tmmcalc.linkage.tables.tasks.{task}" for task in ("mechanism", "loading")}
@@ -231,6 +231,7 @@ def test_late_tables_are_those_of_the_root() -> None:
         "synthesis",
         "constraints",
         "feasibility",
+        "sheets",
     }
     assert {*Spec.model_fields} - root == {*LATE} | further
     assert root < {*Spec.model_fields}

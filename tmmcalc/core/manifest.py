@@ -31,7 +31,7 @@ class Entry:
     """A table of the root of a spec; ``annotation`` is ``"MotorTable | None"``, or ``"list[LoadTable]"`` of several."""
 
     name: str
-    home: str  # package of the room
+    home: str  # package of the room, or of what belongs to none
     annotation: str
     description: str  # for editors
     subject: bool  # a spec may be about it alone
@@ -101,6 +101,18 @@ def table(
     return _Said(description, subject, describes, belongs_to, why, read_with, checks, files, named, after, gives)
 
 
+def entries(home: str, tables: type) -> tuple[Entry, ...]:
+    """The tables that a class of annotations declares; ``home`` is the package that has them."""
+    return tuple(_entries(home, tables))
+
+
+def _entries(home: str, tables: type) -> Iterator[Entry]:
+    for name, annotation in tables.__annotations__.items():
+        said: _Said = getattr(tables, name)
+        checks = (name,) if said.checks is None else said.checks
+        yield Entry(name, home, annotation, **said._replace(checks=checks)._asdict())
+
+
 @record
 class Command:
     """A command by its name, with its line in the help."""
@@ -134,18 +146,12 @@ class Room:
     ) -> None:
         self.name = name
         self.home = f"tmmcalc.{name}"
-        self.tables = tuple(self._entries(tables))
+        self.tables = entries(self.home, tables)
         self.properties = {key: value for key, value in vars(tables).items() if isinstance(value, property)}
         self.stages = tuple(map(self._at_home, stages))
         self.commands = tuple(commands)
         self.section = section  # of the list of commands
         self.group = group
-
-    def _entries(self, tables: type) -> Iterator[Entry]:
-        for name, annotation in tables.__annotations__.items():
-            said: _Said = getattr(tables, name)
-            checks = (name,) if said.checks is None else said.checks
-            yield Entry(name, self.home, annotation, **said._replace(checks=checks)._asdict())
 
     def _at_home(self, stage: Stage) -> Stage:
         """The stage with the places of its functions."""

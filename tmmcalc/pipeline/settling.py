@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from tmmcalc.project import Spec
     from tmmcalc.spec.rewrite import Found
 
-_APART = ("constraints", "feasibility")  # tables that judge the solutions themselves, beside nothing else
+_APART = ("constraints", "feasibility", "sheets")  # tables on the solutions themselves, which need no mechanism
 
 
 def settling(

@@ -55,9 +55,10 @@ if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
     from tmmcalc.extras.room import ExtraTables
     from tmmcalc.manipulators.room import ManipulatorTables
+    from tmmcalc.rooms import Shared
     from tmmcalc.vibration.room import VibrationTables
 
-    class Spec(CamTables, VibrationTables, ManipulatorTables, ExtraTables, Table):
+    class Spec(CamTables, VibrationTables, ManipulatorTables, ExtraTables, Shared, Table):
         """The root as type checkers see it."""
 
         project: ProjectTable

@@ -1,0 +1,1 @@
+"""Checks of the table of sheets that reach beyond one value."""

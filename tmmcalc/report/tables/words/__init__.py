@@ -1,0 +1,1 @@
+"""What is said of faults in the table of sheets, by key."""
