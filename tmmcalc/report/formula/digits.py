@@ -66,6 +66,11 @@ def worked(side: Node, given: Mapping[str, Given], result: float, *, unit: str =
     return Worked(tree, shown, text, best[0], error)
 
 
+def value_of(side: Node, given: Mapping[str, Given], unit: str) -> float:
+    """The value of a side at full precision, in ``unit``."""
+    return _outer(value(side, {key: _inner(given[key].value, given[key].unit) for key in names(side)}), unit)
+
+
 def _value(tree: Node, values: Mapping[str, Value]) -> float:
     """The value; infinite where rounded numbers have none, as the root of a small difference."""
     try:
@@ -98,8 +103,8 @@ def _outer(found: float, unit: str) -> float:
 
 
 def _last(result: float, size: float, digits: int) -> float:
-    """The unit of the last printed digit of a result; not finer than what the largest term tells of it."""
-    top = max(abs(result), EXACT * size)
+    """The unit of the last printed digit of a result; of one that is nothing against its terms that of the largest."""
+    top = size if abs(result) <= EXACT * size else abs(result)
     return 10.0 ** (math.floor(math.log10(top)) - digits + 1) if top > 0 else 10.0**-digits
 
 

@@ -62,4 +62,3 @@ def mathml(box: Box) -> str:
             return f"<mrow><munder><mo>{sign}</mo>{mathml(lower)}</munder>{mathml(body)}</mrow>"
         case Arrowed(inner):
             return f"<mover>{mathml(inner)}<mo>→</mo></mover>"
-

@@ -227,7 +227,9 @@ def _call(function: str, arguments: Sequence[Node], values: Values, power: Box |
             boxes += [Sign(";"), *_terms(argument, values)] if k else _terms(argument, values)
         return Row((named, Fenced(Row(tuple(boxes)))))
     inner = _box(first, values)
-    bare = (isinstance(first, Name | Number) and not _signed(inner)) or (isinstance(first, Call) and first.function == "deg")
+    bare = (isinstance(first, Name | Number) and not _signed(inner)) or (
+        isinstance(first, Call) and first.function == "deg"
+    )
     return Row((named, Gap(), inner)) if bare else Row((named, Fenced(inner)))
 
 

@@ -67,9 +67,7 @@ def _with_identifiers(text: str, words: list[str]) -> str:
     """The text with every name replaced by one that the grammar knows, ``n0_``; ``words`` takes the names."""
     found, at = [], 0
     while at < len(text):
-        if match := FUNCTION.match(text, at):
-            found.append(match[0])
-        elif match := NUMBER.match(text, at):
+        if (match := FUNCTION.match(text, at)) or (match := NUMBER.match(text, at)):
             found.append(match[0])
         elif match := NAME.match(text, at):
             found.append(f"n{len(words)}_")

@@ -1,0 +1,40 @@
+"""RPR, textbook (2.19), (2.20), (2.60), (2.61): a block on a slotted link, or a rod in an oscillating cylinder."""
+
+from __future__ import annotations
+
+from tmmcalc.linkage.notes.group import GroupAt, angle, length
+from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.language import tr
+
+POSITION = (
+    "l_{<Q><P>} = <minus>sqrt((x_{<P>} - x_{<Q>})**2 + (y_{<P>} - y_{<Q>})**2 - h_<b>**2)",
+    "phi_<b> = atan2(y_{<P>} - y_{<Q>}, x_{<P>} - x_{<Q>}) - atan2(h_<b>, l_{<Q><P>})",
+)
+VELOCITY = (
+    "omega_<b> = ((v_{<P>y} - v_{<Q>y})*cos(phi_<b>) - (v_{<P>x} - v_{<Q>x})*sin(phi_<b>))/l_{<Q><P>}",
+    "v_{<a><b>} = (v_{<P>x} - v_{<Q>x})*cos(phi_<b>) + (v_{<P>y} - v_{<Q>y})*sin(phi_<b>) + omega_<b>*h_<b>",
+)
+ACCELERATION = (
+    "a_{<a><b>}^K = 2*omega_<b>*v_{<a><b>}",
+    "eps_<b> = ((a_{<P>y} - a_{<Q>y})*cos(phi_<b>) - (a_{<P>x} - a_{<Q>x})*sin(phi_<b>) - a_{<a><b>}^K"
+    " + omega_<b>**2*h_<b>)/l_{<Q><P>}",
+    "a_{<a><b>} = (a_{<P>x} - a_{<Q>x})*cos(phi_<b>) + (a_{<P>y} - a_{<Q>y})*sin(phi_<b>) + eps_<b>*h_<b>"
+    " + omega_<b>**2*l_{<Q><P>}",
+)
+
+
+def quantities(at: GroupAt) -> dict[str, Given]:
+    """Distance along the slot, offset, the motion along the slot with the Coriolis acceleration."""
+    places, rates = at.places, at.rates
+    link, pair = places["b"], {"block": places["a"], "link": places["b"]}
+    along = tr("distance of {first} and {second} along link {link}", first=places["Q"], second=places["P"], link=link)
+    return {
+        "l_{<Q><P>}": length(float(at.placed.s), along),
+        "h_<b>": length(at.step.dyad.h, tr("offset of the line of link {link} from its pivot", link=link)),
+        "phi_<b>": angle(complex(at.placed.e), tr("angle of link {link}", link=link)),
+        "v_{<a><b>}": Given(float(rates.y), "m/s", tr("velocity of link {block} along link {link}", **pair)),
+        "a_{<a><b>}": Given(float(rates.yy), "m/s^2", tr("acceleration of link {block} along link {link}", **pair)),
+        "a_{<a><b>}^K": Given(
+            2 * float(rates.x) * float(rates.y), "m/s^2", tr("Coriolis acceleration of link {block}", **pair)
+        ),
+    }

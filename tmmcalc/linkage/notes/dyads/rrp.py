@@ -1,0 +1,56 @@
+"""RRP, textbook (2.2) to (2.6): a rod and a slider on a line that stands still or moves."""
+
+from __future__ import annotations
+
+from tmmcalc.linkage.notes.group import GroupAt, angle, guide_quantities, length
+from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.language import tr
+
+POSITION = (
+    "U_<a> = (h_<b> + (y_{<Q>} - y_{<P>})*cos(gamma_<b>) - (x_{<Q>} - x_{<P>})*sin(gamma_<b>))/l_<a>",
+    "phi_<a> = gamma_<b> <left>asin(U_<a>)",
+    "x_{<B>} = x_{<P>} + l_<a>*cos(phi_<a>)",
+    "y_{<B>} = y_{<P>} + l_<a>*sin(phi_<a>)",
+    "s_<b> = (x_{<B>} - x_{<Q>})*cos(gamma_<b>) + (y_{<B>} - y_{<Q>})*sin(gamma_<b>)",
+)
+VELOCITY = (
+    "v_{<B>x}^e = v_{<Q>x} - omega_<g>*(y_{<B>} - y_{<Q>})",
+    "v_{<B>y}^e = v_{<Q>y} + omega_<g>*(x_{<B>} - x_{<Q>})",
+    "omega_<a> = ((v_{<B>y}^e - v_{<P>y})*cos(gamma_<b>) - (v_{<B>x}^e - v_{<P>x})*sin(gamma_<b>))"
+    "/(l_<a>*cos(phi_<a> - gamma_<b>))",
+    "v_{<b><g>} = (v_{<P>x} - v_{<B>x}^e)*cos(gamma_<b>) + (v_{<P>y} - v_{<B>y}^e)*sin(gamma_<b>)"
+    " - l_<a>*omega_<a>*sin(phi_<a> - gamma_<b>)",
+    "v_{<B>x} = v_{<P>x} - l_<a>*omega_<a>*sin(phi_<a>)",
+    "v_{<B>y} = v_{<P>y} + l_<a>*omega_<a>*cos(phi_<a>)",
+)
+ACCELERATION = (
+    "a_{<B>x}^e = a_{<Q>x} - eps_<g>*(y_{<B>} - y_{<Q>}) - omega_<g>**2*(x_{<B>} - x_{<Q>})",
+    "a_{<B>y}^e = a_{<Q>y} + eps_<g>*(x_{<B>} - x_{<Q>}) - omega_<g>**2*(y_{<B>} - y_{<Q>})",
+    "eps_<a> = ((a_{<B>y}^e - a_{<P>y})*cos(gamma_<b>) - (a_{<B>x}^e - a_{<P>x})*sin(gamma_<b>)"
+    " + 2*omega_<g>*v_{<b><g>} + l_<a>*omega_<a>**2*sin(phi_<a> - gamma_<b>))/(l_<a>*cos(phi_<a> - gamma_<b>))",
+    "a_{<b><g>} = (a_{<P>x} - a_{<B>x}^e)*cos(gamma_<b>) + (a_{<P>y} - a_{<B>y}^e)*sin(gamma_<b>)"
+    " - l_<a>*eps_<a>*sin(phi_<a> - gamma_<b>) - l_<a>*omega_<a>**2*cos(phi_<a> - gamma_<b>)",
+    "a_{<B>x} = a_{<P>x} - l_<a>*(eps_<a>*sin(phi_<a>) + omega_<a>**2*cos(phi_<a>))",
+    "a_{<B>y} = a_{<P>y} + l_<a>*(eps_<a>*cos(phi_<a>) - omega_<a>**2*sin(phi_<a>))",
+)
+
+
+def quantities(at: GroupAt) -> dict[str, Given]:
+    """Length and offset, the sine of the angle between rod and guide, the motion along and with the guide."""
+    a, places = at.placed.a, at.places
+    return {
+        "l_<a>": length(abs(a), tr("length of link {link}", link=places["a"])),
+        "h_<b>": length(at.step.dyad.h, tr("offset of the pin from the line of link {link}", link=places["b"])),
+        "U_<a>": Given(
+            float(at.placed.across / at.step.dyad.l),
+            "",
+            tr("sine of the angle between link {link} and the guide", link=places["a"]),
+        ),
+        "phi_<a>": angle(a, tr("angle of link {link}", link=places["a"])),
+        "s_<b>": length(float(at.placed.s), tr("coordinate of link {link} along its guide", link=places["b"])),
+        "v_{<b><g>}": Given(float(at.rates.y), "m/s", tr("velocity of link {link} along its guide", link=places["b"])),
+        "a_{<b><g>}": Given(
+            float(at.rates.yy), "m/s^2", tr("acceleration of link {link} along its guide", link=places["b"])
+        ),
+        **guide_quantities(at, at.port2, at.placed.offset, "<b>", "<Q>", "<B>", "<g>"),
+    }
