@@ -108,25 +108,35 @@ def turned(given: Given, near: float) -> Given:
     return given._replace(value=float(given.value) + 360.0 * round((near - float(given.value)) / 360.0))
 
 
+def along_guide(slider: str, link: str, number: str, s: float, rate: float, rate2: float) -> dict[str, Given]:
+    """Coordinate, velocity and acceleration of a slider along its guide on a link."""
+    return {
+        f"s_{slider}": length(s, tr("coordinate of link {link} along its guide", link=number)),
+        f"v_{{{slider}{link}}}": Given(rate, "m/s", tr("velocity of link {link} along its guide", link=number)),
+        f"a_{{{slider}{link}}}": Given(rate2, "m/s^2", tr("acceleration of link {link} along its guide", link=number)),
+    }
+
+
 def guide_quantities(
-    at: GroupAt, guide: Guide, offset: complex, slider: str, origin: str, point: str, link: str
+    at: GroupAt, guide: Guide, offset: complex, *, slider: str, origin: str, link: str, mark: str
 ) -> dict[str, Given]:
     """A guide: its direction, and how its place under the slider's pin moves with it; ``offset`` goes to the pin."""
+    places = at.places
     offset, omega, eps = complex(offset), float(guide.omega), float(guide.eps)
     velocity = complex(guide.v) + 1j * omega * offset
     acceleration = complex(guide.a) + (1j * eps - omega**2) * offset
-    carried = tr("velocity of the place of the guide at {point}", point=at.places[point[1:-1]])
-    drawn = tr("acceleration of the place of the guide at {point}", point=at.places[point[1:-1]])
-    direction = tr("angle of the guide of link {link}", link=at.places[slider[1:-1]])
+    number, carrier = places[slider[1:-1]], places[link[1:-1]]
+    carried = tr("projections of the velocity of the guide of link {link} at {point}", link=number, point=places["B"])
+    drawn = tr("projections of the acceleration of the guide of link {link} at {point}", link=number, point=places["B"])
     return {
-        f"gamma_{slider}": angle(complex(guide.e), direction),
-        **vector(f"v_{{{point}%}}^e", velocity, "m/s", carried),
-        **vector(f"a_{{{point}%}}^e", acceleration, "m/s^2", drawn),
-        **vector(f"%_{{{origin}}}", complex(guide.r), "m", tr("coordinates of a point of the guide")),
-        **vector(f"v_{{{origin}%}}", complex(guide.v), "m/s", tr("velocity of a point of the guide")),
-        **vector(f"a_{{{origin}%}}", complex(guide.a), "m/s^2", tr("acceleration of a point of the guide")),
-        f"omega_{link}": Given(omega, "rad/s", tr("angular velocity of link {link}", link=at.places[link[1:-1]])),
-        f"eps_{link}": Given(eps, "rad/s^2", tr("angular acceleration of link {link}", link=at.places[link[1:-1]])),
+        f"gamma_{slider}": angle(complex(guide.e), tr("angle of the guide of link {link}", link=number)),
+        **vector(f"v_{{<B>%}}^{mark}", velocity, "m/s", carried),
+        **vector(f"a_{{<B>%}}^{mark}", acceleration, "m/s^2", drawn),
+        **vector(f"%_{{{origin}}}", complex(guide.r), "m", tr("coordinates of a point of the guide of link {link}", link=number)),
+        **vector(f"v_{{{origin}%}}", complex(guide.v), "m/s", tr("projections of the velocity of this point")),
+        **vector(f"a_{{{origin}%}}", complex(guide.a), "m/s^2", tr("projections of the acceleration of this point")),
+        f"omega_{link}": Given(omega, "rad/s", tr("angular velocity of link {link}", link=carrier)),
+        f"eps_{link}": Given(eps, "rad/s^2", tr("angular acceleration of link {link}", link=carrier)),
     }
 
 

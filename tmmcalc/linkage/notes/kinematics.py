@@ -55,7 +55,7 @@ def _dyad(
     states = [group_at(chain, step, result, row) for row in rows]
     places = states[0].places
     for at, lexicon in zip(states, lexicons, strict=True):
-        for key, given in _quantities(kind, at, chain, result).items():
+        for key, given in _quantities(kind, at).items():
             lexicon.setdefault(filled(key, places), given)
     yield Heading(tr("Group {name}", name=step.group.name), 2)
     for title, texts in (
@@ -69,21 +69,14 @@ def _dyad(
             yield from _line(formula, result, rows, lexicons)
 
 
-def _quantities(kind: Any, at: GroupAt, chain: Chain, result: Kinematics) -> dict[str, Given]:
-    a, b = at.places["a"], at.places["b"]
-    rates = {
-        "omega_<a>": Given(at.rates.x, "rad/s", tr("angular velocity of link {link}", link=a)),
-        "eps_<a>": Given(at.rates.xx, "rad/s^2", tr("angular acceleration of link {link}", link=a)),
-        "omega_<b>": Given(at.rates.y, "rad/s", tr("angular velocity of link {link}", link=b)),
-        "eps_<b>": Given(at.rates.yy, "rad/s^2", tr("angular acceleration of link {link}", link=b)),
-    }
-    if step_kind(at) == "RPR":
-        rates["omega_<b>"], rates["eps_<b>"] = rates["omega_<a>"], rates["eps_<a>"]
-    return {**kind.quantities(at), **rates}
-
-
-def step_kind(at: GroupAt) -> str:
-    return at.step.group.kind
+def _quantities(kind: Any, at: GroupAt) -> dict[str, Given]:
+    """What the kind says, and the rotation of its links."""
+    found: dict[str, Given] = kind.quantities(at)
+    for letter, (omega, eps) in kind.turning(at).items():
+        link = at.places[letter]
+        found[f"omega_<{letter}>"] = Given(omega, "rad/s", tr("angular velocity of link {link}", link=link))
+        found[f"eps_<{letter}>"] = Given(eps, "rad/s^2", tr("angular acceleration of link {link}", link=link))
+    return found
 
 
 def _zeros(lexicons: Sequence[dict[str, Given]]) -> set[str]:

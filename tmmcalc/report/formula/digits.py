@@ -49,14 +49,15 @@ def worked(side: Node, given: Mapping[str, Given], result: float, *, unit: str =
     flat, units = _flat(own)
     exact = _outer(value(side, full), unit)
     size = _outer(largest_term(side, full), unit)
-    error = abs(exact - result) / max(size, abs(result)) if max(size, abs(result)) else 0.0
+    size = max(size, abs(result))
+    error = abs(_apart(exact, result, unit)) / size if size else 0.0
     last = _last(result, size, digits)
     text = rounded(result, last)
     best: tuple[float, dict[str, str]] | None = None
     for count in range(FEWEST, MOST + 1):
         texts = {key: significant(each, count) for key, each in flat.items()}
         printed = {key: _inner(float(each), units[key]) for key, each in texts.items()}
-        off = abs(_outer(_value(tree, printed), unit) - float(text)) / last
+        off = abs(_apart(_outer(_value(tree, printed), unit), float(text), unit)) / last
         if best is None or off < best[0]:
             best = off, texts
         if off <= 0.5 + 1e-6:
@@ -100,6 +101,13 @@ def _inner(given: Value, unit: str) -> Value:
 
 def _outer(found: float, unit: str) -> float:
     return math.degrees(found) if unit == "deg" else found
+
+
+def _apart(found: float, other: float, unit: str) -> float:
+    """The difference of two values; of angles without whole turns."""
+    if unit != "deg" or not math.isfinite(found):
+        return found - other
+    return (found - other + 180.0) % 360.0 - 180.0
 
 
 def _last(result: float, size: float, digits: int) -> float:

@@ -37,7 +37,7 @@ GREEK = {
     "Omega": "Ω",
 }
 NAME = re.compile(r"(?P<base>[A-Za-z]+)(?P<primes>'*)(?:_(?:\{(?P<index>[^{}]*)\}|(?P<sub>\w+)))?"
-                  r"(?:\^(?:\{(?P<upper>[^{}]*)\}|(?P<sup>[A-Za-z*]+)))?")  # fmt: skip
+                  r"(?:\^(?:\{(?P<upper>[^{}]*)\}|(?P<sup>[A-Za-z]+)))?")  # fmt: skip
 
 
 class Symbol(NamedTuple):

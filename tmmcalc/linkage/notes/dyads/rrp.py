@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tmmcalc.linkage.notes.group import GroupAt, angle, guide_quantities, length
+from tmmcalc.linkage.notes.group import GroupAt, along_guide, angle, guide_quantities, length
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 
@@ -47,10 +47,11 @@ def quantities(at: GroupAt) -> dict[str, Given]:
             tr("sine of the angle between link {link} and the guide", link=places["a"]),
         ),
         "phi_<a>": angle(a, tr("angle of link {link}", link=places["a"])),
-        "s_<b>": length(float(at.placed.s), tr("coordinate of link {link} along its guide", link=places["b"])),
-        "v_{<b><g>}": Given(float(at.rates.y), "m/s", tr("velocity of link {link} along its guide", link=places["b"])),
-        "a_{<b><g>}": Given(
-            float(at.rates.yy), "m/s^2", tr("acceleration of link {link} along its guide", link=places["b"])
-        ),
-        **guide_quantities(at, at.port2, at.placed.offset, "<b>", "<Q>", "<B>", "<g>"),
+        **along_guide("<b>", "<g>", places["b"], float(at.placed.s), float(at.rates.y), float(at.rates.yy)),
+        **guide_quantities(at, at.port2, at.placed.offset, slider="<b>", origin="<Q>", link="<g>", mark="e"),
     }
+
+
+def turning(at: GroupAt) -> dict[str, tuple[float, float]]:
+    """The rod turns by itself, the slider with its guide."""
+    return {"a": (at.rates.x, at.rates.xx)}

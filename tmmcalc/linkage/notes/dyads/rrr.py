@@ -24,10 +24,10 @@ VELOCITY = (
     "v_{<B>y} = v_{<P>y} + l_<a>*omega_<a>*cos(phi_<a>)",
 )
 ACCELERATION = (
-    "g_x = a_{<Q>x} - a_{<P>x} + l_<a>*omega_<a>**2*cos(phi_<a>) - l_<b>*omega_<b>**2*cos(phi_<b>)",
-    "g_y = a_{<Q>y} - a_{<P>y} + l_<a>*omega_<a>**2*sin(phi_<a>) - l_<b>*omega_<b>**2*sin(phi_<b>)",
-    "eps_<a> = (g_x*cos(phi_<b>) + g_y*sin(phi_<b>))/(l_<a>*sin(phi_<b> - phi_<a>))",
-    "eps_<b> = (g_x*cos(phi_<a>) + g_y*sin(phi_<a>))/(l_<b>*sin(phi_<b> - phi_<a>))",
+    "g_{<a><b>x} = a_{<Q>x} - a_{<P>x} + l_<a>*omega_<a>**2*cos(phi_<a>) - l_<b>*omega_<b>**2*cos(phi_<b>)",
+    "g_{<a><b>y} = a_{<Q>y} - a_{<P>y} + l_<a>*omega_<a>**2*sin(phi_<a>) - l_<b>*omega_<b>**2*sin(phi_<b>)",
+    "eps_<a> = (g_{<a><b>x}*cos(phi_<b>) + g_{<a><b>y}*sin(phi_<b>))/(l_<a>*sin(phi_<b> - phi_<a>))",
+    "eps_<b> = (g_{<a><b>x}*cos(phi_<a>) + g_{<a><b>y}*sin(phi_<a>))/(l_<b>*sin(phi_<b> - phi_<a>))",
     "a_{<B>x} = a_{<P>x} - l_<a>*(eps_<a>*sin(phi_<a>) + omega_<a>**2*cos(phi_<a>))",
     "a_{<B>y} = a_{<P>y} + l_<a>*(eps_<a>*cos(phi_<a>) - omega_<a>**2*sin(phi_<a>))",
 )
@@ -57,6 +57,11 @@ def quantities(at: GroupAt) -> dict[str, Given]:
         ),
         "phi_<a>": angle(a, tr("angle of link {link}", link=places["a"])),
         "phi_<b>": angle(b, tr("angle of link {link}", link=places["b"])),
-        "g_x": Given(steady.real, "m/s^2", tr("projections of the known part of the accelerations")),
-        "g_y": Given(steady.imag, "m/s^2", tr("projections of the known part of the accelerations")),
+        "g_{<a><b>x}": Given(steady.real, "m/s^2", tr("projections of the known part of the accelerations")),
+        "g_{<a><b>y}": Given(steady.imag, "m/s^2", tr("projections of the known part of the accelerations")),
     }
+
+
+def turning(at: GroupAt) -> dict[str, tuple[float, float]]:
+    """Both links turn by themselves."""
+    return {"a": (at.rates.x, at.rates.xx), "b": (at.rates.y, at.rates.yy)}
