@@ -78,6 +78,9 @@ def names_of(chain: Chain, step: Step) -> dict[str, str]:
         "g": str(second.other(b)),
         "sign": "+" if positive else "-",
         "minus": "" if positive else "-",
+        "turn": "-" if positive else "+",  # of the line along which a block slides, against that of the pivots
+        "start": _named(pins, second) if positive else _named(pins, first),
+        "end": _named(pins, first) if positive else _named(pins, second),
         "left": "+ " if positive else "+ deg(180) - ",
     }
 

@@ -8,7 +8,7 @@ from tmmcalc.report.language import tr
 
 POSITION = (
     "l_{<Q><P>} = <minus>sqrt((x_{<P>} - x_{<Q>})**2 + (y_{<P>} - y_{<Q>})**2 - h_<b>**2)",
-    "phi_<b> = atan2(y_{<P>} - y_{<Q>}, x_{<P>} - x_{<Q>}) - atan2(h_<b>, l_{<Q><P>})",
+    "phi_<b> = atan2(y_{<end>} - y_{<start>}, x_{<end>} - x_{<start>}) <turn> atan2(h_<b>, <minus>l_{<Q><P>})",
 )
 VELOCITY = (
     "omega_<b> = ((v_{<P>y} - v_{<Q>y})*cos(phi_<b>) - (v_{<P>x} - v_{<Q>x})*sin(phi_<b>))/l_{<Q><P>}",
