@@ -19,7 +19,7 @@ def draw_kinematics(mechanism: Any, result: Any, file: Path, *, positions: Any =
     def figure() -> Any:
         from tmmcalc.linkage.pictures.kinematics import kinematics_drawing
 
-        return kinematics_drawing(mechanism, result, positions, polygons)
+        return kinematics_drawing(mechanism, result, positions, None if polygons is None else [polygons])
 
     draw(file, figure)
 

@@ -82,3 +82,16 @@ def on_sheet(drawing: Drawing) -> list[str]:
     found = [words.text for words in of_words(drawing) if not inside(corners(words), page)]
     others = [shape for shape in drawing.shapes if not isinstance(shape, Words)]
     return found + [type(shape).__name__ for shape in others if not inside(shape.points, page)]
+
+
+def named_place(drawing: Drawing, words: Words) -> complex:
+    """The place on paper that a name belongs to: where its leader comes from, without one its own."""
+    box = corners(words)
+    low, high = complex(box.real.min(), box.imag.min()), complex(box.real.max(), box.imag.max())
+    for shape in drawing.shapes:
+        if isinstance(shape, Stroke) and shape.pen == THIN and len(shape.points) == 2:
+            start, end = map(complex, shape.points)
+            beyond = [low.real - end.real, end.real - high.real, low.imag - end.imag, end.imag - high.imag]
+            if abs(max(beyond)) < 0.35 and abs(((words.at - end) / (end - start)).imag) < NEAR:
+                return start - 0.15 / 0.85 * (end - start)
+    return words.at

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from drawing import draw_cam
-from paper import curves, diagram, frames, of_words, on_sheet, written
+from paper import curves, diagram, frames, named_place, of_words, on_sheet, written
 from sparing import sparing
 
 from cams.turns import task_of, turn
@@ -146,7 +146,7 @@ def test_positions_are_numbered_as_in_the_tables_and_can_be_read(name):
     curve = result.working.points if result.flat else result.pitch
     for words in numbers:
         row = result.positions.labels.index(words.text)
-        assert abs(board_of(drawing).place(complex(curve[row])) - words.at) < 6.5
+        assert abs(board_of(drawing).place(complex(curve[row])) - named_place(drawing, words)) < 6.5
 
 
 @sparing("name", NAMED, every=4)

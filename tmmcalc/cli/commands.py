@@ -44,7 +44,8 @@ SECTIONS = {
             Command("names", "What a scene can tell, by name: symbol, unit, meaning, value."),
             Command("sweep", "Variants of a spec over ranges of its keys, to one CSV."),
             Command("feasibility", "Constraints on results: which hold, by how much."),
-            Command("plot", "Draw the result of a stage to an svg, png or pdf file."),
+            Command("plot", "Draw the result of a stage to an svg, png, pdf or dxf file."),
+            Command("sheet", "Draw the sheets that are handed in: A1, with frame and title block."),
             Command("accuracy", "Error against run time of every method of the stages."),
             Command("stress", "Ladders of extremes: where every stage loses its digits."),
         )

@@ -35,6 +35,7 @@ from tmmcalc.cli.options import (
 )
 from tmmcalc.cli.output import (
     check_place,
+    check_strict,
     check_tolerance,
     raise_failures,
     show,
@@ -42,7 +43,7 @@ from tmmcalc.cli.output import (
     title,
     warnings_of,
 )
-from tmmcalc.core.errors import LimitError, UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.core.progress import tell
 from tmmcalc.core.records import record
 from tmmcalc.report.document import Document
@@ -94,7 +95,7 @@ class Job:
             return None
         return self.out or Path(f"{self.file.stem}.out")
 
-    def run(self, spec: Spec, target: str | None) -> RunResult:
+    def run(self, spec: Spec, target: str | Sequence[str] | None) -> RunResult:
         """Run the pipeline with messages on standard error, and write the depfile."""
         from tmmcalc.pipeline.runner import run
 
@@ -251,12 +252,7 @@ class Job:
 
     def check_warnings(self, document: Document) -> None:
         """Under ``strict`` raise LimitError if a document warns."""
-        warnings = warnings_of(document)
-        if warnings and self.strict:
-            count = counted(len(warnings), "warning")
-            raise LimitError(
-                "\n  ".join((count, *warnings)), where="--strict", remedy="mend the causes, or leave --strict out"
-            )
+        check_strict(warnings_of(document), self.strict)
 
 
 @record

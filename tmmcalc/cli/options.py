@@ -129,6 +129,15 @@ Positions = Annotated[
 ]
 Strict = Annotated[bool, typer.Option("--strict", help="Fail with exit code 5 if there is a warning.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Only warnings and errors on standard error.")]
+Language = Annotated[
+    str | None,
+    typer.Option(
+        "--language",
+        metavar="LANGUAGE",
+        help="Language of what is drawn: en or uk (default: that of [sheets], or en).",
+        show_default=False,
+    ),
+]
 Wait = Annotated[
     float | None,
     typer.Option(

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tmmcalc.cli.messages import put_bytes, say, show_error, whoever_reads
+from tmmcalc.cli.messages import counted, put_bytes, say, show_error, whoever_reads
 from tmmcalc.cli.options import Format, check_named
-from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.errors import LimitError, TmmError, UsageError
 from tmmcalc.core.files import other_kind
 from tmmcalc.core.printable import printable
 
@@ -107,6 +107,16 @@ def _workbook(document: Document) -> bytes:
     from tmmcalc.report.worksheets import sheets_of
 
     return workbook(sheets_of(document), document.title)
+
+
+def check_strict(warnings: Sequence[str], strict: bool) -> None:
+    """Under ``strict`` raise LimitError if there are warnings."""
+    if warnings and strict:
+        raise LimitError(
+            "\n  ".join((counted(len(warnings), "warning"), *warnings)),
+            where="--strict",
+            remedy="mend the causes, or leave --strict out",
+        )
 
 
 def warnings_of(document: Document) -> list[str]:

@@ -46,11 +46,16 @@ def _of_search(spec: GearTables, results: Mapping[str, Any], number: int) -> Ite
     from tmmcalc.gears.chosen.choice import chosen_sets
     from tmmcalc.gears.chosen.motion import moving
 
-    speed = None if spec.train is None else spec.train.input_speed
-    if "power" in results and results["power"].duty is not None:
-        speed = results["power"].duty.motor.speed
+    speed = speed_of_driver(spec, results)
     for chosen in chosen_sets(results["train"], results.get("criteria"), number):
         yield chosen.title, moving(chosen, speed)
+
+
+def speed_of_driver(spec: GearTables, results: Mapping[str, Any]) -> float | None:
+    """The speed [rad/s] of what drives the train: that of the motor, else as it is given; None: not known."""
+    if "power" in results and results["power"].duty is not None:
+        return float(results["power"].duty.motor.speed)
+    return None if spec.train is None else spec.train.input_speed
 
 
 def of_strength(spec: GearTables, results: Mapping[str, Any]) -> Any:

@@ -71,6 +71,7 @@ ROOM = Room(
             "gearing",
             "a written train: speeds, torques, power flow, efficiency",
             asked=("gearing", "no train is written out"),
+            picture=Picture("the scheme to scale, the plan of velocities and the plan of speeds"),
         ),
         Stage(
             "strength",

@@ -63,6 +63,7 @@ class _Plan:
         self.turning = turning_links(mechanism)
         self.sliding = [j for j in mechanism.joints if j.kind == "prismatic" and FRAME not in j.links]
         self.names: dict[Pin, str] = {}
+        self.points: dict[str, str] = {}  # vertex -> the point whose motion it shows: B, of slider 2 at its pin A2
         self.guides: dict[str, tuple[Pin, str]] = {}  # joint -> the slider's pin, the vertex of the guide's point
         self.velocity: dict[str, complex] = {"p": 0j}
         self.acceleration: dict[str, complex] = {"pi": 0j}
@@ -75,14 +76,16 @@ class _Plan:
         for joint in self.sliding:
             pin = slider_pin(joint, self.pins)
             if pin not in self.names:
-                self._add(pin, _free(f"{pin.name.lower()}{joint.links[0]}", taken), joint.links[0])
+                name = f"{pin.name}{joint.links[0]}"
+                self._add(pin, _free(name.lower(), taken), joint.links[0], name)
             vertex = _free(f"{pin.name.lower()}{joint.links[1]}", taken)
             self.guides[joint.name] = (pin, vertex)
+            self.points[vertex] = f"{pin.name}{joint.links[1]}"
             guide = self.states[joint.links[1]]
             self.velocity[vertex], self.acceleration[vertex] = guide.point(guide.own(self._place(pin)))
         for pin in self.pins:
             if pin not in self.names and not pin.fixed:
-                self._add(pin, _free(pin.name.lower(), taken, pin.name), next(iter(pin.at)))
+                self._add(pin, _free(pin.name.lower(), taken, pin.name), next(iter(pin.at)), pin.name)
 
     def _coriolis_names(self) -> list[str]:
         turning = [j for j in self.sliding if j.links[1] in self.turning]
@@ -93,8 +96,8 @@ class _Plan:
         state = self.states[link]
         return state.r + state.arm(p)
 
-    def _add(self, pin: Pin, vertex: str, link: int) -> None:
-        self.names[pin] = vertex
+    def _add(self, pin: Pin, vertex: str, link: int, name: str) -> None:
+        self.names[pin], self.points[vertex] = vertex, name
         self.velocity[vertex], self.acceleration[vertex] = self.states[link].point(pin.at[link])
 
     def add_turning(self) -> None:
@@ -115,10 +118,11 @@ class _Plan:
         tail, pole = self._vertex(base, "p"), self._vertex(base, "pi")
         arm = state.arm(p) - state.arm(base.at[link])
         self.acceleration[f"n{link}"] = self.acceleration[pole] - state.omega**2 * arm
+        seen = self.points[head], self.points.get(tail, base.name)
         if not base.fixed:
-            self.v_vectors.append(Vector(tail, head, "relative", link))
-        self.a_vectors.append(Vector(pole, f"n{link}", "normal", link))
-        self.a_vectors.append(Vector(f"n{link}", head, "tangential", link))
+            self.v_vectors.append(Vector(tail, head, "relative", link, *seen))
+        self.a_vectors.append(Vector(pole, f"n{link}", "normal", link, *seen))
+        self.a_vectors.append(Vector(f"n{link}", head, "tangential", link, *seen))
 
     def _vertex(self, pin: Pin, pole: str) -> str:
         return pole if pin.fixed else self.names[pin]
@@ -130,15 +134,16 @@ class _Plan:
             slider, guide = joint.links
             pin, tail = self.guides[joint.name]
             head = self.names[pin]
-            self.v_vectors.append(Vector(tail, head, "sliding", slider))
+            seen = self.points[head], self.points[tail]
+            self.v_vectors.append(Vector(tail, head, "sliding", slider, *seen))
             if guide not in self.turning:
-                self.a_vectors.append(Vector(tail, head, "sliding", slider))
+                self.a_vectors.append(Vector(tail, head, "sliding", slider, *seen))
                 continue
             k = next(coriolis)
             relative = self.velocity[head] - self.velocity[tail]
             self.acceleration[k] = self.acceleration[head] - 2j * self.states[guide].omega * relative
-            self.a_vectors.append(Vector(tail, k, "sliding", slider))
-            self.a_vectors.append(Vector(k, head, "coriolis", slider))
+            self.a_vectors.append(Vector(tail, k, "sliding", slider, *seen))
+            self.a_vectors.append(Vector(k, head, "coriolis", slider, *seen))
 
     def add_rest(self) -> None:
         """Other points of a link hang on its base: the lines of similarity; then the rays from the poles."""
@@ -146,12 +151,12 @@ class _Plan:
             for tail, head in self._similar(link):
                 for vectors in (self.v_vectors, self.a_vectors):
                     if not any({v.tail, v.head} == {tail, head} for v in vectors):
-                        vectors.append(Vector(tail, head, "relative", link))
+                        vectors.append(Vector(tail, head, "relative", link, self.points[head], self.points[tail]))
         points = [(vertex, next(iter(pin.at))) for pin, vertex in self.names.items()]
         points += [(vertex, self.mechanism.joint(name).links[1]) for name, (_, vertex) in self.guides.items()]
         for vertex, link in points:
-            self.v_vectors.append(Vector("p", vertex, "absolute", link))
-            self.a_vectors.append(Vector("pi", vertex, "absolute", link))
+            self.v_vectors.append(Vector("p", vertex, "absolute", link, self.points[vertex]))
+            self.a_vectors.append(Vector("pi", vertex, "absolute", link, self.points[vertex]))
 
     def add_special(self, point: Special, place: complex) -> None:
         """The point of a basic link at this place, from the pole and from the pins of both legs."""
@@ -160,7 +165,8 @@ class _Plan:
         pins = (pin for leg in point.legs for pin in self.pins if leg.near.name in pin.joints)
         tails = [self.names[pin] for pin in pins if pin in self.names]
         for pole, vectors in (("p", self.v_vectors), ("pi", self.a_vectors)):
-            vectors += [Vector(tail, vertex, "special", point.link) for tail in (pole, *tails)]
+            vectors.append(Vector(pole, vertex, "special", point.link, point.name))
+            vectors += [Vector(tail, vertex, "special", point.link, point.name, self.points[tail]) for tail in tails]
 
     def _similar(self, link: int) -> Iterator[tuple[str, str]]:
         """Pairs of vertices of a floating link, from its first pin to every other point."""

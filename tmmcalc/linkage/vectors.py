@@ -11,12 +11,17 @@ Kind = Literal["absolute", "relative", "normal", "tangential", "sliding", "corio
 
 @record
 class Vector:
-    """A vector of a polygon from one vertex to another; ``link`` is the one that turns, or the slider."""
+    """A vector of a polygon from one vertex to another; ``link`` is the one that turns, or the slider.
+
+    It is the motion of ``point``, against ``base`` where that is given: v_B, v_BA, a_BA^n, a_A2A3^k.
+    """
 
     tail: str
     head: str
     kind: Kind
     link: int
+    point: str
+    base: str = ""
 
 
 @record

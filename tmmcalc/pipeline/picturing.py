@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.errors import TmmError
@@ -11,6 +11,7 @@ from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Ord
 
 if TYPE_CHECKING:
     from tmmcalc.report.drawing.shapes import Drawing
+    from tmmcalc.report.sheets.piece import Piece
 
 NONE = dict.fromkeys((POSITIONS, POLYGONS, CHOOSE, PHASE))  # no flags
 
@@ -19,19 +20,31 @@ def figure_of(
     stage: str, spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | None] = NONE
 ) -> Callable[[], Drawing]:
     """What draws the picture of a stage that has one; ``flags`` are those of ``tmmcalc plot``."""
-    from tmmcalc.pipeline.runner import upstream_of
-    from tmmcalc.project import parse_spec
-
     picture = STAGES[stage].picture
     assert picture is not None
+    order = _order(spec, results, flags)
+    draw: Callable[[Order], Drawing] = resolve(picture.figure)
+    return lambda: draw(order)
+
+
+def pieces_of(stage: str, spec: Any, results: Mapping[str, Any]) -> list[Piece]:
+    """What of the picture of a stage stands on sheets, in the language in force; none of a stage without any."""
+    picture = STAGES[stage].picture
+    if picture is None or not picture.pieces:
+        return []
+    offered: Callable[[Order], Iterable[Piece]] = resolve(picture.pieces)
+    return list(offered(_order(spec, results, NONE)))
+
+
+def _order(spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | None]) -> Order:
+    from tmmcalc.pipeline.runner import upstream_of
+    from tmmcalc.project import parse_spec
 
     def solved(name: str) -> Any:
         own = STAGES[name]
         return own.solve(*arguments(own.inputs(spec)), **upstream_of(own, results))
 
-    order = Order(spec, results, flags, solved, parse_spec)
-    draw: Callable[[Order], Drawing] = resolve(picture.figure)
-    return lambda: draw(order)
+    return Order(spec, results, flags, solved, parse_spec)
 
 
 def svg_of(stage: str, spec: Any, results: Mapping[str, Any]) -> str | None:

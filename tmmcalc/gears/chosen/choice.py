@@ -44,7 +44,7 @@ def chosen_sets(trains: Trains, selection: Selection | None = None, number: int 
         sets = _only(selection.variants[winner.variant].sets, row)
         title = f"{winner.title}: {_named(sets)}, row {winner.place + 1} of {len(pool)}"
         return (Chosen(title, sets, variant.request.task, variant.request, winner.modules),)
-    found = tuple(_numbered(variant, number) for variant in trains.variants if 1 <= number <= len(variant.sets))
+    found = tuple(numbered_set(variant, number) for variant in trains.variants if 1 <= number <= len(variant.sets))
     if not found:
         most = max(len(variant.sets) for variant in trains.variants)
         raise UsageError(
@@ -68,7 +68,8 @@ def written_set(task: GearingTask) -> Chosen | None:
     )
 
 
-def _numbered(variant: Variant, number: int) -> Chosen:
+def numbered_set(variant: Variant, number: int) -> Chosen:
+    """Set ``number`` of a variant, from 1."""
     task, sets = variant.request.task, _only(variant.sets, number - 1)
     title = f"{variant.request.title}: {_named(sets)}, set {number} of {len(variant.sets)}"
     mu = sets.modules[0].tolist()

@@ -70,9 +70,7 @@ def plans_of(found: Moving) -> Plans:
     if chosen is None:
         return plans(network, found.motion, coaxial=found.task.locked, assumed=MODULE)
     sets = chosen.sets
-    parts = sets.modules[0].tolist()
-    module = chosen.modules or [MODULE * part / parts[0] if parts[0] else MODULE for part in parts]
-    distances = centre_distances(sets, np.array([module]), chosen.task.pressure_angle)[0].tolist()
+    distances = centre_distances(sets, np.array([modules_of(chosen)]), chosen.task.pressure_angle)[0].tolist()
     scheme = sets.scheme
     ends = scheme.branched and not scheme.planetary
     return plans(
@@ -83,3 +81,9 @@ def plans_of(found: Moving) -> Plans:
         wheels=wheel_names(network, scheme),
         assumed=None if chosen.modules else MODULE,
     )
+
+
+def modules_of(chosen: Chosen) -> tuple[float, ...]:
+    """The modules [m] of the stages, in their proportion to 1 mm of stage 1 where they are not known."""
+    parts = chosen.sets.modules[0].tolist()
+    return chosen.modules or tuple(MODULE * part / parts[0] if parts[0] else MODULE for part in parts)

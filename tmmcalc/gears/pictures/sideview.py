@@ -15,6 +15,7 @@ from tmmcalc.gears.pictures.placed import PlacedTrain, Wheel
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.pens import WHITE, Pen
 from tmmcalc.report.drawing.signs import hatched
+from tmmcalc.report.language import tr
 
 # On paper [mm].
 SLEEVE = 1.3  # half height of a sleeve around a shaft
@@ -63,9 +64,9 @@ def label_side_view(board: Board, train: PlacedTrain, to: To) -> None:
         ends[1] = to(frame.right, train.wheels[-1].axes[0].real)
     elif train.output == "H" and train.scheme.carrier == "left":
         ends[1] = to(sleeve_end(train), SLEEVE * board.mu)
-    names = ("input", "output") if train.driver == "1" else ("output", "input")
+    names = (tr("input"), tr("output")) if train.driver == "1" else (tr("output"), tr("input"))
     for name, end, other in zip(names, ends, reversed(ends), strict=True):
-        board.labels.put(name, board.paper([end]), gaps=(1.5, 2.5), prefer=end - other)
+        board.labels.put(name, board.paper([end]), gaps=(1.5, 2.5, 4.0, 6.0), prefer=end - other)
 
 
 class _View(NamedTuple):

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.gears.chosen.choice import numbered_set
+from tmmcalc.gears.chosen.motion import moving
 from tmmcalc.gears.columns import ratios
+from tmmcalc.gears.details import speed_of_driver
 from tmmcalc.gears.kinds import from_tooth_ratio
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.pictures.criteria import check_row
 from tmmcalc.gears.pictures.graphs import graphs_of
+from tmmcalc.gears.pictures.motionplans import draw_motion
 from tmmcalc.gears.pictures.placed import PlacedTrain, placed
 from tmmcalc.gears.pictures.scheme import scheme_sheet
 from tmmcalc.gears.pictures.solutions import solutions_panel
@@ -24,7 +29,7 @@ from tmmcalc.gears.trains import Trains, Variant
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.page import headed, sheets
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.numbers import number
 
@@ -36,11 +41,15 @@ Strip = Sequence[Callable[[Drawing, Box], object]]  # what stands side by side
 def figure(order: Order) -> Drawing:
     """The drawing of the stage, with the set that is chosen."""
     result, selection = order.results["train"], order.results.get("criteria")
+    speed = speed_of_driver(order.spec, order.results)
     if selection is not None:
         place = selection.winner.place if order.choice is None else order.choice - 1
+        check_row(place, len(selection.pool))
         told = f"row {place + 1} of {len(selection.pool)} trains compared, "
-        return train_drawing(result, chosen_rows(result, selection, order.choice), told)
-    return train_drawing(result, numbered_rows(result, 1 if order.choice is None else order.choice))
+        at, row = int(selection.pool.variant[place]), int(selection.pool.row[place])
+        modules = tuple(selection.variants[at].module[row].tolist())
+        return train_drawing(result, chosen_rows(result, selection, order.choice), told, speed, modules)
+    return train_drawing(result, numbered_rows(result, 1 if order.choice is None else order.choice), speed=speed)
 
 
 def numbered_rows(result: Trains, choose: int) -> list[int | None]:
@@ -67,17 +76,29 @@ def chosen_rows(result: Trains, selection: Selection, choose: int | None = None)
     return [found if k == at else None for k in range(len(result.variants))]
 
 
-def train_drawing(result: Trains, rows: Sequence[int | None], told: str = "") -> Drawing:
-    """A sheet for the set of every variant that ``rows`` names, then sets, removals and curves, two strips a sheet.
+def train_drawing(
+    result: Trains,
+    rows: Sequence[int | None],
+    told: str = "",
+    speed: float | None = None,
+    modules: tuple[float, ...] = (),
+) -> Drawing:
+    """Two sheets for the set of every variant that ``rows`` names: its scheme from two sides, and its plans.
 
-    ``told`` is said of the set before its number among all.
+    Then sets, removals and curves, two strips a sheet. ``told`` is said of the set before its number among all;
+    ``speed`` is that of what drives [rad/s], 1 rad/s where it is not known; ``modules`` are those of the stages [m]
+    that criteria found.
     """
     schemes = [(variant, row) for variant, row in zip(result.variants, rows, strict=True) if row is not None]
     strips = _strips(result, rows)
-    drawing, boxes = sheets(len(schemes) + -(-len(strips) // ROWS), "Synthesis of the gear train")
-    for (variant, row), box in zip(schemes, boxes, strict=False):
-        scheme_sheet(drawing, box, _to_scale(variant, row), _heading(variant, row, told))
-    for k, box in enumerate(boxes[len(schemes) :]):
+    drawing, boxes = sheets(2 * len(schemes) + -(-len(strips) // ROWS), "Synthesis of the gear train")
+    for (variant, row), first, second in zip(schemes, boxes[::2], boxes[1::2], strict=False):
+        head = _heading(variant, row, told)
+        scheme_sheet(drawing, first, _to_scale(variant, row, modules), head)
+        found = numbered_set(variant, row + 1)
+        found = replace(found, modules=modules) if modules else found
+        draw_motion(drawing, headed(drawing, second, head), moving(found, speed))
+    for k, box in enumerate(boxes[2 * len(schemes) :]):
         here = strips[ROWS * k : ROWS * (k + 1)]
         for strip, part in zip(here, box.split(*(1.0 for _ in here), gap=5), strict=True):
             for draw, place in zip(strip, part.split(*(1.0 for _ in strip), gap=6, across=True), strict=True):
@@ -101,10 +122,11 @@ def _strips(result: Trains, rows: Sequence[int | None]) -> list[Strip]:
     return found
 
 
-def _to_scale(variant: Variant, row: int) -> PlacedTrain:
+def _to_scale(variant: Variant, row: int, modules: tuple[float, ...]) -> PlacedTrain:
     task = variant.request.task
     parts = variant.sets.modules[row]
     module: Values | None = None if task.module is None or not parts.all() else task.module * parts / parts[0]
+    module = np.array(modules) if modules else module
     driver = "H" if variant.request.kind == "i_H1" else "1"
     return placed(variant.sets, row, module, rack=task.pressure_angle, addendum=float(task.addendum), driver=driver)
 

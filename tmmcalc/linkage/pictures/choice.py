@@ -22,16 +22,16 @@ BESIDE = 0.02  # and so do a pin and a link that it does not belong to
 
 
 def chosen(
-    cycle: LinkageMotion, result: Kinematics, positions: Sequence[int] | None, polygons: int | None
+    cycle: LinkageMotion, result: Kinematics, positions: Sequence[int] | None, marked: Sequence[int] = ()
 ) -> list[int]:
-    """Positions to draw, the highlighted one first.
+    """Positions to draw, the highlighted one first: the first of those ``marked``, which have plans.
 
     By default that is the middle of the working stroke of the first output, else a quarter of the way, or the
     nearest position beside it in which no pin covers another or stands on a link that it does not belong to.
     """
     if positions:
         return list(dict.fromkeys(positions))
-    main = polygons if polygons is not None else _clear(cycle, result, _telling(result, closed(cycle.chain)))
+    main = marked[0] if marked else _clear(cycle, result, _telling(result, closed(cycle.chain)))
     count = len(result.x)
     others = range(count) if count <= DRAWN + 1 else np.linspace(0, count - 1, DRAWN + 1).astype(int).tolist()
     return [main, *(k for k in others if k != main)]

@@ -1,102 +1,130 @@
-"""The velocity and acceleration polygons of one position, to a round scale, with named vertices."""
+"""The plan of velocities or of accelerations of one position: named vertices, every segment with its designation."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
+import re
+from collections.abc import Sequence
 
 import numpy as np
 
-from tmmcalc.linkage.vectors import Polygon, Vector, VectorPolygons
+from tmmcalc.linkage.vectors import Polygon, Vector
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.diagram import SAMPLE
 from tmmcalc.report.drawing.field import Board
-from tmmcalc.report.drawing.lettering import point_name, width
+from tmmcalc.report.drawing.lettering import NUMBERED, point_name
 from tmmcalc.report.drawing.pens import MIDDLE, VECTORS
-from tmmcalc.report.drawing.shapes import Drawing, Words
-from tmmcalc.report.numbers import number
+from tmmcalc.report.drawing.scales import standard_scale
+from tmmcalc.report.drawing.shapes import Drawing
 
-MARGIN = 11.0  # free border [mm]
-SHORT = 1e-6  # a vector shorter than this, against the largest, is not drawn
-HEAD = 3.0  # length of an arrowhead [mm]
-HEIGHT = 2.5  # of words
-KINDS: Mapping[str, str] = {
-    "absolute": "absolute",
-    "relative": "relative, of two points of a link",
-    "normal": "normal part",
-    "tangential": "tangential part",
-    "sliding": "relative, of a slider on its guide",
-    "coriolis": "Coriolis",
-}
+MARGIN = 9.0  # free border [mm]
+SHORT = 1e-6  # a vector shorter than this, against the largest, is nothing
+SPECK = 0.4  # and a segment shorter than this has no designation [mm]
+HEAD = 2.8  # length of an arrowhead [mm]
+VERTEX, DESIGNATION = 3.0, 2.3  # height of names [mm]
+AT = (0.55, 0.7, 0.4, 0.82, 0.28)  # where along a segment its designation may stand
+SUPERSCRIPTS = {"normal": "n", "tangential": "t", "coriolis": "k"}
+SPECIAL = re.compile(r"([Ww])(\d+)_(\d+)_(\d+)")  # a special point of a basic link on the lines of two legs
 
 
-def draw_polygon(drawing: Drawing, box: Box, polygon: Polygon, fixed: tuple[str, ...]) -> Board:
-    """Draw one polygon in a rectangle, as large as a round scale allows; returns the board."""
+def draw_polygon(
+    drawing: Drawing, box: Box, polygon: Polygon, letter: str, fixed: tuple[str, ...], mu: float = 0.0
+) -> Board:
+    """Draw a plan, of ``v`` or ``a``, in a rectangle: to the scale ``mu``, or as large as a standard one allows."""
     tips = np.array(list(polygon.vertices.values()))
-    board = Board(drawing, box, tips, MARGIN)
-    size = float(np.max(np.abs(tips)))
-    order = list(VECTORS)  # rays from the pole first, so that the parts are drawn over them
-    for vector in sorted(polygon.vectors, key=lambda vector: order.index(vector.kind)):
-        if abs(polygon.value(vector)) > SHORT * size:
-            _draw(board, polygon, vector)
+    board = Board(drawing, box, tips, MARGIN, mu, scale=standard_scale)
+    drawn = drawn_vectors(polygon)
+    for vector in drawn:
+        _draw(board, polygon, vector)
     board.circle(polygon.vertices[polygon.pole], 0.9, MIDDLE, level=25)
-    for place, names in _together(polygon, fixed, size).items():
+    for place, names in _together(polygon, fixed).items():
         at = board.paper([place])
-        board.labels.put(names, at, height=3.0, prefer=place or -1 - 1j, gaps=(1.1, 2.0, 3.2, 4.6))
+        board.labels.put(names, at, height=VERTEX, prefer=place or -1 - 1j, gaps=(1.1, 2.0, 3.2, 4.6))
+    ends = {vector: board.paper(_ends(polygon, vector)).tolist() for vector in drawn}
+    for vector in drawn:
+        others = [ends[other] for other in drawn if other is not vector]
+        _designate(board, vector, letter, ends[vector], others)
     return board
 
 
+def drawn_vectors(polygon: Polygon) -> list[Vector]:
+    """The vectors that are something: rays from the pole first, so that the parts are drawn over them.
+
+    A special point in the pole has no segments, for they would lie on the rays.
+    """
+    size = max(map(abs, polygon.vertices.values()))
+    order = list(VECTORS)
+
+    def seen(vector: Vector) -> bool:
+        at_pole = vector.kind == "special" and abs(polygon.vertices[vector.head]) <= SHORT * size
+        return not at_pole and abs(polygon.value(vector)) > SHORT * size
+
+    return sorted(filter(seen, polygon.vectors), key=lambda vector: order.index(vector.kind))
+
+
+def designation(vector: Vector, letter: str) -> str:
+    """The sign of a vector of a plan of ``v`` or ``a``.
+
+    >>> designation(Vector("a", "b", "relative", 2, "B", "A"), "v")
+    '$v_{BA}$'
+    >>> designation(Vector("a", "n3", "normal", 3, "B2", "A"), "a")
+    '$a^{n}_{B_{2}A}$'
+    """
+    above = SUPERSCRIPTS.get(vector.kind, "r" if vector.kind == "sliding" and letter == "a" else "")
+    names = [_index(name) for name in (vector.point, vector.base) if name]
+    joint = (
+        "" if all(len(name) == 1 or NUMBERED.fullmatch(name) for name in (vector.point, vector.base) if name) else ","
+    )
+    return f"${letter}{f'^{{{above}}}' if above else ''}_{{{joint.join(names)}}}$"
+
+
+def _index(name: str) -> str:
+    """The name of a point as it stands in an index."""
+    if found := SPECIAL.fullmatch(name):
+        return f"{found[1]}_{{{found[2]}({found[3]},{found[4]})}}"
+    formula = point_name(name)
+    return formula.strip("$") if formula.startswith("$") else name.replace("_", " ")
+
+
+def vertex_name(name: str) -> str:
+    """The name of a vertex, italic, with its number as an index."""
+    if name == "pi":
+        return "$π$"
+    return f"${_index(name)}$" if SPECIAL.fullmatch(name) else point_name(name)
+
+
+def _ends(polygon: Polygon, vector: Vector) -> list[complex]:
+    return [polygon.vertices[vector.tail], polygon.vertices[vector.head]]
+
+
 def _draw(board: Board, polygon: Polygon, vector: Vector) -> None:
-    tail, value = polygon.vertices[vector.tail], polygon.value(vector)
     level = 5 + list(VECTORS).index(vector.kind)
-    board.vector(tail, tail + value, VECTORS[vector.kind], HEAD, level=level)
+    tail, head = _ends(polygon, vector)
+    board.vector(tail, head, VECTORS[vector.kind], HEAD, level=level)
 
 
-def _together(polygon: Polygon, fixed: tuple[str, ...], size: float) -> dict[complex, str]:
+def _designate(board: Board, vector: Vector, letter: str, own: Sequence[complex], others: list[list[complex]]) -> None:
+    """The designation of a segment beside it."""
+    across = own[1] - own[0]
+    if abs(across) < SPECK:
+        return
+    board.labels.put(
+        designation(vector, letter),
+        [own[0] + t * across for t in AT],
+        height=DESIGNATION,
+        colour=VECTORS[vector.kind].colour,
+        prefer=1j * across,
+        gaps=(0.5, 0.8, 1.4, 2.2),
+        own=own,
+        others=others,
+    )
+
+
+def _together(polygon: Polygon, fixed: tuple[str, ...]) -> dict[complex, str]:
     """Vertices that lie in one place share a label; points of the frame stand in brackets beside the pole."""
+    size = max(map(abs, polygon.vertices.values()))
     names: dict[complex, list[str]] = {}
     for name, tip in polygon.vertices.items():
         place = next((other for other in names if abs(other - tip) <= 2e-3 * size), tip)
-        names.setdefault(place, []).append("$π$" if name == "pi" else point_name(name))
+        names.setdefault(place, []).append(vertex_name(name))
     pole = polygon.vertices[polygon.pole]
     names[pole].extend(f"({', '.join(map(point_name, group))})" for group in [fixed] if group)
     return {place: ", ".join(group) for place, group in names.items()}
-
-
-def scale_note(letter: str, mu: float) -> str:
-    """The scale as it is written beside a polygon."""
-    unit = "m/s" if letter == "v" else "m/s²"
-    return f"$μ_{letter}$ = {number(mu, 4)} ({unit})/mm"
-
-
-def rotation_notes(vectors: VectorPolygons) -> list[str]:
-    """One line a turning link: omega and eps with their senses."""
-    return [
-        f"link {link}:  {_turning('ω', omega, 'rad/s')},  {_turning('ε', vectors.eps[link], 'rad/s²')}"
-        for link, omega in vectors.omega.items()
-    ]
-
-
-def _turning(letter: str, value: float, unit: str) -> str:
-    sense = "" if math.isclose(value, 0.0, abs_tol=1e-12) else " (ccw)" if value > 0 else " (cw)"
-    return f"${letter}$ = {number(abs(value) if sense else 0.0, 5)} {unit}{sense}"
-
-
-def draw_notes(drawing: Drawing, box: Box, vectors: VectorPolygons) -> None:
-    """Kinds of vectors and rotations of links, in columns."""
-    used = {v.kind for polygon in (vectors.velocity, vectors.acceleration) for v in polygon.vectors}
-    kinds = [kind for kind in VECTORS if kind in used]
-    wide = max((SAMPLE + 2 + width(KINDS[kind], HEIGHT) for kind in kinds), default=1.0) + 5.0
-    columns = max(1, int(box.width / wide))
-    at = complex(box.left, box.top - 2.0)
-    for k, kind in enumerate(kinds):
-        here = at + complex(k % columns * wide, -(k // columns) * 2 * HEIGHT)
-        drawing.vector(here, here + SAMPLE, VECTORS[kind])
-        drawing.add(Words(here + SAMPLE + 2, KINDS[kind], HEIGHT, -1))
-    at -= 1j * (math.ceil(len(kinds) / columns) * 2 * HEIGHT + 1.0)
-    notes = rotation_notes(vectors)
-    wide = max((width(note, HEIGHT) for note in notes), default=1.0) + 8.0
-    columns = max(1, int(box.width / wide))
-    for k, note in enumerate(notes):
-        here = at + complex(k % columns * wide, -(k // columns) * 1.9 * HEIGHT)
-        drawing.add(Words(here, note, HEIGHT, -1))

@@ -50,14 +50,14 @@ def form_of(file: Path) -> str:
     return form
 
 
-def check_writer(form: str) -> None:
+def check_writer(form: str, where: str = "plot") -> None:
     """Raise `UsageError` where the package that writes this form is not installed."""
     package, extra = WRITERS[form]
     if package and find_spec(package) is None:
         from tmmcalc.core.installation import install
 
         said = f"pictures as {form} need {package}, which is not installed"
-        raise UsageError(said, where="plot", remedy=f"{install(extra)}; svg needs nothing")
+        raise UsageError(said, where=where, remedy=f"{install(extra)}; svg needs nothing")
 
 
 def written(form: str, drawing: Drawing) -> bytes:

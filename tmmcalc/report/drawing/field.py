@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -12,14 +12,12 @@ import numpy as np
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.labels import Labels
-from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.pens import INK, MIDDLE, THICK, THIN, WHITE, Pen
 from tmmcalc.report.drawing.regions import arcs_in, cut_to
 from tmmcalc.report.drawing.shapes import ARROW, Arc, Area, Drawing, Hatching, arrowhead
 from tmmcalc.report.numbers import round_scale
 
 GAPS = (0.9, 2.0, 4.0, 7.0, 12.0)  # from an anchor to its name [mm]
-FAR = 3.0  # a name that stands farther has a leader [mm]
 
 
 class Field:
@@ -48,14 +46,8 @@ class Field:
         return self._origin + complex(shift.real / self._factors[0], shift.imag / self._factors[1])
 
     def name(self, text: str, anchors: Sequence[complex] | Plane, *, height: float = 2.5, **style: Any) -> None:
-        """A name near one of these data, see `Labels.put`, with a leader where it stands far from it."""
-        places = self.paper(anchors).tolist()
-        middle = self.labels.put(text, places, height=height, **{"gaps": GAPS, **style})
-        at = min(places, key=lambda place: abs(place - middle))
-        half, away = complex(width(text, height), height) / 2, middle - at
-        inward = complex(min(max(away.real, -half.real), half.real), min(max(away.imag, -half.imag), half.imag))
-        if abs(away - inward) > FAR:
-            self.drawing.line([at, middle - inward], THIN, level=12)
+        """A name near one of these data, or farther away with a leader, see `Labels.put`."""
+        self.labels.put(text, self.paper(anchors).tolist(), height=height, **{"gaps": GAPS, **style})
 
     def curve(self, z: Plane, pen: Pen, *, weight: float = 0.7, level: float = 4.0) -> None:
         """A polyline of data, cut off at the border; names keep clear of it by ``weight``."""
@@ -79,13 +71,20 @@ class Board(Field):
     Lengths of strokes and signs are in mm of paper, their places in data.
     """
 
-    def __init__(self, drawing: Drawing, box: Box, content: Plane, margin: float, mu: float = 0.0) -> None:
-        """Choose the scale so that the content keeps a margin [mm], or take ``mu``."""
+    def __init__(
+        self,
+        drawing: Drawing,
+        box: Box,
+        content: Plane,
+        margin: float,
+        mu: float = 0.0,
+        *,
+        scale: Callable[[float], float] = round_scale,
+    ) -> None:
+        """Choose the scale, one of a series, so that the content keeps a margin [mm], or take ``mu``."""
         low = complex(content.real.min(), content.imag.min())
         high = complex(content.real.max(), content.imag.max())
-        size = high - low
-        need = max(size.real / (box.width - 2 * margin), size.imag / (box.height - 2 * margin))
-        self.mu = mu or round_scale(need or 1e-3)
+        self.mu = mu or scale(needed(content, box, margin) or 1e-3)
         origin = (low + high) / 2 - self.mu * complex(box.width, box.height) / 2
         super().__init__(drawing, box, origin, (1 / self.mu, 1 / self.mu))
 
@@ -166,6 +165,12 @@ class Board(Field):
         ends = self.place(tail), self.place(tip)
         self.drawing.vector(*ends, pen, head, level)
         self.labels.avoid(ends)
+
+
+def needed(content: Plane, box: Box, margin: float) -> float:
+    """The least scale at which the content keeps a margin [mm] within a rectangle; 0 for a single point."""
+    wide, high = float(np.ptp(content.real)), float(np.ptp(content.imag))
+    return max(wide / (box.width - 2 * margin), high / (box.height - 2 * margin))
 
 
 def clipped(points: Plane, box: Box) -> list[Plane]:

@@ -1,7 +1,8 @@
 """Names that keep clear of what is drawn and of each other.
 
-Everything is in mm of paper: a name tries places around its anchors and takes the one where it covers least. What then
-still covers another name or a line stands in `Labels.faults`, for the drawing's own warning.
+Everything is in mm of paper: a name tries places around its anchors and takes the one where it covers least. Where
+none is free it goes farther away, with a leader. What then still covers another name or a line stands in
+`Labels.faults`, for the drawing's own warning.
 """
 
 from __future__ import annotations
@@ -18,12 +19,15 @@ from tmmcalc.report.drawing.lettering import extent, width
 from tmmcalc.report.drawing.pens import INK, THIN, WHITE
 from tmmcalc.report.drawing.shapes import Arc, Drawing, Words
 
-NEAR = 20.0  # what lies farther from an anchor cannot be covered [mm]
 STEP = 0.5  # spacing of the points that stand for a line [mm]
 AIR = 0.4  # between a name and what is around it [mm]
 CLEARLY = 0.8  # so much nearer to its own stroke than to another a name is told apart [mm]
 ASTRAY = 15.0  # what a mm less costs
 WRONG = 50.0  # and what it costs to be nearer to another one
+FURTHER = (4.0, 6.0, 8.5, 11.5, 15.0, 19.0)  # gaps of a name that found no free place nearby [mm]
+FAR = 3.3  # a name that stands farther from its anchor has a leader [mm]
+TOUCHING = 0.3  # strokes nearer than this all along are told apart by no name [mm]
+CROSSED = 3.0  # what it costs a leader to cross another name, by mm
 OUTSIDE = 60.0  # what it costs to reach over the border
 COVERED = 4.0  # covering more than this is a fault
 LEVEL = 20.0  # names stand over all else
@@ -90,26 +94,22 @@ class Labels:
     ) -> complex:
         """Write a name near one of the anchors on paper, ``gaps`` mm away; a ``ring`` goes around it. Its middle.
 
-        ``own`` is the stroke, from end to end, that it names among the ``others``: it stands nearer to that one.
+        ``own`` is the stroke, from end to end, that it names among the ``others``: it stands nearer to that one, or
+        has a leader.
         """
         above, below = extent(text, height)
         half = (width(text, height) / 2, (above + below) / 2)
         radius = max(abs(complex(*half)) + 0.4, 0.95 * height)
         half = (radius, radius) if ring else half
-        strokes = [np.array([stroke[0], stroke[-1]], complex) for stroke in (own, *others) if len(stroke)]
-        centres, costs = [], []
-        for rank, anchor in enumerate(anchors):
-            tried, cost = self._tried(complex(anchor), half, gaps, prefer)
-            if len(own):
-                cost = cost + _astray(tried, strokes)
-            centres.append(tried)
-            costs.append(cost + 0.4 * rank)
-        every = np.concatenate(costs)
-        best = int(np.argmin(every))
-        at = complex(np.concatenate(centres)[best])
+        places = [complex(anchor) for anchor in anchors]
+        at, anchor, cost = self._best(places, half, gaps, prefer, _strokes(own, others))
+        if cost > COVERED:
+            led = self._best(places, half, FURTHER, prefer, [])
+            at, anchor, cost = min((at, anchor, cost), led, key=lambda found: found[2])
         self.count += 1
-        if every[best] > COVERED:
-            self.faults.append(Fault(text, at, float(every[best])))
+        if cost > COVERED:
+            self.faults.append(Fault(text, at, cost))
+        self._lead(anchor, at, half)
         self._taken.append((at.real - half[0], at.real + half[0], at.imag - half[1], at.imag + half[1]))
         if ring:
             self.drawing.add(Arc(at, radius, THIN, fill=WHITE), level=LEVEL)
@@ -133,6 +133,45 @@ class Labels:
             return None
         return self.put(text, [anchor], height=height, gaps=gaps, prefer=prefer, colour=colour)
 
+    def _best(
+        self,
+        anchors: Sequence[complex],
+        half: tuple[float, float],
+        gaps: tuple[float, ...],
+        prefer: complex,
+        strokes: Sequence[Plane],
+    ) -> tuple[complex, complex, float]:
+        """Where a name covers least: its middle, its anchor, what it costs there."""
+        found = []
+        for rank, anchor in enumerate(anchors):
+            tried, cost = self._tried(anchor, half, gaps, prefer)
+            if strokes:
+                cost = cost + _astray(tried, strokes)
+            if gaps[-1] > FAR:
+                cost = cost + self._crossed(anchor, tried, half)
+            best = int(np.argmin(cost))
+            found.append((complex(tried[best]), anchor, float(cost[best]) + 0.4 * rank))
+        return min(found, key=lambda each: each[2])
+
+    def _crossed(self, anchor: complex, centres: Plane, half: tuple[float, float]) -> Real:
+        """What the leaders (n,) from an anchor to names at these places cost for the names that they cross."""
+        along = centres - anchor
+        edges = _edge(along, half)
+        on = anchor + edges[:, None] * along[:, None] * np.linspace(0.0, 1.0, 9)
+        over = np.zeros(len(centres))
+        for x0, x1, y0, y1 in self._taken:
+            within = (on.real > x0 - AIR) & (on.real < x1 + AIR) & (on.imag > y0 - AIR) & (on.imag < y1 + AIR)
+            over += CROSSED * np.where(edges * np.abs(along) > FAR, within.sum(axis=1), 0)
+        return over
+
+    def _lead(self, anchor: complex, at: complex, half: tuple[float, float]) -> None:
+        """The leader of a name that stands far from its anchor."""
+        edge = float(_edge(np.array([at - anchor]), half)[0])
+        if edge * abs(at - anchor) > FAR:
+            line = [anchor + 0.15 * edge * (at - anchor), anchor + edge * (at - anchor)]
+            self.drawing.line(line, THIN, level=12)
+            self.avoid(line, 0.5)
+
     def _around(self, line: Plane, reach: float) -> tuple[Plane, Real]:
         """The points that stand for what is drawn, with their weights: those within ``reach`` mm of a line and more."""
         if not self._points:
@@ -152,11 +191,11 @@ class Labels:
         centres = np.concatenate([anchor + _outward(AROUND, half, gap) for gap in gaps])
         liking = np.tile((AROUND * np.conj(prefer / abs(prefer))).real, len(gaps))
         distance = np.repeat(np.arange(len(gaps)), len(AROUND))
-        return centres, self._covered(anchor, centres, half) + 0.8 * distance - 0.5 * liking
+        return centres, self._covered(centres, half) + 0.8 * distance - 0.5 * liking
 
-    def _covered(self, anchor: complex, centres: Plane, half: tuple[float, float]) -> Real:
+    def _covered(self, centres: Plane, half: tuple[float, float]) -> Real:
         wide, high = half[0] + AIR, half[1] + AIR
-        points, weights = self._around(np.array([anchor]), NEAR + wide)
+        points, weights = self._around(centres, max(wide, high))
         away = points[None, :] - centres[:, None]
         cost = ((np.abs(away.real) < wide) & (np.abs(away.imag) < high)) @ weights
         for x0, x1, y0, y1 in self._taken:
@@ -167,6 +206,22 @@ class Labels:
         outside = (centres.real - wide < box.left) | (centres.real + wide > box.right)
         outside |= (centres.imag - high < box.bottom) | (centres.imag + high > box.top)
         return np.asarray(cost + OUTSIDE * outside)
+
+
+def _strokes(own: Sequence[complex], others: Sequence[Sequence[complex]]) -> list[Plane]:
+    """Ends of a name's own stroke, then those of the others, but for one that its own lies upon."""
+    if not len(own):
+        return []
+    first = np.array([own[0], own[-1]], complex)
+    rest = (np.array([stroke[0], stroke[-1]], complex) for stroke in others)
+    return [first, *(stroke for stroke in rest if float(_distance(first, stroke).max()) > TOUCHING)]
+
+
+def _edge(along: Plane, half: tuple[float, float]) -> Real:
+    """What part (n,) of the way from an anchor to the middle of a name lies outside of its box."""
+    with np.errstate(divide="ignore"):
+        inside = np.minimum(half[0] / np.abs(along.real), half[1] / np.abs(along.imag))
+    return np.asarray(np.maximum(1.0 - inside, 0.0))
 
 
 def _astray(centres: Plane, strokes: Sequence[Plane]) -> Real:

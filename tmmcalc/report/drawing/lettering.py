@@ -24,6 +24,7 @@ FONTS = Path(__file__).parent.parent / "fonts"
 FAMILY = "TMM Text"
 SMALLER = 0.7  # height of an index to that of its letter
 LOWERED, RAISED = -0.28, 0.48  # of the height of capitals
+HIGHER = 0.12  # and so much more is raised what stands over an index
 NUMBERED = re.compile("([A-Za-z])([0-9]+'*)")  # a name that reads as a letter with an index
 LEADING = 1.75  # from line to line, of the height of capitals
 
@@ -135,6 +136,8 @@ def line(text: str) -> tuple[Placed, ...]:
     for piece in pieces(text):
         over = before is not None and before.rise * piece.rise < 0
         begin = start if over else at
+        if over and before is not None and before.rise > 0:
+            found[-1] = found[-1]._replace(piece=before._replace(rise=before.rise + HIGHER))
         width = em(piece) * sum(faces()[_face(piece)]["advance"][letter] for letter in piece.text)
         found.append(Placed(piece, begin, width))
         start, at, before = begin, max(at, begin + width), piece

@@ -20,26 +20,37 @@ FACES = {False: "TMMText-Regular", True: "TMMText-Italic"}
 
 def pdf(drawing: Drawing) -> bytes:
     """The bytes of the file."""
+    buffer = BytesIO()
+    canvas = begun(buffer, drawing, drawing.width, drawing.height)
+    draw_on(canvas, drawing)
+    canvas.showPage()
+    canvas.save()
+    return buffer.getvalue()
+
+
+def begun(file: BytesIO, drawing: Drawing, width: float, height: float) -> Any:
+    """A canvas for a drawing, with pages of this size [mm], whose unit is a point."""
     from reportlab.pdfbase import pdfmetrics
     from reportlab.pdfbase.ttfonts import TTFont
     from reportlab.pdfgen.canvas import Canvas
 
     for face in FACES.values():
         pdfmetrics.registerFont(TTFont(face, str(FONTS / f"{face}.ttf")))
-    buffer = BytesIO()
-    size = (drawing.width * POINT, drawing.height * POINT)
     first: dict[str, Any] = {"initialFontName": FACES[False]}  # else a font is named that no letter is of
-    canvas = Canvas(buffer, pagesize=size, invariant=1, lang=drawing.language, **first)
+    size = (width * POINT, height * POINT)
+    canvas = Canvas(file, pagesize=size, invariant=1, lang=drawing.language, **first)
     canvas.setTitle(drawing.title)
     canvas.setCreator("tmmcalc")
+    return canvas
+
+
+def draw_on(canvas: Any, drawing: Drawing) -> None:
+    """All shapes, a millimetre as a millimetre."""
     canvas.scale(POINT, POINT)
     canvas.setLineJoin(1)
     writer = _Writer(canvas)
     for shape in drawing.shapes:
         writer.shape(shape)
-    canvas.showPage()
-    canvas.save()
-    return buffer.getvalue()
 
 
 def png(drawing: Drawing, resolution: float = RESOLUTION) -> bytes:

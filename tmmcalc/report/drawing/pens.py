@@ -33,6 +33,8 @@ HATCH = Pen("HATCH", 0.18)
 GRID = Pen("GRID", 0.13, colour="#cfcfcf")
 DIMENSION = Pen("DIMENSIONS", 0.25)
 FRAME = Pen("FRAME", 0.7)
+BLOCK = Pen("TITLE_BLOCK", 0.25)
+ZONES = Pen("ZONES", 0.35)
 MARK = Pen("MARKS", 0.5, colour="#d55e00")
 TEXT = Pen("TEXT", 0.25)
 
@@ -59,6 +61,7 @@ VECTORS = {
     "tangential": Pen("VECTORS_TANGENTIAL", 0.45, (2.0, 0.7, 0.7, 0.7), "#56b4e9"),
     "sliding": Pen("VECTORS_SLIDING", 0.5, (0.9, 0.8), "#cc79a7"),
     "coriolis": Pen("VECTORS_CORIOLIS", 0.45, (4.0, 0.9, 0.9, 0.9), "#d55e00"),
+    "special": Pen("VECTORS_SPECIAL", 0.3, (6.0, 1.0, 1.0, 1.0), "#6b6b6b"),
 }
 FORCES = {
     "load": Pen("FORCES_LOAD", 0.55, (), "#d55e00"),
@@ -71,7 +74,7 @@ FORCES = {
     "friction": Pen("FORCES_FRICTION", 0.55, (0.9, 0.8), "#cc79a7"),
 }
 PENS = (
-    *(THICK, MIDDLE, THIN, AXIS, HIDDEN, OTHER, PATH, HATCH, GRID, DIMENSION, FRAME, MARK, TEXT),
+    *(THICK, MIDDLE, THIN, AXIS, HIDDEN, OTHER, PATH, HATCH, GRID, DIMENSION, FRAME, BLOCK, ZONES, MARK, TEXT),
     *CURVES,
     *VECTORS.values(),
     *FORCES.values(),

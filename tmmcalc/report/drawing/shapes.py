@@ -150,6 +150,14 @@ class Drawing:
         """Draw these shapes over what is there, on a level."""
         self._levels += [(level, shape) for shape in shapes]
 
+    def mark(self) -> tuple[int, int]:
+        """How much is drawn, for `undo`."""
+        return len(self._levels), len(self.fields)
+
+    def undo(self, mark: tuple[int, int]) -> None:
+        """Take away what was drawn since that mark."""
+        del self._levels[mark[0] :], self.fields[mark[1] :]
+
     def line(self, points: Iterable[complex], pen: Pen, *, closed: bool = False, level: float = 0.0) -> None:
         """A polyline."""
         self.add(Stroke(np.asarray(list(points), complex), pen, closed), level=level)

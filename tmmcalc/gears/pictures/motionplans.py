@@ -1,0 +1,253 @@
+"""A train in motion: its kinematic scheme to scale, beside it the plan of velocities, then that of speeds.
+
+The line of centres stands upright in both the scheme and the plan of velocities, to one scale, so every axis and every
+pitch point lies at its own height. A member's line goes through the ends of the velocities of its points; a ray from
+the pole, parallel to it, cuts off the speed of the member on the line of speeds (see `tmmcalc.gears.network.plans`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import cycle
+from typing import NamedTuple
+
+import numpy as np
+
+from tmmcalc.core.plane import Plane
+from tmmcalc.gears.chosen.motion import Moving, plans_of
+from tmmcalc.gears.gearingtask import ends
+from tmmcalc.gears.network.model import Network
+from tmmcalc.gears.network.plans import PlanPoint, Plans, scale_factor
+from tmmcalc.gears.pictures.memberscheme import view_of
+from tmmcalc.gears.pictures.ruled import ruled_table
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.field import Board, Field
+from tmmcalc.report.drawing.lettering import minus, plain, width
+from tmmcalc.report.drawing.pens import AXIS, CURVES, INK, THIN, VECTORS, Pen
+from tmmcalc.report.drawing.scales import factor_text, length_scale, scale_text
+from tmmcalc.report.drawing.shapes import Arc, Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.numbers import number
+
+MARGIN, GAP = 4.0, 8.0  # free border of the scheme, and between the parts [mm]
+SCHEME = 0.46  # part of the width that the scheme takes at most
+ASIDE = 16.0  # room of names at both sides of the plan of velocities [mm]
+FOOT = 6.0  # room of the scale factors under a plan [mm]
+HEAD = 7.0  # room of the headings of the plans [mm]
+POLES = (50.0, 40.0, 30.0, 25.0, 20.0, 15.0, 12.0, 10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0)  # h [mm], as there is room
+OVER = 8.0  # of the upright lines beyond what lies on them [mm]
+STILL = 1e-9  # of the largest: what is at rest
+NAME, NOTE = 2.6, 2.5  # heights of names and of what is told [mm]
+GUIDE = Pen("PLACES", 0.18, (1.6, 1.2), "#8a8a8a")
+MEMBERS = tuple(Pen(f"MEMBERS_{k}", 0.55, pen.dashes, pen.colour) for k, pen in enumerate(CURVES, 1))
+
+
+class Drawn(NamedTuple):
+    """The three parts of the picture."""
+
+    scheme: Board
+    velocities: Field  # v [m/s] + i x [m]
+    speeds: Field  # omega [rad/s] + i distance from the pole [mm]
+    pole: float  # h [mm]
+
+
+def draw_motion(drawing: Drawing, box: Box, found: Moving) -> Drawn:
+    """Scheme, plan of velocities, plan of speeds with the table of members, side by side."""
+    told, view = plans_of(found), view_of(found)
+    room = box.inset(0, FOOT, 0, HEAD)
+    size = complex(float(np.ptp(view.content.real)), float(np.ptp(view.content.imag)))
+    reach = _heights(told)
+    high = max(size.imag, float(np.ptp([*reach, *view.content.imag])))
+    mu = length_scale(max(high / (room.height - 2 * MARGIN), size.real / (SCHEME * box.width - 2 * MARGIN)))
+    wide = size.real / mu + 2 * MARGIN
+    board = Board(drawing, Box(box.left, room.bottom, box.left + wide, room.top), view.content, MARGIN, mu)
+    view.draw(board)
+    second, third = Box(board.box.right, room.bottom, box.right, room.top).split(1.0, 1.0, gap=GAP, across=True)
+    velocities = _Velocities(drawing, second, board, told, found.task.network)
+    velocities.draw(float(view.content.real.max()))
+    speeds, pole = _draw_speeds(drawing, third, told, mu, velocities.mu_v, found)
+    for text, place in (
+        (tr("Kinematic scheme"), board.box),
+        (tr("Plan of velocities"), second),
+        (tr("Plan of speeds"), third),
+    ):
+        drawing.add(Words(complex(place.left, box.top), text, 3.0, -1 + 1j))
+    said = f"{scale_text(mu)}, {factor_text('μ_v', velocities.mu_v, '(m/s)/mm')}"
+    if told.assumed is not None:
+        unknown = tr("no module is known: $m_1$ is {module} mm", module=number(1e3 * told.assumed))
+        said = f"{said}; {unknown}"
+    size_ = NOTE * min(1.0, (second.right - box.left) / width(said, NOTE))
+    drawing.add(Words(complex(box.left, box.bottom), said, size_, -1 - 1j))
+    return Drawn(board, velocities, speeds, pole)
+
+
+def point_text(point: PlanPoint) -> str:
+    """The name of a point: P with its wheels, O with its member."""
+    letter, _, rest = point.name.partition("_")
+    names = rest.split("-") if letter == "P" else [rest]
+    return f"${letter}_{{{_joined(names)}}}$"
+
+
+def _joined(names: Sequence[str]) -> str:
+    """Names as an index, with a stroke between long ones."""
+    return ("" if all(len(name.rstrip("'")) == 1 for name in names) else "–").join(names)
+
+
+def _heights(told: Plans) -> list[float]:
+    return [point.x for point in told.points]
+
+
+def member_points(network: Network, told: Plans, member: str) -> Plane:
+    """The points v + i x of a member (n,): its axis, its pitch points, the axes that it bears."""
+    own = [point for point in told.points if member in point.members]
+    borne = [
+        point
+        for point in told.points
+        if point.kind == "axis" and any(network.bearer(name) == member for name in point.members)
+    ]
+    return np.array([complex(point.velocity, point.x) for point in (*own, *borne)])
+
+
+def member_pens(told: Plans) -> dict[str, Pen]:
+    """The pens of the members, by their order."""
+    return {line.member: pen for line, pen in zip(told.lines, cycle(MEMBERS), strict=False)}
+
+
+class _Velocities(Field):
+    """The plan of velocities, at the heights of the scheme."""
+
+    def __init__(self, drawing: Drawing, box: Box, scheme: Board, told: Plans, network: Network) -> None:
+        self.told, self.network = told, network
+        found = [point.velocity for point in told.points]
+        low, high = min(0.0, *found), max(0.0, *found)
+        self.mu_v = scale_factor((high - low) / (box.width - 2 * ASIDE))
+        floor = scheme.data(complex(scheme.box.left, scheme.box.bottom)).imag
+        left = (low + high) / 2 - self.mu_v * box.width / 2
+        super().__init__(drawing, box, complex(left, floor), (1 / self.mu_v, 1 / scheme.mu))
+        self.scheme = scheme
+
+    def draw(self, right: float) -> None:
+        """Lines of all members, velocities of all points; ``right`` is where the scheme ends [m]."""
+        told, fastest = self.told, max(abs(point.velocity) for point in self.told.points)
+        over = OVER * self.scheme.mu
+        heights = _heights(told)
+        zero = [complex(0, min(heights) - over), complex(0, max(heights) + over)]
+        self.curve(np.array(zero), AXIS, weight=0.5, level=1)
+        seen: set[tuple[float, float]] = set()
+        for point in told.points:
+            at, tip = self.place(complex(0, point.x)), self.place(complex(point.velocity, point.x))
+            start = complex(self.scheme.place(complex(right, point.x)).real, at.imag)
+            far = max(at.real, tip.real)
+            self.drawing.line([start, complex(far, at.imag)], GUIDE, level=0)
+            self.labels.avoid([complex(max(start.real, self.box.left), at.imag), complex(far, at.imag)], 0.4)
+            if abs(point.velocity) > STILL * fastest and (tip.real, tip.imag) not in seen:
+                self.drawing.vector(at, tip, VECTORS["absolute"], level=6)
+                self.labels.avoid([at, tip], 0.8)
+            seen.add((tip.real, tip.imag))
+        for member, pen in member_pens(told).items():
+            line = _ends(member_points(self.network, told, member))
+            self.curve(line, pen, weight=1.0, level=5)
+        for at in {self.place(complex(0, x)) for x in heights}:
+            self.drawing.add(Arc(at, 0.7, THIN, fill="#ffffff"), level=8)
+            self.labels.avoid([at], 3.0)
+        self._names()
+
+    def _names(self) -> None:
+        merged: dict[float, list[PlanPoint]] = {}
+        for point in self.told.points:
+            merged.setdefault(round(self.place(complex(0, point.x)).imag, 1), []).append(point)
+        for points in merged.values():
+            text = ", ".join(dict.fromkeys(point_text(point) for point in points))
+            self.name(text, [complex(0, points[0].x)], height=NAME, prefer=-1 + 0.4j)
+        for member, pen in member_pens(self.told).items():
+            line = _ends(member_points(self.network, self.told, member))
+            along = [line[0] + part * (line[-1] - line[0]) for part in (0.5, 0.35, 0.65, 0.2, 0.8, 0.95)]
+            own = self.paper(line).tolist()
+            anchors = self.paper(along)
+            self.labels.put(
+                plain(member),
+                anchors,
+                height=2.3,
+                gaps=(1.0, 1.8, 3.0, 5.0, 8.0),
+                ring=len(member) < 3,
+                colour=pen.colour,
+                own=own,
+            )
+
+
+def _ends(points: Plane) -> Plane:
+    """The points between which the line of a member goes."""
+    order = np.argsort(points.imag + 1e-9 * points.real / (1.0 + np.max(np.abs(points.real))))
+    return points[order[[0, -1]]]
+
+
+def _draw_speeds(
+    drawing: Drawing, box: Box, told: Plans, mu_l: float, mu_v: float, found: Moving
+) -> tuple[Field, float]:
+    """The plan of speeds with its scale, under it the table of members and the ratio that the plan gives."""
+    omegas = [line.speed for line in told.lines]
+    low, high = min(0.0, *omegas), max(0.0, *omegas)
+    room = 0.45 * box.height
+    across = box.width - 2 * OVER
+    fitting = (h for h in POLES if h < room - 2 * OVER and (high - low) * mu_l * h / mu_v <= across)
+    pole = next(fitting, POLES[-1])
+    mu = mu_v / (mu_l * pole)
+    tall = pole + 2 * OVER + 6.0
+    frame = Box(box.left, box.top - tall, box.right, box.top)
+    origin = complex((low + high) / 2 - mu * box.width / 2, -OVER)
+    field = Field(drawing, frame, origin, (1 / mu, 1.0))
+    over = 0.6 * OVER * mu
+    field.curve(np.array([low - over, high + over]) + 1j * pole, THIN, weight=0.8, level=2)
+    field.curve(np.array([0j, 1j * pole]), AXIS, weight=0.5, level=1)
+    pens = member_pens(told)
+    for line in told.lines:
+        end = complex(line.speed, pole)
+        field.curve(np.array([0j, end]), pens[line.member], weight=1.0, level=5)
+        field.drawing.add(Arc(field.place(end), 0.6, THIN, fill=INK), level=8)
+    field.drawing.add(Arc(field.place(0j), 0.7, THIN, fill="#ffffff"), level=8)
+    field.labels.put("$p$", [field.place(0j)], height=NAME, prefer=-1j)
+    for text, at in _merged(told, mu):
+        field.name(text, [complex(at, pole)], height=2.3, prefer=0.2 + 1j)
+    said = f"{factor_text('μ_ω', mu, '(rad/s)/mm')}, $h$ = {number(pole)} {tr_unit('mm')}"
+    drawing.add(Words(complex(box.left, frame.bottom), said, NOTE * min(1.0, box.width / width(said, NOTE)), -1 + 1j))
+    _tabulate(drawing, Box(box.left, box.bottom, box.right, frame.bottom - 6.0), told, mu, found)
+    return field, pole
+
+
+def _merged(told: Plans, mu: float) -> Iterator[tuple[str, float]]:
+    """Names of the ends of the rays; of ends that fall together in one text."""
+    groups: list[tuple[float, list[str]]] = []
+    for line in sorted(told.lines, key=lambda each: each.speed):
+        if groups and abs(line.speed - groups[-1][0]) < 2.5 * mu:
+            groups[-1][1].append(plain(line.member))
+        else:
+            groups.append((line.speed, [plain(line.member)]))
+    for speed, names in groups:
+        yield ", ".join(names), speed
+
+
+def _tabulate(drawing: Drawing, box: Box, told: Plans, mu: float, found: Moving) -> None:
+    """Speeds of the members with the segments that stand for them, and the ratio of two segments."""
+    head = (tr("member"), f"$ω$, {tr_unit('rad/s')}", f"$n$, {tr_unit('rpm')}", tr("segment, mm"))
+    rows = [
+        (plain(line.member), _told(line.speed), _told(line.turns), _told(line.speed / mu, 4)) for line in told.lines
+    ]
+    below = ruled_table(drawing, box.inset(0, 6.0, 0, 0), head, rows)
+    driver, outputs = ends(found.task)
+    segments = {line.member: line.speed / mu for line in told.lines}
+    shown = [name for name in outputs if segments.get(name)]
+    if driver is None or not shown or driver in shown:
+        return
+    first, last = segments[driver], segments[shown[0]]
+    said = tr(
+        "From the plan: {ratio} = {first} : {last} = {value}",
+        ratio=f"$i_{{{_joined((driver, shown[0]))}}}$",
+        first=_told(first, 4),
+        last=_told(last, 4),
+        value=_told(first / last, 5),
+    )
+    drawing.add(Words(complex(box.left, below - 2.0), said, NOTE * min(1.0, box.width / width(said, NOTE)), -1 + 1j))
+
+
+def _told(value: float, digits: int = 6) -> str:
+    return minus(number(value, digits))

@@ -1,0 +1,180 @@
+"""The plans of velocities and accelerations of one position: both, the length of each segment, how the links turn."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.pictures.vectors import MARGIN, designation, draw_polygon, drawn_vectors, vertex_name
+from tmmcalc.linkage.polygons import polygons
+from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.segments import PlanScale
+from tmmcalc.linkage.vectors import Polygon, VectorPolygons
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.field import Board, needed
+from tmmcalc.report.drawing.key import samples_in_rows
+from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.pens import VECTORS
+from tmmcalc.report.drawing.scales import standard_scale
+from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.drawing.tables import draw_table
+from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.numbers import number
+
+HEADING, TITLE, FOOT = 7.0, 6.0, 5.0  # room of the heading, of the name of a plan, of the kinds of lines [mm]
+TABLES = 52.0  # height of the tables [mm]
+GAP = 4.0
+REACH = 1.3  # a special point farther away than this against the rest is not on a plan
+STILL = 1e-12  # of the fastest link: no sense
+SENSES = {True: "↺", False: "↻"}  # counter-clockwise or not
+UNITS = {"v": "m/s", "a": "m/s^2"}
+
+
+def plans_of(mechanism: Mechanism, result: Kinematics, rows: Sequence[int]) -> list[VectorPolygons]:
+    """The plans of some positions, with one special point of each basic link that lies on them all."""
+    plans = [polygons(mechanism, result, row, special=True) for row in rows]
+    kept = _special_points(plans)
+    return [_with_special(plan, kept) for plan in plans]
+
+
+def _special_points(plans: Sequence[VectorPolygons]) -> set[str]:
+    """Of every basic link the special point that goes least far from the poles, where it stays among the rest."""
+    reaches: dict[str, float] = {}
+    links: dict[str, int] = {}
+    for polygon in (each for plan in plans for each in (plan.velocity, plan.acceleration)):
+        special = {vector.head: vector.link for vector in polygon.vectors if vector.kind == "special"}
+        size = max(abs(tip) for name, tip in polygon.vertices.items() if name not in special)
+        for name in special:
+            reaches[name] = max(reaches.get(name, 0.0), abs(polygon.vertices[name]) / (size or 1.0))
+        links |= special
+    nearest = (min((n for n in links if links[n] == link), key=reaches.__getitem__) for link in set(links.values()))
+    return {name for name in nearest if reaches[name] < REACH}
+
+
+def _with_special(plan: VectorPolygons, kept: set[str]) -> VectorPolygons:
+    """The plans with these special points alone."""
+
+    def cleared(polygon: Polygon) -> Polygon:
+        others = {v.head for v in polygon.vectors if v.kind == "special"} - kept
+        vertices = {name: tip for name, tip in polygon.vertices.items() if name not in others}
+        return Polygon(polygon.pole, vertices, tuple(v for v in polygon.vectors if v.head not in others))
+
+    parts = cleared(plan.velocity), cleared(plan.acceleration)
+    return VectorPolygons(plan.position, *parts, plan.fixed, plan.omega, plan.eps)
+
+
+def plan_scale(plans: Sequence[VectorPolygons], box: Box) -> PlanScale:
+    """The standard scales at which each plan of all positions fits into a rectangle."""
+    return PlanScale(
+        *(
+            standard_scale(max(needed(np.array([*each.vertices.values()]), box, MARGIN) for each in polygons))
+            for polygons in ([plan.velocity for plan in plans], [plan.acceleration for plan in plans])
+        )
+    )
+
+
+def draw_plan_sheets(
+    drawing: Drawing, boxes: Sequence[Box], result: Kinematics, plans: Sequence[VectorPolygons]
+) -> None:
+    """A position to a sheet, all to one pair of scales."""
+    scale = plan_scale(plans, _halves(boxes[0])[0])
+    for box, plan in zip(boxes, plans, strict=True):
+        drawing.add(Words(complex(box.middle.real, box.top), position_text(result, plan.position), 3.5, 1j))
+        for half, (letter, polygon, mu) in zip(_halves(box), _both(plan, scale), strict=True):
+            title = complex(half.middle.real, half.top + TITLE)
+            drawing.add(Words(title, f"{plan_name(letter)},  {scale_note(letter, mu)}", 3.0, 1j))
+            draw_polygon(drawing, half, polygon, letter, plan.fixed, mu)
+        _draw_tables(drawing, Box(box.left, box.bottom + FOOT, box.right, box.bottom + FOOT + TABLES), plan, scale)
+        _draw_kinds(drawing, Box(box.left, box.bottom, box.right, box.bottom + FOOT - 1.5), plan)
+
+
+def _halves(box: Box) -> list[Box]:
+    """Where both plans of a sheet stand."""
+    return box.inset(0, FOOT + TABLES + 1.5, 0, HEADING + TITLE).split(1, 1, gap=GAP, across=True)
+
+
+def _both(plan: VectorPolygons, scale: PlanScale) -> list[tuple[str, Polygon, float]]:
+    return [("v", plan.velocity, scale.velocity), ("a", plan.acceleration, scale.acceleration)]
+
+
+def draw_plans_of_kind(
+    drawing: Drawing, box: Box, result: Kinematics, plans: Sequence[VectorPolygons], letter: str
+) -> list[Board]:
+    """The plans of velocities (``v``) or of accelerations (``a``) of some positions side by side, to one scale."""
+    parts = [part.inset(0, 0, 0, TITLE) for part in box.inset(0, 0, 0, TITLE).split(*(1.0 for _ in plans), across=True)]
+    scale = plan_scale(plans, parts[0])
+    mu = scale.velocity if letter == "v" else scale.acceleration
+    drawing.add(Words(complex(box.middle.real, box.top), scale_note(letter, mu), 3.5, 1j))
+    boards = []
+    for part, plan in zip(parts, plans, strict=True):
+        drawing.add(
+            Words(complex(part.middle.real, part.top + TITLE - 1), position_text(result, plan.position), 3.5, 1j)
+        )
+        polygon = plan.velocity if letter == "v" else plan.acceleration
+        boards.append(draw_polygon(drawing, part, polygon, letter, plan.fixed, mu))
+    return boards
+
+
+def plan_name(letter: str) -> str:
+    """What a plan of ``v`` or ``a`` is."""
+    return tr("Plan of velocities") if letter == "v" else tr("Plan of accelerations")
+
+
+def position_text(result: Kinematics, row: int) -> str:
+    """The number of a position and where the input stands in it."""
+    value, label = result.phi[row], result.labels[row]
+    if result.turns:
+        return tr("Position {label}, $φ$ = {angle}°", label=label, angle=minus(number(math.degrees(value), 5)))
+    return tr("Position {label}, $s − s_0$ = {way} m", label=label, way=minus(number(float(value), 5)))
+
+
+def scale_note(letter: str, mu: float) -> str:
+    """The scale as it is written beside a plan."""
+    unit = tr_unit("m/s" if letter == "v" else "m/s²")
+    return f"$μ_{letter}$ = {number(mu, 4)} ({unit})/{tr_unit('mm')}"
+
+
+def _draw_tables(drawing: Drawing, box: Box, plan: VectorPolygons, scale: PlanScale) -> None:
+    """Left the segments of the velocities, then those of the accelerations, right the links that turn."""
+    fastest, quickest = (max(map(abs, rates.values()), default=0.0) for rates in (plan.omega, plan.eps))
+    parts = box.split(2.1, 2.1, 1.3, gap=GAP, across=True)
+    for part, (letter, polygon, mu) in zip(parts, _both(plan, scale), strict=False):
+        head = [tr("vector"), tr("segment"), tr_unit(UNITS[letter]), tr_unit("mm")]
+        draw_table(drawing, part, head, _segment_rows(polygon, letter, mu))
+    head = [tr("link"), f"$ω$, {tr_unit('rad/s')}", f"$ε$, {tr_unit('rad/s^2')}"]
+    rows = [[str(link), _size(rate, fastest), _size(plan.eps[link], quickest)] for link, rate in plan.omega.items()]
+    draw_table(drawing, parts[2], head, rows)
+
+
+def _segment_rows(polygon: Polygon, letter: str, mu: float) -> list[list[str]]:
+    """Designation, vertices, size and length of every segment."""
+    found = []
+    for vector in drawn_vectors(polygon):
+        size = abs(polygon.value(vector))
+        ends = f"{vertex_name(vector.tail)}{vertex_name(vector.head)}".replace("$$", " ")
+        found.append([designation(vector, letter), ends, number(size, 4), tr_number(f"{size / mu:.2f}")])
+    return found
+
+
+def _size(rate: float, largest: float) -> str:
+    """The size of an angular velocity or acceleration with its sense."""
+    still = abs(rate) <= STILL * largest
+    return "0" if still else f"{number(abs(rate), 5)} {SENSES[rate > 0]}"
+
+
+def _draw_kinds(drawing: Drawing, box: Box, plan: VectorPolygons) -> None:
+    """What the lines of the vectors are."""
+    names = {
+        "absolute": tr("absolute"),
+        "relative": tr("relative, of two points of a link"),
+        "normal": tr("normal part"),
+        "tangential": tr("tangential part"),
+        "sliding": tr("relative, of a slider on its guide"),
+        "coriolis": tr("Coriolis"),
+        "special": tr("of a special point"),
+    }
+    used = {vector.kind for polygon in (plan.velocity, plan.acceleration) for vector in drawn_vectors(polygon)}
+    samples_in_rows(drawing, box, [(names[kind], pen) for kind, pen in VECTORS.items() if kind in used], 2.2)

@@ -1,0 +1,72 @@
+"""Standard scales of drawings: reductions and enlargements of lengths, round factors of all else; how they are written.
+
+A scale factor mu is the data to a mm of paper. That of lengths is in m/mm, so that 1:4 is 0.004 (GOST 2.302, which
+holds the series of ISO 5455); the others are 1, 2, 2.5, 4, 5 times a power of ten.
+"""
+
+from __future__ import annotations
+
+from itertools import chain
+from math import floor, log10
+
+from tmmcalc.report.language import tr_number, tr_unit
+
+STEPS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
+REDUCTIONS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0, 15.0, 20.0, 25.0, 40.0, 50.0, 75.0, 100.0, 200.0, 400.0, 500.0, 800.0, 1e3)
+ENLARGEMENTS = (100.0, 50.0, 40.0, 20.0, 10.0, 5.0, 4.0, 2.5, 2.0)
+MM = 1e-3  # [m]
+CLOSE = 1e-9  # what a factor may be smaller than its least
+
+
+def standard_scale(least: float) -> float:
+    """The next standard factor above.
+
+    >>> standard_scale(0.0173), standard_scale(30.0), standard_scale(0.0)
+    (0.02, 40.0, 1.0)
+    """
+    if least <= 0:
+        return 1.0
+    power = 10.0 ** floor(log10(least))
+    found = next(step for step in STEPS if step * power >= least * (1 - CLOSE)) * power
+    return float(f"{found:.3g}")
+
+
+def length_scale(least: float) -> float:
+    """The next standard factor of lengths [m/mm].
+
+    >>> length_scale(0.0031), length_scale(0.012), length_scale(0.00035)
+    (0.004, 0.015, 0.0004)
+    """
+    series = chain((MM / size for size in ENLARGEMENTS), (MM * size for size in REDUCTIONS))
+    if least < MM / ENLARGEMENTS[0]:
+        return standard_scale(least)
+    found = (float(f"{mu:.3g}") for mu in series if mu >= least * (1 - CLOSE))
+    return next(found, standard_scale(least))
+
+
+def ratio(mu: float) -> str:
+    """A scale of lengths [m/mm] as a drawing has it.
+
+    >>> ratio(0.004), ratio(0.001), ratio(0.0004)
+    ('1:4', '1:1', '2.5:1')
+    """
+    size = mu / MM
+    return tr_number(f"1:{size:.4g}" if size >= 1 else f"{1 / size:.4g}:1")
+
+
+def scale_text(mu: float) -> str:
+    """A scale of lengths [m/mm] as it is written beside a picture.
+
+    >>> scale_text(0.0005), scale_text(0.002)
+    ('$μ_l$ = 0.0005 m/mm (2:1)', '$μ_l$ = 0.002 m/mm (1:2)')
+    """
+    return f"{factor_text('μ_l', mu, 'm/mm')} ({ratio(mu)})"
+
+
+def factor_text(symbol: str, factor: float, unit: str) -> str:
+    """A scale factor with its sign and unit.
+
+    >>> factor_text("μ_v", 0.025, "(m/s)/mm")
+    '$μ_v$ = 0.025 (m/s)/mm'
+    """
+    return f"${symbol}$ = {tr_number(f'{factor:.4g}')} {tr_unit(unit)}"

@@ -1,0 +1,161 @@
+"""Sheets of pieces: how many there are, what stands on which, and each of them as a drawing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from tmmcalc.core.errors import TmmError
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.lettering import plain
+from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr
+from tmmcalc.report.sheets import gost, iso
+from tmmcalc.report.sheets.formats import FORMATS
+from tmmcalc.report.sheets.layout import GAP, Layout, Room, arranged
+from tmmcalc.report.sheets.piece import SHEETS, Piece
+from tmmcalc.report.sheets.titles import Titles, name_of
+
+if TYPE_CHECKING:
+    from tmmcalc.report.tables.sheets import WhoTable
+
+HEADINGS = {"a1": 5.0, "a2": 5.0, "a3": 3.5}  # height of the lettering [mm]
+INSIDE = 6.0  # free inside the frame [mm]
+BARE = 10.0  # margin of paper without a frame [mm]
+
+
+class Style(NamedTuple):
+    """How all sheets of a project look."""
+
+    format: str
+    frame: str
+    language: str
+    title: str  # of the project
+    who: WhoTable
+
+
+class Sheet(NamedTuple):
+    """One sheet: what it is about, which of the sheets about it this is, its pieces in their places."""
+
+    subject: str  # one of SHEETS
+    part: int  # from 1
+    number: int  # among all sheets, from 1
+    total: int  # of all sheets
+    format: str
+    layout: Layout
+
+    @property
+    def file(self) -> str:
+        """What its file is called, without a suffix."""
+        return self.subject if self.part == 1 else f"{self.subject}-{self.part}"
+
+
+def planned(pieces: Iterable[Piece], style: Style) -> tuple[list[Sheet], list[str]]:
+    """All sheets of these pieces, in their order, and warnings of what does not stand where it was meant to."""
+    by_subject: dict[str, list[Piece]] = {subject: [] for subject in SHEETS}
+    for piece in pieces:
+        by_subject[piece.sheet].append(piece)
+    parts: list[tuple[str, int, str, Layout]] = []
+    warnings: list[str] = []
+    for subject, own in by_subject.items():
+        laid, left = _laid(own, style)
+        parts += [(subject, part, *each) for part, each in enumerate(laid, 1)]
+        warnings += _warnings(subject, laid, left, style)
+    sheets = [
+        Sheet(subject, part, number, len(parts), size, layout)
+        for number, (subject, part, size, layout) in enumerate(parts, 1)
+    ]
+    return sheets, warnings
+
+
+def _laid(pieces: Sequence[Piece], style: Style) -> tuple[list[tuple[str, Layout]], list[Piece]]:
+    """As few sheets as hold the pieces in their order, and the pieces that no paper holds.
+
+    A piece that needs larger paper has a sheet of its own, the smallest that holds it.
+    """
+    found: list[tuple[str, Layout]] = []
+    waiting, left = list(pieces), []
+    while waiting:
+        layouts = ((n, _on(waiting[:n], style.format, style)) for n in range(len(waiting), 0, -1))
+        count, layout = next(((n, layout) for n, layout in layouts if layout is not None), (1, None))
+        if layout is not None:
+            found.append((style.format, layout))
+        elif (alone := _larger(waiting[0], style)) is not None:
+            found.append(alone)
+        else:
+            left.append(waiting[0])
+        waiting = waiting[count:]
+    return found, left
+
+
+def _on(pieces: Sequence[Piece], size: str, style: Style) -> Layout | None:
+    return arranged(pieces, room_of(size, style.frame), HEADINGS[size])
+
+
+def _larger(piece: Piece, style: Style) -> tuple[str, Layout] | None:
+    """A piece alone on the smallest larger format that holds it."""
+    sizes = list(FORMATS)
+    tried = ((size, _on([piece], size, style)) for size in reversed(sizes[: sizes.index(style.format)]))
+    return next(((size, layout) for size, layout in tried if layout is not None), None)
+
+
+def _warnings(subject: str, laid: Sequence[tuple[str, Layout]], left: Sequence[Piece], style: Style) -> Iterator[str]:
+    """What stands on further sheets, and what on none."""
+    for part, (size, layout) in enumerate(laid, 1):
+        names = ", ".join(place.piece.heading for place in layout.places)
+        file = subject if part == 1 else f"{subject}-{part}"
+        if size != style.format:
+            yield f"warning: {file} is {size.upper()}, which its picture needs: {names}"
+        elif part > 1:
+            yield f"warning: {file} is a further sheet, as {subject} has no room for: {names}"
+    for piece in left:
+        yield f"warning: {subject}: no paper has room for: {piece.heading}"
+
+
+def room_of(size: str, frame: str) -> Room:
+    """What a frame on paper of this format leaves to pieces."""
+    wide, high = FORMATS[size]
+    if frame == "none":
+        head = HEADINGS[size] * 1.25 + 2 * INSIDE
+        return Room(Box(BARE, BARE, wide - BARE, high - BARE - head))
+    kind = gost if frame == "gost" else iso
+    box = Box(kind.LEFT, kind.ELSEWHERE, wide - kind.ELSEWHERE, high - kind.ELSEWHERE).inset(*4 * (INSIDE,))
+    block = kind.SIZE[0] - INSIDE + GAP, kind.SIZE[1] - INSIDE + GAP
+    corner = (gost.CORNER[0] - INSIDE + GAP, gost.CORNER[1] - INSIDE) if frame == "gost" else (0.0, 0.0)
+    return Room(box, block, corner)
+
+
+def drawn(sheet: Sheet, style: Style, failed: Callable[[Piece, TmmError], None]) -> Drawing:
+    """The drawing of a sheet; ``failed`` is told of every piece that could not be drawn, whose place stays empty."""
+    titles = Titles(style.title, name_of(sheet.subject), sheet.number, sheet.total, sheet.format, style.who)
+    drawing = Drawing(*FORMATS[sheet.format], f"{style.title}: {titles.name}" if style.title else titles.name)
+    {"gost": gost.frame, "iso": iso.frame, "none": _bare}[style.frame](drawing, titles)
+    height = HEADINGS[sheet.format]
+    for place in sheet.layout.places:
+        drawing.add(Words(place.head, "\n".join(place.heading), height, 1j))
+        before = drawing.mark()
+        try:
+            place.piece.draw(drawing, place.box)
+        except TmmError as error:
+            drawing.undo(before)
+            failed(place.piece, error)
+    return drawing
+
+
+def _bare(drawing: Drawing, titles: Titles) -> Box:
+    """Paper without a frame: a line that says what it is."""
+    said = (
+        tr(
+            "{title}. {name}. Sheet {number} of {count}",
+            title=plain(titles.title),
+            name=titles.name,
+            number=titles.number,
+            count=titles.total,
+        )
+        if titles.title
+        else tr("{name}. Sheet {number} of {count}", name=titles.name, number=titles.number, count=titles.total)
+    )
+    box = Box(BARE, BARE, drawing.width - BARE, drawing.height - BARE)
+    height = HEADINGS[titles.format]
+    drawing.add(Words(complex(box.middle.real, box.top), said, height, 1j))
+    return box
