@@ -114,7 +114,7 @@ class Assembler:
             self.lines.append(Checked(line.formula, place.name, found))
             numbers = setting.side(found.tree, found.shown)
             parts = (setting.side(left), numbers, with_unit(found.result, given.unit))
-            same = numbers.boxes == parts[2].boxes[:1]
+            same = not found.shown or numbers.boxes == parts[2].boxes[:1]
             yield Equation((parts[0], parts[2]) if same else parts, lead=place.name)
 
     def _where(self, line: Line) -> Iterator[Written]:
