@@ -10,8 +10,12 @@ from sparing import sparing
 
 import tmmcalc
 from tmmcalc.batch.points import solve_points
+from tmmcalc.batch.quantities import told as told_of
 from tmmcalc.batch.reading import task_of
 from tmmcalc.batch.task import Row
+from tmmcalc.naming.choice import chosen_facts
+from tmmcalc.naming.scene import Scene
+from tmmcalc.pipeline.runner import run
 from tmmcalc.project.loader import Variants, read_text
 
 ROOT = Path(__file__).parents[2]
@@ -46,6 +50,23 @@ def test_quantities_are_those_of_the_stages() -> None:
         assert row["status"] == "ok"
         assert row["forces.max(R_A)[N]"] == column.max()
         assert row["motion.delta"] == tmmcalc.solve_motion(spec).regime.delta
+
+
+@sparing("name", ["shaper", "press", "class-four", "piston-pump", "extreme/delta-tiny", "reduced-machine"], every=3)
+def test_what_names_tell_is_told_of_a_run_that_leaves_the_rest_out(name: str) -> None:
+    """A sweep leaves out what no name can ask for; all that names tell, by choice too, is that of a whole run."""
+    spec = tmmcalc.load_spec(ROOT / "configs" / f"{name}.toml")
+    whole, brief = (run(spec, target="flywheel", by_name=by_name) for by_name in (False, True))
+    assert whole.results["flywheel"].history or whole.results["flywheel"].required is None
+    assert not brief.results["flywheel"].history
+    found = [
+        [
+            [*told_of(each.results, []), *(offer for stage in each.results for offer in chosen_facts(stage, scene))]
+            for scene in [Scene(each.spec, each.results)]
+        ]
+        for each in (whole, brief)
+    ]
+    assert repr(found[0]) == repr(found[1])
 
 
 @sparing(

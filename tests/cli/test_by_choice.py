@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import shutil
+from math import pi
 from pathlib import Path
 from typing import Any
 
@@ -83,6 +85,42 @@ def test_links_by_themselves(cli: Cli) -> None:
     couple = columns["name"].index("M21")
     assert columns["force[N]"][couple] == ""
     assert abs(found["link_2_in_9-"]["moment_left[N*m]"]) < 1e-12
+
+
+def test_terms_of_the_lever_by_name(cli: Cli) -> None:
+    """A wildcard finds them, each with unit and meaning; by the scale they make up the drive."""
+    named = told(cli, "names", "shaper.toml", "lever_M*", "lever_mu_v")["columns"]
+    keys = ("name", "unit", "value", "meaning")
+    rows = zip(*(named[key] for key in keys), strict=True)
+    found = {name.removeprefix("forces."): (unit, value, meaning) for name, unit, value, meaning in rows}
+    scale = found.pop("lever_mu_v")[1]
+    assert found["lever_M_Q5"] == ("N*mm", "", "moment of load Q5 about the pole of Zhukovsky's lever")
+    assert all(unit == "N*mm" and meaning for unit, _, meaning in found.values())
+    del found["lever_M"]
+    table = told(cli, "forces", "shaper.toml", "--columns", f"M_drive,{','.join(found)}", "--positions", "4")["columns"]
+    total = sum(table[f"{name}[N*mm]"][0] for name in found)
+    assert table["M_drive[N*m]"][0] == pytest.approx(-total * scale / (2 * pi * 55 / 60), rel=1e-9)
+
+
+def test_terms_in_a_sweep_and_a_constraint(cli: Cli, folder: Path) -> None:
+    """The arm of the rod's reaction is no longer than the slotted link of 1020 mm; weights go with masses."""
+    rule = '[[constraints]]\nname = "arm"\nvalue = "forces.size(eq_3_h_R34)"\nat_most = "{} m"\n'
+    spec = (folder / "shaper.toml").read_text(encoding="utf-8")
+    for limit, holds in (("1.1", True), ("0.9", False)):
+        (folder / "ruled.toml").write_text(f"{spec}\n{rule.format(limit)}", encoding="utf-8")
+        judged = told(cli, "feasibility", "ruled.toml")
+        assert judged["feasible"] is holds
+    names = "forces.max(lever_F_G5),forces.size(lever_M_Q5),forces.M_drive_lever@4,forces.M_drive@4"
+    code, out, _ = cli(
+        *("sweep", "shaper.toml", "--set", "mechanism.links[id=5].mass=100,200", "--columns", names, "-o", "-", "-q")
+    )
+    assert code == 0
+    rows = [*csv.DictReader(out.splitlines())]
+    assert [float(row["forces.max(lever_F_G5)[N]"]) for row in rows] == pytest.approx([981.0, 1962.0])
+    assert len({row["forces.size(lever_M_Q5)[N*mm]"] for row in rows}) == 1  # a mass has no part in it
+    for row in rows:
+        balance = [float(row[f"forces.{name}@4[N*m]"]) for name in ("M_drive_lever", "M_drive")]
+        assert balance[0] == pytest.approx(balance[1], rel=1e-9)
 
 
 @pytest.mark.parametrize("stage", ["kinematics", "forces"])

@@ -18,16 +18,25 @@ from tmmcalc.linkage.facts.bodies import bodies_document
 from tmmcalc.linkage.facts.lever import lever_document
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
 from tmmcalc.linkage.forces.solve import solve_forces
-from tmmcalc.linkage.freebody import FreeBody, link_bodies
+from tmmcalc.linkage.freebody import FreeBody, Solved, link_bodies
 from tmmcalc.linkage.kinematics import solve_kinematics
-from tmmcalc.linkage.lever import Lever, fastest, lever
+from tmmcalc.linkage.lever import REACH, Lever, levers, scale_of
 from tmmcalc.linkage.loading import GearDrive, Load, Loading
 from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.loads.scene import compile_scene
-from tmmcalc.linkage.moments import equilibria
+from tmmcalc.linkage.moments import LinkEquilibrium, equilibria
 from tmmcalc.linkage.results import Kinematics
 
 FRICTION = CASES["dyn-press-friction"]["expected"]
+
+
+def lever(scene: Statics, kinematics: Kinematics, theta: float, side: float, mu: float) -> Lever:
+    """That of one position."""
+    return levers(scene, kinematics, np.array([theta]), np.array([side]), mu)[0]
+
+
+def links_at(scene: Statics, theta: float) -> tuple[LinkEquilibrium, ...]:
+    return equilibria(scene, np.array([theta]), np.array([1.0]))[0]
 
 
 def balanced(found: Lever, kinematics: Kinematics) -> bool:
@@ -103,7 +112,7 @@ def test_ready_mechanisms(name: str) -> None:
 
 
 def in_equilibrium(scene: Statics, theta: float) -> None:
-    found = equilibria(scene, theta, 1.0)
+    found = links_at(scene, theta)
     assert [each.link for each in found] == [link.id for link in scene.scene.chain.mechanism.links]
     for each in found:
         forces = max((term.force or 0.0 for term in each.terms), default=0.0)
@@ -134,10 +143,10 @@ def test_a_fault_of_the_forces_unbalances_the_lever(monkeypatch: pytest.MonkeyPa
     scene = statics(mechanism, loading)
     whole = lever(scene, kinematics, 1.0, 1.0, 0.002)
 
-    def without(statics: Statics, theta: float, side: float) -> tuple[FreeBody, ...]:
+    def without(found: Solved, row: int) -> tuple[FreeBody, ...]:
         return tuple(
             replace(body, forces=tuple(f for f in body.forces if f"{f.letter}{f.index}" != "P2"))
-            for body in link_bodies(statics, theta, side)
+            for body in link_bodies(found, row)
         )
 
     monkeypatch.setattr("tmmcalc.linkage.lever.link_bodies", without)
@@ -150,7 +159,7 @@ def test_a_fault_of_the_forces_unbalances_the_lever(monkeypatch: pytest.MonkeyPa
 def test_the_moment_equation_of_the_rod_gives_the_tangential_part() -> None:
     """dyn-press-friction: about B the reaction in A has the moment -R21T l2, and the terms are those of (D.3.5)."""
     mechanism, loading, _ = press()
-    rod = equilibria(statics(mechanism, loading), 60 * DEG, 1.0)[1]
+    rod = links_at(statics(mechanism, loading), 60 * DEG)[1]
     terms = {term.name: term.moment for term in rod.terms}
     assert rod.about == "B"
     assert terms["R21"] == pytest.approx(-FRICTION["R21T"][2] * 0.168, rel=1e-5)
@@ -172,7 +181,9 @@ def test_documents_tell_every_position_that_is_asked_for() -> None:
         assert found["M_drive[N*m]"] == pytest.approx(result.drive[row])
         assert found["M_drive_lever[N*m]"] == pytest.approx(result.drive[row])
     mu = told.facts[1].values["mu_v[m/s/mm]"]
-    assert max(fastest(scene, kinematics, float(result.theta[row])) for row in rows) / mu <= 100
+    assert mu == scale_of(scene, kinematics, result.theta[rows])
+    reach = max(np.hypot(x, y) for x, y in zip(told.table.columns[7], told.table.columns[8], strict=True))
+    assert REACH / 5 < reach <= REACH * 1.01  # the loads of the press act at its pins, or between them
     links = bodies_document(scene, result, "", rows[:1])
     assert [fact.label for fact in links.facts] == [
         f"link {k} about {at}, 9-" for k, at in ((1, "O"), (2, "B"), (3, "B"))

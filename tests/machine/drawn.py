@@ -122,7 +122,8 @@ def over(motor: Any, reference: float) -> tuple[Function, Function]:
         top, b = _wide(Fraction(motor.a) - Fraction(motor.b) * r * r), WIDE(motor.b)
         return lambda w: top - b * w * (2 * wide + w), lambda w: -2 * b * (wide + w)
     if motor.name == "series":
-        c, top = WIDE(motor.scale), wide + WIDE(motor.shift)
+        # M = (m/kappa^2)/(omega + r/kappa)^2 of a flux that is proportional to the current
+        c, top = WIDE(motor.scale) / WIDE(motor.rate) ** 2, wide + WIDE(motor.drop) / WIDE(motor.rate)
         return lambda w: c / (top + w) ** 2, lambda w: -2 * c / (top + w) ** 3
     top, c, square = _wide(Fraction(motor.synchronous) - r), WIDE(motor.scale), WIDE(motor.square)
 

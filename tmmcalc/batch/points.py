@@ -44,7 +44,7 @@ def solve_variant(task: Task, spec: Spec) -> tuple[dict[str, float], TmmError | 
 def run_of(task: Task, spec: Spec) -> RunResult:
     """The run of a variant up to its targets. Raises `UsageError` for a target that it leaves out."""
     scene = scene_to(spec, task.targets)
-    return run(spec, target=task.targets or None, scene=scene, tolerance=task.tolerance, keep_going=True)
+    return run(spec, target=task.targets or None, scene=scene, tolerance=task.tolerance, keep_going=True, by_name=True)
 
 
 def _row(task: Task, variants: Variants, point: int, shared: dict[Names, Names]) -> Row:

@@ -11,8 +11,8 @@ from tmmcalc.batch.stacked_machine import Machine, given_of, machines_without, r
 from tmmcalc.core.numerics.alike import Rows
 from tmmcalc.machine.flywheel.comparison import comparison_with
 from tmmcalc.machine.flywheel.required import ample, result_of, searched
-from tmmcalc.machine.flywheel.results import Comparison, Trial
-from tmmcalc.machine.flywheel.search import Model, corrections
+from tmmcalc.machine.flywheel.results import Trial
+from tmmcalc.machine.flywheel.search import Model
 from tmmcalc.machine.stacked.figures import figures
 from tmmcalc.machine.stacked.regimes import Machines, regimes
 from tmmcalc.machine.stacked.searches import replayed
@@ -45,12 +45,8 @@ def flywheels_of_each(
 
     sought = dict(zip(there, replayed([_search(given[k], asked[k], results[k]) for k in there], motions), strict=True))
     required = _required(bare, given, asked, results, {k: found for k, found in sought.items() if found is not None})
-    there = list(required)
-    each = [_methods(given[k], asked[k], results[k], required[k]) for k in there]
-    found = dict(zip(there, replayed(each, motions), strict=True))
     return [
-        flywheel.of_searches(given[k], results[k] or {}, *own) if (own := found.get(k)) is not None else None
-        for k in range(len(variants))
+        _flywheel(given[k], asked[k], results[k], required[k]) if k in required else None for k in range(len(variants))
     ]
 
 
@@ -88,15 +84,8 @@ def _required(
     return required
 
 
-def _methods(
-    given: Any, asked: flywheel.Asked, found: Found | None, required: RequiredInertia
-) -> Callable[[Model], tuple[Comparison, tuple[Trial, ...]]]:
-    """All methods beside the true flywheel, and the correction of the textbook."""
+def _flywheel(given: Any, asked: flywheel.Asked, found: Found | None, required: RequiredInertia) -> Flywheel:
+    """All methods beside the true flywheel; a sweep is asked by names, so none is tried under the motor."""
     assert found is not None
     cycle, delta, at_hand = found["reduction"].cycle, given[0].delta, asked.at_hand.total
-
-    def search(model: Model) -> tuple[Comparison, tuple[Trial, ...]]:
-        history = corrections(model, delta, at_hand) if at_hand > 0 else ()
-        return comparison_with(cycle, at_hand, delta, required, model), history
-
-    return search
+    return flywheel.of_search(given, found, comparison_with(cycle, at_hand, delta, required))

@@ -61,7 +61,8 @@ def command(
 
     By name alone: loads of inertia (Pi_*,Mi_*), parts of reactions in outer pins (RN_*,RT_*), arms (h_*), directions
     (angle_R_*), all without friction (R0_*,RN0_*,RT0_*,N0_*,M0_drive), the drive by Zhukovsky's lever (M_drive_lever),
-    friction of each pair: reduced moment, power, work (M_red_fr_*,P_fr_*,A_fr_*).
+    friction of each pair: reduced moment, power, work (M_red_fr_*,P_fr_*,A_fr_*); by force its size, arm and moment on
+    the lever (lever_F_*,lever_h_*,lever_M_*) and in the equations of link 3 (eq_3_F_*,eq_3_h_*,eq_3_M_*).
     """
     _check_flags({ITERATIONS: iterations, BODIES: bodies, LEVER: lever}, stop, columns, positions)
     scene = job.spec()

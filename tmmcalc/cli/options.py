@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from tmmcalc.core.errors import UsageError
+
+if TYPE_CHECKING:
+    from tmmcalc.project import Spec
 
 LONGEST = 200  # characters of a name of --columns; those of columns have some thirty
 
@@ -129,6 +132,22 @@ Positions = Annotated[
 ]
 Strict = Annotated[bool, typer.Option("--strict", help="Fail with exit code 5 if there is a warning.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Only warnings and errors on standard error.")]
+
+
+def _known_language(language: str | None) -> str | None:
+    if language is not None:
+        from tmmcalc.report.language import speaking
+
+        with speaking(language):
+            pass
+    return language
+
+
+def language_of(scene: Spec, language: str | None) -> str:
+    """The language of what is drawn: that of the flag, or of the spec."""
+    return language or (scene.sheets.language if scene.sheets is not None else "en")
+
+
 Language = Annotated[
     str | None,
     typer.Option(
@@ -136,6 +155,7 @@ Language = Annotated[
         metavar="LANGUAGE",
         help="Language of what is drawn: en or uk (default: that of [sheets], or en).",
         show_default=False,
+        callback=_known_language,
     ),
 ]
 Wait = Annotated[

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import sys
-from collections.abc import Mapping
-from contextlib import nullcontext
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -13,7 +14,7 @@ import typer
 
 from tmmcalc.cli.job import Job
 from tmmcalc.cli.messages import note_written, say
-from tmmcalc.cli.options import Quiet, Set, SpecFile, written
+from tmmcalc.cli.options import Language, Quiet, Set, SpecFile, language_of, written
 from tmmcalc.cli.output import check_picture, raise_failures
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.plan import plan
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
     from tmmcalc.project import Spec
 
+SMALLEST, LARGEST = (150.0, 100.0), 3000.0  # paper of a picture [mm]
+SIZE = re.compile(r"(\d+(?:\.\d+)?)\s*[x×*]\s*(\d+(?:\.\d+)?)")
 WIDTH = 78  # of the list of pictures, which the help indents by two
 
 
@@ -49,6 +52,34 @@ def picture_of(stage: str, flags: Mapping[str, str | None]) -> Picture:
             f"{' and '.join(strange)} cannot be used with the picture of {stage}", where="plot", remedy=own
         )
     return picture
+
+
+def paper_of(size: str | None) -> dict[str, float]:
+    """Width and height [mm] of the paper that ``--size`` gives, nothing without it; raises `UsageError`."""
+    if size is None:
+        return {}
+    found = SIZE.fullmatch(size.strip())
+    if found is None:
+        raise UsageError(f"{size!r} is no size of paper", where="--size", remedy="write width x height in mm: 180x120")
+    width, height = float(found[1]), float(found[2])
+    if width < SMALLEST[0] or height < SMALLEST[1] or max(width, height) > LARGEST:
+        least = f"{SMALLEST[0]:g} x {SMALLEST[1]:g}"
+        raise UsageError(
+            f"pictures stand on {least} to {LARGEST:g} x {LARGEST:g} mm",
+            where="--size",
+            remedy="write a size between them, such as 180x120",
+        )
+    return {"width": width, "height": height}
+
+
+@contextmanager
+def looking(scene: Spec, language: str | None, size: str | None = None) -> Iterator[None]:
+    """Pictures that are drawn within are in this language and on this paper."""
+    from tmmcalc.report.drawing.page import on_paper
+    from tmmcalc.report.language import speaking
+
+    with speaking(language_of(scene, language)), on_paper(**paper_of(size)):
+        yield
 
 
 def ordered(stage: str, spec: Spec, results: Mapping[str, Any], flags: Mapping[str, str | None], file: Path) -> None:
@@ -142,6 +173,16 @@ def command(
             help="Turn of the pinion from the contact at P, of indexing cams from the step: '10 deg'.",
         ),
     ] = None,
+    size: Annotated[
+        str | None,
+        typer.Option(
+            "--size",
+            metavar="WxH",
+            help="Paper of the picture in mm, at which its scales hold: 180x120 (default: 297x210).",
+            show_default=False,
+        ),
+    ] = None,
+    language: Language = None,
     quiet: Quiet = False,
     overrides: Set = None,
 ) -> None:
@@ -151,7 +192,9 @@ def command(
     if everything:
         if stage is not None:
             raise UsageError(f"draws {stage} too", where="--all", remedy="leave one of the two out")
-        _draw_all(job, out or Path(f"{spec.stem}.out"), flags, quiet)
+        scene = job.spec()
+        with looking(scene, language, size):
+            _draw_all(job, scene, out or Path(f"{spec.stem}.out"), flags, quiet)
         return
     stage = stage or "kinematics"
     picture = picture_of(stage, flags)
@@ -159,15 +202,15 @@ def command(
     check_picture(file, "plot")
     scene = job.spec()
     target = picture.beside if picture.beside and picture.beside in plan(scene).running else stage
-    run = job.run(scene, target)
-    ordered(stage, run.spec, run.results, flags, file)
+    with looking(scene, language, size):
+        run = job.run(scene, target)
+        ordered(stage, run.spec, run.results, flags, file)
     if not quiet:
         note_written(file)
 
 
-def _draw_all(job: Job, folder: Path, flags: Mapping[str, str | None], quiet: bool) -> None:
+def _draw_all(job: Job, scene: Spec, folder: Path, flags: Mapping[str, str | None], quiet: bool) -> None:
     """Draw all pictures of a spec into a folder, which is made if it is not there."""
-    scene = job.spec()
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmmcalc.cli.job import Job, with_flags
-from tmmcalc.cli.options import Form, Format, Skip, patterns_of, stages
+from tmmcalc.cli.options import Form, Format, Language, Skip, patterns_of, stages
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
@@ -43,6 +43,7 @@ def command(
     plots: Annotated[
         bool, typer.Option("--plots", help="Draw every stage that has a picture, beside its tables.")
     ] = False,
+    language: Language = None,
     form: Form = Format.table,
 ) -> None:
     """Run every stage that the spec has, layer by layer; print the summaries, leave all tables as files.
@@ -58,7 +59,9 @@ def command(
     _check_columns(job, columns)
     job = replace(job, keep_going=True, columns=patterns_of(columns), skip=skip or ())
     if plots:
-        job = replace(job, draw=_drawing(job))
+        job = replace(job, draw=_drawing(job, language))
+    elif language is not None:
+        raise UsageError("nothing is drawn", where="--language", remedy="add --plots, or leave it out")
     if others:
         from tmmcalc.cli.several import run_all
 
@@ -74,13 +77,17 @@ def _sheets(job: Job, result: RunResult) -> list[Worksheet]:
     return run_sheets(result, job.csv, job.columns)
 
 
-def _drawing(job: Job) -> Callable[[Spec, RunResult, Path], RunResult]:
+def _drawing(job: Job, language: str | None) -> Callable[[Spec, RunResult, Path], RunResult]:
     """What adds the pictures to a run; refused at once where there is no folder for them."""
     if not job.store:
         raise UsageError("--no-store leaves no folder for pictures", where="--plots", remedy="leave one of the two out")
-    from tmmcalc.cli.plot import with_pictures
+    from tmmcalc.cli.plot import looking, with_pictures
 
-    return partial(with_pictures, quiet=job.quiet)
+    def drawn(spec: Spec, run: RunResult, folder: Path) -> RunResult:
+        with looking(spec, language):
+            return with_pictures(spec, run, folder, quiet=job.quiet)
+
+    return drawn
 
 
 def _check_columns(job: Job, columns: str | None) -> None:

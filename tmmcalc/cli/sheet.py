@@ -12,7 +12,7 @@ import typer
 
 from tmmcalc.cli.job import Job
 from tmmcalc.cli.messages import counted, say
-from tmmcalc.cli.options import Fresh, Language, Quiet, Set, SpecFile, Store, Strict, written
+from tmmcalc.cli.options import Fresh, Language, Quiet, Set, SpecFile, Store, Strict, language_of, written
 from tmmcalc.cli.output import check_strict, raise_failures
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.report.sheets.formats import FORMATS, FRAMES
@@ -144,7 +144,7 @@ def _style(scene: Spec, size: str | None, frame: str | None, language: str | Non
         if value is not None and value not in known:
             raise UsageError(f"there is no {flag[2:]} {value!r}", where=flag, remedy=f"there are: {', '.join(known)}")
     said = scene.sheets or SheetsTable()
-    spoken = language or said.language
+    spoken = language_of(scene, language)
     usual = "gost" if spoken == "uk" else "iso"
     return Style(size or said.format, frame or said.frame or usual, spoken, scene.project.title, said.who)
 

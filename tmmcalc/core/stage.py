@@ -91,6 +91,7 @@ class Stage:
     feeds: tuple[str, ...] = ()  # stages of rooms below that read its result, without knowing it, if the scene has it
     after: str = ""  # a stage of another room that comes before it, though it reads nothing of it
     settings: Mapping[str, Any] = field(default_factory=dict)  # options of the method and their defaults
+    by_name: Mapping[str, Any] = field(default_factory=dict)  # keywords that leave out what no name can ask for
     settles: bool = False  # whether what it found takes its place in the spec for the stages that come after it
     another: bool = False  # whether it is given the pipeline for specs that results hold, as ``another(text, stages)``
     every: bool = False  # whether it is given ``every`` result so far, to take what the stages that it reads have read

@@ -1,36 +1,30 @@
 """Free bodies of one position: everything that acts on each group and on the input link (textbook 3.2, fig. 3.3).
 
-A force is named as on a load diagram, its index the link that it acts on and the link that it comes from:
-
-    R_21   reaction in a revolute pair            N_50 F_50   normal force and friction in a prismatic pair
-    G_4    weight       P_4  inertia force        M_21        friction moment;  M_4  inertia couple
-    M_d    moment of the drive, F_d its force     F_mesh      mesh force
-
-The forces of a group stand in the order in which they close its polygon: those given on link a, those given on
-link b, the outer reaction of b, the outer reaction of a. The inner reaction is then a chord of the polygon.
+Names are those of `acting`. The forces of a group stand in the order in which they close its polygon: those given on
+link a, those given on link b, the outer reaction of b, the outer reaction of a. The inner reaction is then a chord of
+the polygon.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any, Literal
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Real
 from tmmcalc.core.records import record
+from tmmcalc.linkage.acting import LETTERS, Kind, sides
 from tmmcalc.linkage.forces.kinetostatics import ForceState, Statics
 from tmmcalc.linkage.forces.wrench import Slideway
 from tmmcalc.linkage.loading import GearDrive
-from tmmcalc.linkage.loads.sources import Place, Source
+from tmmcalc.linkage.loads.sources import Action, Place
 from tmmcalc.linkage.model import Joint
 from tmmcalc.linkage.structure import Group
 
-Kind = Literal["load", "weight", "inertia", "spring", "damper", "reaction", "friction", "drive"]
-
-LETTERS = {"weight": ("G", "G"), "inertia": ("P", "M")}  # of force and couple; others bear their own name
 NOTHING = 1e-9  # what is smaller than this part of the largest is left out
-FAR = 0.3  # an arm longer than this part of the mechanism's reach is told as a couple
+FAR, ENDLESS = 0.3, 100.0  # an arm longer than so many reaches of the mechanism is a couple: drawn, and in equations
 
 
 @record
@@ -85,13 +79,28 @@ class FreeBody:
         return np.concatenate(([0j], np.cumsum([force.value for force in self.forces])))
 
 
+class Solved(NamedTuple):
+    """A mechanism at n positions with all that acts there."""
+
+    statics: Statics
+    place: Place
+    state: ForceState
+    given: list[tuple[str, str, float, list[Action]]]  # of each source its name, kind, factor and actions
+
+
+def solved(statics: Statics, theta: Real, side: Real) -> Solved:
+    """All that acts at theta (n,); where friction jumps ``side`` (n,) -1 is the limit before, +1 after."""
+    place, speed = statics.scene.place(theta, side), statics.scene.travel.speed
+    given = [(each.name, each.kind, each.factor(speed), each.actions(place)) for each in statics.sources]
+    return Solved(statics, place, statics.solve(place, side), given)
+
+
 def free_bodies(statics: Statics, theta: float, side: float) -> tuple[FreeBody, ...]:
     """The input link, every dyad and every link of higher groups at theta.
 
     Where friction jumps, ``side`` -1 is the limit before, +1 after.
     """
-    place = statics.scene.place(np.array([theta]), side)
-    cut = _Cut(statics, place, statics.solve(place, side))
+    cut = _Cut(solved(statics, np.array([theta]), np.array([side])), 0, FAR)
     structure = statics.scene.chain.structure
     bodies = [] if structure.driven else [cut.input_link()]
     for group in structure.groups:
@@ -99,11 +108,10 @@ def free_bodies(statics: Statics, theta: float, side: float) -> tuple[FreeBody, 
     return cleared(bodies, NOTHING)
 
 
-def link_bodies(statics: Statics, theta: float, side: float) -> tuple[FreeBody, ...]:
-    """Every moving link by itself at theta with all that acts on it, however small; ``side`` as in `free_bodies`."""
-    place = statics.scene.place(np.array([theta]), side)
-    cut = _Cut(statics, place, statics.solve(place, side))
-    structure = statics.scene.chain.structure
+def link_bodies(found: Solved, row: int) -> tuple[FreeBody, ...]:
+    """Every moving link by itself at one of the positions with all that acts on it, however small."""
+    cut = _Cut(found, row, ENDLESS)
+    structure = found.statics.scene.chain.structure
     whole = None if structure.driven else structure.input_link
     links = [link.id for link in cut.mechanism.links]
     return tuple(cut.input_link() if k == whole else cut.alone(f"link {k}", k) for k in links)
@@ -130,29 +138,34 @@ def _without(body: FreeBody, force: float, couple: float) -> FreeBody:
 class _Cut:
     """The mechanism at one position while it is cut into free bodies."""
 
-    def __init__(self, statics: Statics, place: Place, state: ForceState) -> None:
-        self.statics, self.place, self.state = statics, place, state
-        self.mechanism = statics.scene.chain.mechanism
-        seats = np.array([_one(reaction.seat.r) for reaction in state.reactions.values()])
+    def __init__(self, found: Solved, row: int, far: float) -> None:
+        self.statics, self.place, self.state = found.statics, found.place, found.state
+        self.row, self.far = row, far
+        self.mechanism = self.statics.scene.chain.mechanism
+        seats = np.array([self._one(reaction.seat.r) for reaction in self.state.reactions.values()])
         self.reach = float(np.max(np.abs(seats - seats[0])))
         self.given: dict[int, list[Acting | Couple]] = {link.id: [] for link in self.mechanism.links}
-        for source in statics.sources:
-            self._give(source, source.factor(statics.scene.travel.speed))
+        for name, kind, factor, actions in found.given:
+            for action in actions:
+                self._give(name, kind, action, factor)
 
-    def _give(self, source: Source, factor: float) -> None:
-        """The forces and couples of one source, so many times."""
-        kind: Any = source.kind
-        for action in source.actions(self.place):
-            link, at, index = action.link, _one(action.at.r), str(action.link) if kind in LETTERS else ""
-            force, couple = LETTERS.get(kind, (source.name, source.name))
-            self.given[link].append(Acting(force, index, kind, link, at, _one(action.force) * factor))
-            about = at if kind == "inertia" else self._middle(link)
-            self.given[link].append(Couple(couple, index, kind, link, about, _one(action.moment).real * factor))
+    def _one(self, z: Any) -> complex:
+        """The value at the position of what may be the same at all."""
+        values = np.ravel(z)
+        return complex(values[self.row if len(values) > 1 else 0])
+
+    def _give(self, name: str, kind: Any, action: Action, factor: float) -> None:
+        """The force and the couple of an action, so many times."""
+        link, at, index = action.link, self._one(action.at.r), str(action.link) if kind in LETTERS else ""
+        force, couple = LETTERS.get(kind, (name, name))
+        self.given[link].append(Acting(force, index, kind, link, at, self._one(action.force) * factor))
+        about = at if kind == "inertia" else self._middle(link)
+        self.given[link].append(Couple(couple, index, kind, link, about, self._one(action.moment).real * factor))
 
     def _middle(self, link: int) -> complex:
         """The middle of a link's joints, where a moment that has no point is drawn."""
         own = [self.state.reactions[joint.name].seat.r for joint in self.mechanism.joints if link in joint.links]
-        return sum(map(_one, own)) / len(own)
+        return sum(map(self._one, own)) / len(own)
 
     def alone(self, name: str, link: int) -> FreeBody:
         """A link that is not the input link with its loads, all its reactions, and the drive if it acts on it."""
@@ -168,8 +181,8 @@ class _Cut:
         seat = self.state.reactions[joint.name].seat
         assert isinstance(seat, Slideway)
         ahead = 1.0 if link == joint.links[0] else -1.0
-        force = ahead * float(np.ravel(self.state.drive)[0]) * _one(seat.e)
-        return [Acting("F", "d", "drive", link, _one(seat.r), force)]
+        force = ahead * self._one(self.state.drive).real * self._one(seat.e)
+        return [Acting("F", "d", "drive", link, self._one(seat.r), force)]
 
     def dyad(self, group: Group) -> FreeBody:
         """A dyad with the loads of its links, the reactions of what hangs on them, and its outer reactions."""
@@ -207,48 +220,37 @@ class _Cut:
 
     def _drive(self, link: int, joint: Joint) -> list[Acting | Couple]:
         """What the drive does to the input link."""
-        pivot, drive = _one(self.state.reactions[joint.name].seat.r), float(np.ravel(self.state.drive)[0])
+        pivot, drive = self._one(self.state.reactions[joint.name].seat.r), self._one(self.state.drive).real
         if joint.kind == "prismatic":
-            along = _one(self.place.configuration.motions[link].v)  # unit vector of the positive coordinate
+            along = self._one(self.place.configuration.motions[link].v)  # unit vector of the positive coordinate
             return [Acting("F", "d", "drive", link, pivot, drive * along)]
         gear = self.statics.scene.loading.drive
         if isinstance(gear, GearDrive) and self.state.mesh is not None:
             at = pivot + gear.radius * complex(np.exp(1j * gear.pinion))
-            return [Acting("F", "mesh", "drive", link, at, _one(self.state.mesh))]
+            return [Acting("F", "mesh", "drive", link, at, self._one(self.state.mesh))]
         return [Couple("M", "d", "drive", link, pivot, drive)]
 
     def _whole(self, joint: Joint, link: int) -> Acting:
         """The whole force in a joint on a link."""
-        sign, index = _sides(joint, link)
+        sign, index = sides(joint, link)
         found = self.state.reactions[joint.name]
-        value = sign * _one(found.wrench.force)
-        return Acting("R", index, "reaction", link, _one(found.seat.r), value, joint.name)
+        value = sign * self._one(found.wrench.force)
+        return Acting("R", index, "reaction", link, self._one(found.seat.r), value, joint.name)
 
     def _reaction(self, joint: Joint, link: int) -> list[Acting | Couple]:
         """Force and friction moment of a revolute pair on a link; normal force, friction, couple of a prismatic one."""
-        sign, index = _sides(joint, link)
+        sign, index = sides(joint, link)
         found = self.state.reactions[joint.name]
-        at, moment = _one(found.seat.r), sign * _one(found.wrench.moment).real
+        at, moment = self._one(found.seat.r), sign * self._one(found.wrench.moment).real
         if not isinstance(found.seat, Slideway):
             return [self._whole(joint, link), Couple("M", index, "friction", link, at, moment, joint.name)]
-        e, force = _one(found.seat.e), sign * _one(found.wrench.force)
+        e, force = self._one(found.seat.e), sign * self._one(found.wrench.force)
         normal, along = (np.conj(1j * e) * force).real, (np.conj(e) * force).real
         size = self.reach * abs(normal)
-        near = abs(moment) <= FAR * size
+        near = abs(moment) <= self.far * size
         arm = moment / normal if near and abs(moment) > NOTHING * size else 0.0
         parts: list[Acting | Couple] = [
             Acting("N", index, "reaction", link, at + arm * e, normal * 1j * e, joint.name, arm if near else None),
             Acting("F", index, "friction", link, at, along * e, joint.name),
         ]
         return parts if near else [*parts, Couple("M", index, "reaction", link, at, moment, joint.name)]
-
-
-def _sides(joint: Joint, link: int) -> tuple[float, str]:
-    """Sign of the stored reaction, which acts on the higher-numbered link; index of the force on this link."""
-    other = joint.other(link)
-    comma = "," if max(joint.links) > 9 else ""
-    return (1.0 if link > other else -1.0), f"{link}{comma}{other}"
-
-
-def _one(z: Any) -> complex:
-    return complex(np.ravel(z)[0])

@@ -1,4 +1,4 @@
-"""Zhukovsky's lever of one position: the balancing moment from velocities and given forces alone (textbook 3.2.8).
+"""Zhukovsky's lever: the balancing moment from velocities and given forces alone (textbook 3.2.8).
 
 The plan of velocities is turned by 90 degrees, here clockwise, and every given force F is applied at the end of the
 turned velocity -i v of its point. Its moment about the pole is its power:
@@ -18,15 +18,17 @@ from math import degrees
 
 import numpy as np
 
-from tmmcalc.core.plane import cross
+from tmmcalc.core.plane import LinkMotion, Real, cross
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.forces.kinetostatics import Statics
-from tmmcalc.linkage.freebody import Acting, Couple, FreeBody, link_bodies
-from tmmcalc.linkage.instant import LinkState, in_time
-from tmmcalc.linkage.pins import Pin, find_pins
+from tmmcalc.linkage.freebody import Acting, Couple, FreeBody, link_bodies, solved
+from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.results import Kinematics
+from tmmcalc.report.numbers import round_scale
 
+REACH = 100.0  # longest velocity of a pin on the lever [mm]
 UNGIVEN = ("reaction", "drive")  # what is not applied to the lever
 LEAST = 1e-12  # of an end of a vector from an axis [mm]: nearer is on it
 NOTHING = 1e-14  # of the largest force or couple: less is not told
@@ -64,61 +66,78 @@ class Lever:
         return self.drive - self.kinetostatic
 
 
-def lever(statics: Statics, kinematics: Kinematics, theta: float, side: float, mu: float) -> Lever:
-    """The lever at theta to the scale ``mu`` [(m/s)/mm]; where friction jumps ``side`` -1 is the limit before."""
-    scene, states = statics.scene, _states(statics, kinematics, theta)
-    pins = find_pins(scene.chain.mechanism)
-    applied = [each for body in link_bodies(statics, theta, side) for each in _applied(body, states, pins)]
-    largest = max((abs(force) for *_, force, _ in applied), default=0.0)
-    forces = tuple(_on_plan(*each, mu) for each in applied if abs(each[3]) > NOTHING * largest)
-    power = sum(cross(-1j * velocity, force) for *_, force, velocity in applied)
-    place = scene.place(np.array([theta]), side)
-    drive = float(np.ravel(statics.solve(place, side).drive)[0])
-    return Lever(forces, mu, float(power) / mu, -float(power) / kinematics.speed, drive)
+def levers(statics: Statics, kinematics: Kinematics, theta: Real, side: Real, mu: float) -> tuple[Lever, ...]:
+    """The levers at theta (n,) to the scale ``mu`` [(m/s)/mm].
+
+    Where friction jumps ``side`` (n,) -1 is the limit before, +1 after.
+    """
+    found = solved(statics, theta, side)
+    mechanism, motions = statics.scene.chain.mechanism, found.place.configuration.motions
+    links = {
+        link.id: _Moving(motions[link.id], replaced_at(mechanism, link.id), kinematics.speed, theta.shape)
+        for link in mechanism.links
+    }
+    drive = np.broadcast_to(found.state.drive, theta.shape)
+    made = []
+    for row in range(len(theta)):
+        applied = [each for body in link_bodies(found, row) for each in _applied(body, links[body.links[0]], row)]
+        largest = max((abs(force) for *_, force, _ in applied), default=0.0)
+        forces = tuple(_on_plan(*each, mu) for each in applied if abs(each[3]) > NOTHING * largest)
+        power = float(sum(cross(-1j * velocity, force) for *_, force, velocity in applied))
+        made.append(Lever(forces, mu, power / mu, -power / kinematics.speed, float(drive[row])))
+    return tuple(made)
 
 
-def fastest(statics: Statics, kinematics: Kinematics, theta: float) -> float:
-    """The largest velocity of a pin or named point at theta [m/s]."""
-    states = _states(statics, kinematics, theta)
+def scale_of(statics: Statics, kinematics: Kinematics, theta: Real) -> float:
+    """The round scale [(m/s)/mm] by which no velocity of a pin or named point at theta (n,) is longer than `REACH`."""
+    motions = statics.scene.chain.evaluate(statics.scene.travel.x(theta)).motions
     pins = find_pins(statics.scene.chain.mechanism)
-    return max((abs(states[k].point(p)[0]) for pin in pins for k, p in pin.at.items()), default=0.0)
+    rates = [np.max(np.abs(motions[k].point(p).v)) for pin in pins for k, p in pin.at.items()]
+    return round_scale(float(max(rates)) * abs(kinematics.speed) / REACH)
 
 
-def _states(statics: Statics, kinematics: Kinematics, theta: float) -> dict[int, LinkState]:
-    scene = statics.scene
-    motions = scene.chain.evaluate(scene.travel.x(np.array([theta]))).motions
-    return {k: in_time(motion, kinematics) for k, motion in motions.items()}
+End = tuple[str, complex]  # a point of a link by its name, in the axes of the link [m]
+
+
+def replaced_at(mechanism: Mechanism, link: int) -> tuple[End, End]:
+    """The two points of a link whose pair of forces stands for a couple on it, the first that of the tail.
+
+    They are its pins that are the furthest apart, or one pin and a point 1 m from it.
+    """
+    own = [(pin.name, pin.at[link]) for pin in find_pins(mechanism) if link in pin.at]
+    first = own[0] if own else ("0", 0j)
+    other = max(own, key=lambda each: abs(each[1] - first[1]), default=first)
+    return first, other if other[1] != first[1] else (f"{first[0]}+1m", first[1] + 1)
+
+
+class _Moving:
+    """A link at n positions: its place and velocity [m/s], those of the ends of what stands for couples."""
+
+    def __init__(self, motion: LinkMotion, ends: tuple[End, ...], speed: float, shape: tuple[int, ...]) -> None:
+        self.r, self.v, self.omega = (np.broadcast_to(z, shape) for z in (motion.r, motion.v, motion.omega))
+        self.speed = speed
+        self.ends = [(name, np.broadcast_to(motion.point(p).r, shape)) for name, p in ends]
+
+    def velocity(self, at: complex, row: int) -> complex:
+        """The velocity of the point of the link that stands at this place."""
+        return complex(self.v[row] + 1j * self.omega[row] * (at - self.r[row])) * self.speed
 
 
 Applied = tuple[Acting | Couple, int, str, complex, complex]  # what, its link, the point of a pair, force, velocity
 
 
-def _applied(body: FreeBody, states: dict[int, LinkState], pins: tuple[Pin, ...]) -> Iterator[Applied]:
+def _applied(body: FreeBody, moving: _Moving, row: int) -> Iterator[Applied]:
     """The given forces of a link with the velocities of their points, each couple as two."""
     (link,) = body.links
-    state = states[link]
     for force in body.forces:
         if force.kind not in UNGIVEN:
-            yield force, link, "", force.value, _velocity(state, force.at)
+            yield force, link, "", force.value, moving.velocity(force.at, row)
     for couple in body.couples:
         if couple.kind not in UNGIVEN and couple.value:
-            (tail, a), (head, b) = _points(link, state, pins)
+            (tail, a), (head, b) = ((name, complex(places[row])) for name, places in moving.ends)
             pair = 1j * couple.value / (b - a).conjugate()  # M/l along the left normal of the line
-            yield couple, link, head, pair, _velocity(state, b)
-            yield couple, link, tail, -pair, _velocity(state, a)
-
-
-def _velocity(state: LinkState, place: complex) -> complex:
-    return state.point(state.own(place))[0]
-
-
-def _points(link: int, state: LinkState, pins: tuple[Pin, ...]) -> tuple[tuple[str, complex], tuple[str, complex]]:
-    """Two points of a link with their names: its pins that are the furthest apart, or one and a point 1 m from it."""
-    own = [(pin.name, state.r + state.arm(pin.at[link])) for pin in pins if link in pin.at]
-    first = own[0] if own else ("0", state.r)
-    other = max(own, key=lambda each: abs(each[1] - first[1]), default=first)
-    apart = abs(other[1] - first[1]) > 0
-    return first, other if apart else (f"1 m from {first[0]}", first[1] + state.u)
+            yield couple, link, head, pair, moving.velocity(b, row)
+            yield couple, link, tail, -pair, moving.velocity(a, row)
 
 
 def _on_plan(what: Acting | Couple, link: int, point: str, force: complex, velocity: complex, mu: float) -> LeverForce:

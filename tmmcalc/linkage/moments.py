@@ -1,4 +1,4 @@
-"""The equations of equilibrium of every link at one position, with their terms (textbook 3.2.3).
+"""The equations of equilibrium of every link, with their terms (textbook 3.2.3).
 
 Moments are taken about the inner hinge of a dyad, where its inner reaction has none and R^T of the outer pin is left;
 of a dyad with an inner prismatic pair about the link's own outer pin, or else about its slider's point; of the input
@@ -13,13 +13,14 @@ from math import degrees
 
 import numpy as np
 
-from tmmcalc.core.plane import cross
+from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.wrench import seat_of
-from tmmcalc.linkage.freebody import FreeBody, link_bodies
-from tmmcalc.linkage.model import Joint
+from tmmcalc.linkage.freebody import FreeBody, link_bodies, solved
+from tmmcalc.linkage.model import Joint, Mechanism
+from tmmcalc.linkage.structure import Structure
 
 NOTHING = 1e-14  # of the largest force or couple: less is not told
 
@@ -53,30 +54,35 @@ class LinkEquilibrium:
     moment_left: float = quantity("moment_left[N*m]", "sum of the moments on the link")
 
 
-def equilibria(statics: Statics, theta: float, side: float) -> tuple[LinkEquilibrium, ...]:
-    """Every moving link at theta; where friction jumps ``side`` -1 is the limit before, +1 after."""
-    bodies = link_bodies(statics, theta, side)
-    configuration = statics.scene.place(np.array([theta]), side).configuration
+def equilibria(statics: Statics, theta: Real, side: Real) -> list[tuple[LinkEquilibrium, ...]]:
+    """Every moving link at theta (n,); where friction jumps ``side`` (n,) -1 is the limit before, +1 after."""
+    found = solved(statics, theta, side)
+    chain = statics.scene.chain
+    joints = {link.id: moments_about(chain.mechanism, chain.structure, link.id) for link in chain.mechanism.links}
+    poles = {
+        k: np.broadcast_to(seat_of(joint, found.place.configuration).r, theta.shape) for k, joint in joints.items()
+    }
+    return [tuple(_equilibria(link_bodies(found, row), joints, poles, row)) for row in range(len(theta))]
+
+
+def _equilibria(
+    bodies: tuple[FreeBody, ...], joints: dict[int, Joint], poles: dict[int, Plane], row: int
+) -> Iterator[LinkEquilibrium]:
     force = max((abs(f.value) for body in bodies for f in body.forces), default=0.0)
     couple = max((abs(c.value) for body in bodies for c in body.couples), default=0.0)
-    found = []
     for body in bodies:
-        joint = _about(statics, body.links[0])
-        pole = complex(np.ravel(seat_of(joint, configuration).r)[0])
-        terms = tuple(_terms(body, pole, NOTHING * force, NOTHING * couple))
+        (link,) = body.links
+        terms = tuple(_terms(body, complex(poles[link][row]), NOTHING * force, NOTHING * couple))
         left = abs(body.vertices[-1])
-        found.append(LinkEquilibrium(body.links[0], joint.name, terms, left, sum(term.moment for term in terms)))
-    return tuple(found)
+        yield LinkEquilibrium(link, joints[link].name, terms, left, sum(term.moment for term in terms))
 
 
-def _about(statics: Statics, link: int) -> Joint:
+def moments_about(mechanism: Mechanism, structure: Structure, link: int) -> Joint:
     """The joint that the moments of a link are taken about."""
-    chain = statics.scene.chain
-    mechanism, structure = chain.mechanism, chain.structure
     own = [joint for joint in mechanism.joints if link in joint.links]
     group = next((group for group in structure.groups if link in group.links), None)
     if group is None:
-        return chain.input_joint
+        return mechanism.joint(mechanism.input.joint)
     if not group.kind:
         return own[0]
     inner = mechanism.joint(group.inner[0])

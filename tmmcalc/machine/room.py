@@ -118,6 +118,7 @@ ROOM = Room(
             "the flywheel for the allowed unevenness, by all methods",
             needs=("reduction", "power"),
             wanted="flywheel",
+            by_name={"tried": False},
             picture=Picture("energy-mass curve with its tangents, work over the cycle, all methods"),
             studied=True,
         ),

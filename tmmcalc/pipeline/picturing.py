@@ -24,7 +24,14 @@ def figure_of(
     assert picture is not None
     order = _order(spec, results, flags)
     draw: Callable[[Order], Drawing] = resolve(picture.figure)
-    return lambda: draw(order)
+
+    def drawn() -> Drawing:
+        from tmmcalc.report.drawing.page import on_paper
+
+        with on_paper(project=spec.project.title):
+            return draw(order)
+
+    return drawn
 
 
 def pieces_of(stage: str, spec: Any, results: Mapping[str, Any]) -> list[Piece]:

@@ -43,6 +43,7 @@ def run(
     on_event: Callable[[Event], None] | None = None,
     keep_going: bool = False,
     wait: float | None = None,
+    by_name: bool = False,
     stages: Mapping[str, Stage] = STAGES,
 ) -> RunResult:
     """Run every stage that ``target`` needs (None: all that the scene has) and return their results.
@@ -56,7 +57,8 @@ def run(
     is the relative error asked of every stage: one with a choice takes the cheapest method for it. ``on_start`` is
     called with the name of a stage before it runs, ``on_event`` as soon as it is done. ``keep_going``: a stage without
     a solution ends only those that read it, and is told in ``failures``. ``wait``: seconds that a folder is waited for
-    while another process works in it.
+    while another process works in it. ``by_name``: the results are asked by name alone, neither stored nor shown, so
+    stages leave out what no name can ask for.
 
     Stored files that are whole but do not make a result are told as damaged, and all is computed afresh. Without a
     ``target`` the files that an earlier run left of stages that the scene has no more are removed.
@@ -70,7 +72,7 @@ def run(
     if first is None:
         _check_target(asked)
     options, forced = _options(settings or {}, stages, tolerance), _forced(fresh, from_stage, stages)
-    work = _Run(spec, stages, options, tolerance, keep_going, on_start, on_event)
+    work = _Run(spec, stages, options, tolerance, keep_going, on_start, on_event, by_name)
     archive = work.archive = _archive(out, csv, columns, wait, work.wait)
 
     def settled_and_done(forced: Mapping[str, str]) -> Plan:
@@ -113,6 +115,7 @@ class _Run:
         keep_going: bool,
         on_start: Callable[[str], None] | None,
         on_event: Callable[[Event], None] | None,
+        by_name: bool,
     ) -> None:
         self.spec = spec
         self.stages = stages
@@ -121,6 +124,7 @@ class _Run:
         self.keep_going = keep_going
         self.on_start = on_start
         self.on_event = on_event
+        self.by_name = by_name
         self.archive: Archive | None = None
         self.outcomes: dict[str, Outcome] = {}
         self.events: list[Event] = []
@@ -163,8 +167,9 @@ class _Run:
     def computed(self, stage: Stage, inputs: Any, chosen: Mapping[str, Any]) -> Outcome:
         """What goes on of a result, stored where there is an archive: its record."""
         upstream = upstream_of(stage, Results(self.outcomes, self.alone))
+        less = stage.by_name if self.by_name else {}
         with believed([self.outcomes[name] for name in upstream if name in self.outcomes]):
-            record = stage.dump(stage.solve(*arguments(inputs), **upstream, **chosen))
+            record = stage.dump(stage.solve(*arguments(inputs), **upstream, **chosen, **less))
         outcome = Outcome(stage, lambda: record)
         if self.archive is not None:
             self.archive.save(outcome)

@@ -271,9 +271,9 @@ class TestMesh:
     @pytest.mark.slow
     def test_one_of_several(self) -> None:
         several = Pairs((solved("spur"), solved("large")), "", ())
-        assert pair_drawing(several).height == 4 * A4[1]
+        assert pair_drawing(several).height == 4 * A4.height
         chosen = pair_drawing(several, choose=2)
-        assert chosen.height == 2 * A4[1]
+        assert chosen.height == 2 * A4.height
         assert "100" in written(chosen)
 
     def test_a_name_with_a_sign_of_formulas(self) -> None:

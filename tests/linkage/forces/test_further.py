@@ -176,7 +176,7 @@ def test_every_column_has_a_value_a_row(name: str) -> None:
     result = solve_forces(mechanism, loading, kinematics)
     for column, values in made(mechanism, loading, kinematics, result).items():
         assert np.shape(values) == result.theta.shape, column
-        if not column.startswith(("h_", "angle_R_")):
+        if not column.startswith(("h_", "angle_R_")) and "_h_" not in column:
             assert np.all(np.isfinite(values)), column
 
 
@@ -195,5 +195,5 @@ def test_a_force_that_is_nothing_has_no_direction_and_no_arm() -> None:
 def test_nothing_is_solved_before_a_column_is_made(monkeypatch: pytest.MonkeyPatch) -> None:
     mechanism, kinematics = press()
     result = solve_forces(mechanism, press_loading(), kinematics)
-    monkeypatch.setattr("tmmcalc.linkage.forces.further.compile_scene", lambda *_: pytest.fail("solved"))
+    monkeypatch.setattr("tmmcalc.linkage.forces.rows.compile_scene", lambda *_: pytest.fail("solved"))
     assert further_columns(mechanism, press_loading(), kinematics, result)

@@ -33,6 +33,10 @@ CLOSED: list[Characteristic] = [
     straight(MOMENT, NOMINAL, SYNCHRONOUS),
     kloss(OVERLOAD * MOMENT, critical_slip(OVERLOAD, SLIP), SYNCHRONOUS, NOMINAL),
     series(MOMENT, NOMINAL, 0.12),
+    series(MOMENT, NOMINAL, 0.12, 0.3),
+    series(MOMENT, NOMINAL, 0.12, 0.3)._replace(drop=0.9, way=-1.0, voltage=0.0, name="dynamic"),
+    series(MOMENT, NOMINAL, 0.12, 0.3)._replace(drop=1.5, way=-1.0, name="plugging"),
+    series(MOMENT, NOMINAL, 0.12)._replace(drop=2.5, way=-1.0, name="plugging"),
     shunt(220.0, 0.31, 1.33, NOMINAL),
     ConstantMoment(MOMENT),
 ]

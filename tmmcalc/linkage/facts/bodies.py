@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from tmmcalc.core.quantity import Quantity, keyed, table
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import Forces, side_of
@@ -17,7 +19,9 @@ SHOWN = 1e-9  # of the largest moment of a link: a smaller term is not worded
 
 def bodies_document(statics: Statics, result: Forces, title: str, rows: Sequence[int]) -> Document:
     """The links in rows of the result by their indices, one row a force or couple."""
-    found = {row: equilibria(statics, float(result.theta[row]), side_of(result, row)) for row in rows}
+    some = [*dict.fromkeys(rows)]
+    sides = np.array([side_of(result, row) for row in some])
+    found = dict(zip(some, equilibria(statics, result.theta[some], sides), strict=True))
     facts = tuple(_moments(result.labels[row], each) for row, links in found.items() for each in links)
     labels = [result.labels[row] for row, links in found.items() for each in links for _ in each.terms]
     terms = [term for links in found.values() for each in links for term in each.terms]

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from tmmcalc.core.quantity import Quantity, keyed, table
 from tmmcalc.linkage.forces.columns import drive_of
-from tmmcalc.linkage.forces.further import BY_LEVER, OFF_LEVER
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import Forces, side_of
-from tmmcalc.linkage.lever import Lever, LeverForce, fastest, lever
+from tmmcalc.linkage.forces.terms import BY_LEVER, OFF_LEVER
+from tmmcalc.linkage.lever import Lever, LeverForce, levers, scale_of
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.document import Document, Fact, View
-from tmmcalc.report.numbers import number, round_scale
+from tmmcalc.report.numbers import number
 
-REACH = 100.0  # longest velocity of a pin on the lever [mm]
 POSITION = Quantity("i", "number of the position").key
 SHARE = Quantity("{name}_difference[%]", "the same, against the largest {name} of the motion")
 
@@ -23,16 +24,16 @@ def lever_document(
     statics: Statics, kinematics: Kinematics, result: Forces, title: str, rows: Sequence[int]
 ) -> Document:
     """The levers of rows of the result by their indices, all to one round scale."""
-    theta = [float(result.theta[row]) for row in rows]
-    mu = round_scale(max(fastest(statics, kinematics, each) for each in theta) / REACH)
-    levers = [lever(statics, kinematics, each, side_of(result, row), mu) for each, row in zip(theta, rows, strict=True)]
+    theta, side = result.theta[rows], np.array([side_of(result, row) for row in rows])
+    mu = scale_of(statics, kinematics, theta)
+    found = levers(statics, kinematics, theta, side, mu)
     facts = [
         Fact("plan", "of velocities, turned by 90 deg clockwise: moments about the pole are powers over its scale"),
-        Fact("scale", f"mu_v = {number(mu)} (m/s)/mm", keyed(levers[0], "mu")),
-        *(_balance(result, result.labels[row], each) for row, each in zip(rows, levers, strict=True)),
+        Fact("scale", f"mu_v = {number(mu)} (m/s)/mm", keyed(found[0], "mu")),
+        *(_balance(result, result.labels[row], each) for row, each in zip(rows, found, strict=True)),
     ]
-    labels = [result.labels[row] for row, each in zip(rows, levers, strict=True) for _ in each.forces]
-    columns = {POSITION: labels, **table([force for each in levers for force in each.forces], LeverForce)}
+    labels = [result.labels[row] for row, each in zip(rows, found, strict=True) for _ in each.forces]
+    columns = {POSITION: labels, **table([force for each in found for force in each.forces], LeverForce)}
     return Document(title, tuple(facts), table=View([*columns], [*columns.values()]))
 
 

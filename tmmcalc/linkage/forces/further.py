@@ -1,4 +1,4 @@
-"""Columns by choice of the forces table: inertia, parts along links, arms, what is without friction, the lever.
+"""Columns by choice of the forces table: inertia, parts along links, arms, what is without friction, terms.
 
 Nothing of them is computed before a column is made; then the mechanism is solved once more at the rows of the result.
 
@@ -21,16 +21,15 @@ from tmmcalc.core.numerics.panels import panels, resolved
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.quantity import Quantity
 from tmmcalc.linkage.assembly import TURN
-from tmmcalc.linkage.forces.columns import drive_of
-from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics, reversals
+from tmmcalc.linkage.forces.kinetostatics import compile_statics, reversals
 from tmmcalc.linkage.forces.refinement import PARTS
 from tmmcalc.linkage.forces.results import LEAST_ARM, Forces
+from tmmcalc.linkage.forces.rows import Rows
 from tmmcalc.linkage.forces.stack import Stack, stacked
+from tmmcalc.linkage.forces.terms import equation_columns, lever_columns
 from tmmcalc.linkage.forces.verification import friction_power
 from tmmcalc.linkage.forces.wrench import Slideway, seat_of
-from tmmcalc.linkage.lever import lever
 from tmmcalc.linkage.loading import Body, Loading
-from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.loads.sources import InertiaLoad, Place, inertia_load
 from tmmcalc.linkage.model import Joint, Mechanism
 from tmmcalc.linkage.results import Kinematics
@@ -56,8 +55,6 @@ DIRECTION = Quantity(
 )
 ARM = Quantity("h_{joint}[m]", "arm of the normal force in {joint} from the slider's point, along the guide")
 IDEAL_DRIVE = Quantity("{letter}0_drive[{unit}]", "drive without friction")
-BY_LEVER = Quantity("{name}_lever[{unit}]", "{name} by Zhukovsky's lever")
-OFF_LEVER = Quantity("{name}_difference[{unit}]", "{name} by the lever, less that of the force analysis")
 IDEAL = (
     Quantity("R0_{joint}_x[N]", "reaction in {joint} along x without friction"),
     Quantity("R0_{joint}_y[N]", "reaction in {joint} along y without friction"),
@@ -79,10 +76,7 @@ def further_columns(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
     solved = _Solved(mechanism, loading, kinematics, result)
     groups = {name: group for group in kinematics.structure.groups if group.kind for name in group.outer}
     found = [each for body in loading.heavy for each in _inertia(solved, body)]
-    drive = drive_of(result.turns)
     found.append(column(IDEAL_DRIVE.of(**_of_drive(result.turns)), lambda: solved.ideal.drive))
-    found.append(column(BY_LEVER.of(name=drive.name, unit=drive.unit), lambda: solved.by_lever))
-    found.append(column(OFF_LEVER.of(name=drive.name, unit=drive.unit), lambda: solved.by_lever - result.drive))
     for j, pair in enumerate(result.pairs):
         joint = mechanism.joint(pair.joint)
         if joint.kind == "revolute" and joint.name in groups:
@@ -100,7 +94,7 @@ def further_columns(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
             found.append(column(reduced, partial(solved.friction_reduced, joint.name)))
             found.append(column(FRICTION_POWER.of(joint=joint.name), partial(solved.friction_power, joint.name)))
             found.append(column(FRICTION_WORK.of(joint=joint.name), partial(solved.friction_work, joint.name)))
-    return found
+    return [*found, *lever_columns(solved), *equation_columns(solved)]
 
 
 def _of_drive(turns: bool) -> dict[str, str]:
@@ -139,25 +133,14 @@ def _ideal(solved: _Solved, j: int, joint: Joint) -> Iterator[Column]:
         yield column(IDEAL_COUPLE.of(joint=joint.name), lambda: solved.ideal.couple[j])
 
 
-class _Solved:
-    """The rows of a result with what it was computed from, each part found when it is first asked for."""
-
-    def __init__(self, mechanism: Mechanism, loading: Loading, kinematics: Kinematics, result: Forces) -> None:
-        self.mechanism, self.loading, self.kinematics, self.result = mechanism, loading, kinematics, result
-        self.rubbing = {
-            pair.joint for pair in result.pairs if pair.friction and (pair.kind == "prismatic" or pair.radius)
-        }
+class _Solved(Rows):
+    """The rows of a result, and what stands in it of their pairs and of inertia."""
 
     @cached_property
-    def statics(self) -> Statics:
-        """The force analysis of the result."""
-        return compile_statics(compile_scene(self.mechanism, self.loading, self.kinematics))
-
-    @cached_property
-    def side(self) -> Real:
-        """The side (n,) from which each row is taken: -1 the limit before a jump and the very end, else +1."""
-        before = np.array([label.endswith("-") for label in self.result.labels])
-        return np.where(before, -1.0, self.statics.scene.travel.sides(self.result.theta))
+    def rubbing(self) -> set[str]:
+        """The joints with friction."""
+        pairs = self.result.pairs
+        return {pair.joint for pair in pairs if pair.friction and (pair.kind == "prismatic" or pair.radius)}
 
     @cached_property
     def place(self) -> Place:
@@ -170,12 +153,6 @@ class _Solved:
         scene = self.statics.scene
         bare = scene._replace(loading=replace(scene.loading, pairs=()))
         return stacked(compile_statics(bare), self.result.theta, self.side, checked=False)[0]
-
-    @cached_property
-    def by_lever(self) -> Real:
-        """The drive (n,) that balances Zhukovsky's lever; no scale of its plan matters to it."""
-        rows = zip(self.result.theta.tolist(), self.side.tolist(), strict=True)
-        return np.array([lever(self.statics, self.kinematics, theta, side, 1.0).drive for theta, side in rows])
 
     def inertia(self, body: Body) -> InertiaLoad:
         """Force and couple of inertia of a body."""

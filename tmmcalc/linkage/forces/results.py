@@ -87,6 +87,15 @@ class Forces:
     )
 
 
+@record
+class LeverScale:
+    """The fact by choice of Zhukovsky's lever."""
+
+    mu: float = quantity(
+        "lever_mu_v[m/s/mm]", "scale of Zhukovsky's lever in the columns by choice", symbol=r"\mu_v", source="3.2.8"
+    )
+
+
 def side_of(result: Forces, row: int) -> float:
     """The side from which a row is taken where friction jumps: -1 just before, at the very end too, else +1."""
     return -1.0 if result.labels[row].endswith("-") or row == len(result.labels) - 1 else 1.0

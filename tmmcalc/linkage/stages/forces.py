@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.core.quantity import keyed
 from tmmcalc.core.stage import said
 from tmmcalc.core.stored import LAST_DIGIT
-from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.forces.results import Forces, LeverScale
 from tmmcalc.linkage.wanted import FRICTION, NO_CSV, SPRINGS, interpolated, is_long
 
 if TYPE_CHECKING:
@@ -43,10 +43,18 @@ def errors(result: Forces) -> dict[str, Any]:
 
 
 def further(spec: LinkageTables, results: Mapping[str, Any]) -> list[Column]:
-    """Loads of inertia, components along links, arms, reactions without friction, friction of each pair."""
+    """Loads of inertia, components along links, arms, what is without friction, friction by pair, terms of balances."""
     from tmmcalc.linkage.forces.further import further_columns
 
     return further_columns(*inputs(spec), results["kinematics"], results["forces"])
+
+
+def details(spec: LinkageTables, results: Mapping[str, Any]) -> LeverScale:
+    """The scale of Zhukovsky's lever in the columns by choice."""
+    from tmmcalc.linkage.forces.rows import Rows
+    from tmmcalc.linkage.forces.terms import lever_scale
+
+    return lever_scale(Rows(*inputs(spec), results["kinematics"], results["forces"]))
 
 
 def omits(spec: LinkageTables) -> tuple[str, ...]:

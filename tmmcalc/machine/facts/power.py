@@ -54,6 +54,7 @@ PLATE = (  # a line each
         Datum("voltage", "{} V"),
         Datum("resistance", "armature {} ohm"),
         Datum("constant", "constant {} V*s/rad"),
+        Datum("saturation", "saturation {}"),
         Datum("efficiency", "efficiency {}"),
     ),
 )

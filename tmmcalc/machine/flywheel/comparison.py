@@ -23,11 +23,13 @@ def compared(
     characteristic: Characteristic | None = None,
     time_constant: float = 0.0,
     sense: float = 1.0,
+    tried: bool = True,
 ) -> Comparison:
-    """Every method of `positional_flywheels`, and with a motor each tried under it beside `required_inertia`.
+    """Every method of `positional_flywheels`, and with a motor each ``tried`` under it beside `required_inertia`.
 
     ``speed`` [rad/s] is the mean speed that the methods assume: by default the cycle's own, with a motor the
-    mean speed that it really keeps with the true flywheel. ``sense`` is -1 where the input turns clockwise.
+    mean speed that it really keeps with the true flywheel. ``sense`` is -1 where the input turns clockwise. Untried
+    methods take most of the time away, and with them what would just carry a machine that stalls without a flywheel.
     """
     if characteristic is None:
         methods = positional_flywheels(cycle, constant_inertia, delta, speed)
@@ -35,7 +37,7 @@ def compared(
     from tmmcalc.machine.flywheel.required import required_inertia
     from tmmcalc.machine.steady import driven
 
-    true = required_inertia(cycle, characteristic, delta, constant_inertia, time_constant, sense=sense)
+    true = required_inertia(cycle, characteristic, delta, constant_inertia, time_constant, sense=sense, remarked=tried)
 
     def reached(inertia: float) -> float | None:
         try:
@@ -43,7 +45,7 @@ def compared(
         except NoSolutionError:
             return None
 
-    return comparison_with(cycle, constant_inertia, delta, true, reached, speed)
+    return comparison_with(cycle, constant_inertia, delta, true, reached if tried else None, speed)
 
 
 def comparison_with(
@@ -51,14 +53,14 @@ def comparison_with(
     constant_inertia: float,
     delta: float,
     true: RequiredInertia,
-    reached: Model,
+    reached: Model | None = None,
     speed: float | None = None,
 ) -> Comparison:
-    """The methods beside the ``true`` flywheel; ``reached`` tells what delta an inertia leads to under the motor."""
+    """The methods beside the ``true`` flywheel; ``reached`` tells what delta an inertia leads to, if tried."""
     methods = positional_flywheels(cycle, constant_inertia, delta, true.regime.mean if speed is None else speed)
     inertias = [constant_inertia + method.addition for method in methods]
     rows = (
-        Row(method, reached(inertia), (inertia - true.inertia) / true.inertia)
+        Row(method, reached and reached(inertia), (inertia - true.inertia) / true.inertia)
         for method, inertia in zip(methods, inertias, strict=True)
     )
     return Comparison(tuple(rows), true)

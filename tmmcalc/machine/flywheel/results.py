@@ -43,10 +43,10 @@ class RequiredInertia:
 
 @record
 class Row:
-    """One method in the comparison; the last two are None without a motor, or where the machine stalls."""
+    """One method in the comparison; the last two are None without a motor."""
 
     positional: FlywheelMethod  # what it asks for under forces of position
-    delta: float | None  # coefficient reached under the motor's characteristic [-]
+    delta: float | None  # coefficient reached under the motor's characteristic [-]; None: it stalls, or was not tried
     error: float | None  # relative error of the total constant inertia against the true one [-]
 
 
@@ -73,7 +73,7 @@ class Flywheel:
     wheels: tuple[Wheel, ...]  # the needed flywheel on its shaft, then on the others for comparison
     nodal: FlywheelMethod | None  # the textbook's method on the table of positions; None if its steps differ
     picture: EnergyMass  # Wittenbauer's energy-mass curve with the tangents
-    history: tuple[Trial, ...]  # J_c := J_c delta/[delta] on the true model (3.60); empty without a motor
+    history: tuple[Trial, ...]  # J_c := J_c delta/[delta] on the true model (3.60); empty without a motor, or not tried
     verdicts: tuple[Verdict, ...]
     sense: float = 1.0  # of the input's motion: -1 clockwise; places are sense theta
     undriven: bool = False  # without a motor: the loads alone set the speed

@@ -38,8 +38,8 @@ class Machine:
     sense: float = 1.0  # of the input's motion: -1 clockwise
 
 
-def solve_flywheel(machine: Machine) -> Flywheel:
-    """The flywheel that keeps ``task.delta`` [-], by all methods.
+def solve_flywheel(machine: Machine, *, tried: bool = True) -> Flywheel:
+    """The flywheel that keeps ``task.delta`` [-], by all methods; ``tried``: what each of them really leads to as well.
 
     Raises `NoSolutionError` where no inertia lets the motor carry the load.
     """
@@ -53,14 +53,17 @@ def solve_flywheel(machine: Machine) -> Flywheel:
         characteristic=driver.characteristic if driver is not None else None,
         time_constant=driver.time_constant if driver is not None else 0.0,
         sense=machine.sense,
+        tried=tried,
     )
+    if not tried:
+        return flywheel_of(machine, comparison)
     required = comparison.required
     stalls = required is not None and Trial(machine.at_hand.total, None) in required.trials
     return flywheel_of(machine, comparison, () if stalls else _history(cycle, driver, delta, machine.at_hand))
 
 
-def flywheel_of(machine: Machine, comparison: Comparison, history: tuple[Trial, ...]) -> Flywheel:
-    """The result from the methods side by side and the correction of the textbook."""
+def flywheel_of(machine: Machine, comparison: Comparison, history: tuple[Trial, ...] = ()) -> Flywheel:
+    """The result from the methods side by side and the correction of the textbook, if that was tried."""
     cycle, at_hand, task, driver = machine.cycle, machine.at_hand, machine.task, machine.driver
     speed, ratio = machine.speed, machine.ratio
     assert task.delta is not None

@@ -1,7 +1,7 @@
 """Direct-current motors: the moment over speed from the equation of the armature circuit.
 
-U = I R + E with E = k omega (shunt or independent field) or E = c I omega (series field, flux proportional to the
-current); the moment E I/omega is electromagnetic, friction is not taken off.
+U = I R + E with E = k omega (shunt or independent field) or E = c I omega/(1 + b I/I_N) (series field; with b = 0 the
+flux is proportional to the current); the moment E I/omega is electromagnetic, friction is not taken off.
 """
 
 from __future__ import annotations
@@ -9,35 +9,80 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from tmmcalc.core.errors import UsageError
 from tmmcalc.machine.motors.characteristics import WHERE, N, Straight, require_positive
 
+ENDLESS = 1e12  # current over the rated one that stands for one without limit
+
 
 class Series(NamedTuple):
-    """M = C / (omega + a)^2: a direct-current motor with series field, its flux proportional to the current.
+    """A machine whose field carries the current of its armature, by its current j in parts of the rated one.
 
-    U = I (R + c omega) and M = c I^2 give C = U^2/c and a = R/c. There is no no-load speed: an unloaded motor runs
-    away. Below the speed 0 the form has a pole at -a.
+        v (1 + b j) = r j (1 + b j) + e kappa omega j,   M = e m j^2/(1 + b j)
+
+    with the flux j/(1 + b j) of iron that saturates (Froehlich), proportional to the current for b = 0: then
+    M = m v^2/(r + kappa omega)^2, which has a pole at the speed -r/kappa. The field turned round against the armature,
+    e = -1, it brakes. A machine that drives has no no-load speed: unloaded it runs away.
     """
 
-    scale: float  # C [N*m*rad^2/s^2]
-    shift: float  # a [rad/s]
+    scale: float  # m = M_N (1 + b) [N*m]
+    rate: float  # kappa, by which the EMF follows the speed [s/rad]
+    drop: float  # r, the voltage lost in the circuit at the rated current over the rated voltage [-]
+    bend: float = 0.0  # b [-]
+    way: float = 1.0  # e: 1 drives, -1 brakes
+    voltage: float = 1.0  # v, that of the source over the rated one: 1, or 0 without a source
     nominal: float | None = None  # [rad/s]
     synchronous: None = None
     critical: None = None
-    least: float = 0.0
-    most: None = None
     name: str = "series"
+
+    @property
+    def least(self) -> float | None:
+        """Standstill, where the flux is proportional to the current: below it a driven machine has its pole."""
+        return 0.0 if self.way > 0 and not self.bend else None
+
+    @property
+    def most(self) -> float | None:
+        """The pole of a braking machine whose flux is proportional to the current."""
+        return self.drop / self.rate if self.way < 0 and not self.bend else None
 
     def moment(self, omega: N) -> N:
         """Moment [N*m]."""
-        d = omega + self.shift
-        return self.scale / (d * d)
+        j = self.current(omega)
+        return self.way * self.scale * j * j / (1.0 + self.bend * j) + 0.0  # no moment has no sign
 
     def slope(self, omega: N) -> N:
         """Derivative [N*m*s/rad]."""
-        d = omega + self.shift
-        return -2.0 * self.scale / (d * d * d)
+        j, b = self.current(omega), self.bend
+        p = self._linear(omega)
+        root = (p * p + 4.0 * self.drop * b * self.voltage) ** 0.5
+        flux = 1.0 + b * j
+        return -self.scale * self.rate * j * j * (2.0 + b * j) / (flux * flux * (root + 1e-300))
+
+    def current(self, omega: N) -> N:
+        """The current over the rated one [-]: the root of r b j^2 + p j = v with p = r + e kappa omega - v b."""
+        p = self._linear(omega)
+        if isinstance(p, (float, int)):
+            return self._above(p) if p > 0 else self._below(p)
+        found: N = np.where(p > 0, self._above(np.where(p > 0, p, 1.0)), self._below(np.where(p > 0, 0.0, p)))
+        return found
+
+    def _linear(self, omega: N) -> N:
+        return self.drop - self.voltage * self.bend + self.way * self.rate * omega
+
+    def _above(self, p: N) -> N:
+        """The root where p is positive, without a difference of what is nearly equal."""
+        v = self.voltage
+        return 2.0 * v / (p + (p * p + 4.0 * self.drop * self.bend * v) ** 0.5)
+
+    def _below(self, p: N) -> N:
+        """The root where p is not positive; where nothing saturates, beyond the pole, only trial steps come."""
+        if not self.bend:
+            return 0.0 * p + self.voltage * ENDLESS
+        b = self.bend
+        return ((p * p + 4.0 * self.drop * b * self.voltage) ** 0.5 - p) / (2.0 * self.drop * b)
 
 
 def shunt(voltage: float, resistance: float, constant: float, nominal: float | None = None) -> Straight:
@@ -55,14 +100,15 @@ def shunt(voltage: float, resistance: float, constant: float, nominal: float | N
     return Straight(constant * constant / resistance, voltage / constant, nominal, name="shunt")
 
 
-def series(moment: float, nominal: float, drop: float) -> Series:
-    """Direct-current motor with series field through its rated point: M = M_N ((omega_N + a)/(omega + a))^2.
+def series(moment: float, nominal: float, drop: float, saturation: float = 0.0) -> Series:
+    """Direct-current motor with series field through its rated point, of ``moment`` M_N at ``nominal`` omega_N.
 
-    ``drop`` = I_N R/U [-], the part of the voltage lost in the windings at the rated point, gives a = R/c =
-    omega_N drop/(1 - drop); where copper losses prevail it is 1 - efficiency. Raises `UsageError` unless
-    0 < drop < 1.
+    ``drop`` = I_N R/U [-], the part of the voltage lost in the windings at the rated point; where copper losses
+    prevail it is 1 - efficiency. ``saturation`` [-] is the part of the flux that the iron lacks at the rated current.
+    Without it M = M_N ((omega_N + a)/(omega + a))^2 with a = omega_N drop/(1 - drop). Raises `UsageError` unless
+    0 < drop < 1 and 0 <= saturation < 1.
 
-    >>> series(40.0, 100.0, 0.2).moment(0.0)
+    >>> round(series(40.0, 100.0, 0.2).moment(0.0), 9)
     1000.0
     """
     require_positive(nominal, "rated speed")
@@ -74,8 +120,11 @@ def series(moment: float, nominal: float, drop: float) -> Series:
             limit=1.0,
             remedy="give the efficiency at the rated point, or voltage and resistance",
         )
-    shift = nominal * drop / (1 - drop)
-    return Series(moment * (nominal + shift) ** 2, shift, nominal)
+    if not 0 <= saturation < 1:
+        text = f"the saturation of a series motor takes {saturation:g} of its flux; it is at least 0, and below 1"
+        raise UsageError(text, where=WHERE, value=saturation, limit=1.0)
+    bend = saturation / (1 - saturation)
+    return Series(moment * (1 + bend), (1 - drop) * (1 + bend) / nominal, drop, bend, nominal=nominal)
 
 
 def voltage_drop(voltage: float, resistance: float, power: float) -> float:

@@ -104,8 +104,8 @@ def _closed(motor: Characteristic, u: float) -> Characteristic | None:
             return Straight(stiffness * u * u, synchronous / u, *inner, _slower(least, u), _slower(most, u), name)
         case Kloss(scale, square, synchronous, critical, nominal, name):
             return Kloss(scale, square / (u * u), synchronous / u, critical / u, _slower(nominal, u), name)
-        case Series(scale=scale, shift=shift, nominal=nominal):
-            return Series(scale / u, shift / u, _slower(nominal, u))
+        case Series(scale=scale, rate=rate, nominal=nominal):
+            return motor._replace(scale=scale * u, rate=rate * u, nominal=_slower(nominal, u))
         case ConstantMoment(value=value, nominal=nominal):
             return ConstantMoment(value * u, _slower(nominal, u))
     return None

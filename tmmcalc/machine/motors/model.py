@@ -41,6 +41,10 @@ class Motor:
     voltage: float | None = quantity("U[V]", "voltage of a direct-current motor", default=None)
     resistance: float | None = quantity("R[ohm]", "resistance of the armature circuit", default=None)
     constant: float | None = quantity("k[V*s/rad]", "constant of a shunt motor", default=None)
+    saturation: float = quantity(
+        "saturation", "part of the flux that the iron of a series motor lacks at the rated current", default=0.0
+    )
+    field_resistance: float = 0.0  # of a series motor: part of ``resistance`` that is its field winding [ohm]
     efficiency: float | None = quantity("eta_motor", "efficiency of the motor at its rated point", default=None)
     points: tuple[tuple[float, float], ...] = ()  # measured characteristic: omega [rad/s], M [N*m]
     interpolation: Interpolation = "pchip"  # between the points
@@ -54,13 +58,15 @@ class Motor:
             value = getattr(self, what)
             if value is not None and not 0 < value < math.inf:
                 self._refuse(f"the {what} is {value:g}; it is positive", value, 0.0)
-        for what in ("inertia", "time_constant"):
+        for what in ("inertia", "time_constant", "saturation", "field_resistance"):
             value = getattr(self, what)
             if value is not None and not 0 <= value < math.inf:
                 self._refuse(f"the {what} is {value:g}; it is not negative", value, 0.0)
         if self.overload is not None and not 1 < self.overload < math.inf:
             message = f"the overload ratio K = M_K/M_N is {self.overload:g}; it is above 1"
             self._refuse(message, self.overload, 1.0, "give the ratio of the break-down moment to the rated one")
+        if not self.saturation < 1:
+            self._refuse(f"the saturation is {self.saturation:g}; it is below 1", self.saturation, 1.0)
         if self.efficiency is not None and not self.efficiency < 1:
             self._refuse(f"the efficiency is {self.efficiency:g}; it is below 1", self.efficiency, 1.0)
         if self.synchronous is not None and not self.speed < self.synchronous:
@@ -192,7 +198,7 @@ def _series(motor: Motor) -> Characteristic:
         drop = 1 - motor.known("efficiency")
     else:
         drop = voltage_drop(motor.known("voltage"), motor.known("resistance"), motor.power)
-    return series(motor.nominal_moment, motor.speed, drop)
+    return series(motor.nominal_moment, motor.speed, drop, motor.saturation)
 
 
 def _constant(motor: Motor) -> Characteristic:

@@ -13,7 +13,7 @@ from tmmcalc.machine.wanted import NO_REGIME, constant_moment, curved
 
 if TYPE_CHECKING:
     from tmmcalc.machine.driver import ConstantInertia, Driver
-    from tmmcalc.machine.flywheel.results import Comparison, Trial
+    from tmmcalc.machine.flywheel.results import Comparison
     from tmmcalc.machine.flywheel.worked import Paper, Worked
     from tmmcalc.machine.room import MachineTables
 
@@ -42,16 +42,14 @@ def inputs(spec: MachineTables) -> Given:
     return task, to_motor(spec), to_motion(spec)
 
 
-def solve(*given: *Given, **upstream: Any) -> Flywheel:
+def solve(*given: *Given, tried: bool = True, **upstream: Any) -> Flywheel:
     """All methods, and the wheel itself."""
-    return solve_flywheel(_machine(given, upstream))
+    return solve_flywheel(_machine(given, upstream), tried=tried)
 
 
-def of_searches(
-    given: Given, upstream: Mapping[str, Any], comparison: Comparison, history: tuple[Trial, ...]
-) -> Flywheel:
-    """The same from what all methods lead to, where that is known."""
-    return flywheel_of(_machine(given, upstream), comparison, history)
+def of_search(given: Given, upstream: Mapping[str, Any], comparison: Comparison) -> Flywheel:
+    """The same from the methods beside what a search found, none of them tried under the motor."""
+    return flywheel_of(_machine(given, upstream), comparison)
 
 
 def _machine(given: Given, upstream: Mapping[str, Any]) -> Machine:

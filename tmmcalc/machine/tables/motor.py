@@ -16,6 +16,8 @@ Efficiency = Annotated[float, Number("the efficiency of a motor", "0.88", above=
 Voltage = Annotated[float, Quantity("voltage", at_least_zero=True, nonzero=True)]
 Resistance = Annotated[float, Quantity("resistance", at_least_zero=True, nonzero=True)]
 MotorConstant = Annotated[float, Quantity("motor constant", at_least_zero=True, nonzero=True)]
+Saturation = Annotated[float, Number("a saturation", "0.3", at_least=0, below=1)]
+FieldResistance = Annotated[float, Quantity("resistance", at_least_zero=True)]
 Reserve = Annotated[float, Number("a reserve", "0.2", at_least=0, at_most=5)]
 Start = Annotated[float, Number("a starting ratio", "1.8", above=0)]
 
@@ -88,6 +90,16 @@ class MotorTable(Table):
         default=None, description="Resistance of the armature circuit of a direct-current motor, ohm."
     )
     constant: MotorConstant | None = Field(default=None, description="Motor constant of a shunt motor, V*s/rad.")
+    saturation: Saturation | None = Field(
+        default=None,
+        description="Part of the flux of a series motor that its iron lacks at the rated current, `0.3` (default: 0, "
+        "the flux is in proportion to the current).",
+    )
+    field_resistance: FieldResistance | None = Field(
+        default=None,
+        description="Part of the `resistance` of a series motor that is its field winding, out of the circuit of the "
+        "armature while the motor brakes with `field` (default: 0).",
+    )
     characteristic: Literal["parabolic", "linear", "kloss", "shunt", "series", "table", "constant"] | None = Field(
         default=None,
         description='Moment against speed: `"parabolic"`, `"linear"`, `"kloss"`, `"shunt"`, `"series"`, `"table"` or '

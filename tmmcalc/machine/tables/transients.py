@@ -20,6 +20,7 @@ Tolerance = Annotated[float, Number("a tolerance", "1e-9", at_least=1e-13, at_mo
 BrakeMoment = Annotated[float, Quantity("moment", at_least_zero=True)]
 BrakingResistance = Annotated[float, Quantity("resistance", at_least_zero=True)]
 SourceVoltage = Annotated[float, Quantity("voltage", at_least_zero=True, nonzero=True)]
+FieldCurrent = Annotated[float, Number("a field current over the rated one", "1", above=0)]
 BrakeViscous = Annotated[float, Quantity("torsional damping", at_least_zero=True)]
 
 
@@ -51,7 +52,7 @@ class BrakeTable(Table):
 
 
 class BrakingTable(Table):
-    """How a shunt motor is connected so that it brakes."""
+    """How a direct-current motor is connected so that it brakes."""
 
     kind: Literal["regenerative", "dynamic", "plugging"] = Field(
         description='`"regenerative"`: on a source of a voltage below that of the armature; `"dynamic"`: the armature '
@@ -60,6 +61,11 @@ class BrakingTable(Table):
     resistance: BrakingResistance = Field(default=0.0, description="Resistance added to the armature circuit, ohm.")
     voltage: SourceVoltage | None = Field(
         default=None, description="Voltage of the source of regenerative braking (default: that of the motor)."
+    )
+    field: FieldCurrent | None = Field(
+        default=None,
+        description="Current of the field of a series motor from a source of its own, over the rated one, `1` "
+        "(default: the field carries the current of the armature, turned round against it).",
     )
 
 
@@ -93,7 +99,8 @@ class TransientTable(Table):
     braking: BrakingTable | None = Field(
         default=None,
         description='The motor brakes while it is on: `{ kind = "dynamic", resistance = "2 ohm" }`. '
-        "A shunt motor with `voltage`, `resistance` and `constant` does.",
+        "A shunt motor with `voltage`, `resistance` and `constant` does, and a series motor with `voltage` and "
+        "`resistance`.",
     )
     load: Factor = Field(default=1.0, description="Load factor at the beginning.")
     load_steps: list[LoadStepTable] = Field(

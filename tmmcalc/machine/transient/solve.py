@@ -65,7 +65,8 @@ def solve_transients(
     for task, (drive, scenario) in zip(tasks, beginning(machine, tasks, speed), strict=True):
         found = simulate(drive, scenario, replace(task.method, error=error) if error else task.method)
         elastic = any(shaft.stiffness < math.inf for shaft in drive.shafts)
-        motions.append(_motion(found, names, _rigid_moments(drive, scenario) if elastic else (), machine.notes))
+        told = (*_excited(machine, task, found), *(Verdict("note", note) for note in machine.notes))
+        motions.append(_motion(found, names, _rigid_moments(drive, scenario) if elastic else (), told))
     return TimedMotions(tuple(motions))
 
 
@@ -73,20 +74,33 @@ def beginning(machine: Machine, tasks: Sequence[TransientTask], speed: float) ->
     """The drive and, for every task, the scenario with the speed that it begins with; raises as `solve_transients`."""
     drive = drive_of(machine)[0]
     steady = _steady(machine, speed) if any(task.steady for task in tasks) else None
-    drives = (drive if task.braking is None else drive_of(_braked(machine, task.braking))[0] for task in tasks)
-    return [(drive, _started(task, steady)) for drive, task in zip(drives, tasks, strict=True)]
+    begun = [(task.braking, _started(task, steady)) for task in tasks]
+    return [
+        (drive if how is None else drive_of(_braked(machine, how, scenario))[0], scenario) for how, scenario in begun
+    ]
 
 
-def _braked(machine: Machine, how: Braking) -> Machine:
+def _braked(machine: Machine, how: Braking, scenario: Scenario) -> Machine:
     """The machine with its motor connected as a brake."""
     from tmmcalc.machine.motors.braking import braking
     from tmmcalc.machine.motors.gearing import reduced
+    from tmmcalc.machine.transient.excitation import check_excitation
 
     if machine.data is None:
         return machine
+    check_excitation(machine.data, how, scenario, machine.ratio)
     line = braking(machine.data, how)
     own, at_crank = (reduced(line, ratio, machine.efficiency) for ratio in (1.0, machine.ratio))
     return replace(machine, motor=own, reduced=at_crank)
+
+
+def _excited(machine: Machine, task: TransientTask, found: Transient) -> tuple[Verdict, ...]:
+    """What is said of the field of a motor that brakes."""
+    if task.braking is None or machine.data is None:
+        return ()
+    from tmmcalc.machine.transient.excitation import excitation
+
+    return excitation(machine.data, task.braking, found, 1.0 if machine.shafts else machine.ratio)
 
 
 def drive_of(machine: Machine) -> tuple[Drive, tuple[str, ...]]:
@@ -133,7 +147,7 @@ def _rigid_moments(drive: Drive, scenario: Scenario) -> tuple[float, ...]:
 
 
 def _motion(
-    found: Transient, names: tuple[str, ...], rigid_moment: tuple[float, ...], notes: tuple[str, ...]
+    found: Transient, names: tuple[str, ...], rigid_moment: tuple[float, ...], told: tuple[Verdict, ...]
 ) -> TimedMotion:
     motor = found.drive.characteristic
     own: dict[str, Any] = {
@@ -142,7 +156,7 @@ def _motion(
         "ratios": ratios(found.drive),
         "rigid_moment": rigid_moment,
         "rated_moment": rated_moment(motor),
-        "verdicts": (*found.verdicts, *(Verdict("note", note) for note in notes)),
+        "verdicts": tuple(sorted((*found.verdicts, *told), key=lambda verdict: verdict.severity == "note")),
     }
     rest = (field.name for field in fields(TimedMotion) if field.name not in own)
     return TimedMotion(**own, **{field: getattr(found, field) for field in rest})

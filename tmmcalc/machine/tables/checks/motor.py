@@ -40,7 +40,13 @@ _EXAMPLES = {
     "table": '{ speed = ["0 rpm", "1500 rpm"], moment = ["15 N*m", 0] }',
 }
 _OTHER_IDLE = {"synchronous_speed": "no_load_speed", "no_load_speed": "synchronous_speed"}
-_DIRECT_CURRENT = {"voltage": ("shunt", "series"), "resistance": ("shunt", "series"), "constant": ("shunt",)}
+_DIRECT_CURRENT = {
+    "voltage": ("shunt", "series"),
+    "resistance": ("shunt", "series"),
+    "constant": ("shunt",),
+    "saturation": ("series",),
+    "field_resistance": ("series",),
+}
 _USUAL = {"induction": "parabolic", "shunt": "shunt", "series": "series"}
 _OF_KIND = {
     "parabolic": ("induction",),
@@ -231,8 +237,15 @@ def check_order(outline: Outline) -> Iterator[Finding]:
 
 
 def check_circuit(outline: Outline) -> Iterator[Finding]:
-    """A shunt motor runs slower under load than its voltage and its constant let it run without."""
+    """A shunt motor runs slower under load than U/k, its speed without; the field's resistance is part of the whole."""
     motor = subtable(outline.document, "motor")
+    whole, field = (amount(motor.get(key), "resistance") for key in ("resistance", "field_resistance"))
+    if "field_resistance" in motor and "resistance" not in motor:
+        said = "field_resistance without resistance, of which it is a part"
+        yield Finding(("motor", "field_resistance"), said, 'add resistance = "0.5 ohm", that of armature and field')
+    elif whole is not None and field is not None and field >= whole > 0:
+        said = f"{show(motor['field_resistance'])} is not below resistance = {show(motor['resistance'])}, its whole"
+        yield Finding(("motor", "field_resistance"), said, "resistance is that of armature and field")
     rated = amount(motor.get("speed"), "angular speed")
     voltage, constant = amount(motor.get("voltage"), "voltage"), amount(motor.get("constant"), "motor constant")
     if rated is None or not voltage or not constant or constant < 0 or rated < voltage / constant:

@@ -12,6 +12,8 @@ from tmmcalc.spec.phrases import Path, show
 from tmmcalc.spec.values import amount, amounts, check_bare_speed, first_disorder
 
 _STEPPING = ("rk4", "merson")
+_CIRCUITS = {"shunt": ("voltage", "resistance", "constant"), "series": ("voltage", "resistance")}
+_BRAKED = "shunt motor with voltage, resistance and constant, and no series motor with voltage and resistance"
 _BRAKING = {"moment": ("moment",), "viscous": ("torsional damping",)}
 
 
@@ -131,16 +133,16 @@ def _times(transient: Raw) -> Iterator[tuple[Path, object]]:
 
 
 def check_braking(outline: Outline) -> Iterator[Finding]:
-    """Only a shunt motor whose circuit is known brakes, while it is on; a source of its own is that of regeneration."""
+    """Only a direct-current motor whose circuit is known brakes, while it is on, and as its field allows."""
     motor = subtable(outline.document, "motor")
+    machine = word(motor, "kind", "induction")
     for path, transient in motions(outline):
         if "braking" not in transient:
             continue
         at, braking = (*path, "braking"), subtable(transient, "braking")
-        lacking = [key for key in ("voltage", "resistance", "constant") if key not in motor]
-        if word(motor, "kind", "induction") != "shunt" or lacking:
-            said = "braking of a motor that is no shunt motor with voltage, resistance and constant"
-            remedy = 'write kind = "shunt" with these in [motor], or a brake = { moment = "200 N*m" }'
+        if machine not in _CIRCUITS or not {*_CIRCUITS[machine]} <= {*motor}:
+            said = f"braking of a motor that is no {_BRAKED}"
+            remedy = 'write kind = "shunt" or "series" with these in [motor], or a brake = { moment = "200 N*m" }'
             yield Finding(at, said if motor else "braking without [motor]: there is nothing that brakes", remedy)
         if transient.get("motor") == "off":
             yield Finding(at, 'braking together with motor = "off": a motor that is off does not brake', "remove motor")
@@ -148,6 +150,27 @@ def check_braking(outline: Outline) -> Iterator[Finding]:
         if "voltage" in braking and kind != "regenerative":
             said = f"voltage with kind = {show(kind)}: only regenerative braking has a source of its own"
             yield Finding((*at, "voltage"), said, "remove it")
+        if machine == "series" and "field" not in braking:
+            yield from _self_excited(at, word(braking, "kind", ""), motor)
+        elif machine == "shunt" and "field" in braking:
+            said = "field of a shunt motor: its field has a source of its own already"
+            yield Finding((*at, "field"), said, "remove it; constant holds for the field as it is")
+
+
+def _self_excited(at: Path, kind: str, motor: Raw) -> Iterator[Finding]:
+    """What a series motor whose field carries the current of its armature cannot do."""
+    if kind == "regenerative":
+        said = (
+            "a series motor cannot feed a source: its field falls with its own current, which ends before its EMF "
+            "comes up to the voltage"
+        )
+        yield Finding((*at, "kind"), said, 'add field = 1, a source of its own for the field, or write "dynamic"')
+    elif kind == "dynamic" and not motor.get("saturation"):
+        said = (
+            "dynamic braking of a series motor whose flux is in proportion to its current: nothing limits the current "
+            "with which it excites itself"
+        )
+        yield Finding((*at, "kind"), said, "add saturation = 0.3 to [motor], or field = 1, a source for the field")
 
 
 def check_method(outline: Outline) -> Iterator[Finding]:

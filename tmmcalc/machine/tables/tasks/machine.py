@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 CHOOSE = "choose"
 _USUAL: dict[str, CharacteristicKind] = {"induction": "parabolic", "shunt": "shunt", "series": "series"}
 _SAME = ("kind", "power", "speed", "overload", "start", "inertia", "efficiency", "voltage")
-_OWN = ("resistance", "constant")
+_OWN = ("resistance", "constant", "saturation", "field_resistance")
 
 
 def to_motor(spec: MachineTables) -> MotorChoice | None:
@@ -277,7 +277,7 @@ def _braking(table: BrakingTable | None) -> Braking | None:
         return None
     from tmmcalc.machine.motors.braking import Braking
 
-    return Braking(table.kind, table.resistance, table.voltage)
+    return Braking(table.kind, table.resistance, table.voltage, table.field)
 
 
 def _brake(table: BrakeTable | None) -> Brake | None:
