@@ -135,7 +135,12 @@ def guide_quantities(
         f"gamma_{slider}": angle(complex(guide.e), tr("angle of the guide of link {link}", link=number)),
         **vector(f"v_{{<B>%}}^{mark}", velocity, "m/s", carried),
         **vector(f"a_{{<B>%}}^{mark}", acceleration, "m/s^2", drawn),
-        **vector(f"%_{{{origin}}}", complex(guide.r), "m", tr("coordinates of a point of the guide of link {link}", link=number)),
+        **vector(
+            f"%_{{{origin}}}",
+            complex(guide.r),
+            "m",
+            tr("coordinates of a point of the guide of link {link}", link=number),
+        ),
         **vector(f"v_{{{origin}%}}", complex(guide.v), "m/s", tr("projections of the velocity of this point")),
         **vector(f"a_{{{origin}%}}", complex(guide.a), "m/s^2", tr("projections of the acceleration of this point")),
         f"omega_{link}": Given(omega, "rad/s", tr("angular velocity of link {link}", link=carrier)),

@@ -24,9 +24,7 @@ def structure_blocks(mechanism: Mechanism, result: Structure) -> Iterator[Block]
     """Tables of links and pairs, the mobility with numbers, the groups in the order of assembly."""
     yield Heading(tr("Structural analysis"), 1)
     yield Paragraph(tr("The links are listed in table {tab:links}, the kinematic pairs in table {tab:pairs}."))
-    yield Table(
-        tr("Links"), (tr("Number"), tr("Link"), tr("Pairs")), tuple(_links(mechanism, result)), key="links"
-    )
+    yield Table(tr("Links"), (tr("Number"), tr("Link"), tr("Pairs")), tuple(_links(mechanism, result)), key="links")
     yield Table(
         tr("Kinematic pairs"),
         (tr("Pair"), tr("Links"), tr("Kind"), tr("Class")),

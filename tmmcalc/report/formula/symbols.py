@@ -40,6 +40,9 @@ NAME = re.compile(r"(?P<base>[A-Za-z]+)(?P<primes>'*)(?:_(?:\{(?P<index>[^{}]*)\
                   r"(?:\^(?:\{(?P<upper>[^{}]*)\}|(?P<sup>[A-Za-z]+)))?")  # fmt: skip
 
 
+BRACES = re.compile(r"(_)\{(\w+)\}|(\^)\{([A-Za-z]+)\}")
+
+
 class Symbol(NamedTuple):
     """``a_{BA}^n``: base ``a``, index ``BA``, upper index ``n``. A base of several letters is a word or Greek."""
 
@@ -63,6 +66,15 @@ Symbol(base='a', index='BA', upper='n', primes=0))
     index = found["index"] if found["index"] is not None else found["sub"] or ""
     upper = found["upper"] if found["upper"] is not None else found["sup"] or ""
     return Symbol(base, _words(index), _words(upper), len(found["primes"]))
+
+
+def canonical(key: str) -> str:
+    """The one way in which a name is written: without braces where it needs none.
+
+    >>> canonical("M_{4}^{D}"), canonical("l_{BA}"), canonical("N_{10,9}")
+    ('M_4^D', 'l_BA', 'N_{10,9}')
+    """
+    return BRACES.sub(lambda found: (found[1] or found[3]) + (found[2] or found[4]), key)
 
 
 def _letters(base: str) -> str:

@@ -12,7 +12,7 @@ import re
 from functools import cache
 
 from tmmcalc.core.expression.tree import NoTreeError, syntax_tree
-from tmmcalc.report.formula.symbols import NAME
+from tmmcalc.report.formula.symbols import NAME, canonical
 from tmmcalc.report.formula.tree import (
     FUNCTIONS,
     Call,
@@ -71,7 +71,7 @@ def _with_identifiers(text: str, words: list[str]) -> str:
             found.append(match[0])
         elif match := NAME.match(text, at):
             found.append(f"n{len(words)}_")
-            words.append(match[0])
+            words.append(canonical(match[0]))
         else:
             found.append(text[at])
             at += 1

@@ -40,6 +40,16 @@ ACCELERATION = (
     "a_{<B>x} = a_{<B>x}^{e<a>} + a_{<a><f>}*cos(gamma_<a>) - 2*omega_<f>*v_{<a><f>}*sin(gamma_<a>)",
     "a_{<B>y} = a_{<B>y}^{e<a>} + a_{<a><f>}*sin(gamma_<a>) + 2*omega_<f>*v_{<a><f>}*cos(gamma_<a>)",
 )
+REACTIONS = (
+    "N_{<a><f>} = -(T_{<a><b>x}*cos(gamma_<b>) + T_{<a><b>y}*sin(gamma_<b>))/sin(gamma_<b> - gamma_<a>)",
+    "N_{<b><g>} = (T_{<a><b>x}*cos(gamma_<a>) + T_{<a><b>y}*sin(gamma_<a>))/sin(gamma_<b> - gamma_<a>)",
+    "M_{<a><f>}^{<B>} = -M_<a>^{<B>}",
+    "M_{<b><g>}^{<B>} = -M_<b>^{<B>}",
+    "R_{<a><b>x} = N_{<a><f>}*sin(gamma_<a>) - T_{<a>x}",
+    "R_{<a><b>y} = -N_{<a><f>}*cos(gamma_<a>) - T_{<a>y}",
+    "R_{<a><b>} = sqrt(R_{<a><b>x}**2 + R_{<a><b>y}**2)",
+)
+MOMENTS = {"a": "B", "b": "B"}  # the point about which those of a link are taken
 
 
 def quantities(at: GroupAt) -> dict[str, Given]:
@@ -55,7 +65,9 @@ def quantities(at: GroupAt) -> dict[str, Given]:
         "h_<a>": length(dyad.h1, tr("offset of the pin from the line of link {link}", link=places["a"])),
         "h_<b>": length(dyad.h2, tr("offset of the pin from the line of link {link}", link=places["b"])),
         **vector("w_{<a><b>%}", complex(gap), "m", tr("projections of the distance of the guides")),
-        **vector("g_{<a><b>%}", complex(pull[1] - pull[0]), "m/s^2", tr("projections of the known part of the accelerations")),
+        **vector(
+            "g_{<a><b>%}", complex(pull[1] - pull[0]), "m/s^2", tr("projections of the known part of the accelerations")
+        ),
         **along_guide("<a>", "<f>", places["a"], float(placed.s1), float(rates.x), float(rates.xx)),
         **along_guide("<b>", "<g>", places["b"], float(placed.s2), float(rates.y), float(rates.yy)),
         **guide_quantities(at, one, placed.offset1, slider="<a>", origin="<P>", link="<f>", mark="{e<a>}"),

@@ -28,6 +28,18 @@ ACCELERATION = (
     "a_{<b><g>} = (a_{<P>x}^r*sin(gamma_<b> + delta_<b>) - a_{<P>y}^r*cos(gamma_<b> + delta_<b>))/sin(delta_<b>)",
     "a_{<a><b>} = (a_{<P>y}^r*cos(gamma_<b>) - a_{<P>x}^r*sin(gamma_<b>))/sin(delta_<b>)",
 )
+REACTIONS = (
+    "R_{<a><f>}^I = -T_{<a><b>x}*cos(gamma_<b>) - T_{<a><b>y}*sin(gamma_<b>)",
+    "R_{<a><f>}^{II} = -T_{<a>x}*cos(gamma_<b> + delta_<b>) - T_{<a>y}*sin(gamma_<b> + delta_<b>)",
+    "R_{<a><f>x} = (R_{<a><f>}^I*sin(gamma_<b> + delta_<b>) - R_{<a><f>}^{II}*sin(gamma_<b>))/sin(delta_<b>)",
+    "R_{<a><f>y} = (R_{<a><f>}^{II}*cos(gamma_<b>) - R_{<a><f>}^I*cos(gamma_<b> + delta_<b>))/sin(delta_<b>)",
+    "R_{<a><f>} = sqrt(R_{<a><f>x}**2 + R_{<a><f>y}**2)",
+    "N_{<b><g>} = (T_{<a><b>x} + R_{<a><f>x})*sin(gamma_<b>) - (T_{<a><b>y} + R_{<a><f>y})*cos(gamma_<b>)",
+    "N_{<a><b>} = (T_{<a>x} + R_{<a><f>x})*sin(gamma_<b> + delta_<b>)"
+    " - (T_{<a>y} + R_{<a><f>y})*cos(gamma_<b> + delta_<b>)",
+    "M_{<a><b>}^{<P>} = -M_<a>^{<P>}",
+)
+MOMENTS = {"a": "P"}  # the point about which those of a link are taken
 
 
 def quantities(at: GroupAt) -> dict[str, Given]:
@@ -41,9 +53,16 @@ def quantities(at: GroupAt) -> dict[str, Given]:
     beyond = tr("projections of the acceleration of {point} against link {link}", point=places["P"], link=places["g"])
     return {
         "h_<b>": length(dyad.h1, tr("offset of the line of link {link} from the guide", link=places["b"])),
-        "h_<a>": length(dyad.h2, tr("offset of {point} from the line of link {link}", point=places["P"], link=places["b"])),
+        "h_<a>": length(
+            dyad.h2, tr("offset of {point} from the line of link {link}", point=places["P"], link=places["b"])
+        ),
         "delta_<b>": angle(dyad.d, tr("angle between the lines of link {link}", link=places["b"])),
-        **vector("w_{<a><b>%}", complex(offset), "m", tr("projections of the way from the guide to the pin without the offsets")),
+        **vector(
+            "w_{<a><b>%}",
+            complex(offset),
+            "m",
+            tr("projections of the way from the guide to the pin without the offsets"),
+        ),
         **vector("v_{<P>%}^r", complex(sliding), "m/s", against),
         **vector("a_{<P>%}^r", complex(rising), "m/s^2", beyond),
         **along_guide("<b>", "<g>", places["b"], float(placed.s1), float(rates.x), float(rates.xx)),

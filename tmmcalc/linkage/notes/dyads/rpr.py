@@ -21,6 +21,19 @@ ACCELERATION = (
     "a_{<a><b>} = (a_{<P>x} - a_{<Q>x})*cos(phi_<b>) + (a_{<P>y} - a_{<Q>y})*sin(phi_<b>) + eps_<b>*h_<b>"
     " + omega_<b>**2*l_{<Q><P>}",
 )
+REACTIONS = (
+    "R_{<a><f>}^e = -T_{<a>x}*cos(phi_<b>) - T_{<a>y}*sin(phi_<b>)",
+    "R_{<a><f>}^n = (h_<b>*R_{<a><f>}^e - M_{<a><b>}^{<Q>})/l_{<Q><P>}",
+    "R_{<a><f>x} = R_{<a><f>}^e*cos(phi_<b>) - R_{<a><f>}^n*sin(phi_<b>)",
+    "R_{<a><f>y} = R_{<a><f>}^e*sin(phi_<b>) + R_{<a><f>}^n*cos(phi_<b>)",
+    "R_{<a><f>} = sqrt(R_{<a><f>x}**2 + R_{<a><f>y}**2)",
+    "N_{<a><b>} = T_{<a>x}*sin(phi_<b>) - T_{<a>y}*cos(phi_<b>) - R_{<a><f>}^n",
+    "M_{<a><b>}^{<P>} = -M_<a>^{<P>}",
+    "R_{<b><g>x} = -T_{<a><b>x} - R_{<a><f>x}",
+    "R_{<b><g>y} = -T_{<a><b>y} - R_{<a><f>y}",
+    "R_{<b><g>} = sqrt(R_{<b><g>x}**2 + R_{<b><g>y}**2)",
+)
+MOMENTS = {"ab": "Q", "a": "P"}  # the point about which those of a link, or of both, are taken
 
 
 def quantities(at: GroupAt) -> dict[str, Given]:

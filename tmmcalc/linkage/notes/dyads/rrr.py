@@ -31,6 +31,22 @@ ACCELERATION = (
     "a_{<B>x} = a_{<P>x} - l_<a>*(eps_<a>*sin(phi_<a>) + omega_<a>**2*cos(phi_<a>))",
     "a_{<B>y} = a_{<P>y} + l_<a>*(eps_<a>*cos(phi_<a>) - omega_<a>**2*sin(phi_<a>))",
 )
+REACTIONS = (
+    "R_{<a><f>}^t = M_<a>^{<B>}/l_<a>",
+    "R_{<b><g>}^t = M_<b>^{<B>}/l_<b>",
+    "R_{<a><f>}^n = (R_{<a><f>}^t*cos(phi_<b> - phi_<a>) + R_{<b><g>}^t + T_{<a><b>y}*cos(phi_<b>)"
+    " - T_{<a><b>x}*sin(phi_<b>))/sin(phi_<b> - phi_<a>)",
+    "R_{<a><f>x} = R_{<a><f>}^n*cos(phi_<a>) - R_{<a><f>}^t*sin(phi_<a>)",
+    "R_{<a><f>y} = R_{<a><f>}^n*sin(phi_<a>) + R_{<a><f>}^t*cos(phi_<a>)",
+    "R_{<a><f>} = sqrt(R_{<a><f>x}**2 + R_{<a><f>y}**2)",
+    "R_{<b><g>x} = -T_{<a><b>x} - R_{<a><f>x}",
+    "R_{<b><g>y} = -T_{<a><b>y} - R_{<a><f>y}",
+    "R_{<b><g>} = sqrt(R_{<b><g>x}**2 + R_{<b><g>y}**2)",
+    "R_{<a><b>x} = -T_{<a>x} - R_{<a><f>x}",
+    "R_{<a><b>y} = -T_{<a>y} - R_{<a><f>y}",
+    "R_{<a><b>} = sqrt(R_{<a><b>x}**2 + R_{<a><b>y}**2)",
+)
+MOMENTS = {"a": "B", "b": "B"}  # the point about which those of a link are taken
 
 
 def quantities(at: GroupAt) -> dict[str, Given]:
