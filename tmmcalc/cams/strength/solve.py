@@ -21,6 +21,7 @@ from tmmcalc.cams.strength.roller import contact_margin, roller_unit, rolling_of
 from tmmcalc.cams.strength.rows import rows_of
 from tmmcalc.cams.strength.shaftstem import shaft_margins, shaft_of, stem_margins
 from tmmcalc.cams.task import CamTask
+from tmmcalc.core.notes import Note, Said, held
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motion import Motion
@@ -93,14 +94,18 @@ def _decisive(margins: tuple[Margin, ...]) -> Iterator[tuple[str, Margin]]:
             yield each.verdict, each
 
 
-def _notes(case: Case, margins: tuple[Margin, ...], rolling: Rolling | None, shaft: ShaftFound | None) -> Iterator[str]:
+def _notes(case: Case, margins: tuple[Margin, ...], rolling: Rolling | None, shaft: ShaftFound | None) -> Iterator[Said]:
     for verdict, each in _decisive(margins):
         where = "" if each.phi is None else f" at phi = {degrees(each.phi):.6g} deg"
         more = f" ({each.why})" if each.why else ""
-        yield f"warning: {each.name}: {FAULTS[verdict]}{where}{more}"
+        text = f"{FAULTS[verdict]}{where}{more}"
+        yield Note("warning", text, each.name, each.value, each.limit, each.unit, each.symbol)
     for each in margins:
         if each.advice and each.verdict != OK:
-            yield f"note: {each.name}: {each.formula} asks for at most {1e3 * (each.limit or 0.0):.6g} mm"
+            most = 1e3 * (each.limit or 0.0)
+            value = None if each.value is None else 1e3 * each.value
+            text = f"{each.formula} asks for at most {most:.6g} mm"
+            yield Note("note", text, each.name, value, most, "mm", each.symbol)
     if not case.touches:
         yield "warning: nothing presses the follower on the cam in a part of the turn, so slip and stress have gaps"
     yield from _shaft_notes(case, shaft)
@@ -111,13 +116,14 @@ def _notes(case: Case, margins: tuple[Margin, ...], rolling: Rolling | None, sha
         )
 
 
-def _shaft_notes(case: Case, shaft: ShaftFound | None) -> Iterator[str]:
+def _shaft_notes(case: Case, shaft: ShaftFound | None) -> Iterator[Said]:
     """What friction adds to the torque, where that asks for a thicker shaft."""
     if shaft is None or shaft.moment_rubbed is None or case.task.requirements.bending is None:
         return
     radius = float(whole(shaft_by_strength(shaft.moment_rubbed, case.task.requirements.bending)))
     if radius > shaft.radius:
-        yield (
-            f"note: with the torque that friction adds M_E reaches {shaft.moment_rubbed:.6g} N*m, which asks for "
-            f"a shaft radius of {1e3 * radius:.6g} mm"
+        text = (
+            f"with the torque that friction adds M_E reaches {shaft.moment_rubbed:.6g} N*m, which asks for "
+            "a shaft radius of {limit:.6g} mm"
         )
+        yield held("note", text, 1e3 * shaft.radius, 1e3 * radius, "mm", name="shaft radius")

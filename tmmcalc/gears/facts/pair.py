@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
+from tmmcalc.core.notes import Note
 from tmmcalc.core.quantity import Quantity, keyed, quantities, table
 from tmmcalc.gears.facts.meshes import known, places, titles, wheel_names
 from tmmcalc.gears.facts.pair_checks import VERDICTS, checks_document, checks_values, pair_notes
@@ -102,12 +103,11 @@ def _remarks(result: Pairs) -> Iterator[str]:
         yield f"note: {remark}"
 
 
-def _all_notes(result: Pairs) -> Iterator[str]:
+def _all_notes(result: Pairs) -> Iterator[Note]:
     """The notes of all pairs, each with its pair where there are several."""
     for found, title in zip(result.pairs, titles(result), strict=True):
         for note in pair_notes(found):
-            kind, _, text = note.partition(": ")
-            yield note if len(result.pairs) == 1 else f"{kind}: {found.task.name or title}: {text}"
+            yield note if len(result.pairs) == 1 else note.within(found.task.name or title)
 
 
 def _wheels_view(found: MeshPair) -> View:

@@ -113,7 +113,7 @@ def verdict_fact(checks: Sequence[Check]) -> Fact:
     return Fact("verdict", text, {"verdict": worst(tuple(checks))})
 
 
-def pair_notes(found: MeshPair) -> Iterator[str]:
+def pair_notes(found: MeshPair) -> Iterator[Note]:
     """What fails, what is not recommended, how far the nearest good shifts are, what the choice had to give up."""
     wheels = found.task.wheels
     for check in sorted(found.checks, key=lambda check: check.verdict != "fail"):
@@ -126,6 +126,6 @@ def pair_notes(found: MeshPair) -> Iterator[str]:
         if found.nearest is not None:
             x1, x2 = found.nearest
             text += f"; the nearest inside are x1 = {number(x1, 5)}, x2 = {number(x2, 5)}"
-        yield f"warning: {text}"
+        yield Note("warning", text)
     if found.note:
-        yield f"note: {renamed(found.note, wheels)}"
+        yield Note("note", renamed(found.note, wheels))

@@ -29,7 +29,8 @@ def of_displacement(
     stroke = f"the stroke of {displacement.output.name} is {reach * factor:.5g} {said}"
     if high > reach * (1 + EDGE):
         only = "; the whole table lies beyond it, and its first value holds throughout" if low >= reach else ""
-        yield Grade("warning", where, f"its table goes to {high * factor:.5g} {said}, but {stroke}{only}")
+        text = f"its table goes to {high * factor:.5g} {said}, but {stroke}{only}"
+        yield Grade("warning", where, text, high * factor, reach * factor, said)
     whole = _whole(acting.load)
     passed = (0.0, reach) if whole else _passed(acting, displacement.at(acting.dense.configuration))
 

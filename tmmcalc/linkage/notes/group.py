@@ -143,8 +143,6 @@ def guide_quantities(
         ),
         **vector(f"v_{{{origin}%}}", complex(guide.v), "m/s", tr("projections of the velocity of this point")),
         **vector(f"a_{{{origin}%}}", complex(guide.a), "m/s^2", tr("projections of the acceleration of this point")),
-        f"omega_{link}": Given(omega, "rad/s", tr("angular velocity of link {link}", link=carrier)),
-        f"eps_{link}": Given(eps, "rad/s^2", tr("angular acceleration of link {link}", link=carrier)),
     }
 
 

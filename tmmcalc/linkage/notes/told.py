@@ -89,6 +89,8 @@ def told_of(mechanism: Mechanism, result: Kinematics, rows: Sequence[int]) -> To
     """All quantities of the motion at these positions."""
     chain = chain_of(mechanism, result)
     lexicons = [named({**pin_quantities(chain, result, row), **_input_quantities(result, row)}) for row in rows]
+    for lexicon, row in zip(lexicons, rows, strict=True):
+        lexicon |= _rotations(result, row)
     known = {plain_name(pin.name) for pin in find_pins(mechanism) if pin.fixed}
     crank = []
     if (carrier := points.crank_carrier(chain)) is not None:
@@ -100,6 +102,17 @@ def told_of(mechanism: Mechanism, result: Kinematics, rows: Sequence[int]) -> To
     return Told(chain, result, rows, lexicons, crank, dyads)
 
 
+def _rotations(result: Kinematics, row: int) -> dict[str, Given]:
+    """Angular velocities and accelerations of all links."""
+    trace = result.trace
+    found = {"omega_0": Given(0.0, "rad/s", tr("frame")), "eps_0": Given(0.0, "rad/s^2", tr("frame"))}
+    for k, link in enumerate(trace.link_ids):
+        omega, eps = result.in_time(trace.dangle[k, row], trace.ddangle[k, row])
+        found[f"omega_{link}"] = Given(float(omega), "rad/s", tr("angular velocity of link {link}", link=link))
+        found[f"eps_{link}"] = Given(float(eps), "rad/s^2", tr("angular acceleration of link {link}", link=link))
+    return found
+
+
 def _input_quantities(result: Kinematics, row: int) -> dict[str, Given]:
     """The input crank: its angle, angular velocity and acceleration."""
     link = result.structure.input_link
@@ -109,8 +122,6 @@ def _input_quantities(result: Kinematics, row: int) -> dict[str, Given]:
         "phi_0": Given(math.degrees(first), "deg", tr("angle of the crank in the first position")),
         "phi": Given(math.degrees(float(result.phi[row])), "deg", tr("angle of the crank from the first position")),
         f"n_{link}": Given(abs(result.speed) * 30 / math.pi, "rpm", tr("speed of the crank")),
-        f"omega_{link}": Given(result.speed, "rad/s", tr("angular velocity of link {link}", link=link)),
-        f"eps_{link}": Given(result.acceleration, "rad/s^2", tr("angular acceleration of link {link}", link=link)),
     }
 
 
@@ -125,7 +136,7 @@ def _dyad(
     kind = import_module(f"{DYADS}.{step.group.kind.lower()}")
     states = [group_at(chain, step, result, row) for row in rows]
     for at, lexicon in zip(states, lexicons, strict=True):
-        for key, given in _quantities(kind, at).items():
+        for key, given in kind.quantities(at).items():
             lexicon.setdefault(canonical(filled(key, at.places)), given)
     known.add(states[0].places["B"])
     carried = []
@@ -142,14 +153,4 @@ def _carried(
     for lexicon in lexicons:
         for each in found:
             lexicon |= named(each.quantities)
-    return found
-
-
-def _quantities(kind: Any, at: GroupAt) -> dict[str, Given]:
-    """What the kind says, and the rotation of its links."""
-    found: dict[str, Given] = kind.quantities(at)
-    for letter, (omega, eps) in kind.turning(at).items():
-        link = at.places[letter]
-        found[f"omega_<{letter}>"] = Given(omega, "rad/s", tr("angular velocity of link {link}", link=link))
-        found[f"eps_<{letter}>"] = Given(eps, "rad/s^2", tr("angular acceleration of link {link}", link=link))
     return found

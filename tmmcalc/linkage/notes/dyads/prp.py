@@ -73,8 +73,3 @@ def quantities(at: GroupAt) -> dict[str, Given]:
         **guide_quantities(at, one, placed.offset1, slider="<a>", origin="<P>", link="<f>", mark="{e<a>}"),
         **guide_quantities(at, two, placed.offset2, slider="<b>", origin="<Q>", link="<g>", mark="{e<b>}"),
     }
-
-
-def turning(at: GroupAt) -> dict[str, tuple[float, float]]:
-    """Each slider turns with its guide."""
-    return {}

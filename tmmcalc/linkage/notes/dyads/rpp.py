@@ -69,8 +69,3 @@ def quantities(at: GroupAt) -> dict[str, Given]:
         **along_guide("<a>", "<b>", places["a"], float(placed.s2), float(rates.y), float(rates.yy)),
         **guide_quantities(at, guide, np.asarray(placed.offset), slider="<b>", origin="<Q>", link="<g>", mark="e"),
     }
-
-
-def turning(at: GroupAt) -> dict[str, tuple[float, float]]:
-    """Both links turn with the guide."""
-    return {}

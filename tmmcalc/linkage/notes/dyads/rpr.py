@@ -51,8 +51,3 @@ def quantities(at: GroupAt) -> dict[str, Given]:
             2 * float(rates.x) * float(rates.y), "m/s^2", tr("Coriolis acceleration of link {block}", **pair)
         ),
     }
-
-
-def turning(at: GroupAt) -> dict[str, tuple[float, float]]:
-    """Both links turn alike."""
-    return {"b": (at.rates.x, at.rates.xx)}

@@ -64,8 +64,3 @@ def quantities(at: GroupAt) -> dict[str, Given]:
         **along_guide("<b>", "<g>", places["b"], float(at.placed.s), float(at.rates.y), float(at.rates.yy)),
         **guide_quantities(at, at.port2, at.placed.offset, slider="<b>", origin="<Q>", link="<g>", mark="e"),
     }
-
-
-def turning(at: GroupAt) -> dict[str, tuple[float, float]]:
-    """The rod turns by itself, the slider with its guide."""
-    return {"a": (at.rates.x, at.rates.xx)}

@@ -76,8 +76,3 @@ def quantities(at: GroupAt) -> dict[str, Given]:
         "g_{<a><b>x}": Given(steady.real, "m/s^2", tr("projections of the known part of the accelerations")),
         "g_{<a><b>y}": Given(steady.imag, "m/s^2", tr("projections of the known part of the accelerations")),
     }
-
-
-def turning(at: GroupAt) -> dict[str, tuple[float, float]]:
-    """Both links turn by themselves."""
-    return {"a": (at.rates.x, at.rates.xx), "b": (at.rates.y, at.rates.yy)}
