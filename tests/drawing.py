@@ -30,7 +30,7 @@ def draw_forces(
     def figure() -> Any:
         from tmmcalc.linkage.pictures.forces import forces_drawing
 
-        return forces_drawing(mechanism, loading, kinematics, result, polygons)
+        return forces_drawing(mechanism, loading, kinematics, result, None if polygons is None else [polygons])
 
     draw(file, figure)
 

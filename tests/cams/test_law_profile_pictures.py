@@ -139,7 +139,7 @@ def test_positions_are_numbered_as_in_the_tables_and_can_be_read(name):
     task = task_of(program, follower.kind, **asked)
     result = solve_profile(task, follower)
     drawing = profile_drawing(task, result)
-    assert "at i of the tables" in texts(drawing)
+    assert "at $i$ of the tables" in texts(drawing)
     numbers = [words for words in of_words(drawing) if words.height == NUMBER and words.colour == PATH.colour]
     assert len(numbers) >= 3
     assert apart([extent(words) for words in numbers])
@@ -209,7 +209,7 @@ def test_short_phases_are_named_beside_each_other():
 @pytest.mark.slow
 def test_a_rocker_has_one_unit_for_its_angle_in_the_portrait():
     task = task_of(ROCKER, "oscillating")
-    fields = frames(law_drawing(task, solve_law(task)))
+    fields = frames(law_drawing(task, solve_law(task)))[:5]
     portrait = fields[-1]
     assert max(np.max(line.real) for line in curves(portrait) if len(line) > 9) == pytest.approx(radians(20))
     assert portrait.x.name.endswith(", rad")

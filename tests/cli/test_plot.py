@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import re
+import tomllib
 from pathlib import Path
 
 import pytest
+from pages import dxf_lines, dxf_words, lines, size
 from sparing import sparing
 
 from tmmcalc.core.errors import NoSolutionError
@@ -135,3 +138,42 @@ def test_without_its_package_nothing_is_computed(
 def test_forms_of_a_picture(cli: Cli, form: str, begins: bytes) -> None:
     assert cli("plot", "my.toml", "-o", f"my.{form}", "-q").code == 0
     assert Path(f"my.{form}").read_bytes().startswith(begins)
+
+
+def test_a_picture_of_a_size_keeps_its_scale(cli: Cli) -> None:
+    """At 180 x 120 the crank of 200 mm is as long as the scale factor beside it says."""
+    flags = ("--size", "180x120", "-q")
+    assert cli("plot", "my.toml", "kinematics", "-o", "small.pdf", *flags) == (0, "", "")
+    data = Path("small.pdf").read_bytes()
+    assert size(data) == pytest.approx((180, 120), abs=0.01)
+    assert cli("plot", "my.toml", "kinematics", "-o", "small.dxf", *flags).code == 0
+    factor = float(re.search(r"= ([0-9.]+) m/mm", dxf_words(Path("small.dxf").read_bytes()))[1])  # type: ignore[index]
+    crank = 0.2 / factor
+    for lines_of in (lines(data), dxf_lines(Path("small.dxf").read_bytes())):
+        assert any(abs(abs(line.end - line.start) - crank) < 0.01 for line in lines_of if line.width > 0.3)
+
+
+@pytest.mark.parametrize("asked", ["180", "10x10", "180x120x3", "9000x200", "axb"])
+def test_a_size_that_is_none_is_refused(cli: Cli, asked: str) -> None:
+    code, out, err = cli("plot", "my.toml", "kinematics", "--size", asked)
+    assert (code, out) == (2, "")
+    assert err.startswith("error: --size: ")
+
+
+def test_pictures_speak_the_language_and_say_the_title(cli: Cli) -> None:
+    text = Path("my.toml").read_text()
+    title = tomllib.loads(text)["project"]["title"]
+    for name, given in (("flag", ("--language", "uk")), ("spec", ("--set", "sheets={language='uk'}"))):
+        assert cli("plot", "my.toml", "kinematics", "-o", f"{name}.svg", "-q", *given) == (0, "", "")
+    told = Path("flag.svg").read_text(encoding="utf-8")
+    assert 'xml:lang="uk"' in told
+    assert title in re.sub("<[^>]*>", "", told)
+    assert Path("spec.svg").read_text(encoding="utf-8") == told
+    assert cli("plot", "my.toml", "kinematics", "-o", "en.svg", "-q").code == 0
+    assert 'xml:lang="en"' in Path("en.svg").read_text(encoding="utf-8")
+    assert cli("run", "my.toml", "--to", "forces", "--plots", "--language", "uk", "-q").code == 0
+    assert Path("my.out/kinematics.svg").read_text(encoding="utf-8") == told
+    code, _, err = cli("run", "my.toml", "--language", "uk")
+    assert code == 2
+    assert "--language: nothing is drawn" in err
+    assert cli("plot", "my.toml", "--language", "de").code == 2

@@ -381,7 +381,7 @@ def test_the_picture_has_the_vectors_of_all_points(kind: str) -> None:
     drawing = dyad_drawing(task, found)
     for order, board in enumerate(drawing.fields, 1):
         heads = [shape for shape in drawing.shapes if isinstance(shape, Area)]
-        tips = [board.data(complex(each.points[0])) for each in heads if each.fill == PANELS[order - 1][3].colour]
+        tips = [board.data(complex(each.points[0])) for each in heads if each.fill == PANELS[order - 1][1].colour]
         assert len(tips) == len(told)
         scales = [(tip - point[0]) / point[order] for tip, point in zip(tips, told, strict=True)]
         assert scales == pytest.approx([scales[0].real] * len(scales), rel=1e-9)

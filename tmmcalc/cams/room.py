@@ -45,14 +45,19 @@ ROOM = Room(
             "law of motion of the cam's follower, its constants and jumps",
             asked=CAM,
             after="forces",
-            picture=Picture("displacement and its derivatives over the turn"),
+            picture=Picture(
+                "displacement and its derivatives over the turn, their graphical integration",
+                pieces="tmmcalc.cams.pictures.pieces:law_pieces",
+            ),
             studied=True,
         ),
         Stage(
             "cam_synthesis",
             "sizes of cam and follower within their limits",
             asked=CAM,
-            picture=Picture("the admissible places of the cam's axis"),
+            picture=Picture(
+                "the admissible places of the cam's axis", pieces="tmmcalc.cams.pictures.pieces:synthesis_pieces"
+            ),
             studied=True,
         ),
         Stage(
@@ -68,7 +73,7 @@ ROOM = Room(
             needs=("cam_synthesis",),
             asked=CAM,
             after="balance",
-            picture=Picture("the cam to scale, its curvature"),
+            picture=Picture("the cam to scale, its curvature", pieces="tmmcalc.cams.pictures.pieces:profile_pieces"),
             studied=True,
         ),
         Stage(
@@ -76,7 +81,7 @@ ROOM = Room(
             "pressure angle over the turn",
             needs=("cam_synthesis",),
             asked=CAM,
-            picture=Picture("the pressure angle over the turn"),
+            picture=Picture("the pressure angle over the turn", pieces="tmmcalc.cams.pictures.pieces:pressure_pieces"),
             studied=True,
         ),
         Stage(
@@ -126,6 +131,7 @@ ROOM = Room(
                 "scheme at --phase of a step, pressure angles, tip of the lobe, efficiency, what lambda and the step "
                 "decide",
                 ("--phase",),
+                pieces="tmmcalc.cams.pictures.pieces:indexing_pieces",
             ),
             studied=True,
         ),

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
     from tmmcalc.project import Spec
 
-SMALLEST, LARGEST = (150.0, 100.0), 3000.0  # paper of a picture [mm]
+SMALLEST, LARGEST = (180.0, 120.0), 3000.0  # paper of a picture [mm]
 SIZE = re.compile(r"(\d+(?:\.\d+)?)\s*[x×*]\s*(\d+(?:\.\d+)?)")
 WIDTH = 78  # of the list of pictures, which the help indents by two
 
@@ -151,7 +151,7 @@ def command(
     ] = None,
     polygons: Annotated[
         str | None,
-        typer.Option(POLYGONS, metavar="POSITION", help="Add the polygons of velocities, or of forces, there."),
+        typer.Option(POLYGONS, metavar="LIST", help="Add plans of velocities, or of forces, in positions: '4,9'."),
     ] = None,
     choose: Annotated[
         int | None,
@@ -237,5 +237,5 @@ command.__doc__ = f"""{command.__doc__}
 
 {_list()}
 
-Example: tmmcalc plot my.toml kinematics -o my.svg --polygons 6
+Example: tmmcalc plot my.toml kinematics -o my.svg --polygons 4,9
 """

@@ -14,7 +14,7 @@ from tmmcalc.cli.job import Job
 from tmmcalc.cli.messages import counted, say
 from tmmcalc.cli.options import Fresh, Language, Quiet, Set, SpecFile, Store, Strict, language_of, written
 from tmmcalc.cli.output import check_strict, raise_failures
-from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
 from tmmcalc.report.sheets.formats import FORMATS, FRAMES
 
 if TYPE_CHECKING:
@@ -172,7 +172,7 @@ class _Making:
             try:
                 pieces += pieces_of(stage, run.spec, run.results)
             except TmmError as error:
-                self.failures[f"pictures of {stage}"] = error
+                self._failed(f"pictures of {stage}", error)
         if not pieces:
             raise_failures({**run.failures, **self.failures})
             raise UsageError(
@@ -218,15 +218,21 @@ class _Making:
         from tmmcalc.report.sheets.tiles import tiled
 
         def failed(piece: Piece, error: TmmError) -> None:
-            self.failures[f"{sheet.file}: {piece.heading}"] = error
+            self._failed(f"{sheet.file}: {piece.heading}", error)
 
         drawing = drawn(sheet, self.style, failed)
-        self.warnings += _unplaced(drawing, sheet)
+        self.warnings += [*sheet.warnings(self.style), *_unplaced(drawing, sheet)]
         for form in forms:
             if form == PDF and tile is not None:
                 yield f"{sheet.file}-{tile}.pdf", tiled(drawing, sheet.file)
             else:
                 yield f"{sheet.file}.{form}", written(form, drawing)
+
+    def _failed(self, what: str, error: TmmError) -> None:
+        """Keep the error of what has no picture for the end; a fault of flags or of the spec ends all."""
+        if error.exit_code < NoSolutionError.exit_code:
+            raise error
+        self.failures[what] = error
 
 
 def _unplaced(drawing: Drawing, sheet: Sheet) -> list[str]:

@@ -60,10 +60,11 @@ ROOM = Room(
             reads="read_by_train",
             after="drive",
             picture=Picture(
-                "a tooth set to scale from two sides, all sets by size and error, what constraints removed, curves of "
-                "choice",
+                "a tooth set to scale from two sides, its plans of velocities and speeds, all sets by size and error, "
+                "what constraints removed, curves of choice",
                 ("--choose",),
                 beside="criteria",
+                pieces="tmmcalc.gears.pictures.pieces:train",
             ),
             studied=True,
         ),
@@ -71,7 +72,10 @@ ROOM = Room(
             "gearing",
             "a written train: speeds, torques, power flow, efficiency",
             asked=("gearing", "no train is written out"),
-            picture=Picture("the scheme to scale, the plan of velocities and the plan of speeds"),
+            picture=Picture(
+                "the scheme to scale, the plan of velocities and the plan of speeds",
+                pieces="tmmcalc.gears.pictures.pieces:gearing",
+            ),
         ),
         Stage(
             "strength",
@@ -98,7 +102,9 @@ ROOM = Room(
             reads="read_by_pair",
             wanted="pair",
             picture=Picture(
-                "teeth in mesh with the line of action, sliding and pressure along it", ("--choose", "--phase")
+                "teeth in mesh with the line of action, sliding and pressure along it",
+                ("--choose", "--phase"),
+                pieces="tmmcalc.gears.pictures.pieces:pair",
             ),
             studied=True,
         ),
@@ -115,7 +121,11 @@ ROOM = Room(
             "blocking contours of the pairs: all admissible shifts",
             needs=("pair",),
             wanted="blocking",
-            picture=Picture("the blocking contour with its numbered lines and points", ("--choose",)),
+            picture=Picture(
+                "the blocking contour with its numbered lines and points",
+                ("--choose",),
+                pieces="tmmcalc.gears.pictures.pieces:blocking",
+            ),
             studied=True,
         ),
         Stage(
@@ -123,7 +133,11 @@ ROOM = Room(
             "tooth profiles of the wheels of all pairs",
             needs=("pair",),
             wanted="pair",
-            picture=Picture("how the rack cuts the teeth, each tooth enlarged", ("--choose",)),
+            picture=Picture(
+                "how the rack cuts the teeth, each tooth enlarged, each by the textbook's points",
+                ("--choose",),
+                pieces="tmmcalc.gears.pictures.pieces:profile",
+            ),
             studied=True,
         ),
         Stage(

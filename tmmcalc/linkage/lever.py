@@ -55,6 +55,7 @@ class Lever:
     """The lever of a position: its forces, and the drive that balances it beside that of the force analysis."""
 
     forces: tuple[LeverForce, ...]
+    balancing: tuple[LeverForce, ...]  # those of the drive as the force analysis found it
     mu: float = quantity("mu_v[m/s/mm]", "scale of the plan of velocities", symbol=r"\mu_v")
     moment: float = quantity("moment_sum[N*mm]", "sum of the moments about the pole")
     drive: float  # that balances it [N*m or N]
@@ -80,11 +81,14 @@ def levers(statics: Statics, kinematics: Kinematics, theta: Real, side: Real, mu
     drive = np.broadcast_to(found.state.drive, theta.shape)
     made = []
     for row in range(len(theta)):
-        applied = [each for body in link_bodies(found, row) for each in _applied(body, links[body.links[0]], row)]
+        acting = [each for body in link_bodies(found, row) for each in _acting(body, links[body.links[0]], row)]
+        applied = [each for each in acting if each[0].kind not in UNGIVEN]
         largest = max((abs(force) for *_, force, _ in applied), default=0.0)
-        forces = tuple(_on_plan(*each, mu) for each in applied if abs(each[3]) > NOTHING * largest)
+        told = [each for each in acting if abs(each[3]) > NOTHING * largest]
+        forces = tuple(_on_plan(*each, mu) for each in told if each[0].kind not in UNGIVEN)
+        balancing = tuple(_on_plan(*each, mu) for each in told if each[0].kind == "drive")
         power = float(sum(cross(-1j * velocity, force) for *_, force, velocity in applied))
-        made.append(Lever(forces, mu, power / mu, -power / kinematics.speed, float(drive[row])))
+        made.append(Lever(forces, balancing, mu, power / mu, -power / kinematics.speed, float(drive[row])))
     return tuple(made)
 
 
@@ -126,14 +130,13 @@ class _Moving:
 Applied = tuple[Acting | Couple, int, str, complex, complex]  # what, its link, the point of a pair, force, velocity
 
 
-def _applied(body: FreeBody, moving: _Moving, row: int) -> Iterator[Applied]:
-    """The given forces of a link with the velocities of their points, each couple as two."""
+def _acting(body: FreeBody, moving: _Moving, row: int) -> Iterator[Applied]:
+    """All that acts on a link with the velocities of its points, each couple as two forces."""
     (link,) = body.links
     for force in body.forces:
-        if force.kind not in UNGIVEN:
-            yield force, link, "", force.value, moving.velocity(force.at, row)
+        yield force, link, "", force.value, moving.velocity(force.at, row)
     for couple in body.couples:
-        if couple.kind not in UNGIVEN and couple.value:
+        if couple.value:
             (tail, a), (head, b) = ((name, complex(places[row])) for name, places in moving.ends)
             pair = 1j * couple.value / (b - a).conjugate()  # M/l along the left normal of the line
             yield couple, link, head, pair, moving.velocity(b, row)

@@ -95,9 +95,10 @@ ROOM = Room(
             wanted="moves",
             settings={"method": "closed", "step": 0.0, "decimals": 0},  # 0: the default step, no rounding
             picture=Picture(
-                "scheme in its positions, paths of points, diagrams of the outputs; with --polygons velocities, "
-                "accelerations",
+                "scheme in its positions, paths of points, diagrams of the outputs; with --polygons plans of "
+                "velocities and accelerations",
                 ("--positions", "--polygons"),
+                pieces="tmmcalc.linkage.pictures.pieces:of_kinematics",
             ),
             studied=True,
         ),
@@ -107,7 +108,9 @@ ROOM = Room(
             needs=("kinematics",),
             wanted="forces",
             picture=Picture(
-                "reactions, hodographs, drive; with --polygons load diagrams and force polygons", ("--polygons",)
+                "reactions, hodographs, drive; with --polygons load diagrams, force polygons, lever of Zhukovsky",
+                ("--polygons",),
+                pieces="tmmcalc.linkage.pictures.pieces:of_forces",
             ),
             studied=True,
         ),

@@ -93,7 +93,7 @@ ROOM = Room(
             uses=("kinematics",),
             wanted="reduction",
             after="cam_load",
-            picture=Picture("reduced moments and inertia"),
+            picture=Picture("reduced moments and inertia", pieces="tmmcalc.machine.pictures.pieces:of_reduction"),
             studied=True,
         ),
         Stage(
@@ -119,7 +119,10 @@ ROOM = Room(
             needs=("reduction", "power"),
             wanted="flywheel",
             by_name={"tried": False},
-            picture=Picture("energy-mass curve with its tangents, work over the cycle, all methods"),
+            picture=Picture(
+                "energy-mass curve with its tangents, all methods; constructions and what is read from them",
+                pieces="tmmcalc.machine.pictures.pieces:of_flywheel",
+            ),
             studied=True,
         ),
         Stage(
@@ -130,7 +133,10 @@ ROOM = Room(
             reads="read_by_motion",
             wanted="motion",
             settings=TOLERANCE,
-            picture=Picture("speed and moments over the cycle, the motor's characteristic"),
+            picture=Picture(
+                "speed and moments over the cycle, the motor's characteristic",
+                pieces="tmmcalc.machine.pictures.pieces:of_motion",
+            ),
             studied=True,
         ),
         Stage(
@@ -151,7 +157,8 @@ ROOM = Room(
             wanted="balance",
             after="manipulator",
             picture=Picture(
-                "hodographs of the shaking force, what the schemes leave of it, an engine's force and couple"
+                "hodographs of the shaking force, what the schemes leave of it, an engine's force and couple",
+                pieces="tmmcalc.machine.pictures.pieces:of_balance",
             ),
             studied=True,
         ),

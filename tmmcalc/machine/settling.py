@@ -92,15 +92,25 @@ def _check_swings(machine: OneMass) -> None:
 
 
 def directly(machine: OneMass, guess: Guess | None = None) -> Orbit | None:
-    """The regime reached from the no-load speed, if it is found as a periodic solution and known to be that."""
-    guesses = [] if guess is None else [guess]
+    """The regime reached from the no-load speed, if it is found as a periodic solution and known to be that.
+
+    Without lag first: motions without it keep their order, so the one found is known to be the regime or not.
+    """
+    without_lag, guesses = replace(machine, lag=0.0), [] if guess is None else [guess]
     even = balanced_speed(machine)
     if even is not None:
         guesses.append((machine.cycle.panels, np.full(machine.cycle.inertia.shape, even)))
-    for panels, omega in guesses:
-        found = _periodic(machine, panels, omega)
-        if found is not None:
-            return found
+    for each in guesses:
+        orbit = next_to(without_lag, each)
+        if orbit is None or not _draws(without_lag, orbit, None):
+            continue
+        if not machine.lag:
+            return orbit
+        speed = without_lag.speed(orbit.panels, orbit.y[0])
+        try:
+            return _solved(machine, orbit.panels, machine.state(orbit.panels, speed))
+        except AccuracyError:
+            continue
     return None
 
 
@@ -111,20 +121,6 @@ def next_to(machine: OneMass, guess: Guess) -> Orbit | None:
     except AccuracyError:
         return None
     return orbit if abs(multipliers(orbit)[0]) < 1 else None
-
-
-def _periodic(machine: OneMass, panels: Panels, omega: Values) -> Orbit | None:
-    """The periodic solution near a guess if it is the regime reached from the no-load speed, else None."""
-    without_lag = replace(machine, lag=0.0)
-    orbit = next_to(without_lag, (panels, omega))
-    if orbit is None or not _draws(without_lag, orbit, None):
-        return None
-    if not machine.lag:
-        return orbit
-    try:
-        return _solved(machine, orbit.panels, machine.state(orbit.panels, without_lag.speed(orbit.panels, orbit.y[0])))
-    except AccuracyError:
-        return None
 
 
 def _solved(machine: OneMass, panels: Panels, guess: Values) -> Orbit:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from math import isnan, nan
 from typing import Any
 
@@ -188,13 +189,22 @@ def _chosen(stage: str, each: Chosen) -> Told:
     return Told(stage, each.name, each.value, each.unit, CHOICE, each.meaning, each.symbol)
 
 
-def _facts(stage: str, result: Any) -> Iterator[Told]:
-    """Its facts, each once: of a name that stands in several parts of the summary the last."""
+def _facts(stage: str, result: Any, names: tuple[Name, ...] | None = None) -> Iterator[Told]:
+    """Its facts under these names (None: all), each once: of one in several parts of the summary the last."""
     known, found = described(stage, column=False), dict[str, Told]()
     for name, (value, unit), label in labelled(stage, result):
+        if names is not None and not _fitting(names, stage, name, unit):
+            continue
         meaning, symbol = _of_fact(known, name.rpartition(".")[2], unit)
         found[f"{name}[{unit}]"] = Told(stage, name, value, unit, "", error_meaning(name) or meaning or label, symbol)
     yield from found.values()
+
+
+@lru_cache(maxsize=4096)  # a sweep has the same names and the same facts at every point
+def _fitting(names: tuple[Name, ...], stage: str, fact: str, unit: str) -> tuple[Name, ...]:
+    """Those of the names that a fact has."""
+    own = Name(stage, "", fact, unit=unit)
+    return tuple(name for name in names if name.fits(own))
 
 
 def _of_fact(known: Callable[[str, str], tuple[str, str]], name: str, unit: str) -> tuple[str, str]:
@@ -210,13 +220,12 @@ def _ordinary(
     stage: str, result: Any, names: Sequence[Name], scene: Scene | None
 ) -> Iterator[tuple[Name | None, Told]]:
     """Facts and what is asked of columns of the table, each with the name that it was asked for by."""
-    facts = [name for name in names if name.fact and name.may_be_of(stage)]
-    if facts or not names:
-        for each in _facts(stage, result):
-            own = Name(stage, "", each.quantity, unit=each.unit)
-            if not names:
-                yield None, each
-            yield from ((name, each) for name in facts if name.fits(own))
+    facts = tuple(name for name in names if name.fact and name.may_be_of(stage))
+    if not names:
+        yield from ((None, each) for each in _facts(stage, result))
+    elif facts:
+        for each in _facts(stage, result, facts):
+            yield from ((name, each) for name in _fitting(facts, stage, each.quantity, each.unit))
     rows = [name for name in names if not name.fact and name.may_be_of(stage)]
     if rows and (table := table_of(stage, result)) is not None:
         known = described(stage, column=True)

@@ -75,21 +75,18 @@ def run(
     work = _Run(spec, stages, options, tolerance, keep_going, on_start, on_event, by_name)
     archive = work.archive = _archive(out, csv, columns, wait, work.wait)
 
-    def settled_and_done(forced: Mapping[str, str]) -> Plan:
-        """Do the plan, and where a stage settles the spec the plan of what it found; return the one that was done."""
-        if first is None or not work.settle(first, forced):
-            work.through(asked, forced)
-            return asked
-        rest = planned(work.spec, target, stages, skip, first)
-        _check_target(rest)
-        work.through(rest, forced)
-        return rest
-
-    try:
-        done = settled_and_done(forced)
-    except UnfitError as error:
-        work.begin_afresh(spec, error)
-        done = settled_and_done(dict.fromkeys(stages, "stored files do not fit"))
+    for reasons in (forced, afresh := dict.fromkeys(stages, "stored files do not fit")):
+        try:
+            done = asked
+            if first is not None and work.settle(first, reasons):
+                done = planned(work.spec, target, stages, skip, first)
+                _check_target(done)
+            work.through(done, reasons)
+            break
+        except UnfitError as error:
+            if reasons is afresh:
+                raise
+            work.begin_afresh(spec, error)
     if columns:
         from tmmcalc.naming.scene import Scene
         from tmmcalc.pipeline.csvcolumns import by_choice

@@ -209,8 +209,8 @@ class TestPlaces:
         assert train.distances == (pytest.approx(0.081), pytest.approx(0.081))
         assert 2 * train.wheel("3").reference == pytest.approx(0.111)
         drawing, board = drawn(train)
-        (scale,) = [text for text in written(drawing) if text.startswith("scale")]
-        part = float(scale.removeprefix("scale 1:"))
+        (scale,) = [text for text in written(drawing) if text.startswith("$μ_l$")]
+        part = float(scale.partition("(1:")[2].partition(")")[0])
         ends = board.data(complex(board.box.left)), board.data(complex(board.box.right))
         assert abs(ends[1] - ends[0]) / (1e-3 * board.box.width) == pytest.approx(part, rel=1e-9)
 
@@ -337,7 +337,7 @@ class TestCriteria:
         field, pool = diagrams(of_criteria, "mass of moving wheels $M$, kg")[0], result.pool
         trains = pool.mass + 1j * pool.inertia
         edge, rings = curves(field, EDGE)[0], circles(field, FRONT.pen)
-        beyond = [int(text.split()[0]) for text in written(of_criteria) if text.endswith("beyond the picture")]
+        beyond = [int(text.split()[-1]) for text in written(of_criteria) if "beyond the picture" in text]
         cloud, _ = marks(field, CLOUD.pen)
         assert len(cloud) + sum(beyond) == len(pool)
         assert rings == pytest.approx(trains[result.front])

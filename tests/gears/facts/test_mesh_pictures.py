@@ -250,7 +250,7 @@ class TestMesh:
         found = solved("helical")
         rows = {row[0]: row[1:] for row in parameters(found)}
         assert rows["teeth $z$"] == ("14", "17")
-        assert rows["$a_w$"][-1] == "84.999"
+        assert rows["centre distance $a_w$"][-1] == "84.999"
         assert rows["contact ratio $ε_α$"][-1] == "1.112"
         # m z/(2 cos beta)
         assert rows["reference circle $r$"] == ("36.235", "43.999")
@@ -366,7 +366,7 @@ class TestProfile:
         for place in (0, 1):
             member = both(solved(name))[place]
             half = half_tooth(member)
-            board = drawing.fields[2 * place + 1]
+            board = drawing.fields[3 * place + 1]
             height: Callable[[Plane], Any] = np.imag if member.shape == "rack" else np.abs
             (outline,) = curves(board, OUTLINE)
             assert _spans(height(outline), half, member.module)

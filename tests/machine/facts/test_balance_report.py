@@ -429,16 +429,21 @@ class TestPicture:
         from tmmcalc.machine.pictures.balance import WEIGHT
 
         case = CASES["dyn-balance-press"]["expected"]
-        fixed, turning, forces, _ = self.figure(press()).fields
+        fixed, turning, crank, pairs, _ = self.figure(press()).fields
         (ring,) = [line for line in curves(fixed, WEIGHT) if len(line) > 100]
         assert np.abs(ring) == pytest.approx(np.full(len(ring), case["centroid_X1"]), rel=1e-5)
         heads = [shape for shape in turning.drawing.shapes if isinstance(shape, Area) and len(shape.points) == 3]
         tips = [turning.data(complex(head.points[0])) for head in heads]
         assert any(tip == pytest.approx(complex(case["centroid_X1"], 0), rel=1e-5) for tip in tips)
-        levels = [line.imag[0] for line in curves(forces) if len(line) == 2 and line[0].imag == line[1].imag]
+        levels = [
+            line.imag[0]
+            for forces in (crank, pairs)
+            for line in curves(forces)
+            if len(line) == 2 and line[0].imag == line[1].imag
+        ]
         for level in (case["rms_before"], case["rms_after"], case["rms_after_counterrotating_pair"]):
             assert any(found == pytest.approx(level, rel=1e-5) for found in levels)
-        (curve,) = curves(forces, CURVES[0])
+        (curve,) = curves(crank, CURVES[0])
         assert curve.imag[::30] == pytest.approx([*case["R_modulus"], case["R_modulus"][0]], rel=1e-5)
 
     @pytest.mark.slow
@@ -446,12 +451,20 @@ class TestPicture:
         """In the axes of the crank the smallest circle passes through the outermost places and holds all others."""
         from tmmcalc.machine.pictures.balance import CIRCLE, FORCE
 
-        _, turning, _, _ = self.figure(press()).fields
+        _, turning, *_ = self.figure(press()).fields
         (z,) = [line for line in curves(turning, CIRCLE) if len(line) > 100]
         (path,) = curves(turning, FORCE)
         centre = complex(np.mean(z[:-1]))
         radius = abs(z[0] - centre)
         assert np.abs(path - centre).max() == pytest.approx(radius, rel=1e-4)
+
+    def test_no_diagram_has_more_than_four_curves(self) -> None:
+        """Of four schemes those of one weight on the crank stand apart from the pairs, each beside R."""
+        drawing = self.figure(press())
+        names = [text.partition(":")[0] for text in written(drawing) if ": rms" in text]
+        assert names[:3] == ["$R$", "least squares", "least maximum"]
+        assert names[3:6] == ["$R$", "Lanchester's pair", "Lanchester's pairs, 1st and 2nd order"]
+        assert names[6:] == ["$M_R$"]  # what turns about the crank's pivot leaves its moment as it is
 
     @pytest.mark.slow
     def test_a_clockwise_crank_runs_to_negative_angles(self) -> None:

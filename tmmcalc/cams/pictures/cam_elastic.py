@@ -9,6 +9,7 @@ import numpy as np
 from tmmcalc.cams.elastic import ElasticResult
 from tmmcalc.cams.pictures.cam_forces import LOST
 from tmmcalc.cams.pictures.ordered import cam_of
+from tmmcalc.cams.pictures.wording import law_name, phase_name
 from tmmcalc.cams.separation import Contact
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.box import Box
@@ -19,6 +20,7 @@ from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.panels import Panel, panels
 from tmmcalc.report.drawing.pens import INK, OTHER, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 WALL = "#e4e4e4"
@@ -36,13 +38,20 @@ def elastic_drawing(task: CamTask, result: ElasticResult) -> Drawing:
     """Two sheets: the turn, and the spectra."""
     drawing, (first, second) = sheets(2)
     multiple = number(result.multiple, 5)
-    heading = f"Elastic follower, natural frequency {multiple} times that of the cam" + _shaded(result.contact)
+    heading = tr("Elastic follower, natural frequency {multiple} times that of the cam", multiple=multiple)
+    heading += _shaded(result.contact)
     drawing.add(Words(complex(first.middle.real, first.top), heading, 3.2, 1j))
     phi = np.degrees(result.phi)
-    unit, force = ("rad/s²", "N·m") if result.turns else ("m/s²", "N")
+    unit, force = (tr_unit(each) for each in (("rad/s²", "N*m") if result.turns else ("m/s²", "N")))
     rows = [
-        Panel(f"acceleration, {unit}", (("of the mass", result.response), ("of the cam's law", result.given))),
-        Panel(f"load along the lift $P_c$, {force}", (("elastic train", result.load), ("rigid train", result.rigid))),
+        Panel(
+            tr("acceleration, {unit}", unit=unit),
+            ((tr("of the mass"), result.response), (tr("of the cam's law"), result.given)),
+        ),
+        Panel(
+            tr("load along the lift $P_c$, {unit}", unit=force),
+            ((tr("elastic train"), result.load), (tr("rigid train"), result.rigid)),
+        ),
     ]
     upper, lower = panels(drawing, first.inset(3, 0, 0, HEAD), phi, input_axis(True, phi), rows)
     colour = LOST if result.contact.closure == "force" else WALL
@@ -51,7 +60,9 @@ def elastic_drawing(task: CamTask, result: ElasticResult) -> Drawing:
     for diagram in (upper, lower):
         for start in np.degrees(task.program.starts[1:-1]).tolist():
             diagram.vertical(start, OTHER)
-    drawing.add(Words(complex(second.middle.real, second.top), "Residual vibration after a rise from rest", 3.2, 1j))
+    drawing.add(
+        Words(complex(second.middle.real, second.top), tr("Residual vibration after a rise from rest"), 3.2, 1j)
+    )
     _spectra(drawing, second.inset(3, 0, 0, 6), result)
     return drawing
 
@@ -60,18 +71,20 @@ def _shaded(contact: Contact) -> str:
     """What is shaded, as a second line of the heading."""
     if not contact.beyond or not contact.judged:
         return ""
-    return "\nshaded: " + ("the follower leaves the cam" if contact.lost else "the outer wall of the groove presses")
+    if contact.lost:
+        return "\n" + tr("shaded: the follower leaves the cam")
+    return "\n" + tr("shaded: the outer wall of the groove presses")
 
 
 def _spectra(drawing: Drawing, box: Box, result: ElasticResult) -> None:
     """Amplitude over the stroke by the ratio of phase time and natural period; the cam's own ratio is marked."""
-    along = Axis("time of the phase over the natural period", 0.0, float(result.ratios[-1]))
-    lines = tuple((each.law, each.residual) for each in result.spectra)
-    row = Panel("amplitude over the stroke", lines, log=True, ends=(LOWEST, 2.0))
+    along = Axis(tr("time of the phase over the natural period"), 0.0, float(result.ratios[-1]))
+    lines = tuple((law_name(each.law), each.residual) for each in result.spectra)
+    row = Panel(tr("amplitude over the stroke"), lines, log=True, ends=(LOWEST, 2.0))
     (diagram,) = panels(drawing, box, result.ratios, along, [row])
     for phase in result.phases:
         if phase.ratio < result.ratios[-1]:
             diagram.vertical(phase.ratio, OWN)
             at = diagram.place(complex(phase.ratio, 1.6 if phase.kind == "rise" else 1.2))
-            words = f"{phase.kind}: {number(phase.ratio, 4)}"
+            words = f"{phase_name(phase.kind)}: {number(phase.ratio, 4)}"
             drawing.add(Words(at + 1.5, words, 2.5, -1, colour=INK, clear=True), level=20)

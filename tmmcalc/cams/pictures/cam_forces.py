@@ -14,6 +14,7 @@ from tmmcalc.cams.forces.turn import at_angles, loads_of
 from tmmcalc.cams.forces.turnforces import TurnForces, turn_forces
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.ordered import cam_of
+from tmmcalc.cams.pictures.wording import phase_name
 from tmmcalc.cams.pressure.angle import on_phase
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.report.drawing.box import Box
@@ -25,6 +26,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.pens import CURVES, OTHER, Pen
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 NAMES = {"P_c": "$P_c$", "M_c": "$M_c$", "R": "$R$", "N1": "$N_1$", "N2": "$N_2$", "T": "$T$ = $P_c$$S'$"}
@@ -60,14 +62,20 @@ def forces_drawing(task: CamTask, result: CamForces) -> Drawing:
 def _heading(result: CamForces) -> str:
     spring = result.spring
     turns = result.follower.kind == "oscillating"
-    unit, factor = ("N·m/rad", 1.0) if turns else ("N/mm", 1e-3)
-    force = "N·m" if turns else "N"
-    text = f"Forces on the follower at {minus(number(result.speed, 6))} rad/s"
+    unit, factor = (tr_unit("N*m/rad"), 1.0) if turns else (tr_unit("N/mm"), 1e-3)
+    force = tr_unit("N*m" if turns else "N")
+    speed = f"{minus(number(result.speed, 6))} {tr_unit('rad/s')}"
+    text = tr("Forces on the follower at {speed}", speed=speed)
     if spring.stiffness or spring.preload:
         stiffness, preload = (minus(number(v, 5)) for v in (factor * spring.stiffness, spring.preload))
-        text += f"; spring {stiffness} {unit}, preload {preload} {force}"
+        text = tr(
+            "Forces on the follower at {speed}; spring {stiffness}, preload {preload}",
+            speed=speed,
+            stiffness=f"{stiffness} {unit}",
+            preload=f"{preload} {force}",
+        )
     if result.lost:
-        text += "\nshaded: nothing presses the follower on the cam"
+        text += "\n" + tr("shaded: nothing presses the follower on the cam")
     return text
 
 
@@ -86,13 +94,13 @@ def _graphs(result: CamForces, course: TurnForces) -> list[Graph]:
     def graph(symbol: str, unit: str, *lines: Line) -> Graph:
         return Graph(symbol, unit, True, phi, nodes, lines, DIGITS)
 
-    contact = _line("$R$ of the cam", course, now.contact, result.contact, CURVES[0])
+    contact = _line(tr("$R$ of the cam"), course, now.contact, result.contact, CURVES[0])
     load = _line(NAMES["M_c" if turns else "P_c"], course, now.load, result.load, CURVES[1])
     found = [graph("M_c", "N*m", load), graph("R", "N", contact)] if turns else [graph("P", "N", load, contact)]
     if result.lower is not None and result.upper is not None:
         side = result.follower.sense
-        lower = _line("$N_1$ lower edge", course, side * now.lower, result.lower, CURVES[2])
-        upper = _line("$N_2$ upper edge", course, side * now.upper, result.upper, CURVES[3])
+        lower = _line(tr("$N_1$ lower edge"), course, side * now.lower, result.lower, CURVES[2])
+        upper = _line(tr("$N_2$ upper edge"), course, side * now.upper, result.upper, CURVES[3])
         found.append(graph("N", "N", lower, upper))
     if result.pivot is not None:
         force = pivot_force(result.follower, course.points.motion, now.contact, now.sine, now.cosine)
@@ -100,8 +108,8 @@ def _graphs(result: CamForces, course: TurnForces) -> list[Graph]:
             _line(f"$R_{{A{axis}}}$", course, force[k], result.pivot[k], CURVES[2 + k]) for k, axis in enumerate("xy")
         ]
         found.append(graph("R_A", "N", *lines))
-    torque = _line("driving torque", course, now.driving, result.driving, CURVES[4])
-    plain = _line("$−T$, without friction", course, now.torque, -result.torque, CURVES[7], marked=False)
+    torque = _line(tr("driving torque"), course, now.driving, result.driving, CURVES[4])
+    plain = _line(tr("$−T$, without friction"), course, now.torque, -result.torque, CURVES[7], marked=False)
     return [*found, graph("M", "N*m", torque, *((plain,) if course.carried.rubs else ()))]
 
 
@@ -109,11 +117,11 @@ def _draw_heights(drawing: Drawing, box: Box, sizes: Sequence[WireSize]) -> None
     """Heights of the springs that have the allowed stress, over D/d."""
     index = np.array([each.index for each in sizes])
     curves = [np.array([1e3 * each.free for each in sizes]), np.array([1e3 * each.solid for each in sizes])]
-    up = Axis("height of the spring, mm", *room(curves))
+    up = Axis(tr("height of the spring, mm"), *room(curves))
     diagram = Diagram(drawing, box.inset(*SIDES), Axis("$D$/$d$", float(index.min()), float(index.max())), up)
     for values, pen in zip(curves, CURVES, strict=False):
         diagram.curve(index + 1j * values, pen)
-    diagram.key([("free", CURVES[0]), ("solid", CURVES[1])])
+    diagram.key([(tr("free"), CURVES[0]), (tr("solid"), CURVES[1])])
 
 
 def _draw_spring(drawing: Drawing, box: Box, task: CamTask, loads: Loads, result: CamForces) -> None:
@@ -121,18 +129,19 @@ def _draw_spring(drawing: Drawing, box: Box, task: CamTask, loads: Loads, result
     turns = result.follower.kind == "oscillating"
     factor = degrees(1.0) if turns else 1e3
     spring, letter, end = result.spring, "M" if turns else "P", factor * result.stroke
-    curves = [(f"${letter}$, {kind}", *_over_lift(task, loads, kind, factor), CURVES[k])
-              for k, kind in enumerate(("rise", "return"))]  # fmt: skip
-    lines = [("spring", 1.0, SPRING)] if spring.stiffness or spring.preload else []
+    names = f"${letter}$, {phase_name('rise')}", f"${letter}$, {phase_name('return')}"
+    curves = [(name, *_over_lift(task, loads, kind, factor), CURVES[k])
+              for k, (name, kind) in enumerate(zip(names, ("rise", "return"), strict=True))]  # fmt: skip
+    lines = [(tr("spring"), 1.0, SPRING)] if spring.stiffness or spring.preload else []
     if lines and spring.asked is not None:
-        lines.append((f"spring/$K_1$, $K_1$ = {minus(number(spring.asked, 4))}", spring.asked, DIVIDED))
+        lines.append((tr("spring/$K_1$, $K_1$ = {safety}", safety=number(spring.asked, 4)), spring.asked, DIVIDED))
     named = [*((name, pen) for name, _, _, pen in curves), *((name, pen) for name, _, pen in lines)]
     frame = box.inset(*SIDES)
     frame = frame.inset(0, 0, 0, ROW * (len(key_rows(named, frame.width)) - 1))
     ends = [np.array([spring.preload, spring.highest]) / by for _, by, _ in lines]
-    up = Axis("moment $M$ and spring, N·m" if turns else "force $P$ and spring, N",
+    up = Axis(tr("moment $M$ and spring, N·m") if turns else tr("force $P$ and spring, N"),
               *room([*(y for _, _, y, _ in curves), *ends]))  # fmt: skip
-    diagram = Diagram(drawing, frame, Axis("$Δψ$, °" if turns else "$ΔS$, mm", 0.0, end), up)
+    diagram = Diagram(drawing, frame, Axis("$Δψ$, °" if turns else f"$ΔS$, {tr_unit('mm')}", 0.0, end), up)
     for _, x, y, pen in curves:
         diagram.curve(x + 1j * y, pen)
     for (_, _, pen), heights in zip(lines, ends, strict=True):

@@ -13,7 +13,6 @@ import numpy as np
 
 from tmmcalc.cams.optimum.margins import NUMBERS
 from tmmcalc.cams.optimum.results import (
-    NAMES,
     CamOptimum,
     Choice,
     Contour,
@@ -23,6 +22,7 @@ from tmmcalc.cams.optimum.results import (
     Section,
 )
 from tmmcalc.cams.pictures.ordered import cam_of
+from tmmcalc.cams.pictures.wording import constraint_name, mm
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.box import Box
@@ -33,6 +33,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import CURVES, INK, MARK, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr, tr_number, tr_unit
 from tmmcalc.report.numbers import number
 
 PENS: dict[int, Pen] = dict(zip(NUMBERS, CURVES, strict=True))
@@ -87,16 +88,21 @@ def _contour_sheet(drawing: Drawing, box: Box, result: CamOptimum, contour: Cont
     """Draw a contour with its key; its heading."""
     plane, key = box.split(1.75, 1.0, gap=6, across=True)
     low, high, bottom, top = (1e3 * v for v in contour.window)
-    across = "base circle $R_0$, mm" if result.kind == "oscillating" else "start distance $S_0$, mm"
-    axes = Axis(across, low, high), Axis("roller radius $r_2$, mm", bottom, top)
+    across = tr("base circle $R_0$, mm") if result.kind == "oscillating" else tr("start distance $S_0$, mm")
+    axes = Axis(across, low, high), Axis(tr("roller radius $r_2$, mm"), bottom, top)
     lowest = abs(contour.height - result.chosen.height) < 1e-9
     seen = _draw_plane(Diagram(drawing, plane.inset(*SIDES), *axes), result, contour, lowest)
     write_key(drawing, key, list(_contour_key(result, contour, seen, lowest)))
-    height = number(1e3 * contour.height, 6)
-    also = f", $e$ = {minus(number(1e3 * (result.offset or 0.0), 6))} mm"
+    sizes = [f"{_typeset(result, 'height')} = {_in_mm(contour.height)}"]
     if result.kind == "oscillating":
-        also = f", $l_2$ = {number(1e3 * result.chosen.length, 6)} mm"
-    return f"Blocking contour at {_typeset(result, 'height')} = {height} mm{also}"
+        sizes.append(f"$l_2$ = {_in_mm(result.chosen.length)}")
+    else:
+        sizes.append(f"$e$ = {_in_mm(result.offset or 0.0)}")
+    return tr("Blocking contour at {sizes}", sizes=", ".join(sizes))
+
+
+def _in_mm(value: float, digits: int = 6) -> str:
+    return f"{mm(value, digits)} {tr_unit('mm')}"
 
 
 def _draw_plane(diagram: Diagram, result: CamOptimum, contour: Contour, lowest: bool) -> list[int]:
@@ -159,33 +165,35 @@ def _beside(result: CamOptimum) -> np.ndarray[Any, np.dtype[np.bool_]]:
 
 
 def _contour_key(result: CamOptimum, contour: Contour, seen: list[int], lowest: bool) -> Iterator[Part]:
-    curves = [Sample(f"{key}  {NAMES[key]}", PENS[key]) for key in seen]
-    yield Part("Curves", samples=[*curves, Sample("all constraints are kept", REGION)])
+    curves = [Sample(f"{key}  {constraint_name(key)}", PENS[key]) for key in seen]
+    yield Part(tr("Curves"), samples=[*curves, Sample(tr("all constraints are kept"), REGION)])
     corners = [corner for outline in contour.outlines for corner in outline.corners]
     if corners:
         rows = [
-            (" and ".join(map(str, corner.numbers)), f"({1e3 * corner.start:.4f}; {1e3 * corner.roller:.4f})")
+            (", ".join(map(str, corner.numbers)), tr_number(f"({1e3 * corner.start:.4f}; {1e3 * corner.roller:.4f})"))
             for corner in corners
         ]
-        yield Part(f"Corners ({_typeset(result, 'start')}; $r_2$), mm", rows)
+        yield Part(tr("Corners ({start}; $r_2$), mm", start=_typeset(result, "start")), rows)
     chosen, size = result.chosen, _typeset(result, "height")
-    best, mark = ("smallest", "") if result.kind == "oscillating" else ("lowest", "diamond: ")
-    sizes = [
-        (f"circle: {best} in whole steps", f"{size} = {number(1e3 * chosen.height, 6)} mm"),
-        (f"{mark}{best} of any sizes", f"{size} = {number(1e3 * result.least.height, 7)} mm"),
-    ]
+    names = (tr("circle: lowest in whole steps"), tr("diamond: lowest of any sizes"))
+    if result.kind == "oscillating":
+        names = (tr("circle: smallest in whole steps"), tr("smallest of any sizes"))
+    values = (f"{size} = {_in_mm(chosen.height)}", f"{size} = {_in_mm(result.least.height, 7)}")
+    sizes = list(zip(names, values, strict=True))
     others = int(np.count_nonzero(_beside(result))) - 1
     if lowest and others:
-        sizes.append(("small circles: other feasible steps", str(others)))
-    yield Part("Points", sizes)
-    where = "" if result.kind == "oscillating" else " at its height"
-    yield Part(f"Margins of the circle{where}", list(_margins(chosen)))
+        sizes.append((tr("small circles: other feasible steps"), str(others)))
+    yield Part(tr("Points"), sizes)
+    heading = tr("Margins of the circle at its height")
+    if result.kind == "oscillating":
+        heading = tr("Margins of the circle")
+    yield Part(heading, list(_margins(chosen)))
 
 
 def _margins(chosen: Choice) -> Iterator[tuple[str, str]]:
     for each in chosen.checks:
-        text = f"{round(100 * each.margin, 1) + 0.0:.1f} %" if each.judged else "not judged"
-        yield f"{each.number}  {each.name}", minus(text)
+        text = tr_number(f"{round(100 * each.margin, 1) + 0.0:.1f} %") if each.judged else tr("not judged")
+        yield f"{each.number}  {constraint_name(each.number)}", minus(text)
 
 
 def _section_sheet(drawing: Drawing, box: Box, result: CamOptimum, section: Section) -> str:
@@ -193,20 +201,20 @@ def _section_sheet(drawing: Drawing, box: Box, result: CamOptimum, section: Sect
     upper, lower = box.inset(*SIDES).split(1, 1, gap=6)
     far = 1e3 * float(section.roller[-1]) if len(section.roller) else 1.0
     courses = (
-        (upper, section.edge, section.edge_limit, 1.0, "largest |$N_1$|, N", 8, "[$N_1$] = {} N"),
-        (lower, section.stress, section.stress_limit, 1e-6, "largest $σ_H$, MPa", 9, "[$σ_H$] = {} MPa"),
+        (upper, section.edge, section.edge_limit, 1.0, tr("largest |$N_1$|, N"), 8, ("[$N_1$]", tr_unit("N"))),
+        (lower, section.stress, section.stress_limit, 1e-6, tr("largest $σ_H$, MPa"), 9, ("[$σ_H$]", tr_unit("MPa"))),
     )
-    for frame, values, limit, factor, name, key, said in courses:
+    for frame, values, limit, factor, name, key, (sign, unit) in courses:
         here = factor * float(np.interp(result.chosen.roller, section.roller, values))
         top = max(factor * (limit or 0.0), here)
         up = Axis(name, 0.0, 2.0 * top if top > 0 else 1.1 * factor * float(np.max(values, initial=1.0)))
-        across = Axis("roller radius $r_2$, mm", 0.0, far)
+        across = Axis(tr("roller radius $r_2$, mm"), 0.0, far)
         diagram = Diagram(drawing, frame, across, up, numbered=frame is lower)
-        told = None if limit is None else (factor * limit, said.format(number(factor * limit, 5)))
+        told = None if limit is None else (factor * limit, f"{sign} = {number(factor * limit, 5)} {unit}")
         chosen = complex(1e3 * result.chosen.roller, here)
         _course(diagram, 1e3 * section.roller, factor * values, told, chosen, PENS[key]._replace(dashes=()))
-    start, height = number(1e3 * section.start, 6), number(1e3 * section.height, 6)
-    return f"Along the roller radius at $S_0$ = {start} mm, $H_2$ = {height} mm"
+    sizes = f"$S_0$ = {_in_mm(section.start)}, $H_2$ = {_in_mm(section.height)}"
+    return tr("Along the roller radius at {sizes}", sizes=sizes)
 
 
 def _course(
@@ -245,7 +253,10 @@ def _chart_sheet(drawing: Drawing, box: Box, result: CamOptimum, chart: FlatChar
     low, base = 1e3 * chart.least_height, 1e3 * (chart.stroke + chart.gap + chart.least_length)
     start, span = 1e3 * chart.least_start, 0.35 * 1e3 * chart.least_height
     ends = np.array([low - span, low + span])
-    axes = Axis("height $H_2$, mm", *ends), Axis("start distance $S_0$, mm", max(start - span, 0.0), start + span)
+    axes = (
+        Axis(tr("height $H_2$, mm"), *ends),
+        Axis(tr("start distance $S_0$, mm"), max(start - span, 0.0), start + span),
+    )
     diagram = Diagram(drawing, plane.inset(*SIDES), *axes)
     diagram.filled(np.array([low + 1j * start, ends[1] + 1j * start, ends[1] + 1j * (ends[1] - base)]), REGION)
     diagram.level(start, CURVES[1])
@@ -260,23 +271,23 @@ def _chart_sheet(drawing: Drawing, box: Box, result: CamOptimum, chart: FlatChar
     for text, at, prefer in named:
         diagram.labels.put(text, [diagram.place(at)], prefer=prefer, gaps=APART)
     write_key(drawing, key, list(_chart_key(result, chart)))
-    return "Flat face: admissible start distances by the height (fig. 5.37)"
+    return tr("Flat face: admissible start distances by the height (fig. {figure})", figure="5.37")
 
 
 def _chart_key(result: CamOptimum, chart: FlatChart) -> Iterator[Part]:
     samples = [
-        Sample("convex profile: $S_0 = r_m − F_{min}$", CURVES[1]),
-        Sample("pressure in the guide: $l = l^*$", CURVES[0]),
-        Sample("both are kept", REGION),
+        Sample(tr("convex profile: $S_0 = r_m − F_{min}$"), CURVES[1]),
+        Sample(tr("pressure in the guide: $l = l^*$"), CURVES[0]),
+        Sample(tr("both are kept"), REGION),
     ]
-    yield Part("Lines", samples=samples)
+    yield Part(tr("Lines"), samples=samples)
     rows = [
-        ("$F_{min}$", f"{minus(number(1e3 * chart.convexity, 6))} mm"),
-        ("$S_{0 min}$", f"{number(1e3 * chart.least_start, 6)} mm"),
-        ("$l^*$", f"{number(1e3 * chart.least_length, 6)} mm"),
-        ("$H_{2 min} = S_{0 min} + h + l^*$", f"{number(1e3 * chart.least_height, 6)} mm"),
-        ("lowest with all constraints (diamond)", f"{number(1e3 * result.least.height, 6)} mm"),
-        ("lowest in whole steps (circle)", f"{number(1e3 * result.chosen.height, 6)} mm"),
+        ("$F_{min}$", _in_mm(chart.convexity)),
+        ("$S_{0 min}$", _in_mm(chart.least_start)),
+        ("$l^*$", _in_mm(chart.least_length)),
+        ("$H_{2 min} = S_{0 min} + h + l^*$", _in_mm(chart.least_height)),
+        (tr("lowest with all constraints (diamond)"), _in_mm(result.least.height)),
+        (tr("lowest in whole steps (circle)"), _in_mm(result.chosen.height)),
     ]
-    yield Part("Sizes", rows)
-    yield Part("Margins of the circle", list(_margins(result.chosen)))
+    yield Part(tr("Sizes"), rows)
+    yield Part(tr("Margins of the circle"), list(_margins(result.chosen)))

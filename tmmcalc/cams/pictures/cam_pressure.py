@@ -8,6 +8,8 @@ import numpy as np
 
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.ordered import cam_of
+from tmmcalc.cams.pictures.toscale import ends_to_scale, turn_to_scale
+from tmmcalc.cams.pictures.wording import deg, phase_name
 from tmmcalc.cams.pictures.zone import LIMIT
 from tmmcalc.cams.pressure.angle import Reached, pressure_angle
 from tmmcalc.cams.pressure.solve import Pressure
@@ -15,13 +17,13 @@ from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import DOTTED, input_axis, stacked
 from tmmcalc.report.drawing.diagram import Axis, Diagram, room
-from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.limits import places, with_limits
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.pens import CURVES, OTHER
 from tmmcalc.report.drawing.shapes import Drawing
-from tmmcalc.report.numbers import angle, number
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.numbers import number
 
 EXCEEDED = "#f3c3a3"  # what is beyond a limit
 NOISE = 1e-12  # [rad] of an extreme that is zero
@@ -34,16 +36,16 @@ def figure(order: Order) -> Drawing:
 
 def pressure_drawing(task: CamTask, result: Pressure) -> Drawing:
     """One sheet: theta above, the displacement under it."""
-    drawing, box = titled("Pressure angle over a turn of the cam", 3.2)
+    drawing, box = titled(tr("Pressure angle over a turn of the cam"), 3.2)
     upper, lower = stacked(box, [0, 0], [2.2, 1.0])
-    phi, theta, lift = _dense(task, result)
-    _draw_angle(drawing, upper, task, result, phi, theta)
+    phi, _, lift = _dense(task, result)
+    draw_angle(drawing, upper, task, result)
     turns = result.follower.kind == "oscillating"
-    factor, name = (degrees(1.0), "$Δψ$, °") if turns else (1e3, "$ΔS$, mm")
+    factor, name = (degrees(1.0), "$Δψ$, °") if turns else (1e3, f"$ΔS$, {tr_unit('mm')}")
     diagram = Diagram(drawing, lower, input_axis(True, np.degrees(phi)), Axis(name, *room([factor * lift], 0.35)))
     _phases(diagram, task)
     diagram.curve(np.degrees(phi) + 1j * factor * lift, CURVES[2]._replace(dashes=()))
-    _name_phases(diagram, task)
+    name_phases(diagram, task)
     return drawing
 
 
@@ -56,11 +58,16 @@ def _dense(task: CamTask, result: Pressure) -> tuple[Values, Values, Values]:
     return places(dense), with_limits(dense, theta), with_limits(dense, motion[0].reshape(dense.x.shape))
 
 
-def _draw_angle(drawing: Drawing, box: Box, task: CamTask, result: Pressure, phi: Values, theta: Values) -> None:
+def draw_angle(drawing: Drawing, box: Box, task: CamTask, result: Pressure, *, to_scale: bool = False) -> Diagram:
+    """The pressure angle with its limits and extremes; ``to_scale``: at standard scales, with numbers along."""
+    phi, theta, _ = _dense(task, result)
     high = max(np.max(np.abs(theta)), *(on.limit or 0.0 for on in (result.rise, result.back)))
     top = 1.18 * max(degrees(high), 1.0)
     along = input_axis(True, np.degrees(phi))
-    diagram = Diagram(drawing, box, along, Axis("pressure angle $θ$, °", -top, top), numbered=False)
+    ends = -top, top
+    if to_scale:
+        box, ends = turn_to_scale(box), ends_to_scale(ends, box.height)
+    diagram = Diagram(drawing, box, along, Axis(tr("pressure angle $θ$, °"), *ends), numbered=to_scale)
     _phases(diagram, task)
     spans = _spans(task)
     for on, (a, b) in zip((result.rise, result.back), spans, strict=True):
@@ -82,16 +89,17 @@ def _draw_angle(drawing: Drawing, box: Box, task: CamTask, result: Pressure, phi
         if all(abs(diagram.place(at) - other) > 0.5 for other in done):
             done.append(diagram.place(at))
             diagram.mark(at, number(at.imag, 5), CURVES[0])
+    return diagram
 
 
 def _name_limit(diagram: Diagram, on: Reached, a: float, b: float) -> None:
     if on.limit is None:
         at = diagram.paper([complex((a + b) / 2, 0.9 * diagram.y.high)])
-        diagram.labels.put("not limited", at, height=2.2, colour=LIMIT.colour)
+        diagram.labels.put(tr("not limited"), at, height=2.2, colour=LIMIT.colour)
         return
     for sign in (1, -1):
         level = sign * degrees(on.limit)
-        text = f"{'' if sign > 0 else '−'}[$θ$] = {minus(number(float(angle(level)), 5))}°"
+        text = f"{'' if sign > 0 else '−'}[$θ$] = {deg(sign * on.limit)}"
         at = diagram.paper([complex(a + part * (b - a), level) for part in (1.0, 0.0, 0.5)])
         diagram.labels.put(text, at, height=2.2, prefer=1 + sign * 1j, colour=LIMIT.colour)
 
@@ -111,9 +119,10 @@ def _phases(diagram: Diagram, task: CamTask) -> None:
         diagram.vertical(start, OTHER)
 
 
-def _name_phases(diagram: Diagram, task: CamTask) -> None:
+def name_phases(diagram: Diagram, task: CamTask) -> None:
+    """The phases along the top."""
     starts = np.degrees(task.program.starts)
     for phase, a, b in zip(task.program.phases, starts[:-1], starts[1:], strict=True):
         if b > a:
             at = diagram.paper([complex((a + b) / 2, part * diagram.y.high) for part in (0.93, 0.8, 0.5)])
-            diagram.labels.put(phase.kind, at, height=2.2, prefer=-1j, gaps=(0.0, 0.9, 1.7, 2.8))
+            diagram.labels.put(phase_name(phase.kind), at, height=2.2, prefer=-1j, gaps=(0.0, 0.9, 1.7, 2.8))

@@ -5,12 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.pictures.curvature import DENSE, draw_bends, draw_distance, names_of, pieces_of
-from tmmcalc.cams.pictures.followersketch import centre_of, draw_follower, ring, top_of
+from tmmcalc.cams.pictures.followersketch import AXES, centre_of, draw_follower, ring, top_of
 from tmmcalc.cams.pictures.ordered import cam_of
-from tmmcalc.cams.pictures.profilemarks import draw_marks, marks_of, name_marks
+from tmmcalc.cams.pictures.profilemarks import LAID, draw_marks, marks_of, name_marks
 from tmmcalc.cams.pictures.profilesizes import draw_phases, draw_sizes, name_phases, write_sizes
+from tmmcalc.cams.pictures.toscale import closed_up
+from tmmcalc.cams.pictures.wording import mm, sense_of, wall_name
 from tmmcalc.cams.profile.offsets import Rim
-from tmmcalc.cams.profile.results import WALLS, Profile, Wall
+from tmmcalc.cams.profile.results import Profile, Wall
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.box import Box
@@ -18,12 +20,14 @@ from tmmcalc.report.drawing.curves import SIDES, stacked
 from tmmcalc.report.drawing.diagram import key_rows
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.key import samples_in_rows
-from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.pens import INK, MARK, PATH, THICK, Pen
+from tmmcalc.report.drawing.scales import length_scale, scale_text
 from tmmcalc.report.drawing.shapes import Drawing, Words
-from tmmcalc.report.numbers import number
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.numbers import number, round_scale
 
 MARGIN = 11.0  # [mm], for the dimensions
 GAPS = (0.9, 1.7, 2.8, 4.0, 5.5)  # of the name of the roller
@@ -53,28 +57,39 @@ def profile_drawing(task: CamTask, result: Profile) -> Drawing:
     drawing, box = titled(_heading(result), 2.9)
     left, right = box.split(1.62, 1.0, gap=4, across=True)
     rim = Rim(result.follower, task.program)
-    upper, lower = stacked(right, [len(key_rows(names_of(result), right.width - SIDES[0] - SIDES[2])), 0])
-    draw_bends(drawing, upper, rim, result)
+    upper, lower = stacked(right, [len(key_rows(names_of(task, result), right.width - SIDES[0] - SIDES[2])), 0])
+    draw_bends(drawing, upper, task, rim, result)
     draw_distance(drawing, lower, rim, result)
-    board = _draw_cam(drawing, left.inset(0, FOOT, 0, 0), task, result, rim)
-    _legend(drawing, Box(left.left, left.bottom, left.right, left.bottom + FOOT - 1.0), task, result, board)
+    draw_cam(drawing, left, task, result)
     return drawing
+
+
+def draw_cam(drawing: Drawing, box: Box, task: CamTask, result: Profile, *, to_scale: bool = False) -> Board:
+    """The cam with its follower and all sizes, under it what the lines are; ``to_scale``: at a standard scale."""
+    board = _draw_cam(drawing, box.inset(0, FOOT, 0, 0), task, result, to_scale=to_scale)
+    said = scale_text(board.mu) if to_scale else f"$μ_l$ = {number(1e3 * board.mu, 4)} {tr_unit('mm/mm')}"
+    foot = board.box.bottom
+    _legend(drawing, Box(box.left, foot - FOOT, box.right, foot - 1.0), task, result, said)
+    return board
 
 
 def _heading(result: Profile) -> str:
     follower = result.follower
-    sizes = [f"$R_0$ = {number(1e3 * follower.base, 5)} mm"]
+    sizes = [_size("R_0", follower.base)]
     if follower.kind == "translating":
         # e > 0 in the user's sense is on the right of O
-        sizes.append(f"$e$ = {minus(number(1e3 * follower.offset * follower.sense, 5))} mm")
+        sizes.append(_size("e", follower.offset * follower.sense))
     if follower.kind == "oscillating":
-        sizes += [f"$l_0$ = {number(1e3 * follower.centres, 5)} mm", f"$l_2$ = {number(1e3 * follower.rocker, 5)} mm"]
+        sizes += [_size("l_0", follower.centres), _size("l_2", follower.rocker)]
     if not result.flat:
-        sizes.append(f"$r_2$ = {number(1e3 * follower.roller, 5)} mm")
+        sizes.append(_size("r_2", follower.roller))
         if result.inner_reach is not None:
-            sizes.append(f"largest roller {number(1e3 * result.inner_reach.distance, 5)} mm")
-    turns = "clockwise" if follower.sense > 0 else "counter-clockwise"
-    return f"Profile of the cam, which turns {turns}: {', '.join(sizes)}"
+            sizes.append(tr("largest roller {radius} mm", radius=mm(result.inner_reach.distance)))
+    return tr("Profile of the cam, which turns {sense}: {sizes}", sense=sense_of(follower), sizes=", ".join(sizes))
+
+
+def _size(sign: str, value: float) -> str:
+    return f"${sign}$ = {mm(value)} {tr_unit('mm')}"
 
 
 def _curve(rim: Rim, distance: float) -> Plane:
@@ -84,19 +99,25 @@ def _curve(rim: Rim, distance: float) -> Plane:
     return placed
 
 
-def _draw_cam(drawing: Drawing, box: Box, task: CamTask, result: Profile, rim: Rim) -> Board:
+def _draw_cam(drawing: Drawing, box: Box, task: CamTask, result: Profile, *, to_scale: bool) -> Board:
     follower = result.follower
+    rim = Rim(follower, task.program)
     curves = {wall.name: _curve(rim, wall.distance) for wall in result.walls}
     pitch = None if result.flat else _curve(rim, 0.0)
     every = np.concatenate([*curves.values(), *([] if pitch is None else [pitch])])
     around = _frame_of(result) if pitch is None else np.append(_frame_of(result), _curve(rim, -follower.roller))
-    board = Board(drawing, box, np.append(every, around), MARGIN)
+    content = np.append(every, around)
+    if to_scale:
+        box = closed_up(box, content, MARGIN)
+    board = Board(drawing, box, content, MARGIN, scale=length_scale if to_scale else round_scale)
     for name, colour in (("outer", GROOVE), ("inner", BODY)):
         if name in curves:
             board.filled(curves[name], colour, level=0.5 if name == "outer" else 0.6)
     ring(board, 0j, follower.base, PENS["base"], weight=0.15)
     if task.limits.shaft:
         ring(board, 0j, task.limits.shaft, PENS["shaft"])
+    if follower.offset:
+        ring(board, 0j, abs(follower.offset), AXES, weight=0.15)
     marks = marks_of(task, result, rim)
     draw_marks(board, marks, follower)
     if pitch is not None and follower.roller:
@@ -165,16 +186,18 @@ def _name_points(board: Board, result: Profile) -> None:
         board.labels.put("$C$", board.paper([centre_of(follower)]), prefer=1 - 1j, gaps=GAPS)
 
 
-def _legend(drawing: Drawing, box: Box, task: CamTask, result: Profile, board: Board) -> None:
+def _legend(drawing: Drawing, box: Box, task: CamTask, result: Profile, scale: str) -> None:
     follower = result.follower
-    entries = [] if result.flat or not follower.roller else [("pitch curve", PENS["pitch"])]
-    entries += [(WALLS[wall.name], PENS[wall.name]) for wall in result.walls]
-    entries.append(("base circle", PENS["base"]))
+    entries = [] if result.flat or not follower.roller else [(tr("pitch curve"), PENS["pitch"])]
+    entries += [(wall_name(wall.name), PENS[wall.name]) for wall in result.walls]
+    entries.append((tr("base circle"), PENS["base"]))
+    entries.append((tr("lift, laid off"), LAID))
     if task.limits.shaft:
-        entries.append(("shaft", PENS["shaft"]))
+        entries.append((tr("shaft"), PENS["shaft"]))
     if any(wall.loops for wall in result.walls):
-        entries.append(("undercut", PENS["lost"]))
-    text = f"scale $μ_l$ = {number(1e3 * board.mu, 4)} mm/mm; dots with numbers: "
-    text += f"{'contact' if result.flat else 'follower'} at i of the tables"
-    drawing.add(Words(complex(box.middle.real, box.top), text, 2.2, 1j, colour=INK))
+        entries.append((tr("undercut"), PENS["lost"]))
+    text = tr("scale {scale}; dots with numbers: follower at $i$ of the tables", scale=scale)
+    if result.flat:
+        text = tr("scale {scale}; dots with numbers: contact at $i$ of the tables", scale=scale)
+    drawing.add(Words(complex(box.middle.real, box.top), text, min(2.2, box.width / width(text)), 1j, colour=INK))
     samples_in_rows(drawing, box.inset(0, 0, 0, 4.5), entries, 2.0)

@@ -25,6 +25,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.pens import CURVES
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import number
 
 NOTHING = 1e-12  # of the largest force
@@ -41,7 +42,7 @@ def strength_drawing(task: CamTask, result: CamStrength) -> Drawing:
     loads = loads_of(task)
     case = case_of(task, result.follower, loads, turn_forces(task, result.follower, loads, solve_spring(task, loads)))
     graphs = _graphs(case, result)
-    heading = "Requirements over a turn of the cam" if graphs else "No data of slip, contact or shaft"
+    heading = tr("Requirements over a turn of the cam") if graphs else tr("No data of slip, contact or shaft")
     drawing, box = titled(heading, 3.2)
     for graph, diagram in zip(graphs, column(drawing, box, graphs) if graphs else (), strict=True):
         phase_ends(diagram, result.ends)
@@ -66,7 +67,9 @@ def _graphs(case: Case, result: CamStrength) -> list[Graph]:
         line = Line("", values, at, CURVES[len(found)]._replace(dashes=()), marks)
         low, high = room([values, np.array([limit or 0.0])])
         factor, shown = suited(float(np.max(np.abs(values))), unit)
-        name = "" if limit is None else f"limit {minus(number(factor * limit, 5))} {shown}".rstrip()
+        name = ""
+        if limit is not None:
+            name = tr("limit {limit}", limit=f"{minus(number(factor * limit, 5))} {shown}".rstrip())
         levels = () if limit is None else ((limit, LIMIT, name),)
         ends = (low, min(high, HIGHEST) if symbol == "D" else high)
         found.append(Graph(symbol, unit, True, phi, nodes, (line,), DIGITS, ends=ends, levels=levels))

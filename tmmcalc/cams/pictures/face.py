@@ -7,16 +7,17 @@ from math import degrees
 import numpy as np
 
 from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.pictures.wording import mm
 from tmmcalc.cams.pictures.zone import LIMIT
 from tmmcalc.cams.synthesis.results import Convexity
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import input_axis, stacked
 from tmmcalc.report.drawing.diagram import Axis, Diagram, room
-from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.limits import places, with_limits
 from tmmcalc.report.drawing.pens import AXIS, CURVES, INK
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import number
 
 FORBIDDEN = "#fae5d9"
@@ -31,7 +32,7 @@ def draw_convexity(drawing: Drawing, box: Box, task: CamTask, found: Convexity, 
     phi, rho = np.degrees(places(dense)), 1e3 * (follower.start + y + y2)
     along = input_axis(True, phi)
     low = min(0.0, 1.15 * float(rho.min())) - 0.03 * float(rho.max())
-    up = Axis("radius of the profile $ρ = S_0 + F$, mm", low, 1.12 * float(rho.max()))
+    up = Axis(tr("radius of the profile $ρ = S_0 + F$, mm"), low, 1.12 * float(rho.max()))
     diagram = Diagram(drawing, upper, along, up, numbered=False)
     corners = [0j, along.high + 0j, complex(along.high, 1e3 * found.limit), 1e3j * found.limit]
     diagram.filled(np.array(corners), FORBIDDEN)
@@ -40,15 +41,15 @@ def draw_convexity(drawing: Drawing, box: Box, task: CamTask, found: Convexity, 
     diagram.curve(phi + 1j * rho, CURVES[0])
     at = complex(degrees(found.least.phi), 1e3 * found.radius)
     diagram.mark(at, number(at.imag, 6), CURVES[0])
-    diagram.name_level(1e3 * follower.start, f"$S_0$ = {minus(number(1e3 * follower.start, 6))}", INK)
-    text = f"$r_m$ = {minus(number(1e3 * found.limit, 5))}: $S_0 ≥ r_m − F_{{min}}$ = "
-    diagram.name_level(1e3 * found.limit, text + minus(number(1e3 * found.needed, 6)), LIMIT.colour)
+    diagram.name_level(1e3 * follower.start, f"$S_0$ = {mm(follower.start, 6)}", INK)
+    text = f"$r_m$ = {mm(found.limit)}: $S_0 ≥ r_m − F_{{min}}$ = {mm(found.needed, 6)}"
+    diagram.name_level(1e3 * found.limit, text, LIMIT.colour)
     place = -follower.sense * 1e3 * y1  # the contact stands to the left on the rise of a clockwise cam
     reaches = np.array([-1e3 * found.left, 1e3 * found.right])
-    name = "contact, mm (> 0: right)"
+    name = tr("contact, mm (> 0: right)")
     diagram = Diagram(drawing, lower, along, Axis(name, *room([place, reaches], 0.2, 0.2)))
     for reach in reaches.tolist():
         diagram.level(reach, LIMIT)
     diagram.curve(phi + 1j * place, CURVES[2])
-    for reach, word in zip(reaches.tolist(), ("left", "right"), strict=True):
-        diagram.name_level(reach, f"{word} {minus(number(abs(reach), 6))}", LIMIT.colour)
+    diagram.name_level(reaches[0], tr("left {reach}", reach=mm(found.left, 6)), LIMIT.colour)
+    diagram.name_level(reaches[1], tr("right {reach}", reach=mm(found.right, 6)), LIMIT.colour)

@@ -8,15 +8,20 @@ from tmmcalc.cams.indexing.task import IndexingTask
 from tmmcalc.cams.pictures.indexingscheme import content_of, draw_scheme, parts_of
 from tmmcalc.cams.pictures.indexingstep import draw_step
 from tmmcalc.cams.pictures.indexingstudy import draw_study
+from tmmcalc.cams.pictures.wording import law_name, mm
 from tmmcalc.core.errors import UsageError
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.key import write_key
 from tmmcalc.report.drawing.order import PHASE, Order
 from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.scales import length_scale, scale_text
 from tmmcalc.report.drawing.shapes import Drawing, Words
-from tmmcalc.report.numbers import number
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.numbers import number, round_scale
 
 MARGIN = 8.0  # [mm]
+KEY = 88.0  # width of the key beside the scheme [mm]
 
 
 def figure(order: Order) -> Drawing:
@@ -37,17 +42,30 @@ def indexing_drawing(task: IndexingTask, result: Indexing, phase: float = 0.0) -
             "a law that is known by its B alone gives no picture", where="plot", remedy="name a law of the catalogue"
         )
     drawing, boxes = sheets(3)
-    headings = (_heading(result), "One step of the wheel", "What the ratio $λ$ and the step $φ_p$ decide")
+    headings = (_heading(result), tr("One step of the wheel"), tr("What the ratio $λ$ and the step $φ_p$ decide"))
     for box, heading in zip(boxes, headings, strict=True):
         drawing.add(Words(complex(box.middle.real, box.top), heading, 3.2, 1j))
     first, second, third = (box.inset(0, 0, 0, 7) for box in boxes)
-    scheme, key = first.split(2.2, 1.0, gap=5, across=True)
-    board = Board(drawing, scheme, content_of(drive, result), MARGIN)
-    draw_scheme(board, task, result, result.cam, phase)
-    write_key(drawing, key, parts_of(result, result.cam, board.mu))
+    draw_drive(drawing, first, task, result, phase)
     draw_step(drawing, second, drive, result, result.cam)
     draw_study(drawing, third, task, result, drive)
     return drawing
+
+
+def draw_drive(
+    drawing: Drawing, box: Box, task: IndexingTask, result: Indexing, phase: float, *, to_scale: bool = False
+) -> None:
+    """The drive in a rectangle, with its sizes beside it; ``to_scale``: at a standard scale of lengths."""
+    drive = drive_of(task, result.ratio)
+    assert drive is not None
+    assert result.cam is not None
+    beside = min(KEY, box.width / 3.2)
+    scheme, key = box.split(box.width - beside - 5.0, beside, gap=5.0, across=True)
+    scale = length_scale if to_scale else round_scale
+    board = Board(drawing, scheme, content_of(drive, result), MARGIN, scale=scale)
+    draw_scheme(board, task, result, result.cam, phase)
+    said = scale_text(board.mu) if to_scale else f"$μ_l$ = {number(1e3 * board.mu, 4)} {tr_unit('mm/mm')}"
+    write_key(drawing, key, parts_of(result, result.cam, said))
 
 
 def _radii(result: Indexing) -> list[float]:
@@ -59,9 +77,8 @@ def _radii(result: Indexing) -> list[float]:
 def _heading(result: Indexing) -> str:
     sizes = (
         f"$z_2$ = {result.rollers}",
-        f"$a$ = {number(1e3 * result.centres, 5)} mm",
-        f"$l_k$ = {number(1e3 * result.wheel, 5)} mm",
-        f"$r_r$ = {' and '.join(number(1e3 * radius, 5) for radius in _radii(result))} mm",
-        f"law {result.law}",
+        f"$a$ = {mm(result.centres)} {tr_unit('mm')}",
+        f"$l_k$ = {mm(result.wheel)} {tr_unit('mm')}",
+        f"$r_r$ = {'; '.join(map(mm, _radii(result)))} {tr_unit('mm')}",
     )
-    return f"Indexing drive: {', '.join(sizes)}"
+    return tr("Indexing drive: {sizes}, law {law}", sizes=", ".join(sizes), law=law_name(result.law))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import degrees, pi, tau
+from math import pi, tau
 
 import numpy as np
 
@@ -13,12 +13,13 @@ from tmmcalc.cams.indexing.results import Cam, Indexing
 from tmmcalc.cams.indexing.second import rows_of
 from tmmcalc.cams.indexing.solve import drive_of
 from tmmcalc.cams.indexing.task import IndexingTask
+from tmmcalc.cams.pictures.wording import deg, mm
 from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.key import Part, Sample
-from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.pens import AXIS, MARK, PATH, WHITE, Pen
-from tmmcalc.report.numbers import angle, number
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.numbers import number
 
 CHORD = 1e-4  # of the wheel: tolerance of drawn curves
 CENTRES = AXIS._replace(width=0.18, colour="#6b6b6b")
@@ -82,29 +83,26 @@ def _draw_shafts(board: Board, drive: Drive, cam: Cam) -> None:
         board.arrowhead(complex(arc[-1]), complex(arc[-1] - arc[-3]), MARK)
 
 
-def parts_of(result: Indexing, cam: Cam, mu: float) -> list[Part]:
-    """The key beside the scheme."""
+def parts_of(result: Indexing, cam: Cam, scale: str) -> list[Part]:
+    """The key beside the scheme; ``scale`` is that of the drawing."""
     limits, found = result.bounds, cam.efficiency
-    most = "any" if limits.ratio_max is None else number(limits.ratio_max, 5)
+    most = tr("any") if limits.ratio_max is None else number(limits.ratio_max, 5)
     sizes = [
-        ("$λ$", f"{number(result.ratio, 5)} in {number(limits.ratio_min, 5)} ... {most}"),
-        ("$φ_p$, dwell", ", ".join(map(_deg, (result.step, *(result.dwells or (result.dwell,)))))),
-        ("$β_m$", _deg(tau / result.rollers)),
-        ("$R_0$", f"{number(1e3 * result.base, 5)} mm"),
-        ("$ϑ_{1m}$", _deg(result.start_pressure)),
-        ("$k_m$, working $k_w$", f"{number(cam.handover.part, 4)}, {number(cam.working_part, 4)}"),
-        ("$ϑ_2(k_m)$", _deg(cam.handover.angle)),
-        ("$ρ$, bottom of the groove", f"{minus(number(1e3 * cam.bottom, 4))} mm"),
-        ("mean $η$, load against", number(found.mean_against, 3)),
-        ("mean $η$, load along", number(found.mean_aiding, 3)),
-    ]
+        ("$λ$", tr("{ratio} in {least} ... {most}", ratio=number(result.ratio, 5), least=number(limits.ratio_min, 5),
+                   most=most)),
+        (tr("$φ_p$, dwell"), "; ".join(map(deg, (result.step, *(result.dwells or (result.dwell,)))))),
+        ("$β_m$", deg(tau / result.rollers)),
+        ("$R_0$", f"{mm(result.base)} {tr_unit('mm')}"),
+        ("$ϑ_{1m}$", deg(result.start_pressure)),
+        (tr("$k_m$, working $k_w$"), f"{number(cam.handover.part, 4)}; {number(cam.working_part, 4)}"),
+        ("$ϑ_2(k_m)$", deg(cam.handover.angle)),
+        (tr("$ρ$, bottom of the groove"), f"{mm(cam.bottom, 4)} {tr_unit('mm')}"),
+        (tr("mean $η$, load against"), number(found.mean_against, 3)),
+        (tr("mean $η$, load along"), number(found.mean_aiding, 3)),
+    ]  # fmt: skip
     samples = [
-        Sample("front cam and its row", NEAR),
-        Sample("rear cam and its row", FAR),
-        Sample("pitch curve of the front cam", PITCH),
+        Sample(tr("front cam and its row"), NEAR),
+        Sample(tr("rear cam and its row"), FAR),
+        Sample(tr("pitch curve of the front cam"), PITCH),
     ]
-    return [Part("The drive", sizes), Part(f"Lines (1 mm of paper: {minus(number(1e3 * mu, 4))} mm)", samples=samples)]
-
-
-def _deg(value: float) -> str:
-    return f"{minus(number(float(angle(degrees(value))), 5))}°"
+    return [Part(tr("The drive"), sizes), Part(tr("Lines ({scale})", scale=scale), samples=samples)]

@@ -17,6 +17,7 @@ from tmmcalc.report.drawing.curves import stacked
 from tmmcalc.report.drawing.diagram import Axis, Diagram, room
 from tmmcalc.report.drawing.pens import CURVES, MARK, Pen
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import number
 
 DENSE = 401
@@ -31,7 +32,7 @@ def draw_step(drawing: Drawing, box: Box, drive: Drive, result: Indexing, cam: C
     left, right = box.split(1, 1, gap=6, across=True)
     boxes = [frame for half in (left, right) for frame in half.split(1, 1, gap=4)]
     front, groove = Flank(drive, "A"), Flank(drive, "B")
-    _diagram(drawing, boxes[0], cam, "motion of the wheel", _motion(front))
+    _diagram(drawing, boxes[0], cam, tr("motion of the wheel"), _motion(front))
     _efficiency(drawing, boxes[1], cam, result, front, groove)
     _pressure(drawing, boxes[2], cam, result, front, groove)
     _polar(drawing, boxes[3], cam, front)
@@ -61,14 +62,14 @@ def _pressure(drawing: Drawing, box: Box, cam: Cam, result: Indexing, front: Fla
     """Of each flank where it works, and thin where the other one does; the limits, the start and the tip."""
     end, curves = cam.handover.part, list[Named]()
     for flank, own, name, pen in (
-        (front, end >= K, "$ϑ_1$ on A", CURVES[0]),
-        (groove, end <= K, "$ϑ_2$ on B", CURVES[1]),
+        (front, end >= K, tr("$ϑ_1$ on A"), CURVES[0]),
+        (groove, end <= K, tr("$ϑ_2$ on B"), CURVES[1]),
     ):
         values = np.degrees(flank.pressure(K))
         whole = values if flank is front else np.where(np.abs(K - 0.5) < 1e-9, np.nan, values)
         faint = pen._replace(layer=f"{pen.layer}_THIN", width=FAINT)
         curves += [("", whole, faint), (name, np.where(own, values, np.nan), pen)]
-    diagram = _diagram(drawing, box, cam, "pressure angle, °", curves, (-95.0, 95.0))
+    diagram = _diagram(drawing, box, cam, tr("pressure angle, °"), curves, (-95.0, 95.0))
     for sign in (1, -1):
         diagram.level(sign * degrees(result.limit), LIMIT)
     for at in (complex(cam.handover.part, degrees(cam.handover.angle)), complex(0.0, degrees(result.start_pressure))):
@@ -82,7 +83,7 @@ def _polar(drawing: Drawing, box: Box, cam: Cam, front: Flank) -> None:
     ahead = np.degrees(front.polar(K) - step * K)
     behind = np.degrees(back.polar(1 - K) - step * (1 - K))
     curves = [("$δ_1(k)$", ahead, CURVES[0]), ("$δ_3(1 − k)$", behind, CURVES[2])]
-    diagram = _diagram(drawing, box, cam, "polar angle of the lobe, °", curves)
+    diagram = _diagram(drawing, box, cam, tr("polar angle of the lobe, °"), curves)
     tip = diagram.point(complex(cam.handover.part, -degrees(step) / 2), MARK)
     diagram.labels.put(f"$k_m$ = {number(cam.handover.part, 4)}", [tip], prefer=1 + 1j, gaps=(0.9, 2.0, 4.0, 6.0, 8.0))
 
@@ -94,8 +95,8 @@ def _efficiency(drawing: Drawing, box: Box, cam: Cam, result: Indexing, front: F
     curves = [
         (name, formula(angle, sigma, *result.frictions)[0], pen)
         for formula, name, pen in (
-            (against, "load against the motion", CURVES[0]),
-            (aiding, "load along the motion", CURVES[1]),
+            (against, tr("load against the motion"), CURVES[0]),
+            (aiding, tr("load along the motion"), CURVES[1]),
         )
     ]
-    _diagram(drawing, box, cam, "efficiency $η$", curves, (0.0, 1.05))
+    _diagram(drawing, box, cam, tr("efficiency $η$"), curves, (0.0, 1.05))

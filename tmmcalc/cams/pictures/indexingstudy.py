@@ -21,6 +21,7 @@ from tmmcalc.report.drawing.curves import SIDES, stacked
 from tmmcalc.report.drawing.diagram import ROW, Axis, Diagram, key_above, one_scale
 from tmmcalc.report.drawing.pens import CURVES
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import number
 
 POINTS = 33
@@ -47,7 +48,7 @@ def draw_study(drawing: Drawing, box: Box, task: IndexingTask, result: Indexing,
     steps = np.linspace(low, max(min(limits.step_max or pi, LARGEST_STEP), 1.05 * low, 1.02 * result.step), POINTS)
     drives = [drive_of(replace(task, step=step), result.ratio) for step in steps.tolist()]
     x = np.degrees(steps)
-    across = Axis(f"$φ_p$, °, at $λ$ = {number(result.ratio, 5)}", float(x[0]), float(x[-1]), True)
+    across = Axis(tr("$φ_p$, °, at $λ$ = {ratio}", ratio=number(result.ratio, 5)), float(x[0]), float(x[-1]), True)
     for diagram in _curves(drawing, lower, across, x, drives, task):
         diagram.vertical(degrees(result.step), PLACE)
 
@@ -57,8 +58,8 @@ def _grooves(drawing: Drawing, box: Box, result: Indexing, drive: Drive) -> None
     k = np.linspace(0.0, 1.0, DENSE)
     curves = []
     for ratio, name, pen in (
-        (BELOW * result.bounds.ratio_min, f"{BELOW:g} $λ_{{min}}$, a loop", CURVES[1]),
-        (result.bounds.ratio_min, "$λ_{min}$, a point", CURVES[2]),
+        (BELOW * result.bounds.ratio_min, tr("{part} $λ_{min}$, a loop", part=number(BELOW)), CURVES[1]),
+        (result.bounds.ratio_min, tr("$λ_{min}$, a point"), CURVES[2]),
         (result.ratio, f"$λ$ = {number(result.ratio, 5)}", CURVES[0]),
     ):
         flank = Flank(replace(drive, centres=ratio * drive.wheel), "B")
@@ -67,7 +68,7 @@ def _grooves(drawing: Drawing, box: Box, result: Indexing, drive: Drive) -> None
     every = np.concatenate([points for _, points, _ in curves])
     air = 0.05 * max(float(np.ptp(every.real)), float(np.ptp(every.imag)))
     frame = box.inset(SIDES[0] - 3.0, 10, 2, 2 * ROW + 2)
-    x = Axis("pitch curve of the groove, mm", float(every.real.min()) - air, float(every.real.max()) + air)
+    x = Axis(tr("pitch curve of the groove, mm"), float(every.real.min()) - air, float(every.real.max()) + air)
     y = Axis("", float(every.imag.min()) - air, float(every.imag.max()) + air)
     high = min(frame.height, frame.width * (y.high - y.low) / (x.high - x.low))
     frame = frame.inset(0, frame.height - high, 0, 0)
@@ -86,7 +87,7 @@ def _curves(
     angle = [np.nan if tip is None else degrees(tip.angle) for tip in found]
     part = [np.nan if tip is None else tip.part for tip in found]
     upper, lower = stacked(box, [1, 0], [1.7, 1.0])
-    above = Diagram(drawing, upper, across, Axis("pressure angle, °", 0.0, 90.0), numbered=False)
+    above = Diagram(drawing, upper, across, Axis(tr("pressure angle, °"), 0.0, 90.0), numbered=False)
     above.level(degrees(task.limit), LIMIT)
     named = [("$ϑ_{1m}$", start, CURVES[0]), ("$ϑ_2(k_m)$", angle, CURVES[1])]
     for _, values, pen in named:

@@ -6,39 +6,57 @@ curve is inclined by the pressure angle there. The sense is the canonical one: e
 
 from __future__ import annotations
 
+import cmath
 from math import atan, cos, sin
 
 import numpy as np
 
 from tmmcalc.cams.follower import Complex
+from tmmcalc.cams.pictures.toscale import closed_up, scale_of_mm
+from tmmcalc.cams.pictures.wording import deg, mm
 from tmmcalc.cams.pictures.zone import (
     HATCH,
-    HEIGHT,
     LIMIT,
     OTHER,
     ZONE,
     axis_of_cam,
     dimension,
     limit_point,
+    mark_angle,
     name_limit,
     textbook_choice,
 )
 from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.synthesis.translatingsizes import Line, lines_of, region_of
 from tmmcalc.cams.task import CamTask
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
-from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.pens import CURVES
-from tmmcalc.report.drawing.polar import name_axes
-from tmmcalc.report.drawing.shapes import Words
-from tmmcalc.report.numbers import number
+from tmmcalc.report.drawing.polar import AROUND, name_axes
+from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr
+from tmmcalc.report.numbers import round_scale
 
 POINTS = 241
 FAR = 5.0  # S0 to which the zone is drawn
+MARKED = 12.0  # radius of the arcs of the allowed angles [mm]
 BEYOND = 0.22  # of S0 + h, what is shown around
 
 
-def content_of(task: CamTask, result: Synthesis) -> Complex:
+def plane_board(
+    drawing: Drawing, box: Box, task: CamTask, result: Synthesis, margin: float, *, to_scale: bool
+) -> Board:
+    """The drawing in a rectangle; ``to_scale``: at a standard scale of lengths."""
+    left, bottom, right = AROUND
+    inner, content = box.inset(left, bottom, right, 0), _content(task, result)
+    if to_scale:
+        inner = closed_up(inner, content, margin, unit=1e-3)
+    board = Board(drawing, inner, content, margin, scale=scale_of_mm if to_scale else round_scale)
+    _draw_plane(board, task, result)
+    return board
+
+
+def _content(task: CamTask, result: Synthesis) -> Complex:
     """Points [mm] that the drawing has to show."""
     o, curves = _axis(result), np.concatenate([_curve(task, kind) for kind in ("rise", "return")])
     reach = BEYOND * (abs(o.real) + 1e3 * task.program.stroke)
@@ -46,12 +64,13 @@ def content_of(task: CamTask, result: Synthesis) -> Complex:
     return np.concatenate((curves, curves.max(keepdims=True) + 0.5 * reach, np.array(ends)))
 
 
-def draw_plane(board: Board, task: CamTask, result: Synthesis) -> None:
+def _draw_plane(board: Board, task: CamTask, result: Synthesis) -> None:
     """Zone, curve, tangents, the axis with S0 and e, the textbook's choice."""
     box = board.box
     name_axes(board, ("ΔS", "S'"), 1.0, "mm")
-    e = "e" if result.follower.sense > 0 else "−e"  # in the user's sense
-    words = f"$S_0$ to the left of zero, ${e}$ below it"
+    words = tr("$S_0$ to the left of zero, $e$ below it")
+    if result.follower.sense < 0:  # e in the user's sense
+        words = tr("$S_0$ to the left of zero, $−e$ below it")
     board.drawing.add(Words(complex(box.right, box.bottom - 4.5), words, 2.1, 1 + 1j))
     low, high = board.data(complex(box.left, box.bottom)), board.data(complex(box.right, box.top))
     for ends in ((low.real, high.real), (1j * low.imag, 1j * high.imag)):
@@ -90,13 +109,16 @@ def _touching(task: CamTask, line: Line) -> tuple[complex, complex]:
 
 
 def _name_tangent(board: Board, task: CamTask, line: Line) -> None:
-    """The angle of the cam at its point, and the limit along it."""
+    """The angle of the cam at its point; the allowed pressure angle, between it and the direction of the abscissa."""
     at, along = _touching(task, line)
-    left = board.data(complex(board.box.left)).real
-    name_limit(board, at, f"{minus(number(np.degrees(line.phi), 4))}°", complex(1, line.side))
-    places = board.paper([at - part * (at.real - left) * along for part in (0.3, 0.4, 0.5, 0.2)])
-    text = f"{'+' if line.side > 0 else '−'}[$θ$]"
-    board.labels.put(text, places, height=HEIGHT, prefer=1j * line.side, colour=LIMIT.colour)
+    name_limit(board, at, deg(line.phi, 4), complex(1, line.side))
+    foot = at - at.imag / along.imag * along  # on the axis of abscissas
+    room = MARKED * board.mu
+    left, right = board.data(complex(board.box.left)).real, board.data(complex(board.box.right)).real
+    if not left < foot.real < right - room:
+        foot = at - 0.5 * (at.real - left) * along
+        board.line([foot, foot + 1.2 * room], OTHER, level=6)
+    mark_angle(board, foot, (1.0, along), MARKED, f"[$θ$] = {deg(abs(cmath.phase(along)))}")
 
 
 def _draw_axis(board: Board, result: Synthesis) -> None:
@@ -104,13 +126,15 @@ def _draw_axis(board: Board, result: Synthesis) -> None:
     high = board.data(complex(0, board.box.bottom)).imag + 7 * board.mu
     for z in (o, complex(0, o.imag)):
         board.line([z, complex(z.real, high - 2 * board.mu)], OTHER, level=3)
-    dimension(board, complex(o.real, high), complex(0, high), f"$S_0$ = {minus(number(-o.real, 6))}")
+    dimension(board, complex(o.real, high), complex(0, high), f"$S_0$ = {mm(result.follower.start, 6)}")
     axis_of_cam(board, o)
     book = next((each for each in result.designs if each.name.startswith("textbook (")), None)
     if book is not None:
         textbook_choice(board, -1e3 * complex(book.start, book.offset), "$O^*$ (5.44)")
-    e = result.follower.sense * result.follower.offset * 1e3 + 0.0
-    dimension(board, complex(o.real, 0), o, f"$e$ = {minus(number(e, 6))}")
+    if result.follower.offset:
+        e = result.follower.sense * result.follower.offset
+        dimension(board, complex(o.real, 0), o, f"$e$ = {mm(e, 6)}")
+        dimension(board, o, 0j, f"$R_0$ = {mm(result.follower.base, 6)}")
 
 
 def _axis(result: Synthesis) -> complex:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.cams.follower import Follower
+from tmmcalc.cams.follower import Complex, Follower
 from tmmcalc.cams.pictures.followersketch import ring
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.results import Profile
@@ -12,12 +12,14 @@ from tmmcalc.cams.program import SAME, Positions, Program
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.records import record
 from tmmcalc.report.drawing.field import Board
-from tmmcalc.report.drawing.pens import OTHER, PATH
+from tmmcalc.report.drawing.pens import OTHER, PATH, Pen
 
 MOST = 10  # positions of a moving phase
 STRIDES = tuple(m * 10**n for n in range(6) for m in (1, 2, 5))
 APART = 4.0  # of two numbers on paper [mm]
 NUMBER = 1.8  # height of a number [mm]
+FACE = 0.3  # of the base circle: half of the piece of a face that is drawn
+LAID = Pen("LIFTS_LAID_OFF", 0.25, colour=PATH.colour)
 DOT = 0.45  # radius of a position [mm]
 
 
@@ -28,16 +30,33 @@ class Mark:
     label: str  # i of the tables
     place: complex  # centre of the roller, or contact of a flat face [m]
     ends: bool  # a phase begins there
+    laid: Complex  # (n,) how the lift is laid off from the lowest position, as the cam sees it [m]
+    face: Complex  # (2,) a piece of the flat face about the contact; (0,) of a roller
 
 
 def marks_of(task: CamTask, result: Profile, rim: Rim) -> list[Mark]:
     """The rows of the tables that are drawn, at most `MOST` and the ends of a moving phase."""
     rows, ends = _chosen(task.positions, task.program)
-    places = result.follower.placed(rim.at(task.positions.phi[rows], task.positions.piece[rows]).points)
-    return [
-        Mark(task.positions.labels[row], complex(place), bool(end))
-        for row, place, end in zip(rows.tolist(), places, ends, strict=True)
-    ]
+    follower, phi = result.follower, task.positions.phi[rows]
+    places = rim.at(phi, task.positions.piece[rows]).points.tolist()
+    found = []
+    for row, at, place, end in zip(rows.tolist(), phi.tolist(), places, ends, strict=True):
+        face = np.empty(0, complex)
+        if result.flat:
+            face = place + FACE * follower.base * np.exp(1j * at) * np.array([-1, 1])
+        laid = follower.placed(_laid_off(follower, at, float(task.motion[0, row])))
+        label, centre = task.positions.labels[row], complex(follower.placed(np.array([place]))[0])
+        found.append(Mark(label, centre, bool(end), laid, follower.placed(face)))
+    return found
+
+
+def _laid_off(follower: Follower, phi: float, lift: float) -> Complex:
+    """The way (n,) of the roller, or of the foot of a stem, from its lowest place to that of this lift [m]."""
+    turn, steps = np.exp(1j * phi), follower.start + lift * np.linspace(0, 1, 9)
+    if follower.kind == "oscillating":
+        arm = follower.rocker * np.exp(1j * (phi - follower.assembly * steps))
+        return np.asarray(follower.centres * turn - arm)
+    return np.asarray((follower.offset + 1j * steps) * turn)
 
 
 def _chosen(positions: Positions, program: Program) -> tuple[np.ndarray, np.ndarray]:
@@ -57,10 +76,13 @@ def _chosen(positions: Positions, program: Program) -> tuple[np.ndarray, np.ndar
 
 
 def draw_marks(board: Board, marks: list[Mark], follower: Follower) -> None:
-    """Circles of the roller, and dots."""
+    """Circles of the roller or pieces of the flat face, whose envelope is the profile; lifts laid off, and dots."""
     for mark in marks:
         if follower.roller:
             ring(board, mark.place, follower.roller, OTHER, weight=0.1)
+        if len(mark.face):
+            board.line(mark.face, OTHER, weight=0.1, level=2)
+        board.line(mark.laid, LAID, weight=0.2, level=2)
         board.dot(mark.place, DOT, colour=PATH.colour, level=6)
 
 

@@ -14,12 +14,12 @@ import numpy as np
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.pictures.curvature import farthest
 from tmmcalc.cams.pictures.followersketch import centre_of, top_of
+from tmmcalc.cams.pictures.wording import mm, phase_name
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.results import Profile
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.field import Board
-from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.pens import DIMENSION, OTHER
 from tmmcalc.report.drawing.shapes import Arc, Dimension, Words, arrowhead
 from tmmcalc.report.drawing.wording import corners
@@ -79,7 +79,7 @@ def name_phases(board: Board, task: CamTask, result: Profile) -> None:
         others = [chord for other, chord in enumerate(chords) if other != k]
         middle, half = (begin + end) / 2, (end - begin) / 2
         places = [part * _cut(result.follower, middle + by * half, radius) for part, by in PLACES]
-        text = f"{phase.kind} {number(degrees(phase.angle), 5)}°"
+        text = f"{phase_name(phase.kind)} {number(degrees(phase.angle), 5)}°"
         board.labels.put(
             text, board.paper(places), height=PHASE, prefer=places[0], gaps=GAPS, own=chords[k], others=others
         )
@@ -92,7 +92,7 @@ def draw_sizes(board: Board, rim: Rim, result: Profile, curves: Plane) -> list[t
     """
     follower = result.follower
     far = follower.placed(np.array([farthest(rim, result)[1]]))[0]
-    found = [_radius(board, far, abs(far), f"$r_{{max}}$ = {_mm(abs(far))}", _reach(curves, far))]
+    found = [_radius(board, far, abs(far), f"$r_{{max}}$ = {mm(abs(far))}", _reach(curves, far))]
     found.append(_base(board, rim, result, far, curves))
     if not result.flat and follower.roller:
         found.append(_roller(board, follower))
@@ -102,7 +102,7 @@ def draw_sizes(board: Board, rim: Rim, result: Profile, curves: Plane) -> list[t
         side, top = follower.offset * follower.sense, top_of(follower)
         line = board.place(top) + 4j
         board.line((0j, complex(0, top.imag) + 4j * board.mu), OTHER, weight=0.15, level=1)
-        _dimension(board, complex(0, top.imag), top, line, f"$e$ = {_mm(side)}")
+        _dimension(board, complex(0, top.imag), top, line, f"$e$ = {mm(side)}")
     return found
 
 
@@ -159,7 +159,7 @@ def _base(board: Board, rim: Rim, result: Profile, far: complex, curves: Plane) 
         near = abs(np.angle(way / far)) < 0.3
         costs.append(board.labels.crowded(ends.tolist(), 2.5) + 100.0 * near - 20.0 * (k < len(first)))
     best = ways[int(np.argmin(costs))]
-    return _radius(board, best, follower.base, f"$R_0$ = {_mm(follower.base)}", _reach(curves, best))
+    return _radius(board, best, follower.base, f"$R_0$ = {mm(follower.base)}", _reach(curves, best))
 
 
 def _at(rim: Rim, result: Profile, phi: float) -> complex:
@@ -186,7 +186,7 @@ def _roller(board: Board, follower: Follower) -> tuple[str, complex, complex]:
     rim, end = centre + radius * way, centre + (radius + 1.3 * LEADER * board.mu) * way
     board.line((rim, end), DIMENSION, weight=0.7, level=8)
     board.arrowhead(rim, -way, DIMENSION, HEAD, level=8)
-    return f"$r_2$ = {_mm(radius)}", board.place(end), way
+    return f"$r_2$ = {mm(radius)}", board.place(end), way
 
 
 def _rocker(board: Board, result: Profile, curves: Plane) -> None:
@@ -196,10 +196,10 @@ def _rocker(board: Board, result: Profile, curves: Plane) -> None:
     low = min(float(np.min(curves.imag)), centre.imag) - follower.roller * (centre.imag < 0)
     board.line((0j, 1j * low), OTHER, weight=0.15, level=1)
     below = board.place(1j * low) - 1j * BEYOND
-    _dimension(board, 1j * low, pivot, below, f"$l_0$ = {_mm(follower.centres)}", 0.0)
+    _dimension(board, 1j * low, pivot, below, f"$l_0$ = {mm(follower.centres)}", 0.0)
     side = 1j * (pivot - centre) / abs(pivot - centre)
     side = side if (side * np.conj(centre)).real > 0 else -side
-    _dimension(board, centre, pivot, board.place(centre) + side * BEYOND, f"$l_2$ = {_mm(follower.rocker)}")
+    _dimension(board, centre, pivot, board.place(centre) + side * BEYOND, f"$l_2$ = {mm(follower.rocker)}")
 
 
 def _dimension(
@@ -213,7 +213,3 @@ def _dimension(
             board.labels.keep(corners(part))
         else:
             board.labels.avoid(part.points, 1.0)
-
-
-def _mm(value: float) -> str:
-    return minus(number(1e3 * value, 5))

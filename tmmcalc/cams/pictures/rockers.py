@@ -10,6 +10,8 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.cams.follower import Complex
+from tmmcalc.cams.pictures.toscale import closed_up
+from tmmcalc.cams.pictures.wording import deg, mm
 from tmmcalc.cams.pictures.zone import (
     BASE,
     HATCH,
@@ -21,6 +23,7 @@ from tmmcalc.cams.pictures.zone import (
     axis_of_cam,
     dimension,
     limit_point,
+    mark_angle,
     name_limit,
     swept_of,
     textbook_choice,
@@ -28,13 +31,17 @@ from tmmcalc.cams.pictures.zone import (
 from tmmcalc.cams.synthesis.halfplanes import Family, Lines, families
 from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.task import CamTask
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
-from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.pens import AXIS, CURVES, INK, THICK, WHITE
-from tmmcalc.report.numbers import number
+from tmmcalc.report.drawing.scales import length_scale
+from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.language import tr
+from tmmcalc.report.numbers import round_scale
 
 POINTS = 181
 STEPS = 8  # positions of a phase that are drawn
+MARKED = 14.0  # radius of the arcs of the allowed angles [mm]
 BEYOND = 1.5  # length of a line against the distance of the axis
 NEAR = 1e-6  # [rad] a side belongs to this angle of the cam
 TINY = 1e-300
@@ -54,7 +61,19 @@ class Placed:
         return np.asarray(self.follower.centres - (np.conj(arm) if above else arm))
 
 
-def content_of(task: CamTask, result: Synthesis) -> Complex:
+def rocker_board(
+    drawing: Drawing, box: Box, task: CamTask, result: Synthesis, margin: float, *, to_scale: bool
+) -> Board:
+    """The drawing in a rectangle; ``to_scale``: at a standard scale of lengths."""
+    content = _content(task, result)
+    if to_scale:
+        box = closed_up(box, content, margin)
+    board = Board(drawing, box, content, margin, scale=length_scale if to_scale else round_scale)
+    _draw_rockers(board, task, result)
+    return board
+
+
+def _content(task: CamTask, result: Synthesis) -> Complex:
     """Points [m] that the drawing has to show."""
     placed, follower = Placed(result), result.follower
     swing = np.exp(1j * np.linspace(0, task.program.stroke, 9))
@@ -63,7 +82,7 @@ def content_of(task: CamTask, result: Synthesis) -> Complex:
     return np.concatenate((*tips, placed.at(swing), circle, np.array([0.0, follower.centres])))
 
 
-def draw_rockers(board: Board, task: CamTask, result: Synthesis) -> None:
+def _draw_rockers(board: Board, task: CamTask, result: Synthesis) -> None:
     """Zone, positions, velocities, lines of the limit, the axis with its base circle."""
     placed = Placed(result)
     _draw_zone(board, placed, task, result)
@@ -103,12 +122,25 @@ def _draw_lines(board: Board, placed: Placed, task: CamTask, result: Synthesis) 
         others = family.at(np.linspace(program.starts[k], program.starts[k + 1], STEPS + 1))
         board.lines(_strokes(placed, task, family, others), OTHER, weight=0.0, level=2)
         lines = family.at(np.array(held[:1]))
-        for stroke in _strokes(placed, task, family, lines):
-            board.line(stroke, LIMIT, level=6)
+        strokes = _strokes(placed, task, family, lines)
+        board.lines(strokes, LIMIT, level=6)
         tip = complex(placed.at(_ends_on_lines(family, lines))[0])
         limit_point(board, tip)
-        found.append((f"$K$ at {minus(number(np.degrees(held[0]), 4))}°", tip))
+        _mark_limit(board, placed, family, (tip, strokes[0][1] - tip))
+        found.append((tr("$K$ at {angle}", angle=deg(held[0], 4)), tip))
     return found
+
+
+def _mark_limit(board: Board, placed: Placed, family: Family, line: tuple[complex, complex]) -> None:
+    """The allowed pressure angle between a line and the perpendicular of the rocker at its point K."""
+    tip, along = line
+    across = 1j * (tip - placed.follower.centres)
+    if not across:
+        return
+    across *= 1 if (across * along.conjugate()).real > 0 else -1
+    across /= abs(across)
+    board.line([tip, tip + 1.2 * MARKED * board.mu * across], OTHER, level=6)
+    mark_angle(board, tip, (across, along / abs(along)), MARKED, f"[$θ$] = {deg(family.limit)}")
 
 
 def _strokes(placed: Placed, task: CamTask, family: Family, lines: Lines) -> list[list[complex]]:
@@ -160,10 +192,10 @@ def _draw_axis(board: Board, placed: Placed, task: CamTask, result: Synthesis) -
     if book is not None:
         at = book.centres / follower.rocker * np.exp(-1j * book.start)
         textbook_choice(board, complex(placed.at(np.array([at]))[0]), "$O^*$ (5.50)")
-    distance = f"$l_0$ = {minus(number(1e3 * follower.centres, 6))}"
+    distance = f"$l_0$ = {mm(follower.centres, 6)}"
     board.labels.put(distance, board.paper([part * pivot for part in (0.5, 0.65, 0.35)]), height=HEIGHT, prefer=-1j)
     axis_of_cam(board, 0j)
-    dimension(board, 0j, roller, f"$R_0$ = {minus(number(1e3 * follower.base, 6))}")
+    dimension(board, 0j, roller, f"$R_0$ = {mm(follower.base, 6)}")
 
 
 def _velocity_ends(task: CamTask, result: Synthesis, kind: str) -> Complex:

@@ -6,6 +6,8 @@ highest roller (`tmmcalc.cams.synthesis.pivotborder`); all that lies on the side
 
 from __future__ import annotations
 
+import cmath
+
 import numpy as np
 
 from tmmcalc.cams.follower import Complex
@@ -25,7 +27,9 @@ PASSING = Pen("PASSING", 0.4, (4.5, 1.0, 1.0, 1.0), "#7a5195")
 OTHER = Pen("OTHER_LINES", 0.18, colour="#9a9a9a")
 BASE = Pen("BASE_CIRCLE", 0.3, (3.5, 0.9, 0.7, 0.9), PATH.colour)
 BOOK = CURVES[3]._replace(layer="TEXTBOOK", dashes=())
+MARKED = Pen("ALLOWED_ANGLES", 0.25, colour=MARK.colour)
 HEIGHT = 2.4  # of names [mm]
+GAPS = (0.9, 1.7, 3.0, 5.0, 7.0)  # of them from their places
 
 
 def axis_of_cam(board: Board, at: complex) -> None:
@@ -44,7 +48,7 @@ def dimension(board: Board, a: complex, b: complex, text: str) -> None:
     board.arrowhead(a, a - b, DIMENSION, length)
     board.arrowhead(b, b - a, DIMENSION, length)
     places = board.paper([a + part * (b - a) for part in (0.5, 0.35, 0.65)])
-    board.labels.put(text, places, height=HEIGHT, prefer=1j * (b - a), gaps=(0.9, 1.7, 3.0, 5.0, 7.0))
+    board.labels.put(text, places, height=HEIGHT, prefer=1j * (b - a), gaps=GAPS)
 
 
 def textbook_choice(board: Board, at: complex, name: str) -> None:
@@ -65,6 +69,20 @@ def name_limit(board: Board, at: complex, text: str, prefer: complex, height: fl
     """Its name."""
     gaps = (1.0, 2.0, 3.5, 5.0, 7.0, 9.0, 11.0)
     board.labels.put(text, board.paper([at]), height=height, prefer=prefer, gaps=gaps, colour=INK)
+
+
+def mark_angle(board: Board, apex: complex, ways: tuple[complex, complex], radius: float, text: str) -> None:
+    """An arc from the first of two directions to the second with heads at both ends, and the angle; radius in mm."""
+    first, turn = cmath.phase(ways[0]), cmath.phase(ways[1] / ways[0])
+    ends = sorted((first, first + turn))
+    board.arc(apex, radius * board.mu, MARKED, start=ends[0], end=ends[1], weight=1.0, level=7)
+    head = min(2.2, 0.4 * radius * abs(turn))
+    for at, sense in zip(ends, (-1, 1), strict=True):
+        tip = apex + radius * board.mu * cmath.exp(1j * at)
+        board.arrowhead(tip, 1j * sense * cmath.exp(1j * (at - sense * head / radius / 2)), MARKED, head)
+    middle = cmath.exp(1j * (first + turn / 2))
+    places = board.paper([apex + radius * board.mu * middle])
+    board.labels.put(text, places, height=HEIGHT, prefer=middle, gaps=GAPS, colour=MARKED.colour)
 
 
 def swept_of(task: CamTask, result: Synthesis) -> tuple[Complex, Complex] | None:

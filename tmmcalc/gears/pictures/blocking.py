@@ -17,6 +17,7 @@ from tmmcalc.report.drawing.lettering import minus, plain
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 LEAST = "\N{GREATER-THAN OR EQUAL TO}"
@@ -42,7 +43,7 @@ def blocking_drawing(result: Blocking, *, choose: int | None = None) -> Drawing:
             f"there is no contour {choose}", where="plot", value=choose, limit=count, remedy=f"1 to {count}"
         )
     shown = result.pairs if choose is None else result.pairs[choose - 1 : choose]
-    drawing, boxes = sheets(len(shown), "Blocking contours")
+    drawing, boxes = sheets(len(shown), tr("Blocking contours"))
     for box, pair in zip(boxes, shown, strict=True):
         drawing.add(Words(complex(box.middle.real, box.top), _heading(pair), TITLE, 1j))
         free = box.inset(0, 0, 0, HEADING)
@@ -61,5 +62,6 @@ def _heading(pair: PairContour) -> str:
     limits = f"$ε_α$ {LEAST} {minus(number(pair.contact_ratio, 4))}, $s_a$ {LEAST} {tips}"
     rack = f"$α$ = {number(degrees(pair.rack.angle), 4)}°, $h_a^*$ = {number(pair.rack.addendum, 4)}"
     helix = f", $β$ = {number(degrees(abs(pair.helix)), 4)}°" if pair.helix else ""
-    made = f"$m$ = {number(1e3 * pair.module, 4)} mm, {rack}{helix}"
-    return f"Blocking contour, {name}\n{made}; limits: {limits}"
+    made = f"$m$ = {number(1e3 * pair.module, 4)} {tr_unit('mm')}, {rack}{helix}"
+    head, kept = tr("Blocking contour, {pair}", pair=name), tr("{sizes}; limits: {limits}", sizes=made, limits=limits)
+    return f"{head}\n{kept}"

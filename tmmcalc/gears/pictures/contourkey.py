@@ -12,12 +12,13 @@ import numpy as np
 from tmmcalc.core.records import record
 from tmmcalc.gears.meshing.contours import UNBOUNDED, Area, ContourPoint, PairContour
 from tmmcalc.gears.pictures.contourlines import Stroke, chosen, indexed, number_of
-from tmmcalc.gears.pictures.contourlook import BELT, HATCHED, PALE, RING, STRICT, Look, marker, ring
+from tmmcalc.gears.pictures.contourlook import BELT, HATCHED, PALE, RING, STRICT, Look, marker, point_called, ring
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import extent, minus, wrapped
 from tmmcalc.report.drawing.pens import INK, MARK
 from tmmcalc.report.drawing.shapes import Area as Patch
 from tmmcalc.report.drawing.shapes import Drawing, Hatching, Words
+from tmmcalc.report.language import tr, tr_number, tr_unit
 
 SIZE = 2.0  # height of the text [mm]
 HEADING = 2.5  # and of headings
@@ -26,18 +27,18 @@ SPACE = 0.75  # between rows
 SAMPLE = 8.0  # length of the sample of a line
 PATCH = 10.5  # and of that of an area
 LEFT = 13.5  # where the words begin
-HEADS = ("$x_1$", "$x_2$", "$ε_α$", "$s_{a1}$", "$s_{a2}$", "$ϑ_1$", "$ϑ_2$", "$a_w$, mm")
+HEADS = ("$x_1$", "$x_2$", "$ε_α$", "$s_{a1}$", "$s_{a2}$", "$ϑ_1$", "$ϑ_2$")
 COLUMNS = (11.0, 11.5, 9.5, 9.5, 9.5, 10.5, 10.5, 13.0)  # widths of the table [mm]
 POINTS = 20.0  # where its columns begin
 SLIDING = 5  # column of the first specific sliding
 DECIMALS = (4, 4, 3, 3, 3, 2, 2, 3)
 VALUES = (58.0, 74.0)  # right ends of the columns of margins
 MARGINS = (
-    ("no undercut", "undercut1", "undercut2"),
-    ("active flank whole", "tolerated1", "tolerated2"),
-    ("no interference", "interference1", "interference2"),
-    ("tip thickness", "thickness1", "thickness2"),
-    ("contact ratio", "contact_ratio", ""),
+    ("undercut1", "undercut2"),
+    ("tolerated1", "tolerated2"),
+    ("interference1", "interference2"),
+    ("thickness1", "thickness2"),
+    ("contact_ratio", ""),
 )
 SAME = 1e-9  # difference of areas that is none
 MINUS = minus("-")
@@ -96,7 +97,7 @@ class _Key:
     def lines(self, seen: Sequence[Stroke]) -> Iterator[Row]:
         """The lines that the picture shows."""
         if seen:
-            yield self.head("Lines")
+            yield self.head(tr("Lines"))
         for stroke in seen:
             yield self.worded(stroke.text, LEFT, self._sample(stroke))
 
@@ -116,16 +117,18 @@ class _Key:
         """What the areas are, with their sizes."""
         strict, tolerated = pair.strict, pair.tolerated
         if strict.main is not None or tolerated.main is not None:
-            yield self.head("Areas")
+            yield self.head(tr("Areas"))
         if strict.main is not None:
-            text = f"admissible without undercut, area {strict.main.area:.4f}"
+            text = tr("admissible without undercut, area {area}", area=_fixed(strict.main.area, 4))
             yield self.worded(text, LEFT, self._patch(STRICT, False))
         if tolerated.main is not None and (strict.main is None or tolerated.main.area > strict.main.area + SAME):
-            text = "admissible, not recommended: undercut that leaves the active flank whole; "
-            text += f"area of all {tolerated.main.area:.4f}"
+            text = tr(
+                "admissible, not recommended: undercut that leaves the active flank whole; area of all {area}",
+                area=_fixed(tolerated.main.area, 4),
+            )
             yield self.worded(text, LEFT, self._patch(BELT, True))
         if strict.pieces or tolerated.pieces:
-            text = "admissible beyond a pinch point, or apart: with a tip circle inside its reference circle"
+            text = tr("admissible beyond a pinch point, or apart: with a tip circle inside its reference circle")
             yield self.worded(text, LEFT, self._patch(PALE, not strict.pieces))
 
     def _patch(self, look: Look, hatched: bool) -> Callable[[float, float], None]:
@@ -143,8 +146,8 @@ class _Key:
         """The points in figures, and what each of them is."""
         if not pair.points:
             return
-        yield self.head("Points")
-        yield self._cells(HEADS, "", None)
+        yield self.head(tr("Points"))
+        yield self._cells((*HEADS, f"$a_w$, {tr_unit('mm')}"), "", None)
         for point in pair.points:
             values = (point.x1, point.x2, point.contact_ratio, *point.tip_thickness, *point.sliding)
             every = zip((*values, 1e3 * point.distance), DECIMALS, strict=True)
@@ -154,8 +157,12 @@ class _Key:
                     texts[k] = "\N{EN DASH}"
                 elif abs(theta) > UNBOUNDED:  # it begins on the base circle
                     texts[k] = f"{MINUS}\N{INFINITY}"
-            yield self._cells(texts, point.name, point)
-        said = [f"{point.name}: {indexed(point.title)}" for point in pair.points if point.name != "chosen"]
+            yield self._cells(texts, point_called(point.name), point)
+        said = [
+            f"{point_called(point.name)}: {indexed(_point_title(point))}"
+            for point in pair.points
+            if point.name != "chosen"
+        ]
         if said:
             yield self.worded("; ".join(said))
 
@@ -176,20 +183,28 @@ class _Key:
         point = chosen(pair)
         if point is None:
             return
-        where = "in the strict contour" if point.strict else "in the hatched belt"
-        yield self.head(f"Chosen shifts: {where if point.tolerated else 'not admissible'}")
-        yield self._three("margin", "wheel 1", "wheel 2")
-        for text, one, two in MARGINS:
+        where = tr("Chosen shifts: in the strict contour") if point.strict else tr("Chosen shifts: in the hatched belt")
+        yield self.head(where if point.tolerated else tr("Chosen shifts: not admissible"))
+        yield self._three(tr("margin"), tr("wheel {wheel}", wheel=1), tr("wheel {wheel}", wheel=2))
+        names = (
+            tr("no undercut"),
+            tr("active flank whole"),
+            tr("no interference"),
+            tr("tip thickness"),
+            tr("contact ratio"),
+        )
+        for text, (one, two) in zip(names, MARGINS, strict=True):
             values = [f"{_fixed(pair.margins[key], 4)}" if key in pair.margins else "" for key in (one, two)]
             numbers = ", ".join(dict.fromkeys(number_of(pair, key, seen) for key in (one, two) if key))
             yield self._three(f"{text} ({numbers})", *values)
         if pair.low is not None and pair.high is not None:
             ends = [number_of(pair, key, seen) if key else "" for key in pair.ends]
             low, high = (
-                f"{_fixed(x, 4)} (line {number})" if number else _fixed(x, 4)
+                tr("{value} (line {number})", value=_fixed(x, 4), number=number) if number else _fixed(x, 4)
                 for x, number in zip((pair.low, pair.high), ends, strict=True)
             )
-            text = f"At the sum {_fixed(point.x1 + point.x2, 4)} the shift x1 may be {low} to {high}."
+            total = _fixed(point.x1 + point.x2, 4)
+            text = tr("At the sum {sum} the shift x1 may be {low} to {high}.", sum=total, low=low, high=high)
             yield self.worded(indexed(text))
 
     def _three(self, text: str, one: str, two: str) -> Row:
@@ -203,8 +218,10 @@ class _Key:
     def notes(self, pair: PairContour) -> Iterator[Row]:
         """Reasons of what there is not."""
         strict, tolerated = (list(_reasons(area)) for area in (pair.strict, pair.tolerated))
-        found = [f"strict contour: {text}" for text in strict if text not in tolerated]
-        found += [f"{'both contours' if text in strict else 'tolerated contour'}: {text}" for text in tolerated]
+        both = [text for text in tolerated if text in strict]
+        found = [tr("strict contour: {reason}", reason=text) for text in strict if text not in tolerated]
+        found += [tr("both contours: {reason}", reason=text) for text in both]
+        found += [tr("tolerated contour: {reason}", reason=text) for text in tolerated if text not in strict]
         found += pair.missing
         for text in found:
             yield self.worded(indexed(f"{text[:1].upper()}{text[1:]}"))
@@ -212,11 +229,29 @@ class _Key:
 
 def _fixed(value: float, decimals: int) -> str:
     text = f"{value:.{decimals}f}"
-    return minus(text.lstrip("-") if not float(text) else text)
+    return tr_number(minus(text.lstrip("-") if not float(text) else text))
+
+
+def _point_title(point: ContourPoint) -> str:
+    """What a point is, in the language in force."""
+    ratio = "equal specific sliding at the contact ratio "
+    if point.title.startswith(ratio):
+        value = tr_number(point.title.removeprefix(ratio))
+        return tr("equal specific sliding at the contact ratio {value}", value=value)
+    titles = {
+        "largest x1 + x2 of the strict contour": tr("largest x1 + x2 of the strict contour"),
+        "largest x1 + x2 of the tolerated contour": tr("largest x1 + x2 of the tolerated contour"),
+        "largest contact ratio of the strict contour": tr("largest contact ratio of the strict contour"),
+        "largest contact ratio of the tolerated contour": tr("largest contact ratio of the tolerated contour"),
+        "farthest from all lines of the strict contour": tr("farthest from all lines of the strict contour"),
+        "farthest from all lines of the tolerated contour": tr("farthest from all lines of the tolerated contour"),
+        "equal tooth form factors at the largest x1 + x2": tr("equal tooth form factors at the largest x1 + x2"),
+    }
+    return titles.get(point.title, point.title)
 
 
 def _reasons(area: Area) -> Iterator[str]:
     if area.main is None:
         yield area.reason
     for wheel in area.untraced:
-        yield f"pieces with the tip of wheel {3 - wheel} inside its reference circle are not drawn"
+        yield tr("pieces with the tip of wheel {wheel} inside its reference circle are not drawn", wheel=3 - wheel)

@@ -21,6 +21,7 @@ from tmmcalc.report.drawing.pens import GRID, MIDDLE, THIN, WHITE
 from tmmcalc.report.drawing.regions import cut_to, parted
 from tmmcalc.report.drawing.shapes import Area, Drawing, Hatching, Words
 from tmmcalc.report.drawing.wording import corners
+from tmmcalc.report.language import tr
 
 MARGIN = 13.0  # about the contour [mm]
 EMPTY = np.array([-1.2 - 1.2j, 2.2 + 2.2j])  # what is shown of a pair without a contour
@@ -122,9 +123,9 @@ def _frame(board: Board, low: complex, high: complex) -> None:
     edges = [complex(box.left, box.bottom), complex(box.right, box.bottom)]
     draw.line([*edges, complex(box.right, box.top), complex(box.left, box.top)], THIN, closed=True, level=-1)
     below = complex(box.middle.real, box.bottom - SIDES[1] + 0.5)
-    draw.add(Words(below, "shift of wheel 1, $x_1$", NAMES, -1j))
+    draw.add(Words(below, tr("shift of wheel 1, $x_1$"), NAMES, -1j))
     aside = complex(box.left - SIDES[0] + 0.5, box.middle.imag)
-    draw.add(Words(aside, "shift of wheel 2, $x_2$", NAMES, 1j, np.pi / 2))
+    draw.add(Words(aside, tr("shift of wheel 2, $x_2$"), NAMES, 1j, np.pi / 2))
     if low.imag < 0 < high.imag:
         _axis(board, complex(low.real), complex(high.real), "$x_1$")
     if low.real < 0 < high.real:

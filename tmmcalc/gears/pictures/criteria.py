@@ -8,7 +8,7 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.pictures.front import pairs_of, pairs_sheet, pareto_sheet
 from tmmcalc.gears.pictures.placed import placed
 from tmmcalc.gears.pictures.scheme import scheme_sheet
-from tmmcalc.gears.pictures.words import CRITERIA, layout_name, ratio_text, teeth_text
+from tmmcalc.gears.pictures.words import CRITERIA, layout_name, ratio_text, short_name, teeth_text
 from tmmcalc.gears.selection.results import Pool, Selection
 from tmmcalc.gears.selection.solve import speed_ratio
 from tmmcalc.gears.sizing import rows_of
@@ -17,6 +17,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 USUAL = 3  # objectives that the first diagram shows together: mass, inertia, size
@@ -36,7 +37,7 @@ def criteria_drawing(result: Selection, trains: Trains, choose: int | None = Non
     check_row(place, len(result.pool))
     more = len(result.objectives) > USUAL or bool(set(result.objectives) - {"mass", "inertia", "size"})
     pairs = pairs_of(result) if more and len(result.objectives) > 1 else []
-    drawing, (first, *others, last) = sheets(2 + len(pairs), "Choice of the gear train")
+    drawing, (first, *others, last) = sheets(2 + len(pairs), tr("Choice of the gear train"))
     pareto_sheet(drawing, first, result, place, _heading(result, place))
     for box, part in zip(others, pairs, strict=True):
         pairs_sheet(drawing, box, result, part, place)
@@ -59,18 +60,25 @@ def check_row(place: int, count: int) -> None:
 def _heading(result: Selection, place: int) -> str:
     """How many trains there are, and by what the one that is drawn was chosen."""
     reason = result.reason
-    first = f"{len(result.pool)} trains strong enough; {len(result.front)} of them on the Pareto front"
+    first = tr(
+        "Trains strong enough: {count}; on the Pareto front: {front}", count=len(result.pool), front=len(result.front)
+    )
+    name, winner = result.winner.name, result.winner.place + 1
     if place != result.winner.place:
-        return f"{first}\nrow {place + 1} is drawn; chosen is row {result.winner.place + 1}, {result.winner.name}"
+        said = tr("row {row} is drawn; chosen is row {chosen}, {name}", row=place + 1, chosen=winner, name=name)
+        return f"{first}\n{said}"
     if reason.criterion not in CRITERIA:
-        return f"{first}\nchosen by {reason.criterion}: {result.winner.name}"
-    _, factor, unit = CRITERIA[reason.criterion]
-    second = f"chosen by the best {reason.criterion.replace('_', ' ')}: {result.winner.name}"
-    value = f"{number(factor * reason.value, 4)} {unit}".strip()
+        said = tr("chosen by {criterion}: {name}", criterion=reason.criterion, name=name)
+        return f"{first}\n{said}"
+    factor, unit = CRITERIA[reason.criterion]
+    best = {"criterion": short_name(reason.criterion), "name": name}
+    best["value"] = f"{number(factor * reason.value, 4)} {tr_unit(unit)}".strip()
     if reason.runner_up_value is None:
-        return f"{first}\n{second}, {value}"
-    other = f"{number(factor * reason.runner_up_value, 4)} {unit}".strip()
-    return f"{first}\n{second}, {value}; the next best has {other}"
+        said = tr("chosen by the best {criterion}: {name}, {value}", **best)
+        return f"{first}\n{said}"
+    other = f"{number(factor * reason.runner_up_value, 4)} {tr_unit(unit)}".strip()
+    said = tr("chosen by the best {criterion}: {name}, {value}; the next best has {other}", **best, other=other)
+    return f"{first}\n{said}"
 
 
 def _scheme(drawing: Drawing, box: Box, result: Selection, trains: Trains, place: int) -> None:
@@ -98,6 +106,6 @@ def _scheme(drawing: Drawing, box: Box, result: Selection, trains: Trains, place
 
 
 def _measured(pool: Pool, key: str, place: int) -> str:
-    symbols = {"mass": "$M$", "inertia": "$J$", "size": "$D$", "efficiency": "$η$", "error": "error of the ratio"}
-    _, factor, unit = CRITERIA[key]
-    return f"{symbols[key]} = {number(factor * float(getattr(pool, key)[place]), 4)} {unit}".strip()
+    symbols = {"mass": "$M$", "inertia": "$J$", "size": "$D$", "efficiency": "$η$", "error": tr("error of the ratio")}
+    factor, unit = CRITERIA[key]
+    return f"{symbols[key]} = {number(factor * float(getattr(pool, key)[place]), 4)} {tr_unit(unit)}".strip()

@@ -9,6 +9,7 @@ from tmmcalc.gears.pictures.placed import PlacedTrain, Wheel
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.pens import CURVES, Pen
 from tmmcalc.report.drawing.shapes import Arc
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 COLOURS = tuple(pen.colour for pen in CURVES[:3])  # of the planes of meshing
@@ -77,14 +78,16 @@ def label_end_view(board: Board, train: PlacedTrain, at: complex) -> None:
     outward = sum(ends) - 2 * at
     middle = board.place(sum(ends) / 2)
     free = [middle + step * outward / abs(outward) for step in OUTWARD]
-    name = board.labels.put(f"gap {length_text(train, gap.size)}", free, gaps=(1.6, 2.6), prefer=outward)
+    name = board.labels.put(
+        tr("gap {length}", length=length_text(train, gap.size)), free, gaps=(1.6, 2.6), prefer=outward
+    )
     if abs((name - middle).imag) > FAR:
         board.drawing.line([middle, name], LEADER, level=9)
 
 
 def length_text(train: PlacedTrain, value: float) -> str:
     """A length in mm, or in modules of stage 1."""
-    return f"{number(1e3 * value, 4)} mm" if train.known else f"{number(value, 4)} $m_1$"
+    return f"{number(1e3 * value, 4)} {tr_unit('mm')}" if train.known else f"{number(value, 4)} $m_1$"
 
 
 def _centre_lines(board: Board, train: PlacedTrain, at: complex) -> None:

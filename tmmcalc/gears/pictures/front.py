@@ -12,15 +12,16 @@ from numpy.typing import NDArray
 from tmmcalc.core.plane import Plane
 from tmmcalc.gears.criteria.choice import front
 from tmmcalc.gears.criteria.objectives import OBJECTIVES
-from tmmcalc.gears.model import Values
+from tmmcalc.gears.model import ToothSets, Values
 from tmmcalc.gears.pictures.cloud import MANY, Mark, draw_marks, evenly, fitted, shares, write_key
-from tmmcalc.gears.pictures.words import CRITERIA, axis_name, teeth_text
+from tmmcalc.gears.pictures.words import CRITERIA, axis_name, of_many, short_name, teeth_text
 from tmmcalc.gears.selection.results import Pool, Selection
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.diagram import HEIGHT, Axis, Diagram, ticks, written
 from tmmcalc.report.drawing.page import headed
 from tmmcalc.report.drawing.pens import THIN, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 NAMED = 25  # members of the front that are numbered, evenly chosen
@@ -50,13 +51,13 @@ def pareto_sheet(drawing: Drawing, box: Box, result: Selection, place: int, head
         np.union1d(each[evenly(len(each), most)], np.intersect1d(each, [*result.front.tolist(), place]))
         for each, most in zip(clouds, shares([*map(len, clouds)]), strict=True)
     ]
-    size = CRITERIA["size"][1] * pool.size
+    size = CRITERIA["size"][0] * pool.size
     borders = _borders(size[near])
     free = headed(drawing, box, heading)
     top = write_key(drawing, free, _names(result, place, clouds, shown))
     if len(near) < len(pool):
         beyond = len(pool) - len(near)
-        said = f"{beyond} heavier or more inert {'train lies' if beyond == 1 else 'trains lie'} beyond the picture"
+        said = tr("heavier or more inert trains beyond the picture: {count}", count=beyond)
         drawing.add(Words(complex(free.right - BESIDE, top - 0.8), said, HEIGHT, 1 + 1j))
         top -= 0.8 + 1.6 * HEIGHT
     frame = Box(free.left + LEFT, free.bottom + BELOW, free.right - BESIDE, top - 2)
@@ -86,18 +87,25 @@ def _names(
     names: list[tuple[str, Mark | Pen]] = []
     for k, variant in enumerate(result.variants):
         if len(variant.sets):
-            thinned = f", {len(shown[k])} drawn, evenly" if len(shown[k]) < len(clouds[k]) else ""
             mark = _sign_of(k)._replace(fill=_colour(0.5))
-            names.append((f"{variant.title}: {len(variant.sets)}{thinned}", mark))
-    said = ", ".join(key.replace("_", " ") for key in result.objectives)
-    names.append((f"front in {said}: {len(result.front)}, numbered by rows", FRONT))
-    names.append(("border in mass and inertia", EDGE))
+            said = f"{_titled(variant.sets)}: {len(variant.sets)}"
+            names.append((of_many(said, len(shown[k]), len(shown[k]) < len(clouds[k])), mark))
+    said = ", ".join(map(short_name, result.objectives))
+    names.append((tr("front in {criteria}: {count}, numbered by rows", criteria=said, count=len(result.front)), FRONT))
+    names.append((tr("border in mass and inertia"), EDGE))
     pool = result.pool
     sets = result.variants[int(pool.variant[place])].sets
-    size = f"$D$ = {number(1e3 * float(pool.size[place]), 4)} mm"
+    size = f"$D$ = {number(1e3 * float(pool.size[place]), 4)} {tr_unit('mm')}"
     name = f"{sets.layout} {teeth_text(sets.teeth[int(pool.row[place])].tolist())}, {size}"
-    names.append((f"row {place + 1}, {'chosen' if place == result.winner.place else 'drawn'}: {name}", WINNER))
+    chosen = place == result.winner.place
+    row = {"row": place + 1, "name": name}
+    names.append((tr("row {row}, chosen: {name}", **row) if chosen else tr("row {row}, drawn: {name}", **row), WINNER))
     return names
+
+
+def _titled(sets: ToothSets) -> str:
+    """A variant by the designation of its layout and its number of planets."""
+    return f"{sets.layout}, $K$ = {sets.planets}" if sets.scheme.branched else sets.layout
 
 
 def _sign_of(variant: int) -> Mark:
@@ -172,15 +180,16 @@ def pairs_sheet(
     """A diagram for each pair of objectives, in as many columns as rows, or one more."""
     pool = result.pool
     rows = np.union1d(evenly(len(pool), MANY // comb(len(result.objectives), 2)), [*result.front.tolist(), place])
-    thinned = f"; {len(rows)} of {len(pool)} trains drawn, evenly" if len(rows) < len(pool) else ""
-    heading = "All pairs of criteria: front of all together in rings, the train drawn as a star; arrows point to the"
-    free = headed(drawing, box, f"{heading} better{thinned}", 3.0)
+    heading = tr(
+        "All pairs of criteria: front of all together in rings, the train drawn as a star; arrows point to the better"
+    )
+    free = headed(drawing, box, of_many(heading, len(rows), len(rows) < len(pool)), 3.0)
     columns = ceil(sqrt(len(pairs)))
     lines = free.split(*(1.0 for _ in range(ceil(len(pairs) / columns))), gap=3)
     places = [cell for line in lines for cell in line.split(*(1.0 for _ in range(columns)), gap=4, across=True)]
     found = []
     for cell, (first, second) in zip(places, pairs, strict=False):
-        x, y = (CRITERIA[key][1] * getattr(pool, key) for key in (first, second))
+        x, y = (CRITERIA[key][0] * getattr(pool, key) for key in (first, second))
         across, up = fitted(_short(first), x), fitted(_short(second), y)
         field = Diagram(drawing, cell.inset(LEFT, BELOW, 1, 1), across, up)
         for marked, mark in ((rows, CLOUD), (result.front, FRONT), ([place], WINNER)):
@@ -191,7 +200,7 @@ def pairs_sheet(
 
 def _short(key: str) -> str:
     """A criterion as it is called on a narrow diagram, with an arrow to what is better."""
-    _, _, unit = CRITERIA[key]
+    _, unit = CRITERIA[key]
     better = "\N{RIGHTWARDS ARROW}" if OBJECTIVES[key].largest else "\N{LEFTWARDS ARROW}"
-    name = key.replace("_", " ")
-    return f"{name}, {unit} {better}" if unit else f"{name} {better}"
+    name = short_name(key)
+    return f"{name}, {tr_unit(unit)} {better}" if unit else f"{name} {better}"

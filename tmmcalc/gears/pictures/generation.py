@@ -21,6 +21,8 @@ from tmmcalc.gears.involute.profile.shaping import ShapedRing
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.meshing.members import Member, Toothed, both
 from tmmcalc.gears.pictures.placedpair import from_gap_to_gap, placings_of, rack_tooth
+from tmmcalc.report.drawing.lettering import plain
+from tmmcalc.report.language import tr
 
 POSITIONS = 15
 PATH_POINTS = 241
@@ -45,7 +47,7 @@ def generation_of(member: Toothed, positions: int = POSITIONS) -> Generation:
     if isinstance(member, Member) and member.shape == "rack":
         return _of_rack(member, positions)
     if not isinstance(member, Member) and member.ring.cutter is None:
-        return Generation("Space of the ring", member.module * from_gap_to_gap(member.element), (), None)
+        return Generation(tr("Space of the ring"), member.module * from_gap_to_gap(member.element), (), None)
     return _of_ring(member, positions)
 
 
@@ -59,7 +61,7 @@ def _by_rack(member: Toothed, positions: int) -> Generation:
     into_space = m * np.exp(-1j * half)
     path = path_of_centre(flank, np.linspace(at[0], at[-1], PATH_POINTS))
     return Generation(
-        f"{positions} positions of the rack and the path of $S$",
+        tr("{count} positions of the rack and the path of $S$", count=positions),
         m * _around_space(from_gap_to_gap(member.element), half),
         tuple(in_wheel(flank, rack_outline(flank), at) * into_space),
         path * into_space,
@@ -77,7 +79,7 @@ def _around_space(one: Plane, half: float) -> Plane:
 class _Rolling:
     """A toothed wheel that rolls in another one; lengths in modules."""
 
-    name: str
+    told: Callable[[int], str]  # what so many positions of its tooth show
     tooth: Plane  # one, on +Y
     places: Callable[[float], tuple[Placing, Placing]]  # by the phase
     base: float  # r_b
@@ -99,7 +101,7 @@ class _Rolling:
 def _of_ring(member: Toothed, positions: int) -> Generation:
     rolling, m = _cutter(member) if member.ring.cutter else _mate(member), member.module
     return Generation(
-        f"{positions} positions of a tooth of {rolling.name}",
+        rolling.told(positions),
         m * from_gap_to_gap(member.element),
         tuple(m * one for one in rolling.positions(positions)),
         None,
@@ -111,7 +113,7 @@ def _of_rack(member: Member, positions: int) -> Generation:
     one = rack_tooth(member)
     sides = np.concatenate([one + half, one - half])
     return Generation(
-        f"{positions} positions of a tooth of {rolling.name}",
+        rolling.told(positions),
         m * sides[np.abs(sides.real) <= half * (1 + 1e-9)],
         tuple(m * (one + half) for one in rolling.positions(positions)),
         None,
@@ -124,7 +126,7 @@ def _mate(member: Toothed) -> _Rolling:
     found = member.found
     pinion, line, m = both(found)[0], found.line, member.module
     return _Rolling(
-        f"wheel {pinion.name}",
+        lambda count: tr("{count} positions of a tooth of wheel {wheel}", count=count, wheel=plain(pinion.name)),
         from_gap_to_gap(pinion.element),
         lambda phase: placings_of(found, phase),
         found.sizes[0].base / m,
@@ -138,12 +140,13 @@ def _cutter(member: Toothed) -> _Rolling:
     ring, like, shaped = member.ring, member.wheel, member.ring_flank
     if ring.cutter is None or not isinstance(shaped, ShapedRing):
         return _mate(member)
-    cutter = Wheel(ring.cutter.teeth, ring.cutter.shift, ring.helix, ring.rack)
+    teeth = ring.cutter.teeth
+    cutter = Wheel(teeth, ring.cutter.shift, ring.helix, ring.rack)
     distance = shaped.operating[1] - shaped.operating[0]
     top = shaped.orbit + shaped.rounding
     begins = ring.curvature_at(member.tip) - distance * sin(shaped.angle)
     return _Rolling(
-        f"the cutter, $z_0$ = {ring.cutter.teeth}",
+        lambda count: tr("{count} positions of a tooth of the cutter, $z_0$ = {teeth}", count=count, teeth=teeth),
         _cutter_tooth(cutter, shaped),
         lambda phase: ring_placings(cutter, like, shaped.angle, distance, phase),
         cutter.base,

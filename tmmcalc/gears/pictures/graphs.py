@@ -29,6 +29,7 @@ from tmmcalc.report.drawing.diagram import Axis, Diagram
 from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.pens import CURVES, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing, Words
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import number
 
 PLANETS = range(3, 9)
@@ -94,7 +95,7 @@ def _modules(drawing: Drawing, box: Box, points: Sequence[Point]) -> Diagram:
     found: list[Task] = []
     lines: list[tuple[Plane, Pen]] = []
     names: Named = []
-    for k, (internal, ends, name) in enumerate(((False, RANGE, "AA, coaxial"), (True, RANGE_INTERNAL, "AI"))):
+    for k, (internal, ends, name) in enumerate(((False, RANGE, tr("AA, coaxial")), (True, RANGE_INTERNAL, "AI"))):
         own = [point for point in tied if bool(point.layout.rings) is internal]
         low = min([ends[0], *(point.u for point in own)])
         high = max([ends[1], *(ROOM * point.u for point in own)])
@@ -105,9 +106,9 @@ def _modules(drawing: Drawing, box: Box, points: Sequence[Point]) -> Diagram:
             value = float(equal_strength(point.u, internal=internal).modules[0])
             found.append((complex(point.u, value), point.layout.key, f"$μ^*$ = {number(value, 4)}"))
     every = np.concatenate([z for z, _ in lines])
-    across = Axis("tooth ratio $U$", float(every.real.min()), float(every.real.max()))
+    across = Axis(tr("tooth ratio $U$"), float(every.real.min()), float(every.real.max()))
     up = Axis("$μ^* = m_2/m_1$", 0.0, ROOM * float(every.imag.max()))
-    return _graph(drawing, box, "Module ratio of equal strength", across, up, names, lines, found)
+    return _graph(drawing, box, tr("Module ratio of equal strength"), across, up, names, lines, found)
 
 
 def _ratios(drawing: Drawing, box: Box, points: Sequence[Point]) -> Diagram:
@@ -117,14 +118,15 @@ def _ratios(drawing: Drawing, box: Box, points: Sequence[Point]) -> Diagram:
     bottom, top = min(-INVERTED, 1 - high), max(LARGEST, 1 - low)
     curves = ratio_over_inverted(low, high, top, points=SAMPLES)
     lines = [(each.x + 1j * each.y, CURVES[min(k, 1)]) for k, each in enumerate(curves)]
-    across, up = Axis("ratio of the inverted train $i_{13}^H$", low, high), Axis("$i_{1H}$, $|1/i_{1H}|$", bottom, top)
+    across = Axis(tr("ratio of the inverted train $i_{13}^H$"), low, high)
+    up = Axis("$i_{1H}$, $|1/i_{1H}|$", bottom, top)
     names: Named = [("$i_{1H}$", CURVES[0]), ("$|1/i_{1H}|$", CURVES[1])]
     found = [
         (complex(1 - point.i_1h, point.i_1h), point.layout.key, f"$i_{{1H}}$ = {minus(number(point.i_1h, 5))}")
         for point in points
         if point.i_1h is not None
     ]
-    return _graph(drawing, box, "Ratio", across, up, names, lines, found)
+    return _graph(drawing, box, tr("Ratio"), across, up, names, lines, found)
 
 
 def _by_wheel(drawing: Drawing, box: Box, points: Sequence[Point], eta0: float) -> Diagram:
@@ -137,10 +139,10 @@ def _by_wheel(drawing: Drawing, box: Box, points: Sequence[Point], eta0: float) 
     for point in points:
         if point.i_1h is not None and (value := float(efficiency(point.i_1h, eta0))) >= LOWEST:
             found.append((complex(point.i_1h, value), point.layout.key, f"$η$ = {minus(number(value, 3))}"))
-    field = _graph(drawing, box, "Wheel 1 drives", across, up, names, lines, found)
+    field = _graph(drawing, box, tr("Wheel 1 drives"), across, up, names, lines, found)
     drawing.add(Area(field.paper(Box(low, LOWEST, high, 0.0).corners), LOCKED), level=-3)
     corner = complex(field.box.right - 1.5, field.box.bottom + 1.5)
-    drawing.add(Words(corner, "self-locking", 2.4, 1 - 1j, colour="#b34700"))
+    drawing.add(Words(corner, tr("self-locking"), 2.4, 1 - 1j, colour="#b34700"))
     return field
 
 
@@ -155,7 +157,7 @@ def _by_carrier(drawing: Drawing, box: Box, points: Sequence[Point], eta0: float
         if point.i_1h is not None:
             value = float(efficiency(point.i_1h, eta0, "H"))
             found.append((complex(1 / abs(point.i_1h), value), point.layout.key, f"$η$ = {number(value, 3)}"))
-    return _graph(drawing, box, "The carrier drives, $|i_{1H}| < 1$", across, up, names, lines, found)
+    return _graph(drawing, box, tr("The carrier drives, $|i_{1H}| < 1$"), across, up, names, lines, found)
 
 
 def _pairs(
@@ -187,7 +189,7 @@ def _limits(drawing: Drawing, box: Box, request: Request) -> Diagram:
         bounds = [ratio_limits(k) for k in known]
         tops = [bound.high or 0.0 for bound in bounds]
         bars = [([bound.low for bound in bounds], tops, SURE)]
-        names = [("permissible", SURE)]
+        names = [(tr("permissible"), SURE)]
         value, symbol = 1 + float(task.nominal), "i_{1H}"
     else:
         gap = 2 * task.addendum + (task.demands.gap or 0)
@@ -195,13 +197,16 @@ def _limits(drawing: Drawing, box: Box, request: Request) -> Diagram:
         tops = [limit.permissible or 0.0 for limit in found]
         zero = [0.0 for _ in known]
         bars = [(zero, tops, PERMITTED), (zero, [max(limit.rational or 0.0, 0.0) for limit in found], SURE)]
-        names = [("permissible, some sun", PERMITTED), (f"sun of {task.limits.least} teeth", SURE)]
+        names = [
+            (tr("permissible, some sun"), PERMITTED),
+            (tr("least sun, $z_1$ = {teeth}", teeth=task.limits.least), SURE),
+        ]
         value, symbol = float(task.nominal), "U"
     key: Named = [(name, Mark("s", BAR, 2.6, colour)) for name, colour in names]
-    key.append((f"task: ${symbol}$ = {number(value, 5)}", TASK))
-    across = Axis("number of planets $K$", known[0] - 0.7, known[-1] + 0.7, whole=True)
+    key.append((tr("task: {ratio}", ratio=f"${symbol}$ = {number(value, 5)}"), TASK))
+    across = Axis(tr("number of planets $K$"), known[0] - 0.7, known[-1] + 0.7, whole=True)
     up = Axis(f"${symbol}$", 0.0, ROOM * max(*tops, value))
-    field = _graph(drawing, box, f"{task.layout}: neighbours clear each other", across, up, key)
+    field = _graph(drawing, box, tr("{layout}: neighbours clear each other", layout=task.layout), across, up, key)
     half = BROAD / 2
     for starts, ends, colour in bars:
         for k, low, high in zip(known, starts, ends, strict=True):
@@ -228,7 +233,7 @@ def _graph(
 ) -> Diagram:
     """Curves, and the points of the task with their names, in a frame under its title and the names of the curves."""
     drawing.add(Words(complex(box.left, box.top), title, TITLE, -1 + 1j))
-    key = [*names, *([("task", POINT)] if tasks else [])]
+    key = [*names, *([(tr("task"), POINT)] if tasks else [])]
     top = write_key(drawing, box.inset(0, 0, 0, 1.9 * TITLE), key)
     field = Diagram(drawing, Box(box.left + LEFT, box.bottom + BELOW, box.right - 2, top - 2), x, y)
     field.labels.avoid(field.paper([complex(x.low), complex(x.high)]))

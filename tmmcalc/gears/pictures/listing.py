@@ -35,7 +35,8 @@ def list_rows(drawing: Drawing, box: Box, rows: Sequence[Row], columns: Sequence
     for row in rows:
         heading = isinstance(row, Heading)
         y -= step * (1.5 if heading and row is not rows[0] else 1.0)
-        height = HEIGHT * min(1.0, 1.15 * step / ROW, _fitting(row, columns))
+        fitting = _fitting(row, columns) if len(row) > 1 else box.width / max(width("".join(row), HEIGHT), 1.0)
+        height = HEIGHT * min(1.0, 1.15 * step / ROW, fitting)
         baseline = y + (step - height) / 2
         if heading:
             drawing.line([complex(box.left, y), complex(box.right, y)], THIN)

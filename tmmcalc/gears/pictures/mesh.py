@@ -8,24 +8,29 @@ import numpy as np
 
 from tmmcalc.core.plane import Plane
 from tmmcalc.gears.pictures.dimensions import generating_points, pressure_angle
-from tmmcalc.gears.pictures.placedpair import ALIKE, CIRCLES, SIGNS, Body, Circle, Mark, PlacedPair
+from tmmcalc.gears.pictures.placedpair import ALIKE, CIRCLES, SIGNS, Body, Circle, Mark, PlacedPair, point_sign
 from tmmcalc.gears.pictures.sketch import (
     ACTION,
     ACTIVE,
     COLOURS,
     CONTACT,
+    CONTACT_ARC,
     FACES,
     POINT,
     PROFILE,
+    SMALLER,
     WORKING,
     Sketch,
     circle_pen,
+    up_of,
 )
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.pens import AXIS, GRID, INK, THIN
+from tmmcalc.report.drawing.scales import fitting_scale, larger_than
 from tmmcalc.report.drawing.shapes import Arc, Drawing
-from tmmcalc.report.numbers import ROUND, number, round_scale
+from tmmcalc.report.language import tr
+from tmmcalc.report.numbers import number
 
 MARGIN = 4.0  # free border [mm]
 REACH = 8.0  # points of the line of action farther from P than this are left out [module]
@@ -47,6 +52,7 @@ def draw_mesh(drawing: Drawing, box: Box, pair: PlacedPair) -> Board:
     picture.circles()
     picture.centres()
     picture.action()
+    picture.arcs_of_contact()
     generating_points(picture)
     pressure_angle(picture)
     picture.names()
@@ -65,8 +71,8 @@ def _shown(box: Box, pair: PlacedPair) -> tuple[Plane, float, float]:
     low, high = max(heights.min() - DEEP * module, least), min(heights.max() + DEEP * module, most)
     contact = np.concatenate([line, [at, 1j * low, 1j * high]])
     tooth = min(abs(tip - root) for tip, root in depths)
-    widest, needed = (_scale(box, content) for content in (everything, contact))
-    mu = max(needed, min(widest, _below(tooth / TALL)))
+    widest, needed = (fitting_scale(content, box, MARGIN) for content in (everything, contact))
+    mu = max(needed, min(widest, larger_than(tooth / TALL)))
     return (everything if mu >= widest else contact), MARGIN, mu
 
 
@@ -76,18 +82,6 @@ def _depths(body: Body) -> tuple[float, float]:
         return float(body.edge.imag.min()), float(body.edge.imag.max())
     sense = -1 if body.number == 2 and body.kind == "external" else 1
     return body.centre.imag + sense * body.sizes.tip, body.centre.imag + sense * body.sizes.root
-
-
-def _scale(box: Box, content: Plane) -> float:
-    """The round scale at which all of it keeps its margin."""
-    size = complex(float(np.ptp(content.real)), float(np.ptp(content.imag)))
-    return round_scale(max(size.real / (box.width - 2 * MARGIN), size.imag / (box.height - 2 * MARGIN)))
-
-
-def _below(value: float) -> float:
-    """The greatest round scale that is not above a value."""
-    power = 10.0 ** math.floor(math.log10(value))
-    return max(m * power for m in ROUND if m * power <= value * (1 + 1e-9))
 
 
 class _Mesh(Sketch):
@@ -129,16 +123,15 @@ class _Mesh(Sketch):
 
     def _rack_lines(self, body: Body) -> None:
         pitch, datum = self.pair.pitch_point.imag, body.centre.imag
-        level: dict[str, tuple[float, Circle]] = {
-            "root line": (body.edge.imag.max(), "root"),
-            "datum line": (datum, "reference"),
-            "pitch line": (pitch, "operating"),
-            "tip line": (body.edge.imag.min(), "tip"),
-        }
-        if abs(datum - pitch) < ALIKE * self.pair.found.task.module:
-            del level["pitch line"]
-            level = {("datum, pitch line" if k == "datum line" else k): v for k, v in level.items()}
-        for text, (y, circle) in level.items():
+        one = abs(datum - pitch) < ALIKE * self.pair.found.task.module
+        level: list[tuple[str, float, Circle]] = [
+            (tr("root line"), body.edge.imag.max(), "root"),
+            (tr("datum, pitch line") if one else tr("datum line"), datum, "reference"),
+            (tr("tip line"), body.edge.imag.min(), "tip"),
+        ]
+        if not one:
+            level.append((tr("pitch line"), pitch, "operating"))
+        for text, y, circle in level:
             ends = [complex(self.low.real, y), complex(self.high.real, y)]
             self.board.line(ends, circle_pen(circle, COLOURS[body.number - 1], body.number), weight=0.3, level=5)
             if self.low.imag < y < self.high.imag:
@@ -173,7 +166,7 @@ class _Mesh(Sketch):
                     name = "$O_1$, $O_2$"
                 end = complex(0, self.low.imag + edge if below else self.high.imag - edge)
                 self.board.arrowhead(end, -1j if below else 1j, AXIS, 2.6)
-                self.text(f"to {name}", end + (2 if below else -2) * 1j * self.mm, 1 + 0j, height=2.5)
+                self.text(tr("to {name}", name=name), end + (2 if below else -2) * 1j * self.mm, 1 + 0j, height=2.5)
 
     def action(self) -> None:
         """The line of action with its points, and where flanks touch."""
@@ -201,6 +194,26 @@ class _Mesh(Sketch):
             prefer = pair.direction * (1j if at.real > 0 else -1j)
             self.text(text, anchors, prefer)
 
+    def arcs_of_contact(self) -> None:
+        """The arcs of the pitch circles that roll on each other while one pair of flanks touches, with their angles."""
+        pair, line = self.pair, self.pair.found.line
+        before, after = line.pitch - line.begins, line.ends - line.pitch
+        for body in pair.bodies:
+            if body.sizes is None:
+                continue
+            up, size = up_of(body), body.sizes
+            sense = 1 if body.number == 1 or body.kind == "ring" else -1  # the contact moves to the left
+            first, last = -before / size.base * sense, after / size.base * sense
+            arc = body.centre + up * size.operating * np.exp(1j * np.linspace(first, last, 61))
+            self.board.line(arc, CONTACT_ARC._replace(colour=COLOURS[body.number - 1]), weight=0.3, level=6)
+            for end, over in ((arc[0], arc[0] - arc[1]), (arc[-1], arc[-1] - arc[-2])):
+                across = 1.6j * self.mm * over / abs(over)
+                self.board.line([complex(end - across), complex(end + across)], THIN, weight=0.3, level=9)
+            angle = math.degrees(abs(last - first))
+            text = f"$φ_{{α{body.number}}}$ = {number(angle, 5)}°"
+            colour = COLOURS[body.number - 1]
+            self.text(text, arc[[45, 50, 40, 55, 20, 15, 10]], up_of(body) * -1, height=SMALLER, colour=colour)
+
     def _leaving(self, marks: list[Mark]) -> None:
         """Where the line of action leaves the frame towards points outside."""
         start = self.pair.pitch_point
@@ -208,7 +221,7 @@ class _Mesh(Sketch):
         inside = line[self.seen(line, 1.0)]
         onward = (marks[0].at - start) / abs(marks[0].at - start)
         self.board.arrowhead(complex(inside[-1]), onward, ACTION, 2.6)
-        text = f"to {', '.join(_name(mark.name) for mark in marks)}"
+        text = tr("to {name}", name=", ".join(point_sign(mark.name) for mark in marks))
         self.text(text, inside[-1] - np.array([4, 8, 12]) * self.mm * onward, -1j, height=2.5)
 
     def _merged(self) -> list[tuple[str, complex, Plane]]:
@@ -222,7 +235,7 @@ class _Mesh(Sketch):
                 groups.append([k])
         found = []
         for group in groups:
-            text = ", ".join(_name(marks[k].name) for k in group)
+            text = ", ".join(point_sign(marks[k].name) for k in group)
             found.append((text, marks[group[0]].at, np.array([marks[k].at for k in group])))
         return found
 
@@ -231,7 +244,3 @@ def _along(body: Body) -> int:
     """The step that runs along the back of a body against the sense of its edge."""
     first = abs(body.back[0] - body.edge[0]) < abs(body.back[-1] - body.edge[0])
     return -1 if first else 1
-
-
-def _name(mark: str) -> str:
-    return f"${mark[0]}_{mark[1]}$" if len(mark) > 1 else f"${mark}$"

@@ -18,13 +18,16 @@ from tmmcalc.gears.pictures.pairtable import contact_values, parameters
 from tmmcalc.gears.pictures.placedpair import Body, PlacedPair, placed_pair
 from tmmcalc.gears.pictures.sketch import ACTION, ACTIVE, COLOURS, COLUMN, FACES, circle_pen
 from tmmcalc.gears.pictures.slidingcurves import draw_course
+from tmmcalc.gears.pictures.words import pair_title
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.lettering import minus, plain, width, wrapped
 from tmmcalc.report.drawing.order import PHASE, Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import AXIS, WHITE, Pen
+from tmmcalc.report.drawing.scales import fitting_scale, scale_text
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import number
 
 HEAD = 9.0  # of the heading of a sheet [mm]
@@ -72,11 +75,11 @@ def pair_drawing(found: Pairs, *, choose: int | None = None, phase: float = 0.0)
     if not sound:
         every = [error for _, errors in faulty for error in errors]
         raise error_of_all(every, 2 * len(faulty))
-    drawing, boxes = sheets(2 * len(sound) + len(faulty), "Pairs of gears")
+    drawing, boxes = sheets(2 * len(sound) + len(faulty), tr("Pairs of gears"))
     for k, pair in enumerate(sound):
         _draw_sheets(drawing, boxes[2 * k], boxes[2 * k + 1], pair)
     for box, (one, errors) in zip(boxes[2 * len(sound) :], faulty, strict=True):
-        tell(drawing, box, f"Mesh {plain(one.task.title)} cannot be drawn", errors)
+        tell(drawing, box, tr("Mesh {pair} cannot be drawn", pair=pair_title(one.task)), errors)
     return drawing
 
 
@@ -107,38 +110,33 @@ def _draw_sheets(drawing: Drawing, first: Box, second: Box, pair: PlacedPair) ->
     heading(drawing, first, *_title(pair, board.mu))
     table = Box(free.right - TABLE, free.bottom, free.right, free.top)
     list_rows(drawing, table, parameters(pair.found), (57.0, TABLE))
-    free = heading(drawing, second, "Specific sliding and specific pressure along the line of action")
+    free = heading(drawing, second, tr("Specific sliding and specific pressure along the line of action"))
     upper, lower = Box(frame.left, free.bottom + 10, frame.right, free.top - 17).split(1.15, 1.0, gap=8)
     ends = board.data(complex(frame.left, frame.bottom)).real, board.data(complex(frame.right, frame.top)).real
     draw_course(drawing, (upper, lower), pair, ends)
     beside = Box(free.right - TABLE, free.bottom, free.right, free.top)
     whole, values = beside.split(1.2, 1.0, gap=8)
-    _draw_whole(drawing, whole, pair)
+    draw_whole(drawing, whole, pair)
     list_rows(drawing, values, contact_values(pair), (26.0, 42.0, 58.0, TABLE))
 
 
 def _title(pair: PlacedPair, mu: float) -> tuple[str, str]:
     found = pair.found
-    turned = f", turned by {minus(number(math.degrees(pair.phase), 4))}° since the contact at $P$" if pair.phase else ""
-    title, section = plain(found.task.title), "transverse section; " if found.task.helix else ""
-    head = f"Mesh of {title}{turned}" if not found.task.name else f"Mesh {title}{turned}"
-    return head, f"{section}{scale(mu)}; lengths in mm"
+    title, scale = pair_title(found.task), scale_text(mu)
+    head = tr("Mesh {pair}", pair=title) if found.task.name else tr("Mesh of {pair}", pair=title)
+    if pair.phase:
+        angle = minus(number(math.degrees(pair.phase), 4))
+        head += tr(", turned by {angle}° since the contact at $P$", angle=angle)
+    if found.task.helix:
+        return head, tr("transverse section; {scale}; lengths in mm", scale=scale)
+    return head, tr("{scale}; lengths in mm", scale=scale)
 
 
-def scale(mu: float) -> str:
-    """The scale on paper, ``mu`` in metres to a millimetre.
-
-    >>> scale(0.0005), scale(0.002)
-    ('$μ_l$ = 0.0005 m/mm (2:1)', '$μ_l$ = 0.002 m/mm (1:2)')
-    """
-    part = f"1:{number(1e3 * mu, 3)}" if mu > 1e-3 * (1 + 1e-9) else f"{number(1e-3 / mu, 3)}:1"
-    return f"$μ_l$ = {np.format_float_positional(mu, 3, fractional=False, trim='-')} m/mm ({part})"
-
-
-def _draw_whole(drawing: Drawing, box: Box, pair: PlacedPair) -> None:
+def draw_whole(drawing: Drawing, box: Box, pair: PlacedPair) -> None:
     """The whole pair, small, with its scale under it."""
     content = np.concatenate([body.whole for body in pair.bodies])
-    board = Board(drawing, box.inset(0, 5, 0, 0), content, 3.0)
+    frame = box.inset(0, 5, 0, 0)
+    board = Board(drawing, frame, content, 3.0, fitting_scale(content, frame, 3.0))
     for body in pair.bodies[::-1]:
         _draw_wheel(board, body)
     at = np.array([body.centre for body in pair.bodies if body.sizes is not None])
@@ -156,7 +154,7 @@ def _draw_whole(drawing: Drawing, box: Box, pair: PlacedPair) -> None:
             board.labels.put(f"$O_{body.number}$", at_, height=2.4, prefer=-1 + 0j, gaps=(1.0, 1.8, 3.0))
             _arrow(board, body)
     board.labels.put("$P$", board.paper([pair.pitch_point]), height=2.4, gaps=(1.2, 2.2, 3.6))
-    drawing.add(Words(complex(box.right, box.bottom), scale(board.mu), 2.3, 1 - 1j))
+    drawing.add(Words(complex(box.right, box.bottom), scale_text(board.mu), 2.3, 1 - 1j))
 
 
 def _draw_wheel(board: Board, body: Body) -> None:

@@ -98,6 +98,15 @@ class PlacedPair:
         return np.asarray(first + steps * self.pitch)
 
 
+def point_sign(name: str) -> str:
+    """The sign of a point of the line of action.
+
+    >>> point_sign("A2"), point_sign("P")
+    ('$A_2$', '$P$')
+    """
+    return f"${name[0]}_{name[1]}$" if len(name) > 1 else f"${name}$"
+
+
 def placed_pair(found: MeshPair, phase: float = 0.0) -> PlacedPair:
     """Put a pair on the drawing; the first wheel has turned clockwise by ``phase`` [rad] since the contact at P."""
     first, second = both(found)

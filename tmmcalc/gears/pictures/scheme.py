@@ -11,13 +11,16 @@ from tmmcalc.core.plane import Plane
 from tmmcalc.gears.pictures import endview, lengthwise, sideview
 from tmmcalc.gears.pictures.endview import CENTRES, PITCH, TIPS, length_text
 from tmmcalc.gears.pictures.placed import PlacedTrain
+from tmmcalc.gears.pictures.words import counted
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.key import samples_in_rows
 from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.page import headed
 from tmmcalc.report.drawing.pens import THIN, Pen
+from tmmcalc.report.drawing.scales import fitting_scale, scale_text
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 MARGIN = 5.0  # free border of the views [mm]
@@ -46,7 +49,8 @@ def scheme_sheet(drawing: Drawing, box: Box, train: PlacedTrain, heading: str) -
 
 def _views(drawing: Drawing, box: Box, train: PlacedTrain) -> Board:
     to, at, content = _arranged(train)
-    board = Board(drawing, box, content, MARGIN)
+    # in modules there is no standard scale
+    board = Board(drawing, box, content, MARGIN, fitting_scale(content, box, MARGIN) if train.known else 0.0)
     sideview.draw_side_view(board, train, to)
     endview.draw_end_view(board, train, at)
     _axis_line(board, train, to)
@@ -83,25 +87,25 @@ def _samples(train: PlacedTrain) -> list[tuple[str, Pen]]:
     found = []
     for plane in range(train.planes):
         names = ", ".join(w.name for w in train.wheels if w.planes[0] <= plane <= w.planes[1])
-        found.append((f"pitch circles {names}", PITCH[plane % len(PITCH)]))
+        found.append((tr("pitch circles {wheels}", wheels=names), PITCH[plane % len(PITCH)]))
     if train.scheme.branched:
         planets = [wheel for wheel in train.wheels if wheel.planet]
-        found.append(("tips of planets", TIPS[endview.plane_of(planets[0])]))
+        found.append((tr("tips of planets"), TIPS[endview.plane_of(planets[0])]))
     return found
 
 
 def _scale(train: PlacedTrain, mu: float) -> str:
-    said = f"scale 1:{number(1e3 * mu, 4)}" if train.known and mu >= 1e-3 else f"scale {number(1e-3 / mu, 4)}:1"
-    if not train.known:
-        said = f"1 mm of paper = {number(mu, 4)} $m_1$"
-    return said if train.widths is not None else f"{said}; widths of wheels not to scale"
+    said = tr("1 mm of paper = {length} $m_1$", length=number(mu, 4))
+    if train.known:
+        said = scale_text(mu)
+    return said if train.widths is not None else tr("{scale}; widths of wheels not to scale", scale=said)
 
 
 def _tabulate(drawing: Drawing, box: Box, train: PlacedTrain) -> float:
     """The wheels in a table on top of a rectangle; where it ends."""
-    unit = 1e3 if train.known else 1.0
-    named = ("$m$, mm", "$d$, mm") if train.known else ("$m/m_1$", "$d/m_1$")
-    rows: list[Sequence[str]] = [("wheel", "$z$", *named, *(("$b$, mm",) if train.widths is not None else ()))]
+    unit, mm = 1e3 if train.known else 1.0, tr_unit("mm")
+    named = (f"$m$, {mm}", f"$d$, {mm}") if train.known else ("$m/m_1$", "$d/m_1$")
+    rows: list[Sequence[str]] = [(tr("wheel"), "$z$", *named, *((f"$b$, {mm}",) if train.widths is not None else ()))]
     for wheel in train.wheels:
         row = [wheel.name, str(wheel.teeth), number(unit * wheel.module, 4), number(unit * 2 * wheel.reference, 5)]
         rows.append(row if train.widths is None else [*row, number(1e3 * _width(train, wheel.name), 4)])
@@ -135,26 +139,25 @@ def _width(train: PlacedTrain, name: str) -> float:
 def _facts(train: PlacedTrain) -> list[str]:
     found = []
     if train.scheme.branched:
-        what = ("pair of planets" if train.scheme.paired else "planet") if train.scheme.planetary else "layshaft"
-        many = what.replace("pair", "pairs") if "pair" in what else f"{what}s"
-        found.append(f"{train.planets} {what if train.planets == 1 else many}")
-    found += [f"wheel {wheel.name} stands still" for wheel in train.wheels if wheel.fixed]
+        found.append(counted(train.scheme, train.planets))
+    found += [tr("wheel {wheel} stands still", wheel=wheel.name) for wheel in train.wheels if wheel.fixed]
     for mesh, distance, angle in zip(train.scheme.meshes, train.distances, train.angles, strict=True):
         one, other = train.wheel(mesh.first).teeth, train.wheel(mesh.second).teeth
-        text = f"mesh {mesh.first}-{mesh.second}: $a_w$ = {length_text(train, distance)}"
+        length = length_text(train, distance)
+        text = tr("mesh {first}-{second}: $a_w$ = {length}", first=mesh.first, second=mesh.second, length=length)
         if _raised(train):
             text += f", $α_w$ = {number(math.degrees(angle), 4)}°"
         shared = math.gcd(one, other)
-        found += [text, f"     {'coprime' if shared == 1 else f'common factor {shared}'}"]
+        found += [text, f"     {tr('coprime') if shared == 1 else tr('common factor {factor}', factor=shared)}"]
     gap = train.gap
     if gap is not None:
-        found.append(f"gap of neighbours {length_text(train, gap.size)}")
+        found.append(tr("gap of neighbours {length}", length=length_text(train, gap.size)))
     if _raised(train) and train.scheme.branched:
-        found.append("tips drawn without profile shift")
+        found.append(tr("tips drawn without profile shift"))
     if train.estimated:
-        found += ["modules not chosen yet, drawn with", "$m_{k+1} = m_k u_k^{1/3}$ (4.4)"]
+        found += [tr("modules not chosen yet, drawn with"), "$m_{k+1} = m_k u_k^{1/3}$ (4.4)"]
     elif not train.known:
-        found.append("lengths in modules of stage 1")
+        found.append(tr("lengths in modules of stage 1"))
     return found
 
 

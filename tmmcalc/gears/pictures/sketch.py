@@ -21,6 +21,7 @@ WORKING = tuple(Pen(f"WORKING_FLANKS_{k}", 1.0, (), colour) for k, colour in enu
 ACTION = Pen("LINE_OF_ACTION", 0.3)
 ACTIVE = Pen("ACTIVE_LINE_OF_ACTION", 0.9, (), "#009e73")
 CONTACT = Pen("CONTACTS", 0.35, (), "#009e73")
+CONTACT_ARC = Pen("ARCS_OF_CONTACT", 0.8)
 POINT = Pen("POINTS", 0.13)
 LOOKS: dict[Circle, tuple[float, tuple[float, ...]]] = {
     "tip": (0.25, ()),

@@ -12,11 +12,12 @@ from tmmcalc.core.plane import Real
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.quality.sliding import slide
 from tmmcalc.gears.meshing.results import MeshPair
-from tmmcalc.gears.pictures.placedpair import Mark, PlacedPair
+from tmmcalc.gears.pictures.placedpair import Mark, PlacedPair, point_sign
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.diagram import Axis, Diagram
 from tmmcalc.report.drawing.pens import CURVES, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr
 
 SAMPLES = 1201
 NEAR = 1e-6  # of the length, between N1 or N2 and the curves
@@ -66,12 +67,14 @@ def draw_course(drawing: Drawing, boxes: tuple[Box, Box], pair: PlacedPair, limi
     within = np.clip([line.begins, line.ends], rho[0], rho[-1])
     points = course(found, np.sort(np.concatenate([rho, within])))
     contact = course(found, within)
-    along = Axis("$ρ_1 = N_1K$, mm; the contact moves from $A_2$ to $A_1$ when wheel 1 drives", 1e3 * left, 1e3 * right)
+    along = Axis(
+        tr("$ρ_1 = N_1K$, mm; the contact moves from $A_2$ to $A_1$ when wheel 1 drives"), 1e3 * left, 1e3 * right
+    )
     deepest = min(LOWEST, ROOM * min(float(contact.theta1.min()), float(contact.theta2.min())))
     largest = max(2.0 * float(contact.pressure.min()), min(ROOM * float(contact.pressure.max()), 4.0))
-    theta = Axis("specific sliding $ϑ$", max(deepest, DEEPEST), 1.25)
+    theta = Axis(tr("specific sliding $ϑ$"), max(deepest, DEEPEST), 1.25)
     upper = Diagram(drawing, boxes[0], along, theta, numbered=False)
-    lower = Diagram(drawing, boxes[1], along, Axis("specific pressure $λ$", 0.0, largest))
+    lower = Diagram(drawing, boxes[1], along, Axis(tr("specific pressure $λ$"), 0.0, largest))
     for diagram in (upper, lower):
         _places(diagram, pair)
     for values, pen in ((points.theta1, SLIDING[0]), (points.theta2, SLIDING[1])):
@@ -79,7 +82,7 @@ def draw_course(drawing: Drawing, boxes: tuple[Box, Box], pair: PlacedPair, limi
     _curve(lower, points.rho1, points.pressure, within, PRESSURE)
     rows = _name_marks(upper, pair)
     outside = SLIDING[0]._replace(layer="BEYOND_CONTACT", dashes=DASHES, width=0.3, colour="#6b6b6b")
-    names = [("$ϑ_1$", SLIDING[0]), ("$ϑ_2$", SLIDING[1]), ("beyond the contact", outside)]
+    names = [("$ϑ_1$", SLIDING[0]), ("$ϑ_2$", SLIDING[1]), (tr("beyond the contact"), outside)]
     upper.key(names, lift=2.0 + ROW * rows)
     lower.key([("$λ$", PRESSURE)])
 
@@ -124,7 +127,6 @@ def _name_marks(diagram: Diagram, pair: PlacedPair) -> int:
     for x, name in sorted(place for place in places if diagram.box.left < place[0] < diagram.box.right):
         row = next((k for k, before in enumerate(last) if x - before > APART), ROWS - 1)
         last[row], used = x, max(used, row + 1)
-        text = f"${name[0]}_{name[1]}$" if len(name) > 1 else f"${name}$"
         at = complex(x, diagram.box.top + 1.2 + ROW * row)
-        diagram.drawing.add(Words(at, text, HEIGHT, -1j))
+        diagram.drawing.add(Words(at, point_sign(name), HEIGHT, -1j))
     return used

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.core.plane import Plane
-from tmmcalc.gears.advice import called, removals
+from tmmcalc.gears.advice import removals
 from tmmcalc.gears.columns import ratios
 from tmmcalc.gears.pictures.cloud import Mark, draw_marks, evenly, fitted, write_key
-from tmmcalc.gears.pictures.words import KINDS, layout_name, teeth_text
+from tmmcalc.gears.pictures.words import KINDS, constraint_name, layout_name, of_many, teeth_text
 from tmmcalc.gears.search.measures import coprime_meshes
 from tmmcalc.gears.trains import Request, Variant
 from tmmcalc.report.drawing.box import Box
@@ -17,6 +17,7 @@ from tmmcalc.report.drawing.lettering import minus, width
 from tmmcalc.report.drawing.page import headed
 from tmmcalc.report.drawing.pens import Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing, Words
+from tmmcalc.report.language import tr
 
 COPRIME = Mark("o", Pen("SETS_COPRIME", 0.13, (), "#0072b2"), 1.2, "#0072b2")
 OTHER = Mark("^", Pen("SETS_NOT_COPRIME", 0.2, (), "#d55e00"), 1.3)
@@ -35,9 +36,15 @@ BELOW = 10.0  # and under it
 def solutions_panel(drawing: Drawing, box: Box, variant: Variant, row: int | None) -> None:
     """Fill a rectangle with the sets of a variant and what was removed; ``row`` is the set that is drawn elsewhere."""
     request, synthesis = variant.request, variant.synthesis
-    held = "" if synthesis.complete else f", the {len(variant.sets)} smallest are held and shown"
-    found = f"{synthesis.count} tooth sets" if synthesis.count else "no tooth set"
-    free = headed(drawing, box, f"{layout_name(request.scheme, request.task.planets)}: {found}{held}", 3.0)
+    name, count, held = layout_name(request.scheme, request.task.planets), synthesis.count, len(variant.sets)
+    said = tr("{layout}: {count} tooth sets", layout=name, count=count)
+    if not count:
+        said = tr("{layout}: no tooth set", layout=name)
+    elif not synthesis.complete:
+        said = tr(
+            "{layout}: {count} tooth sets, the {held} smallest are held and shown", layout=name, count=count, held=held
+        )
+    free = headed(drawing, box, said, 3.0)
     if len(variant.sets):
         left, free = free.split(1.35, 1.0, gap=6, across=True)
         _draw_sets(drawing, left, variant, row)
@@ -60,18 +67,20 @@ def _draw_sets(drawing: Drawing, box: Box, variant: Variant, row: int | None) ->
     apart = np.sort(np.unique(np.stack((z.real, z.imag, good)), axis=1, return_index=True)[1])
     drawn = np.union1d(apart[evenly(len(apart))], np.array([*special], int))
     clouds, names = list[tuple[Plane, Mark]](), list[tuple[str, Mark | Pen]]()
-    for label, mask, mark in (("not coprime", ~good, OTHER), ("all meshes coprime", good, COPRIME)):
+    for label, mask, mark in ((tr("not coprime"), ~good, OTHER), (tr("all meshes coprime"), good, COPRIME)):
         clouds.append((z[drawn[mask[drawn]]], mark))
-        thinned = f", {len(clouds[-1][0])} drawn, evenly" if len(drawn) < len(apart) else ""
-        names.append((f"{label}: {np.count_nonzero(mask)}{thinned}", mark))
-    names.append(("tolerance", LIMIT))
+        names.append((of_many(f"{label}: {np.count_nonzero(mask)}", len(clouds[-1][0]), len(drawn) < len(apart)), mark))
+    names.append((tr("tolerance"), LIMIT))
     for k, mark in special.items():
-        said = f"set {k + 1}, {'drawn' if mark is DRAWN else 'least error'}"
-        names.append((f"{said}: {teeth_text(variant.sets.teeth[k].tolist())}", mark))
+        said = {"number": k + 1, "teeth": teeth_text(variant.sets.teeth[k].tolist())}
+        told = tr("set {number}, drawn: {teeth}", **said)
+        names.append((told if mark is DRAWN else tr("set {number}, least error: {teeth}", **said), mark))
     top = write_key(drawing, box, names)
     edges = _tolerance(variant.request)
     across = fitted("$z_1 + z_2$", z.real)._replace(whole=True)
-    up = fitted(f"error of ${KINDS[variant.request.kind]}$, %", np.array([0.0, *edges, *z.imag.tolist()]))
+    up = fitted(
+        tr("error of {ratio}, %", ratio=f"${KINDS[variant.request.kind]}$"), np.array([0.0, *edges, *z.imag.tolist()])
+    )
     field = Diagram(drawing, Box(box.left + SIDE, box.bottom + BELOW, box.right, top - 2), across, up)
     for edge in edges:
         field.level(edge, LIMIT)
@@ -92,16 +101,16 @@ def _tolerance(request: Request) -> tuple[float, float]:
 def _draw_removals(drawing: Drawing, box: Box, variant: Variant) -> None:
     """Candidates, what each constraint removed of them, what is left."""
     synthesis = variant.synthesis
-    rows = [("candidates", synthesis.candidates, "candidates")]
-    rows += [(called(name), removed, "removed") for name, removed, _ in removals(variant)]
-    rows.append(("tooth sets", synthesis.count, "left"))
+    rows = [(tr("candidates"), synthesis.candidates, "candidates")]
+    rows += [(constraint_name(name), removed, "removed") for name, removed, _ in removals(variant)]
+    rows.append((tr("tooth sets"), synthesis.count, "left"))
     numbers = [_counted(count, kind) for _, count, kind in rows]
-    drawing.add(Words(complex(box.left, box.top), "What the constraints removed, in their order", 2.6, -1 + 1j))
+    drawing.add(Words(complex(box.left, box.top), tr("What the constraints removed, in their order"), 2.6, -1 + 1j))
     frame = box.inset(3 + max(width(name, NAME) for name, *_ in rows), BELOW, 1, 5.5)
     # the longest bar ends where its number still has room
     part = 1 - (width(max(numbers, key=width), NAME) + 4) / frame.width
     largest = max(2, *(count for _, count, _ in rows))
-    across = Axis("combinations of wheels", LEFT, LEFT * (largest / LEFT) ** (1 / part), log=True)
+    across = Axis(tr("combinations of wheels"), LEFT, LEFT * (largest / LEFT) ** (1 / part), log=True)
     field = Diagram(drawing, frame, across, Axis("", 0.0, float(len(rows))), lettered=False)
     half = min(THICKNESS, BROAD * len(rows) / frame.height) / 2
     for k, ((name, count, kind), said) in enumerate(zip(rows, numbers, strict=True)):

@@ -22,6 +22,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.pens import AXIS, INK, MARK, PATH, THIN, Pen
+from tmmcalc.report.drawing.scales import fitting_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
 
 DEEP = 0.7  # [module] of the body behind the root circle of a space
@@ -69,12 +70,14 @@ def _radii(member: Toothed, half: Half) -> list[tuple[str, Circle, float]]:
     return found
 
 
-class _Drawing:
+class WheelDrawing:
     """A board with circles about the centre of a wheel, or lines along a rack."""
 
     def __init__(self, drawing: Drawing, box: Box, member: Toothed, content: Plane, margin: float) -> None:
-        self.member, self.board = member, Board(drawing, box.inset(0, 0, ROOM, 0), content, margin)
-        self.mm, frame = self.board.mu, self.board.box
+        frame = box.inset(0, 0, ROOM, 0)
+        self.member = member
+        self.board = Board(drawing, frame, content, margin, fitting_scale(content, frame, margin))
+        self.mm = self.board.mu
         self.low = self.board.data(complex(frame.left, frame.bottom))
         self.high = self.board.data(complex(frame.right, frame.top))
         self.straight = member.shape == "rack"
@@ -112,7 +115,7 @@ class _Drawing:
         self.board.line([complex(0, y) for y in ends], AXIS, weight=0.3, level=5)
 
 
-class SpaceDrawing(_Drawing):
+class SpaceDrawing(WheelDrawing):
     """The generation of one space."""
 
     def __init__(self, drawing: Drawing, box: Box, member: Toothed, half: Half, generation: Generation) -> None:
@@ -144,13 +147,12 @@ class SpaceDrawing(_Drawing):
         self.board.face(np.concatenate([outline, behind[::-1]]), self.face, level=1)
 
 
-class ToothDrawing(_Drawing):
+class ToothDrawing(WheelDrawing):
     """Half a tooth, enlarged."""
 
     def __init__(self, drawing: Drawing, box: Box, member: Toothed, half: Half) -> None:
-        m = member.module
-        self.half, self.runs = half, {part.name: m * _sampled(part) for part in half.parts}
-        outline = np.concatenate(list(self.runs.values()))
+        self.half = half
+        outline = np.concatenate([*runs_of(member, half).values()])
         super().__init__(drawing, box, member, np.concatenate([outline, [1j * outline.imag.min()]]), 5.0)
         self._body(outline)
         self.circles(half)
@@ -225,8 +227,13 @@ class ToothDrawing(_Drawing):
             self._name("$r_p$", complex(last), height=2.5, prefer=1 + 0j, colour="#00664b")
 
 
-def _sampled(part: ProfilePart) -> Plane:
-    return part.curve.point(np.linspace(part.curve.start, part.curve.end, POINTS))
+def runs_of(member: Toothed, half: Half) -> dict[str, Plane]:
+    """Points (n,) of every part of half a tooth [m], by its name, from the root to the tip."""
+
+    def sampled(part: ProfilePart) -> Plane:
+        return member.module * part.curve.point(np.linspace(part.curve.start, part.curve.end, POINTS))
+
+    return {part.name: sampled(part) for part in half.parts}
 
 
 def _named(member: Toothed, half: Half) -> list[tuple[str, complex]]:

@@ -31,6 +31,7 @@ from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import headed, sheets
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import number
 
 ROWS = 2  # strips of diagrams that share a sheet
@@ -45,7 +46,7 @@ def figure(order: Order) -> Drawing:
     if selection is not None:
         place = selection.winner.place if order.choice is None else order.choice - 1
         check_row(place, len(selection.pool))
-        told = f"row {place + 1} of {len(selection.pool)} trains compared, "
+        told = tr("row {row} of {count} trains compared, ", row=place + 1, count=len(selection.pool))
         at, row = int(selection.pool.variant[place]), int(selection.pool.row[place])
         modules = tuple(selection.variants[at].module[row].tolist())
         return train_drawing(result, chosen_rows(result, selection, order.choice), told, speed, modules)
@@ -91,7 +92,7 @@ def train_drawing(
     """
     schemes = [(variant, row) for variant, row in zip(result.variants, rows, strict=True) if row is not None]
     strips = _strips(result, rows)
-    drawing, boxes = sheets(2 * len(schemes) + -(-len(strips) // ROWS), "Synthesis of the gear train")
+    drawing, boxes = sheets(2 * len(schemes) + -(-len(strips) // ROWS), tr("Synthesis of the gear train"))
     for (variant, row), first, second in zip(schemes, boxes[::2], boxes[1::2], strict=False):
         head = _heading(variant, row, told)
         scheme_sheet(drawing, first, _to_scale(variant, row, modules), head)
@@ -139,6 +140,13 @@ def _heading(variant: Variant, row: int, told: str) -> str:
     error = 100 * float(ratios(request, sets)[1][row])
     said = "" if ratio is None else f": {ratio_text(request.kind, ratio)}"
     first = f"{layout_name(request.scheme, sets.planets)}{said}"
-    asked = f"error {minus(number(error, 3))} % of {minus(number(float(request.nominal), 8))}"
-    named = f"{told}set {row + 1} of {variant.synthesis.count}"
-    return f"{first}\n$z$ = {teeth_text(sets.teeth[row].tolist())}, {asked}; {named}"
+    second = tr(
+        "$z$ = {teeth}, error {error} % of {ratio}; {told}set {row} of {count}",
+        teeth=teeth_text(sets.teeth[row].tolist()),
+        error=minus(number(error, 3)),
+        ratio=minus(number(float(request.nominal), 8)),
+        told=told,
+        row=row + 1,
+        count=variant.synthesis.count,
+    )
+    return f"{first}\n{second}"

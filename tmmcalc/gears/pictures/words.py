@@ -1,4 +1,4 @@
-"""Headings and symbols that the pictures of gear trains share."""
+"""Headings and symbols that the pictures of gear trains share, in the language in force."""
 
 from __future__ import annotations
 
@@ -6,40 +6,124 @@ from collections.abc import Iterable
 from fractions import Fraction
 from unicodedata import normalize
 
+from tmmcalc.gears.advice import called
+from tmmcalc.gears.meshing.task import PairTask
+from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.scheme import Layout
-from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.lettering import minus, plain
+from tmmcalc.report.language import tr, tr_count, tr_unit
 from tmmcalc.report.numbers import number
 
 KINDS = {"u": "U", "i_1H": "i_{1H}", "i_H1": "i_{H1}", "i_14": "i_{14}"}
 EXACT = 100_000  # larger denominators are not written out
 
-CRITERIA: dict[str, tuple[str, float, str]] = {
-    "mass": ("mass of moving wheels $M$", 1.0, "kg"),
-    "inertia": ("reduced inertia $J$", 1.0, "kg·m²"),
-    "size": ("size $D$", 1e3, "mm"),
-    "envelope": ("envelope", 1e3, "mm"),
-    "efficiency": ("efficiency $η$", 1.0, ""),
-    "error": ("error of the ratio", 100.0, "%"),
-    "width_deviation": ("$b/m$ beyond the usual", 1.0, ""),
+CRITERIA: dict[str, tuple[float, str]] = {  # factor from SI, and the unit in which a criterion is shown
+    "mass": (1.0, "kg"),
+    "inertia": (1.0, "kg·m²"),
+    "size": (1e3, "mm"),
+    "envelope": (1e3, "mm"),
+    "efficiency": (1.0, ""),
+    "error": (100.0, "%"),
+    "width_deviation": (1.0, ""),
 }
 
 
 def axis_name(key: str) -> str:
     """A criterion with the unit in which it is shown."""
-    name, _, unit = CRITERIA[key]
-    return f"{name}, {unit}" if unit else name
+    names = {
+        "mass": tr("mass of moving wheels $M$"),
+        "inertia": tr("reduced inertia $J$"),
+        "size": tr("size $D$"),
+        "envelope": tr("envelope"),
+        "efficiency": tr("efficiency $η$"),
+        "error": tr("error of the ratio"),
+        "width_deviation": tr("$b/m$ beyond the usual"),
+    }
+    _, unit = CRITERIA[key]
+    return f"{names[key]}, {tr_unit(unit)}" if unit else names[key]
+
+
+def short_name(key: str) -> str:
+    """A criterion in a word."""
+    names = {
+        "mass": tr("mass"),
+        "inertia": tr("inertia"),
+        "size": tr("size"),
+        "envelope": tr("envelope"),
+        "efficiency": tr("efficiency"),
+        "error": tr("error"),
+        "width_deviation": tr("width deviation"),
+    }
+    return names.get(key, key.replace("_", " "))
+
+
+def constraint_name(key: str) -> str:
+    """A constraint of the search; one of the user's own is called as it is."""
+    names = {
+        "largest_sum": tr("sum of teeth"),
+        "coaxiality": tr("common axis"),
+        "ratio": tr("ratio"),
+        "mesh_angles": tr("pressure angles"),
+        "undercut": tr("undercut"),
+        "interference": tr("ring difference"),
+        "stage_ratio": tr("ratio of one stage"),
+        "diameter_band": tr("diameters alike"),
+        "equal_pinions": tr("equal pinions"),
+        "assembly": tr("assembly"),
+        "adjacency": tr("neighbours' gap"),
+        "coprime": tr("coprime meshes"),
+        "centre_distance": tr("centre distance"),
+        "envelope": tr("envelope"),
+    }
+    return names.get(key) or called(key)
+
+
+def of_many(text: str, drawn: int, thinned: bool) -> str:
+    """A text, with how many signs are drawn where not all are."""
+    return tr("{what}, {drawn} drawn, evenly", what=text, drawn=drawn) if thinned else text
+
+
+def counted(scheme: Layout, planets: int) -> str:
+    """The planets, pairs of planets or layshafts of a layout with their number."""
+    if not scheme.planetary:
+        return tr_count(planets, "layshaft", "layshafts")
+    if scheme.paired:
+        return tr_count(planets, "pair of planets", "pairs of planets")
+    return tr_count(planets, "planet", "planets")
 
 
 def layout_name(scheme: Layout, planets: int) -> str:
     """The layout in a sentence with its designation and the number of planets."""
-    called = f" ({normalize('NFC', scheme.designation)})" if scheme.planetary else ""
-    name = scheme.title[0].upper() + scheme.title[1:] + called
-    if not scheme.branched:
-        return name
-    what = "planet" if scheme.planetary else "layshaft"
-    if scheme.paired:
-        return f"{name}, $K$ = {planets}"
-    return f"{name}, {planets} {what}{'s' if planets > 1 else ''}"
+    titles = {
+        "coaxial": tr("Two stages in coaxial layout"),
+        "AI": tr("Double planets, external and internal mesh"),
+        "AA": tr("Double planets, two external meshes"),
+        "II": tr("Double planets, two internal meshes"),
+        "AIbar": tr("Single planets between sun and ring"),
+        "AII": tr("Double planets, a sun and two rings"),
+        "2A-AA": tr("Pairs of meshing planets between two suns"),
+        "unfolded2": tr("Two stages in unfolded layout"),
+        "unfolded3": tr("Three stages in unfolded layout"),
+    }
+    title = titles.get(scheme.key) or scheme.title[0].upper() + scheme.title[1:]
+    name = title + (f" ({normalize('NFC', scheme.designation)})" if scheme.planetary else "")
+    return f"{name}, {counted(scheme, planets)}" if scheme.branched else name
+
+
+def train_name(sets: ToothSets) -> str:
+    """A tooth set by its layout and its teeth."""
+    return f"{layout_name(sets.scheme, sets.planets)}: $z$ = {teeth_text(sets.teeth[0].tolist())}"
+
+
+def pair_title(task: PairTask) -> str:
+    """A pair by its name and its teeth."""
+    first, second = task.teeth
+    teeth = f"$z$ = {first}/{second}"
+    if task.kind == "rack":
+        teeth = tr("$z$ = {teeth} and a rack", teeth=first)
+    elif task.kind == "internal":
+        teeth = tr("$z$ = {teeth}, internal", teeth=f"{first}/{second}")
+    return f"{plain(task.name)}: {teeth}" if task.name else teeth
 
 
 def ratio_text(kind: str, value: Fraction) -> str:

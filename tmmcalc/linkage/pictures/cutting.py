@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Sequence
 
 from tmmcalc.core.records import record
 from tmmcalc.linkage.forces.kinetostatics import Statics
@@ -11,24 +12,29 @@ from tmmcalc.linkage.forces.results import Forces, side_of
 from tmmcalc.linkage.freebody import Acting, Couple, FreeBody, cleared, free_bodies
 from tmmcalc.linkage.pictures.cycle import LinkageMotion, motion_at, whole_cycle
 from tmmcalc.linkage.pictures.forcepolygon import draw_force_polygon
-from tmmcalc.linkage.pictures.loaddiagram import draw_load_diagram
+from tmmcalc.linkage.pictures.loaddiagram import draw_load_diagram, scale_in
+from tmmcalc.linkage.pictures.plans import SENSES
+from tmmcalc.linkage.pictures.scheme import length_note, position_text
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.key import samples_in_rows
 from tmmcalc.report.drawing.lettering import minus, symbol
-from tmmcalc.report.drawing.pens import FORCES, INK
+from tmmcalc.report.drawing.pens import FORCES
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.drawing.tables import draw_table
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
-BODIES = 3  # on a sheet
+BODIES = 2  # on a sheet
 SEEN = 1e-4  # of the largest force or couple: less is left out
 DIFFERENT = 1e-6  # of the largest force: a smaller difference of the limits is none
-ROW = 3.6  # height of a row of the values [mm]
 GREY = "#555555"
 HEADING, FOOT = 10.0, 10.0  # room above and below the bodies [mm]
-HEIGHTS = (0.45, 0.33, 0.22)  # of load diagram, polygon, values
-COLUMNS = (1.0, 11.0, 19.0, 37.0, 49.0, 65.0, 83.0)  # where the columns of the values begin [mm]
-WIDEST = 95.0  # of all of them [mm]
+HEIGHTS = (0.40, 0.39, 0.21)  # of load diagram, polygon, values
+TALL = (0.54, 0.46)  # of a load diagram with the values beside it, and of the polygon
+VALUES = 58.0  # width of values beside a load diagram [mm]
+NAME = 5.0  # room of the name of a body [mm]
+GAP = 6.0  # between bodies [mm]
 Part = Acting | Couple
 
 
@@ -49,11 +55,11 @@ def sheets_of(statics: Statics, kinematics: Kinematics, result: Forces, row: int
     theta, chain = float(result.theta[row]), statics.scene.chain
     side = side_of(result, row)
     bodies, others = (cleared(free_bodies(statics, theta, s), SEEN) for s in (side, -side))
-    limits = ("just before", "just after") if side < 0 else ("just after", "just before")
+    limits = (tr("just before"), tr("just after")) if side < 0 else (tr("just after"), tr("just before"))
     if not _differ(bodies, others):
         others = ()
     motion, cycle = motion_at(chain, statics.scene.travel.x(result.theta[[row]])), whole_cycle(chain, kinematics)
-    heading = _heading(result, row, limits if others else None)
+    heading = _heading(result, kinematics, row, limits if others else None)
     count = -(-len(bodies) // -(-len(bodies) // BODIES))
     return [
         Sheet(heading, bodies[k : k + count], others[k : k + count], limits, motion, cycle)
@@ -61,14 +67,12 @@ def sheets_of(statics: Statics, kinematics: Kinematics, result: Forces, row: int
     ]
 
 
-def _heading(result: Forces, row: int, limits: tuple[str, str] | None) -> str:
-    phi = float(result.phi[row])
-    value = minus(number(math.degrees(phi) if result.turns else phi, 5))
-    at = f"$φ$ = {value}°" if result.turns else f"$s − s_0$ = {value} m"
-    text = f"Load diagrams and force polygons in position {result.labels[row].removesuffix('-')}, {at}"
-    if limits:
-        text += f"\nFriction jumps here: drawn {limits[0]}, dashed polygon {limits[1]} the position"
-    return text
+def _heading(result: Forces, kinematics: Kinematics, row: int, limits: tuple[str, str] | None) -> str:
+    position = kinematics.labels.index(result.labels[row].removesuffix("-"))
+    text = tr("{position}: load diagrams and force polygons", position=position_text(kinematics, position))
+    if limits is None:
+        return text
+    return text + "\n" + tr("Friction jumps here: drawn {one}, dashed polygon {other}", one=limits[0], other=limits[1])
 
 
 def _parts(body: FreeBody) -> list[Part]:
@@ -88,34 +92,48 @@ def _differ(one: tuple[FreeBody, ...], other: tuple[FreeBody, ...]) -> bool:
 def draw_sheet(drawing: Drawing, box: Box, drawn: Sheet) -> None:
     """One column a body: load diagram, polygon, values."""
     drawing.add(Words(complex(box.middle.real, box.top), drawn.heading, 3.0, 1j))
-    columns = box.inset(0, FOOT, 0, HEADING).split(*(1.0 for _ in drawn.bodies), gap=4.0, across=True)
+    columns = box.inset(0, FOOT, 0, HEADING).split(*(1.0 for _ in drawn.bodies), gap=GAP, across=True)
     for k, (column, body) in enumerate(zip(columns, drawn.bodies, strict=True)):
         other = drawn.others[k] if drawn.others else None
-        diagram, polygon, values = column.split(*HEIGHTS, gap=2.0)
-        mu = draw_load_diagram(drawing, diagram.inset(0, 0, 0, 5.0), body, drawn.motion, drawn.cycle)
-        title = f"{body.name},  $μ_l$ = {number(mu, 4)} m/mm"
-        drawing.add(Words(complex(diagram.middle.real, diagram.top), title, 2.5, 1j))
+        diagram, polygon, values = _places(column, body, drawn)
+        draw_body(drawing, diagram, body, drawn.motion, drawn.cycle)
         draw_force_polygon(drawing, polygon, body, other)
         _draw_values(drawing, values, body, other, drawn.limits)
-    _draw_legend(drawing, Box(box.left, box.bottom, box.right, box.bottom + FOOT - 2.0), drawn)
+    _draw_legend(drawing, Box(box.left, box.bottom, box.right, box.bottom + FOOT - 2.0), drawn.bodies)
+
+
+def _places(column: Box, body: FreeBody, drawn: Sheet) -> tuple[Box, Box, Box]:
+    """Where load diagram, polygon and values of a body stand: the values below, or beside links that stand upright."""
+    below = column.split(*HEIGHTS, gap=2.0)
+    upper, polygon = column.split(*TALL, gap=2.0)
+    beside = upper.split(upper.width - VALUES, VALUES, gap=2.0, across=True)
+    rooms = [box.inset(0, 0, 0, NAME) for box in (below[0], beside[0])]
+    sizes = [scale_in(room, body, drawn.motion, drawn.cycle) for room in rooms]
+    if drawn.others or sizes[0] <= sizes[1]:
+        return below[0], below[1], below[2]
+    return beside[0], polygon, beside[1].inset(0, 0, 0, NAME)
+
+
+def body_scale(drawing: Drawing, box: Box, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> float:
+    """The scale that `draw_body` would have in a rectangle."""
+    return scale_in(box.inset(0, 0, 0, NAME * drawing.letters), body, motion, cycle)
+
+
+def draw_body(drawing: Drawing, box: Box, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> None:
+    """The load diagram of a body with its name and scale above."""
+    larger = drawing.letters
+    mu = draw_load_diagram(drawing, box.inset(0, 0, 0, NAME * larger), body, motion, cycle)
+    drawing.add(Words(complex(box.middle.real, box.top), f"{body.name},  {length_note(mu)}", 2.5 * larger, 1j))
 
 
 def _draw_values(drawing: Drawing, box: Box, body: FreeBody, other: FreeBody | None, limits: tuple[str, str]) -> None:
     """Size and direction of everything, in both limits if there are two."""
     parts = _parts(body)
-    pitch = min(ROW, box.height / (len(parts) + 1.5))
-    left = box.left + max(0.0, (box.width - WIDEST) / 2)
-    narrow = min(1.0, box.width / WIDEST)
-    now, then = ("size", "") if other is None else limits
-    arms = "arm $h$" if any(isinstance(part, Acting) and part.arm for part in parts) else ""
-    heads = ["", "joint", now, "direction", arms, then]
-    rows = [heads, *(_row(part, _found(other, part)) for part in parts)]
-    for r, row in enumerate(rows):
-        for x, text in zip(COLUMNS, row, strict=False):
-            if text:
-                at = complex(left + narrow * x, box.top - pitch * (r + 0.5))
-                height = (2.0 if r else 1.8) * narrow * pitch / ROW
-                drawing.add(Words(at, text, height, -1, colour=INK if r else GREY))
+    now, then = (tr("size"), []) if other is None else (limits[0], [limits[1], tr("direction")])
+    head = ["", tr("joint"), now, tr("direction"), f"$h$, {tr_unit('mm')}", *then]
+    rows = [_row(part, _found(other, part), len(head)) for part in parts]
+    used = [k for k in range(len(head)) if k == 0 or any(row[k] for row in rows)]
+    draw_table(drawing, box, [head[k] for k in used], [[row[k] for k in used] for row in rows], 2.1)
 
 
 def _found(other: FreeBody | None, part: Part) -> Part | None:
@@ -124,24 +142,37 @@ def _found(other: FreeBody | None, part: Part) -> Part | None:
     return next((p for p in _parts(other) if _key(p) == _key(part)), None)
 
 
-def _row(part: Part, other: Part | None) -> list[str]:
-    arm = f"{minus(number(part.arm * 1e3, 4))} mm" if isinstance(part, Acting) and part.arm else ""
-    told = part.joint or ("damping" if part.kind == "damper" else "")  # a damper has the name of its spring
-    row = [symbol(part.letter, part.index), told, *_value(part), arm]
-    return row if other is None else [*row, *_value(other)]
+def _row(part: Part, other: Part | None, columns: int) -> list[str]:
+    arm = minus(number(part.arm * 1e3, 4)) if isinstance(part, Acting) and part.arm else ""
+    told = part.joint or (tr("damping") if part.kind == "damper" else "")  # a damper has the name of its spring
+    row = [symbol(part.letter, part.index), told, *_value(part), arm, *(_value(other) if other else ())]
+    return [*row, *[""] * (columns - len(row))]
 
 
 def _value(part: Part) -> tuple[str, str]:
     """Size with its unit, and direction or sense."""
     if isinstance(part, Couple):
-        return f"{number(abs(part.value), 5)} N·m", "ccw" if part.value > 0 else "cw"
-    return f"{number(abs(part.value), 5)} N", f"{minus(number(round(math.degrees(cmath.phase(part.value)), 2), 6))}°"
+        return f"{number(abs(part.value), 5)} {tr_unit('N*m')}", SENSES[part.value > 0]
+    direction = minus(number(round(math.degrees(cmath.phase(part.value)), 2), 6))
+    return f"{number(abs(part.value), 5)} {tr_unit('N')}", f"{direction}°"
 
 
-def _draw_legend(drawing: Drawing, box: Box, drawn: Sheet) -> None:
+def _draw_legend(drawing: Drawing, box: Box, bodies: Sequence[FreeBody]) -> None:
     """What the kinds of lines are, and how to read the names."""
-    used = {part.kind for body in drawn.bodies for part in _parts(body)}
-    samples_in_rows(drawing, box, [(kind, pen) for kind, pen in FORCES.items() if kind in used])
-    text = "First index: the link acted on, second: the link it comes from. Arrows of load diagrams are not to scale. "
-    text += "What is less than 0.01 % of the largest is left out."
+    used = {part.kind for body in bodies for part in _parts(body)}
+    names = {
+        "load": tr("load"),
+        "weight": tr("weight"),
+        "inertia": tr("inertia"),
+        "spring": tr("spring"),
+        "damper": tr("damper"),
+        "drive": tr("drive"),
+        "reaction": tr("reaction"),
+        "friction": tr("friction"),
+    }
+    samples_in_rows(drawing, box, [(names[kind], pen) for kind, pen in FORCES.items() if kind in used])
+    text = tr(
+        "First index: the link acted on, second: the link it comes from. Arrows of load diagrams are not to scale. "
+        "What is less than 0.01 % of the largest is left out."
+    )
     drawing.add(Words(complex(box.middle.real, box.bottom), text, 2.0, -1j, colour=GREY))

@@ -21,6 +21,7 @@ from tmmcalc.report.drawing.diagram import HEIGHT, Axis, Curve, Diagram, room
 from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.pens import CURVES, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr_unit
 from tmmcalc.report.numbers import number
 
 NARROW = 0.08  # names of dead centres that stand closer than this part of the range would touch
@@ -103,11 +104,11 @@ def _quantity(curves: Sequence[OutputCurve], kind: int) -> tuple[float, str]:
     letter = _letter(curves[0], kind)
     symbol = f"${letter}_{{{curves[0].name}}}$" if len(curves) == 1 else f"${letter}$"
     if curves[0].angular:
-        return ((180 / math.pi, 1.0, 1.0)[kind], f"{symbol}, {('°', 'rad/s', 'rad/s²')[kind]}")
+        return ((180 / math.pi, 1.0, 1.0)[kind], f"{symbol}, {tr_unit(('°', 'rad/s', 'rad/s²')[kind])}")
     small = max(float(np.max(np.abs(c.dense[0]))) for c in curves) < SMALL
     if kind == 0 and small:
-        return 1000.0, f"{symbol}, mm"
-    return 1.0, f"{symbol}, {('m', 'm/s', 'm/s²')[kind]}"
+        return 1000.0, f"{symbol}, {tr_unit('mm')}"
+    return 1.0, f"{symbol}, {tr_unit(('m', 'm/s', 'm/s²')[kind])}"
 
 
 def _letter(curve: OutputCurve, kind: int) -> str:

@@ -10,6 +10,7 @@ from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.pictures.cycle import whole_cycle
+from tmmcalc.linkage.pictures.found import told
 from tmmcalc.linkage.pictures.scheme import draw_scheme
 from tmmcalc.linkage.synthesis.dwell.results import Dwell
 from tmmcalc.linkage.synthesis.results import Design
@@ -20,6 +21,7 @@ from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import CURVES
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 DEGREE = math.degrees(1.0)
@@ -31,7 +33,8 @@ def dwell_drawing(mechanism: Mechanism, design: Design, dwell: Dwell) -> Drawing
     """A sheet with the mechanism in position 1, and one with the diagrams over the turn of the crank."""
     motion = solve_kinematics(mechanism)
     drawing, (first, second) = sheets(2)
-    title = f"{design.name}, dwell of {minus(number(DEGREE * dwell.dwell_angle, 5))}°"
+    angle = minus(number(DEGREE * dwell.dwell_angle, 5))
+    title = tr("{name}, dwell of {angle}°", name=told(design.name), angle=angle)
     drawing.add(Words(complex(first.middle.real, first.top), title, 3.5, 1j))
     scheme, key = first.inset(0, 0, 0, 7).split(2.4, 1.0, gap=4, across=True)
     cycle = whole_cycle(chain_of(mechanism, motion), motion)
@@ -50,13 +53,13 @@ def _key(design: Design, dwell: Dwell) -> list[Part]:
     sizes = [
         (_formula(size.symbol), _shown(size.value, size.unit)) for size in design.sizes if size.symbol not in SKIPPED
     ]
-    checks = [(check.name.replace("|S|", "$|S|$"), _shown(check.achieved, check.unit)) for check in design.checks]
+    checks = [(told(check.name), _shown(check.achieved, check.unit)) for check in design.checks]
     samples = [
-        Sample("slot $Γ$ of the crank pin $A$ in link 5", OWN),
-        Sample("its other branch", OTHER),
-        Sample("dwell, in the diagrams", DWELL),
+        Sample(tr("slot $Γ$ of the crank pin $A$ in link 5"), OWN),
+        Sample(tr("its other branch"), OTHER),
+        Sample(tr("dwell, in the diagrams"), DWELL),
     ]
-    return [Part("Sizes", sizes), Part("By simulation", checks), Part("Lines", samples=samples)]
+    return [Part(tr("Sizes"), sizes), Part(tr("By simulation"), checks), Part(tr("Lines"), samples=samples)]
 
 
 def _formula(symbol: str) -> str:
@@ -68,7 +71,7 @@ def _formula(symbol: str) -> str:
 def _shown(value: float, unit: str) -> str:
     if unit == "rad":
         return f"{minus(number(DEGREE * value, 6))}°"
-    return f"{minus(number(1e3 * value, 6))} mm" if unit == "m" else minus(number(value, 5))
+    return f"{minus(number(1e3 * value, 6))} {tr_unit('mm')}" if unit == "m" else minus(number(value, 5))
 
 
 def _of_motion(dwell: Dwell) -> list[Graph]:

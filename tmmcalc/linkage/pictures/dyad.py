@@ -9,6 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.linkage.dyadstate import DyadState, DyadTask, Port
+from tmmcalc.linkage.pictures.plans import scale_note
+from tmmcalc.linkage.pictures.scheme import length_note
 from tmmcalc.report.drawing import signs
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
@@ -16,7 +18,9 @@ from tmmcalc.report.drawing.lettering import minus, point_name
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import AXIS, THICK, THIN, Pen
+from tmmcalc.report.drawing.scales import length_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number, round_scale
 
 LONGEST = 0.35  # of the size of the dyad: the longest vector
@@ -25,8 +29,8 @@ BEYOND = 0.12  # of the size: how far a line is drawn beyond its slider
 HEAD = 3.0  # length of an arrowhead [mm]
 MARGIN = 9.0  # free border [mm]
 KINDS = (
-    ("Velocities", "v", "m/s", Pen("VECTORS_VELOCITY", 0.5, (), "#0072b2")),
-    ("Accelerations", "a", "m/s²", Pen("VECTORS_ACCELERATION", 0.5, (), "#d55e00")),
+    ("v", Pen("VECTORS_VELOCITY", 0.5, (), "#0072b2")),
+    ("a", Pen("VECTORS_ACCELERATION", 0.5, (), "#d55e00")),
 )
 Segment = tuple[complex, complex]
 
@@ -58,15 +62,17 @@ def figure(order: Order) -> Drawing:
 def dyad_drawing(task: DyadTask, result: DyadState) -> Drawing:
     """One sheet: velocities on the left, accelerations on the right, angular ones below."""
     drawing, (box,) = sheets(1)
-    variant = "" if result.variant is None else minus(f", variant {result.variant:+d}")
-    drawing.add(Words(complex(box.middle.real, box.top), f"Dyad {result.kind}{variant}", 3.5, 1j))
+    title = tr("Dyad {kind}", kind=result.kind)
+    if result.variant is not None:
+        title = tr("Dyad {kind}, variant {variant}", kind=result.kind, variant=minus(f"{result.variant:+d}"))
+    drawing.add(Words(complex(box.middle.real, box.top), title, 3.5, 1j))
     for order, part in enumerate(box.inset(0, 0, 0, 7).split(1, 1, gap=4, across=True)):
         _draw(drawing, part, task, result, order)
     return drawing
 
 
 def _draw(drawing: Drawing, box: Box, task: DyadTask, result: DyadState, order: int) -> None:
-    title, letter, unit, pen = KINDS[order]
+    letter, pen = KINDS[order]
     parts, moving = _parts(task, result), _moving(task, result)
     content = np.array([*(end for bars in parts.bars.values() for bar in bars for end in bar), *(p.at for p in moving)])
     size = float(max(np.ptp(content.real), np.ptp(content.imag)))
@@ -76,7 +82,7 @@ def _draw(drawing: Drawing, box: Box, task: DyadTask, result: DyadState, order: 
     lines = [(q + (min(s, 0.0) * e), end) for (q, end), (_, e, s) in zip(lines, parts.lines, strict=True)]
     tips = [point.at + point.vectors[order] / scale for point in moving]
     content = np.array([*content, *tips, *(end for line in lines for end in line)])
-    board = Board(drawing, box.inset(0, 7, 0, 6), content, MARGIN)
+    board = Board(drawing, box.inset(0, 7, 0, 6), content, MARGIN, scale=length_scale)
     for line in lines:
         board.line(line, AXIS, level=signs.GUIDE)
     for at, e in parts.blocks:
@@ -106,8 +112,9 @@ def _draw(drawing: Drawing, box: Box, task: DyadTask, result: DyadState, order: 
     corners = [complex(frame.left, frame.bottom), complex(frame.right, frame.bottom)]
     corners += [complex(frame.right, frame.top), complex(frame.left, frame.top)]
     drawing.line(corners, THIN, closed=True)
-    named = f"$μ_{letter}$ = {number(scale * board.mu, 4)} ({unit})/mm" if longest else "none"
-    text = f"{title}, {named},  $μ_l$ = {number(board.mu, 4)} m/mm"
+    title = tr("Velocities") if letter == "v" else tr("Accelerations")
+    named = scale_note(letter, scale * board.mu) if longest else tr("none")
+    text = f"{title}, {named},  {length_note(board.mu)}"
     drawing.add(Words(complex(box.middle.real, box.top), text, 2.8, 1j))
     drawing.add(Words(complex(box.middle.real, box.bottom), _turning(result, order), 2.5, -1j))
 
@@ -116,7 +123,7 @@ def _turning(result: DyadState, order: int) -> str:
     """Angular velocities or accelerations of both links, in words."""
     sign, unit = (("ω", "rad/s"), ("ε", "rad/s²"))[order]
     values = [(link.link, (link.omega, link.eps)[order]) for link in result.links]
-    return ",   ".join(f"${sign}_{name}$ = {minus(number(value, 6))} {unit}" for name, value in values)
+    return ",   ".join(f"${sign}_{name}$ = {minus(number(value, 6))} {tr_unit(unit)}" for name, value in values)
 
 
 def _moving(task: DyadTask, result: DyadState) -> list[_Moving]:

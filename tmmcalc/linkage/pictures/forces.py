@@ -1,13 +1,13 @@
-"""The picture of the forces stage: reactions over the cycle, hodographs, drive; free bodies on sheets below."""
+"""The picture of the forces stage: reactions over the cycle, hodographs, drive; free bodies, levers on sheets below."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.facts.places import speed_text
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.loading import Loading
@@ -16,40 +16,50 @@ from tmmcalc.linkage.pictures.choice import check_positions
 from tmmcalc.linkage.pictures.course import DiagramCourse, course_of, statics_of
 from tmmcalc.linkage.pictures.cutting import draw_sheet, sheets_of
 from tmmcalc.linkage.pictures.hodographs import draw_hodograph, hodographs_of
+from tmmcalc.linkage.pictures.lever import draw_lever
 from tmmcalc.linkage.results import Extreme, Kinematics
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import Graph, Line, column
 from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.order import POLYGONS, Order
-from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.page import headed, sheets
 from tmmcalc.report.drawing.pens import CURVES, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
-from tmmcalc.report.numbers import NOISE
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.numbers import NOISE, number
 
 HEADING = 9.0  # room of the heading [mm]
 
 
 def figure(order: Order) -> Drawing:
-    """The drawing of the stage: reactions and drive, and the free bodies in a position that is asked for."""
+    """The drawing of the stage: reactions and drive, free bodies and lever in the positions that are asked for."""
     from tmmcalc.linkage.tables.tasks.loading import to_loading
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     result = order.results["forces"]
     mechanism, loading = to_linkage(order.spec.linkage), to_loading(order.spec)
-    return forces_drawing(mechanism, loading, order.results["kinematics"], result, order.row(POLYGONS, result.labels))
+    return forces_drawing(mechanism, loading, order.results["kinematics"], result, order.rows(POLYGONS, result.labels))
 
 
 def forces_drawing(
-    mechanism: Mechanism, loading: Loading, kinematics: Kinematics, result: Forces, marked: int | None
+    mechanism: Mechanism, loading: Loading, kinematics: Kinematics, result: Forces, marked: Sequence[int] | None
 ) -> Drawing:
-    """One sheet, and those of the free bodies in the row ``marked``; raises `UsageError` for one that is not there."""
-    check_positions(len(result.labels), [] if marked is None else [marked])
+    """One sheet, and of each row ``marked`` those of the free bodies and the lever.
+
+    Raises `UsageError` for a row that is not there.
+    """
+    marked = list(dict.fromkeys(marked or ()))
+    check_positions(len(result.labels), marked)
     statics = statics_of(mechanism, loading, kinematics)
-    cuts = [] if marked is None else sheets_of(statics, kinematics, result, marked)
-    drawing, boxes = sheets(1 + len(cuts))
+    cuts = [sheets_of(statics, kinematics, result, row) for row in marked]
+    drawing, boxes = sheets(1 + sum(len(each) + 1 for each in cuts))
     _over_the_cycle(drawing, boxes[0], statics, result)
-    for box, cut in zip(boxes[1:], cuts, strict=True):
-        draw_sheet(drawing, box, cut)
+    further = iter(boxes[1:])
+    for row, each in zip(marked, cuts, strict=True):
+        for cut in each:
+            draw_sheet(drawing, next(further), cut)
+        box = headed(drawing, next(further), tr("Lever of Zhukovsky"))
+        draw_lever(drawing, box, statics, kinematics, result, row)
     return drawing
 
 
@@ -67,10 +77,21 @@ def _over_the_cycle(drawing: Drawing, box: Box, statics: Statics, result: Forces
 
 
 def _heading(result: Forces) -> str:
-    kind = {"coupling": "driven through a coupling", "gear": "driven by a gear", "slider": "driven along the guide"}
-    speed = minus(speed_text(result))
-    first = f"Reactions and drive at {speed}, {kind[result.drive_kind]}"
-    return f"{first}\n$R_A$ (1–2): force of link 1 on link 2 in joint A"
+    drives = {
+        "coupling": tr("driven through a coupling"),
+        "gear": tr("driven by a gear"),
+        "slider": tr("driven along the guide"),
+    }
+    drive = drives[result.drive_kind]
+    first = tr("Reactions and drive at {speed}, {drive}", speed=_speed(result), drive=drive)
+    return f"{first}\n" + tr("$R_A$ (1–2): force of link 1 on link 2 in joint A")
+
+
+def _speed(result: Forces) -> str:
+    if not result.turns:
+        return f"{minus(number(result.speed))} {tr_unit('m/s')}"
+    rpm = result.speed * 30 / math.pi
+    return f"{minus(number(result.speed))} {tr_unit('rad/s')} ({minus(number(rpm))} {tr_unit('rpm')})"
 
 
 def _reaction_graphs(statics: Statics, result: Forces, course: DiagramCourse) -> list[Graph]:

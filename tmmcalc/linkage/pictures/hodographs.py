@@ -11,13 +11,14 @@ from tmmcalc.core.records import record
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.pictures.course import DiagramCourse
+from tmmcalc.linkage.pictures.forcepolygon import scale_of_forces
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.diagram import ROW, key_above, key_rows
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.pens import CURVES, MIDDLE, Pen
 from tmmcalc.report.drawing.polar import AROUND, name_axes, number_tips
 from tmmcalc.report.drawing.shapes import Drawing, Words
-from tmmcalc.report.numbers import number
+from tmmcalc.report.language import tr
 
 MARGIN = 7.0  # free border [mm]
 TITLE = 9.0  # height of the title [mm]
@@ -70,8 +71,10 @@ def draw_hodograph(
     same = all(np.max(np.abs(path - paths[drawn.pairs[0]])) <= JUMP * peak for path in paths.values())
     for j, pen in zip(drawn.pairs[:1] if same else drawn.pairs, CURVES, strict=False):
         _number(field, result, j, drawn.turning, course, pen)
-    where = f"in the axes of crank {link}" if drawn.turning else "in the fixed axes"
-    title = f"Hodograph {where}\n$μ_F$ = {number(field.mu, 4)} N/mm"
+    title = (
+        tr("Hodograph in the axes of crank {link}", link=link) if drawn.turning else tr("Hodograph in the fixed axes")
+    )
+    title += f"\n{scale_of_forces(field.mu)}"
     drawing.add(Words(complex(field.box.middle.real, box.top), title, 2.3, 1j))
     key_above(drawing, field.box, names)
 

@@ -13,6 +13,7 @@ from itertools import product
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane
 from tmmcalc.linkage.freebody import Acting, Couple, FreeBody
 from tmmcalc.linkage.model import FRAME, Joint
 from tmmcalc.linkage.pictures.bodies import bodies
@@ -21,12 +22,13 @@ from tmmcalc.linkage.pictures.links import draw_link
 from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.report.drawing import signs
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.field import Board, needed
 from tmmcalc.report.drawing.lettering import point_name, symbol
 from tmmcalc.report.drawing.pens import AXIS, FORCES
+from tmmcalc.report.drawing.scales import length_scale
 from tmmcalc.report.drawing.shapes import Drawing
 
-MARGIN = 18.0  # free border [mm]
+MARGIN = 15.0  # free border [mm]
 SHORTEST, LONGEST = 7.0, 13.0  # arrows [mm]
 HEAD = 2.8
 GAPS = (0.9, 6.0, 11.0)  # between a point and its arrow [mm]
@@ -40,28 +42,46 @@ ARC = 3.6  # radius of a couple's arc [mm]
 PITCH = math.radians(35)  # half of the arc of a pitch circle that is shown
 
 
-def draw_load_diagram(drawing: Drawing, box: Box, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> float:
-    """Draw in a rectangle; returns the scale of the links [m/mm]."""
-    diagram = _Diagram(drawing, box, body, motion, cycle)
+def draw_load_diagram(
+    drawing: Drawing, box: Box, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion, margin: float = MARGIN
+) -> float:
+    """Draw in a rectangle with a free border [mm]; returns the scale of the links [m/mm]."""
+    diagram = _Diagram(body, motion, cycle)
+    diagram.on(drawing, box, margin)
     diagram.links()
     diagram.forces()
     diagram.couples()
     return diagram.board.mu
 
 
+def scale_in(box: Box, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion, margin: float = MARGIN) -> float:
+    """The scale [m/mm] that the links of a body would have in a rectangle."""
+    return length_scale(needed(_Diagram(body, motion, cycle).content, box, margin))
+
+
 class _Diagram:
     """One load diagram while it is drawn."""
 
-    def __init__(self, drawing: Drawing, box: Box, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> None:
+    board: Board
+
+    def __init__(self, body: FreeBody, motion: LinkageMotion, cycle: LinkageMotion) -> None:
         self.body, self.motion = body, motion
         self.mechanism = motion.chain.mechanism
         self.pins = find_pins(self.mechanism)
         shapes = bodies(self.mechanism, self.pins, cycle, 0.0)
         self.shapes = [shape for shape in shapes if shape.link in body.links]
+        self.content = self._content()
+
+    def on(self, drawing: Drawing, box: Box, margin: float) -> None:
+        """Take a rectangle to draw in."""
+        self.board = Board(drawing, box, self.content, margin, scale=length_scale)
+
+    def _content(self) -> Plane:
+        """All that must fit [m]."""
         content = [self.place(s.link, p) for s in self.shapes for p in s.corners]
         content += [self.place_of(pin) for pin in self.own_pins()]
-        content += [force.at for force in body.forces if force.kind == "drive"]
-        self.board = Board(drawing, box, np.array([*content, *self._room(content)]), MARGIN)
+        content += [force.at for force in self.body.forces if force.kind == "drive"]
+        return np.array([*content, *self._room(content)])
 
     def _room(self, content: list[complex]) -> list[complex]:
         """Corners around links that all stand in one point, which would give no scale."""
@@ -118,13 +138,12 @@ class _Diagram:
         """All forces, the largest first, for it has the first choice of its side."""
         largest = max((abs(force.value) for force in self.body.forces), default=0.0)
         for force in sorted(self.body.forces, key=lambda f: -abs(f.value)):
-            size = SHORTEST + (LONGEST - SHORTEST) * math.sqrt(abs(force.value) / largest)
-            self._force(force, size * self.board.mu)
+            self._force(force, arrow_length(self.board, abs(force.value) / largest))
 
     def _force(self, force: Acting, size: float) -> None:
         """One arrow where it is nearest to its point and covers least."""
         e = force.value / abs(force.value)
-        tail, head = min(self._places(force.at, e, size), key=lambda found: found[2])[:2]
+        tail, head = free_arrow(self.board, force.at, e, size)
         pen = FORCES[force.kind]
         self.board.vector(tail, head, pen, HEAD, level=13)
         anchors = sorted((tail, head), key=lambda p: -abs(p - force.at))
@@ -132,20 +151,6 @@ class _Diagram:
         label = symbol(force.letter, force.index)
         at = self.board.paper(anchors)
         self.board.labels.put(label, at, colour=pen.colour, prefer=prefer, gaps=(0.9, 1.6, 2.6))
-
-    def _places(self, at: complex, e: complex, size: float) -> Iterator[tuple[complex, complex, float]]:
-        """Where an arrow could be, tail and head; and what is said against it, what it covers included.
-
-        Its part next to the point is not counted: the pin and the bars that meet there are near it anyway.
-        """
-        mu = self.board.mu
-        for side, offset, gap in product((1, -1), (0.0, -1.0, 1.0), GAPS):
-            near = at + side * gap * mu * e + 1j * e * offset * BESIDE * mu
-            far = near + side * e * size
-            counted = near + side * e * max(0.0, MEETING - gap) * mu
-            covered = self.board.labels.crowded(self.board.paper((counted, far)).tolist(), CLEAR)
-            against = covered + (PUSHED if side < 0 else 0.0) + 0.5 * (gap - GAPS[0]) + APART * abs(offset)
-            yield (near, far, against) if side > 0 else (far, near, against)
 
     def couples(self) -> None:
         """Arcs around their points; of several the later ones are wider."""
@@ -166,3 +171,27 @@ class _Diagram:
         self.board.arrowhead(tip, direction, pen, HEAD * 0.9, level=14)
         anchors = self.board.paper([complex(arc[len(arc) // 2]), complex(arc[8])])
         self.board.labels.put(symbol(couple.letter, couple.index), anchors, colour=pen.colour, gaps=(0.8, 1.6, 2.6))
+
+
+def arrow_length(board: Board, part: float) -> float:
+    """The length [m] of the arrow of a force that is so large against the largest."""
+    return (SHORTEST + (LONGEST - SHORTEST) * math.sqrt(part)) * board.drawing.letters * board.mu
+
+
+def free_arrow(
+    board: Board, at: complex, e: complex, size: float, offsets: tuple[float, ...] = (0.0, -1.0, 1.0)
+) -> tuple[complex, complex]:
+    """Tail and head of an arrow along the unit vector ``e`` where it is nearest to its point and covers least.
+
+    ``offsets`` are the places beside its line that it may take. Its part next to the point is not counted: the pin
+    and the bars that meet there are near it anyway.
+    """
+    mu, found = board.mu, []
+    for side, offset, gap in product((1, -1), offsets, GAPS):
+        near = at + side * gap * mu * e + 1j * e * offset * BESIDE * mu
+        far = near + side * e * size
+        counted = near + side * e * max(0.0, MEETING - gap) * mu
+        covered = board.labels.crowded(board.paper((counted, far)).tolist(), CLEAR)
+        against = covered + (PUSHED if side < 0 else 0.0) + 0.5 * (gap - GAPS[0]) + APART * abs(offset)
+        found.append((against, *((near, far) if side > 0 else (far, near))))
+    return min(found, key=lambda each: each[0])[1:]

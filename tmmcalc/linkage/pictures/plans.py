@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.pictures.scheme import position_text
 from tmmcalc.linkage.pictures.vectors import MARGIN, designation, draw_polygon, drawn_vectors, vertex_name
 from tmmcalc.linkage.polygons import polygons
 from tmmcalc.linkage.results import Kinematics
@@ -16,7 +17,6 @@ from tmmcalc.linkage.vectors import Polygon, VectorPolygons
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board, needed
 from tmmcalc.report.drawing.key import samples_in_rows
-from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.pens import VECTORS
 from tmmcalc.report.drawing.scales import standard_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
@@ -76,24 +76,48 @@ def plan_scale(plans: Sequence[VectorPolygons], box: Box) -> PlanScale:
     )
 
 
+class _Places(NamedTuple):
+    """Where on a sheet both plans stand, and the tables of both and of the links."""
+
+    plans: tuple[Box, Box]
+    tables: tuple[Box, Box, Box]
+
+
+def _places(box: Box, plans: Sequence[VectorPolygons]) -> _Places:
+    """Tables below or beside the plans, as these become larger, the accelerations first."""
+    free = box.inset(0, FOOT + 1.5, 0, HEADING)
+    upper, lower = free.split(free.height - TABLES, TABLES)
+    left, right = free.split(2.0, 1.0, gap=GAP, across=True)
+    found = []
+    for field, tables in (
+        (upper, lower.split(2.1, 2.1, 1.3, gap=GAP, across=True)),
+        (left, right.split(1.5, 2.2, 1.0, gap=GAP)),
+    ):
+        one, other = (half.inset(0, 0, 0, TITLE) for half in field.split(1, 1, gap=GAP, across=True))
+        first, second, third = tables
+        found.append(_Places((one, other), (first, second, third)))
+
+    def size(places: _Places) -> tuple[float, float]:
+        scale = plan_scale(plans, places.plans[0])
+        return scale.velocity * scale.acceleration, scale.acceleration
+
+    return min(found, key=size)
+
+
 def draw_plan_sheets(
     drawing: Drawing, boxes: Sequence[Box], result: Kinematics, plans: Sequence[VectorPolygons]
 ) -> None:
     """A position to a sheet, all to one pair of scales."""
-    scale = plan_scale(plans, _halves(boxes[0])[0])
+    scale = plan_scale(plans, _places(boxes[0], plans).plans[0])
     for box, plan in zip(boxes, plans, strict=True):
         drawing.add(Words(complex(box.middle.real, box.top), position_text(result, plan.position), 3.5, 1j))
-        for half, (letter, polygon, mu) in zip(_halves(box), _both(plan, scale), strict=True):
+        places = _places(box, plans)
+        for half, (letter, polygon, mu) in zip(places.plans, _both(plan, scale), strict=True):
             title = complex(half.middle.real, half.top + TITLE)
             drawing.add(Words(title, f"{plan_name(letter)},  {scale_note(letter, mu)}", 3.0, 1j))
             draw_polygon(drawing, half, polygon, letter, plan.fixed, mu)
-        _draw_tables(drawing, Box(box.left, box.bottom + FOOT, box.right, box.bottom + FOOT + TABLES), plan, scale)
+        _draw_tables(drawing, places.tables, plan, scale)
         _draw_kinds(drawing, Box(box.left, box.bottom, box.right, box.bottom + FOOT - 1.5), plan)
-
-
-def _halves(box: Box) -> list[Box]:
-    """Where both plans of a sheet stand."""
-    return box.inset(0, FOOT + TABLES + 1.5, 0, HEADING + TITLE).split(1, 1, gap=GAP, across=True)
 
 
 def _both(plan: VectorPolygons, scale: PlanScale) -> list[tuple[str, Polygon, float]]:
@@ -104,31 +128,31 @@ def draw_plans_of_kind(
     drawing: Drawing, box: Box, result: Kinematics, plans: Sequence[VectorPolygons], letter: str
 ) -> list[Board]:
     """The plans of velocities (``v``) or of accelerations (``a``) of some positions side by side, to one scale."""
-    parts = [part.inset(0, 0, 0, TITLE) for part in box.inset(0, 0, 0, TITLE).split(*(1.0 for _ in plans), across=True)]
-    scale = plan_scale(plans, parts[0])
-    mu = scale.velocity if letter == "v" else scale.acceleration
-    drawing.add(Words(complex(box.middle.real, box.top), scale_note(letter, mu), 3.5, 1j))
-    boards = []
-    for part, plan in zip(parts, plans, strict=True):
-        drawing.add(
-            Words(complex(part.middle.real, part.top + TITLE - 1), position_text(result, plan.position), 3.5, 1j)
+    head, height = TITLE * drawing.letters, 2.5 * drawing.letters
+    drawn = [plan.velocity if letter == "v" else plan.acceleration for plan in plans]
+    tips = [np.array([*each.vertices.values()]) for each in drawn]
+    wide = [float(np.ptp(each.real)) for each in tips]
+    shares = [max(each, max(wide) / 3) or 1.0 for each in wide]
+    parts = box.inset(0, 0, 0, head).split(*shares, across=True)
+    fields = [part.inset(0, 0, 0, head) for part in parts]
+    mu = standard_scale(
+        max(
+            needed(np.array([*each.vertices.values()]), field, MARGIN)
+            for each, field in zip(drawn, fields, strict=True)
         )
-        polygon = plan.velocity if letter == "v" else plan.acceleration
-        boards.append(draw_polygon(drawing, part, polygon, letter, plan.fixed, mu))
+    )
+    drawing.add(Words(complex(box.middle.real, box.top), scale_note(letter, mu), height, 1j))
+    boards = []
+    for part, field, plan, polygon in zip(parts, fields, plans, drawn, strict=True):
+        title = complex(part.middle.real, part.top)
+        drawing.add(Words(title, position_text(result, plan.position), height, 1j))
+        boards.append(draw_polygon(drawing, field, polygon, letter, plan.fixed, mu))
     return boards
 
 
 def plan_name(letter: str) -> str:
     """What a plan of ``v`` or ``a`` is."""
-    return tr("Plan of velocities") if letter == "v" else tr("Plan of accelerations")
-
-
-def position_text(result: Kinematics, row: int) -> str:
-    """The number of a position and where the input stands in it."""
-    value, label = result.phi[row], result.labels[row]
-    if result.turns:
-        return tr("Position {label}, $φ$ = {angle}°", label=label, angle=minus(number(math.degrees(value), 5)))
-    return tr("Position {label}, $s − s_0$ = {way} m", label=label, way=minus(number(float(value), 5)))
+    return tr("Velocity polygon") if letter == "v" else tr("Acceleration polygon")
 
 
 def scale_note(letter: str, mu: float) -> str:
@@ -137,16 +161,15 @@ def scale_note(letter: str, mu: float) -> str:
     return f"$μ_{letter}$ = {number(mu, 4)} ({unit})/{tr_unit('mm')}"
 
 
-def _draw_tables(drawing: Drawing, box: Box, plan: VectorPolygons, scale: PlanScale) -> None:
-    """Left the segments of the velocities, then those of the accelerations, right the links that turn."""
+def _draw_tables(drawing: Drawing, boxes: tuple[Box, Box, Box], plan: VectorPolygons, scale: PlanScale) -> None:
+    """The segments of the velocities, those of the accelerations, the links that turn."""
     fastest, quickest = (max(map(abs, rates.values()), default=0.0) for rates in (plan.omega, plan.eps))
-    parts = box.split(2.1, 2.1, 1.3, gap=GAP, across=True)
-    for part, (letter, polygon, mu) in zip(parts, _both(plan, scale), strict=False):
+    for part, (letter, polygon, mu) in zip(boxes, _both(plan, scale), strict=False):
         head = [tr("vector"), tr("segment"), tr_unit(UNITS[letter]), tr_unit("mm")]
         draw_table(drawing, part, head, _segment_rows(polygon, letter, mu))
     head = [tr("link"), f"$ω$, {tr_unit('rad/s')}", f"$ε$, {tr_unit('rad/s^2')}"]
     rows = [[str(link), _size(rate, fastest), _size(plan.eps[link], quickest)] for link, rate in plan.omega.items()]
-    draw_table(drawing, parts[2], head, rows)
+    draw_table(drawing, boxes[2], head, rows)
 
 
 def _segment_rows(polygon: Polygon, letter: str, mu: float) -> list[list[str]]:

@@ -19,13 +19,16 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.lettering import minus, point_name
 from tmmcalc.report.drawing.pens import MARK, OTHER, PATH
+from tmmcalc.report.drawing.scales import length_scale, ratio
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.drawing.wording import corners
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 PATHS, OTHERS = 1, 2  # levels of what lies beneath the links
 MARGIN = 9.0  # free border [mm]
 HEAD = 9.5  # height of the two lines above [mm]
+NUMBER = 1.3  # height of the numbers of positions [mm]
 GREY = "#555555"
 
 
@@ -33,8 +36,8 @@ def draw_scheme(
     drawing: Drawing, box: Box, result: Kinematics, cycle: LinkageMotion, positions: Sequence[int]
 ) -> Board:
     """Draw in a rectangle; the first of ``positions`` has main lines. Returns the board."""
-    top = complex(box.left, box.top)
-    scheme = _Scheme(drawing, box.inset(0, 0, 0, HEAD), result, cycle, positions)
+    top, larger = complex(box.left, box.top), drawing.letters
+    scheme = _Scheme(drawing, box.inset(0, 0, 0, HEAD * larger), result, cycle, positions)
     scheme.paths()
     scheme.others()
     scheme.frame()
@@ -42,7 +45,7 @@ def draw_scheme(
     scheme.joints()
     scheme.drive()
     scheme.names()
-    drawing.add(Words(top, _title(result, positions[0], scheme.board.mu), 2.5, -1 + 1j))
+    drawing.add(Words(top, _title(result, positions[0], scheme.board.mu), 2.5 * larger, -1 + 1j))
     return scheme.board
 
 
@@ -59,7 +62,7 @@ class _Scheme:
         self.rough = bodies(self.mechanism, self.pins, cycle, 0.0)
         content = np.concatenate([_content(cycle), _content(self.motion, cycle)])
         self.size = _size(content)
-        self.board = Board(drawing, box, content, MARGIN)
+        self.board = Board(drawing, box, content, MARGIN, scale=length_scale)
         self.bodies = bodies(self.mechanism, self.pins, cycle, (signs.BLOCK[0] / 2 + 2) * self.board.mu)
         self.middle = complex(np.mean([self.place(b.link, p) for b in self.bodies for p in b.corners]))
 
@@ -95,14 +98,15 @@ class _Scheme:
         if pin is None:
             return
         last: list[complex] = []
+        larger = self.board.drawing.letters
         order = sorted(range(len(self.positions)), key=lambda k: self.positions[k])
         for k in order:
             at = self.place(self.result.structure.input_link, pin, k)
-            text = at + (at - pivot) / abs(at - pivot) * 2.3 * self.board.mu
-            if all(abs(text - other) > 2.6 * self.board.mu for other in last):
+            text = at + (at - pivot) / abs(at - pivot) * 1.8 * NUMBER * larger * self.board.mu
+            if all(abs(text - other) > 2.0 * NUMBER * larger * self.board.mu for other in last):
                 last.append(text)
                 label = self.result.labels[self.positions[k]]
-                words = Words(self.board.place(text), label, 1.3, 0j, colour=GREY)
+                words = Words(self.board.place(text), label, NUMBER * larger, 0j, colour=GREY)
                 self.board.drawing.add(words, level=PATHS)
                 self.board.labels.keep(corners(words))
 
@@ -256,8 +260,18 @@ def _rays(at: complex, segment: Sequence[complex], reach: float) -> list[complex
 
 def _title(result: Kinematics, position: int, mu: float) -> str:
     """Which position the main lines show, and the scale on paper."""
-    along = result.phi[position]
-    value = minus(number(math.degrees(along) if result.turns else along, 5))
-    where = f"$φ$ = {value}°" if result.turns else f"$s − s_0$ = {value} m"
     formula = result.structure.formula.replace("->", "→")
-    return f"{formula}\nPosition {result.labels[position]}, {where},  $μ_l$ = {number(mu, 4)} m/mm"
+    return f"{formula}\n{position_text(result, position)},  {length_note(mu)}"
+
+
+def position_text(result: Kinematics, row: int) -> str:
+    """The number of a position and where the input stands in it."""
+    value, label = float(result.phi[row]), result.labels[row]
+    if result.turns:
+        return tr("Position {label}, $φ$ = {angle}°", label=label, angle=minus(number(math.degrees(value), 5)))
+    return tr("Position {label}, $s − s_0$ = {way} m", label=label, way=minus(number(value, 5)))
+
+
+def length_note(mu: float) -> str:
+    """A scale of lengths as it is written beside a scheme."""
+    return f"$μ_l$ = {number(mu, 4)} {tr_unit('m/mm')} ({ratio(mu)})"

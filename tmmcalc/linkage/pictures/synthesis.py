@@ -15,6 +15,7 @@ from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.pictures.cycle import whole_cycle
+from tmmcalc.linkage.pictures.found import told
 from tmmcalc.linkage.pictures.scheme import draw_scheme
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.synthesis.results import Design, Precision, Synthesis
@@ -27,6 +28,7 @@ from tmmcalc.report.drawing.order import CHOOSE, Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import CURVES, MARK, Pen
 from tmmcalc.report.drawing.shapes import Dimension, Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 # Links that are dimensioned, by kind: symbol and the two points.
@@ -69,7 +71,7 @@ def synthesis_drawing(mechanism: Mechanism, result: Synthesis, choose: int = 1) 
     """One sheet: the scheme to scale, beside it sizes and figures of merit, or the function."""
     design, motion = result.designs[choose - 1], solve_kinematics(mechanism)
     drawing, (box,) = sheets(1)
-    title = f"{result.kind.replace('_', ' ').capitalize()} synthesis: {design.name}"
+    title = tr("Synthesis: {name}", name=told(design.name))
     drawing.add(Words(complex(box.middle.real, box.top), title, 3.5, 1j))
     scheme, beside = box.inset(0, 0, 0, 7).split(2.1, 1.0, gap=5, across=True)
     precision = design.precision
@@ -154,32 +156,38 @@ def _function(drawing: Drawing, box: Box, found: Precision) -> None:
     wanted, reached = factor * found.wanted, factor * found.found
     both = np.concatenate((wanted, reached))
     air = 0.08 * float(np.ptp(both)) or 1.0
-    ends = Axis(f"output, {unit}", float(both.min()) - air, float(both.max()) + air)
+    ends = Axis(f"{tr('output coordinate')}, {tr_unit(unit)}", float(both.min()) - air, float(both.max()) + air)
     above = Diagram(drawing, upper, across, ends, numbered=False)
     above.dots(x, wanted, CURVES[0], 0.9)
     above.dots(x, reached, CURVES[1], 0.45)
-    above.key([("wanted", CURVES[0]), ("simulated", CURVES[1])])
+    above.key([(tr("wanted"), CURVES[0]), (tr("simulated"), CURVES[1])])
     error, missed = factor * found.error, factor * (found.found - found.wanted)
-    below = Diagram(drawing, lower, across, Axis(f"error, {unit}", *room([error, missed])))
+    below = Diagram(drawing, lower, across, Axis(f"{tr('error')}, {tr_unit(unit)}", *room([error, missed])))
     below.curve(fine + 1j * error, CURVES[0])
     below.dots(x, missed, CURVES[1], 0.6)
 
 
 def _parts(design: Design) -> list[Part]:
-    sizes = [(f"${_symbol(size.symbol)}$, {size.meaning}", _shown(size.value, size.unit)) for size in design.sizes]
+    sizes = [
+        (f"${_symbol(size.symbol)}$, {told(size.meaning)}", _shown(size.value, size.unit)) for size in design.sizes
+    ]
     merits = []
     for name, value in design.merits.items():
-        label, unit = name.rstrip("]").replace("_", " ").partition("[")[::2]
+        label, unit = name.rstrip("]").partition("[")[::2]
         shown, unit = (1e3 * value, "mm") if unit == "m" else (value, unit.replace("deg", "°"))
-        merits.append((label, f"{minus(number(shown, 5))} {unit}".strip()))
+        merits.append((told(label.replace("_", " ")), f"{minus(number(shown, 5))} {tr_unit(unit)}".strip()))
     checks = [
-        (check.name, f"{_shown(check.achieved, check.unit)}" + ("" if check.target is None else "  ✓"))
+        (told(check.name), f"{_shown(check.achieved, check.unit)}" + ("" if check.target is None else "  ✓"))
         for check in design.checks
     ]
-    parts = [Part("Sizes", sizes), Part("By simulation", checks), Part("Figures of merit", merits)]
+    parts = [Part(tr("Sizes"), sizes), Part(tr("By simulation"), checks), Part(tr("Figures of merit"), merits)]
     return [
         *parts,
-        *([Part("Defects", [(words.split(":")[0], "") for words in design.defects])] if design.defects else []),
+        *(
+            [Part(tr("Defects"), [(told(words.split(":")[0]), "") for words in design.defects])]
+            if design.defects
+            else []
+        ),
     ]
 
 
@@ -195,4 +203,4 @@ def _symbol(name: str) -> str:
 def _shown(value: float, unit: str) -> str:
     if unit == "rad":
         return f"{minus(number(DEGREE * value, 6))}°"
-    return f"{minus(number(1e3 * value, 6))} mm" if unit == "m" else minus(number(value, 6))
+    return f"{minus(number(1e3 * value, 6))} {tr_unit('mm')}" if unit == "m" else minus(number(value, 6))

@@ -20,6 +20,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import CURVES, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 PHASE = Pen("PHASES", 0.2, colour="#b8b8b8")
@@ -64,8 +65,13 @@ def unsteady_drawing(mechanism: Mechanism, task: UnsteadyTask, kinematics: Kinem
 
 def _heading(result: Unsteady) -> str:
     law = result.law
-    times = f"{number(law.ramp, 5)} + {number(law.uniform, 5)} + {number(law.ramp, 5)} s"
-    return f"Unsteady motion by the time-optimal law: {times}, T = {number(law.duration, 6)} s"
+    ramp, uniform, total = number(law.ramp, 5), number(law.uniform, 5), number(law.duration, 6)
+    return tr(
+        "Unsteady motion by the time-optimal law: {ramp} + {uniform} + {ramp} s, $T$ = {total} s",
+        ramp=ramp,
+        uniform=uniform,
+        total=total,
+    )
 
 
 def _input(result: Unsteady) -> tuple[Graph, ...]:
@@ -73,7 +79,7 @@ def _input(result: Unsteady) -> tuple[Graph, ...]:
     scale = (_degrees(result.turns), 1.0, 1.0)
     names = ("x", "v", "a")
     return tuple(
-        Graph(f"Input|${name}$, {unit}", (("input", factor * row),))
+        Graph(f"{tr('Input')}|${name}$, {unit}", (("", factor * row),))
         for name, unit, factor, row in zip(names, units, scale, result.drive, strict=True)
     )
 
@@ -83,7 +89,7 @@ def _outputs(result: Unsteady) -> tuple[Graph, ...]:
     angular = result.angular[0]
     chosen = [k for k, other in enumerate(result.angular) if other == angular]
     graphs = []
-    title = "Outputs" if len(chosen) > 1 else f"Output {result.outputs[chosen[0]]}"
+    title = tr("Outputs") if len(chosen) > 1 else tr("Output {name}", name=result.outputs[chosen[0]])
     for order, (name, unit) in enumerate(zip(("S", "v", "a"), _units(angular), strict=True)):
         factor = _degrees(angular) if order == 0 else 1.0
         curves = tuple((result.outputs[k], factor * result.coordinate[order, k]) for k in chosen)
@@ -100,14 +106,18 @@ def _links(result: Unsteady) -> list[tuple[Graph, ...]]:
     rows = (("φ", np.degrees(moved.angle)), ("ω", moved.dangle), ("ε", moved.ddangle))
     return [
         tuple(
-            Graph(f"Links|${name}$, {unit}", tuple((f"link {moved.link_ids[k]}", values[k]) for k in turning))
+            Graph(
+                f"{tr('Links')}|${name}$, {unit}",
+                tuple((tr("link {number}", number=moved.link_ids[k]), values[k]) for k in turning),
+            )
             for (name, values), unit in zip(rows, _units(True), strict=True)
         )
     ]
 
 
 def _units(angular: bool) -> tuple[str, str, str]:
-    return ("°", "rad/s", "rad/s²") if angular else ("m", "m/s", "m/s²")
+    one, two, three = ("°", "rad/s", "rad/s²") if angular else ("m", "m/s", "m/s²")
+    return tr_unit(one), tr_unit(two), tr_unit(three)
 
 
 def _degrees(angular: bool) -> float:
@@ -123,7 +133,7 @@ def _draw(drawing: Drawing, box: Box, graph: Graph, dense: Unsteady, result: Uns
     span = (float(dense.t[0]), float(dense.t[-1])) if len(result.t) > 1 else (0.0, 1.0)
     axis = Axis(graph.title.split("|")[1], *room(values))
     frame = box.inset(left, bottom, right, top + (ROW if several else 0.0))
-    diagram = Diagram(drawing, frame, Axis("$t$, s", *span), axis, numbered=numbered)
+    diagram = Diagram(drawing, frame, Axis(f"$t$, {tr_unit('s')}", *span), axis, numbered=numbered)
     for k, row in enumerate(values):
         pen = CURVES[k % len(CURVES)]
         diagram.curve(dense.t + 1j * row, pen)

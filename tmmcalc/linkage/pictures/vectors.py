@@ -35,7 +35,7 @@ def draw_polygon(
     for vector in drawn:
         _draw(board, polygon, vector)
     board.circle(polygon.vertices[polygon.pole], 0.9, MIDDLE, level=25)
-    for place, names in _together(polygon, fixed).items():
+    for place, names in vertices_together(polygon, fixed).items():
         at = board.paper([place])
         board.labels.put(names, at, height=VERTEX, prefer=place or -1 - 1j, gaps=(1.1, 2.0, 3.2, 4.6))
     ends = {vector: board.paper(_ends(polygon, vector)).tolist() for vector in drawn}
@@ -118,7 +118,7 @@ def _designate(board: Board, vector: Vector, letter: str, own: Sequence[complex]
     )
 
 
-def _together(polygon: Polygon, fixed: tuple[str, ...]) -> dict[complex, str]:
+def vertices_together(polygon: Polygon, fixed: tuple[str, ...]) -> dict[complex, str]:
     """Vertices that lie in one place share a label; points of the frame stand in brackets beside the pole."""
     size = max(map(abs, polygon.vertices.values()))
     names: dict[complex, list[str]] = {}

@@ -4,11 +4,13 @@ The circle around points is found by growing a support of two or three of them: 
 smallest circle through it and one or two of the old ones takes over, and the radius grows until nothing is outside. A
 curve adds its own farthest places, the exact crests of its distance from the present centre, until none lies outside.
 The radius around the points found so far bounds the least possible from below, the farthest place of the
-curve bounds it from above: their gap certifies the answer.
+curve bounds it from above: their gap certifies the answer. Newton's method goes from the places found so far to those
+that hold the circle; mostly it does so from the first ones, and the gap says whether it did.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from itertools import combinations
 
@@ -24,7 +26,9 @@ FIRST = 32  # points of the curve to begin with
 PASSES = 60
 ROUNDING = 4e-16
 ROOT = 1e-7  # of the size: what the radius alone tells of the centre
-CLOSED = 1e-13  # the gap, relative to the size of the curve, from which Newton's method ends the search
+CLOSED = 1e-13  # the gap, relative to the size of the curve, that ends the search
+ROUNDED = 1e-15  # the gap after Newton's method that ends it before: what is left of the gap is rounding
+APART = 1e-6  # [rad]: nearer contacts are one, which the equations of three do not tell
 OPEN = 1e-9  # the gap from which on the search has failed
 TOUCH = 1e-9  # crests that reach the radius but for this part of it touch the circle
 HIGH = 0.9  # crests lower than this part of the highest cannot lie outside
@@ -96,7 +100,18 @@ def enclosing_circle(curve: Series, error: float = 0.0) -> Circle:
     """
     size = max(float(np.max(np.abs(curve.even(_first(curve))))), np.finfo(float).tiny)
     unit = Series(curve.coefficients / size)  # so that nothing depends on the unit of force
-    circle = _polished(unit, _searched(unit), error / size)
+    for found in _approached(unit):
+        circle = _polished(unit, found, error / size)
+        if circle.gap <= ROUNDED or found.gap <= CLOSED:
+            break
+    if circle.gap > OPEN:
+        raise AccuracyError(
+            f"the smallest circle around the hodograph is open by {circle.gap:.3g} of its size",
+            where="balance, minimax",
+            value=circle.gap,
+            limit=OPEN,
+            remedy="use the counterweight of least mean square",
+        )
     return Circle(size * circle.center, size * circle.radius, circle.contacts, size * circle.gap, size * circle.error)
 
 
@@ -105,8 +120,8 @@ def _first(curve: Series) -> int:
     return max(FIRST, 2 * curve.highest + 1)
 
 
-def _searched(curve: Series) -> Circle:
-    """The smallest circle around a curve of the size one, by points that are added where it lies outside."""
+def _approached(curve: Series) -> Iterator[Circle]:
+    """Circles around a curve of the size one, ever closer to the smallest: points are added where it lies outside."""
     t = np.arange(_first(curve)) * (2 * np.pi / _first(curve))
     points = curve.even(len(t))
     best: Circle | None = None
@@ -117,20 +132,9 @@ def _searched(curve: Series) -> Circle:
         if best is not None and best.radius < radius - ROUNDING:
             center, radius = best.center, best.radius
         best = Circle(center, radius, _contacts(curve, t[support], at, radius), max(radius - inner, 0.0), ROOT)
-        if best.gap <= CLOSED:
-            break
+        yield best
         t = np.concatenate((t[support], at))
         points = curve.at(t)
-    assert best is not None
-    if best.gap > OPEN:
-        raise AccuracyError(
-            f"the smallest circle around the hodograph is open by {best.gap:.3g} of its size",
-            where="balance, minimax",
-            value=best.gap,
-            limit=OPEN,
-            remedy="use the counterweight of least mean square",
-        )
-    return best
 
 
 def _polished(curve: Series, circle: Circle, error: float) -> Circle:
@@ -138,12 +142,18 @@ def _polished(curve: Series, circle: Circle, error: float) -> Circle:
     t, center = stationary(curve, np.array(circle.contacts), circle.center)
     _, reached = crests(curve.plus({0: -center}), HIGH)
     radius = float(np.max(reached, initial=0.0))
-    if not 0 < radius <= circle.radius + CLOSED:
+    if not 0 < radius <= circle.radius + CLOSED or _merged(t):
         off = moved(curve, np.array(circle.contacts), circle.center, error)
         return replace(circle, error=off if len(circle.contacts) < 2 else circle.error + off)
     least = smallest_circle(curve.at(t))[1]
     gap = max(radius - least, 0.0)
     return Circle(center, radius, tuple(sorted(t.tolist())), gap, moved(curve, t, center, error))
+
+
+def _merged(t: Real) -> bool:
+    """Whether two contacts (m,) have run into one."""
+    places = np.exp(1j * t)
+    return len(t) > 1 and bool(np.min(np.abs(places - np.roll(places, 1))) < APART)
 
 
 def _contacts(curve: Series, support: Real, at: Real, radius: float) -> tuple[float, ...]:

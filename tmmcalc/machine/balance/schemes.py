@@ -167,9 +167,8 @@ def rotating_weights(shaking: Shaking, orders: Iterable[int], scheme: str = "rot
             where=WHERE,
             remedy="order 1 is the crank, -1 a shaft that turns against it at its speed",
         )
-    return with_weights(shaking, [_against(shaking, order) for order in orders], scheme)
-
-
-def _against(shaking: Shaking, order: int) -> RotatingWeight:
-    factor = per_moment(order, shaking.speed, shaking.acceleration)
-    return RotatingWeight(order, -shaking.series.coefficient(order) / factor, shaking.pivot)
+    weights = []
+    for order in orders:
+        per_unit = per_moment(order, shaking.speed, shaking.acceleration)
+        weights.append(RotatingWeight(order, -shaking.series.coefficient(order) / per_unit, shaking.pivot))
+    return with_weights(shaking, weights, scheme)

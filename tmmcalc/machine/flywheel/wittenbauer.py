@@ -52,6 +52,11 @@ class EnergyMass:
         """b_min."""
         return self.intercepts[1]
 
+    @property
+    def speed(self) -> float:
+        """Mean of the extreme speeds [rad/s]."""
+        return (math.sqrt(2 * self.slopes[0]) + math.sqrt(2 * self.slopes[1])) / 2
+
     def angles(self, scale: float) -> tuple[float, float]:
         """Angles [rad] of the tangents in a drawing, ``scale`` = mu_J/mu_T [kg*m^2/mm over J/mm] (3.50)."""
         return math.atan(self.slopes[0] * scale), math.atan(self.slopes[1] * scale)

@@ -21,9 +21,9 @@ from tmmcalc.machine.flywheel.curve import EnergyCurve, energy_curve, nodal_curv
 from tmmcalc.machine.flywheel.methods import METHODS, tangents
 from tmmcalc.machine.flywheel.wittenbauer import EnergyMass
 from tmmcalc.machine.nodes import nodal_tables, nodal_work
-from tmmcalc.report.numbers import round_scale
+from tmmcalc.report.drawing.scales import standard_scale
 
-REACH = 100.0  # size of the energy-mass curve on paper, at most [mm]
+REACH = 100.0  # size of the energy-mass curve with its tangents on paper, at most [mm]
 
 WORK = Quantity("A[J]", "change of the kinetic energy since position 0", source="(3.47)")
 LINKS = Quantity("J_red[kg*m^2]", "reduced inertia of the links", source="(3.39)")
@@ -103,10 +103,14 @@ def _worked(curve: EnergyCurve, on: str, delta: float, speed: float, sense: floa
         yield Worked(rule.name, on, *map(float, numbers))
 
 
-def round_scales(picture: EnergyMass) -> tuple[float, float]:
-    """Round scales mu_T [J/mm] and mu_J [kg*m^2/mm] at which the curve fits on paper."""
-    energy, inertia = float(np.ptp(picture.work)), float(np.max(picture.links))
-    return round_scale(energy / REACH), round_scale(inertia / REACH)
+def round_scales(picture: EnergyMass, wide: float = REACH, high: float = REACH) -> tuple[float, float]:
+    """Standard scales mu_T [J/mm] and mu_J [kg*m^2/mm] at which the curve and its tangents from the axis fit on paper.
+
+    Without inertia of the links the tangents rise by their segment on so many mm at most.
+    """
+    energy = np.ptp([*picture.work, *picture.intercepts])
+    inertia = float(np.max(picture.links)) or (picture.upper - picture.lower) / picture.slope_max
+    return standard_scale(float(energy) / high), standard_scale(inertia / wide)
 
 
 def paper(picture: EnergyMass, scales: tuple[float, float], sense: float = 1.0) -> Paper:

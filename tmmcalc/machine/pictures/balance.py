@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -17,14 +18,17 @@ from tmmcalc.core.numerics.fourier import TURN, Magnitude, Series
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.machine.balance.solve import Balancing, Scheme
 from tmmcalc.machine.facts.shakingmoment import moved, phi_at
-from tmmcalc.machine.pictures.shaking import Path, Polar, Ring, Sizes, Spot, shaking_sheet
+from tmmcalc.machine.pictures.shaking import Path, Polar, Ring, Sizes, Spot, draw_sizes, shaking_sheet
+from tmmcalc.machine.pictures.words import scheme_name, speed_words
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import Graph, Line
+from tmmcalc.report.drawing.diagram import Diagram
 from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import CURVES
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import NOISE, number
 
 if TYPE_CHECKING:
@@ -33,6 +37,8 @@ if TYPE_CHECKING:
 SAMPLES = 721  # of a turn
 FORCE = CURVES[0]._replace(width=0.5)
 WEIGHT, LEFT, CIRCLE = CURVES[1], CURVES[2], CURVES[3]
+PAIRS = ("lanchester", "lanchester 2")  # schemes of weights that turn against each other
+TOGETHER = 3  # so many schemes are told apart in one diagram
 HEADING = 12.0  # room of the heading [mm]
 
 
@@ -58,19 +64,29 @@ def balance_drawing(result: Balances) -> Drawing:
 
 def _linkage_sheet(drawing: Drawing, box: Box, result: Balancing) -> None:
     drawing.add(Words(complex(box.middle.real, box.top), _heading(result), 3.0, 1j))
-    views = (_fixed(result), _turning(result)), (_forces(result), _moments(result))
-    shaking_sheet(drawing, box.inset(0, 0, 0, HEADING), *views)
+    views = (_fixed(result), _turning(result)), (*_forces(result), _moments(result))
+    heights = [1.5] * (len(views[1]) - 1) + [1.0]
+    shaking_sheet(drawing, box.inset(0, 0, 0, HEADING), *views, heights)
+
+
+def draw_shaking(drawing: Drawing, box: Box, result: Balancing) -> list[Diagram]:
+    """The shaking force before and after balancing over a turn, to scale."""
+    letters = [replace(each, graph=replace(each.graph, mu="R")) for each in _forces(result)]
+    return draw_sizes(drawing, box, letters, [1.0] * len(letters))
 
 
 def _heading(result: Balancing) -> str:
     found = result.shaking
-    speed = minus(f"{number(found.speed)} rad/s ({number(found.speed * 30 / math.pi)} rpm)")
-    about = "the crank's pivot"
-    if found.about != found.pivot:
-        about = minus(f"({number(1e3 * found.about.real)}, {number(1e3 * found.about.imag)}) mm")
-    return (
-        f"Shaking force $R$ and moment $M_R$ about {about} at {speed}\n$D$: what the schemes of balancing leave of it"
-    )
+    values = {
+        "x": minus(number(1e3 * found.about.real)),
+        "y": minus(number(1e3 * found.about.imag)),
+        "speed": speed_words(found.speed),
+    }
+    if found.about == found.pivot:
+        first = tr("Shaking force $R$ and moment $M_R$ about the crank's pivot at {speed}", **values)
+    else:
+        first = tr("Shaking force $R$ and moment $M_R$ about ({x}; {y}) mm at {speed}", **values)
+    return first + "\n" + tr("$D$: what the schemes of balancing leave of it")
 
 
 def _angles(result: Balancing) -> tuple[Real, Real]:
@@ -94,12 +110,14 @@ def _fixed(result: Balancing) -> Polar:
     rings, spots = [], []
     if best is not None:
         series = best.balance.series
-        paths.append(Path(f"$D$, {best.name}", series.at(crank), best.balance.force, LEFT))
+        paths.append(
+            Path(tr("$D$, {scheme}", scheme=scheme_name(best.name)), series.at(crank), best.balance.force, LEFT)
+        )
         weight = series.coefficient(1) - found.series.coefficient(1)
-        rings.append(Ring("force of the counterweight", 0j, abs(weight), WEIGHT))
+        rings.append(Ring(tr("force of the counterweight"), 0j, abs(weight), WEIGHT))
         spots.append(Spot("0", complex(weight * np.exp(1j * crank[0])), WEIGHT, arrow=True))
     return Polar(
-        "Hodograph in the fixed axes", ("R_x", "R_y"), "N", tuple(paths), result.labels, tuple(rings), tuple(spots)
+        tr("Hodograph in the fixed axes"), ("R_x", "R_y"), "N", tuple(paths), result.labels, tuple(rings), tuple(spots)
     )
 
 
@@ -113,25 +131,30 @@ def _turning(result: Balancing) -> Polar:
     rings = []
     for scheme in result.schemes:
         if scheme.name == "minimax":
-            weight = scheme.balance.series.coefficient(1) - mean
-            rings.append(Ring("smallest circle about $O_2$: minimax", -weight, scheme.balance.after.largest, CIRCLE))
+            weight, name = scheme.balance.series.coefficient(1) - mean, tr("smallest circle about $O_2$: least maximum")
+            rings.append(Ring(name, -weight, scheme.balance.after.largest, CIRCLE))
             spots.append(Spot("$O_2$", -weight, CIRCLE))
-    heading = "In the axes of the crank; the best counterweight takes $OO_1$ away"
+    heading = tr("In the axes of the crank; the best counterweight takes $OO_1$ away")
     names = ("R_{x1}", "R_{y1}")
     return Polar(heading, names, "N", (path,), result.labels, tuple(rings), tuple(spots))
 
 
-def _forces(result: Balancing) -> Sizes:
-    """|R| and |D| of every scheme."""
+def _forces(result: Balancing) -> list[Sizes]:
+    """|R| beside |D| of the schemes; of many those of a kind in a diagram."""
     found = result.shaking
-    rows = [_Left("$R$", 0, found.series, found.force, found.size)]
+    before = _Left("$R$", 0, found.series, found.force, found.size)
+    kinds: dict[str, list[_Left]] = {}
     for k, scheme in enumerate(result.schemes, 1):
         balance = scheme.balance
-        rows.append(_Left(scheme.name, k, balance.series, balance.force, balance.after))
+        left = _Left(scheme_name(scheme.name), k, balance.series, balance.force, balance.after)
+        kinds.setdefault("pairs" if scheme.name in PAIRS else "crank", []).append(left)
     if result.redistribution is not None:
         after = result.redistribution.after
-        rows.append(_Left("counterweights", len(rows), after.series, after.force, after.size))
-    return _sizes(result, ("|R|, |D|", "N"), rows, np.abs)
+        k = len(result.schemes) + 1
+        kinds["links"] = [_Left(tr("counterweights"), k, after.series, after.force, after.size)]
+    every = [left for kind in kinds.values() for left in kind]
+    rows = [[before, *every]] if len(every) <= TOGETHER else [[before, *kind] for kind in kinds.values()]
+    return [_sizes(result, ("|R|, |D|", "N"), each, np.abs) for each in rows]
 
 
 def _moments(result: Balancing) -> Sizes:
@@ -141,10 +164,10 @@ def _moments(result: Balancing) -> Sizes:
     for k, scheme in enumerate(result.schemes, 1):
         balance = scheme.balance
         if moved(balance):
-            rows.append(_Left(scheme.name, k, balance.moment_series, balance.moment, balance.moment_after))
+            rows.append(_Left(scheme_name(scheme.name), k, balance.moment_series, balance.moment, balance.moment_after))
     if result.redistribution is not None:
         k, after = len(result.schemes) + 1, result.redistribution.after
-        rows.append(_Left("counterweights", k, after.moment_series, after.moment, after.moment_size))
+        rows.append(_Left(tr("counterweights"), k, after.moment_series, after.moment, after.moment_size))
     return _sizes(result, ("M", "N*m"), rows, np.real)
 
 

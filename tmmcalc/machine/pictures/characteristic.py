@@ -11,28 +11,21 @@ from tmmcalc.machine.driver import driver_of
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.motors.characteristics import Characteristic
 from tmmcalc.machine.motors.model import CharacteristicKind
+from tmmcalc.machine.pictures.words import form_name
 from tmmcalc.machine.power import MotorDuty
 from tmmcalc.machine.regime import Regime
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.curves import BELOW, SIDES, suited
+from tmmcalc.report.drawing.curves import BELOW, SIDES, scale_factor, suited, to_scale
 from tmmcalc.report.drawing.diagram import ROW, Axis, Diagram, key_rows
-from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.lettering import minus, width
 from tmmcalc.report.drawing.pens import AXIS, CURVES, INK, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import number
 
-FORMS: tuple[tuple[CharacteristicKind, str], ...] = (
-    ("parabolic", "parabola"),
-    ("linear", "line"),
-    ("kloss", "Kloss"),
-    ("shunt", "shunt"),
-    ("series", "series"),
-    ("table", "by points"),
-    ("constant", "constant"),
-)
+FORMS: tuple[CharacteristicKind, ...] = ("parabolic", "linear", "kloss", "shunt", "series", "table", "constant")
 USUAL = ("parabolic", "linear", "kloss")  # of an induction motor: drawn beside each other
 SAMPLES = 400
-ABSCISSA = "$ω$ of the input shaft, rad/s"
 MARGIN = 0.12  # of the range of speeds, on both sides
 HEADROOM = 1.15
 PATH = Pen("MOTION", 1.6, colour="#b3d4e8")  # of the steady motion on the characteristic
@@ -76,7 +69,7 @@ def motor_curves(result: Motion, duty: MotorDuty, efficiency: float) -> MotorCur
     """The forms that the data of the motor allow; ``efficiency`` is that of the gears."""
     beside = USUAL if duty.motor.kind == "induction" else ()
     found: list[Curve] = []
-    for kind, name in sorted(FORMS, key=lambda form: form[0] != result.characteristic):
+    for kind in sorted(FORMS, key=lambda form: form != result.characteristic):
         if kind != result.characteristic and kind not in beside:
             continue
         try:
@@ -84,19 +77,30 @@ def motor_curves(result: Motion, duty: MotorDuty, efficiency: float) -> MotorCur
         except UsageError:
             continue
         pen = CURVES[len(found) % len(CURVES)]
-        found.append(Curve(name, form, pen._replace(width=0.35 if found else 0.6)))
+        found.append(Curve(form_name(kind), form, pen._replace(width=0.35 if found else 0.6)))
     return MotorCurves(tuple(found), result.regime)
 
 
-def draw_motor(drawing: Drawing, box: Box, motor: MotorCurves) -> None:
-    """The working range, and under it the whole curve if it is known."""
+def draw_motor(drawing: Drawing, box: Box, motor: MotorCurves, *, scaled: bool = False) -> None:
+    """The working range, and under it the whole curve if it is known; ``scaled``: to standard scale factors."""
     parts = box.split(1, 1) if motor.kloss is not None else [box]
-    _draw_near(drawing, parts[0], motor)
+    _draw_near(drawing, parts[0], motor, scaled)
     for part in parts[1:]:
-        _draw_whole(drawing, part, motor)
+        _draw_whole(drawing, part, motor, scaled)
 
 
-def _draw_near(drawing: Drawing, box: Box, motor: MotorCurves) -> None:
+def _diagram(drawing: Drawing, frame: Box, ends: tuple[Axis, Axis], unit: str, scaled: bool) -> Diagram:
+    """The diagram of a characteristic, with scale factors in the names of its axes or without."""
+    if not scaled:
+        return Diagram(drawing, frame, *ends)
+    axes = []
+    for axis, size, letter, of in zip(ends, (frame.width, frame.height), "ωM", ("rad/s", unit), strict=True):
+        longer, mu = to_scale(axis, size)
+        axes.append(longer._replace(name=f"{axis.name}; {scale_factor(letter, mu, of)}"))
+    return Diagram(drawing, frame, *axes)
+
+
+def _draw_near(drawing: Drawing, box: Box, motor: MotorCurves, scaled: bool) -> None:
     """All forms about the working range, the path of the regime on them, marked points and extreme speeds."""
     low, high = motor.range
     omega = np.linspace(low, high, SAMPLES)
@@ -109,9 +113,9 @@ def _draw_near(drawing: Drawing, box: Box, motor: MotorCurves) -> None:
     driving = _closed(regime.driving) * factor
     heights = np.concatenate([*(moment * factor for moment in moments), driving, [0.0]])
     air = MARGIN * float(np.ptp(heights))
-    up = Axis(f"$M_d$, {unit}", float(heights.min()) - air, float(heights.max()) + air)
+    up = Axis(f"{tr('$M_d$')}, {unit}", float(heights.min()) - air, float(heights.max()) + air)
     frame = box.inset(SIDES[0], BELOW + SIDES[1], SIDES[2], rows)
-    diagram = Diagram(drawing, frame, Axis(ABSCISSA, low, high), up)
+    diagram = _diagram(drawing, frame, (Axis(_abscissa(), low, high), up), unit, scaled)
     diagram.curve(_closed(regime.omega) + 1j * driving, PATH, level=2)
     for curve, moment in zip(motor.curves, moments, strict=True):
         diagram.curve(omega + 1j * moment * factor, curve.pen)
@@ -125,7 +129,7 @@ def _draw_near(drawing: Drawing, box: Box, motor: MotorCurves) -> None:
         diagram.labels.put(text, [at], height=2.2, gaps=(1.0, 1.8, 3.0, 4.6), colour=SPEEDS)
 
 
-def _draw_whole(drawing: Drawing, box: Box, motor: MotorCurves) -> None:
+def _draw_whole(drawing: Drawing, box: Box, motor: MotorCurves, scaled: bool) -> None:
     """The whole curve from standstill on, with the range of the speeds."""
     whole = motor.kloss
     assert whole is not None
@@ -137,23 +141,28 @@ def _draw_whole(drawing: Drawing, box: Box, motor: MotorCurves) -> None:
     factor, unit = suited(float(np.max(np.abs(moment))), "N*m")
     inside = np.linspace(max(low, 0.0), high, SAMPLES)
     top = HEADROOM * float(np.max(moment))
-    up = Axis(f"$M_d$, {unit}", min(float(moment[-1]), -0.1 * top) * factor, top * factor)
+    up = Axis(f"{tr('$M_d$')}, {unit}", min(float(moment[-1]), -0.1 * top) * factor, top * factor)
     frame = box.inset(SIDES[0], BELOW + SIDES[1], SIDES[2], SIDES[3] + ROW)
-    diagram = Diagram(drawing, frame, Axis(ABSCISSA, 0.0, high), up)
+    diagram = _diagram(drawing, frame, (Axis(_abscissa(), 0.0, high), up), unit, scaled)
     for curve in motor.curves:
         x = omega if curve.form is whole else inside
         diagram.curve(x + 1j * np.broadcast_to(curve.form.moment(x), x.shape) * factor, curve.pen)
     diagram.band(motor.regime.omega_min, motor.regime.omega_max, BAND)
-    text = "$H$ rated point, $C$ without load, $K$ break-down; shaded: the range above"
-    drawing.add(Words(complex(frame.left, frame.top + 1.2), text, 2.0, -1 - 1j))
+    text = tr("$H$ rated point, $C$ without load, $K$ break-down; shaded: the range above")
+    height = min(2.0, frame.width / width(text))
+    drawing.add(Words(complex(frame.left, frame.top + 1.2), text, height, -1 - 1j))
     _points(diagram, whole, factor, (("H", whole.nominal), ("C", whole.synchronous), ("K", whole.critical)))
 
 
 def _names(motor: MotorCurves) -> list[tuple[str, Pen]]:
     """The forms, the path of the regime, the mean moment."""
     used, *others = motor.curves
-    forms = [(f"{used.name}, in use", used.pen), *((curve.name, curve.pen) for curve in others)]
-    return [*forms, ("steady motion", PATH), ("mean moment", MEAN)]
+    forms = [(tr("{form}, in use", form=used.name), used.pen), *((curve.name, curve.pen) for curve in others)]
+    return [*forms, (tr("steady motion"), PATH), (tr("mean moment"), MEAN)]
+
+
+def _abscissa() -> str:
+    return tr("$ω$ of the input shaft, rad/s")
 
 
 def _at_extremes(regime: Regime) -> tuple[float, float]:

@@ -1,7 +1,8 @@
 """Wittenbauer's picture: the closed energy-mass curve, its two outer tangents, the segment GH on the axis of energies.
 
-Abscissa is the reduced inertia J of the links, ordinate the change A of the kinetic energy since position 0. Both
-tangents meet far to the left and below, in the origin of the whole inertia and the whole energy.
+Abscissa is the reduced inertia J of the links, ordinate the change A of the kinetic energy since position 0, both to
+standard scale factors, so that the angles of the tangents can be measured: tan ψ = ω² μ_J/(2 μ_A). The tangents meet
+far to the left and below, in the origin of the whole inertia and the whole energy.
 """
 
 from __future__ import annotations
@@ -10,84 +11,139 @@ import math
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane
 from tmmcalc.machine.flywheel.wittenbauer import EnergyMass
+from tmmcalc.machine.flywheel.worked import paper, round_scales
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.curves import suited
+from tmmcalc.report.drawing.curves import scale_factor, suited
 from tmmcalc.report.drawing.diagram import Axis, Diagram
 from tmmcalc.report.drawing.lettering import minus
-from tmmcalc.report.drawing.pens import CURVES, MIDDLE, Pen
-from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.drawing.pens import CURVES, DIMENSION, MIDDLE, THIN
+from tmmcalc.report.drawing.shapes import Arc, Dimension, Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import NOISE, number
 
 CURVE, FAST, SLOW = CURVES[0]._replace(width=0.5), CURVES[1], CURVES[2]
-SIDES = (16.0, 10.0, 2.0, 10.0)  # room around the frame: left, bottom, right, top [mm]
-AIR = 0.08  # of the range of energies, above and below
+SIDES = (16.0, 11.0, 2.0, 11.0)  # room around the frame: left, bottom, right, top [mm]
+BEFORE, AFTER, AIR = 17.0, 9.0, 9.0  # in the frame: left of the axis, right of the curve, below and above [mm]
 NUMBERED = 12  # places of the cycle that are named
-LEFT, RIGHT = 0.16, 0.1  # of the largest inertia, beside the axis and the curve
+LEG = 24.0  # of the level line that an angle is measured from [mm]
+BEYOND = 14.0  # how far a tangent goes on where it has touched [mm]
 
 
-def draw_energy_mass(drawing: Drawing, box: Box, picture: EnergyMass, sense: float) -> None:
-    """Curve, tangents and the axis of energies with its intercepts; ``sense`` is that of the input."""
-    factor, unit = scale(picture)
-    widest = float(np.max(picture.links)) or abs(picture.inertia) or 1.0
-    x = np.array([-LEFT * widest, (1 + RIGHT) * widest])
-    tangents = [(b + k * x) * factor for k, b in zip(picture.slopes, picture.intercepts, strict=True)]
-    heights = np.concatenate((picture.work * factor, *tangents))
-    air = AIR * float(np.ptp(heights)) or 1.0
-    across = Axis("$J$ of the links, kg·m²", *x.tolist())
-    up = Axis(f"$A$, {unit}", float(heights.min()) - air, float(heights.max()) + air)
-    diagram = Diagram(drawing, box.inset(*SIDES), across, up)
-    for values, pen in zip(tangents, (FAST, SLOW), strict=True):
-        diagram.curve(x + 1j * values, pen)
+def free(box: Box) -> tuple[float, float]:
+    """Width and height that curve and tangents may take of a rectangle [mm]."""
+    frame = box.inset(*SIDES)
+    return frame.width - BEFORE - AFTER, frame.height - 2 * AIR
+
+
+def draw_energy_mass(
+    drawing: Drawing, box: Box, picture: EnergyMass, sense: float, scales: tuple[float, float] | None = None
+) -> Diagram:
+    """Curve, tangents with their angles and the axis of energies; ``sense`` is that of the input.
+
+    ``scales`` are mu_A [J/mm] and mu_J [kg*m^2/mm]; by default the largest standard ones for the rectangle.
+    """
+    mu_a, mu_j = scales or round_scales(picture, *free(box))
+    factor, unit = suited(max(float(np.max(np.abs(picture.work))), *map(abs, picture.intercepts)), "J")
+    frame = box.inset(*SIDES)
+    heights = [*picture.work, *picture.intercepts]
+    low = (max(heights) + min(heights)) / 2 - frame.height / 2 * mu_a
+    across = Axis(
+        tr("$J$ of the links, kg·m²") + f"; {scale_factor('J', mu_j, 'kg*m^2')}",
+        -BEFORE * mu_j,
+        (frame.width - BEFORE) * mu_j,
+    )
+    ends = (low * factor, (low + frame.height * mu_a) * factor)
+    up = Axis(f"$A$, {unit}; {scale_factor('A', mu_a * factor, unit)}", *ends)
+    diagram = Diagram(drawing, frame, across, up)
+    for k, pen in enumerate((FAST, SLOW)):
+        diagram.curve(_tangent(picture, k, mu_j).real + 1j * factor * _tangent(picture, k, mu_j).imag, pen)
     diagram.curve(picture.links + 1j * picture.work * factor, CURVE, level=5)
     diagram.vertical(0.0, MIDDLE)
-    drawing.add(Words(complex(diagram.box.left, box.top), _meeting(picture), 2.1, -1 + 1j))
-    _mark_tangents(diagram, picture, factor, unit)
+    axis = diagram.paper([complex(0, up.low), complex(0, up.high)])
+    diagram.labels.avoid(axis)
+    drawing.add(Words(complex(frame.left, box.top), _meeting(picture), 2.1, -1 + 1j))
+    _measure(diagram, picture, (mu_a, mu_j), factor)
+    _mark_tangents(diagram, picture, factor)
     _number(diagram, picture, factor, sense)
+    return diagram
+
+
+def _tangent(picture: EnergyMass, k: int, mu_j: float) -> Plane:
+    """A tangent (2,), from the axis to beyond the place where it touches: inertia + i energy."""
+    touched, _ = at(picture, picture.touching[k])
+    x = np.array([-0.5 * BEFORE * mu_j, touched + BEYOND * mu_j])
+    return np.asarray(x + 1j * (picture.intercepts[k] + picture.slopes[k] * x))
 
 
 def _meeting(picture: EnergyMass) -> str:
     factor, unit = suited(picture.energy, "J")
     inertia, energy = (minus(number(-value, 4)) for value in (picture.inertia, picture.energy * factor))
-    first = "Energy-mass curve; numbers: degrees of $φ$; slopes: half the squares of the extreme speeds"
-    return f"{first}\nthe tangents meet at $J$ = {inertia} kg·m², $A$ = {energy} {unit}"
+    return (
+        tr("Energy-mass curve; numbers: degrees of $φ$; tan $ψ$ = $ω^2 μ_J/(2 μ_A)$")
+        + "\n"
+        + tr("the tangents meet at $J$ = {inertia} kg·m², $A$ = {energy}", inertia=inertia, energy=f"{energy} {unit}")
+    )
 
 
-def scale(picture: EnergyMass) -> tuple[float, str]:
-    """Factor and unit of the energies."""
-    return suited(max(float(np.max(np.abs(picture.work))), *map(abs, picture.intercepts)), "J")
+def _measure(diagram: Diagram, picture: EnergyMass, scales: tuple[float, float], factor: float) -> None:
+    """The segment GH in mm, and the angles of both tangents from level lines."""
+    measured = paper(picture, scales)
+    high, low = (diagram.place(complex(0, value * factor)) for value in picture.intercepts)
+    side = -0.62 * BEFORE
+    diagram.drawing.add(Dimension(low, high, low + side, "", 2.3), level=6)
+    diagram.labels.avoid([low + side, high + side])
+    zero = diagram.place(0j).imag  # a line that the words keep clear of
+    ends = [low.imag, min(max(zero, low.imag), high.imag), high.imag]
+    middle = (ends[0] + ends[1]) / 2 if ends[1] - ends[0] > ends[2] - ends[1] else (ends[1] + ends[2]) / 2
+    text = f"$GH$ = {number(measured.segment, 4)} {tr_unit('mm')}"
+    words = Words(complex((low + side).real - 0.9, middle), text, 2.3, -1j, math.pi / 2, clear=True)
+    diagram.drawing.add(words, level=6)
+    for vertex, angle, word, pen in (
+        (high, measured.angle_max, "max", FAST),
+        (low, measured.angle_min, "min", SLOW),
+    ):
+        level, solid = [vertex, vertex + LEG], DIMENSION._replace(colour=pen.colour)
+        diagram.drawing.line(level, THIN, level=2)
+        diagram.labels.avoid(level, 0.6)
+        radius = 0.8 * LEG
+        diagram.drawing.add(Arc(vertex, radius, solid, 0.0, angle), level=6)
+        arc = vertex + radius * np.exp(1j * np.linspace(0.0, angle, 12))
+        diagram.labels.avoid(arc.tolist())
+        text = f"$ψ_{{{word}}}$ = {number(math.degrees(angle), 4)}°"
+        beside = [vertex + LEG * np.exp(0.5j * angle), vertex + 0.5 * LEG, vertex + LEG]
+        diagram.labels.put(text, beside, gaps=(0.8, 1.6, 2.6), prefer=1 - 1j, colour=pen.colour)
 
 
-def _mark_tangents(diagram: Diagram, picture: EnergyMass, factor: float, unit: str) -> None:
-    """G and H with the segment between them, and the touching points."""
-    high, low = (value * factor for value in picture.intercepts)
-    below, above = diagram.place(complex(0, low)), diagram.place(complex(0, high))
-    segment = Pen("DIMENSIONS", 0.4)
-    diagram.drawing.vector(below, above, segment, level=6)
-    diagram.drawing.vector(above, below, segment, level=6)
-    diagram.labels.avoid((below, above))
+def _mark_tangents(diagram: Diagram, picture: EnergyMass, factor: float) -> None:
+    """G, H and the touching points, with their names."""
     labels, gaps = diagram.labels, (1.0, 1.8, 2.8)
-    for name, value, pen in (("G", high, FAST), ("H", low, SLOW)):
-        at = diagram.point(complex(0, value), pen)
-        labels.put(f"${name}$: {minus(number(value, 5))} {unit}", [at], gaps=gaps, colour=pen.colour)
+    for name, value, pen in (("G", picture.upper, FAST), ("H", picture.lower, SLOW)):
+        place = diagram.point(complex(0, value * factor), pen)
+        labels.put(f"${name}$: {minus(number(value * factor, 5))}", [place], gaps=gaps, colour=pen.colour)
     for word, theta, pen in (("max", picture.touching[0], FAST), ("min", picture.touching[1], SLOW)):
-        inertia, work = _at(picture, theta)
-        at = diagram.point(complex(inertia, work * factor), pen)
-        labels.put(f"$ω_{{{word}}}$", [at], gaps=gaps, colour=pen.colour)
-    middle = diagram.place(complex(0, (high + low) / 2))
-    labels.put(f"$GH$ = {minus(number(high - low, 5))} {unit}", [middle], prefer=1, gaps=gaps)
+        inertia, work = at(picture, theta)
+        place = diagram.point(complex(inertia, work * factor), pen)
+        labels.put(f"$ω_{{{word}}}$", [place], gaps=gaps, colour=pen.colour)
 
 
 def _number(diagram: Diagram, picture: EnergyMass, factor: float, sense: float) -> None:
     """Dots at equal steps of the input with their angles."""
-    for theta in np.linspace(0.0, float(picture.theta[-1]), NUMBERED, endpoint=False).tolist():
-        inertia, work = _at(picture, theta)
-        at = diagram.point(complex(inertia, work * factor), CURVE, 0.4, CURVE.colour)
+    for theta in numbered(picture):
+        inertia, work = at(picture, theta)
+        place = diagram.point(complex(inertia, work * factor), CURVE, 0.4, CURVE.colour)
         degrees = math.degrees(theta)
         text = minus(number(round(sense * degrees if abs(degrees) > NOISE else 0.0, 6), 6))
-        diagram.labels.put(text, [at], height=1.7, gaps=(0.7, 1.3, 2.1), colour=CURVE.colour)
+        diagram.labels.put(text, [place], height=1.7, gaps=(0.7, 1.3, 2.1), colour=CURVE.colour)
 
 
-def _at(picture: EnergyMass, theta: float) -> tuple[float, float]:
+def numbered(picture: EnergyMass) -> list[float]:
+    """Places of the cycle that are named [rad], equal steps."""
+    return np.linspace(0.0, float(picture.theta[-1]), NUMBERED, endpoint=False).tolist()
+
+
+def at(picture: EnergyMass, theta: float) -> tuple[float, float]:
+    """Inertia and work at a place of the cycle."""
     inertia, work = (float(np.interp(theta, picture.theta, v)) for v in (picture.links, picture.work))
     return inertia, work

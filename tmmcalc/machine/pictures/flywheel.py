@@ -8,19 +8,22 @@ from collections.abc import Sequence
 import numpy as np
 
 from tmmcalc.core.plane import Real
-from tmmcalc.machine.facts.flywheel import called
+from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.facts.motion import unevenness
 from tmmcalc.machine.flywheel.results import Flywheel, RequiredInertia, Row, Trial
 from tmmcalc.machine.flywheel.wittenbauer import EnergyMass
+from tmmcalc.machine.pictures.constructions import machine_of, ordinates_sheet, wittenbauer_sheet
 from tmmcalc.machine.pictures.energymass import draw_energy_mass
+from tmmcalc.machine.pictures.words import method_name, under
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import BELOW, SIDES, Graph, Line, column
 from tmmcalc.report.drawing.diagram import HEIGHT, ROW, Axis, Diagram, key_above, key_rows, ticks, written
 from tmmcalc.report.drawing.lettering import minus, width
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.page import sheets
+from tmmcalc.report.drawing.page import headed, sheets
 from tmmcalc.report.drawing.pens import AXIS, CURVES, GRID, THIN, Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 NEEDED = Pen("NEEDED", 0.45, (3.0, 1.2), "#d55e00")
@@ -36,32 +39,56 @@ BAR = "#a9cbe2"
 
 def figure(order: Order) -> Drawing:
     """The drawing of the stage."""
-    return flywheel_drawing(order.results["flywheel"], order.results["reduction"].phi)
+    reduction = order.results["reduction"]
+    return flywheel_drawing(order.results["flywheel"], reduction.phi, reduction.cycle)
 
 
-def flywheel_drawing(result: Flywheel, phi: Real) -> Drawing:
-    """One sheet; ``phi`` (n,) are the positions, which say how the input shaft turns."""
+def flywheel_drawing(result: Flywheel, phi: Real, cycle: Cycle) -> Drawing:
+    """A sheet of the results, two of constructions; ``phi`` (n,) are the positions, which say how the input turns."""
+    drawing, (first, second, third) = sheets(3)
+    _sheet(drawing, _headed(drawing, first, _heading(result)), result, phi)
+    machine = machine_of(result.picture, cycle, phi, result.delta)
+    wittenbauer_sheet(drawing, headed(drawing, second, tr("Wittenbauer's construction of the flywheel"), 3.0), machine)
+    heading = tr("Constructions of Mertsalov and Artobolevsky")
+    ordinates_sheet(drawing, headed(drawing, third, heading, 3.0), machine)
+    return drawing
+
+
+def _sheet(drawing: Drawing, box: Box, result: Flywheel, phi: Real) -> None:
+    """The energy-mass curve, the work over the cycle, all methods, the search under a motor."""
     sense, required = math.copysign(1.0, phi[-1] - phi[0]), result.required
-    drawing, (box,) = sheets(1)
-    drawing.add(Words(complex(box.middle.real, box.top), _heading(result), 3.0, 1j))
-    left, right = box.inset(0, 0, 0, HEADING).split(1, 1, gap=4, across=True)
+    left, right = box.split(1, 1, gap=4, across=True)
     above, bars, *below = right.split(*((1.2, 0.8) if required is None else (1.1, 0.8, 1.0)), gap=1)
     draw_energy_mass(drawing, left, result.picture, sense)
     column(drawing, above, [_work(result, phi, sense)])
     _draw_bars(drawing, bars, result)
     if required is not None:
         _draw_search(drawing, below[0], result, required)
-    return drawing
+
+
+def _headed(drawing: Drawing, box: Box, heading: str) -> Box:
+    drawing.add(Words(complex(box.middle.real, box.top), heading, 3.0, 1j))
+    return box.inset(0, 0, 0, HEADING)
 
 
 def _heading(result: Flywheel) -> str:
-    delta = f"$δ$ = {unevenness(result.delta, 4)}"
+    values = {
+        "delta": unevenness(result.delta, 4),
+        "under": under(result),
+        "inertia": number(result.inertia, 5),
+        "addition": number(result.addition, 5),
+        "own": number(result.own, 5),
+    }
     if result.addition <= 0:
-        return f"No flywheel is needed for {delta}: {number(result.inertia, 5)} kg·m² at hand do"
-    first = f"Flywheel for {delta} under {result.under}: {number(result.addition, 5)} kg·m² at the input shaft"
+        return tr("No flywheel is needed for $δ$ = {delta}: {inertia} kg·m² at hand do", **values)
     if result.ratio != 1:
-        first += f" or {number(result.own, 5)} kg·m² on its own shaft"
-    return f"{first}\n$J_F$ = {number(result.inertia, 5)} kg·m² with what is at hand"
+        first = tr(
+            "Flywheel for $δ$ = {delta} {under}: {addition} kg·m² at the input shaft or {own} kg·m² on its own shaft",
+            **values,
+        )
+    else:
+        first = tr("Flywheel for $δ$ = {delta} {under}: {addition} kg·m² at the input shaft", **values)
+    return first + "\n" + tr("$J_F$ = {inertia} kg·m² with what is at hand", **values)
 
 
 def _work(result: Flywheel, phi: Real, sense: float) -> Graph:
@@ -71,8 +98,8 @@ def _work(result: Flywheel, phi: Real, sense: float) -> Graph:
     own = picture.work - half * picture.links
     nodes = np.abs(phi - phi[0])
     lines = [
-        _curve("$A$: work of all moments", picture, picture.work, nodes, sense, CURVES[0]),
-        _curve("$A − J ω_m^2/2$: left to the flywheel", picture, own, nodes, sense, CURVES[1]),
+        _curve(tr("$A$: work of all moments"), picture, picture.work, nodes, sense, CURVES[0]),
+        _curve(tr("$A − T_{II}$: left to the flywheel"), picture, own, nodes, sense, CURVES[1]),
     ]
     return Graph("A", "J", True, sense * picture.theta, phi, tuple(lines))
 
@@ -86,10 +113,10 @@ def _curve(label: str, picture: EnergyMass, values: Real, nodes: Real, sense: fl
 def _draw_bars(drawing: Drawing, box: Box, result: Flywheel) -> None:
     """J_F by every method, with the delta that it reaches; what is needed and what is at hand."""
     rows = result.rows
-    left = max(width(called(row.positional), HEIGHT) for row in rows) + 2.5
+    left = max(width(method_name(row.positional.method), HEIGHT) for row in rows) + 2.5
     frame = box.inset(left, BELOW + SIDES[1], SIDES[2], ROW + SIDES[3])
     widest = 1.05 * max(result.inertia, result.at_hand.total, *(row.positional.inertia for row in rows))
-    axis, unit = Axis("$J_F$, kg·m²", 0.0, widest), frame.width / widest
+    axis, unit = Axis(f"$J_F$, {tr_unit('kg*m^2')}", 0.0, widest), frame.width / widest
     values = ticks(axis, max(2, int(frame.width / 14)))
     for value in values:
         x = frame.left + value * unit
@@ -100,8 +127,8 @@ def _draw_bars(drawing: Drawing, box: Box, result: Flywheel) -> None:
         y, half, end = frame.top - pitch * (k + 0.5), 0.31 * pitch, frame.left + row.positional.inertia * unit
         corners = [complex(frame.left, y - half), complex(end, y - half), complex(end, y + half)]
         drawing.add(Area(np.array([*corners, complex(frame.left, y + half)]), BAR), level=-1)
-        drawing.add(Words(complex(frame.left - 1.5, y), called(row.positional), HEIGHT, 1))
-        said = Words(complex(frame.left + 1.5, y), _reached(row, result.under), min(2.1, 0.45 * pitch), -1, clear=True)
+        drawing.add(Words(complex(frame.left - 1.5, y), method_name(row.positional.method), HEIGHT, 1))
+        said = Words(complex(frame.left + 1.5, y), _reached(row, under(result)), min(2.1, 0.45 * pitch), -1, clear=True)
         drawing.add(said, level=8)
     for inertia, pen in ((result.inertia, NEEDED), (result.at_hand.total, AT_HAND)):
         x = frame.left + inertia * unit
@@ -109,16 +136,21 @@ def _draw_bars(drawing: Drawing, box: Box, result: Flywheel) -> None:
     outline = [complex(frame.left, frame.bottom), complex(frame.right, frame.bottom)]
     drawing.line([*outline, complex(frame.right, frame.top), complex(frame.left, frame.top)], THIN, closed=True)
     drawing.add(Words(complex(frame.middle.real, frame.bottom - 3.0 - 1.6 * HEIGHT), axis.name, HEIGHT + 0.5, 1j))
-    key_above(drawing, frame, [("needed $J_F$", NEEDED), ("at hand", AT_HAND)])
+    key_above(drawing, frame, [(tr("needed $J_F$"), NEEDED), (tr("at hand"), AT_HAND)])
 
 
 def _reached(row: Row, under: str) -> str:
+    """The inertia that a method asks for, the delta that it reaches under forces of position, and the real one."""
     method = row.positional
-    alone = "stalls" if method.delta is None else f"$δ$ = {number(method.delta, 4)}"
-    text = f"{minus(number(method.inertia, 5))}: {alone}"
+    values = {"inertia": minus(number(method.inertia, 5)), "under": under}
+    alone = _delta(method.delta)
     if row.error is None:
-        return text
-    return f"{text}, {'stalls' if row.delta is None else number(row.delta, 4)} under {under}"
+        return tr("{inertia}: {alone}", alone=alone, **values)
+    return tr("{inertia}: {alone}; {really} {under}", alone=alone, really=_delta(row.delta), **values)
+
+
+def _delta(delta: float | None) -> str:
+    return tr("it stalls") if delta is None else f"$δ$ = {number(delta, 4)}"
 
 
 def _draw_search(drawing: Drawing, box: Box, result: Flywheel, required: RequiredInertia) -> None:
@@ -127,19 +159,19 @@ def _draw_search(drawing: Drawing, box: Box, result: Flywheel, required: Require
     together = sorted((*required.trials, *result.history, *methods), key=lambda trial: trial.inertia)
     corrected = result.history if len(result.history) > 1 else ()
     drawn = [
-        ("motions computed: points", required.trials, TRIED),
-        ("correction (3.60): circles", corrected, CORRECTED),
-        ("methods above: circles", methods, METHODS),
+        (tr("motions computed: points"), required.trials, TRIED),
+        (tr("correction (3.60): circles"), corrected, CORRECTED),
+        (tr("methods above: circles"), methods, METHODS),
     ]
     shown = [each for each in drawn if each[1]]
-    names = [*((label, pen) for label, _, pen in shown), ("allowed $δ$", ALLOWED), ("needed $J_F$", NEEDED)]
+    names = [*((label, pen) for label, _, pen in shown), (tr("allowed $δ$"), ALLOWED), (tr("needed $J_F$"), NEEDED)]
     if result.existing:
-        names.append(("with the one there", AT_HAND))
+        names.append((tr("with the one there"), AT_HAND))
     inertias, deltas = _points(together)
     left, bottom, right, top = SIDES
     room = ROW * len(key_rows(names, box.width - left - right))
-    across = Axis("constant inertia, kg·m²", 0.0, 1.05 * max(result.inertia, *inertias))
-    up = Axis(f"$δ$ under {result.under}", 0.0, HEADROOM * max(result.delta, *deltas))
+    across = Axis(tr("constant inertia, kg·m²"), 0.0, 1.05 * max(result.inertia, *inertias))
+    up = Axis(tr("$δ$ {under}", under=under(result)), 0.0, HEADROOM * max(result.delta, *deltas))
     diagram = Diagram(drawing, box.inset(left, BELOW + bottom, right, room + top), across, up)
     diagram.curve(np.array(inertias) + 1j * np.array(deltas), TRIED, level=4)
     for _, trials, pen in shown:

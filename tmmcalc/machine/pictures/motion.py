@@ -14,12 +14,15 @@ from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.pictures.characteristic import draw_motor, motor_curves
 from tmmcalc.machine.power import Power
 from tmmcalc.machine.regime import Regime
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import Graph, Line, along_input, column
+from tmmcalc.report.drawing.diagram import Diagram
 from tmmcalc.report.drawing.limits import places, with_limits
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import AXIS, CURVES, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import NOISE, number
 
 MEAN = AXIS._replace(layer="MEAN")
@@ -41,23 +44,43 @@ def motion_drawing(result: Motion, power: Power, cycle: Cycle) -> Drawing:
     if result.kind == "motor" and power.duty is not None:
         free, right = free.split(1.5, 1.0, gap=3, across=True)
         draw_motor(drawing, right, motor_curves(result, power.duty, power.transmission))
-    graphs = _graphs(result, cycle)
-    speeds = column(drawing, free, graphs, (1.5, 1.2, 0.8))[0]
+    _complete(column(drawing, free, _graphs(result, cycle), (1.5, 1.2, 0.8))[0], result)
+    return drawing
+
+
+def draw_speed(drawing: Drawing, box: Box, result: Motion, cycle: Cycle) -> Diagram:
+    """The speed over the cycle, to scale."""
+    speed, *_ = _graphs(result, cycle)
+    (diagram,) = column(drawing, box, [replace(speed, mu="ω")])
+    _complete(diagram, result)
+    return diagram
+
+
+def _complete(speeds: Diagram, result: Motion) -> None:
+    """The mean speed, and the speeds of the textbook at the positions."""
     speeds.level(result.regime.mean, MEAN)
     if result.omega_textbook is not None:
         for at, value in zip(along_input(True, result.phi).tolist(), result.omega_textbook.tolist(), strict=True):
             speeds.point(complex(at, value), NODAL, 0.6)
-    return drawing
 
 
 def _heading(result: Motion) -> str:
     regime = result.regime
-    what = {"motor": "under the motor", "none": "under its loads"}.get(result.kind, "under a constant moment")
-    first = f"Steady motion {what}: $δ$ = {unevenness(regime.delta, 4)}"
-    if result.idle is not None:
-        first += f", without technological loads {number(result.idle.delta, 4, peak=1.0)}"
-    parts = f"constant inertia {number(result.inertia.total, 5)} kg·m², cycle of {number(regime.cycle_time, 5)} s"
-    return f"{first}\n{parts}"
+    under = {"motor": tr("under the motor"), "none": tr("under its loads")}.get(
+        result.kind, tr("under a constant moment")
+    )
+    delta = unevenness(regime.delta, 4)
+    if result.idle is None:
+        first = tr("Steady motion {under}: $δ$ = {delta}", under=under, delta=delta)
+    else:
+        first = tr(
+            "Steady motion {under}: $δ$ = {delta}, without technological loads {idle}",
+            under=under,
+            delta=delta,
+            idle=number(result.idle.delta, 4, peak=1.0),
+        )
+    inertia, time = number(result.inertia.total, 5), number(regime.cycle_time, 5)
+    return first + "\n" + tr("constant inertia {inertia} kg·m², cycle of {time} s", inertia=inertia, time=time)
 
 
 def _graphs(result: Motion, cycle: Cycle) -> tuple[Graph, Graph, Graph]:
@@ -70,8 +93,8 @@ def _graphs(result: Motion, cycle: Cycle) -> tuple[Graph, Graph, Graph]:
     resisting, mass, change = with_limits(panels, np.stack((load, inertia, slope)))
     eps = (driving + resisting - change * omega**2 / 2) / mass
     moments = (
-        Line("drive $M_d$", driving, result.driving, CURVES[0], _ends(sense, regime.panels, regime.driving)),
-        Line("load $M_{load}$", resisting, result.load, CURVES[1], _ends(sense, panels, load)),
+        Line(tr("drive $M_d$"), driving, result.driving, CURVES[0], _ends(sense, regime.panels, regime.driving)),
+        Line(tr("load $M_c$"), resisting, result.load, CURVES[1], _ends(sense, panels, load)),
     )
     return (
         _of_speed(result, theta, _speeds(result, theta, omega)),
@@ -83,9 +106,11 @@ def _graphs(result: Motion, cycle: Cycle) -> tuple[Graph, Graph, Graph]:
 def _speeds(result: Motion, theta: Values, omega: Values) -> tuple[Line, ...]:
     """Loaded, and idle beside it."""
     sense, idle, nodes = _sense(result), result.idle, result.omega_idle
-    lines = [Line("loaded", omega, result.omega, CURVES[0], _marks(sense, result.regime))]
+    lines = [Line(tr("loaded"), omega, result.omega, CURVES[0], _marks(sense, result.regime))]
     if idle is not None and nodes is not None:
-        lines.append(Line("without technological loads", idle.omega_at(theta), nodes, CURVES[1], _marks(sense, idle)))
+        lines.append(
+            Line(tr("without technological loads"), idle.omega_at(theta), nodes, CURVES[1], _marks(sense, idle))
+        )
     return tuple(lines)
 
 
@@ -97,9 +122,10 @@ def _of_speed(result: Motion, theta: Values, lines: tuple[Line, ...]) -> Graph:
     low, high = float(everything.min()), float(everything.max())
     air = ROOM * (high - low) or 1e-3 * abs(high)
     names = [(line.label, line.pen) for line in lines]
-    names.append((f"mean $ω_m$ = {number(result.regime.mean, 5)}", MEAN))
+    names.append((tr("mean $ω_m$ = {speed}", speed=number(result.regime.mean, 5)), MEAN))
     if result.omega_textbook is not None:
-        names.append((f"{'recurrence (3.57)' if result.by_energy is None else 'energy (3.48)'}: circles", NODAL))
+        circles = tr("recurrence (3.57): circles") if result.by_energy is None else tr("energy (3.48): circles")
+        names.append((circles, NODAL))
     graph = _graph(result, theta, "ω", "rad/s", lines)
     return replace(graph, digits=5, ends=(low - air, high + air), key=tuple(names))
 

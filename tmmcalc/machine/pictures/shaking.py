@@ -11,17 +11,17 @@ from tmmcalc.core.plane import Plane
 from tmmcalc.core.records import record
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import Graph, column, suited
-from tmmcalc.report.drawing.diagram import ROW, key_above, key_rows
+from tmmcalc.report.drawing.diagram import ROW, Diagram, key_above, key_rows
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.pens import MIDDLE, Pen
 from tmmcalc.report.drawing.polar import AROUND, name_axes, number_tips
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import NOISE, number
 
 MARGIN = 8.0  # free border of a hodograph [mm]
 TITLE = 8.5  # height of its title
-HEIGHTS = (1.5, 1.0)  # of the diagrams, one under another
 RMS = Pen("LEVELS", 0.25, (5.0, 2.2))
 
 
@@ -104,7 +104,7 @@ class Polar:
             board.labels.put(spot.name, at, gaps=gaps, prefer=spot.at or 1, colour=spot.pen.colour)
         number_tips(board, self.labels, self.paths[0].nodes, self.paths[0].pen)
         factor, unit = suited(peak, self.unit)
-        title = f"{self.heading}\n$μ$ = {number(board.mu * factor, 4)} {unit}/mm"
+        title = f"{self.heading}\n$μ$ = {number(board.mu * factor, 4)} {unit}/{tr_unit('mm')}"
         drawing.add(Words(complex(board.box.middle.real, box.top), title, 2.4, 1j))
         key_above(drawing, board.box, names)
 
@@ -132,21 +132,29 @@ class Sizes:
         """The diagram with the levels in its key, and with ends where all is zero."""
         factor, unit = self.graph.scale
         names = [
-            (f"{line.label}: rms {minus(number(level * factor, 4))}", line.pen)
+            (tr("{name}: rms {value}", name=line.label, value=minus(number(level * factor, 4))), line.pen)
             for line, level in zip(self.graph.lines, self.levels, strict=True)
         ]
         still = not any(line.values.any() for line in self.graph.lines)
         ends = (-1.0, 1.0) if still else self.graph.ends
-        return replace(self.graph, key=(*names, (f"rms levels, {unit}", RMS)), ends=ends)
+        return replace(self.graph, key=(*names, (tr("rms levels, {unit}", unit=unit), RMS)), ends=ends)
 
 
-def shaking_sheet(drawing: Drawing, box: Box, polar: Sequence[Polar], diagrams: Sequence[Sizes]) -> None:
+def shaking_sheet(
+    drawing: Drawing, box: Box, polar: Sequence[Polar], diagrams: Sequence[Sizes], heights: Sequence[float]
+) -> None:
     """Hodographs on the left, sizes on the right."""
     left, right = box.split(1.0, 1.45, gap=4, across=True)
     for part, hodograph in zip(left.split(*(1.0 for _ in polar), gap=2), polar, strict=True):
         hodograph.draw(drawing, part)
-    frames = column(drawing, right, [each.named for each in diagrams], HEIGHTS[: len(diagrams)])
+    draw_sizes(drawing, right, diagrams, heights)
+
+
+def draw_sizes(drawing: Drawing, box: Box, diagrams: Sequence[Sizes], heights: Sequence[float]) -> list[Diagram]:
+    """Sizes one under another, in these proportions, with their rms levels."""
+    frames = column(drawing, box, [each.named for each in diagrams], heights)
     for frame, each in zip(frames, diagrams, strict=True):
         factor, _ = each.graph.scale
         for line, level in zip(each.graph.lines, each.levels, strict=True):
             frame.level(level * factor, RMS._replace(colour=line.pen.colour))
+    return frames

@@ -8,7 +8,7 @@ import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.records import record
-from tmmcalc.machine.facts.transient import ENDS
+from tmmcalc.machine.pictures.words import end_text, event_text, mass_name
 from tmmcalc.machine.transient.results import Event
 from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
 from tmmcalc.report.drawing.box import Box
@@ -19,6 +19,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import CURVES, MARK, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 LISTED = 8  # events whose names are written out
@@ -70,7 +71,7 @@ class Panel:
         factor, unit = self._scale
         span = (float(self.t[0]), float(self.t[-1])) if len(self.t) > 1 else (0.0, 1.0)
         axis = Axis(f"${self.symbol}$, {unit}", *self.ends)
-        diagram = Diagram(drawing, box, Axis("$t$, s", *span), axis, numbered=numbered)
+        diagram = Diagram(drawing, box, Axis(f"$t$, {tr_unit('s')}", *span), axis, numbered=numbered)
         for k, curve in enumerate(self.curves):
             diagram.curve(self.t + 1j * curve.values * factor, curve.pen, level=6 - k / 10)
         diagram.key(self.named)
@@ -120,8 +121,15 @@ def _sheet(drawing: Drawing, box: Box, motion: TimedMotion) -> None:
 
 
 def _heading(motion: TimedMotion) -> str:
-    first = f"{motion.name}: from {_signed(motion.omega[-1, 0])} to {_signed(motion.omega[-1, -1])} rad/s"
-    return f"{first} in {number(float(motion.t[-1]), 5)} s; {ENDS[motion.end]}\n{_events(motion.events)}"
+    first = tr(
+        "{name}: from {start} to {end} rad/s in {time} s; {why}",
+        name=motion.name,
+        start=_signed(motion.omega[-1, 0]),
+        end=_signed(motion.omega[-1, -1]),
+        time=number(float(motion.t[-1]), 5),
+        why=end_text(motion.end),
+    )
+    return f"{first}\n{_events(motion.events)}"
 
 
 def _signed(value: float) -> str:
@@ -130,7 +138,7 @@ def _signed(value: float) -> str:
 
 def _events(events: Sequence[Event]) -> str:
     """What happened, by the numbers that stand at the marks."""
-    named = [f"{k}: {event.message}" for k, event in enumerate(events[:LISTED], 1)]
+    named = [f"{k}: {event_text(event)}" for k, event in enumerate(events[:LISTED], 1)]
     lines = [";  ".join(named[k : k + 3]) for k in range(0, len(named), 3)]
     return "\n".join(lines) + (" ..." if len(events) > LISTED else "")
 
@@ -160,7 +168,8 @@ def _speeds(motion: TimedMotion) -> Panel:
 
 def _speed_name(motion: TimedMotion, k: int) -> str:
     ratio = motion.ratios[k]
-    return motion.masses[k] if ratio == 1 else f"{motion.masses[k]}, over {number(ratio, 5)}"
+    name = mass_name(motion.masses[k])
+    return name if ratio == 1 else tr("{name}, over {ratio}", name=name, ratio=number(ratio, 5))
 
 
 def _tail(motion: TimedMotion) -> list[Panel]:
@@ -170,7 +179,7 @@ def _tail(motion: TimedMotion) -> list[Panel]:
     least, most = _range(speed[motion.t >= (1 - TAIL) * motion.t[-1]])
     if not 0 < most - least < SWING * (high - low):
         return []
-    return [Panel("ω", "rad/s", motion.t, (Curve("crank, magnified", speed, CURVES[0]),), tail=True)]
+    return [Panel("ω", "rad/s", motion.t, (Curve(tr("crank, magnified"), speed, CURVES[0]),), tail=True)]
 
 
 def _range(values: Values) -> tuple[float, float]:
@@ -180,8 +189,8 @@ def _range(values: Values) -> tuple[float, float]:
 def _moments(motion: TimedMotion) -> Panel:
     """Moments of motor and load on the crank's shaft."""
     motor = motion.motor_moment * motion.ratios[0]
-    curves = [Curve("motor $M_d$, reduced to the crank", motor, CURVES[0], True)] if motor.any() else []
-    curves.append(Curve("load $M_{load}$", motion.load_moment, CURVES[1], True))
+    curves = [Curve(tr("motor $M_d$, reduced to the crank"), motor, CURVES[0], True)] if motor.any() else []
+    curves.append(Curve(tr("load $M_c$"), motion.load_moment, CURVES[1], True))
     return Panel("M", "N*m", motion.t, tuple(curves))
 
 
@@ -189,7 +198,7 @@ def _shafts(motion: TimedMotion) -> list[Panel]:
     """Moments of the shafts, each on its own."""
     curves = [
         Curve(
-            f"$M_{{{k + 1},{k + 2}}}$: {a} to {b}, on its own shaft",
+            tr("$M_{{shaft}}$: {a} to {b}, on its own shaft", shaft=f"{k + 1},{k + 2}", a=mass_name(a), b=mass_name(b)),
             motion.shaft_moment[k],
             CURVES[k % len(CURVES)],
             True,

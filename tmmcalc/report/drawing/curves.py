@@ -9,11 +9,13 @@ import numpy as np
 from tmmcalc.core.plane import Real
 from tmmcalc.core.records import record
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.diagram import ROW, Axis, Curve, Diagram, key_rows, room
+from tmmcalc.report.drawing.diagram import ROW, Axis, Curve, Diagram, key_above, key_rows, room
+from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.pens import Pen
+from tmmcalc.report.drawing.scales import standard_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr_unit
-from tmmcalc.report.numbers import NOISE
+from tmmcalc.report.numbers import NOISE, number
 
 DOTTED = 72  # more positions than this are not marked one by one
 PREFIXES = ((1e7, 1e-6, "M"), (1e4, 1e-3, "k"))
@@ -48,6 +50,7 @@ class Graph:
     key: tuple[tuple[str, Pen], ...] | None = None  # names above the frame; None: those of its lines
     abscissa: str = ""  # name of the axis along; empty: that of the input coordinate
     levels: tuple[tuple[float, Pen, str], ...] = ()  # heights [SI] with a line across and its name
+    mu: str = ""  # letter of its scale factor: then that is a standard one, which stands above on the right
 
     @property
     def scale(self) -> tuple[float, str]:
@@ -64,10 +67,15 @@ class Graph:
         factor, unit = self.scale
         x, nodes = along_input(self.turns, self.phi), along_input(self.turns, self.phi_nodes)
         values = [line.values * factor for line in self.lines]
-        low, high = room(values) if self.ends is None else (factor * self.ends[0], factor * self.ends[1])
+        air = (0.08, 0.05) if self.mu else (0.18, 0.12)  # a standard factor leaves more
+        low, high = room(values, *air) if self.ends is None else (factor * self.ends[0], factor * self.ends[1])
         along = input_axis(self.turns, x)
         along = along._replace(name=self.abscissa or along.name)
         up = Axis(f"${self.symbol}$, {unit}".removesuffix(", "), low, high)
+        title = self.title
+        if self.mu:
+            up, mu = to_scale(up, box.height)
+            along, title = _with_scale(along, self.turns, box.width), scale_factor(self.mu, mu, unit)
         diagram = Diagram(drawing, box, along, up, numbered=numbered)
         for height, pen, _ in self.levels:
             diagram.level(factor * height, pen)
@@ -81,22 +89,75 @@ class Graph:
             marks = tuple(complex(at, height) for at, height in zip(places.tolist(), heights, strict=True))
             curves.append(Curve(line.label, value, line.pen, marks))
         diagram.draw(x, curves, key=False, digits=self.digits)
+        wide = box.width - _room_of(title)
         if self.named:
-            diagram.key(self.named)
+            key_above(drawing, box._replace(right=box.left + wide), self.named)
         for height, pen, name in self.levels:
             diagram.name_level(factor * height, name, pen.colour)
+        if title:
+            row = max(len(key_rows(self.named, wide)) - 1, 0)
+            drawing.add(Words(complex(box.right, box.top + ROW * (row + 0.5) + 0.1), title, 2.5, 1))
         return diagram
+
+    @property
+    def head(self) -> str:
+        """What stands above on the right: its title, or its scale factor, of which the longest is told."""
+        return scale_factor(self.mu, 0.0025, self.scale[1]) if self.mu else self.title
+
+    def rows(self, wide: float) -> int:
+        """Rows of words above a frame of this width [mm]."""
+        return max(len(key_rows(self.named, wide - _room_of(self.head))), bool(self.head))
 
 
 def column(drawing: Drawing, box: Box, graphs: Sequence[Graph], heights: Sequence[float] = ()) -> list[Diagram]:
-    """Diagrams of one abscissa, one under another, in these proportions; its numbers stand under the lowest."""
-    rows = [len(key_rows(graph.named, box.width - SIDES[0] - SIDES[2])) + bool(graph.title) for graph in graphs]
-    found = []
-    for k, (graph, head, place) in enumerate(zip(graphs, rows, stacked(box, rows, heights), strict=True)):
-        found.append(graph.draw(drawing, place, numbered=k + 1 == len(graphs)))
-        if graph.title:
-            drawing.add(Words(complex(place.right, place.top + SIDES[3] + ROW * head), graph.title, 2.5, 1 + 1j))
-    return found
+    """Diagrams of one abscissa, one under another, in these proportions; its numbers stand under the lowest.
+
+    Those with a scale factor are narrower than the rectangle where that of the abscissa would not be standard.
+    """
+    if any(graph.mu for graph in graphs):
+        x = along_input(graphs[0].turns, graphs[0].phi)
+        room = box.width - SIDES[0] - SIDES[2]
+        box = box.inset(0, 0, room - float(np.ptp(x)) / standard_scale(float(np.ptp(x)) / room), 0)
+    wide = box.width - SIDES[0] - SIDES[2]
+    rows = [graph.rows(wide) for graph in graphs]
+    return [
+        graph.draw(drawing, place, numbered=k + 1 == len(graphs))
+        for k, (graph, place) in enumerate(zip(graphs, stacked(box, rows, heights), strict=True))
+    ]
+
+
+def to_scale(axis: Axis, size: float) -> tuple[Axis, float]:
+    """The axis with ends so far apart that its scale factor on ``size`` mm is standard, and that; 0 stays an end.
+
+    >>> to_scale(Axis("", 0.0, 170.0), 50.0)
+    (Axis(name='', low=0.0, high=200.0, degrees=False, log=False, whole=False), 4.0)
+    """
+    span = axis.high - axis.low
+    mu = standard_scale(span / size)
+    more = mu * size - span
+    below = 0.0 if axis.low == 0 else more if axis.high == 0 else more / 2
+    return axis._replace(low=axis.low - below, high=axis.high + more - below), mu
+
+
+def scale_factor(letter: str, mu: float, unit: str) -> str:
+    """A scale factor as it stands beside a drawing; ``unit`` is that of the data.
+
+    >>> scale_factor("M", 25.0, "N*m"), scale_factor("ω", 0.04, "rad/s")
+    ('$μ_{M}$ = 25 N·m/mm', '$μ_{ω}$ = 0.04 (rad/s)/mm')
+    """
+    per = f"({unit})/mm" if "/" in unit else f"{unit}/mm"
+    return f"$μ_{{{letter}}}$ = {number(mu)} {tr_unit(per)}"
+
+
+def _room_of(title: str) -> float:
+    """Width that a title takes of the row beside it [mm]."""
+    return width(title, 2.5) + 4.0 if title else 0.0
+
+
+def _with_scale(along: Axis, turns: bool, wide: float) -> Axis:
+    """The axis of the input coordinate with its scale factor in the name."""
+    factor = scale_factor("φ" if turns else "s", abs(along.high - along.low) / wide, "°" if turns else "mm")
+    return along._replace(name=f"{along.name}; {factor}")
 
 
 def stacked(box: Box, rows: Sequence[int], heights: Sequence[float] = ()) -> list[Box]:
@@ -127,11 +188,13 @@ def input_axis(turns: bool, x: Real) -> Axis:
 
 
 def suited(peak: float, unit: str) -> tuple[float, str]:
-    """Factor and unit with a prefix that suits values of this size.
+    """Factor and unit with a prefix that suits values of this size; one that has a prefix stays.
 
-    >>> suited(25_000.0, "N"), suited(900.0, "N*m")
-    ((0.001, 'kN'), (1.0, 'N·m'))
+    >>> suited(25_000.0, "N"), suited(900.0, "N*m"), suited(25_000.0, "kg*m^2")
+    ((0.001, 'kN'), (1.0, 'N·m'), (1.0, 'kg·m²'))
     """
+    if unit.startswith("kg"):
+        return 1.0, tr_unit(unit)
     found = ((factor, prefix) for least, factor, prefix in PREFIXES if peak >= least)
     factor, prefix = next(found, (1.0, ""))
     return factor, tr_unit(prefix + unit)

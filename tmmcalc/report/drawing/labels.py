@@ -12,6 +12,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.report.drawing.box import Box
@@ -79,6 +80,12 @@ class Labels:
         outside |= (along.imag < self.box.bottom) | (along.imag > self.box.top)
         return float(weights[near].sum() + OUTSIDE * outside.any())
 
+    def struck(self, line: Sequence[complex]) -> float:
+        """How many mm of a line on paper lie on names and what else is kept free."""
+        count = max(2, int(abs(line[-1] - line[0]) / STEP) + 1)
+        on = line[0] + (line[-1] - line[0]) * np.linspace(0.0, 1.0, count)
+        return STEP * float(sum(self._within(on, taken).sum() for taken in self._taken))
+
     def put(
         self,
         text: str,
@@ -97,6 +104,7 @@ class Labels:
         ``own`` is the stroke, from end to end, that it names among the ``others``: it stands nearer to that one, or
         has a leader.
         """
+        height *= self.drawing.letters
         above, below = extent(text, height)
         half = (width(text, height) / 2, (above + below) / 2)
         radius = max(abs(complex(*half)) + 0.4, 0.95 * height)
@@ -127,8 +135,9 @@ class Labels:
         colour: str = INK,
     ) -> complex | None:
         """Write a name that may be left out: its middle, or None where no place around the anchor is free."""
-        above, below = extent(text, height)
-        _, cost = self._tried(anchor, (width(text, height) / 2, (above + below) / 2), gaps, prefer)
+        larger = height * self.drawing.letters
+        above, below = extent(text, larger)
+        _, cost = self._tried(anchor, (width(text, larger) / 2, (above + below) / 2), gaps, prefer)
         if float(cost.min()) > COVERED:
             return None
         return self.put(text, [anchor], height=height, gaps=gaps, prefer=prefer, colour=colour)
@@ -159,10 +168,16 @@ class Labels:
         edges = _edge(along, half)
         on = anchor + edges[:, None] * along[:, None] * np.linspace(0.0, 1.0, 9)
         over = np.zeros(len(centres))
-        for x0, x1, y0, y1 in self._taken:
-            within = (on.real > x0 - AIR) & (on.real < x1 + AIR) & (on.imag > y0 - AIR) & (on.imag < y1 + AIR)
-            over += CROSSED * np.where(edges * np.abs(along) > FAR, within.sum(axis=1), 0)
+        for taken in self._taken:
+            over += CROSSED * np.where(edges * np.abs(along) > FAR, self._within(on, taken).sum(axis=1), 0)
         return over
+
+    @staticmethod
+    def _within(on: Plane, taken: tuple[float, float, float, float]) -> NDArray[np.bool_]:
+        """Which places lie on a rectangle that is taken, or close to it."""
+        x0, x1, y0, y1 = taken
+        across = (on.real > x0 - AIR) & (on.real < x1 + AIR)
+        return np.asarray(across & (on.imag > y0 - AIR) & (on.imag < y1 + AIR))
 
     def _lead(self, anchor: complex, at: complex, half: tuple[float, float]) -> None:
         """The leader of a name that stands far from its anchor."""

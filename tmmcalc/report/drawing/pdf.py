@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from io import BytesIO
 from typing import Any
 
@@ -22,7 +23,7 @@ def pdf(drawing: Drawing) -> bytes:
     """The bytes of the file."""
     buffer = BytesIO()
     canvas = begun(buffer, drawing, drawing.width, drawing.height)
-    draw_on(canvas, drawing)
+    draw_on(canvas, drawing.shapes)
     canvas.showPage()
     canvas.save()
     return buffer.getvalue()
@@ -44,12 +45,12 @@ def begun(file: BytesIO, drawing: Drawing, width: float, height: float) -> Any:
     return canvas
 
 
-def draw_on(canvas: Any, drawing: Drawing) -> None:
-    """All shapes, a millimetre as a millimetre."""
+def draw_on(canvas: Any, shapes: Sequence[Shape]) -> None:
+    """Shapes, a millimetre as a millimetre."""
     canvas.scale(POINT, POINT)
     canvas.setLineJoin(1)
     writer = _Writer(canvas)
-    for shape in drawing.shapes:
+    for shape in shapes:
         writer.shape(shape)
 
 

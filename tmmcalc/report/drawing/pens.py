@@ -64,12 +64,12 @@ VECTORS = {
     "special": Pen("VECTORS_SPECIAL", 0.3, (6.0, 1.0, 1.0, 1.0), "#6b6b6b"),
 }
 FORCES = {
-    "load": Pen("FORCES_LOAD", 0.55, (), "#d55e00"),
+    "load": Pen("FORCES_LOAD", 0.7, (), "#d55e00"),
     "weight": Pen("FORCES_WEIGHT", 0.45, (3.0, 0.9), "#009e73"),
     "inertia": Pen("FORCES_INERTIA", 0.45, (4.0, 0.9, 0.9, 0.9), "#0072b2"),
     "spring": Pen("FORCES_SPRING", 0.45, (2.0, 0.7, 0.7, 0.7), "#e69f00"),
     "damper": Pen("FORCES_DAMPER", 0.45, (2.0, 0.7), "#56b4e9"),
-    "drive": Pen("FORCES_DRIVE", 0.55, (), "#7a5195"),
+    "drive": Pen("FORCES_DRIVE", 0.55, (6.0, 1.0), "#7a5195"),
     "reaction": Pen("FORCES_REACTION", 0.5),
     "friction": Pen("FORCES_FRICTION", 0.55, (0.9, 0.8), "#cc79a7"),
 }

@@ -6,15 +6,18 @@ holds the series of ISO 5455); the others are 1, 2, 2.5, 4, 5 times a power of t
 
 from __future__ import annotations
 
-from itertools import chain
 from math import floor, log10
 
+from tmmcalc.core.plane import Plane
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.field import needed
 from tmmcalc.report.language import tr_number, tr_unit
 
 STEPS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
 REDUCTIONS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0, 15.0, 20.0, 25.0, 40.0, 50.0, 75.0, 100.0, 200.0, 400.0, 500.0, 800.0, 1e3)
 ENLARGEMENTS = (100.0, 50.0, 40.0, 20.0, 10.0, 5.0, 4.0, 2.5, 2.0)
 MM = 1e-3  # [m]
+SERIES = [float(f"{mu:.3g}") for mu in (*(MM / size for size in ENLARGEMENTS), *(MM * size for size in REDUCTIONS))]
 CLOSE = 1e-9  # what a factor may be smaller than its least
 
 
@@ -37,11 +40,27 @@ def length_scale(least: float) -> float:
     >>> length_scale(0.0031), length_scale(0.012), length_scale(0.00035)
     (0.004, 0.015, 0.0004)
     """
-    series = chain((MM / size for size in ENLARGEMENTS), (MM * size for size in REDUCTIONS))
-    if least < MM / ENLARGEMENTS[0]:
+    if least < SERIES[0]:
         return standard_scale(least)
-    found = (float(f"{mu:.3g}") for mu in series if mu >= least * (1 - CLOSE))
-    return next(found, standard_scale(least))
+    return next((mu for mu in SERIES if mu >= least * (1 - CLOSE)), standard_scale(least))
+
+
+def larger_than(most: float) -> float:
+    """The standard factor of lengths that draws larger than ``most`` [m/mm], or just so: the next below.
+
+    >>> larger_than(0.00011), larger_than(0.011), larger_than(8e-6)
+    (0.0001, 0.01, 5e-06)
+    """
+    below = [mu for mu in SERIES if mu <= most * (1 + CLOSE)]
+    if below:
+        return below[-1]
+    power = 10.0 ** floor(log10(most))
+    return float(f"{max(step for step in STEPS if step * power <= most * (1 + CLOSE)) * power:.3g}")
+
+
+def fitting_scale(content: Plane, box: Box, margin: float) -> float:
+    """The standard factor [m/mm] at which all of a content [m] keeps its margin [mm] in a rectangle."""
+    return length_scale(needed(content, box, margin))
 
 
 def ratio(mu: float) -> str:

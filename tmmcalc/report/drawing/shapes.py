@@ -6,7 +6,8 @@ Points are complex numbers x + i y, or arrays of them. Angles of arcs are in rad
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -138,6 +139,7 @@ class Drawing:
 
     def __init__(self, width: float, height: float, title: str = "") -> None:
         self.width, self.height, self.title, self.language = width, height, title, spoken()
+        self.letters = 1.0  # how many times larger names are than usual
         self.fields: list[Any] = []  # the boards and diagrams on it
         self._levels: list[tuple[float, Shape]] = []
 
@@ -157,6 +159,15 @@ class Drawing:
     def undo(self, mark: tuple[int, int]) -> None:
         """Take away what was drawn since that mark."""
         del self._levels[mark[0] :], self.fields[mark[1] :]
+
+    @contextmanager
+    def lettered(self, factor: float) -> Iterator[None]:
+        """Names within are so many times larger, as on a large sheet, which is read from farther away."""
+        before, self.letters = self.letters, factor
+        try:
+            yield
+        finally:
+            self.letters = before
 
     def line(self, points: Iterable[complex], pen: Pen, *, closed: bool = False, level: float = 0.0) -> None:
         """A polyline."""

@@ -10,7 +10,7 @@ from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.pens import MIDDLE, THIN
 from tmmcalc.report.drawing.shapes import Drawing, Words
 
-PITCH = 1.9  # height of a row, of the height of its letters
+PITCH = 2.05  # height of a row, of the height of its letters
 AIR = 1.1  # beside the words of a cell, of the same
 GAP = 2.5  # between blocks [mm]
 SMALLER = 0.96  # from one try to the next

@@ -18,21 +18,24 @@ def caption(drawing: Drawing, cell: Box, text: str, *, align: complex = 0j, heig
     drawing.add(Words(at, text, size, align))
 
 
-def filled_in(drawing: Drawing, cell: Box, text: str, *, height: float = 7.0, align: complex = 0j) -> None:
-    """What a user gave, in one or several lines, no higher than this, in the middle of a cell or from its left."""
+def filled_in(
+    drawing: Drawing, cell: Box, text: str, *, height: float = 7.0, align: complex = 0j, most: int = 3
+) -> None:
+    """What a user gave, no higher and in no more lines than this, in the middle of a cell or at its left."""
     if not text.strip():
         return
-    words = plain(text)
-    sizes = [size for size in HEIGHTS if size <= height]
-    for size in sizes:
-        lines = wrapped(words, cell.width - 2 * AIR, size)
-        if width("\n".join(lines), size) <= cell.width - 2 * AIR and _tall(len(lines), size) <= cell.height - 2 * AIR:
+    wide, high = cell.width - 2 * AIR, cell.height - 2 * AIR
+    lines, size = [plain(text)], height
+    for size in (each for each in HEIGHTS if each <= height):
+        lines = wrapped(plain(text), wide, size)
+        if len(lines) <= most and width("\n".join(lines), size) <= wide and _tall(len(lines), size) <= high:
             break
-    lines = lines if _tall(len(lines), size) <= cell.height - 2 * AIR else [words]
-    size *= min(1.0, (cell.width - 2 * AIR) / width("\n".join(lines), size))
+    else:
+        lines = [plain(text)]
+        size *= min(1.0, wide / width(lines[0], size))
     at = complex(cell.left + AIR if align.real < 0 else cell.middle.real, cell.middle.imag)
     drawing.add(Words(at, "\n".join(lines), size, complex(align.real, 0)))
 
 
 def _tall(lines: int, size: float) -> float:
-    return size * (1.0 + LEADING * (lines - 1))
+    return size * (1.3 + LEADING * (lines - 1))

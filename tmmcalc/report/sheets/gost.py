@@ -80,7 +80,7 @@ def _captions(drawing: Drawing, block: Box) -> None:
 
 def _entries(drawing: Drawing, block: Box, titles: Titles) -> None:
     who = titles.who
-    filled_in(drawing, _cell(block, 65, 40, 185, 55), titles.designation)
+    filled_in(drawing, _cell(block, 65, 40, 185, 55), titles.designation, most=1)
     filled_in(drawing, _cell(block, 65, 27, 135, 40), titles.title, height=5.0)
     filled_in(drawing, _cell(block, 65, 15, 135, 27), titles.name, height=5.0)
     filled_in(drawing, _cell(block, 65, 0, 135, 15), who.material, height=5.0)

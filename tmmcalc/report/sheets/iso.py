@@ -101,4 +101,5 @@ def _block(drawing: Drawing, block: Box, titles: Titles) -> None:
         cell = Box(left, bottom, left + wide, bottom + high)
         drawing.line(cell.corners, BLOCK, closed=True)
         caption(drawing, Box(left, cell.top - 3.2, cell.right, cell.top), said, align=-1 + 0j, height=1.8)
-        filled_in(drawing, cell.inset(AIR / 2, 0, 0, 2.6), text, height=5.0 if high > ROW else 3.5, align=-1 + 0j)
+        size, most = (5.0, 2) if high > ROW and text != titles.designation else (3.5, 1)
+        filled_in(drawing, cell.inset(AIR / 2, 0, 0, 2.6), text, height=size, align=-1 + 0j, most=most)

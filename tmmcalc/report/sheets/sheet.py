@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import combinations, pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 from tmmcalc.core.errors import TmmError
@@ -49,9 +50,17 @@ class Sheet(NamedTuple):
         """What its file is called, without a suffix."""
         return self.subject if self.part == 1 else f"{self.subject}-{self.part}"
 
+    def warnings(self, style: Style) -> Iterator[str]:
+        """What stands on it that was meant to stand elsewhere."""
+        names = ", ".join(place.piece.heading for place in self.layout.places)
+        if self.format != style.format:
+            yield f"warning: {self.file} is {self.format.upper()}, which its picture needs: {names}"
+        elif self.part > 1:
+            yield f"warning: {self.file} is a further sheet, as {self.subject} has no room for: {names}"
+
 
 def planned(pieces: Iterable[Piece], style: Style) -> tuple[list[Sheet], list[str]]:
-    """All sheets of these pieces, in their order, and warnings of what does not stand where it was meant to."""
+    """All sheets of these pieces, in their order, and warnings of pieces that no paper holds."""
     by_subject: dict[str, list[Piece]] = {subject: [] for subject in SHEETS}
     for piece in pieces:
         by_subject[piece.sheet].append(piece)
@@ -60,7 +69,7 @@ def planned(pieces: Iterable[Piece], style: Style) -> tuple[list[Sheet], list[st
     for subject, own in by_subject.items():
         laid, left = _laid(own, style)
         parts += [(subject, part, *each) for part, each in enumerate(laid, 1)]
-        warnings += _warnings(subject, laid, left, style)
+        warnings += [f"warning: {subject}: no paper has room for: {piece.heading}" for piece in left]
     sheets = [
         Sheet(subject, part, number, len(parts), size, layout)
         for number, (subject, part, size, layout) in enumerate(parts, 1)
@@ -69,23 +78,47 @@ def planned(pieces: Iterable[Piece], style: Style) -> tuple[list[Sheet], list[st
 
 
 def _laid(pieces: Sequence[Piece], style: Style) -> tuple[list[tuple[str, Layout]], list[Piece]]:
-    """As few sheets as hold the pieces in their order, and the pieces that no paper holds.
+    """As few sheets as hold the pieces in their order, filled alike, and the pieces that no paper holds.
 
     A piece that needs larger paper has a sheet of its own, the smallest that holds it.
     """
     found: list[tuple[str, Layout]] = []
-    waiting, left = list(pieces), []
-    while waiting:
-        layouts = ((n, _on(waiting[:n], style.format, style)) for n in range(len(waiting), 0, -1))
-        count, layout = next(((n, layout) for n, layout in layouts if layout is not None), (1, None))
-        if layout is not None:
-            found.append((style.format, layout))
-        elif (alone := _larger(waiting[0], style)) is not None:
+    left: list[Piece] = []
+    run: list[Piece] = []
+    for piece in pieces:
+        if _on([piece], style.format, style) is not None:
+            run.append(piece)
+            continue
+        found += _shared(run, style)
+        run = []
+        if (alone := _larger(piece, style)) is not None:
             found.append(alone)
         else:
-            left.append(waiting[0])
-        waiting = waiting[count:]
-    return found, left
+            left.append(piece)
+    return [*found, *_shared(run, style)], left
+
+
+def _shared(pieces: Sequence[Piece], style: Style) -> list[tuple[str, Layout]]:
+    """The fewest sheets that hold these pieces, each of which fits on one, in their order."""
+    if not pieces:
+        return []
+    if (layout := _on(pieces, style.format, style)) is not None:
+        return [(style.format, layout)]
+    count, at = 0, 0
+    while at < len(pieces):  # as many as go on each: so many sheets are needed
+        at = next(end for end in range(len(pieces), at, -1) if _on(pieces[at:end], style.format, style) is not None)
+        count += 1
+    for ends in _splits([piece.good[0] * piece.good[1] for piece in pieces], count):
+        parts = [_on(pieces[a:b], style.format, style) for a, b in pairwise(ends)]
+        if None not in parts:
+            break
+    return [(style.format, layout) for layout in parts if layout is not None]
+
+
+def _splits(areas: Sequence[float], count: int) -> list[tuple[int, ...]]:
+    """Ways to divide a row of pieces among so many sheets, from the first to after the last, the most even first."""
+    ways = [(0, *inner, len(areas)) for inner in combinations(range(1, len(areas)), count - 1)]
+    return sorted(ways, key=lambda ends: (max(sum(areas[a:b]) for a, b in pairwise(ends)), [-end for end in ends]))
 
 
 def _on(pieces: Sequence[Piece], size: str, style: Style) -> Layout | None:
@@ -99,19 +132,6 @@ def _larger(piece: Piece, style: Style) -> tuple[str, Layout] | None:
     return next(((size, layout) for size, layout in tried if layout is not None), None)
 
 
-def _warnings(subject: str, laid: Sequence[tuple[str, Layout]], left: Sequence[Piece], style: Style) -> Iterator[str]:
-    """What stands on further sheets, and what on none."""
-    for part, (size, layout) in enumerate(laid, 1):
-        names = ", ".join(place.piece.heading for place in layout.places)
-        file = subject if part == 1 else f"{subject}-{part}"
-        if size != style.format:
-            yield f"warning: {file} is {size.upper()}, which its picture needs: {names}"
-        elif part > 1:
-            yield f"warning: {file} is a further sheet, as {subject} has no room for: {names}"
-    for piece in left:
-        yield f"warning: {subject}: no paper has room for: {piece.heading}"
-
-
 def room_of(size: str, frame: str) -> Room:
     """What a frame on paper of this format leaves to pieces."""
     wide, high = FORMATS[size]
@@ -121,7 +141,7 @@ def room_of(size: str, frame: str) -> Room:
     kind = gost if frame == "gost" else iso
     box = Box(kind.LEFT, kind.ELSEWHERE, wide - kind.ELSEWHERE, high - kind.ELSEWHERE).inset(*4 * (INSIDE,))
     block = kind.SIZE[0] - INSIDE + GAP, kind.SIZE[1] - INSIDE + GAP
-    corner = (gost.CORNER[0] - INSIDE + GAP, gost.CORNER[1] - INSIDE) if frame == "gost" else (0.0, 0.0)
+    corner = (gost.CORNER[0] - INSIDE + GAP, gost.CORNER[1] - INSIDE + GAP / 2) if frame == "gost" else (0.0, 0.0)
     return Room(box, block, corner)
 
 
@@ -132,7 +152,8 @@ def drawn(sheet: Sheet, style: Style, failed: Callable[[Piece, TmmError], None])
     {"gost": gost.frame, "iso": iso.frame, "none": _bare}[style.frame](drawing, titles)
     height = HEADINGS[sheet.format]
     for place in sheet.layout.places:
-        drawing.add(Words(place.head, "\n".join(place.heading), height, 1j))
+        if place.piece.heading:
+            drawing.add(Words(place.head, "\n".join(place.heading), height, 1j))
         before = drawing.mark()
         try:
             place.piece.draw(drawing, place.box)

@@ -7,10 +7,13 @@ from io import BytesIO
 from itertools import product
 from typing import NamedTuple
 
+import numpy as np
+
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.pdf import POINT, begun, draw_on
 from tmmcalc.report.drawing.pens import BLOCK
-from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.drawing.shapes import Arc, Dimension, Drawing, Shape, Words
+from tmmcalc.report.drawing.wording import corners
 from tmmcalc.report.language import tr
 
 A4 = (210.0, 297.0)  # [mm]
@@ -46,27 +49,43 @@ def tiles(width: float, height: float) -> tuple[tuple[float, float], list[Tile]]
 def tiled(drawing: Drawing, name: str) -> bytes:
     """The pages as a PDF; ``name`` is that of the sheet."""
     page, parts = tiles(drawing.width, drawing.height)
+    shapes = [(shape, _reach(shape)) for shape in drawing.shapes]
     buffer = BytesIO()
     canvas = begun(buffer, drawing, *page)
-    canvas.beginForm("sheet", 0, 0, drawing.width * POINT, drawing.height * POINT)
-    draw_on(canvas, drawing)
-    canvas.endForm()
     for tile in parts:
-        left, top = MARGIN, page[1] - MARGIN
-        shown = Box(left, top - tile.part.height, left + tile.part.width, top)
+        shown = Box(MARGIN, page[1] - MARGIN - tile.part.height, MARGIN + tile.part.width, page[1] - MARGIN)
         canvas.saveState()
         path = canvas.beginPath()
         path.rect(*(size * POINT for size in (shown.left, shown.bottom, shown.width, shown.height)))
         canvas.clipPath(path, stroke=0, fill=0)
         canvas.translate((shown.left - tile.part.left) * POINT, (shown.bottom - tile.part.bottom) * POINT)
-        canvas.doForm("sheet")
+        draw_on(canvas, [shape for shape, reach in shapes if _meet(reach, tile.part)])
         canvas.restoreState()
         canvas.saveState()
-        draw_on(canvas, _marks(page, shown, tile, name, len(parts)))
+        draw_on(canvas, _marks(page, shown, tile, name, len(parts)).shapes)
         canvas.restoreState()
         canvas.showPage()
     canvas.save()
     return buffer.getvalue()
+
+
+def _reach(shape: Shape) -> Box:
+    """A rectangle that holds a shape with the width of its lines."""
+    if isinstance(shape, Dimension):
+        inner = [_reach(part) for part in shape.parts()]
+        left, bottom = min(box.left for box in inner), min(box.bottom for box in inner)
+        return Box(left, bottom, max(box.right for box in inner), max(box.top for box in inner))
+    if isinstance(shape, Arc):
+        z = shape.centre + shape.radius * np.array([-1 - 1j, 1 + 1j])
+    else:
+        z = corners(shape) if isinstance(shape, Words) else shape.points
+    box = Box(float(z.real.min()), float(z.imag.min()), float(z.real.max()), float(z.imag.max()))
+    return box.inset(*4 * (-1.0,))
+
+
+def _meet(one: Box, other: Box) -> bool:
+    across = one.left < other.right and other.left < one.right
+    return across and one.bottom < other.top and other.bottom < one.top
 
 
 def _marks(page: tuple[float, float], shown: Box, tile: Tile, name: str, count: int) -> Drawing:

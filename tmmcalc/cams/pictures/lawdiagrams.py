@@ -1,0 +1,217 @@
+"""Diagrams of the follower's motion one under another: displacement and its derivatives over the turn of the cam."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import degrees
+
+import numpy as np
+
+from tmmcalc.cams.lawresult import POINTS, LawResult
+from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.pictures.toscale import FACTORS, ends_to_scale, heights_to_scale, turn_to_scale, write_factors
+from tmmcalc.cams.pictures.wording import phase_name
+from tmmcalc.cams.program import Program
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import DOTTED, input_axis, stacked
+from tmmcalc.report.drawing.diagram import Axis, Diagram, room
+from tmmcalc.report.drawing.lettering import width
+from tmmcalc.report.drawing.pens import CURVES, MARK, MIDDLE, WHITE, Pen
+from tmmcalc.report.drawing.shapes import Drawing, Words, arrowhead
+from tmmcalc.report.language import tr_unit
+from tmmcalc.report.numbers import number
+
+DENSE = 120  # points of a piece of the motion
+JUMP = Pen("JUMPS", 0.2, (0.8, 0.8), "#6b6b6b")
+JUMP_ON_FRAME = Pen("JUMPS_ON_FRAME", 0.35, (0.8, 0.8), WHITE)  # gaps in the frame's line
+STROKE = Pen("STROKE", 0.25, colour=MARK.colour)
+ENDS = Pen("ENDS_OF_PHASES", 0.18, colour="#b8b8b8")
+HEADROOM = 9.0  # for the names of the phases [mm]
+AIR = 0.16  # of the height of a curve, above and below it
+NAME_SIZE, BETWEEN = 1.9, 2.5  # of the names of the phases; least between two of them [mm]
+
+Pieces = list[tuple[Values, Values]]
+
+
+def draw_laws(
+    drawing: Drawing,
+    box: Box,
+    program: Program,
+    result: LawResult,
+    orders: Sequence[int],
+    heights: Sequence[float] = (),
+    *,
+    to_scale: bool = False,
+) -> list[Diagram]:
+    """Diagrams of derivatives of these orders, the phases named in the first; 0 is the displacement itself.
+
+    ``to_scale``: scale factors are standard ones, and stand above.
+    """
+    pieces = pieces_of(program)
+    inner = box.inset(0, 0, 0, FACTORS if to_scale else 0)
+    frames = stacked(inner, [0] * len(orders), heights)
+    if to_scale:
+        spans = [float(np.ptp(_ends(pieces, order, result))) for order in orders]
+        heights = heights_to_scale(spans, sum(frame.height for frame in frames) - HEADROOM)
+        heights[0] += HEADROOM
+        frames = [turn_to_scale(frame) for frame in stacked(inner, [0] * len(orders), heights)]
+    along = input_axis(True, np.degrees(np.array([0.0, pieces[-1][0][-1]])))
+    found = []
+    for k, (order, frame) in enumerate(zip(orders, frames, strict=True)):
+        low, high = _ends(pieces, order, result)
+        ends = low, low + (high - low) * frame.height / (frame.height - HEADROOM * (k == 0))
+        if to_scale:
+            ends = ends_to_scale(ends, frame.height)
+        up = Axis(axis_name(result, order), *ends)
+        diagram = _draw(drawing, frame, order, pieces, result, along, up, numbered=k + 1 == len(orders))
+        if order:
+            _name_extremes(diagram, order, result)
+        else:
+            _name_stroke(diagram, result)
+        if k == 0:
+            _name_phases(diagram, result)
+        found.append(diagram)
+    if to_scale:
+        write_factors(drawing, box, found, [(symbol(result, order), unit_of(result, order)) for order in orders])
+    return found
+
+
+def symbol(result: LawResult, order: int) -> str:
+    """The sign of a derivative, of the displacement itself with its Δ, inside a formula."""
+    letter = "ψ" if result.turns else "S"
+    return f"Δ{letter}" if order == 0 else letter + "'" * order
+
+
+def unit_of(result: LawResult, order: int) -> str:
+    """The unit of a derivative by the angle of the cam; that of an angle by an angle has none."""
+    return tr_unit(("°", "", "1/rad", "1/rad²")[order] if result.turns else "mm")
+
+
+def axis_name(result: LawResult, order: int) -> str:
+    """The name of the ordinate with its unit."""
+    unit = unit_of(result, order)
+    return f"${symbol(result, order)}$, {unit}" if unit else f"${symbol(result, order)}$"
+
+
+def shown_scale(result: LawResult, order: int) -> float:
+    """Factor from SI to what is shown."""
+    if not result.turns:
+        return 1e3
+    return degrees(1.0) if order == 0 else 1.0
+
+
+def pieces_of(program: Program) -> Pieces:
+    """Angles (m,) and the motion (4, m) of every piece, up to both its ends."""
+    found = []
+    for number_of, (low, high) in enumerate(zip(program.edges[:-1], program.edges[1:], strict=True)):
+        phi = np.linspace(low, high, DENSE)
+        found.append((phi, program.at(phi, np.full(DENSE, number_of))))
+    return found
+
+
+def _ends(pieces: Pieces, order: int, result: LawResult) -> tuple[float, float]:
+    """The ends of an ordinate."""
+    factor = shown_scale(result, order)
+    low, high = room([factor * motion[order] for _, motion in pieces], AIR, AIR)
+    if order == 0:
+        low, high = min(-0.2 * factor * result.stroke, low), max(1.15 * factor * result.stroke, high)
+    return low, high
+
+
+def _draw(
+    drawing: Drawing,
+    box: Box,
+    order: int,
+    pieces: Pieces,
+    result: LawResult,
+    along: Axis,
+    up: Axis,
+    *,
+    numbered: bool,
+) -> Diagram:
+    """One diagram with its curve, jumps, positions and the ends of the phases."""
+    factor, pen = shown_scale(result, order), CURVES[order]._replace(dashes=())
+    values = [factor * motion[order] for _, motion in pieces]
+    diagram = Diagram(drawing, box, along, up, numbered=numbered)
+    for phase in result.phases:
+        diagram.vertical(degrees(phase.begin), ENDS)
+    for (phi, _), heights in zip(pieces, values, strict=True):
+        diagram.curve(np.degrees(phi) + 1j * heights, pen)
+    _jumps(diagram, order, [phi for phi, _ in pieces], values)
+    rows = result.positions
+    if len(rows.phi) <= DOTTED:
+        diagram.dots(np.degrees(rows.phi), factor * result.motion[order], pen)
+    return diagram
+
+
+def _jumps(diagram: Diagram, order: int, angles: list[Values], values: list[Values]) -> None:
+    """Dashed lines where a derivative jumps; at the ends of the turn gaps in the frame."""
+    largest = max(float(np.max(np.abs(each))) for each in values)
+    for before, phi, after in zip(values, [*angles[1:], angles[0]], [*values[1:], values[0]], strict=True):
+        if not order or abs(after[0] - before[-1]) <= 1e-9 * largest:
+            continue
+        inner = bool(phi[0])
+        for at in (degrees(phi[0]),) if inner else (diagram.x.low, diagram.x.high):
+            ends = diagram.paper([complex(at, before[-1]), complex(at, after[0])])
+            diagram.drawing.line(ends, JUMP if inner else JUMP_ON_FRAME, level=3)
+
+
+def _name_extremes(diagram: Diagram, order: int, result: LawResult) -> None:
+    factor, pen = shown_scale(result, order), CURVES[order]._replace(dashes=())
+    for each in result.extremes:
+        if each.order == order:
+            value = factor * each.value
+            diagram.mark(complex(degrees(each.phi), value), number(value, 4), pen)
+
+
+def _name_stroke(diagram: Diagram, result: LawResult) -> None:
+    """The points a, b, c, d at which the phases begin, and the stroke."""
+    names, factor = _points(result), shown_scale(result, 0)
+    top, place = factor * result.stroke, degrees(result.phases[0].end)
+    foot, head = diagram.place(complex(place)), diagram.place(complex(place, top))
+    diagram.drawing.vector(foot, head, STROKE, level=5)
+    diagram.drawing.add(arrowhead(foot, -1j, STROKE), level=5)
+    diagram.labels.avoid([foot, head])
+    for phase in result.phases:
+        at = diagram.point(complex(degrees(phase.begin), factor * phase.low), MIDDLE)
+        diagram.labels.put(f"${names[phase.kind]}$", [at], height=2.3, prefer=1 + 1j if phase.low else -1 - 1j)
+    letter = "$ψ_m$" if result.turns else "$h$"
+    diagram.labels.put(letter, [foot + 0.4 * (head - foot)], height=2.3, prefer=1 + 0j, colour=MARK.colour)
+
+
+def _points(result: LawResult) -> dict[str, str]:
+    """The names of the points at which the phases begin; two names where a dwell takes no angle."""
+    kinds = [phase.kind for phase in result.phases]
+    names: dict[str, str] = dict(POINTS)
+    if "high dwell" not in kinds:
+        names["return"] = "b, c"
+    if "low dwell" not in kinds:
+        names["rise"] = "a, d"
+    return names
+
+
+def _name_phases(diagram: Diagram, result: LawResult) -> None:
+    """The names of the phases with their angles in a row along the top of the diagram."""
+    texts = [f"{phase_name(phase.kind)}\n{number(degrees(phase.end - phase.begin), 5)}°" for phase in result.phases]
+    halves = [width(text, NAME_SIZE) / 2 for text in texts]
+    box = diagram.box
+    middles = [diagram.place(complex(degrees(phase.begin + phase.end) / 2)).real - box.left for phase in result.phases]
+    for text, at in zip(texts, spread(middles, halves, box.width), strict=True):
+        diagram.drawing.add(Words(complex(box.left + at, box.top - 1.0), text, NAME_SIZE, 1j), level=5)
+
+
+def spread(middles: Sequence[float], halves: Sequence[float], end: float) -> list[float]:
+    """Middles of texts in a row from 0 to ``end`` [mm], moved as little to the sides as keeps them apart.
+
+    >>> spread([2.0, 3.0, 50.0], [4.0, 4.0, 10.0], 60.0)
+    [4.0, 14.5, 50.0]
+    """
+    found, free = [], 0.0
+    for middle, half in zip(middles, halves, strict=True):
+        found.append(max(middle, free + half))
+        free = found[-1] + half + BETWEEN
+    free = end
+    for k in reversed(range(len(found))):
+        found[k] = min(found[k], free - halves[k])
+        free = found[k] - halves[k] - BETWEEN
+    return found

@@ -1,0 +1,158 @@
+"""What of linkages stands on the sheets that are handed in: of kinematics on the first, of forces on the second."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+
+import numpy as np
+
+from tmmcalc.linkage.chain import chain_of
+from tmmcalc.linkage.forces.results import side_of
+from tmmcalc.linkage.freebody import FreeBody, cleared, free_bodies
+from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.pictures.choice import chosen
+from tmmcalc.linkage.pictures.course import statics_of
+from tmmcalc.linkage.pictures.cutting import NAME, SEEN, body_scale, draw_body
+from tmmcalc.linkage.pictures.cycle import LinkageMotion, along, closed, motion_at, whole_cycle
+from tmmcalc.linkage.pictures.diagrams import OutputCurve, columns_of, draw_diagrams
+from tmmcalc.linkage.pictures.forcepolygon import draw_force_polygon, polygon_scale
+from tmmcalc.linkage.pictures.groups import cells, draw_groups
+from tmmcalc.linkage.pictures.lever import draw_lever
+from tmmcalc.linkage.pictures.plans import draw_plans_of_kind, plans_of
+from tmmcalc.linkage.pictures.scheme import draw_scheme
+from tmmcalc.linkage.results import Kinematics
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr
+from tmmcalc.report.sheets.piece import Piece
+from tmmcalc.report.sheets.wish import diagrams_of, positions_of
+
+LARGER = 1.4  # names on a sheet against those of a picture: 3.5 mm
+PARTS = (1 / 3, 2 / 3)  # of the working stroke, where plans are drawn by default
+WIDE = 1.35  # of so many more pictures side by side than one under another
+WHOLE = (1 / 6, 1 / 2, 5 / 6)  # of the motion, where it has no strokes
+
+
+def of_kinematics(order: Order) -> Iterator[Piece]:
+    """Scheme, plans of the chosen positions, diagrams of the outputs, groups."""
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+    result, mechanism = order.results["kinematics"], to_linkage(order.spec.linkage)
+    rows = positions_of(order, result.labels) or by_default(mechanism, result)
+    cycle = whole_cycle(chain_of(mechanism, result), result)
+    positions = chosen(cycle, result, None, rows[:1])
+    scheme = partial(draw_scheme, result=result, cycle=cycle, positions=positions)
+    yield Piece("linkage", tr("Kinematic scheme in its positions"), _larger(scheme), (120, 110), (300, 250))
+    plans, count = plans_of(mechanism, result, rows), len(rows)
+    for letter, heading in (("v", tr("Velocity polygons")), ("a", tr("Acceleration polygons"))):
+        plan = partial(draw_plans_of_kind, result=result, plans=plans, letter=letter)
+        yield Piece("linkage", heading, _larger(plan), (60 * count, 80), (110 * count, 140))
+    for curves in _wished(order, columns_of(result, cycle)):
+        diagram = partial(draw_diagrams, result=result, cycle=cycle, curves=curves)
+        heading = tr("Diagrams of angles of links") if curves[0].angular else tr("Diagrams of the outputs")
+        yield Piece("linkage", heading, diagram, (90, 110), (190, 200))
+    motion = motion_at(cycle.chain, result.x[rows[:1]])
+    columns, lines = _grid(len(result.structure.groups) + (result.structure.driven is None))
+    groups = partial(draw_groups, structure=result.structure, motion=motion, cycle=cycle)
+    sizes = (60.0 * columns, 65.0 * lines), (90.0 * columns, 100.0 * lines)
+    yield Piece("linkage", tr("Assur groups"), _larger(groups), *sizes)
+
+
+def of_forces(order: Order) -> Iterator[Piece]:
+    """Load diagrams, force polygons and the lever of the first of the chosen positions."""
+    from tmmcalc.linkage.tables.tasks.loading import to_loading
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+    result, kinematics = order.results["forces"], order.results["kinematics"]
+    mechanism = to_linkage(order.spec.linkage)
+    wished = positions_of(order, result.labels)
+    row = wished[0] if wished else result.labels.index(kinematics.labels[by_default(mechanism, kinematics)[0]])
+    statics = statics_of(mechanism, to_loading(order.spec), kinematics)
+    bodies = cleared(free_bodies(statics, float(result.theta[row]), side_of(result, row)), SEEN)
+    chain = statics.scene.chain
+    motion = motion_at(chain, statics.scene.travel.x(result.theta[[row]]))
+    label = result.labels[row].removesuffix("-")
+    columns, lines = _grid(len(bodies))
+    draw = partial(_load_diagrams, bodies=bodies, motion=motion, cycle=whole_cycle(chain, kinematics))
+    sizes = (65.0 * columns, 75.0 * lines), (105.0 * columns, 105.0 * lines)
+    heading = tr("Groups with their forces in position {label}", label=label)
+    yield Piece("forces", heading, _larger(draw), *sizes)
+    heading = tr("Force polygons in position {label}", label=label)
+    yield Piece("forces", heading, _larger(partial(_force_polygons, bodies=bodies)), *sizes)
+    lever = partial(draw_lever, statics=statics, kinematics=kinematics, result=result, row=row)
+    yield Piece("forces", tr("Lever of Zhukovsky"), _larger(lever), (190, 120), (320, 220))
+
+
+def by_default(mechanism: Mechanism, result: Kinematics) -> list[int]:
+    """Positions of plans: two on the working stroke of the first output, else three evenly over the motion."""
+    first = result.summaries[0] if result.summaries else None
+    if first is None or first.working_angle is None:
+        span = float(result.phi[-1])
+        places = np.array([span * part for part in WHOLE])
+    else:
+        start = along(result, first.dead_centres[0].x, closed(chain_of(mechanism, result)))
+        turn = math.copysign(first.working_angle, result.speed)
+        places = np.array([start + part * turn for part in PARTS])
+    apart = np.abs(result.phi - places[:, None])
+    if result.turns:
+        apart = np.abs(np.angle(np.exp(1j * apart)))
+    return list(dict.fromkeys(np.argmin(apart, axis=1).tolist()))
+
+
+def _larger(draw: Callable[..., object]) -> Callable[[Drawing, Box], object]:
+    """The same with names as large as on a sheet."""
+
+    def drawn(drawing: Drawing, box: Box) -> object:
+        with drawing.lettered(LARGER):
+            return draw(drawing, box)
+
+    return drawn
+
+
+def _wished(order: Order, columns: list[list[OutputCurve]]) -> list[list[OutputCurve]]:
+    """The outputs that the spec names by a column of theirs, all where it names none."""
+    own = {
+        column: curve
+        for curves in columns
+        for curve in curves
+        for column in (f"{letter}S_{curve.name.partition(',')[0]}" for letter in ("", "v", "a"))
+    }
+    names = diagrams_of(order, list(own))
+    if not names:
+        return columns
+    kept = [own[name] for name in names]
+    return [found for curves in columns if (found := [curve for curve in curves if curve in kept])]
+
+
+def _load_diagrams(
+    drawing: Drawing, box: Box, bodies: Sequence[FreeBody], motion: LinkageMotion, cycle: LinkageMotion
+) -> None:
+    def scales(places: list[Box]) -> list[float]:
+        return [body_scale(drawing, place, body, motion, cycle) for place, body in zip(places, bodies, strict=True)]
+
+    for cell, body in zip(cells(box, len(bodies), scales), bodies, strict=True):
+        draw_body(drawing, cell, body, motion, cycle)
+
+
+def _force_polygons(drawing: Drawing, box: Box, bodies: Sequence[FreeBody]) -> None:
+    head = NAME * drawing.letters
+
+    def scales(places: list[Box]) -> list[float]:
+        return [polygon_scale(place.inset(0, 0, 0, head), body) for place, body in zip(places, bodies, strict=True)]
+
+    for cell, body in zip(cells(box, len(bodies), scales), bodies, strict=True):
+        drawing.add(Words(complex(cell.middle.real, cell.top), body.name, 2.5 * drawing.letters, 1j))
+        draw_force_polygon(drawing, cell.inset(0, 0, 0, head), body, None)
+
+
+def _grid(count: int) -> tuple[int, int]:
+    """Columns and rows for so many pictures.
+
+    >>> _grid(1), _grid(3), _grid(5)
+    ((1, 1), (3, 1), (3, 2))
+    """
+    columns = count if count <= 3 else math.ceil(math.sqrt(count * WIDE))
+    return columns, math.ceil(count / columns)
