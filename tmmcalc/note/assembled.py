@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import re
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from tmmcalc.report.formula import setting
-from tmmcalc.report.formula.digits import Given, Worked, worked
-from tmmcalc.report.formula.layout import Box, Digits, Row, Word
+from tmmcalc.report.formula.digits import Worked, worked
+from tmmcalc.report.formula.layout import Box, Gap, Row, Word
 from tmmcalc.report.formula.setting import Shown, printed, quantity
 from tmmcalc.report.formula.tree import Name, Statement, names
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Line, Listing, Paragraph, Table
 
-RELATION = "="
+REFERENCE = re.compile(r"\{((?:tab|eq):\w+)\}")
 
 
 class Title(NamedTuple):
@@ -39,9 +40,8 @@ class Equation(NamedTuple):
 
 
 class Grid(NamedTuple):
-    """A table with its number and caption."""
+    """A table; its number stands in the caption."""
 
-    number: str
     caption: str
     head: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
@@ -69,27 +69,33 @@ class Assembler:
 
     def __init__(self) -> None:
         self.lines: list[Checked] = []
+        self.numbers: dict[str, str] = {}  # of tables and formulas, by their keys
         self._sections = [0, 0, 0]
         self._equations = self._tables = 0
         self._explained: set[str] = set()
 
-    def written(self, blocks: Iterable[Block]) -> Iterator[Written]:
-        """What is written for these blocks."""
+    def written(self, blocks: Iterable[Block]) -> list[Written]:
+        """What is written for these blocks, references in their texts replaced by numbers."""
+        return [_referred(each, self.numbers) for each in [*self._written(blocks)]]
+
+    def _written(self, blocks: Iterable[Block]) -> Iterator[Written]:
         for block in blocks:
             match block:
                 case Heading(text, level):
                     yield self._title(text, level)
                 case Paragraph(text):
                     yield inline(text)
-                case Display(formula):
-                    yield Equation((setting.statement(formula),), self._numbered())
+                case Display(formula, key):
+                    yield Equation((setting.statement(formula),), self._numbered(key))
                 case Line():
                     yield from self._line(block)
                 case Listing(items):
                     yield Points(tuple(inline(item) for item in items))
-                case Table(caption, head, rows):
+                case Table(caption, head, rows, key):
                     self._tables += 1
-                    yield Grid(f"{self._sections[0]}.{self._tables}", caption, head, rows)
+                    number = f"{self._sections[0]}.{self._tables}"
+                    self.numbers[f"tab:{key}"] = number
+                    yield Grid(tr("Table {number} – {caption}", number=number, caption=caption), head, rows)
 
     def _title(self, text: str, level: int) -> Title:
         self._sections[level - 1] += 1
@@ -98,14 +104,15 @@ class Assembler:
             self._equations = self._tables = 0
         return Title(".".join(map(str, self._sections[:level])), text, level)
 
-    def _numbered(self) -> str:
+    def _numbered(self, key: str) -> str:
         self._equations += 1
-        return f"{self._sections[0]}.{self._equations}"
+        number = self.numbers[f"eq:{key}"] = f"{self._sections[0]}.{self._equations}"
+        return number
 
     def _line(self, line: Line) -> Iterator[Written]:
         left, right = line.formula.sides
         assert isinstance(left, Name)
-        yield Equation((setting.side(left), setting.side(right)), self._numbered())
+        yield Equation((setting.side(left), setting.side(right)), self._numbered(line.key))
         yield from self._where(line)
         for place in line.places:
             given = place.lexicon[left.key]
@@ -135,6 +142,20 @@ class Assembler:
             yield Text((*parts, "."))
 
 
+def _referred(block: Written, numbers: Mapping[str, str]) -> Written:
+    """The block with references in its texts as numbers."""
+    if isinstance(block, Points):
+        return Points(tuple(_referring(item, numbers) for item in block.items))
+    return _referring(block, numbers) if isinstance(block, Text) else block
+
+
+def _referring(text: Text, numbers: Mapping[str, str]) -> Text:
+    def number(found: re.Match[str]) -> str:
+        return numbers[found[1]]
+
+    return Text(tuple(REFERENCE.sub(number, part) if isinstance(part, str) else part for part in text.parts))
+
+
 def shown_unit(unit: str) -> str:
     """A unit as it stands after a number; of an angle the sign of degrees."""
     return "°" if unit == "deg" else tr_unit(unit)
@@ -143,7 +164,7 @@ def shown_unit(unit: str) -> str:
 def with_unit(digits: str, unit: str) -> Row:
     """A result with its unit."""
     number = printed(Shown(digits, unit == "deg"))
-    return Row((number,)) if unit in ("", "deg") else Row((number, Word("\u202f"), Word(tr_unit(unit))))
+    return Row((number,)) if unit in ("", "deg") else Row((number, Gap(), Word(tr_unit(unit))))
 
 
 def inline(text: str) -> Text:
@@ -152,18 +173,3 @@ def inline(text: str) -> Text:
 
     parts = [setting.statement(read(part)) if k % 2 else part for k, part in enumerate(text.split("$"))]
     return Text(tuple(part for part in parts if part != ""))
-
-
-__all__ = [
-    "Assembler",
-    "Checked",
-    "Digits",
-    "Equation",
-    "Given",
-    "Grid",
-    "Points",
-    "Text",
-    "Title",
-    "Written",
-    "inline",
-]

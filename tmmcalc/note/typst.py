@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from tmmcalc.note.assembled import Equation, Grid, Points, Text, Title, Written
 from tmmcalc.report.drawing.lettering import FONTS
 from tmmcalc.report.formula.breaking import broken
+from tmmcalc.report.formula.layout import Row
 from tmmcalc.report.formula.typst import typst as formula
 
 SIZE = 12.0  # of letters [pt]
 WIDE = 165.0  # of the text [mm]
 MM = 72.0 / 25.4  # points to a mm
+LETTER = 0.52  # of the words before a formula [em]
 NUMBER = 16.0  # room for the number of a formula [mm]
 HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 20mm, top: 20mm, bottom: 20mm), numbering: "1")
 #set text(font: "TMM Text", size: 12pt, lang: "LANGUAGE")
 #set par(justify: true, leading: 0.8em, spacing: 0.8em, first-line-indent: (amount: 12.5mm, all: true))
 #show heading: set block(above: 1.4em, below: 0.9em)
 #set table(stroke: 0.5pt)
-#let line(body, number) = block(width: 100%, grid(columns: (1fr, auto), align: (center, right + horizon), body, number))
+#let line(lead, body, number) = block(width: 100%, breakable: false, grid(columns: (auto, 1fr, auto),
+  align: (left + horizon, center + horizon, right + horizon), lead, body, number))
 """
 
 
@@ -45,8 +48,8 @@ def _block(block: Written) -> str:
             return _text(block) + "\n"
         case Equation(parts, number, lead):
             return _equation(parts, number, lead)
-        case Grid(number, caption, head, rows):
-            return _grid(number, caption, head, rows)
+        case Grid(caption, head, rows):
+            return _grid(caption, head, rows)
         case Points(items):
             return "\n".join(f"- {_text(item)}" for item in items) + "\n"
 
@@ -55,18 +58,15 @@ def _text(text: Text) -> str:
     return "".join(_escaped(part) if isinstance(part, str) else f"${formula(part)}$" for part in text.parts)
 
 
-def _equation(parts: object, number: str, lead: str) -> str:
-    wide = (WIDE - (NUMBER if number else 0.0)) * MM / SIZE
-    rows = broken(parts, wide)  # type: ignore[arg-type]
-    body = " \\\n ".join(formula(row) for row in rows)
-    said = f"{_escaped(lead)}:\n" if lead else ""
-    return f"{said}#line[$ {body} $][{f'({number})' if number else ''}]"
+def _equation(parts: Sequence[Row], number: str, lead: str) -> str:
+    wide = (WIDE - (NUMBER if number else 0.0)) * MM / SIZE - LETTER * len(lead)
+    body = " \\\n ".join(formula(row) for row in broken(parts, wide))
+    return f"#line[{_escaped(lead)}][$ {body} $][{f'({number})' if number else ''}]"
 
 
-def _grid(number: str, caption: str, head: tuple[str, ...], rows: tuple[tuple[str, ...], ...]) -> str:
+def _grid(caption: str, head: tuple[str, ...], rows: tuple[tuple[str, ...], ...]) -> str:
     cells = ", ".join(f"[{_escaped(cell)}]" for row in (head, *rows) for cell in row)
-    title = f"Table {number} – {_escaped(caption)}"
-    return f"{title}\n#table(columns: {len(head)}, {cells})"
+    return f"#block(breakable: false)[{_escaped(caption)}\n#table(columns: {len(head)}, {cells})]"
 
 
 def _escaped(text: str) -> str:

@@ -99,7 +99,7 @@ def _dyad(told: Told, dyad: Dyad, bodies: Sequence[Bodies]) -> Iterator[Block]:
     for lexicon, each, at in zip(told.lexicons, bodies, dyad.states, strict=True):
         for axis in "xy":
             total = sum(number_of(lexicon, f"T_{{{k}{axis}}}") for k in links)
-            lexicon[canonical(f"T_{{{pair}{axis}}}")] = Given(total, "N", tr("sums of the given forces on the group"))
+            lexicon[canonical(f"T_{{{pair}{axis}}}")] = Given(total, "N", tr("sum of the given forces on the group"))
         lexicon |= named(_reactions(told, dyad, each, lexicon))
     yield from told.lines([text for text in texts if text], {})
     yield from told.lines(dyad.kind.REACTIONS, places)
@@ -157,7 +157,7 @@ def _sums(told: Told, bodies: Sequence[Bodies], link: int, own: set[str]) -> lis
             said = _said(acting.get(key), key)
             for axis, part in (("x", value.real), ("y", value.imag)):
                 lexicon[canonical(part_of(key, axis))] = Given(part, "N", said)
-        sums = tr("sums of the given forces on link {link}", link=link)
+        sums = tr("sum of the given forces on link {link}", link=link)
         lexicon |= named(vector(f"T_{{{link}%}}", total, "N", sums))
     return [f"T_{{{link}{axis}}} = {' + '.join(part_of(key, axis) for key in forces) or '0'}" for axis in "xy"]
 
@@ -270,7 +270,7 @@ def _parts(dyad: Dyad, index: str, on: str, value: complex, lexicon: Mapping[str
     if kind == "RPP":
         lines = {"I": number_of(lexicon, f"gamma_{places['b']}")}
         lines["II"] = lines["I"] + number_of(lexicon, f"delta_{places['b']}")
-        both = tr("projections of the reaction on the lines of link {link}", link=places["b"])
+        both = tr("projection of the reaction on the lines of link {link}", link=places["b"])
         return {
             f"R_{{{index}}}^{{{mark}}}" if len(mark) > 1 else f"R_{{{index}}}^{mark}": Given(
                 float((value * cmath.exp(-1j * np.radians(angle))).real), "N", both

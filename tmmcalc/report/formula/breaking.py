@@ -13,6 +13,7 @@ from tmmcalc.report.formula.layout import (
     Fraction,
     Gap,
     Letter,
+    Marked,
     Root,
     Row,
     Script,
@@ -39,6 +40,8 @@ def width(box: Box) -> float:
             return sum(map(width, boxes))
         case Fraction(over, under):
             return max(width(over), width(under)) + 0.2
+        case Marked(inner, mark):
+            return width(inner) + 0.4 * len(mark)
         case Root(inner):
             return width(inner) + 1.0
         case Script(base, lower, upper, primes):

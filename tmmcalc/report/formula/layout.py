@@ -53,6 +53,13 @@ class Root(NamedTuple):
     inner: Box
 
 
+class Marked(NamedTuple):
+    """A number with a sign right after it: degrees."""
+
+    inner: Box
+    mark: str
+
+
 class Script(NamedTuple):
     """A box with an index, an upper index, primes."""
 
@@ -84,7 +91,7 @@ class Arrowed(NamedTuple):
     inner: Box
 
 
-Box = Letter | Word | Digits | Sign | Gap | Row | Fraction | Root | Script | Fenced | Big | Arrowed
+Box = Letter | Word | Digits | Sign | Gap | Row | Fraction | Root | Marked | Script | Fenced | Big | Arrowed
 
 
 def inner(box: Box) -> tuple[Box, ...]:
@@ -94,7 +101,7 @@ def inner(box: Box) -> tuple[Box, ...]:
             return boxes
         case Fraction(over, under):
             return over, under
-        case Root(each) | Fenced(each) | Arrowed(each):
+        case Root(each) | Marked(each) | Fenced(each) | Arrowed(each):
             return (each,)
         case Big(_, lower, body):
             return lower, body

@@ -13,6 +13,7 @@ from tmmcalc.report.formula.layout import (
     Fraction,
     Gap,
     Letter,
+    Marked,
     Root,
     Row,
     Script,
@@ -46,6 +47,8 @@ def mathml(box: Box) -> str:
             return f"<mrow>{''.join(map(mathml, boxes))}</mrow>"
         case Fraction(over, under):
             return f"<mfrac>{mathml(over)}{mathml(under)}</mfrac>"
+        case Marked(inner, mark):
+            return f"<mrow>{mathml(inner)}<mo lspace='0' rspace='0'>{mark}</mo></mrow>"
         case Root(inner):
             return f"<msqrt>{mathml(inner)}</msqrt>"
         case Script(base, lower, upper, primes):

@@ -13,6 +13,7 @@ from tmmcalc.report.formula.layout import (
     Fraction,
     Gap,
     Letter,
+    Marked,
     Root,
     Row,
     Script,
@@ -48,6 +49,8 @@ def omml(box: Box) -> str:
             return "".join(map(omml, boxes))
         case Fraction(over, under):
             return f"<m:f><m:num>{omml(over)}</m:num><m:den>{omml(under)}</m:den></m:f>"
+        case Marked(inner, mark):
+            return omml(inner) + _run(mark, UPRIGHT)
         case Root(inner):
             hidden = '<m:radPr><m:degHide m:val="1"/></m:radPr><m:deg/>'
             return f"<m:rad>{hidden}<m:e>{omml(inner)}</m:e></m:rad>"

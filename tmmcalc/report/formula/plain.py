@@ -11,6 +11,7 @@ from tmmcalc.report.formula.layout import (
     Fraction,
     Gap,
     Letter,
+    Marked,
     Root,
     Row,
     Script,
@@ -43,6 +44,8 @@ def plain(box: Box) -> str:
             return leading + "".join(map(plain, rest))
         case Fraction(over, under):
             return f"{_grouped(over)}/{_grouped(under)}"
+        case Marked(inner, mark):
+            return f"{plain(inner)}{mark}"
         case Root(inner):
             return f"√({plain(inner)})"
         case Script(base, lower, upper, primes):

@@ -14,6 +14,7 @@ from tmmcalc.report.formula.layout import (
     Fraction,
     Gap,
     Letter,
+    Marked,
     Root,
     Row,
     Script,
@@ -141,7 +142,7 @@ def printed(value: Shown) -> Box:
     if exponent:
         ten = Script(Digits("10"), upper=Digits(str(int(exponent))))
         found = Row((found, Sign("·"), ten))
-    return Row((found, Word("°"))) if value.degrees else found
+    return Marked(found, "°") if value.degrees else found
 
 
 def _bare(node: Node, values: Values) -> Box:
@@ -175,6 +176,8 @@ def _starts_with_digits(box: Box) -> bool:
             return bool(boxes) and _starts_with_digits(boxes[0])
         case Script(base):
             return _starts_with_digits(base)
+        case Marked(inner):
+            return _starts_with_digits(inner)
         case Fraction(over, under):
             return _starts_with_digits(over) and _starts_with_digits(under)
         case Fenced(inner):
@@ -214,7 +217,7 @@ def _call(function: str, arguments: Sequence[Node], values: Values, power: Box |
     if function == "rad":
         return _box(first, values)
     if function == "deg":
-        return Row((_box(first, values), Word("°")))
+        return Marked(_box(first, values), "°")
     if function == "vec":
         return Arrowed(_box(first, values))
     if function == "exp":
@@ -240,6 +243,8 @@ def _signed(box: Box) -> bool:
             return text.startswith(("-", "−"))
         case Sign(text):
             return text == "−"
+        case Marked(inner):
+            return _signed(inner)
         case Row(boxes):
             return bool(boxes) and _signed(boxes[0])
         case _:

@@ -11,6 +11,7 @@ from tmmcalc.report.formula.layout import (
     Fraction,
     Gap,
     Letter,
+    Marked,
     Root,
     Row,
     Script,
@@ -47,6 +48,12 @@ upright("2")), 2)'
             return " ".join(map(typst, boxes))
         case Fraction(over, under):
             return f"frac({typst(over)}, {typst(under)})"
+        case Marked(inner, mark):
+            return (
+                f"attach({typst(inner)}, tr: {mark})"
+                if not isinstance(inner, Digits)
+                else f'"{spelt(inner.text)}{mark}"'
+            )
         case Root(inner):
             return f"sqrt({typst(inner)})"
         case Script(base, lower, upper, primes):
