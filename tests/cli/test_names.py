@@ -180,6 +180,38 @@ def test_by_choice_in_a_sweep_and_in_constraints(cli: Cli, tmp_path: Path, monke
     assert json.loads(cli("feasibility", str(spec), "-f", "json").out)["columns"] != json.loads(first)["columns"]
 
 
+@pytest.mark.parametrize(
+    "command",
+    [("run",), ("run", "--to", "forces"), ("kinematics",), ("forces",), ("reduce",), ("motion",), ("balance",)],
+    ids=" ".join,
+)
+def test_columns_that_nothing_can_have_are_told_at_once(
+    cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, command: tuple[str, ...]
+) -> None:
+    """Nothing is computed: all of them, each with the nearest, and no folder."""
+    monkeypatch.chdir(tmp_path)
+    Path("my.toml").write_text(SHAPER.read_text())
+    monkeypatch.setattr("tmmcalc.linkage.kinematics.solve_kinematics", lambda *_, **__: pytest.fail("computed"))
+    name, *flags = command
+    code, out, err = cli(name, "my.toml", *flags, "--columns", "phi,x_Dd,M_rd")
+    assert (code, out) == (2, "")
+    assert " has a column called 'x_Dd' or 'M_rd'" in err or "no column is called 'x_Dd' or 'M_rd'" in err
+    assert "x_Dd: " in err
+    assert "M_rd: " in err
+    assert not Path("my.out").exists()
+
+
+def test_a_column_that_only_the_results_can_tell(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A wildcard of a form that has nothing here: no friction in the pin of A."""
+    monkeypatch.chdir(tmp_path)
+    Path("my.toml").write_text(SHAPER.read_text())
+    wrong = cli("run", "my.toml", "--to", "forces", "--columns", "phi,M_fr_A", "-q")
+    assert wrong.code == 2
+    assert "no stage has a column called 'M_fr_A'" in wrong.err
+    assert Path("my.out/forces.toml").exists()  # the stages are kept
+    assert not [*Path("my.out").glob("*.csv")]
+
+
 def test_columns_by_choice_in_the_files_of_a_run(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     spec = tmp_path / "my.toml"

@@ -178,6 +178,7 @@ def test_rows_without_a_value_are_left_out(scene: RunResult, monkeypatch: pytest
     values = np.where(np.arange(25) % 5 == 0, np.nan, np.arange(25.0))
     made = [Column("gap", "m", lambda: values, "a column with gaps")]
     monkeypatch.setattr(forces_stage, "further", lambda spec, results: made)
+    monkeypatch.setattr(forces_stage, "declares", ("gap",))
     assert told(scene, "forces.max(gap)").value == 24.0
     assert told(scene, "forces.max(gap)").how == "of 20 rows"
     assert told(scene, "at_min(gap)").value == 15.0

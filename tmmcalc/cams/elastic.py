@@ -28,6 +28,7 @@ from tmmcalc.cams.separation import Contact, contact_notes, contact_of
 from tmmcalc.cams.speed import constant_speed
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Said
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.quantity import derived, headed, quantity
 from tmmcalc.core.records import record
@@ -88,7 +89,7 @@ class ElasticResult:
     contact: Contact
     ratios: Values  # (m,)
     spectra: tuple[Spectrum, ...]
-    notes: tuple[str, ...]
+    notes: tuple[Said, ...]
     error: Errors  # estimates, relative: of z, of x'', of what is left over a phase, of the spectra
 
     @derived("frequency[Hz]", "natural frequency of the mass on its train", symbol="f")

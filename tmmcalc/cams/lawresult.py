@@ -20,6 +20,7 @@ from tmmcalc.cams.overshoot import overshoot_remarks
 from tmmcalc.cams.program import PhaseKind, Positions, Program
 from tmmcalc.cams.rounding import Errors, joints
 from tmmcalc.cams.task import CamTask
+from tmmcalc.core.notes import Said
 from tmmcalc.core.quantity import Quantity, derived, headed, in_degrees, quantity
 from tmmcalc.core.records import record
 
@@ -93,7 +94,7 @@ class LawResult:
     phases: tuple[PhaseMotion, ...]
     extremes: tuple[MotionExtreme, ...]  # largest and least of y', y'', y'''
     shocks: tuple[Shock, ...]
-    remarks: tuple[str, ...]
+    remarks: tuple[Said, ...]
     error: Errors  # estimates, relative: of y and its derivatives, of their extremes, of the constants
 
     @property

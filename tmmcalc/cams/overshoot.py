@@ -7,10 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import degrees
+from typing import Any
 
 import numpy as np
 
 from tmmcalc.cams.program import SAME, PhaseKind, Program
+from tmmcalc.core.notes import Said, held
 from tmmcalc.core.records import record
 
 LEVEL = 1e-9  # of the stroke: what counts
@@ -49,25 +51,28 @@ def backward(program: Program) -> tuple[Backward, ...]:
     return tuple(found)
 
 
-def overshoot_remarks(program: Program, turns: bool) -> Iterator[str]:
+def overshoot_remarks(program: Program, turns: bool) -> Iterator[Said]:
     """Warnings of a follower that leaves the stroke or turns back, with amount and angle."""
 
-    def shown(amount: float) -> str:
-        return f"{degrees(amount):.6g} deg" if turns else f"{1e3 * amount:.6g} mm"
+    def beyond(text: str, amount: float, name: str, **angles: float) -> Said:
+        """A warning of an amount that should be none."""
+        value, unit = (degrees(amount), "deg") if turns else (1e3 * amount, "mm")
+        shown: dict[str, Any] = {word: degrees(phi) for word, phi in angles.items()}
+        return held("warning", text, value, 0.0, unit, name=name, **shown)
 
     (least, low), (largest, high) = program.span
     if largest - program.stroke > LEVEL * program.stroke:
-        yield (
-            f"warning: overshoot: the follower rises {shown(largest - program.stroke)} above the stroke at phi = "
-            f"{degrees(high):.6g} deg; guide and spring are taken to that"
+        text = (
+            "overshoot: the follower rises {value:.6g} {unit} above the stroke at phi = {phi:.6g} deg; guide and "
+            "spring are taken to that"
         )
+        yield beyond(text, largest - program.stroke, "overshoot", phi=high)
     if -least > LEVEL * program.stroke:
-        yield (
-            f"warning: undershoot: the follower falls {shown(-least)} below its lowest position at phi = "
-            f"{degrees(low):.6g} deg"
-        )
+        text = "undershoot: the follower falls {value:.6g} {unit} below its lowest position at phi = {phi:.6g} deg"
+        yield beyond(text, -least, "undershoot", phi=low)
     for part in backward(program):
-        yield (
-            f"warning: the {part.kind} is not monotone: the follower goes back by {shown(part.amount)} for phi from "
-            f"{degrees(part.begin):.6g} to {degrees(part.end):.6g} deg"
+        text = (
+            f"the {part.kind} is not monotone: the follower goes back by {{value:.6g}} {{unit}} for phi from "
+            "{begin:.6g} to {end:.6g} deg"
         )
+        yield beyond(text, part.amount, "motion back", begin=part.begin, end=part.end)

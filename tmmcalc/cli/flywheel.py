@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.job import Solved, of_stage
+from tmmcalc.cli.makers import Solved, of_stage
 from tmmcalc.core.errors import UsageError
 from tmmcalc.report.document import Document
 

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.job import Job, with_flags
+from tmmcalc.cli.job import Job
+from tmmcalc.cli.makers import check_names, with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
 from tmmcalc.cli.output import table_file, title
 from tmmcalc.core.errors import UsageError
@@ -66,6 +67,7 @@ def command(
     """
     _check_flags({ITERATIONS: iterations, BODIES: bodies, LEVER: lever}, stop, columns, positions)
     scene = job.spec()
+    check_names(columns, "forces", scene)
     run = job.run(scene, "forces")
     scene = run.spec
     result = run.results["forces"]

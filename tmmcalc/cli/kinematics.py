@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.job import Job, with_flags
+from tmmcalc.cli.job import Job
+from tmmcalc.cli.makers import check_names, with_flags
 from tmmcalc.cli.options import Columns, Form, Format, Positions, patterns_of
 from tmmcalc.cli.output import title
 from tmmcalc.core.errors import UsageError
@@ -106,6 +107,8 @@ def command(
         remedy = f"leave --method out, or print its table without {POLYGONS}"
         raise UsageError("the plans are those of the exact derivatives", where="--method", remedy=remedy)
     scene = job.spec()
+    if not compare:
+        check_names(columns, "kinematics", scene)
     job = replace(job, settings={"kinematics": _settings(scene, method, step, decimals)})
     heading = title(scene, job.file, "kinematics")
     run = job.run(scene, "kinematics")

@@ -6,12 +6,12 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.job import Solved, of_stage, positions_document
+from tmmcalc.cli.makers import Solved, named_columns, of_stage, positions_document
 from tmmcalc.cli.options import Columns, Positions, patterns_of
 from tmmcalc.report.document import Document
 
 
-@of_stage("motion")
+@of_stage("motion", check=named_columns("motion", "recurrence"))
 def command(
     solved: Solved,
     columns: Columns = None,

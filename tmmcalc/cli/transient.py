@@ -1,6 +1,6 @@
 """``tmmcalc transient``."""
 
-from tmmcalc.cli.job import Solved, of_stage
+from tmmcalc.cli.makers import Solved, of_stage
 from tmmcalc.cli.options import Columns, patterns_of
 from tmmcalc.report.document import Document
 

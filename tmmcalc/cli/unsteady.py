@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tmmcalc.cli.job import stage_command
+from tmmcalc.cli.makers import stage_command
 
 command = stage_command(
     "unsteady",

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import MISSING, field
 from math import pi
-from typing import Any, Generic, NamedTuple, TypeVar, get_args, get_type_hints, overload
+from typing import Any, Generic, NamedTuple, TypeVar, get_args, get_origin, get_type_hints, overload
 
 T = TypeVar("T")
 
@@ -272,6 +272,31 @@ def given_out(kind: Any) -> Iterator[Quantity]:
         yield from quantities(each).values()
 
 
+def given_over_rows(kind: Any) -> Iterator[Quantity]:
+    """What of it stands in arrays."""
+    for each in _records(kind):
+        yield from _over_rows(each)
+
+
+def _over_rows(kind: Any) -> Iterator[Quantity]:
+    """What a record has in arrays itself."""
+    try:
+        hints = get_type_hints(kind)
+    except NameError:  # a field of a class that only type checkers import
+        return
+    yield from (told for name, told in quantities(kind).items() if _holds_arrays(_declared(kind, name, hints)))
+
+
+def _declared(kind: Any, name: str, hints: Mapping[str, Any]) -> Any:
+    """The type of a field, or of what a property returns."""
+    own = vars(kind).get(name)
+    return get_type_hints(own.find).get("return") if isinstance(own, Derived) else hints.get(name)
+
+
+def _holds_arrays(hint: Any) -> bool:
+    return getattr(get_origin(hint) or hint, "__name__", "") == "ndarray" or any(map(_holds_arrays, get_args(hint)))
+
+
 def _records(kind: Any) -> Iterator[Any]:
     """A kind of record and those within it."""
     seen: set[Any] = set()
@@ -303,18 +328,19 @@ def truths(kind: Any) -> set[str]:
     for each in _records(kind):
         hints = get_type_hints(each)
         for name, told in quantities(each).items():
-            own = vars(each).get(name)
-            declared = get_type_hints(own.find).get("return") if isinstance(own, Derived) else hints.get(name)
-            (found if declared in (bool, bool | None) else others).add(told.key)
+            (found if _declared(each, name, hints) in (bool, bool | None) else others).add(told.key)
     return found - others
 
 
-def standing_in(module: Any) -> Iterator[Quantity]:
-    """Quantities that stand in a module by themselves, several together, or on the fields of its records."""
+def standing_in(module: Any, over_rows: bool = False) -> Iterator[Quantity]:
+    """Quantities that stand in a module by themselves, several together, or on the fields of its records.
+
+    With ``over_rows`` of the records what stands in arrays alone.
+    """
     for each in vars(module).values():
         if hasattr(each, "__record__"):
             if each.__module__ == module.__name__:
-                yield from quantities(each).values()
+                yield from _over_rows(each) if over_rows else quantities(each).values()
         else:
             yield from _within(each)
 

@@ -72,6 +72,10 @@ class Stage:
     ``details(spec, results)``  facts by choice: a record whose declared quantities are told by name alone, never in a
                           document or a file that did not ask for them; or several such records by the word before them.
                           What its annotation says that it returns is listed without computing it
+    ``declares``          of a stage all names of whose columns are declared: where, beside its result and the module of
+                          its ``columns``: modules, ``module:NAME`` of one quantity, or names as they are. A name of no
+                          such form is told before anything is computed, see `tmmcalc.naming.declared`
+    ``words(spec)``       by place in braces of these names the words that the scene has for it; without it any word
     ``outlook()``         of a stage that settles the spec tables like those that it will find, by which a plan is made
 
     A part that is heavy to import is given by its name, ``"module:function"``: a stored result is loaded without the

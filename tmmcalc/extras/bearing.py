@@ -10,6 +10,7 @@ from math import pi
 
 import numpy as np
 
+from tmmcalc.core.notes import Said, held
 from tmmcalc.core.numerics.extended import PI, apart, widened
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import quantity
@@ -48,7 +49,7 @@ class Bearing:
     roller: float = quantity("BSF[Hz]", "rotational frequency of a rolling body; a defect on it strikes twice a turn")
     raceway_speed: float = quantity("v_inner[m/s]", "speed of the raceway of the inner ring")
     crest: tuple[float, ...] = quantity("crest", "crest factors: peak over root mean square of readings", default=())
-    notes: tuple[str, ...] = ()
+    notes: tuple[Said, ...] = ()
     error: float = 0.0  # of the frequencies, each relative to itself
 
 
@@ -88,15 +89,15 @@ def _rates(task: BearingTask, half_turn: float) -> Values:
     return np.array([n / 2 * (1 - part), *races, n * mean / (2 * task.roller) * (1 - part) * (1 + part)])
 
 
-def _notes(crest: tuple[float, ...]) -> list[str]:
+def _notes(crest: tuple[float, ...]) -> list[Said]:
     if not crest:
         return []
-    found = ["note: the trend of the crest factor tells, not one value: peaks rise first, the RMS later"]
+    found: list[Said] = ["note: the trend of the crest factor tells, not one value: peaks rise first, the RMS later"]
     top = max(crest)
     if top >= HIGH and crest[-1] < top:
-        found.append(f"warning: the crest factor fell from {top:.4g} to {crest[-1]:.4g}: wear spreads, the end is near")
+        text = "the crest factor fell from {limit:.4g} to {value:.4g}: wear spreads, the end is near"
+        found.append(held("warning", text, crest[-1], top, name="crest"))
     elif top >= HIGH:
-        found.append(
-            f"warning: the crest factor of {top:.4g} tells of a defect; of a sound bearing it is about {SOUND:g}"
-        )
+        text = "the crest factor of {value:.4g} tells of a defect; of a sound bearing it is about {limit:g}"
+        found.append(held("warning", text, top, SOUND, name="crest"))
     return found

@@ -13,6 +13,7 @@ from math import pi
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Said, held
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
@@ -78,7 +79,7 @@ class Contact:
     peak_change: float = quantity("p_change", "relative change of p_max against a grid of half as many cells")
     approach_change: float = quantity("delta_change", "relative change of delta against a grid of half as many cells")
     hertz: Hertz | None
-    notes: tuple[str, ...] = ()
+    notes: tuple[Said, ...] = ()
 
     @derived("x[m]", "x of the largest pressure")
     def peak_x(self) -> float:
@@ -150,16 +151,17 @@ def solve_contact(task: ContactTask) -> Contact:
     )
 
 
-def _notes(task: ContactTask, smooth: Hertz | None, at_border: bool) -> Iterator[str]:
+def _notes(task: ContactTask, smooth: Hertz | None, at_border: bool) -> Iterator[Said]:
     if at_border:
         yield BORDER
     if task.radii is not None and smooth is not None:
         part = max(smooth.along_x / task.radii[0], smooth.along_y / task.radii[1])
         if part > SMALL:
-            yield (
-                f"warning: a half-axis is {part:.3g} of its radius, above {SMALL:g}: bodies are no longer flat against "
-                "the contact, and pressure and approach are rough"
+            text = (
+                "a half-axis is {value:.3g} of its radius, above {limit:g}: bodies are no longer flat against the "
+                "contact, and pressure and approach are rough"
             )
+            yield held("warning", text, part, SMALL, name="half-axis/radius")
 
 
 def _size(task: ContactTask, smooth: Hertz | None) -> float:

@@ -12,6 +12,7 @@ from math import exp
 
 import numpy as np
 
+from tmmcalc.core.notes import Said
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.numerics.panels import Panels, Values, panels, resolved
 from tmmcalc.core.quantity import quantity
@@ -69,7 +70,7 @@ class Ball:
     a: Values = quantity("a[m/s^2]", "acceleration downwards")  # (n,)
     way: Values = quantity("S[m]", "way from the beginning, downwards")  # (n,)
     error: dict[str, float]  # of speed and way, relative to their largest values
-    notes: tuple[str, ...] = ()
+    notes: tuple[Said, ...] = ()
 
 
 def solve_falling_ball(task: BallTask) -> Ball:

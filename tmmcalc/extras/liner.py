@@ -13,6 +13,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.notes import Said, held
 from tmmcalc.core.numerics.extended import apart, spread, widened
 from tmmcalc.core.numerics.extrema import around, maxima, refine
 from tmmcalc.core.numerics.panels import Values
@@ -107,7 +108,7 @@ class Liner:
     hoop: Values = quantity("sigma_t[Pa]", "stress E w/r1 along the circumference, mean of the wall")  # (n,)
     inner: Values = quantity("sigma_in[Pa]", "equivalent stress at the inner surface")  # (n,)
     outer: Values = quantity("sigma_out[Pa]", "equivalent stress at the outer surface")  # (n,)
-    notes: tuple[str, ...] = ()
+    notes: tuple[Said, ...] = ()
     error: LinerError | None = None  # None: not estimated
 
 
@@ -277,13 +278,14 @@ def _peak(task: LinerTask, shell: _Shell, length: float, names: tuple[str, str] 
     return Peak(place, stress, surface)
 
 
-def _notes(task: LinerTask, shell: _Shell, largest: Peak) -> list[str]:
-    found = []
+def _notes(task: LinerTask, shell: _Shell, largest: Peak) -> list[Said]:
+    found: list[Said] = []
     if task.thickness > THIN * task.radius:
-        found.append(
-            f"warning: h/r1 = {task.thickness / task.radius:.3g} is above {THIN:g}: a thick wall, "
-            "of which the theory of thin shells is no more than an estimate"
+        text = (
+            "h/r1 = {value:.3g} is above {limit:g}: a thick wall, of which the theory of thin shells is no more than "
+            "an estimate"
         )
+        found.append(held("warning", text, task.thickness / task.radius, THIN, name="h/r1"))
     if shell.span is not None and shell.span < LONG:
         long = _solved(replace(task, length=None))
         at = _along(task, long, np.zeros(1))
@@ -292,10 +294,8 @@ def _notes(task: LinerTask, shell: _Shell, largest: Peak) -> list[str]:
             f"are for a long liner, give Q0 = {float(at['shear'][0]):.7g} N/m, M0 = {-float(at['bend'][0]):.7g} N*m/m"
         )
     if task.allowed is not None and largest.stress > task.allowed:
-        found.append(
-            f"warning: the equivalent stress of {largest.stress / 1e6:.6g} MPa is above the allowed "
-            f"{task.allowed / 1e6:.6g} MPa"
-        )
+        text = "the equivalent stress of {value:.6g} MPa is above the allowed {limit:.6g} MPa"
+        found.append(held("warning", text, largest.stress / 1e6, task.allowed / 1e6, "MPa", name="sigma_eq"))
     return found
 
 

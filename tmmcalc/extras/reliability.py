@@ -12,6 +12,7 @@ from math import exp, lgamma, log, pi, sqrt
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Said, held
 from tmmcalc.core.numerics.extended import EPS, MARGIN, apart, spread, widened
 from tmmcalc.core.numerics.panels import Values, panels, resolved
 from tmmcalc.core.quantity import quantity
@@ -84,7 +85,7 @@ class Reliability:
     density: Values = quantity("f[-]", "density of the life")  # (n,)
     intensity: Values = quantity("intensity[-]", "intensity of failures")  # (n,)
     x: Values = quantity("x[-]", "strength")  # (n,)
-    notes: tuple[str, ...] = ()
+    notes: tuple[Said, ...] = ()
     error: LifeError | None = None  # None: not estimated
 
 
@@ -293,7 +294,8 @@ def _root(f: Callable[[float], float], low: float, high: float) -> float:
     return float(brentq(f, low, high, xtol=1e-300, rtol=4 * np.finfo(float).eps))
 
 
-def _notes(task: ReliabilityTask, r: float) -> tuple[str, ...]:
+def _notes(task: ReliabilityTask, r: float) -> tuple[Said, ...]:
     if r < task.high:
-        return (f"warning: the strength begins at {r:.6g}, below the largest load {task.high:.6g}: no life is certain",)
+        text = "the strength begins at {value:.6g}, below the largest load {limit:.6g}: no life is certain"
+        return (held("warning", text, r, task.high, name="r"),)
     return ()

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Said, held
 from tmmcalc.core.numerics.extended import apart, widened
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import quantity
@@ -97,7 +98,7 @@ class TieDown:
     forces: Values = quantity("R[N]", "force of a stretched tie by (3)")  # (n,)
     balance: Values = quantity("R_balanced[N]", "force of a stretched tie by equilibrium")  # (n,)
     slackening: Values = quantity("R_opposite_balanced[N]", "force of an opposite tie by equilibrium")  # (n,)
-    notes: tuple[str, ...] = ()
+    notes: tuple[Said, ...] = ()
     error: float = 0.0  # of the forces, relative to the largest
 
 
@@ -235,12 +236,14 @@ def _loads(task: TieDownTask) -> tuple[float, float]:
     return k * g - held, g * support.cradle_arm / support.base - tipped
 
 
-def _notes(force: float, preload: float, balanced: float, safety: float | None) -> list[str]:
-    found = []
+def _notes(force: float, preload: float, balanced: float, safety: float | None) -> list[Said]:
+    found: list[Said] = []
     if safety is not None and safety < 1:
-        found.append(f"warning: the ties yield: their yield stress is {safety:.4g} of their stress by equilibrium")
+        text = "the ties yield: their yield stress is {value:.4g} of their stress by equilibrium"
+        found.append(held("warning", text, safety, 1.0, name="safety"))
     if force > 2 * preload > 0:
-        found.append(f"warning: R = {force:.6g} N is above 2 P0 = {2 * preload:.6g} N: the opposite ties are slack")
+        text = "R = {value:.6g} N is above 2 P0 = {limit:.6g} N: the opposite ties are slack"
+        found.append(held("warning", text, force, 2 * preload, "N", name="R"))
     if balanced > force * (1 + 1e-9):
         found.append(
             f"note: the source's (3), R = {force:.6g} N, adds R to the vertical load of the preload, which is a part "

@@ -11,6 +11,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from tmmcalc.core.notes import Said, held
 from tmmcalc.core.numerics.extended import apart, widened
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
@@ -159,7 +160,7 @@ class Transloader:
     factors: str = quantity("factors", "K_m is the sum K1 + K2 or the product K1 K2")
     blanks: str = quantity("blanks", "whether loads act that the source left blank: with or without them")
     checks: tuple[Check, ...]
-    notes: tuple[str, ...] = ()
+    notes: tuple[Said, ...] = ()
     error: float = 0.0  # of speeds, loads and stresses, each relative to itself
 
 
@@ -295,21 +296,16 @@ def _limit(what: str, unit: str, value: float, low: float | None, high: float | 
 
 def _notes(
     task: TransloaderTask, limits: tuple[Limit, ...], checks: tuple[Check, ...], loads: dict[str, Any]
-) -> list[str]:
-    found = []
+) -> list[Said]:
+    found: list[Said] = []
     tonnes = task.capacity / 1000
     if min(abs(tonnes - each) for each in SERIES) > SAME * tonnes:
         nearest = min(SERIES, key=lambda each: abs(each - tonnes))
         found.append(f"note: {tonnes:g} t is not of the series of GOST 1575-61; the nearest is {nearest:g} t")
     if task.span is not None and SPAN[0] <= task.span <= SPAN[1] and not USUAL_SPAN[0] <= task.span <= USUAL_SPAN[1]:
         found.append(f"note: most spans are from {USUAL_SPAN[0]:g} to {USUAL_SPAN[1]:g} m")
-    found += [f"warning: {each.what} {_outside(each)}" for each in limits if not each.holds]
-    found += [
-        f"warning: {each.part}, case {each.case}: {each.stress / 1e6:.6g} MPa is above the allowed "
-        f"{each.allowed / 1e6:.6g} MPa ({each.kind})"
-        for each in checks
-        if not each.holds
-    ]
+    found += [_outside(each) for each in limits if not each.holds]
+    found += [_overstressed(each) for each in checks if not each.holds]
     if checks:
         told = {"sum": "K_m = K1 + K2, as the source prints it", "product": "K_m = K1 K2, as cranes are designed"}
         other = {"sum": "product", "product": "sum"}[task.factors]
@@ -332,12 +328,19 @@ def _notes(
     return found
 
 
-def _outside(limit: Limit) -> str:
+def _outside(limit: Limit) -> Said:
     scale, unit = (MINUTE, "m/min") if limit.unit == "m/s" else (1.0, limit.unit)
     low = limit.low is not None and limit.value < limit.low
     end = limit.low if low else limit.high
     assert end is not None
-    return f"is {scale * limit.value:.6g} {unit}, {'below' if low else 'above'} {scale * end:.6g} {unit}"
+    text = f"{{what}} is {{value:.6g}} {{unit}}, {'below' if low else 'above'} {{limit:.6g}} {{unit}}"
+    return held("warning", text, scale * limit.value, scale * end, unit, name=limit.what, what=limit.what)
+
+
+def _overstressed(check: Check) -> Said:
+    text = "{part}, case {case}: {value:.6g} MPa is above the allowed {limit:.6g} MPa ({kind})"
+    words = {"part": check.part, "case": check.case, "kind": check.kind}
+    return held("warning", text, check.stress / 1e6, check.allowed / 1e6, "MPa", name="sigma", **words)
 
 
 def _error(task: TransloaderTask, drives: tuple[Drive, ...], loads: dict[str, Any], checks: tuple[Check, ...]) -> float:

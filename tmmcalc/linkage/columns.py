@@ -43,11 +43,11 @@ POINT = (
     Quantity("dd{axis}_{point}[{length}/{per}^2]", "second transfer function of {axis} of point {point}"),
 )
 SLIDE = (
-    Quantity("s_{joint}[{length}]", "coordinate of prismatic joint {joint}"),
-    Quantity("v_{joint}[{velocity}]", "velocity in prismatic joint {joint}"),
-    Quantity("a_{joint}[{acceleration}]", "acceleration in prismatic joint {joint}"),
-    Quantity("ds_{joint}[{length}/{per}]", "first transfer function of prismatic joint {joint}"),
-    Quantity("dds_{joint}[{length}/{per}^2]", "second transfer function of prismatic joint {joint}"),
+    Quantity("s_{slide}[{length}]", "coordinate of prismatic joint {slide}"),
+    Quantity("v_{slide}[{velocity}]", "velocity in prismatic joint {slide}"),
+    Quantity("a_{slide}[{acceleration}]", "acceleration in prismatic joint {slide}"),
+    Quantity("ds_{slide}[{length}/{per}]", "first transfer function of prismatic joint {slide}"),
+    Quantity("dds_{slide}[{length}/{per}^2]", "second transfer function of prismatic joint {slide}"),
 )
 
 
@@ -178,4 +178,4 @@ def _slide_columns(result: Kinematics, units: Units) -> Iterator[Column]:
     t = result.trace
     rows, names = _Stack(result, t.s, t.ds, t.dds), units.names
     for k, joint in enumerate(t.joint_names):
-        yield from rows.columns(k, [each.of(joint=joint, **names) for each in SLIDE], units.linear)
+        yield from rows.columns(k, [each.of(slide=joint, **names) for each in SLIDE], units.linear)

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.notes import Note, held
 from tmmcalc.core.numerics.extended import CHAIN, EPS, WIDER, widened
 from tmmcalc.core.plane import Guide, Point
 from tmmcalc.core.quantity import derived, keyed, quantity
@@ -133,16 +134,19 @@ class DyadState:
         return math.sin(self.transmission)
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Note, ...]:
         """What is to be said of a weak transmission."""
         found = []
         if self.regularity < NEARLY_SINGULAR:
             text = f"nearly singular: errors and velocities are amplified {1 / self.regularity:.4g} times"
-            found.append(f"warning: dyad {self.kind}: {text}")
+            place = f"dyad {self.kind}"
+            amplified, most = 1 / self.regularity, 1 / NEARLY_SINGULAR
+            found.append(Note("warning", text, place, amplified, most, name="amplification"))
         if self.transmission < MODEST:
             severity, limit = ("warning", 20) if self.transmission < POOR else ("note", 30)
-            text = f"transmission angle {math.degrees(self.transmission):.4g} deg, below {limit} deg"
-            found.append(f"{severity}: dyad {self.kind}: {text}")
+            text = "transmission angle {value:.4g} deg, below {limit:g} deg"
+            numbers = math.degrees(self.transmission), limit, "deg"
+            found.append(held(severity, text, *numbers, name="transmission", place=f"dyad {self.kind}"))
         return tuple(found)
 
 

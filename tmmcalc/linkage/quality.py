@@ -200,15 +200,19 @@ def grade(chain: Chain, qualities: tuple[GroupQuality, ...]) -> tuple[Grade, ...
         for near in quality.singular:
             at = coordinate(chain, near.x)
             text = f"nearly singular at {at}: errors and velocities are amplified {1 / near.value:.4g} times"
+<<<<<<< HEAD
             grades.append(Grade("warning", where, text, 1 / near.value, 1 / NEARLY_SINGULAR))
+=======
+            grades.append(Grade("warning", where, text, 1 / near.value, 1 / NEARLY_SINGULAR, name="amplification"))
+>>>>>>> main
         for weak in quality.weak:
             limit = 20 if weak.value < POOR else 30
             at = coordinate(chain, weak.x)
             text = f"transmission angle {math.degrees(weak.value):.4g} deg at {at}, below {limit} deg"
             degree: Literal["note", "warning"] = "warning" if weak.value < POOR else "note"
-            grades.append(Grade(degree, where, text, math.degrees(weak.value), limit, "deg"))
+            grades.append(Grade(degree, where, text, math.degrees(weak.value), limit, "deg", "transmission"))
         if quality.transmission is not None and quality.transmission_at is None and quality.transmission < MODEST:
             text = f"transmission angle {math.degrees(quality.transmission):.4g} deg at every position, below 30 deg"
             degree = "warning" if quality.transmission < POOR else "note"
-            grades.append(Grade(degree, where, text, math.degrees(quality.transmission), 30, "deg"))
+            grades.append(Grade(degree, where, text, math.degrees(quality.transmission), 30, "deg", "transmission"))
     return tuple(grades)

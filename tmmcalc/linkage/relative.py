@@ -59,12 +59,12 @@ TANGENTIAL = (
 )
 CORIOLIS = (
     Quantity(
-        "aK_{joint}[{acceleration}]",
-        "Coriolis acceleration of the slider of {joint}, along the left normal of its moving guide",
+        "aK_{slide}[{acceleration}]",
+        "Coriolis acceleration of the slider of {slide}, along the left normal of its moving guide",
         source="(2.35)",
     ),
-    Quantity("aKx_{joint}[{acceleration}]", "Coriolis acceleration of the slider of {joint}, along x"),
-    Quantity("aKy_{joint}[{acceleration}]", "Coriolis acceleration of the slider of {joint}, along y"),
+    Quantity("aKx_{slide}[{acceleration}]", "Coriolis acceleration of the slider of {slide}, along x"),
+    Quantity("aKy_{slide}[{acceleration}]", "Coriolis acceleration of the slider of {slide}, along y"),
 )
 
 
@@ -97,7 +97,7 @@ def relative_columns(mechanism: Mechanism, result: Kinematics, *, dimensionless:
         ):
             found += _columns([one.of(**places) for one in told], partial(make, each), factor)
     for joint in terms.sliding:
-        own = [one.of(joint=joint.name, **units.names) for one in CORIOLIS]
+        own = [one.of(slide=joint.name, **units.names) for one in CORIOLIS]
         found += _columns(own, partial(terms.coriolis, joint), units.acceleration[1])
     return found
 

@@ -180,9 +180,10 @@ class Grade:
     value: float | None = None  # that it is about, and the limit that it is held against
     limit: float | None = None
     unit: str | None = None  # of both
+    name: str = ""  # of the quantity
 
     def __str__(self) -> str:
-        return Note(self.severity, self.message, self.where, self.value, self.limit, self.unit)
+        return Note(self.severity, self.message, self.where, self.value, self.limit, self.unit, self.name)
 
 
 @record

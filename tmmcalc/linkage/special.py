@@ -33,11 +33,16 @@ PARALLEL = 1e-9  # sine of the angle between two lines that do not meet
 NOISE = 1e-12  # of what a velocity is the sum of: it is none
 
 PLACE = Quantity(
-    "{axis}_{point}[{length}]", "{axis} of special point {point}, where the lines of two legs meet on a basic link"
+    "{axis}_W{link}_{first}_{second}[{length}]",
+    "{axis} of special point W{link}_{first}_{second}, where the lines of two legs meet on a basic link",
 )
-VELOCITY = Quantity("v{axis}_{point}[{velocity}]", "velocity of special point {point} of its basic link along {axis}")
+VELOCITY = Quantity(
+    "v{axis}_W{link}_{first}_{second}[{velocity}]",
+    "velocity of special point W{link}_{first}_{second} of its basic link along {axis}",
+)
 ACCELERATION = Quantity(
-    "a{axis}_{point}[{acceleration}]", "acceleration of special point {point} of its basic link along {axis}"
+    "a{axis}_W{link}_{first}_{second}[{acceleration}]",
+    "acceleration of special point W{link}_{first}_{second} of its basic link along {axis}",
 )
 
 
@@ -58,8 +63,12 @@ class Special(NamedTuple):
     @property
     def name(self) -> str:
         """``W3_2_4``: of basic link 3, on the lines of links 2 and 4."""
-        first, second = self.legs
-        return f"W{self.link}_{first.link}_{second.link}"
+        return "W{link}_{first}_{second}".format(link=self.link, **self.lines)
+
+    @property
+    def lines(self) -> dict[str, int]:
+        """The links on whose lines it lies, by their places in names."""
+        return {"first": self.legs[0].link, "second": self.legs[1].link}
 
 
 def special_points(mechanism: Mechanism, structure: Structure) -> tuple[Special, ...]:
@@ -132,7 +141,7 @@ def special_columns(mechanism: Mechanism, result: Kinematics, *, dimensionless: 
             ((PLACE, units.length), (VELOCITY, units.velocity), (ACCELERATION, units.acceleration))
         ):
             for axis in "xy":
-                own = told.of(axis=axis, point=special.name, **units.names)
+                own = told.of(axis=axis, link=special.link, **special.lines, **units.names)
                 yield column(own, partial(found.component, special, k, axis, factor))
 
 

@@ -116,7 +116,7 @@ def sketch_grades(
     grades = []
     if gap > size:
         text = f"lies {gap:.4g} m from the mechanism, whose points reach {size:.4g} m: are its units right?"
-        grades.append(Grade("warning", where, text, gap, size, "m"))
+        grades.append(Grade("warning", where, text, gap, size, "m", "distance"))
     for group in sketched:
         other = -signs[group.name]
         if distance(compile_chain(mechanism, structure, {**signs, group.name: other}, branches), at) < gap * (1 - 1e-6):

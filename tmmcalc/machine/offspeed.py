@@ -8,7 +8,9 @@ a whole one; more than the slip of a motor is a fault of the ratio or of the spe
 from __future__ import annotations
 
 import math
+from typing import Any
 
+from tmmcalc.core.notes import Note, held
 from tmmcalc.machine.verdicts import Verdict
 
 TOLD = 0.005  # relative difference of the speeds that is worth a note
@@ -37,11 +39,11 @@ def off_speed(mean: float, asked: float, ratio: float | None, sense: float, key:
         "warning" if abs(off) > GRAVE else "note",
         f"the mean speed {mean * RPM:.6g} rpm lies {above} the {asked * RPM:.6g} rpm of the spec, at which {at} "
         f'computed: set {key} to "{sense * mean * RPM:.6g} rpm"{itself} and run again{gears}',
-        *(mean, asked, "rad/s"),
+        *(mean * RPM, asked * RPM, "rpm", "mean speed"),
     )
 
 
-def off_rated(rated: float, ratio: float, asked: float, sense: float, key: str) -> str | None:
+def off_rated(rated: float, ratio: float, asked: float, sense: float, key: str) -> Note | None:
     """What to say of a motor whose ``rated`` speed [rad/s] over the ``ratio`` misses the speed ``asked`` for.
 
     >>> off_rated(150.0, 15.0, 10.2, 1.0, INPUT) is None
@@ -50,9 +52,17 @@ def off_rated(rated: float, ratio: float, asked: float, sense: float, key: str) 
     at_input = rated / ratio
     if abs(at_input / asked - 1) <= GRAVE:
         return None
-    return (
-        f"at its rated speed the motor turns the input with {at_input * RPM:.6g} rpm through the ratio {ratio:.5g}, "
-        f"{100 * abs(at_input / asked - 1):.3g} % {'above' if at_input > asked else 'below'} the {asked * RPM:.6g} rpm "
-        f"of the spec, at which all of this is computed: set transmission.ratio to {rated / asked:.5g}, or {key} to "
-        f'"{sense * at_input * RPM:.6g} rpm"'
+    text = (
+        "at its rated speed the motor turns the input with {value:.6g} rpm through the ratio {ratio:.5g}, {off:.3g} % "
+        "{side} the {limit:.6g} rpm of the spec, at which all of this is computed: set transmission.ratio to "
+        '{fitting:.5g}, or {key} to "{speed:.6g} rpm"'
     )
+    words: dict[str, Any] = {
+        "ratio": ratio,
+        "off": 100 * abs(at_input / asked - 1),
+        "side": "above" if at_input > asked else "below",
+        "fitting": rated / asked,
+        "key": key,
+        "speed": sense * at_input * RPM,
+    }
+    return held("warning", text, at_input * RPM, asked * RPM, "rpm", name="rated speed at the input", **words)

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Note
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import derived, quantity
@@ -61,9 +62,9 @@ class MotorDuty:
     mean_load: float = quantity("mean_load", "mean resisting moment at the motor's shaft over its rated moment")
     peak_load: float = quantity("peak_load", "largest resisting moment at the motor's shaft over its rated moment")
     curve: Curve | None = None  # ends of a direct-current motor's characteristic; None: another motor
-    contradictions: tuple[str, ...] = ()  # among the data of the motor
+    contradictions: tuple[Note, ...] = ()  # among the data of the motor
     ratio_of: str = quantity("u_of", "gear train whose ratio u is; empty: given, or of the speeds", default="")
-    off_speed: str | None = None  # what is wrong with its speed against that of the spec
+    off_speed: Note | None = None  # what is wrong with its speed against that of the spec
     judged: tuple[Judged, ...] = ()  # of a motor that was chosen: itself and all smaller ones, by their power
     taken: tuple[Taken, ...] = ()  # of a motor that was chosen: what each rule of choice would take
     rounds: tuple[Round, ...] = ()  # in which motor, ratio and train settled

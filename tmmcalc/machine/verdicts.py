@@ -26,9 +26,10 @@ class Verdict:
     value: float | None = None  # that it is about, and the limit that it is held against
     limit: float | None = None
     unit: str | None = None  # of both
+    name: str = ""  # of the quantity
 
     def __str__(self) -> str:
-        return Note(self.severity, self.message, value=self.value, limit=self.limit, unit=self.unit)
+        return Note(self.severity, self.message, value=self.value, limit=self.limit, unit=self.unit, name=self.name)
 
 
 def verdicts(regime: Regime, characteristic: Characteristic | None, sense: float = 1.0) -> tuple[Verdict, ...]:
@@ -50,11 +51,11 @@ def _stability(regime: Regime) -> Iterator[Verdict]:
         yield Verdict("note", "nothing depends on the speed: a governor has to keep the regime")
     elif not regime.stable:
         text = f"the regime is unstable: a deviation grows {slowest:.4g} times in every cycle"
-        yield Verdict("warning", text, slowest, 1.0)
+        yield Verdict("warning", text, slowest, 1.0, name="multiplier")
     elif slowest > SLOW:
         cycles = math.log(10) / -math.log(slowest)
         text = f"the regime settles slowly: a deviation needs {cycles:.3g} cycles to fall to a tenth"
-        yield Verdict("note", text, slowest, SLOW)
+        yield Verdict("note", text, slowest, SLOW, name="multiplier")
 
 
 def _speeds(regime: Regime, motor: Characteristic, sense: float) -> Iterator[Verdict]:
@@ -64,20 +65,20 @@ def _speeds(regime: Regime, motor: Characteristic, sense: float) -> Iterator[Ver
             "warning",
             f"pull-out: {low} is below the break-down speed {motor.critical:.6g} rad/s; only the kinetic energy "
             "carries the machine on: more inertia or a stronger motor",
-            *(regime.omega_min, motor.critical, "rad/s"),
+            *(regime.omega_min, motor.critical, "rad/s", "omega_min"),
         )
     elif motor.nominal is not None and _less(regime.omega_min, motor.nominal):
         yield Verdict(
             "warning",
             f"overload: {low} is below the rated speed {motor.nominal:.6g} rad/s: more inertia or a stronger motor",
-            *(regime.omega_min, motor.nominal, "rad/s"),
+            *(regime.omega_min, motor.nominal, "rad/s", "omega_min"),
         )
     if motor.synchronous is not None and _less(motor.synchronous, regime.omega_max):
         yield Verdict(
             "note",
             f"the motor brakes as a generator: the largest speed {regime.omega_max:.6g} rad/s at "
             f"{_place(regime.theta_max, sense)} is above its no-load speed {motor.synchronous:.6g} rad/s",
-            *(regime.omega_max, motor.synchronous, "rad/s"),
+            *(regime.omega_max, motor.synchronous, "rad/s", "omega_max"),
         )
 
 
@@ -91,21 +92,21 @@ def _moments(regime: Regime, motor: Characteristic) -> Iterator[Verdict]:
             "warning",
             f"the mean driving moment {regime.mean_moment:.6g} N*m exceeds the rated {rated:.6g} N*m: "
             "the motor is too weak, no flywheel helps",
-            *(regime.mean_moment, rated, "N*m"),
+            *(regime.mean_moment, rated, "N*m", "mean_moment"),
         )
     elif _less(rated, regime.rms_moment):
         yield Verdict(
             "warning",
             f"heating: the root mean square of the driving moment {regime.rms_moment:.6g} N*m exceeds the rated "
             f"{rated:.6g} N*m: a stronger motor, or more inertia",
-            *(regime.rms_moment, rated, "N*m"),
+            *(regime.rms_moment, rated, "N*m", "rms_moment"),
         )
     elif _less(rated, peak):
         yield Verdict(
             "note",
             f"the largest driving moment {peak:.6g} N*m exceeds the rated {rated:.6g} N*m for a while; its root mean "
             f"square {regime.rms_moment:.6g} N*m does not",
-            *(peak, rated, "N*m"),
+            *(peak, rated, "N*m", "largest_moment"),
         )
 
 
@@ -115,14 +116,14 @@ def _validity(regime: Regime, motor: Characteristic) -> Iterator[Verdict]:
             "warning",
             f"the {motor.name} characteristic holds from {motor.least:.6g} rad/s up, the speed falls to "
             f"{regime.omega_min:.6g} rad/s: the whole curve of the motor (Kloss) tells more",
-            *(regime.omega_min, motor.least, "rad/s"),
+            *(regime.omega_min, motor.least, "rad/s", "omega_min"),
         )
     if motor.most is not None and _less(motor.most, regime.omega_max):
         yield Verdict(
             "note",
             f"the {motor.name} characteristic holds up to {motor.most:.6g} rad/s, the speed rises to "
             f"{regime.omega_max:.6g} rad/s",
-            *(regime.omega_max, motor.most, "rad/s"),
+            *(regime.omega_max, motor.most, "rad/s", "omega_max"),
         )
 
 

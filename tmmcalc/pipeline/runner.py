@@ -52,7 +52,8 @@ def run(
     With ``out`` each stage leaves its files there, and one whose files are valid is loaded, not computed.
     ``fresh`` computes all; ``from_stage`` that stage and all after it. ``csv``: True, False, or None for up
     to 2000 rows; ``columns``: names and wildcards of those that a CSV has, those by choice among them (empty: all);
-    then the CSV files are written last, and not at all if a name means nothing. ``skip``: stages that are left out,
+    then the CSV files are written last, and not at all if a name means nothing; nothing is computed if a name is of no
+    form that is declared. ``skip``: stages that are left out,
     with all that read them. ``settings`` changes options of methods: ``{stage: {option: value}}``. ``tolerance``
     is the relative error asked of every stage: one with a choice takes the cheapest method for it. ``on_start`` is
     called with the name of a stage before it runs, ``on_event`` as soon as it is done. ``keep_going``: a stage without
@@ -71,6 +72,10 @@ def run(
     asked = scene or plan(spec, target, stages, skip)
     if first is None:
         _check_target(asked)
+        if columns:
+            from tmmcalc.naming.declared import check_columns
+
+            check_columns(columns, [stages[name] for name in asked.running], spec)
     options, forced = _options(settings or {}, stages, tolerance), _forced(fresh, from_stage, stages)
     work = _Run(spec, stages, options, tolerance, keep_going, on_start, on_event, by_name)
     archive = work.archive = _archive(out, csv, columns, wait, work.wait)

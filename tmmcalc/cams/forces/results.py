@@ -8,6 +8,7 @@ from tmmcalc.cams.follower import Closure, Follower
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.rounding import Errors
+from tmmcalc.core.notes import Said
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
@@ -167,7 +168,7 @@ class CamForces:
     reserve: Reserve
     work: CamWork
     verdict: str = quantity("verdict", "ok or loss_of_contact")
-    notes: tuple[str, ...]
+    notes: tuple[Said, ...]
     error: Errors  # estimates, relative: of load, contact, guide, pivot, torques, extremes, spring, work
 
     @derived("R_A_x[N]", "force of the frame on the rocker along x")

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import degrees
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from tmmcalc.cams.forces.coils import INDEX
 from tmmcalc.cams.forces.results import Reserve, SpringFound
 from tmmcalc.cams.speed import TURN
 from tmmcalc.cams.task import CamTask
+from tmmcalc.core.notes import Said, held
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motion import Motion
@@ -23,7 +24,7 @@ def force_notes(
     lost: tuple[tuple[float, float], ...],
     reversals: tuple[float, ...],
     reserve: Reserve,
-) -> Iterator[str]:
+) -> Iterator[Said]:
     """Notes and warnings in the order of their weight."""
     if lost:
         where = ", ".join(f"{degrees(a):.6g} to {degrees(b):.6g} deg" for a, b in lost)
@@ -36,10 +37,11 @@ def force_notes(
         yield f"note: the roller goes to the other wall of the groove at phi = {where} deg, with an impact"
     if reserve.eaten > EATEN:
         grade = "warning" if reserve.eaten > MUCH else "note"
-        yield (
-            f"{grade}: friction takes {100 * reserve.eaten:.4g} % of the useful component of R at phi = "
-            f"{degrees(reserve.phi):.6g} deg; at 100 % the follower jams"
+        text = (
+            "friction takes {value:.4g} % of the useful component of R at phi = {phi:.6g} deg; "
+            "at {limit:g} % the follower jams"
         )
+        yield held(grade, text, 100 * reserve.eaten, 100.0, "%", name="friction", phi=degrees(reserve.phi))
     yield from _spring_notes(task, spring)
     if task.turning is not None and task.loads is not None:
         slow, fast = float(task.turning.omega.min()), float(task.turning.omega.max())
@@ -51,7 +53,7 @@ def force_notes(
         yield "note: the follower has no mass: give mass or inertia in [cam.loads]"
 
 
-def several_turns(task: CamTask, motion: Motion | None) -> Iterator[str]:
+def several_turns(task: CamTask, motion: Motion | None) -> Iterator[Said]:
     """A machine whose speed repeats after several turns of the cam gives it no speed over one."""
     if motion is None or task.turning is not None:
         return
@@ -62,7 +64,7 @@ def several_turns(task: CamTask, motion: Motion | None) -> Iterator[str]:
     )
 
 
-def _spring_notes(task: CamTask, spring: SpringFound) -> Iterator[str]:
+def _spring_notes(task: CamTask, spring: SpringFound) -> Iterator[Said]:
     def shown(stiffness: float) -> str:
         return f"{stiffness:.7g} N*m/rad" if task.asked.kind == "oscillating" else f"{1e-3 * stiffness:.7g} N/mm"
 
@@ -78,13 +80,13 @@ def _spring_notes(task: CamTask, spring: SpringFound) -> Iterator[str]:
         cure = "no c keeps it with this preload; exact = true finds a larger one"
         if spring.exact is not None:
             cure = f"c = {shown(spring.exact)} would keep it (exact = true)"
-        yield (
-            f"{grade}: the spring reaches {spring.reached:.6g} of the asked K1 = {spring.asked:.6g} at phi = "
-            f"{degrees(spring.reached_phi or 0.0):.6g} deg; {cure}"
-        )
+        text = "the spring reaches {value:.6g} of the asked K1 = {limit:.6g} at phi = {phi:.6g} deg; {cure}"
+        words: dict[str, Any] = {"phi": degrees(spring.reached_phi or 0.0), "cure": cure}
+        yield held(grade, text, spring.reached, spring.asked, name="K1", **words)
     wire = spring.wire
     if wire is not None and not INDEX[0] <= wire.index <= INDEX[1]:
-        yield f"note: D/d = {wire.index:.4g} of the spring is outside the usual {INDEX[0]} to {INDEX[1]}"
+        text = f"D/d = {{value:.4g}} of the spring is outside the usual {INDEX[0]} to {INDEX[1]}"
+        yield held("note", text, wire.index, INDEX[wire.index > INDEX[1]], name="D/d")
     asked = task.loads.spring if task.loads else None
     if asked and asked.wire and task.asked.kind == "oscillating":
         yield "note: coils and stress are found for compression springs, not for a spring about the pivot"

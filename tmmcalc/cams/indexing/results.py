@@ -13,6 +13,7 @@ from tmmcalc.cams.indexing.handover import Handover
 from tmmcalc.cams.indexing.rollers import RollerLimit
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.rounding import Errors
+from tmmcalc.core.notes import Said
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
@@ -162,7 +163,7 @@ class Indexing:
     k: Values = quantity("k", "part of the step")  # (n,)
     motion: Values  # (4, n) beta [rad] and its derivatives by the angle of the cams
     cam: Cam | None  # None: the law is known by its B alone
-    notes: tuple[str, ...]
+    notes: tuple[Said, ...]
     error: Errors  # estimates, relative: of points, curvature, pressure, limits; of efficiency and ends absolute
     dwells: tuple[float, float] | None = quantity(  # None: equal
         "dwell_{number}[rad]", "angle of the cams during dwell {number}", default=None

@@ -68,7 +68,7 @@ def constructed(program: Program, count: int) -> Construction:
             errors = np.maximum(errors, [np.max(np.abs(made - own)) for made, own in
                                          ((slope, exact[1]), (strip.place, exact[0]))])  # fmt: skip
         place, number = float(strip.place[-1]), number + len(width)
-    peak = float(np.max(np.abs(program.sampled[1])))
+    peak = float(np.max(np.abs(program.panels.turning(program.sampled[1])[1])))
     return Construction(tuple(strips), float(errors[0]) / peak, float(errors[1]) / program.stroke)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.rounding import Errors
+from tmmcalc.core.notes import Said
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
@@ -240,7 +241,7 @@ class CamOptimum:
     options: tuple[Option, ...]  # of the design game, the first is what is asked; empty: no other was named
     section: Section | None
     flat: FlatChart | None
-    notes: tuple[str, ...]
+    notes: tuple[Said, ...]
     error: Errors  # estimates: of the margins, and of the least H2 relative to it
     # where what is asked has no solution, all but ``options`` is of the lowest of them
     refused: str = quantity("refused", "why what is asked has no solution", default="")

@@ -9,13 +9,14 @@ from tmmcalc.cams.optimum.results import Choice
 from tmmcalc.cams.optimum.scene import Scene
 from tmmcalc.cams.pressure.angle import Reached
 from tmmcalc.cams.task import CamTask
+from tmmcalc.core.notes import Said, held
 
 SAME = 1e-9  # of a size: it stands at the end of a range
 
 
 def optimum_notes(
     task: CamTask, scene: Scene, chosen: Choice, least: Choice, theta: tuple[Reached, ...]
-) -> Iterator[str]:
+) -> Iterator[Said]:
     """Notes and warnings of the lowest mechanism in whole steps and of any sizes; ``theta`` are those of the former."""
     if task.turning is not None:
         slow, fast = float(task.turning.omega.min()), float(task.turning.omega.max())
@@ -27,14 +28,16 @@ def optimum_notes(
     if missing:
         yield f"note: not judged, for want of data in [cam.requirements] or [cam.guide]: {', '.join(missing)}"
     closed = least.checks[0]
-    if closed.judged and closed.margin < 0:
-        yield f"note: the spring reaches {closed.value:.5g} of the safety {closed.limit:.5g} that it was sized for"
+    if closed.judged and closed.margin < 0 and closed.value is not None and closed.limit is not None:
+        text = "the spring reaches {value:.5g} of the safety {limit:.5g} that it was sized for"
+        yield held("note", text, closed.value, closed.limit, name="safety of the spring")
     top = task.guide.top
     if top is not None and top < least.height:
-        yield (
-            f"warning: the height of [cam.guide] top, {1e3 * top:.5g} mm, is below the least possible "
-            f"{1e3 * least.height:.6g} mm: no sizes keep all constraints at it"
+        text = (
+            "the height of [cam.guide] top, {value:.5g} mm, is below the least possible {limit:.6g} mm: "
+            "no sizes keep all constraints at it"
         )
+        yield held("warning", text, 1e3 * top, 1e3 * least.height, "mm", name="height")
     if scene.follower.kind == "translating" and task.guide.gap == 0:
         yield "note: the guide begins where the roller ends at its highest: [cam.guide] gap is 0"
     if scene.follower.kind == "oscillating":
@@ -43,18 +46,20 @@ def optimum_notes(
     yield from _pressed(chosen, theta)
 
 
-def _pressed(chosen: Choice, theta: tuple[Reached, ...]) -> Iterator[str]:
+def _pressed(chosen: Choice, theta: tuple[Reached, ...]) -> Iterator[Said]:
     """Pressure angles beyond the limits of [cam.limits], which the constraints do not know."""
     for phase, on in zip(("rise", "return"), theta, strict=False):
         if on.exceeded and on.limit is not None:
-            yield (
-                f"note: at S0 = {1e3 * chosen.start:.6g} mm the pressure angle of the {phase} reaches "
-                f"{degrees(abs(on.worst.value)):.5g} deg, beyond the {degrees(on.limit):.5g} deg of [cam.limits]: it "
-                "is none of the constraints, which judge what it does to guide, stem and roller"
+            text = (
+                "at S0 = {start:.6g} mm the pressure angle of the {phase} reaches {value:.5g} deg, beyond the "
+                "{limit:.5g} deg of [cam.limits]: it is none of the constraints, which judge what it does to guide, "
+                "stem and roller"
             )
+            numbers = degrees(abs(on.worst.value)), degrees(on.limit), "deg"
+            yield held("note", text, *numbers, name="theta", start=1e3 * chosen.start, phase=phase)
 
 
-def _between(chosen: Choice, task: CamTask) -> Iterator[str]:
+def _between(chosen: Choice, task: CamTask) -> Iterator[Said]:
     """Where a range that is asked for, and none of the constraints, holds a size of a rocker."""
     asked = task.optimum
     for key, size, ends in (

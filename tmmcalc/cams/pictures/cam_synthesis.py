@@ -18,6 +18,7 @@ from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.pens import CURVES
+from tmmcalc.report.drawing.polar import AROUND
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
@@ -36,9 +37,9 @@ def synthesis_drawing(task: CamTask, result: Synthesis) -> Drawing:
     drawing, box = titled(centre_heading(result), 3.2)
     if result.kind == "flat" and result.convexity is not None:
         left, right = box.split(1.0, 1.3, gap=4, across=True)
-        upper, lower = left.split(1.25, 1.0, gap=4)
-        board = draw_flat_region(drawing, upper, task, result, result.convexity, MARGIN)
-        write_key(drawing, lower, list(_parts(result, board.mu)))
+        board = draw_flat_region(drawing, left, task, result, result.convexity, MARGIN)
+        under = left._replace(top=board.box.bottom - AROUND[1] - MARGIN)
+        write_key(drawing, under, list(_parts(result, board.mu)))
         draw_convexity(drawing, right, task, result.convexity, result.follower)
         return drawing
     plane, key = box.split(2.4, 1.0, gap=5, across=True)

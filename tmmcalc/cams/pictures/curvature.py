@@ -29,6 +29,7 @@ CONVEX = Pen("CONVEX_LIMIT", 0.3, (2.4, 0.9, 0.7, 0.9), MARK.colour)
 CONCAVE = Pen("CONCAVE_LIMIT", 0.3, (0.9, 0.9), MARK.colour)
 CUSPED = 0.02  # of the pitch curve's radius: a working profile that is sharper has a cusp, without end on paper
 NEAR_CUSP = 2.5  # 1/r2 against the largest curvature of the pitch curve, where it is drawn
+NEAR_LIMIT = 1.4  # and the least radius against the largest curvature of the working profile
 TURN = input_axis(True, np.array([0.0, 360.0]))
 
 
@@ -97,7 +98,7 @@ def limits_of(task: CamTask, result: Profile) -> list[tuple[float, str, Pen]]:
     if cusp := _cusp(result):
         found.append((cusp, tr("$1/r_2$: cusp of the pitch curve"), CUSP))
     peak = _working_peak(result)
-    if limits.convex and peak is not None and 1e-3 / limits.convex < NEAR_CUSP * peak:
+    if limits.convex and peak is not None and 1e-3 / limits.convex < NEAR_LIMIT * peak:
         found.append((1e-3 / limits.convex, tr("$1/r_m$: least convex radius"), CONVEX))
     hollow = 0.0 if result.hollowest is None else -result.hollowest.value
     if hollow and not limits.allow_concave:

@@ -36,7 +36,8 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.sheets.piece import Piece
 
 SHEET = "cam"
-WIDE = 380.0  # of diagrams over the turn, a degree of which is a mm then [mm]
+NAMES = (4.0, 3.0, 0.0, 0.0)  # room that names of axes take beside diagrams, all around [mm]
+WIDE = 383.0  # of diagrams over the turn, a degree of which is a mm then [mm]
 FOOT = 13.0  # room of what the lines of a drawing to scale are [mm]
 
 
@@ -45,7 +46,7 @@ def law_pieces(order: Order) -> Iterator[Piece]:
     task, result = cam_of(order), order.results["cam_law"]
 
     def laws(drawing: Drawing, box: Box) -> None:
-        draw_laws(drawing, box, task.program, result, (2, 1, 0), to_scale=True)
+        draw_laws(drawing, box.inset(*NAMES), task.program, result, (2, 1, 0), to_scale=True)
 
     def integration(drawing: Drawing, box: Box) -> None:
         draw_integration(drawing, box, task.program, result, constructed(task.program, INTERVALS))
@@ -72,16 +73,16 @@ def synthesis_pieces(order: Order) -> Iterator[Piece]:
                     (200.0, 150.0))  # fmt: skip
 
         def convexity(drawing: Drawing, box: Box) -> None:
-            draw_convexity(drawing, box, task, result.convexity, result.follower)
+            draw_convexity(drawing, box.inset(*NAMES), task, result.convexity, result.follower)
 
-        yield Piece(SHEET, centre_heading(result), convexity, (140.0, 100.0), (280.0, 160.0))
+        yield Piece(SHEET, centre_heading(result), convexity, (140.0, 130.0), (280.0, 160.0))
     else:
         yield Piece(SHEET, centre_heading(result), centre, (140.0, 130.0), (230.0, 210.0))
 
 
 def _centre(drawing: Drawing, box: Box, task: CamTask, result: Synthesis) -> None:
     """The drawing to a standard scale, under it the scale and what the lines are."""
-    inner = box.inset(0, FOOT, 0, 0)
+    inner = box.inset(0, FOOT, 0, 2.0)
     if result.kind == "flat" and result.convexity is not None:
         board = draw_flat_region(drawing, inner, task, result, result.convexity, MARGIN)
     else:
@@ -111,6 +112,7 @@ def profile_pieces(order: Order) -> Iterator[Piece]:
 
 
 def _bends(drawing: Drawing, box: Box, task: CamTask, result: Profile) -> None:
+    box = box.inset(*NAMES)
     rows = len(key_rows(names_of(task, result), box.width - SIDES[0] - SIDES[2]))
     (frame,) = stacked(box.inset(0, 0, 0, FACTORS), [rows])
     diagram = draw_bends(drawing, frame, task, Rim(result.follower, task.program), result, to_scale=True)
@@ -122,10 +124,11 @@ def pressure_pieces(order: Order) -> Iterator[Piece]:
     task, result = cam_of(order), order.results["cam_pressure"]
 
     def pressure(drawing: Drawing, box: Box) -> None:
-        (frame,) = stacked(box.inset(0, 0, 0, FACTORS), [0])
+        inner = box.inset(*NAMES)
+        (frame,) = stacked(inner.inset(0, 0, 0, FACTORS), [0])
         diagram = draw_angle(drawing, frame, task, result, to_scale=True)
         name_phases(diagram, task)
-        write_factors(drawing, box, [diagram], [("θ", "°")])
+        write_factors(drawing, inner, [diagram], [("θ", "°")])
 
     if result.follower.kind != "flat":
         heading = tr("Pressure angle over a turn of the cam")
@@ -145,7 +148,7 @@ def indexing_pieces(order: Order) -> Iterator[Piece]:
         draw_drive(drawing, box, task, result, 0.0, to_scale=True)
 
     def step(drawing: Drawing, box: Box) -> None:
-        draw_step(drawing, box, drive, result, result.cam)
+        draw_step(drawing, box.inset(*NAMES), drive, result, result.cam)
 
     yield Piece(SHEET, tr("Indexing drive at the start of a step"), scheme, (200.0, 120.0), (420.0, 250.0))
     yield Piece(SHEET, tr("One step of the wheel"), step, (200.0, 130.0), (330.0, 230.0))

@@ -10,6 +10,7 @@ from tmmcalc.cams.pressure.angle import Reached, pressure_angle, reached, remark
 from tmmcalc.cams.pressure.errors import pressure_errors
 from tmmcalc.cams.rounding import Errors
 from tmmcalc.cams.task import CamTask
+from tmmcalc.core.notes import Said
 from tmmcalc.core.quantity import derived, headed, quantity
 from tmmcalc.core.records import record
 
@@ -25,7 +26,7 @@ class Pressure:
     rise: Reached
     back: Reached
     verdict: str  # "ok" or "pressure_angle_exceeded"
-    notes: tuple[str, ...]
+    notes: tuple[Said, ...]
     error: Errors  # estimates, relative: of theta, its extremes, the angles where it is exceeded
 
     @derived("gamma[deg]", "transmission angle")

@@ -9,6 +9,7 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pivot import PivotRoom
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.rounding import Errors
+from tmmcalc.core.notes import Said
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
@@ -113,7 +114,7 @@ class Profile:
     nearest: Place = quantity("r_min[m]", "least distance of the working profile from the axis of the cam")
     face: Face | None
     pivot: PivotRoom | None  # None: no rocker
-    remarks: tuple[str, ...]
+    remarks: tuple[Said, ...]
     error: Errors  # estimates, relative: of points, normals, curvature, limits, angles of loops
 
     @property

@@ -9,6 +9,7 @@ from tmmcalc.cams.pivot import pivot_fault
 from tmmcalc.cams.profile.results import Crossing, Place, Profile, Reach, Wall
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Said, held
 
 BASE_PART, BEND_PART = 0.4, 0.7  # the rule r2 <= min(0.4 R0, 0.7 rho_min)
 AT_LIMIT = 1e-9  # relative
@@ -92,7 +93,7 @@ def _cause(limit: Reach) -> str:
     return f"{'a point' if limit.cause == 'cusp' else 'a neck between'} phi = {places}"
 
 
-def remarks(found: Profile, task: CamTask) -> Iterator[str]:
+def remarks(found: Profile, task: CamTask) -> Iterator[Said]:
     """Graded remarks: a limit that is not kept is a warning, a rule of thumb a note."""
     for wall in found.walls:
         if not wall.sound and not wall.name.endswith("tool"):
@@ -106,32 +107,37 @@ def remarks(found: Profile, task: CamTask) -> Iterator[str]:
     yield from _tool_remarks(found)
     shaft = task.limits.shaft
     if found.nearest.value < shaft * (1 - AT_LIMIT):
-        yield (
-            f"warning: the profile comes to {_mm(found.nearest.value)} of the axis at phi = {_deg(found.nearest.phi)} "
-            f"deg, the shaft has a radius of {_mm(shaft)}"
+        text = (
+            "the profile comes to {value:.6g} mm of the axis at phi = {phi} deg, "
+            "the shaft has a radius of {limit:.6g} mm"
         )
+        near, phi = 1e3 * found.nearest.value, _deg(found.nearest.phi)
+        yield held("warning", text, near, 1e3 * shaft, "mm", name="r_min", phi=phi)
 
 
-def _flat_remarks(found: Profile, task: CamTask) -> Iterator[str]:
+def _flat_remarks(found: Profile, task: CamTask) -> Iterator[Said]:
     least, limit = found.sharpest, task.limits.convex
     if 0 <= least.value < limit * (1 - AT_LIMIT):
-        yield (
-            f"warning: the profile has a radius of {_mm(least.value)} {_at(least)}, less than r_m = {_mm(limit)}: "
-            f"S0 has to be at least {_mm(found.follower.start + limit - least.value)}"
+        text = (
+            "the profile has a radius of {value:.6g} mm {at}, less than r_m = {limit:.6g} mm: "
+            "S0 has to be at least {start}"
         )
+        words = {"at": _at(least), "start": _mm(found.follower.start + limit - least.value)}
+        yield held("warning", text, 1e3 * least.value, 1e3 * limit, "mm", name="rho_min", **words)
 
 
-def _roller_remarks(found: Profile, task: CamTask) -> Iterator[str]:
+def _roller_remarks(found: Profile, task: CamTask) -> Iterator[Said]:
     r2, limit = found.follower.roller, task.limits.convex
     yield from _wall_remarks(found.working, "the profile", found.inner_reach, found.sharpest, limit)
     if found.outer is not None:
         yield from _wall_remarks(found.outer, "the second wall", found.outer_reach, found.hollowest, limit)
     for part, size, name in ((BASE_PART, found.follower.base, "R0"), (BEND_PART, 1 / found.sharpest.value, "rho_min")):
         if r2 > part * size * (1 + AT_LIMIT):
-            yield f"note: the roller of {_mm(r2)} is above {part} {name} = {_mm(part * size)}, the usual rule"
+            text = "the roller of {value:.6g} mm is above {part} {of} = {limit:.6g} mm, the usual rule"
+            yield held("note", text, 1e3 * r2, 1e3 * part * size, "mm", name="r2", part=part, of=name)
 
 
-def _wall_remarks(wall: Wall, name: str, reach: Reach | None, place: Place | None, limit: float) -> Iterator[str]:
+def _wall_remarks(wall: Wall, name: str, reach: Reach | None, place: Place | None, limit: float) -> Iterator[Said]:
     """A sound wall where it bulges most: the first where the pitch curve is convex, the second where it is concave."""
     r2 = abs(wall.distance)
     if wall.sound and reach is not None and r2 >= reach.distance * (1 - AT_LIMIT):
@@ -140,13 +146,12 @@ def _wall_remarks(wall: Wall, name: str, reach: Reach | None, place: Place | Non
         return
     bend = 1 / abs(place.value)
     if bend - r2 < limit * (1 - AT_LIMIT):
-        yield (
-            f"warning: {name} has a radius of {_mm(bend - r2)} {_at(place)}, less than r_m = {_mm(limit)}: "
-            f"the roller may have {_mm(max(bend - limit, 0.0))}"
-        )
+        text = "{wall} has a radius of {value:.6g} mm {at}, less than r_m = {limit:.6g} mm: the roller may have {most}"
+        words = {"wall": name, "at": _at(place), "most": _mm(max(bend - limit, 0.0))}
+        yield held("warning", text, 1e3 * (bend - r2), 1e3 * limit, "mm", name="rho_min", **words)
 
 
-def _concave_remarks(found: Profile, task: CamTask) -> Iterator[str]:
+def _concave_remarks(found: Profile, task: CamTask) -> Iterator[Said]:
     """What r_i says of concave parts; a groove is milled by a tool no larger than its roller."""
     least, place = found.least_concave, found.hollowest
     if least is None or place is None:
@@ -154,20 +159,19 @@ def _concave_remarks(found: Profile, task: CamTask) -> Iterator[str]:
     if not task.limits.allow_concave:
         yield f"warning: the profile is concave, with a radius of {_mm(least)} {_at(place)}, which is not allowed"
     elif least < task.limits.concave * (1 - AT_LIMIT) and found.tool_radius is None and found.outer is None:
-        yield (
-            f"warning: concave parts have a radius of {_mm(least)} {_at(place)}, less than "
-            f"r_i = {_mm(task.limits.concave)} of the tool"
-        )
+        text = "concave parts have a radius of {value:.6g} mm {at}, less than r_i = {limit:.6g} mm of the tool"
+        yield held("warning", text, 1e3 * least, 1e3 * task.limits.concave, "mm", name="rho_concave", at=_at(place))
 
 
-def _tool_remarks(found: Profile) -> Iterator[str]:
+def _tool_remarks(found: Profile) -> Iterator[Said]:
     tool, most = found.tool, found.largest_tool
     if tool is None or tool.sound or most is None or found.tool_radius is None:
         return
-    yield (
-        f"warning: the tool of radius {_mm(found.tool_radius)} cuts into the profile: its path {fault(tool)}; "
-        f"the largest tool that works has {_mm(most)}"
+    text = (
+        "the tool of radius {value:.6g} mm cuts into the profile: its path {fault}; "
+        "the largest tool that works has {limit:.6g} mm"
     )
+    yield held("warning", text, 1e3 * found.tool_radius, 1e3 * most, "mm", name="r_tool", fault=fault(tool))
 
 
 def _at(place: Place) -> str:

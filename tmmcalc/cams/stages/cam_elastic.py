@@ -15,6 +15,7 @@ solve = "tmmcalc.cams.elastic:solve_elastic"
 takes = {"cam_synthesis": "follower"}
 kind = ElasticResult
 columns = "tmmcalc.cams.elastic:elastic_columns"
+declares = ()
 
 
 def inputs(spec: CamTables) -> CamTask:

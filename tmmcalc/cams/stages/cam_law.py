@@ -14,6 +14,7 @@ inputs = cam_of
 solve = solve_law
 kind = LawResult
 columns = law_columns
+declares = ("tmmcalc.cams.further",)
 further = "tmmcalc.cams.further:of_law"
 details = "tmmcalc.cams.laws.details:law_details"
 

@@ -15,6 +15,7 @@ solve = "tmmcalc.cams.pressure.solve:solve_pressure"
 takes = {"cam_synthesis": "follower"}
 kind = Pressure
 columns = "tmmcalc.cams.pressure.solve:pressure_columns"
+declares = ()
 
 
 def inputs(spec: CamTables) -> CamTask:

@@ -15,6 +15,7 @@ solve = "tmmcalc.cams.strength.solve:solve_strength"
 takes = {"cam_synthesis": "follower"}
 kind = CamStrength
 columns = "tmmcalc.cams.strength.columns:strength_columns"
+declares = ("tmmcalc.cams.further",)
 further = "tmmcalc.cams.further:of_strength"
 
 

@@ -8,6 +8,7 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.rounding import Errors
 from tmmcalc.cams.strength.formulas import unused
+from tmmcalc.core.notes import Said
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
@@ -134,7 +135,7 @@ class CamStrength:
     verdict: str = quantity(
         "verdict", "the gravest of the margins' verdicts: undercut, tool_interference, slip, exceeded, ok"
     )
-    notes: tuple[str, ...]
+    notes: tuple[Said, ...]
     error: Errors  # estimates, relative: of the rows by their names, of the extremes behind the margins
 
     @property

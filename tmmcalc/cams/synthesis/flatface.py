@@ -9,6 +9,7 @@ from __future__ import annotations
 from tmmcalc.cams.pressure.angle import Extreme
 from tmmcalc.cams.synthesis.results import Convexity
 from tmmcalc.cams.task import CamTask
+from tmmcalc.core.notes import Said, held
 
 
 def flat_sizes(task: CamTask) -> tuple[float, str, Convexity]:
@@ -32,21 +33,24 @@ def flat_sizes(task: CamTask) -> tuple[float, str, Convexity]:
     )
 
 
-def remarks(found: Convexity, start: float, shaft: float) -> list[str]:
+def remarks(found: Convexity, start: float, shaft: float) -> list[Said]:
     """Warnings of a given S0."""
-    notes = []
+    notes: list[Said] = []
     if found.radius <= 0:
-        notes.append(
-            f"warning: rho falls to {1e3 * found.radius:.6g} mm at phi = {_deg(found.least.phi)}: the profile has a "
-            f"cusp or a loop that the face cannot follow; S0 of at least {1e3 * found.needed:.6g} mm is needed"
+        text = (
+            f"rho falls to {1e3 * found.radius:.6g} mm at phi = {_deg(found.least.phi)}: the profile has a cusp or a "
+            "loop that the face cannot follow; S0 of at least {limit:.6g} mm is needed"
         )
+        notes.append(held("warning", text, 1e3 * start, 1e3 * found.needed, "mm", name="S0"))
     elif start < found.needed * (1 - 1e-12):
-        notes.append(
-            f"warning: rho falls to {1e3 * found.radius:.6g} mm at phi = {_deg(found.least.phi)}, below the limit of "
-            f"{1e3 * found.limit:.6g} mm; S0 of at least {1e3 * found.needed:.6g} mm is needed"
+        text = (
+            f"rho falls to {{value:.6g}} mm at phi = {_deg(found.least.phi)}, below the limit of {{limit:.6g}} mm; "
+            f"S0 of at least {1e3 * found.needed:.6g} mm is needed"
         )
+        notes.append(held("warning", text, 1e3 * found.radius, 1e3 * found.limit, "mm", name="rho_min"))
     if start < shaft * (1 - 1e-12):
-        notes.append(f"warning: S0 = {1e3 * start:.6g} mm does not clear the shaft of {1e3 * shaft:.6g} mm")
+        text = "S0 = {value:.6g} mm does not clear the shaft of {limit:.6g} mm"
+        notes.append(held("warning", text, 1e3 * start, 1e3 * shaft, "mm", name="S0"))
     return notes
 
 

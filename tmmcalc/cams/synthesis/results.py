@@ -9,6 +9,7 @@ from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.pivot import PivotRoom
 from tmmcalc.cams.pressure.angle import Extreme, Reached
 from tmmcalc.cams.rounding import Errors
+from tmmcalc.core.notes import Said
 from tmmcalc.core.quantity import headed, keys, quantity
 from tmmcalc.core.records import record
 
@@ -116,7 +117,7 @@ class Synthesis:
     residual: float = quantity(  # 0 if they reach none
         "residual[rad]", "by how much the sizes found miss the limit that they are to reach"
     )
-    notes: tuple[str, ...]
+    notes: tuple[Said, ...]
     error: Errors  # estimates: of the sizes relative to R0, of angles and radii relative to themselves
     pivot: PivotRoom | None = None  # None: no rocker
 

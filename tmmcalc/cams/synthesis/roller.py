@@ -20,6 +20,7 @@ from tmmcalc.cams.program import levelled
 from tmmcalc.cams.synthesis.results import RollerChoice, RollerRule
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Said, held
 from tmmcalc.core.numerics.panels import resolved
 
 OF_BASE, OF_CONVEX = 0.4, 0.7
@@ -81,39 +82,37 @@ def rounded(radius: float) -> float:
     return whole / 1e3 if whole else radius
 
 
-def remarks(task: CamTask, follower: Follower, found: RollerChoice) -> list[str]:
+def remarks(task: CamTask, follower: Follower, found: RollerChoice) -> list[Said]:
     """Warnings of a roller that is too large or too small for its pitch curve."""
     limits, r2 = task.limits, found.radius
-    notes = [*_of_wall("profile", "rho2", r2, found.convex, limits.convex)]
+    notes: list[Said] = [*_of_wall("profile", "rho2", r2, found.convex, limits.convex)]
     if task.asked.closure == "groove" and found.concave is not None:
         notes += _of_wall("second wall", "rho1", r2, found.concave, limits.convex)
     if follower.base - r2 < limits.shaft * (1 - NEAR):
-        notes.append(
-            f"warning: R0 - r2 = {1e3 * (follower.base - r2):.6g} mm does not clear the shaft of "
-            f"{1e3 * limits.shaft:.6g} mm"
-        )
+        text = "R0 - r2 = {value:.6g} mm does not clear the shaft of {limit:.6g} mm"
+        notes.append(held("warning", text, 1e3 * (follower.base - r2), 1e3 * limits.shaft, "mm", name="R0 - r2"))
     if found.concave is None:
         return notes
     phi = np.degrees(found.concave.phi)
     if not limits.allow_concave:
         notes.append(f"warning: the profile is concave at phi = {phi:.6g} deg, which is not allowed")
     elif found.concave.value + r2 < limits.concave * (1 - NEAR):
-        notes.append(
-            f"note: the concave part at phi = {phi:.6g} deg has a radius of {1e3 * (found.concave.value + r2):.6g} mm: "
-            f"a tool of {1e3 * limits.concave:.6g} mm does not reach into it"
+        text = (
+            "the concave part at phi = {phi:.6g} deg has a radius of {value:.6g} mm: a tool of {limit:.6g} mm does not "
+            "reach into it"
         )
+        numbers = 1e3 * (found.concave.value + r2), 1e3 * limits.concave, "mm"
+        notes.append(held("note", text, *numbers, name="rho_concave", phi=phi))
     return notes
 
 
-def _of_wall(wall: str, symbol: str, r2: float, bend: Extreme, least: float) -> Iterator[str]:
+def _of_wall(wall: str, symbol: str, r2: float, bend: Extreme, least: float) -> Iterator[Said]:
     """A warning where the roller leaves a wall no radius, or less than can be made, at its sharpest place."""
     at = f"at phi = {np.degrees(bend.phi):.6g} deg"
     if r2 >= bend.value * (1 - NEAR):
-        yield (
-            f"warning: the roller of {1e3 * r2:.6g} mm undercuts the {wall}: {symbol} = {1e3 * bend.value:.6g} mm {at}"
-        )
+        text = "the roller of {value:.6g} mm undercuts the {wall}: {symbol} = {limit:.6g} mm {at}"
+        yield held("warning", text, 1e3 * r2, 1e3 * bend.value, "mm", name="r2", wall=wall, symbol=symbol, at=at)
     elif r2 > (bend.value - least) * (1 + NEAR):
-        yield (
-            f"warning: the roller of {1e3 * r2:.6g} mm leaves the {wall} a radius of {1e3 * (bend.value - r2):.6g} mm "
-            f"{at}, below {1e3 * least:.6g} mm"
-        )
+        text = "the roller of {roller:.6g} mm leaves the {wall} a radius of {value:.6g} mm {at}, below {limit:.6g} mm"
+        numbers = 1e3 * (bend.value - r2), 1e3 * least, "mm"
+        yield held("warning", text, *numbers, name="rho_min", roller=1e3 * r2, wall=wall, at=at)

@@ -1,6 +1,6 @@
 """``tmmcalc cam forces``."""
 
-from tmmcalc.cli.job import stage_command
+from tmmcalc.cli.makers import stage_command
 
 command = stage_command(
     "cam_forces",

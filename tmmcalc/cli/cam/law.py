@@ -6,14 +6,14 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.job import Solved, of_stage
+from tmmcalc.cli.makers import Solved, named_columns, of_stage
 from tmmcalc.cli.options import Columns, Positions, patterns_of
 from tmmcalc.core.errors import UsageError
 from tmmcalc.report.document import Document
 from tmmcalc.report.rows import rows_of
 
 
-@of_stage("cam_law", "law of motion")
+@of_stage("cam_law", "law of motion", named_columns("cam_law"))
 def command(
     solved: Solved,
     columns: Columns = None,

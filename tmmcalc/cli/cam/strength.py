@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.job import Solved, of_stage
+from tmmcalc.cli.makers import Solved, of_stage
 from tmmcalc.cli.options import Columns, Format, Positions, patterns_of
 from tmmcalc.report.document import Document
 

@@ -1,6 +1,6 @@
 """``tmmcalc extra bearing``."""
 
-from tmmcalc.cli.job import summary_command
+from tmmcalc.cli.makers import summary_command
 
 command = summary_command(
     "bearing",

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from tmmcalc.cli.gears.known import check_pair
-from tmmcalc.cli.job import Solved, of_stage
+from tmmcalc.cli.makers import Solved, of_stage
 from tmmcalc.report.document import Document
 
 

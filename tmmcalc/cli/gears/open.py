@@ -1,6 +1,6 @@
 """``tmmcalc gears open``."""
 
-from tmmcalc.cli.job import summary_command
+from tmmcalc.cli.makers import summary_command
 
 command = summary_command(
     "open_pair",

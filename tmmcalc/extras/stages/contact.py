@@ -16,6 +16,7 @@ inputs = to_contact
 solve = solve_contact
 kind = Contact
 columns = "tmmcalc.extras.columns:contact_columns"
+declares = ()
 
 
 def errors(result: Contact) -> dict[str, Any]:

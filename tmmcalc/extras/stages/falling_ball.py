@@ -14,6 +14,7 @@ inputs = to_ball
 solve = solve_falling_ball
 kind = Ball
 columns = "tmmcalc.extras.columns:ball_columns"
+declares = ()
 
 
 def packages(spec: ExtraTables) -> tuple[str, ...]:

@@ -9,3 +9,4 @@ inputs = to_liner
 solve = solve_liner
 kind = Liner
 columns = "tmmcalc.extras.columns:liner_columns"
+declares = ()

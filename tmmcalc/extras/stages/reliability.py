@@ -14,6 +14,7 @@ inputs = to_reliability
 solve = solve_reliability
 kind = Reliability
 columns = "tmmcalc.extras.columns:reliability_columns"
+declares = ()
 
 
 def packages(spec: ExtraTables) -> tuple[str, ...]:

@@ -11,6 +11,7 @@ inputs = to_tie_down
 solve = solve_tie_down
 kind = TieDown
 columns = "tmmcalc.extras.columns:tie_down_columns"
+declares = ()
 
 
 def errors(result: TieDown) -> dict[str, Any]:

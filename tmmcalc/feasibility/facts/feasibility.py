@@ -109,7 +109,7 @@ def _broken(verdict: Verdict) -> Note:
     text = f"{measured(verdict)}; {': '.join([state, *_limits(verdict)])}"
     low, high = verdict.at_least, verdict.at_most
     limit = low if high is None or (low is not None and verdict.value < low) else high
-    return Note("warning", text, f"constraint {verdict.name}", verdict.value, limit, verdict.unit)
+    return Note("warning", text, f"constraint {verdict.name}", verdict.value, limit, verdict.unit, verdict.name)
 
 
 def _limits(verdict: Verdict) -> list[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from tmmcalc.core.notes import Note
 from tmmcalc.core.quantity import Quantity, keyed, quantities, table
 from tmmcalc.gears.advice import called
 from tmmcalc.gears.chosen.condition import Condition, Conditions
@@ -26,7 +27,13 @@ def conditions_document(found: Conditions, title: str, *, everything: bool = Fal
     text = f"all {asked} that are asked for" if found.kept else f"{len(kept)} of {asked} that are asked for"
     facts = (Fact("kept", f"{text}; in brackets: not asked for", keyed(found)),)
     notes = tuple(
-        f"warning: {called(each.name)}{f' of {each.of}' if each.of else ''} is not kept: {_broken(each)}"
+        Note(
+            "warning",
+            f"{called(each.name)}{f' of {each.of}' if each.of else ''} is not kept: {_broken(each)}",
+            value=float(each.left),
+            limit=float(each.right),
+            name=each.name,
+        )
         for each in rows
         if each.asked and not each.kept
     )

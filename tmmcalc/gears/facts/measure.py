@@ -70,7 +70,7 @@ def _wheel_document(each: MeasuredWheel, everything: bool) -> Document:
     if not each.ring:
         facts.append(limits_fact(each.measures))
     facts += [_balls_fact(each), _constant_chord_fact(each.measures)]
-    notes = tuple(f"warning: {remark}" for remark in each.measures.remarks)
+    notes = each.measures.remarks
     if everything:
         facts.append(Fact("chords", "", {"chords": [known(keyed(row)) for row in each.measures.chords]}))
         return Document(each.title, tuple(facts), notes)

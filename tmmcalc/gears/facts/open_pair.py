@@ -82,7 +82,8 @@ def _notes(result: OpenLoad) -> Iterator[str]:
     if found is not None:
         if not found.accepted[0]:
             yield f"warning: the open pair: {reason(found, 0)}; a larger module, a wider face or harder teeth"
-        yield from (f"warning: {remark}" for remark in (*found.warnings, *remarks(found, 0)))
+        yield from found.warnings
+        yield from (remark.note for remark in remarks(found, 0))
         if task.open.pair.helix:
             yield "note: stresses are those of spur wheels of the same module and width, which is on the safe side"
     elif result.torque is not None:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
+from tmmcalc.core.notes import Note
 from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.gears.facts.meshes import known, renamed
 from tmmcalc.gears.involute.quality.verdicts import Check, worst
@@ -113,14 +114,23 @@ def verdict_fact(checks: Sequence[Check]) -> Fact:
     return Fact("verdict", text, {"verdict": worst(tuple(checks))})
 
 
+<<<<<<< HEAD
+=======
+def check_note(check: Check, text: str) -> Note:
+    """The warning of a condition that is not kept, in the words of ``text``."""
+    scale, unit = (math.degrees(1.0), "deg") if check.name in ANGLES else (1.0, "")
+    limit = None if check.limit is None else scale * check.limit
+    place = "cannot work" if check.verdict == "fail" else ""
+    return Note("warning", text, place, scale * check.value, limit, unit, check.name)
+
+
+>>>>>>> main
 def pair_notes(found: MeshPair) -> Iterator[Note]:
     """What fails, what is not recommended, how far the nearest good shifts are, what the choice had to give up."""
     wheels = found.task.wheels
     for check in sorted(found.checks, key=lambda check: check.verdict != "fail"):
-        if check.verdict == "fail":
-            yield f"warning: cannot work: {renamed(check.text, wheels)}"
-        elif check.verdict == "warn":
-            yield f"warning: {renamed(check.text, wheels)}"
+        if check.verdict != "ok":
+            yield check_note(check, renamed(check.text, wheels))
     if found.broken:
         text = f"the shifts lie outside the blocking contour: {renamed('; '.join(found.broken), wheels)}"
         if found.nearest is not None:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Note
 from tmmcalc.core.quantity import keyed
 from tmmcalc.gears.radial import (
     WITHIN,
@@ -52,7 +53,8 @@ def _shape_fact(shape: RadialShape) -> Fact:
 def _shape_notes(shape: RadialShape) -> Iterator[str]:
     for name, value in (("t1", shape.t1), ("t2", shape.t2)):
         if not WITHIN[0] <= value <= WITHIN[1]:
-            yield f"warning: {name} = {number(value)} is outside {WITHIN[0]:g} to {WITHIN[1]:g}, which is usual"
+            text = f"{name} = {number(value)} is outside {WITHIN[0]:g} to {WITHIN[1]:g}, which is usual"
+            yield Note("warning", text, value=value, limit=WITHIN[value > WITHIN[1]], name=name)
 
 
 def _teeth_facts(ratio: float, planets: int, shape: RadialShape, least: int) -> Iterator[Fact]:
@@ -94,8 +96,9 @@ def _limits_fact(limits: RatioLimits) -> Fact:
 def _ratio_notes(ratio: float, limits: RatioLimits) -> Iterator[str]:
     if limits.high is not None and ratio >= limits.high:
         which = 2 if limits.high == limits.first else 3
-        said = f"i_1H = {number(ratio)} is not below {number(limits.high)}"
-        yield f"warning: {said}: neighbouring planets {which} overlap; fewer pairs, or another y, t1, t2 would help"
+        said = f"i_1H = {number(ratio)} is not below {number(limits.high)}: neighbouring planets {which} overlap"
+        text = f"{said}; fewer pairs, or another y, t1, t2 would help"
+        yield Note("warning", text, value=ratio, limit=limits.high, name="i_1H")
 
 
 def _limits_view(planets: int, shape: RadialShape, everything: bool) -> View:

@@ -77,7 +77,7 @@ def _one_document(sized: Sized, title: str, at: int) -> Document:
         *stress_facts(found, at),
         *coefficient_facts(coefficients(sized.sets, sized.task, at)),
     ]
-    return Document(title, tuple(facts), tuple(f"warning: {remark}" for remark in remarks(found, at)))
+    return Document(title, tuple(facts), tuple(remark.note for remark in remarks(found, at)))
 
 
 def stress_facts(found: Strength, at: int) -> Iterator[Fact]:
@@ -198,7 +198,7 @@ def _notes(sized: Sized) -> Iterator[str]:
     """Warnings of materials, and how many trains have unusual widths."""
     found = sized.strength
     for warning in found.warnings:
-        yield f"warning: {sized.title}: {warning}"
+        yield warning.within(sized.title)
     unusual = int(np.count_nonzero(found.width_unusual.any(axis=1)))
     if unusual:
         yield f"note: b/m is outside {NARROWEST:g} to {WIDEST:g} in {unusual} of {len(sized.sets)} trains"

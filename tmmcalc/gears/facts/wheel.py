@@ -10,7 +10,7 @@ from tmmcalc.core.quantity import keyed, quantities
 from tmmcalc.gears.facts.measure import MeasuredWheel, measured_document, wheel_text
 from tmmcalc.gears.facts.meshes import known, millimetres, written
 from tmmcalc.gears.facts.pair import length_cell
-from tmmcalc.gears.facts.pair_checks import judged_document, judged_values, verdict_fact
+from tmmcalc.gears.facts.pair_checks import check_note, judged_document, judged_values, verdict_fact
 from tmmcalc.gears.meshing.profiles import Profiles
 from tmmcalc.gears.single.results import SingleWheel
 from tmmcalc.report.document import Document, Fact, View
@@ -155,6 +155,7 @@ def _said(text: str) -> str:
 def _notes(result: SingleWheel) -> Iterator[str]:
     for check in sorted(result.checks, key=lambda check: check.verdict != "fail"):
         if check.verdict != "ok":
-            yield f"warning: {'cannot work: ' if check.verdict == 'fail' else ''}{_said(check.text)}"
-    for remark in (*result.remarks, *result.measures.remarks):
+            yield check_note(check, _said(check.text))
+    for remark in result.remarks:
         yield f"warning: {remark}"
+    yield from result.measures.remarks

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from math import cos, isfinite, sin
+from typing import Any
 
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Note
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.measure.balls import over_balls, usual_diameter
 from tmmcalc.gears.involute.measure.chords import base_pitch_normal, constant_chord, thickness
@@ -76,7 +78,7 @@ class _Measured:
     tip_exact: float
     width: float | None
     width_exact: float | None
-    remarks: tuple[str, ...]
+    remarks: tuple[Note, ...]
 
 
 _NO_SPAN = _Measured((), None, 0, 0, 0, 0.0, 0.0, 0.0, 0.0, None, None, ())
@@ -117,42 +119,47 @@ def _not_admitted(m: float, gear: Gear, teeth: int) -> SpanRow:
     return SpanRow(teeth, m * length, m * radius, m * curvature, m * length * sin(helix), False, False)
 
 
-def _span_remarks(asked: WheelMeasuring, row: SpanRow | None, found: Spans) -> tuple[str, ...]:
+def _span_remarks(asked: WheelMeasuring, row: SpanRow | None, found: Spans) -> tuple[Note, ...]:
     """What is wrong with the chosen span, and which would do."""
     better = "" if found.recommended is None else f"; over {found.recommended} they touch near the middle of the flank"
     if row is None:
         most = found.most(asked.rule)
-        return (f"the rule {asked.rule!r} admits no span: z_w,max = {most}, below {LEAST}{better}",)
+        text = f"the rule {asked.rule!r} admits no span: z_w,max = {most}, below {LEAST}{better}"
+        return (Note("warning", text, value=float(most), limit=float(LEAST), name="z_w,max"),)
     if row.valid:
         return ()
     limits, length = found.limits, row.length / asked.module
+    numbers: dict[str, Any] = {}
     if length < limits.lowest:
         why = "the plates touch beneath the usable involute"
     elif length > limits.tip_exact:
         why = "the plates reach beyond the tip circle"
     else:
         why = f"the face width is less than the {millimetres(row.width)} that it needs"
-    return (f"span over {row.teeth} teeth: {why}{better}",)
+        numbers = {"value": 1e3 * (asked.face_width or 0.0), "limit": 1e3 * row.width, "unit": "mm", "name": "b"}
+    return (Note("warning", f"{why}{better}", f"span over {row.teeth} teeth", **numbers),)
 
 
-def _balls(asked: WheelMeasuring, gear: Gear) -> tuple[BallsRow | None, tuple[str, ...]]:
+def _balls(asked: WheelMeasuring, gear: Gear) -> tuple[BallsRow | None, tuple[Note, ...]]:
     m, body = asked.module, asked.body
     try:
         diameter = usual_diameter(gear.wheel) if asked.ball is None else asked.ball / m
         if not diameter > LEAST_BALLS:
-            return None, (f"no {body} stand in the space",)
+            return None, (Note("warning", f"no {body} stand in the space"),)
         found = over_balls(gear.wheel, diameter, gear.tip, gear.active, gear.root, body)
     except NoSolutionError as error:
         side = "smaller" if gear.wheel.teeth < 0 else "larger"
         limit, told = millimetres(m * (error.limit or 0.0)), millimetres(asked.ball or 0.0)
-        return None, (f"{body} of {told} do not stand in the space: they have to be {side} than {limit}",)
+        text = f"{body} of {told} do not stand in the space: they have to be {side} than {limit}"
+        numbers = 1e3 * (asked.ball or 0.0), 1e3 * m * (error.limit or 0.0), "mm"
+        return None, (Note("warning", text, "", *numbers, "D_M"),)
     if not (isfinite(found.size) and isfinite(found.curvature)):
-        return None, (f"no {body} stand in the space",)
+        return None, (Note("warning", f"no {body} stand in the space"),)
     remarks = []
     if not found.on_flank:
-        remarks.append(f"{body} of {millimetres(m * diameter)} do not touch the usable involute")
+        remarks.append("do not touch the usable involute")
     if not found.clear:
-        remarks.append(f"{body} of {millimetres(m * diameter)} do not stand proud of the tip or meet the root circle")
+        remarks.append("do not stand proud of the tip or meet the root circle")
     row = BallsRow(
         diameter=m * diameter,
         size=m * found.size,
@@ -163,10 +170,10 @@ def _balls(asked: WheelMeasuring, gear: Gear) -> tuple[BallsRow | None, tuple[st
         on_flank=found.on_flank,
         clear=found.clear,
     )
-    return row, tuple(remarks)
+    return row, tuple(Note("warning", f"{body} of {millimetres(m * diameter)} {remark}") for remark in remarks)
 
 
-def _chords(m: float, gear: Gear, asked: Sequence[float]) -> tuple[tuple[ChordRow, ...], tuple[str, ...]]:
+def _chords(m: float, gear: Gear, asked: Sequence[float]) -> tuple[tuple[ChordRow, ...], tuple[Note, ...]]:
     """The circles that there are on the tooth, and on which it has a thickness; which of those asked for are not."""
     wheel = gear.wheel
     side = -1.0 if wheel.teeth < 0 else 1.0
@@ -186,14 +193,16 @@ def _chords(m: float, gear: Gear, asked: Sequence[float]) -> tuple[tuple[ChordRo
     return found, tuple(_chord_remarks(m, gear, radii[3:], on_tooth[3:]))
 
 
-def _chord_remarks(m: float, gear: Gear, radii: np.ndarray, on_tooth: np.ndarray) -> Iterator[str]:
+def _chord_remarks(m: float, gear: Gear, radii: np.ndarray, on_tooth: np.ndarray) -> Iterator[Note]:
     """Circles that were asked for and do not cut the flanks, or cut them where there is a fillet instead."""
     ring = gear.wheel.teeth < 0
     form = float(np.hypot(gear.base, gear.form))
     for radius, good in zip(radii.tolist(), on_tooth.tolist(), strict=True):
         if not good:
             ends = millimetres(m * (gear.tip if ring else gear.base)), millimetres(m * (form if ring else gear.tip))
-            yield f"the circle r = {millimetres(m * radius)} does not cut the flanks, from {ends[0]} to {ends[1]}"
+            text = f"the circle r = {millimetres(m * radius)} does not cut the flanks, from {ends[0]} to {ends[1]}"
+            yield Note("warning", text)
         elif (radius > form * (1 + NOISE)) if ring else (radius < form * (1 - NOISE)):
             told = f"the circle r = {millimetres(m * radius)} cuts the fillet, the involute ends at r_F = "
-            yield f"{told}{millimetres(m * form)}: its row is of the involute continued"
+            text = f"{told}{millimetres(m * form)}: its row is of the involute continued"
+            yield Note("warning", text, "", 1e3 * m * radius, 1e3 * m * form, "mm", "r")

@@ -6,6 +6,7 @@ from typing import Literal
 
 import numpy as np
 
+from tmmcalc.core.notes import Note
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
@@ -185,7 +186,7 @@ class Measures:
     constant_chord_valid: bool = quantity("s_c_valid", "the constant chord ends on the usable involute")
     usable: UsableEnd = quantity("usable_to", "where the usable involute ends towards the root")
     chords: tuple[ChordRow, ...]
-    remarks: tuple[str, ...]  # what is unusual or cannot be measured
+    remarks: tuple[Note, ...]  # what is unusual or cannot be measured
 
     @property
     def span(self) -> SpanRow | None:

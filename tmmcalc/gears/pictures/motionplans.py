@@ -19,13 +19,13 @@ from tmmcalc.gears.gearingtask import ends
 from tmmcalc.gears.network.model import Network
 from tmmcalc.gears.network.plans import PlanPoint, Plans, scale_factor
 from tmmcalc.gears.pictures.memberscheme import view_of
-from tmmcalc.gears.pictures.ruled import ruled_table
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board, Field
 from tmmcalc.report.drawing.lettering import minus, plain, width
 from tmmcalc.report.drawing.pens import AXIS, CURVES, INK, THIN, VECTORS, Pen
 from tmmcalc.report.drawing.scales import factor_text, length_scale, scale_text
 from tmmcalc.report.drawing.shapes import Arc, Drawing, Words
+from tmmcalc.report.drawing.tables import draw_table
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
@@ -37,7 +37,7 @@ HEAD = 7.0  # room of the headings of the plans [mm]
 POLES = (50.0, 40.0, 30.0, 25.0, 20.0, 15.0, 12.0, 10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0)  # h [mm], as there is room
 OVER = 8.0  # of the upright lines beyond what lies on them [mm]
 STILL = 1e-9  # of the largest: what is at rest
-NAME, NOTE = 2.6, 2.5  # heights of names and of what is told [mm]
+NAME, NOTE, LETTERS = 2.6, 2.5, 2.6  # heights of names, of what is told, of the table [mm]
 GUIDE = Pen("PLACES", 0.18, (1.6, 1.2), "#8a8a8a")
 MEMBERS = tuple(Pen(f"MEMBERS_{k}", 0.55, pen.dashes, pen.colour) for k, pen in enumerate(CURVES, 1))
 
@@ -232,7 +232,7 @@ def _tabulate(drawing: Drawing, box: Box, told: Plans, mu: float, found: Moving)
     rows = [
         (plain(line.member), _told(line.speed), _told(line.turns), _told(line.speed / mu, 4)) for line in told.lines
     ]
-    below = ruled_table(drawing, box.inset(0, 6.0, 0, 0), head, rows)
+    below = box.top - draw_table(drawing, box.inset(0, 6.0, 0, 0), head, rows, LETTERS)
     driver, outputs = ends(found.task)
     segments = {line.member: line.speed / mu for line in told.lines}
     shown = [name for name in outputs if segments.get(name)]

@@ -12,11 +12,11 @@ from tmmcalc.gears.involute.quality.verdicts import Check
 from tmmcalc.gears.meshing.results import MeshPair, WheelSizes
 from tmmcalc.gears.pictures.listing import Heading, Row
 from tmmcalc.gears.pictures.placedpair import ALIKE, SIGNS, Circle, PlacedPair, point_sign
-from tmmcalc.gears.pictures.ruled import ruled_table
 from tmmcalc.gears.pictures.slidingcurves import course, singles
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import minus, plain
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.drawing.tables import draw_table
 from tmmcalc.report.language import tr, tr_number, tr_unit
 from tmmcalc.report.numbers import number
 
@@ -138,10 +138,10 @@ def draw_parameters(drawing: Drawing, box: Box, found: MeshPair) -> None:
     common, wheels = of_pair(found), of_wheels(found)
     upper, _ = box.split(len(common) + 1, len(wheels) + 1, gap=APART)
     head = (tr("Quantity"), tr("Symbol"), tr("Unit"))
-    below = ruled_table(drawing, upper, (*head, tr("Value")), _told(common), most=LETTERS)
+    below = box.top - draw_table(drawing, upper, (*head, tr("Value")), _told(common), LETTERS)
     lower = Box(box.left, box.bottom, box.right, below - APART)
     named = tuple(plain(sizes.name) for sizes in found.sizes)
-    ruled_table(drawing, lower, (*head, *(f"$z_{{{name}}}$" for name in named)), _told(wheels), most=LETTERS)
+    draw_table(drawing, lower, (*head, *(f"$z_{{{name}}}$" for name in named)), _told(wheels), LETTERS)
 
 
 def _told(rows: Sequence[Parameter]) -> list[tuple[str, ...]]:
@@ -162,7 +162,7 @@ def draw_quality(drawing: Drawing, box: Box, found: MeshPair) -> None:
         verdict = verdicts[check.verdict] if judged else ""
         rows.append((_called(check), whose, _figure(check, check.value), limit, verdict))
     head = tr("Figure of quality"), tr("wheel"), tr("Value"), tr("Limit"), tr("Condition")
-    below = ruled_table(drawing, box.inset(0, 3 * NOTE, 0, 0), head, rows, most=LETTERS)
+    below = box.top - draw_table(drawing, box.inset(0, 3 * NOTE, 0, 0), head, rows, LETTERS)
     said = tr("lengths in modules: interference, undercut, tip thickness, clearance")
     drawing.add(Words(complex(box.left, below - 2.0), said, NOTE, -1 + 1j))
 

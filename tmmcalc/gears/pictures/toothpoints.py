@@ -16,7 +16,6 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.meshing.booktables import CENTRE, CUT, MAIN, RADIUS, ROLL, BookTable, BookTables, X, Y
 from tmmcalc.gears.meshing.halftooth import half_tooth
 from tmmcalc.gears.meshing.members import Toothed
-from tmmcalc.gears.pictures.ruled import ruled_table
 from tmmcalc.gears.pictures.toothdrawing import CENTRE_PATH, OUTLINE, WheelDrawing, runs_of
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
@@ -25,6 +24,7 @@ from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.pens import MARK, THIN, Pen
 from tmmcalc.report.drawing.scales import scale_text
 from tmmcalc.report.drawing.shapes import Arc, Drawing, Words
+from tmmcalc.report.drawing.tables import draw_table
 from tmmcalc.report.language import tr, tr_number, tr_unit
 
 Row = tuple[str, complex, float | None, float, complex | None]
@@ -97,7 +97,7 @@ def draw_tooth_points(drawing: Drawing, box: Box, tables: BookTables) -> Board:
         )
         for each in points
     ]
-    below = ruled_table(drawing, table.inset(0, 3 * NAME, 0, 0), head, rows, most=LETTERS)
+    below = table.top - draw_table(drawing, table.inset(0, 3 * NAME, 0, 0), head, rows, LETTERS)
     drawing.add(Words(complex(table.left, below - 2.0), scale_text(picture.board.mu), NAME, -1 + 1j))
     samples = [(tr("exact outline"), OUTLINE), (tr("through the textbook's points"), THROUGH)]
     if any(each.centre is not None for each in points):

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 solve = "tmmcalc.gears.meshing.blocking:solve_blocking"
 kind = Blocking
 columns = "tmmcalc.gears.meshing.blocking:blocking_columns"
+declares = ("contour", "line", "pair")
 
 
 def inputs(spec: GearTables) -> None:

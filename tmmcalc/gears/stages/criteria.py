@@ -17,6 +17,7 @@ inputs = to_selection
 solve = "tmmcalc.gears.selection.solve:solve_selection"
 kind = Selection
 columns = "tmmcalc.gears.selection.columns:chosen_columns"
+declares = ("K", "front", "rank")
 found = "tmmcalc.gears.tables.found:of_criteria"
 
 

@@ -10,4 +10,5 @@ inputs = to_gearing
 solve = solve_gearing
 kind = Gearing
 columns = member_columns
+declares = ("carrier", "count", "i exact", "member")
 details = "tmmcalc.gears.details:of_gearing"

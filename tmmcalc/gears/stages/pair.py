@@ -12,6 +12,7 @@ inputs = to_pairs
 solve = "tmmcalc.gears.meshing.solve:solve_pairs"
 kind = Pairs
 columns = "tmmcalc.gears.meshing.columns:pair_columns"
+declares = ("pair", "tmmcalc.gears.meshing.further")
 details = "tmmcalc.gears.details:of_pair"
 further = "tmmcalc.gears.meshing.further:further_columns"
 

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 inputs = profile_points
 kind = Profiles
 columns = "tmmcalc.gears.meshing.tooth:profile_columns"
+declares = ()
 
 
 def solve(points: int, pair: Pairs) -> Profiles:

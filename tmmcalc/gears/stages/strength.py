@@ -12,6 +12,7 @@ inputs = to_sizing
 solve = "tmmcalc.gears.sizing:solve_sizing"
 kind = Sizing
 columns = "tmmcalc.gears.strength.columns:stacked"
+declares = ("layout", "K", "outcome")
 details = "tmmcalc.gears.details:of_strength"
 
 

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 solve = "tmmcalc.gears.train:solve_train"
 kind = Trains
 columns = "tmmcalc.gears.columns:stacked"
+declares = ("layout", "planets", "u", "i_{ratio}")
 details = "tmmcalc.gears.details:of_train"
 found = "tmmcalc.gears.tables.found:of_train"
 

@@ -9,3 +9,4 @@ inputs = to_wheel
 solve = "tmmcalc.gears.single.solve:solve_single"
 kind = SingleWheel
 columns = "tmmcalc.gears.single.columns:wheel_columns"
+declares = ()

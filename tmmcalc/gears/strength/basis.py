@@ -15,6 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Note
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.scheme import Layout, Mesh
 from tmmcalc.gears.strength.endurance import GIVEN, Coefficient, Endurance, Factor, endurance, made
@@ -59,7 +60,7 @@ class Basis(NamedTuple):
         return tuple(factor.told for factor in self.factors)
 
     @property
-    def warnings(self) -> tuple[str, ...]:
+    def warnings(self) -> tuple[Note, ...]:
         """What the tables say about the materials."""
         return tuple(warning for wheel in self.wheels for warning in wheel.warnings)
 

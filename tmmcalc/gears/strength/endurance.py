@@ -14,6 +14,7 @@ from dataclasses import field
 from typing import NamedTuple
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Note
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.letters import filled
@@ -86,7 +87,7 @@ class Endurance:
     permissible_contact: float  # [Pa]
     permissible_bending: float  # [Pa]
     factors: tuple[Factor, ...] = ()
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Note, ...] = ()
 
     @property
     def coefficients(self) -> tuple[Coefficient, ...]:
@@ -274,7 +275,7 @@ def _on(hardness: Hardness, scale: str, what: str, of: str) -> float:
     return hardness.value
 
 
-def _check_range(material: Material, rows: list[BendingRow | ContactRow | None], of: str) -> tuple[str, ...]:
+def _check_range(material: Material, rows: list[BendingRow | ContactRow | None], of: str) -> tuple[Note, ...]:
     """Warnings for a row that the hardness is out of; an error if it is out of all of them."""
     ranged = [row for row in rows if row is not None and row.scale]
     out = [row for row in ranged if not _in_range(material, row, of)]
@@ -286,12 +287,21 @@ def _check_range(material: Material, rows: list[BendingRow | ContactRow | None],
             value=material.hardness.value,
             remedy="change the hardness or the treatment, or give contact_limit and bending_limit",
         )
-    told = [f"{of}: a hardness of {material.hardness} is out of {_range(row)} ({row.source})" for row in out]
+    told = [_out_of_row(material, row, of) for row in out]
     for row in ranged:
         if isinstance(row, BendingRow) and material.row is None and steel_key(material.steel) in row.doubtful:
             designation = latin(steel_key(material.steel))
-            told.append(f"{of}: the designation {designation} is doubtful in the print of Table D.4.3")
+            text = f"the designation {designation} is doubtful in the print of Table D.4.3"
+            told.append(Note("warning", text, of))
     return tuple(told)
+
+
+def _out_of_row(material: Material, row: BendingRow | ContactRow, of: str) -> Note:
+    """The hardness against the end of the row that it passes."""
+    value = _on(material.hardness, row.scale, material.treatment, of)
+    limit = row.low if row.low is not None and value < row.low else row.high
+    text = f"a hardness of {material.hardness} is out of {_range(row)} ({row.source})"
+    return Note("warning", text, of, value, limit, row.scale, "hardness")
 
 
 def _either(words: Sequence[str]) -> str:

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from tmmcalc.core.notes import Note
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.strength.basis import Basis, basis_of
@@ -127,9 +128,18 @@ class Remark:
 
     of: str  # "train" or the stage
     message: str
+    value: float | None = None  # that it is about, and the limit that it is held against
+    limit: float | None = None
+    unit: str = ""  # of both
+    name: str = ""  # of the quantity
 
     def __str__(self) -> str:
         return f"{self.of}: {self.message}"
+
+    @property
+    def note(self) -> Note:
+        """It as a warning of a document."""
+        return Note("warning", self.message, self.of, self.value, self.limit, self.unit, self.name)
 
 
 def reason(result: Strength, at: int) -> str:
@@ -198,15 +208,18 @@ def remarks(result: Strength, at: int) -> tuple[Remark, ...]:
 
 def _remarks(result: Strength, at: int) -> Iterator[Remark]:
     if result.few_teeth[at]:
-        yield Remark("train", f"a wheel has fewer than {LEAST_TEETH} teeth, for which Y_F is not known")
+        text = f"a wheel has fewer than {LEAST_TEETH} teeth, for which Y_F is not known"
+        yield Remark("train", text, int(result.least_teeth[at]), LEAST_TEETH, name="teeth")
     for k in range(result.module.shape[1]):
         of = f"stage {k + 1}"
         if result.psi_unusual[at, k]:
             yield Remark(of, f"psi* = {result.psi[at, k]:.3g} is outside Table D.4.2")
         if result.width_unusual[at, k]:
             ratio = result.width[at, k] / result.module[at, k]
-            side = f"narrow, below {NARROWEST:g}" if ratio < NARROWEST else f"wide, above {WIDEST:g}"
-            yield Remark(of, f"b/m = {ratio:.3g} is {side}")
+            word, limit = ("narrow, below", NARROWEST) if ratio < NARROWEST else ("wide, above", WIDEST)
+            yield Remark(of, f"b/m = {ratio:.3g} is {word} {limit:g}", float(ratio), limit, name="b/m")
         for what, margin in (("contact", result.contact_margin), ("bending", result.bending_margin)):
             if margin[at, k] < -1e-9:
-                yield Remark(of, f"the {what} stress is {-100 * margin[at, k]:.2g} % above the permissible one")
+                over = -100 * float(margin[at, k])
+                text = f"the {what} stress is {over:.2g} % above the permissible one"
+                yield Remark(of, text, over, 0.0, "%", f"{what} stress")

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.notes import Note
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import Integers, Values
+from tmmcalc.gears.strength.demand import LEAST_TEETH
 from tmmcalc.gears.strength.endurance import Coefficient
 from tmmcalc.gears.strength.series import Flags, Outcome
 
@@ -46,9 +48,14 @@ class Strength:
     outcome: Integers  # (n,) an `Outcome` each
     psi_unusual: Flags  # psi outside D.4.2
     width_unusual: Flags  # b/m outside 6 to 40
-    few_teeth: Flags  # (n,) an external wheel has fewer teeth than the fit of Y_F holds for
+    least_teeth: Integers  # (n,) of the external wheels
     coefficients: tuple[Coefficient, ...]  # of wheels and stages
-    warnings: tuple[str, ...]  # of materials and given modules, for all trains
+    warnings: tuple[Note, ...]  # of materials and given modules, for all trains
+
+    @property
+    def few_teeth(self) -> Flags:
+        """Trains (n,) of which an external wheel has fewer teeth than the fit of Y_F holds for."""
+        return self.least_teeth < LEAST_TEETH
 
     @property
     def accepted(self) -> Flags:

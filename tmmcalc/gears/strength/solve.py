@@ -10,10 +10,11 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Note
 from tmmcalc.gears.model import Integers, ToothSets, Values
 from tmmcalc.gears.scheme import Layout
 from tmmcalc.gears.strength.basis import Basis, basis_of
-from tmmcalc.gears.strength.demand import LEAST_TEETH, Demand, demand
+from tmmcalc.gears.strength.demand import Demand, demand
 from tmmcalc.gears.strength.loads import MeshLoads, mesh_loads
 from tmmcalc.gears.strength.results import Strength
 from tmmcalc.gears.strength.series import EIGHTHS, Flags, Outcome, choose, choose_tied, eighths, tied
@@ -69,7 +70,7 @@ def solve_strength(sets: ToothSets, task: StrengthTask) -> Strength:
         outcome=_overloaded(sizes.outcome, share_H, share_F) if task.checks else sizes.outcome,
         psi_unusual=_outside(sizes.psi, basis.of_stages("low"), basis.of_stages("high")),
         width_unusual=_outside(sizes.width / sizes.module, NARROWEST, WIDEST),
-        few_teeth=_few_teeth(sets, layout),
+        least_teeth=_least_teeth(sets, layout),
         coefficients=basis.coefficients,
         warnings=(*basis.warnings, *_not_standard(task)),
     )
@@ -170,16 +171,16 @@ def _outside(values: Values, low: Values | float, high: Values | float) -> Flags
     return outside
 
 
-def _few_teeth(sets: ToothSets, layout: Layout) -> Flags:
+def _least_teeth(sets: ToothSets, layout: Layout) -> Integers:
     external = [k for k, wheel in enumerate(layout.wheels) if wheel not in layout.rings]
-    few: Flags = sets.teeth[:, external].min(axis=1) < LEAST_TEETH
-    return few
+    least: Integers = sets.teeth[:, external].min(axis=1)
+    return least
 
 
-def _not_standard(task: StrengthTask) -> tuple[str, ...]:
+def _not_standard(task: StrengthTask) -> tuple[Note, ...]:
     """A warning for every given module that Table D.4.8 does not have."""
     told = []
     for module in task.modules:
         if not any(abs(module * EIGHTHS - entry) < SLACK * entry for entry in eighths()):
-            told.append(f"a module of {module * 1000:g} mm is not in Table D.4.8")
+            told.append(Note("warning", f"a module of {module * 1000:g} mm is not in Table D.4.8"))
     return tuple(told)

@@ -22,21 +22,21 @@ REACTION = (
     Quantity("R_{joint}[N]", "magnitude of the reaction in {joint}"),
 )
 NORMAL = Quantity(
-    "N_{joint}[N]",
-    "normal part of the reaction in prismatic pair {joint}, of the lower-numbered link on the other, along the left "
+    "N_{slide}[N]",
+    "normal part of the reaction in prismatic pair {slide}, of the lower-numbered link on the other, along the left "
     "normal of its guide",
 )
 COUPLE = Quantity(
-    "M_{joint}[N*m]",
-    "couple of the lower-numbered link on the other in prismatic pair {joint} about the slider's point, "
+    "M_{slide}[N*m]",
+    "couple of the lower-numbered link on the other in prismatic pair {slide} about the slider's point, "
     "counter-clockwise",
 )
 EDGES = (
-    Quantity("N'_{joint}[N]", "reaction of the edge ahead in {joint}"),
-    Quantity("N''_{joint}[N]", "reaction of the edge behind in {joint}"),
+    Quantity("N'_{slide}[N]", "reaction of the edge ahead in {slide}"),
+    Quantity("N''_{slide}[N]", "reaction of the edge behind in {slide}"),
 )
-FRICTION = Quantity("F_fr_{joint}[N]", "friction along the line of prismatic pair {joint}")
-FRICTION_MOMENT = Quantity("M_fr_{joint}[N*m]", "moment of friction about the pin of {joint}")
+FRICTION = Quantity("F_fr_{slide}[N]", "friction along the line of prismatic pair {slide}")
+FRICTION_MOMENT = Quantity("M_fr_{pin}[N*m]", "moment of friction about the pin of {pin}")
 MESH = tuple(quantity_of(Forces, "mesh").marked(axis) for axis in ("x", "y"))
 
 
@@ -66,16 +66,16 @@ def _pair(result: Forces, j: int, pair: PairForces) -> Iterator[Column]:
     for told, make in zip(REACTION, reaction, strict=True):
         yield column(told.of(joint=pair.joint), make)
     if pair.kind == "prismatic":
-        yield column(NORMAL.of(joint=pair.joint), lambda: result.normal[j])
-        yield column(COUPLE.of(joint=pair.joint), lambda: result.couple[j])
+        yield column(NORMAL.of(slide=pair.joint), lambda: result.normal[j])
+        yield column(COUPLE.of(slide=pair.joint), lambda: result.couple[j])
         if pair.length:
             ahead, behind = edge_reactions(result.normal[j], result.couple[j], pair.length)
-            yield column(EDGES[0].of(joint=pair.joint), lambda: ahead)
-            yield column(EDGES[1].of(joint=pair.joint), lambda: behind)
+            yield column(EDGES[0].of(slide=pair.joint), lambda: ahead)
+            yield column(EDGES[1].of(slide=pair.joint), lambda: behind)
         if pair.friction:
-            yield column(FRICTION.of(joint=pair.joint), lambda: result.friction[j])
+            yield column(FRICTION.of(slide=pair.joint), lambda: result.friction[j])
     elif pair.friction and pair.radius:
-        yield column(FRICTION_MOMENT.of(joint=pair.joint), lambda: result.friction[j])
+        yield column(FRICTION_MOMENT.of(pin=pair.joint), lambda: result.friction[j])
 
 
 def _mesh(result: Forces) -> Iterator[Column]:

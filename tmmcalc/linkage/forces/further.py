@@ -42,26 +42,26 @@ INERTIA = (
     Quantity("Mi_{link}[N*m]", "inertia couple of link {link}, counter-clockwise", source="(3.1)"),
 )
 PARTS_OF_PIN = (
-    Quantity("RN_{joint}[N]", "normal part of the reaction in outer pin {joint} on the link of its dyad"),
-    Quantity("RT_{joint}[N]", "tangential part of the reaction in outer pin {joint} on the link of its dyad"),
+    Quantity("RN_{pin}[N]", "normal part of the reaction in outer pin {pin} on the link of its dyad"),
+    Quantity("RT_{pin}[N]", "tangential part of the reaction in outer pin {pin} on the link of its dyad"),
 )
 IDEAL_PARTS_OF_PIN = (
-    Quantity("RN0_{joint}[N]", "normal part of the reaction in outer pin {joint} without friction"),
-    Quantity("RT0_{joint}[N]", "tangential part of the reaction in outer pin {joint} without friction"),
+    Quantity("RN0_{pin}[N]", "normal part of the reaction in outer pin {pin} without friction"),
+    Quantity("RT0_{pin}[N]", "tangential part of the reaction in outer pin {pin} without friction"),
 )
 DIRECTION = Quantity(
     "angle_R_{joint}[deg]",
     "direction of the reaction in {joint}, of the lower-numbered link on the higher-numbered one, from x",
 )
-ARM = Quantity("h_{joint}[m]", "arm of the normal force in {joint} from the slider's point, along the guide")
+ARM = Quantity("h_{slide}[m]", "arm of the normal force in {slide} from the slider's point, along the guide")
 IDEAL_DRIVE = Quantity("{letter}0_drive[{unit}]", "drive without friction")
 IDEAL = (
     Quantity("R0_{joint}_x[N]", "reaction in {joint} along x without friction"),
     Quantity("R0_{joint}_y[N]", "reaction in {joint} along y without friction"),
     Quantity("R0_{joint}[N]", "magnitude of the reaction in {joint} without friction"),
 )
-IDEAL_NORMAL = Quantity("N0_{joint}[N]", "normal part of the reaction in prismatic pair {joint} without friction")
-IDEAL_COUPLE = Quantity("M0_{joint}[N*m]", "couple in prismatic pair {joint} without friction")
+IDEAL_NORMAL = Quantity("N0_{slide}[N]", "normal part of the reaction in prismatic pair {slide} without friction")
+IDEAL_COUPLE = Quantity("M0_{slide}[N*m]", "couple in prismatic pair {slide} without friction")
 FRICTION_REDUCED = Quantity(
     "{letter}_red_fr_{joint}[{unit}]", "friction in {joint} reduced to the input", source="(3.34)"
 )
@@ -84,11 +84,11 @@ def further_columns(mechanism: Mechanism, loading: Loading, kinematics: Kinemati
             for parts, ideal in ((PARTS_OF_PIN, False), (IDEAL_PARTS_OF_PIN, True)):
                 for k, told in enumerate(parts):
                     make = partial(solved.pin_part, j, joint, group, k, ideal=ideal)
-                    found.append(column(told.of(joint=joint.name), make))
+                    found.append(column(told.of(pin=joint.name), make))
         found.append(column(DIRECTION.of(joint=joint.name), partial(solved.direction, j)))
         found += _ideal(solved, j, joint)
         if joint.kind == "prismatic":
-            found.append(column(ARM.of(joint=joint.name), partial(solved.arm, j)))
+            found.append(column(ARM.of(slide=joint.name), partial(solved.arm, j)))
         if joint.name in solved.rubbing:
             reduced = FRICTION_REDUCED.of(joint=joint.name, **_of_drive(result.turns))
             found.append(column(reduced, partial(solved.friction_reduced, joint.name)))
@@ -129,8 +129,8 @@ def _ideal(solved: _Solved, j: int, joint: Joint) -> Iterator[Column]:
     for told, make in zip(IDEAL, parts, strict=True):
         yield column(told.of(joint=joint.name), make)
     if joint.kind == "prismatic":
-        yield column(IDEAL_NORMAL.of(joint=joint.name), lambda: solved.ideal.normal[j])
-        yield column(IDEAL_COUPLE.of(joint=joint.name), lambda: solved.ideal.couple[j])
+        yield column(IDEAL_NORMAL.of(slide=joint.name), lambda: solved.ideal.normal[j])
+        yield column(IDEAL_COUPLE.of(slide=joint.name), lambda: solved.ideal.couple[j])
 
 
 class _Solved(Rows):

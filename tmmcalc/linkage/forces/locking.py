@@ -76,6 +76,8 @@ def magnified(seen: Sequence[Seen], named: Callable[[Real], list[str]]) -> tuple
             f"near to self-locking at {named(np.array([at]))[0]}: errors of the loads and of the friction coefficients "
             f"grow {factor:.2g}-fold in the reactions",
             factor,
+            MAGNIFIED,
+            name="amplification",
         )
         for name, (factor, at) in worst.items()
         if factor > MAGNIFIED

@@ -129,7 +129,7 @@ def draw_body(drawing: Drawing, box: Box, body: FreeBody, motion: LinkageMotion,
 def _draw_values(drawing: Drawing, box: Box, body: FreeBody, other: FreeBody | None, limits: tuple[str, str]) -> None:
     """Size and direction of everything, in both limits if there are two."""
     parts = _parts(body)
-    now, then = (tr("size"), []) if other is None else (limits[0], [limits[1], tr("direction")])
+    now, then = (tr("magnitude"), []) if other is None else (limits[0], [limits[1], tr("direction")])
     head = ["", tr("joint"), now, tr("direction"), f"$h$, {tr_unit('mm')}", *then]
     rows = [_row(part, _found(other, part), len(head)) for part in parts]
     used = [k for k in range(len(head)) if k == 0 or any(row[k] for row in rows)]
@@ -163,7 +163,7 @@ def _draw_legend(drawing: Drawing, box: Box, bodies: Sequence[FreeBody]) -> None
     names = {
         "load": tr("load"),
         "weight": tr("weight"),
-        "inertia": tr("inertia"),
+        "inertia": tr("inertia force"),
         "spring": tr("spring"),
         "damper": tr("damper"),
         "drive": tr("drive"),

@@ -25,14 +25,13 @@ GAP = 4.0  # between pictures [mm]
 
 def cells(box: Box, count: int, scales: Callable[[list[Box]], Sequence[float]]) -> list[Box]:
     """The rooms of so many pictures in a rectangle, row by row, in which they have the largest scales together."""
-    found = []
+    ways = []
     for columns in range(1, count + 1):
         lines = box.split(*[1.0] * math.ceil(count / columns), gap=GAP)
         rooms = [cell for line in lines for cell in line.split(*[1.0] * columns, gap=GAP, across=True)][:count]
-        low = min(min(room.width, room.height) for room in rooms)
-        if low > LEAST or columns == 1:
-            found.append((sum(map(math.log, scales(rooms))), rooms))
-    return min(found, key=lambda each: each[0])[1]
+        ways.append((min(min(room.width, room.height) for room in rooms), rooms))
+    large = [rooms for low, rooms in ways if low > LEAST] or [max(ways, key=lambda way: way[0])[1]]
+    return min(large, key=lambda rooms: sum(map(math.log, scales(rooms))))
 
 
 def draw_groups(drawing: Drawing, box: Box, structure: Structure, motion: LinkageMotion, cycle: LinkageMotion) -> None:

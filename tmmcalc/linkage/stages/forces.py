@@ -25,6 +25,8 @@ solve = "tmmcalc.linkage.forces.solve:solve_forces"
 kind = Forces
 columns = "tmmcalc.linkage.forces.columns:columns"
 placed = "tmmcalc.linkage.tables.tasks.placed:with_position"
+words = "tmmcalc.linkage.tables.tasks.words:words_of"
+declares = ("tmmcalc.linkage.columns:PHI", "tmmcalc.linkage.forces.further", "tmmcalc.linkage.forces.terms")
 
 
 def inputs(spec: LinkageTables) -> tuple[Mechanism, Loading]:

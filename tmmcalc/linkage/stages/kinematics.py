@@ -31,6 +31,8 @@ solve = "tmmcalc.linkage.kinematics:solve_kinematics"
 kind = Kinematics
 columns = "tmmcalc.linkage.columns:columns"
 placed = "tmmcalc.linkage.tables.tasks.placed:with_position"
+words = "tmmcalc.linkage.tables.tasks.words:words_of"
+declares = ("tmmcalc.linkage.relative", "tmmcalc.linkage.special", "tmmcalc.linkage.further")
 
 
 def inputs(spec: LinkageTables) -> Mechanism:

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 solve = "tmmcalc.linkage.unsteady.solve:solve_unsteady"
 kind = Unsteady
 columns = unsteady_columns
+words = "tmmcalc.linkage.tables.tasks.words:words_of"
+declares = ()
 
 
 def inputs(spec: LinkageTables) -> tuple[Mechanism, UnsteadyTask]:

@@ -13,6 +13,7 @@ import math
 from collections.abc import Callable, Iterator
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Said, held
 from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.synthesis.builders import SliderCrank, slider_crank
 from tmmcalc.linkage.synthesis.designs import ClosedForm, closed_form, scene_of
@@ -160,14 +161,17 @@ def _checks(
     yield from (check(name, value, unit, target) for name, value, unit, target in given if target is not None)
 
 
-def _notes(asked: SliderCrankTask, e: float, working: float, idle: float) -> Iterator[str]:
+def _notes(asked: SliderCrankTask, e: float, working: float, idle: float) -> Iterator[Said]:
     if e < 0:
         yield "warning: e < 0 and K < 1: the strokes exchange their roles, the working one is the faster"
     if asked.pressure_working is not None and working > asked.pressure_working * (1 + 1e-9) + 1e-12:
-        yield (
-            f"warning: at the ends of the stroke the pressure angle is {math.degrees(working):.4g} deg, more than nu_p "
-            "where the crank stands across the guide"
+        text = (
+            "at the ends of the stroke the pressure angle is {value:.4g} deg, more than nu_p where the crank stands "
+            "across the guide"
         )
+        numbers = math.degrees(working), math.degrees(asked.pressure_working), "deg"
+        yield held("warning", text, *numbers, name="nu_p")
     if asked.pressure_idle is not None and idle > asked.pressure_idle * (1 + 1e-9) + 1e-12:
-        end = math.degrees(idle)
-        yield f"warning: at an end of the idle stroke the pressure angle is {end:.4g} deg, more than nu_x"
+        text = "at an end of the idle stroke the pressure angle is {value:.4g} deg, more than nu_x"
+        numbers = math.degrees(idle), math.degrees(asked.pressure_idle), "deg"
+        yield held("warning", text, *numbers, name="nu_x")

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.notes import Said
 from tmmcalc.core.records import record
 from tmmcalc.linkage.model import Grid, Mechanism, Output
 from tmmcalc.linkage.synthesis.builders import Operation
@@ -30,7 +31,7 @@ class ClosedForm:
     merits: dict[str, float]
     mechanism: Mechanism
     simulation: Simulation
-    notes: tuple[str, ...] = ()
+    notes: tuple[Said, ...] = ()
     defects: tuple[str, ...] = ()
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from tmmcalc.core.notes import Said
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.quantity import Quantity, quantity
 from tmmcalc.core.records import record
@@ -129,7 +130,7 @@ class Synthesis:
     rule: str = quantity("rule", "rule of the order of the designs")
     designs: tuple[Design, ...]
     residual: float = quantity("residual", "largest residual against any target")
-    notes: tuple[str, ...] = ()
+    notes: tuple[Said, ...] = ()
     counters: dict[str, int] = quantity("counters", "counts of the search", default_factory=dict)
     error: float | None = None  # of the sizes, of lengths relative to the longest; None: no equations settle them
 

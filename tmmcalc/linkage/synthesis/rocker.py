@@ -12,6 +12,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Said, held
 from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.model import Output
@@ -26,6 +27,7 @@ from tmmcalc.linkage.synthesis.task import CrankRockerTask, SynthesisTask
 KIND = "crank_rocker"
 RULE = "the greatest least transmission angle"
 SAMPLES = 4000
+WEAK = 30.0  # deg: a smaller transmission angle is told
 LENGTHS = ("crank", "coupler", "rocker", "frame")
 
 
@@ -178,11 +180,13 @@ def _checks(
             yield check(symbol, value, "m", getattr(asked, name))
 
 
-def _notes(asked: CrankRockerTask, transmission: float) -> Iterator[str]:
+def _notes(asked: CrankRockerTask, transmission: float) -> Iterator[Said]:
     if asked.time_ratio == 1:
         yield (
             "note: K = 1: the crank-rocker is central, a special case: the crank's pivot stands in line with both ends "
             "of the rocker pin, both swings take the same time, and r = R sin(phi)"
         )
-    if transmission < math.radians(30):
-        yield f"warning: the least transmission angle is {math.degrees(transmission):.4g} deg, below 30 deg"
+    least = math.degrees(transmission)
+    if transmission < math.radians(WEAK):
+        text = "the least transmission angle is {value:.4g} deg, below {limit:g} deg"
+        yield held("warning", text, least, WEAK, "deg", name="mu_min")

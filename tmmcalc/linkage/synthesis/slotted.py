@@ -13,6 +13,7 @@ import math
 from collections.abc import Iterator
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Said, held
 from tmmcalc.linkage.synthesis.designs import ClosedForm, closed_form
 from tmmcalc.linkage.synthesis.results import PRESSURE, Size, Synthesis
 from tmmcalc.linkage.synthesis.slottedpost import Lengths, checked, checks
@@ -98,14 +99,15 @@ def _closed(task: SynthesisTask, asked: SlottedTask, phi: float, lengths: Length
     return ClosedForm("slotted link", sizes, made, merits, found.mechanism, found.simulation, notes)
 
 
-def _notes(crank: float, centres: float, arm: float, guide: float) -> Iterator[str]:
+def _notes(crank: float, centres: float, arm: float, guide: float) -> Iterator[Said]:
     if arm < centres + crank:
-        yield (
-            f"note: the block goes up to L + r = {1e3 * (centres + crank):.6g} mm from C, beyond the end D of the arm "
-            f"at R = {1e3 * arm:.6g} mm: the slot is longer than the arm"
+        text = (
+            "the block goes up to L + r = {value:.6g} mm from C, beyond the end D of the arm at R = {limit:.6g} mm: "
+            "the slot is longer than the arm"
         )
+        yield held("note", text, 1e3 * (centres + crank), 1e3 * arm, "mm", name="L + r")
     if guide < centres + crank:
-        yield (
-            f"warning: the guide, {1e3 * guide:.6g} mm over C, passes through the circle of the crank pin, "
-            f"which reaches {1e3 * (centres + crank):.6g} mm"
+        text = (
+            "the guide, {value:.6g} mm over C, passes through the circle of the crank pin, which reaches {limit:.6g} mm"
         )
+        yield held("warning", text, 1e3 * guide, 1e3 * (centres + crank), "mm", name="height of the guide")

@@ -47,7 +47,7 @@ def _columns(result: Unsteady) -> Iterator[Column]:
             yield from _triple(POINT[:3], False, rows, axis=axis, point=point)
     for k, joint in enumerate(moved.joint_names):
         rows = np.stack((moved.s[k], moved.ds[k], moved.dds[k]))
-        yield from _triple(SLIDE[:3], False, rows, joint=joint)
+        yield from _triple(SLIDE[:3], False, rows, slide=joint)
 
 
 def _triple(told: Sequence[Quantity], angular: bool, rows: Real, **places: object) -> Iterator[Column]:

@@ -160,7 +160,7 @@ def _elsewhere_fact(wheel: Wheel) -> Fact:
         lines.append(f"rim: mean diameter {number(1e3 * rim.diameter, 4)} mm, {number(rim.mass, 4)} kg")
         sizes = keyed(rim, "diameter", "mass", "speed")
         values |= {f"{wheel.shaft}_shaft_{key}": value for key, value in sizes.items()}
-    return Fact(f"or on the {name}", "\n".join((*lines, *wheel.remarks)), values)
+    return Fact(f"or on the {name}", "\n".join((*lines, *(verdict.message for verdict in wheel.verdicts))), values)
 
 
 def _methods_view(result: Flywheel) -> View:

@@ -23,6 +23,7 @@ from tmmcalc.machine.flywheel.rim import (
     rim_of_section,
 )
 from tmmcalc.machine.model import FlywheelTask
+from tmmcalc.machine.verdicts import Verdict
 
 THICK = 0.4  # thickness over mean diameter above which a rim is hardly one
 SMALLEST = 0.01  # mean diameter below which there is no rim to speak of [m]
@@ -39,7 +40,7 @@ class Wheel:
     inertia: float = quantity("J_{shaft}_shaft[kg*m^2]", "inertia J/u^2 of the flywheel on the {shaft} shaft")
     speed: float  # largest speed of the shaft [rad/s]
     rim: Rim | None  # None if no flywheel is needed, or none can be made
-    remarks: tuple[str, ...]  # what speaks against it
+    verdicts: tuple[Verdict, ...]  # what speaks against it
 
 
 def wheels(
@@ -60,11 +61,11 @@ def wheels(
 
 def _wheel(task: FlywheelTask, shaft: ShaftName, ratio: float, addition: float, speed: float) -> Wheel:
     own, fast = addition / ratio**2, abs(ratio) * speed
-    rim, remarks = _rim(task, own, fast)
-    return Wheel(shaft, ratio, own, fast, rim, remarks)
+    rim, against = _rim(task, own, fast)
+    return Wheel(shaft, ratio, own, fast, rim, against)
 
 
-def _rim(task: FlywheelTask, own: float, fast: float) -> tuple[Rim | None, tuple[str, ...]]:
+def _rim(task: FlywheelTask, own: float, fast: float) -> tuple[Rim | None, tuple[Verdict, ...]]:
     """The rim that the task's sizes leave; what cannot be made is told, and no reason to stop."""
     if own <= 0:
         return None, ()
@@ -72,21 +73,27 @@ def _rim(task: FlywheelTask, own: float, fast: float) -> tuple[Rim | None, tuple
     edge = largest_diameter(fast, material)
     if task.diameter is task.width is task.thickness is None and edge < SMALLEST:
         text = f"no rim is sized: at {fast:.4g} rad/s {material.name} allows {1e3 * edge:.3g} mm of outer diameter"
-        return None, (f"{text}; a slower shaft",)
+        return None, (
+            Verdict("warning", f"{text}; a slower shaft", 1e3 * edge, 1e3 * SMALLEST, "mm", "outer diameter"),
+        )
     try:
         rim = _sized(task, own, fast, material)
     except NoSolutionError as fault:
-        return None, (f"no such rim: {fault.message}; {fault.remedy}",)
+        return None, (Verdict("warning", f"no such rim: {fault.message}; {fault.remedy}"),)
     if rim.diameter < SMALLEST:
         text = f"no rim is sized: for {own:.4g} kg*m^2 its mean diameter would be {1e3 * rim.diameter:.3g} mm"
-        return None, (text,)
+        return None, (Verdict("warning", text, 1e3 * rim.diameter, 1e3 * SMALLEST, "mm", "mean diameter"),)
     if rim.thickness > THICK * rim.diameter:
         text = f"the rim is {rim.thickness / rim.diameter:.2g} of its mean diameter thick, more disk than rim"
-        return rim, (f"{text}: a larger diameter, a wider rim or a faster shaft",)
+        remedy = "a larger diameter, a wider rim or a faster shaft"
+        return rim, (
+            Verdict("warning", f"{text}: {remedy}", rim.thickness / rim.diameter, THICK, name="thickness/diameter"),
+        )
     if rim.allowed:
         return rim, ()
     text = f"the rim runs at {rim.speed:.4g} m/s, above {material.rim_speed:.4g} m/s, the limit for {material.name}"
-    return rim, (f"{text}: a smaller diameter, a better material or a slower shaft",)
+    remedy = "a smaller diameter, a better material or a slower shaft"
+    return rim, (Verdict("warning", f"{text}: {remedy}", rim.speed, material.rim_speed, "m/s", "rim speed"),)
 
 
 def _sized(task: FlywheelTask, own: float, fast: float, material: Material) -> Rim:

@@ -92,7 +92,7 @@ def flywheel_of(machine: Machine, comparison: Comparison, history: tuple[Trial, 
         picture=energy_mass(cycle, task.delta, mean),
         history=history,
         verdicts=(
-            *(Verdict("warning", remark) for remark in made[0].remarks),
+            *made[0].verdicts,
             *_verdicts(addition, existing, required),
             *(_resisted_verdicts(cycle, at_hand.total + addition, speed) if driver is None else ()),
         ),
@@ -145,7 +145,7 @@ def _verdicts(addition: float, existing: float, required: RequiredInertia | None
         text = (
             f"the flywheel of {existing:.6g} kg*m^2 at the input shaft is too light: {addition:.6g} kg*m^2 are needed"
         )
-        said.append(Verdict("warning", text))
+        said.append(Verdict("warning", text, existing, addition, "kg*m^2", "J_F"))
     return said
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from tmmcalc.core.notes import Note, held
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.motors.model import RPM, CharacteristicKind, Motor, characteristic
@@ -16,6 +17,7 @@ from tmmcalc.machine.motors.model import RPM, CharacteristicKind, Motor, charact
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic
 
+PLACE = "the data of the motor contradict each other"
 FAR = 0.05  # relative difference of two statements of one datum that is more than rounding and friction
 DIRECT = ("shunt", "series")  # kinds of direct-current motors
 OF_DATA = ("shunt", "series", "table")  # characteristics that need not pass through the rated point
@@ -46,41 +48,48 @@ def curve_of(motor: Motor, kind: CharacteristicKind) -> Curve | None:
     return Curve(line.synchronous, line.moment(0.0))
 
 
-def contradictions(motor: Motor, kind: CharacteristicKind) -> tuple[str, ...]:
+def contradictions(motor: Motor, kind: CharacteristicKind) -> tuple[Note, ...]:
     """What in the data of the motor contradicts the rest by more than five per cent, with the numbers."""
     if kind not in OF_DATA:
         return ()
     return (*_at_rated_point(motor, characteristic(motor, kind)), *_of_circuit(motor, kind))
 
 
-def _at_rated_point(motor: Motor, line: Characteristic) -> Iterator[str]:
+def _at_rated_point(motor: Motor, line: Characteristic) -> Iterator[Note]:
     idle, rated = line.synchronous, motor.nominal_moment
     if idle is not None and idle <= motor.speed:
-        yield (
-            f"its characteristic has no load at {idle * RPM:.6g} rpm, not above the rated {motor.speed * RPM:.6g} rpm: "
+        text = (
+            "its characteristic has no load at {value:.6g} rpm, not above the rated {limit:.6g} rpm: "
             "at the rated speed it gives nothing"
         )
+        yield held("warning", text, idle * RPM, motor.speed * RPM, "rpm", name="no-load speed", place=PLACE)
         return
     given = line.moment(motor.speed)
     if abs(given - rated) > FAR * rated:
-        yield (
-            f"at the rated speed its characteristic gives {given:.5g} N*m, the rated power asks for {rated:.5g} N*m "
-            f"({100 * (given / rated - 1):+.3g} %)"
+        text = (
+            "at the rated speed its characteristic gives {value:.5g} N*m, the rated power asks for {limit:.5g} N*m "
+            "({off:+.3g} %)"
         )
+        off = 100 * (given / rated - 1)
+        yield held("warning", text, given, rated, "N*m", name="moment at the rated speed", place=PLACE, off=off)
 
 
-def _of_circuit(motor: Motor, kind: CharacteristicKind) -> Iterator[str]:
+def _of_circuit(motor: Motor, kind: CharacteristicKind) -> Iterator[Note]:
     """Data that the armature circuit makes superfluous, and that do not fit it."""
     if kind == "shunt" and motor.voltage and motor.constant and motor.synchronous:
         idle = motor.voltage / motor.constant
         if abs(motor.synchronous - idle) > FAR * idle:
-            yield f"U/k gives no load at {idle * RPM:.6g} rpm, and not at the {motor.synchronous * RPM:.6g} rpm given"
+            text = "U/k gives no load at {value:.6g} rpm, and not at the {limit:.6g} rpm given"
+            numbers = idle * RPM, motor.synchronous * RPM, "rpm"
+            yield held("warning", text, *numbers, name="no-load speed", place=PLACE)
     if kind == "series" and motor.voltage and motor.resistance and motor.efficiency:
         from tmmcalc.machine.motors.direct_current import voltage_drop
 
         drop = voltage_drop(motor.voltage, motor.resistance, motor.power)
         if drop > 1 - motor.efficiency + FAR:
-            yield (
-                f"its windings lose {100 * drop:.3g} % of the rated input, more than all the losses that the "
-                f"efficiency {motor.efficiency:g} leaves"
+            text = (
+                "its windings lose {value:.3g} % of the rated input, more than all the losses that the efficiency "
+                f"{motor.efficiency:g} leaves"
             )
+            numbers = 100 * drop, 100 * (1 - motor.efficiency), "%"
+            yield held("warning", text, *numbers, name="loss of the windings", place=PLACE)

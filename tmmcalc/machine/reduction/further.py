@@ -32,12 +32,12 @@ from tmmcalc.machine.reduction.ordinates import ordinate_columns
 from tmmcalc.machine.reduction.results import Reduction
 
 OF_LINK = (
-    Quantity("{letter}_red_{link}[{unit}]", "what link {link} adds to the reduced {mass}", source="(3.39)"),
-    Quantity("{letter}_red_{link}_mass[{unit}]", "what the mass of link {link} adds to it: m |S'|^2", source="(3.39)"),
+    Quantity("{inertia}_red_{link}[{unit}]", "what link {link} adds to the reduced {mass}", source="(3.39)"),
+    Quantity("{inertia}_red_{link}_mass[{unit}]", "what the mass of link {link} adds to it: m |S'|^2", source="(3.39)"),
     Quantity(
-        "{letter}_red_{link}_turning[{unit}]", "what the turning of link {link} adds to it: J_S w'^2", source="(3.39)"
+        "{inertia}_red_{link}_turning[{unit}]", "what the turning of link {link} adds to it: J_S w'^2", source="(3.39)"
     ),
-    Quantity("d{letter}_red_{link}[{unit}/{per}]", "what link {link} adds to the slope of the reduced {mass}"),
+    Quantity("d{inertia}_red_{link}[{unit}/{per}]", "what link {link} adds to the slope of the reduced {mass}"),
 )
 OF_ATTACHED = (
     Quantity("J_red_{name}[kg*m^2]", "what the {name} adds to the reduced inertia"),
@@ -91,7 +91,7 @@ def _of_linkage(parts: _Parts) -> list[Column]:
     kind = Input.of(parts.result.turns)
     (word, letter, unit), found = kind.mass, list[Column]()
     for link in dict.fromkeys(body.link for body in parts.loading.heavy):
-        places = {"letter": letter, "unit": unit, "link": link, "per": kind.per, "mass": word}
+        places = {"inertia": letter, "unit": unit, "link": link, "per": kind.per, "mass": word}
         for told, make in zip(OF_LINK, parts.inertias(link), strict=True):
             found.append(column(told.of(**places), make))
     word, letter, unit = kind.force

@@ -36,6 +36,7 @@ kinds = (
 
 
 columns = "tmmcalc.machine.balance.columns:linkage_columns"
+declares = ("tmmcalc.linkage.columns:PHI",)
 
 
 @record

@@ -26,6 +26,7 @@ NO_WHEEL = "no [flywheel]: the motion has none"
 
 kind = Motion
 columns = motion_columns
+declares = ("tmmcalc.linkage.columns:PHI", "tmmcalc.machine.stepwise")
 
 
 class Asked(NamedTuple):

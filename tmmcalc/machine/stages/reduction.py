@@ -34,6 +34,14 @@ DIAGRAM = "[torque] in place of a linkage: nothing is reduced, the diagram is ta
 Given = tuple["Mechanism", "Loading", str] | TorqueTask
 
 kind = Reduction
+words = "tmmcalc.linkage.tables.tasks.words:words_of"
+declares = (
+    "tmmcalc.linkage.columns:PHI",
+    "tmmcalc.machine.reduction.columns",
+    "tmmcalc.machine.reduction.further",
+    "tmmcalc.machine.reduction.ordinates",
+    "tmmcalc.linkage.forces.further:FRICTION_REDUCED",
+)
 placed = "tmmcalc.linkage.tables.tasks.placed:with_position"
 
 

@@ -45,6 +45,7 @@ Given = tuple[
 
 kind = TimedMotions
 columns = stacked_columns
+declares = ("motion", "alpha", "theta")
 
 OWN = ("merson", "rk4", "collocation", "auto")  # methods of integration that are the program's own
 POSITIONAL = (

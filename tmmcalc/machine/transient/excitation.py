@@ -50,7 +50,7 @@ def excitation(motor: Motor, how: Braking, found: Transient, ratio: float) -> tu
     resistance = _circuit(motor, how)
     critical = resistance * speed / least
     at = f"at the {speed * RPM:.5g} rpm of the motor at which it begins to brake"
-    numbers = resistance, critical, "ohm"
+    numbers = resistance, critical, "ohm", "R + R_a"
     if resistance >= critical:
         text = f"the motor does not excite itself: the {resistance:.5g} ohm of its circuit are not below the critical"
         remedy = "less resistance, or a source of its own for the field"

@@ -54,7 +54,9 @@ def verdicts(
     found += _length(scenario, curves, events, end)
     if imbalance > UNBALANCED:
         text = f"energy and work differ by {imbalance:.2g} of the energy turned over"
-        found.append(Verdict("warning", f"{text}: take smaller steps, or step control", imbalance, UNBALANCED))
+        found.append(
+            Verdict("warning", f"{text}: take smaller steps, or step control", imbalance, UNBALANCED, name="imbalance")
+        )
     factors = sorted({float(u) for u in curves.load_factor} - {0.0, 1.0})
     if drive.back is not None and drive.idle is not drive.cycle and factors:
         text = f"friction at the load factor {', '.join(f'{u:g}' for u in factors)} is taken on the straight line"
@@ -126,7 +128,8 @@ def _crawls(scenario: Scenario, curves: Curves, drive: Drive, end: End) -> list[
     if not scenario.motor_on(float(curves.t[-1])) or last <= 0 or fastest >= motor.critical:
         return []
     text = f"the motor, at {last:.6g} rad/s, has not come past its break-down speed {motor.critical:.6g} rad/s"
-    return [Verdict("warning", f"{text}: the start takes longer than this, or the load is too large for it")]
+    remedy = "the start takes longer than this, or the load is too large for it"
+    return [Verdict("warning", f"{text}: {remedy}", last, motor.critical, "rad/s", "omega")]
 
 
 def _heating(curves: Curves, drive: Drive) -> list[Verdict]:
@@ -138,7 +141,7 @@ def _heating(curves: Curves, drive: Drive) -> list[Verdict]:
     pause = time * ((mean / rated) ** 2 - 1)
     text = f"heating: the root mean square of the motor's moment {mean:.5g} N*m over {time:.4g} s exceeds the rated"
     remedy = f"repeated, this motion needs pauses of {pause:.3g} s without current, or a stronger motor"
-    return [Verdict("warning", f"{text} {rated:.5g} N*m: {remedy}", mean, rated, "N*m")]
+    return [Verdict("warning", f"{text} {rated:.5g} N*m: {remedy}", mean, rated, "N*m", "M_motor_rms")]
 
 
 def _length(scenario: Scenario, curves: Curves, events: list[Event], end: End) -> list[Verdict]:
@@ -164,7 +167,7 @@ def _missed(scenario: Scenario, curves: Curves, events: list[Event], end: End) -
         Verdict(
             "warning" if speed == scenario.end_speed else "note",
             f"the crank does not reach {speed:.6g} rad/s: {last}",
-            *(float(curves.omega[-1, -1]), speed, "rad/s"),
+            *(float(curves.omega[-1, -1]), speed, "rad/s", "omega"),
         )
         for speed in asked
         if not any(math.isclose(speed, seen) for seen in reached)
@@ -225,7 +228,7 @@ def _extrapolated(scenario: Scenario, curves: Curves, drive: Drive, rated: float
     remedy = "give points for these speeds" if motor.name == "table" else whole
     text = f"the {motor.name} characteristic holds from {motor.least:.6g} rad/s up, the speed is as low as {lowest:.6g}"
     more = f"below, for {time:.4g} s, it is extrapolated to {largest:.5g} N*m{times}: these times and moments are no"
-    return [Verdict("warning", f"{text} rad/s; {more} prediction; {remedy}", lowest, motor.least, "rad/s")]
+    return [Verdict("warning", f"{text} rad/s; {more} prediction; {remedy}", lowest, motor.least, "rad/s", "omega")]
 
 
 def _without_quiet(scenario: Scenario, shape: Profile, events: list[Event]) -> list[Verdict]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.notes import Said
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import Quantity, derived, quantity
 from tmmcalc.core.records import record
@@ -63,7 +64,7 @@ class PendulumResult:
     swing: SwingCourse | None
     functions: int  # of the Ritz method
     error: dict[str, float]  # relative: frequencies, critical, whirl, torsion, swing
-    notes: tuple[str, ...]
+    notes: tuple[Said, ...]
 
     @derived("frequency_error", "largest relative error of the natural frequencies")
     def frequency_error(self) -> float:

@@ -9,6 +9,7 @@ from math import pi, sqrt
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Said, held
 from tmmcalc.core.numerics.extended import EPS, MARGIN
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.vibration.pendulum.basis import sample
@@ -173,17 +174,19 @@ def _campbell(task: PendulumTask, plane: Plane) -> Campbell | None:
     return Campbell(forward.shape[1], spin, forward.T, backward.T, curve)
 
 
-def _notes(task: PendulumTask, critical: Values, slopes: tuple[Values, Values] | None) -> Iterator[str]:
+def _notes(task: PendulumTask, critical: Values, slopes: tuple[Values, Values] | None) -> Iterator[Said]:
     if len(critical) and task.spin:
         near = float(critical[np.argmin(np.abs(critical - abs(task.spin)))])
         ratio = abs(task.spin) / near
         if abs(ratio - 1) < NEAR:
             rpm = near * 30 / pi
-            yield f"warning: the spin is {ratio:.4g} of the critical speed {near:.6g} rad/s ({rpm:.5g} rpm)"
+            text = "the spin is {ratio:.4g} of the critical speed {limit:.6g} rad/s ({rpm:.5g} rpm)"
+            yield held("warning", text, abs(task.spin), near, "rad/s", name="spin", ratio=ratio, rpm=rpm)
     if slopes is not None:
         largest = float(np.max(np.hypot(*slopes)))
         if largest > LARGE:
-            yield (
-                f"warning: the lower end comes to a slope of {np.degrees(largest):.4g} deg, more than the "
-                f"{np.degrees(LARGE):.3g} deg up to which the equations of small slopes hold"
+            text = (
+                "the lower end comes to a slope of {value:.4g} deg, more than the {limit:.3g} deg up to which the "
+                "equations of small slopes hold"
             )
+            yield held("warning", text, np.degrees(largest), np.degrees(LARGE), "deg", name="slope")

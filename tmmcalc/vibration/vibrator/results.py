@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.notes import Said
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import Quantity, derived, quantity
 from tmmcalc.core.records import record
@@ -68,7 +69,7 @@ class VibratorResult:
     run_up: Start | None
     drive: MotorStart | None
     points: tuple[str, ...]  # names of the points
-    notes: tuple[str, ...]
+    notes: tuple[Said, ...]
 
     @derived("natural_frequencies[Hz]", "natural frequencies", symbol="f", header="f[Hz]")
     def hertz(self) -> Values:

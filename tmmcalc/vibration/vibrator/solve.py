@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import pi
+from typing import Any
 
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Said, held
 from tmmcalc.vibration.vibrator.energies import Excitation, excitation_of, mass_matrix, stiffness_matrix
 from tmmcalc.vibration.vibrator.errors import Device, amplitude_errors, power_error, relative
 from tmmcalc.vibration.vibrator.forced import Steady, amplitudes, peaks, steady
@@ -19,6 +21,7 @@ from tmmcalc.vibration.vibrator.runup import run_up
 from tmmcalc.vibration.vibrator.springs import stiffness_of
 from tmmcalc.vibration.vibrator.task import COORDINATES, UNITS, VibratorTask
 
+RPM = 30 / pi
 NEAR = 0.05  # of a natural frequency: a speed so near is at resonance
 LARGE_TURN = 0.15  # rad: beyond it a small turn is none
 SHORT = 0.03  # of a regime's speed: a rotor that lacks more has not reached it
@@ -142,12 +145,13 @@ def _speed(task: VibratorTask) -> float:
     return task.speed
 
 
-def _notes(modes: Modes, found: Steady | None, started: Start | None, driven: MotorStart | None) -> Iterator[str]:
+def _notes(modes: Modes, found: Steady | None, started: Start | None, driven: MotorStart | None) -> Iterator[Said]:
     if found is not None:
         near = int(np.argmin(np.abs(modes.frequency - found.speed)))
         ratio = found.speed / float(modes.frequency[near])
         if abs(ratio - 1) < NEAR:
-            yield f"note: the speed is {ratio:.4g} of natural frequency {near + 1}: the device works at resonance"
+            text = "the speed is {value:.4g} of natural frequency {mode}: the device works at resonance"
+            yield held("note", text, ratio, 1.0, name="speed/natural frequency", mode=near + 1)
         yield from _large("steady motion", found.amplitude)
     if started is not None:
         yield from _large("start", started.largest)
@@ -156,17 +160,19 @@ def _notes(modes: Modes, found: Steady | None, started: Start | None, driven: Mo
         yield from _of_motor(modes, driven)
 
 
-def _large(what: str, sizes: np.ndarray) -> Iterator[str]:
+def _large(what: str, sizes: np.ndarray) -> Iterator[Said]:
     turns = [(size, name) for size, name, unit in zip(sizes.tolist(), COORDINATES, UNITS, strict=True) if unit == "rad"]
     size, name = max(turns)
     if size > LARGE_TURN:
-        yield (
-            f"warning: {what}: {name} comes to {np.degrees(size):.4g} deg, more than the {np.degrees(LARGE_TURN):.3g} "
-            "deg up to which the equations of small turns hold"
+        text = (
+            "{turn} comes to {value:.4g} deg, more than the {limit:.3g} deg up to which the equations of small turns "
+            "hold"
         )
+        numbers = np.degrees(size), np.degrees(LARGE_TURN), "deg"
+        yield held("warning", text, *numbers, name=name, place=what, turn=name)
 
 
-def _of_motor(modes: Modes, driven: MotorStart) -> Iterator[str]:
+def _of_motor(modes: Modes, driven: MotorStart) -> Iterator[Said]:
     stable = [each for each in driven.regimes if each.stable]
     if not stable:
         yield "warning: the motor has no steady regime up to its no-load speed"
@@ -174,38 +180,46 @@ def _of_motor(modes: Modes, driven: MotorStart) -> Iterator[str]:
     top = stable[-1].speed
     if driven.stuck:
         w = float(modes.frequency[driven.stuck - 1])
-        yield (
-            f"warning: the rotor is stuck at resonance (Sommerfeld): it stays at {_rpm(driven.mean)} rpm, "
-            f"{driven.mean / w:.4g} of natural frequency {driven.stuck} ({w / (2 * pi):.5g} Hz), although the motor "
-            f"could keep {_rpm(top)} rpm; take a stronger motor, more damping or less unbalance"
+        text = (
+            "the rotor is stuck at resonance (Sommerfeld): it stays at {value:.5g} rpm, {part:.4g} of natural "
+            "frequency {mode} ({frequency:.5g} Hz), although the motor could keep {limit:.5g} rpm; take a stronger "
+            "motor, more damping or less unbalance"
         )
+        words: dict[str, Any] = {"part": driven.mean / w, "mode": driven.stuck, "frequency": w / (2 * pi)}
+        yield held("warning", text, driven.mean * RPM, top * RPM, "rpm", name="mean speed", **words)
     elif driven.mean < top * (1 - SHORT):
-        yield (
-            f"warning: the start has not ended: {_rpm(driven.mean)} rpm of {_rpm(top)} rpm, still gaining "
-            f"{_rpm(driven.gain)} rpm in a tenth of the time; write a longer duration"
+        text = (
+            "the start has not ended: {value:.5g} rpm of {limit:.5g} rpm, still gaining {gain:.5g} rpm in a tenth of "
+            "the time; write a longer duration"
         )
+        numbers = driven.mean * RPM, top * RPM, "rpm"
+        yield held("warning", text, *numbers, name="mean speed", gain=driven.gain * RPM)
     for each in driven.barriers:
         if each.speed < top and each.motor < each.load:
-            yield (
-                f"note: resonance {each.mode} asks {each.load:.5g} N*m at {_rpm(each.speed)} rpm, the motor gives "
-                f"{each.motor:.5g} N*m: only inertia carries the rotor past it"
+            text = (
+                "resonance {mode} asks {limit:.5g} N*m at {rpm:.5g} rpm, the motor gives {value:.5g} N*m: only inertia "
+                "carries the rotor past it"
             )
+            at: dict[str, Any] = {"mode": each.mode, "rpm": each.speed * RPM}
+            yield held("note", text, each.motor, each.load, "N*m", name="moment of the motor", **at)
 
 
-def _validity(task: VibratorTask, driven: MotorStart | None) -> Iterator[str]:
+def _validity(task: VibratorTask, driven: MotorStart | None) -> Iterator[Said]:
     """Where the formula of the motor's characteristic does not hold."""
     least = None if task.drive is None else task.drive.characteristic.least
     if task.drive is None or driven is None or least is None:
         return
     lowest = float(np.min(driven.course.omega))
     if lowest < least * (1 - SHORT):
-        yield (
-            f'warning: the characteristic "{task.drive.kind}" holds from {_rpm(least)} rpm, the start begins at '
-            f"{_rpm(lowest)} rpm; take one of the whole range, such as kloss or table"
+        text = (
+            'the characteristic "{kind}" holds from {limit:.5g} rpm, the start begins at {value:.5g} rpm; take one of '
+            "the whole range, such as kloss or table"
         )
+        numbers = lowest * RPM, least * RPM, "rpm"
+        yield held("warning", text, *numbers, name="least speed", kind=task.drive.kind)
 
 
-def _undamped(task: VibratorTask, modes: Modes) -> Iterator[str]:
+def _undamped(task: VibratorTask, modes: Modes) -> Iterator[Said]:
     """Which peaks of the curve have no bound."""
     if task.curve is None:
         return
@@ -214,7 +228,3 @@ def _undamped(task: VibratorTask, modes: Modes) -> Iterator[str]:
     if len(bare):
         listed = ", ".join(map(str, bare.tolist()))
         yield f"warning: no damping in mode {listed}: at its resonance the curve has no bound, its peaks are arbitrary"
-
-
-def _rpm(omega: float) -> str:
-    return f"{omega * 30 / pi:.5g}"

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from tmmcalc.core.notes import Said, held
 from tmmcalc.linkage.synthesis.dwell.criteria import towards_and_away
 from tmmcalc.linkage.synthesis.dwell.exact import Figures
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
@@ -16,7 +17,7 @@ LONG = 0.02  # of max |S| over the dwell, against the stroke
 STEEP = math.radians(60)  # pressure angle
 
 
-def advice(asked: DwellTask, found: Figures, n: float | None) -> Iterator[str]:
+def advice(asked: DwellTask, found: Figures, n: float | None) -> Iterator[Said]:
     """Remarks on forces, dwell, division of time and sense."""
     working, idle = (math.sqrt(float(part[0])) for part in (found.criteria.f4, found.criteria.f5))
     unit = "" if asked.output == "slider" else "/l_OB"
@@ -33,20 +34,20 @@ def advice(asked: DwellTask, found: Figures, n: float | None) -> Iterator[str]:
         yield f"note: bar forces for a unit resistance: {figures}"
     ratio = found.dwell[0] / found.stroke
     if ratio > LONG:
-        yield (
-            f"note: the output leaves its dwell by {100 * ratio:.3g} % of the stroke; a smaller dwell angle than "
-            f"{math.degrees(asked.dwell):.4g} deg gives a more exact dwell"
+        text = (
+            "the output leaves its dwell by {value:.3g} % of the stroke; a smaller dwell angle than {dwell:.4g} deg "
+            "gives a more exact dwell"
         )
+        yield held("note", text, 100 * ratio, 100 * LONG, "%", name="max |S|/stroke", dwell=math.degrees(asked.dwell))
     yield from _division(asked, found, n)
     steepest, at = found.largest["delta"]
     if steepest > STEEP:
-        yield (
-            f"warning: the pressure angle reaches {math.degrees(steepest):.4g} deg at {math.degrees(at):.4g} deg "
-            "of the crank from position 1"
-        )
+        text = "the pressure angle reaches {value:.4g} deg at {at:.4g} deg of the crank from position 1"
+        numbers = math.degrees(steepest), math.degrees(STEEP), "deg"
+        yield held("warning", text, *numbers, name="delta", at=math.degrees(at))
 
 
-def _division(asked: DwellTask, found: Figures, n: float | None) -> Iterator[str]:
+def _division(asked: DwellTask, found: Figures, n: float | None) -> Iterator[Said]:
     """How the turn divides into the two strokes and the dwell, and what changes it."""
     towards, away = (float((end - begin)[0]) for begin, end in towards_and_away(asked, np.array([found.far])))
     text = (
