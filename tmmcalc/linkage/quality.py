@@ -200,11 +200,7 @@ def grade(chain: Chain, qualities: tuple[GroupQuality, ...]) -> tuple[Grade, ...
         for near in quality.singular:
             at = coordinate(chain, near.x)
             text = f"nearly singular at {at}: errors and velocities are amplified {1 / near.value:.4g} times"
-<<<<<<< HEAD
-            grades.append(Grade("warning", where, text, 1 / near.value, 1 / NEARLY_SINGULAR))
-=======
             grades.append(Grade("warning", where, text, 1 / near.value, 1 / NEARLY_SINGULAR, name="amplification"))
->>>>>>> main
         for weak in quality.weak:
             limit = 20 if weak.value < POOR else 30
             at = coordinate(chain, weak.x)

@@ -94,13 +94,9 @@ def _decisive(margins: tuple[Margin, ...]) -> Iterator[tuple[str, Margin]]:
             yield each.verdict, each
 
 
-<<<<<<< HEAD
-def _notes(case: Case, margins: tuple[Margin, ...], rolling: Rolling | None, shaft: ShaftFound | None) -> Iterator[Said]:
-=======
 def _notes(
     case: Case, margins: tuple[Margin, ...], rolling: Rolling | None, shaft: ShaftFound | None
 ) -> Iterator[Said]:
->>>>>>> main
     for verdict, each in _decisive(margins):
         where = "" if each.phi is None else f" at phi = {degrees(each.phi):.6g} deg"
         more = f" ({each.why})" if each.why else ""

@@ -114,8 +114,6 @@ def verdict_fact(checks: Sequence[Check]) -> Fact:
     return Fact("verdict", text, {"verdict": worst(tuple(checks))})
 
 
-<<<<<<< HEAD
-=======
 def check_note(check: Check, text: str) -> Note:
     """The warning of a condition that is not kept, in the words of ``text``."""
     scale, unit = (math.degrees(1.0), "deg") if check.name in ANGLES else (1.0, "")
@@ -124,7 +122,6 @@ def check_note(check: Check, text: str) -> Note:
     return Note("warning", text, place, scale * check.value, limit, unit, check.name)
 
 
->>>>>>> main
 def pair_notes(found: MeshPair) -> Iterator[Note]:
     """What fails, what is not recommended, how far the nearest good shifts are, what the choice had to give up."""
     wheels = found.task.wheels
