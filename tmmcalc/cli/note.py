@@ -17,7 +17,7 @@ from tmmcalc.report.drawing.order import POSITIONS
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
 
-FORMS = ("pdf", "typ", "txt")
+FORMS = {"pdf": "typst", "docx": "docx", "html": "", "typ": "", "txt": ""}  # and the package that each needs
 STDOUT = Path("-")
 
 
@@ -29,7 +29,7 @@ def command(
             "-o",
             "--out",
             metavar="FILE",
-            help="The note, by suffix pdf, typ (its source for Typst) or txt; '-' prints it (default: <spec>.pdf).",
+            help="The note, by suffix pdf, docx, html, typ (for Typst) or txt; '-' prints it (default: <spec>.pdf).",
             show_default=False,
         ),
     ] = None,
@@ -85,14 +85,15 @@ def _form(file: Path) -> str:
     if form not in FORMS:
         remedy = f"forms: {', '.join(FORMS)}"
         raise UsageError(f"no form of a note for the suffix {file.suffix!r} of {file.name}", where="-o", remedy=remedy)
-    if form == "pdf":
+    package = FORMS[form]
+    if package:
         from importlib.util import find_spec
 
-        if find_spec("typst") is None:
+        if find_spec(package) is None:
             from tmmcalc.core.installation import install
 
-            said = "a note as pdf needs typst, which is not installed"
-            raise UsageError(said, where="-o", remedy=f"{install('note')}; txt needs nothing")
+            said = f"a note as {form} needs {package}, which is not installed"
+            raise UsageError(said, where="-o", remedy=f"{install('note')}; html and txt need nothing")
     return form
 
 
@@ -127,6 +128,15 @@ def _written(run: RunResult, chapters: list[str], positions: str | None, form: s
         from tmmcalc.note.plaintext import text
 
         return text(note).encode()
+    title = run.spec.project.title
+    if form == "html":
+        from tmmcalc.note.html import page
+
+        return page(note, title, spoken()).encode()
+    if form == "docx":
+        from tmmcalc.note.docx import document
+
+        return document(note, title)
     from tmmcalc.note.typst import pdf, source
 
     typed = source(note, spoken())

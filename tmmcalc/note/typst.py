@@ -11,9 +11,9 @@ from tmmcalc.report.formula.layout import Row
 from tmmcalc.report.formula.typst import typst as formula
 
 SIZE = 12.0  # of letters [pt]
-WIDE = 165.0  # of the text [mm]
+WIDE = 158.0  # that a formula may have, of 165 of the text [mm]
 MM = 72.0 / 25.4  # points to a mm
-LETTER = 0.52  # of the words before a formula [em]
+LETTER = 0.55  # of the words before a formula [em]
 NUMBER = 16.0  # room for the number of a formula [mm]
 HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 20mm, top: 20mm, bottom: 20mm), numbering: "1")
 #set text(font: "TMM Text", size: 12pt, lang: "LANGUAGE")
@@ -34,7 +34,8 @@ def pdf(text: str) -> bytes:
     """The note set; raises for a warning, as of a letter that no font has."""
     import typst
 
-    compiled, warnings = typst.compile_with_warnings(text.encode(), format="pdf", font_paths=[str(FONTS)])
+    fonts = typst.Fonts(include_system_fonts=False, font_paths=[str(FONTS)])
+    compiled, warnings = typst.compile_with_warnings(text.encode(), format="pdf", font_paths=fonts)
     assert not warnings, [str(warning) for warning in warnings]
     assert isinstance(compiled, bytes)
     return compiled

@@ -41,7 +41,7 @@ def test_a_formula_has_the_value_of_its_arithmetic(text: str, expected: float) -
     assert value(read_node(text), VALUES) == pytest.approx(expected, rel=1e-15)
 
 
-@pytest.mark.parametrize("text", ["a +", "a**", "f(a)", "a if b else c", "a < ", "'a'", "a.b", "[a]", "sum(a)", "a % b"])
+@pytest.mark.parametrize("text", ["a +", "a**", "f(a)", "a if b else c", "a <", "'a'", "a.b", "[a]", "sum(a)", "a % b"])
 def test_what_is_no_formula_is_refused(text: str) -> None:
     with pytest.raises(FormulaError):
         read(text)

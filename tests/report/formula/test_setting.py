@@ -31,7 +31,7 @@ OMML = "http://schemas.openxmlformats.org/officeDocument/2006/math"
     [
         ("sigma = -a*b", "σ = −a b"),
         ("x = (-a)*b", "x = −a b"),
-        ("x = a*(-b)", "x = a (−b)"),
+        ("x = a*(-b)", "x = a·(−b)"),
         ("x = a - (b - c)", "x = a − (b − c)"),
         ("x = (a + b)**2", "x = (a + b)^2"),
         ("x = cos(phi_3)**2", "x = cos^2 φ_3"),
@@ -74,7 +74,9 @@ def formulas() -> list[Any]:
         if not depth:
             return draw.choice(atoms)
         x, y = some(depth - 1), some(depth - 1)
-        form = draw.choice(["({}) + ({})", "({}) - ({})", "({})*({})", "({})/({})", "sin({}) + {}", "sqrt({}) - {}", "-({})*{}"])
+        form = draw.choice(
+            ["({}) + ({})", "({}) - ({})", "({})*({})", "({})/({})", "sin({}) + {}", "sqrt({}) - {}", "-({})*{}"]
+        )
         return form.format(x, y)
 
     return [some(k % 4) for k in range(200)]
@@ -115,7 +117,7 @@ def test_a_broken_line_loses_nothing_and_fits() -> None:
     text = " + ".join(f"a_{k}*sin(phi_{k})*l_{k}" for k in range(12))
     parts = (side(read_node("x")), side(read_node(text)))
     rows = broken(parts, 30.0)
-    assert len(rows) > 3
+    assert len(rows) == 3
     assert all(width(row) <= 30.0 for row in rows)
     assert sum(map(signs, rows)) == sum(map(signs, parts)) + 1  # the sign of equality
     assert all(isinstance(row.boxes[0], Sign) for row in rows[1:])

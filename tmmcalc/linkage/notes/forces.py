@@ -35,8 +35,9 @@ def forces_blocks(told: Told, loading: Loading, result: Forces) -> Iterator[Bloc
     """Inertia forces, every dyad from the last, the balancing moment of the input link."""
     mechanism = told.chain.mechanism
     statics = compile_statics(compile_scene(mechanism, loading, told.result))
-    sides = np.array([side_of(result, row) for row in told.rows])
-    found = solved(statics, result.theta[list(told.rows)], sides)
+    rows = [result.labels.index(told.result.labels[row]) for row in told.rows]  # more of them where friction jumps
+    sides = np.array([side_of(result, row) for row in rows])
+    found = solved(statics, result.theta[rows], sides)
     bodies = [{body.links[0]: body for body in link_bodies(found, k)} for k in range(len(told.rows))]
     yield Heading(tr("Force analysis"), 1)
     yield from _inertia(told, loading, bodies)
@@ -96,7 +97,7 @@ def _dyad(told: Told, dyad: Dyad, bodies: Sequence[Bodies]) -> Iterator[Block]:
     for key, point in dyad.kind.MOMENTS.items():
         moved = [int(places[letter]) for letter in key]
         texts.append(_moments(told, bodies, moved, places[point], own))
-    for lexicon, each, at in zip(told.lexicons, bodies, dyad.states, strict=True):
+    for lexicon, each in zip(told.lexicons, bodies, strict=True):
         for axis in "xy":
             total = sum(number_of(lexicon, f"T_{{{k}{axis}}}") for k in links)
             lexicon[canonical(f"T_{{{pair}{axis}}}")] = Given(total, "N", tr("sum of the given forces on the group"))

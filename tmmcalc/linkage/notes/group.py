@@ -23,7 +23,7 @@ from tmmcalc.report.language import tr
 class GroupAt(NamedTuple):
     """One position of a dyad; states of its ports, placement and rates are in time [m, s, rad], single numbers."""
 
-    step: Step
+    dyad: Any  # its metric
     places: Mapping[str, str]  # what stands for ``<a>``, ``<P>`` ... in formulas
     port1: Any  # Point or Guide
     port2: Any
@@ -38,8 +38,9 @@ def group_at(chain: Chain, step: Step, result: Kinematics, row: int) -> GroupAt:
     number = chain.steps.index(step)
     ports = [_single(_timed(port, result.speed, result.acceleration)) for port in configuration.ports[number]]
     placed = type(configuration.placed[number])(*(_number(each) for each in configuration.placed[number]))
-    rates = Rates(*(float(np.ravel(each)[0]) for each in step.dyad.rates(*ports, placed, solvers.closed)))
-    return GroupAt(step, names_of(chain, step), ports[0], ports[1], placed, rates)
+    dyad: Any = step.dyad
+    rates = Rates(*map(_number, dyad.rates(*ports, placed, solvers.closed)))
+    return GroupAt(dyad, names_of(chain, step), ports[0], ports[1], placed, rates)
 
 
 def _timed(state: Any, speed: float, acceleration: float) -> Any:
@@ -108,7 +109,8 @@ def angle(direction: complex, meaning: str) -> Given:
 
 def turned(given: Given, near: float) -> Given:
     """An angle [deg] with as many whole turns as bring it to ``near``."""
-    return given._replace(value=float(given.value) + 360.0 * round((near - float(given.value)) / 360.0))
+    assert isinstance(given.value, float)
+    return given._replace(value=given.value + 360.0 * round((near - given.value) / 360.0))
 
 
 def along_guide(slider: str, link: str, number: str, s: float, rate: float, rate2: float) -> dict[str, Given]:
@@ -121,14 +123,14 @@ def along_guide(slider: str, link: str, number: str, s: float, rate: float, rate
 
 
 def guide_quantities(
-    at: GroupAt, guide: Guide, offset: complex, *, slider: str, origin: str, link: str, mark: str
+    at: GroupAt, guide: Guide, offset: complex, *, slider: str, origin: str, mark: str
 ) -> dict[str, Given]:
     """A guide: its direction, and how its place under the slider's pin moves with it; ``offset`` goes to the pin."""
     places = at.places
     offset, omega, eps = complex(offset), float(guide.omega), float(guide.eps)
     velocity = complex(guide.v) + 1j * omega * offset
     acceleration = complex(guide.a) + (1j * eps - omega**2) * offset
-    number, carrier = places[slider[1:-1]], places[link[1:-1]]
+    number = places[slider[1:-1]]
     carried = tr("projection of the velocity of the guide of link {link} at {point}", link=number, point=places["B"])
     drawn = tr("projection of the acceleration of the guide of link {link} at {point}", link=number, point=places["B"])
     return {

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.notes.group import GroupAt, length, plain_name
 from tmmcalc.linkage.pins import Pin, find_pins
+from tmmcalc.linkage.structure import Group
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 
@@ -76,9 +77,9 @@ def crank_carrier(chain: Chain) -> Carrier | None:
     return Carrier(link, plain_name(pivot.name), pivot.at[link], f"phi_{link}", 1 + 0j, link)
 
 
-def carriers(chain: Chain, at: GroupAt) -> Iterator[Carrier]:
+def carriers(chain: Chain, group: Group, at: GroupAt) -> Iterator[Carrier]:
     """The links of a dyad."""
-    places, group = at.places, at.step.group
+    places = at.places
     a, b = group.links
     pins = {plain_name(pin.name): pin for pin in find_pins(chain.mechanism)}
     match group.kind:

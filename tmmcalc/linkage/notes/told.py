@@ -1,4 +1,4 @@
-"""What the chapters on a linkage are told from: its dyads at the chosen positions, and all quantities by their names."""
+"""What the chapters on a linkage are told from: its dyads at the chosen positions, all quantities by their names."""
 
 from __future__ import annotations
 
@@ -140,7 +140,7 @@ def _dyad(
             lexicon.setdefault(canonical(filled(key, at.places)), given)
     known.add(states[0].places["B"])
     carried = []
-    for carrier in points.carriers(chain, states[0]):
+    for carrier in points.carriers(chain, step.group, states[0]):
         carried += _carried(chain, carrier, known, lexicons)
     return Dyad(step, kind, states, carried)
 

@@ -20,7 +20,7 @@ PLAIN = (-4, 6)  # exponents of numbers that are written without a power of ten
 
 
 class Given(NamedTuple):
-    """A quantity with its value, or the values over an index, in the unit in which it is printed; ``deg`` is an angle."""
+    """A quantity with its value, or values over an index, in the unit in which it is printed; ``deg`` is an angle."""
 
     value: Value
     unit: str = ""

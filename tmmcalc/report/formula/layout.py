@@ -1,4 +1,4 @@
-"""What is typeset of a formula: letters, numbers, signs, fractions, roots, brackets, indices. No format is known here."""
+"""What is typeset of a formula: letters, numbers, signs, fractions, roots, brackets, indices; no format is known."""
 
 from __future__ import annotations
 
@@ -24,10 +24,11 @@ class Digits(NamedTuple):
 
 
 class Sign(NamedTuple):
-    """An operator or a relation between its neighbours; ``main`` ones stand between the terms or sides of a whole line."""
+    """An operator or a relation; ``main`` ones stand between the terms or the sides of a whole line."""
 
     text: str
     main: bool = False
+    leads: bool = False  # a minus before the first term
 
 
 class Gap(NamedTuple):

@@ -34,14 +34,12 @@ def plain(box: Box) -> str:
             return text
         case Digits(text):
             return spelt(text)
-        case Sign(text):
-            return {"·": "·", ";": "; "}.get(text, f" {text} ")
+        case Sign(text, _, leads):
+            return text if leads or text == "·" else {";": "; "}.get(text, f" {text} ")
         case Gap():
             return " "
         case Row(boxes):
-            first, rest = boxes[:1], boxes[1:]
-            leading = "".join("−" if isinstance(each, Sign) and each.text == "−" else plain(each) for each in first)
-            return leading + "".join(map(plain, rest))
+            return "".join(map(plain, boxes))
         case Fraction(over, under):
             return f"{_grouped(over)}/{_grouped(under)}"
         case Marked(inner, mark):

@@ -73,7 +73,7 @@ def side(node: Node, values: Values = None) -> Row:
 def letters(symbol: Symbol) -> Box:
     """A quantity as it is written."""
     base = _letter(symbol.base)
-    index = None if not symbol.index else _index(symbol.index)
+    index = None if not symbol.lower else _index(symbol.lower)
     upper = None if not symbol.upper else _index(symbol.upper)
     return base if index is upper is None and not symbol.primes else Script(base, index, upper, symbol.primes)
 
@@ -102,7 +102,7 @@ def _terms(node: Node, values: Values, *, main: bool = False) -> list[Box]:
     boxes: list[Box] = []
     for k, (sign, term) in enumerate(node.terms):
         if k or sign < 0:
-            boxes.append(Sign("+" if sign > 0 else "−", main=main and k > 0))
+            boxes.append(Sign("+" if sign > 0 else "−", main=main and k > 0, leads=not k))
         boxes.append(_term(term, values, leads=not k and sign > 0))
     return boxes
 
@@ -127,10 +127,10 @@ def _box(node: Node, values: Values) -> Box:
             return Fraction(_bare(over, values), _bare(under, values))
         case Power(base, exponent):
             return _power(base, exponent, values)
-        case Over(body, index):
+        case Over(body, counter):
             assert values is None, "a sum is written out before its numbers are set"
             inner = _box(body, values)
-            return Big("∑", Letter(index), Fenced(inner) if isinstance(body, Sum) else inner)
+            return Big("∑", Letter(counter), Fenced(inner) if isinstance(body, Sum) else inner)
         case Call(function, arguments):
             return _call(function, arguments, values)
 

@@ -47,7 +47,7 @@ class Symbol(NamedTuple):
     """``a_{BA}^n``: base ``a``, index ``BA``, upper index ``n``. A base of several letters is a word or Greek."""
 
     base: str
-    index: str = ""
+    lower: str = ""
     upper: str = ""
     primes: int = 0
 
@@ -56,8 +56,8 @@ def symbol_of(key: str) -> Symbol:
     """The parts of a name.
 
     >>> symbol_of("phi_3"), symbol_of("S''"), symbol_of("a_{BA}^n")
-    (Symbol(base='φ', index='3', upper='', primes=0), Symbol(base='S', index='', upper='', primes=2), \
-Symbol(base='a', index='BA', upper='n', primes=0))
+    (Symbol(base='φ', lower='3', upper='', primes=0), Symbol(base='S', lower='', upper='', primes=2), \
+Symbol(base='a', lower='BA', upper='n', primes=0))
     """
     found = NAME.fullmatch(key)
     if found is None:

@@ -1,8 +1,8 @@
 """The text of a formula read to its tree.
 
 It is written as expressions of the program are, with ``**`` for a power; names have indices and primes, ``phi_3``,
-``v_{Bx}``, ``a_{BA}^n``, ``S''``; ``sum(P_i*v_i, i)`` is a sum over an index; ``=``, ``<``, ``<=``, ``>``, ``>=`` stand between
-sides, ``~`` is "about".
+``v_{Bx}``, ``a_{BA}^n``, ``S''``; ``sum(P_i*v_i, i)`` is a sum over an index; ``=``, ``<``, ``<=``, ``>``, ``>=`` stand
+between sides, ``~`` is "about".
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What a formula is made of, and its value with numbers for the names.
 
-An angle whose unit is deg stands in the values in degrees, as it is printed; within, angles are in rad. All other values
-are in the units in which they are printed: a formula holds in these units.
+Angles are in rad here, whatever they are printed in. All other values are in the units in which they are printed: a
+formula holds in these units.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ class Over(NamedTuple):
     """A sum over an index: names that stand for a list of values take one after another."""
 
     body: Node
-    index: str
+    counter: str
 
 
 class Statement(NamedTuple):
@@ -171,8 +171,8 @@ def mapped(node: Node, change: Callable[[Node], Node]) -> Node:
             return Power(change(base), change(exponent))
         case Call(function, arguments):
             return Call(function, tuple(map(change, arguments)))
-        case Over(body, index):
-            return Over(change(body), index)
+        case Over(body, counter):
+            return Over(change(body), counter)
 
 
 def names(node: Node | Statement) -> list[str]:

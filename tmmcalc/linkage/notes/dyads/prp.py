@@ -19,10 +19,10 @@ VELOCITY = (
     "v_{<B>y}^{e<a>} = v_{<P>y} + omega_<f>*(x_{<B>} - x_{<P>})",
     "v_{<B>x}^{e<b>} = v_{<Q>x} - omega_<g>*(y_{<B>} - y_{<Q>})",
     "v_{<B>y}^{e<b>} = v_{<Q>y} + omega_<g>*(x_{<B>} - x_{<Q>})",
-    "v_{<a><f>} = ((v_{<B>x}^{e<b>} - v_{<B>x}^{e<a>})*sin(gamma_<b>) - (v_{<B>y}^{e<b>} - v_{<B>y}^{e<a>})*cos(gamma_<b>))"
-    "/sin(gamma_<b> - gamma_<a>)",
-    "v_{<b><g>} = ((v_{<B>x}^{e<b>} - v_{<B>x}^{e<a>})*sin(gamma_<a>) - (v_{<B>y}^{e<b>} - v_{<B>y}^{e<a>})*cos(gamma_<a>))"
-    "/sin(gamma_<b> - gamma_<a>)",
+    "v_{<a><f>} = ((v_{<B>x}^{e<b>} - v_{<B>x}^{e<a>})*sin(gamma_<b>)"
+    " - (v_{<B>y}^{e<b>} - v_{<B>y}^{e<a>})*cos(gamma_<b>))/sin(gamma_<b> - gamma_<a>)",
+    "v_{<b><g>} = ((v_{<B>x}^{e<b>} - v_{<B>x}^{e<a>})*sin(gamma_<a>)"
+    " - (v_{<B>y}^{e<b>} - v_{<B>y}^{e<a>})*cos(gamma_<a>))/sin(gamma_<b> - gamma_<a>)",
     "v_{<B>x} = v_{<B>x}^{e<a>} + v_{<a><f>}*cos(gamma_<a>)",
     "v_{<B>y} = v_{<B>y}^{e<a>} + v_{<a><f>}*sin(gamma_<a>)",
 )
@@ -54,7 +54,7 @@ MOMENTS = {"a": "B", "b": "B"}  # the point about which those of a link are take
 
 def quantities(at: GroupAt) -> dict[str, Given]:
     """Both guides with the coordinates, velocities and accelerations along them."""
-    dyad, placed, rates, places = at.step.dyad, at.placed, at.rates, at.places
+    dyad, placed, rates, places = at.dyad, at.placed, at.rates, at.places
     one, two = at.port1, at.port2
     gap = (two.r + 1j * dyad.h2 * two.e) - (one.r + 1j * dyad.h1 * one.e)
     pull = [
@@ -70,6 +70,6 @@ def quantities(at: GroupAt) -> dict[str, Given]:
         ),
         **along_guide("<a>", "<f>", places["a"], float(placed.s1), float(rates.x), float(rates.xx)),
         **along_guide("<b>", "<g>", places["b"], float(placed.s2), float(rates.y), float(rates.yy)),
-        **guide_quantities(at, one, placed.offset1, slider="<a>", origin="<P>", link="<f>", mark="{e<a>}"),
-        **guide_quantities(at, two, placed.offset2, slider="<b>", origin="<Q>", link="<g>", mark="{e<b>}"),
+        **guide_quantities(at, one, placed.offset1, slider="<a>", origin="<P>", mark="{e<a>}"),
+        **guide_quantities(at, two, placed.offset2, slider="<b>", origin="<Q>", mark="{e<b>}"),
     }

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from tmmcalc.linkage.notes.group import GroupAt, along_guide, angle, guide_quantities, length, vector
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
@@ -43,8 +41,8 @@ MOMENTS = {"a": "P"}  # the point about which those of a link are taken
 
 
 def quantities(at: GroupAt) -> dict[str, Given]:
-    """The guide and the inner line, coordinates and rates along both; the motion of the pin against the guide's link."""
-    dyad, placed, rates, places = at.step.dyad, at.placed, at.rates, at.places
+    """The guide and the inner line, coordinates and rates along both; the motion of the pin against the guide."""
+    dyad, placed, rates, places = at.dyad, at.placed, at.rates, at.places
     guide = at.port2
     sliding = rates.x * placed.e1 + rates.y * placed.e2
     rising = rates.xx * placed.e1 + rates.yy * placed.e2
@@ -67,5 +65,5 @@ def quantities(at: GroupAt) -> dict[str, Given]:
         **vector("a_{<P>%}^r", complex(rising), "m/s^2", beyond),
         **along_guide("<b>", "<g>", places["b"], float(placed.s1), float(rates.x), float(rates.xx)),
         **along_guide("<a>", "<b>", places["a"], float(placed.s2), float(rates.y), float(rates.yy)),
-        **guide_quantities(at, guide, np.asarray(placed.offset), slider="<b>", origin="<Q>", link="<g>", mark="e"),
+        **guide_quantities(at, guide, complex(placed.offset), slider="<b>", origin="<Q>", mark="e"),
     }

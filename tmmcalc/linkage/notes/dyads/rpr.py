@@ -43,7 +43,7 @@ def quantities(at: GroupAt) -> dict[str, Given]:
     along = tr("distance of {first} and {second} along link {link}", first=places["Q"], second=places["P"], link=link)
     return {
         "l_{<Q><P>}": length(float(at.placed.s), along),
-        "h_<b>": length(at.step.dyad.h, tr("offset of the line of link {link} from its pivot", link=link)),
+        "h_<b>": length(at.dyad.h, tr("offset of the line of link {link} from its pivot", link=link)),
         "phi_<b>": angle(complex(at.placed.e), tr("angle of link {link}", link=link)),
         "v_{<a><b>}": Given(float(rates.y), "m/s", tr("velocity of link {block} along link {link}", **pair)),
         "a_{<a><b>}": Given(float(rates.yy), "m/s^2", tr("acceleration of link {block} along link {link}", **pair)),

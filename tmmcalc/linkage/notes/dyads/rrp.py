@@ -54,13 +54,13 @@ def quantities(at: GroupAt) -> dict[str, Given]:
     a, places = at.placed.a, at.places
     return {
         "l_<a>": length(abs(a), tr("length of link {link}", link=places["a"])),
-        "h_<b>": length(at.step.dyad.h, tr("offset of the pin from the line of link {link}", link=places["b"])),
+        "h_<b>": length(at.dyad.h, tr("offset of the pin from the line of link {link}", link=places["b"])),
         "U_<a>": Given(
-            float(at.placed.across / at.step.dyad.l),
+            float(at.placed.across / at.dyad.l),
             "",
             tr("sine of the angle between link {link} and the guide", link=places["a"]),
         ),
         "phi_<a>": angle(a, tr("angle of link {link}", link=places["a"])),
         **along_guide("<b>", "<g>", places["b"], float(at.placed.s), float(at.rates.y), float(at.rates.yy)),
-        **guide_quantities(at, at.port2, at.placed.offset, slider="<b>", origin="<Q>", link="<g>", mark="e"),
+        **guide_quantities(at, at.port2, at.placed.offset, slider="<b>", origin="<Q>", mark="e"),
     }
