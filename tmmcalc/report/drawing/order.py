@@ -27,14 +27,6 @@ class Order(NamedTuple):
 
         return rows_of(self.flags[flag], labels, flag)
 
-    def row(self, flag: str, labels: Sequence[str]) -> int | None:
-        """The index of the one position that a flag names."""
-        rows = self.rows(flag, labels)
-        if rows is not None and len(rows) > 1:
-            said = f"{self.flags[flag]!r} names {len(rows)} positions"
-            raise UsageError(said, where=flag, remedy="name one of them")
-        return rows[0] if rows else None
-
     def angle(self, flag: str) -> float:
         """The angle [rad] that a flag gives, 0 without it."""
         from tmmcalc.spec.units import UnitError, parse
