@@ -35,7 +35,7 @@ WORK, LINKS, REST, INERTIA = CURVES[0], CURVES[2], CURVES[1], CURVES[0]
 PROJECTED = OTHER._replace(width=0.2, dashes=(1.6, 1.2))
 TURNED = 46.0  # height of the inertia's diagram above the curve [mm]
 LINE = 5.6  # between the lines of what follows from readings [mm]
-AIR = 0.11  # of the range of works, below and above, for the names of ordinates
+AIR = 0.06  # of the range of works, below and above, for the names of ordinates
 SEEN = 5e-7  # a smaller relative difference is none
 HEADING, LETTERS = 3.0, 2.6  # heights of the words beside [mm]
 

@@ -26,7 +26,7 @@ def of_reduction(order: Order) -> Iterator[Piece]:
 
     draw = partial(draw_course, result=order.results["reduction"], flywheel=order.results.get("flywheel"))
     heading = tr("Reduced moments, works, excess energy, reduced inertia")
-    yield _piece(heading, draw, (NARROW + SIDES, 180.0), (WIDE + SIDES, 250.0))
+    yield _piece(heading, draw, (NARROW + SIDES, 205.0), (WIDE + SIDES, 260.0))
 
 
 def of_flywheel(order: Order) -> Iterator[Piece]:

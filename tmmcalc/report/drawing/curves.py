@@ -68,7 +68,7 @@ class Graph:
         factor, unit = self.scale
         x, nodes = along_input(self.turns, self.phi), along_input(self.turns, self.phi_nodes)
         values = [line.values * factor for line in self.lines]
-        air = (0.08, 0.05) if self.mu else (0.18, 0.12)  # a standard factor leaves more
+        air = (0.05, 0.03) if self.mu else (0.18, 0.12)  # a standard factor leaves more
         low, high = room(values, *air) if self.ends is None else (factor * self.ends[0], factor * self.ends[1])
         along = input_axis(self.turns, x)
         along = along._replace(name=self.abscissa or along.name)
