@@ -7,9 +7,10 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.report.rows import CHOOSE
 
 TURNS = 100  # that an angle of a drawing may have
-POSITIONS, POLYGONS, CHOOSE, PHASE = "--positions", "--polygons", "--choose", "--phase"
+POSITIONS, POLYGONS, PHASE = "--positions", "--polygons", "--phase"
 
 
 class Order(NamedTuple):
