@@ -25,7 +25,7 @@ from tmmcalc.report.drawing.wording import corners
 from tmmcalc.report.language import speaking
 from tmmcalc.report.sheets.layout import GAP
 from tmmcalc.report.sheets.piece import Piece
-from tmmcalc.report.sheets.sheet import Sheet, Style, drawn, planned
+from tmmcalc.report.sheets.sheet import Sheet, Style, draw_within, drawn, planned
 from tmmcalc.report.tables.sheets import SheetsTable
 from tmmcalc.rooms import STAGES
 
@@ -73,7 +73,7 @@ def alone(made: Made, language: str) -> Iterator[tuple[Piece, Box, Drawing]]:
     for place in made.sheet.layout.places:
         drawing = Drawing(made.drawing.width, made.drawing.height)
         with speaking(language):
-            place.piece.draw(drawing, place.box)
+            draw_within(drawing, place)
         yield place.piece, place.box, drawing
 
 

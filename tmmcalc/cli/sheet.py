@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 PDF = "pdf"
 TILES = ("a4",)
+NAMED = 12  # names without a free place that are told by name
 
 
 def command(
@@ -201,12 +202,15 @@ class _Making:
         """Draw sheets and write them in all forms; the files."""
         from tmmcalc.cli.progress import described
         from tmmcalc.core.atomic import replace_file
+        from tmmcalc.core.progress import tell
 
         _make(folder)
         files: list[Path] = []
-        with nullcontext(lambda words: None) if quiet or not sys.stderr.isatty() else described() as tell:
+        with nullcontext(lambda words: None) if quiet or not sys.stderr.isatty() else described() as show:
             for sheet in chosen:
-                tell(f"drawing {sheet.file}")
+                words = f"drawing {sheet.file}"
+                show(words)
+                tell(0.0, words)
                 for name, data in self._written(sheet, forms, tile):
                     replace_file(folder / name, data)
                     files.append(folder / name)
@@ -237,11 +241,13 @@ class _Making:
 
 def _unplaced(drawing: Drawing, sheet: Sheet) -> list[str]:
     """A warning of the names that found no free place on a drawing."""
+    from tmmcalc.report.drawing.lettering import message
+
     fields: list[Any] = drawing.fields
     faults = [fault for field in fields for fault in field.labels.faults]
     if not faults:
         return []
-    named = ", ".join(map(str, faults[:5]))
+    named = ", ".join(message(fault.text) for fault in faults[:NAMED]) + (", ..." if len(faults) > NAMED else "")
     return [f"warning: {sheet.file}: {counted(len(faults), 'name')} without a free place: {named}"]
 
 

@@ -138,7 +138,7 @@ class Scheme:
     @property
     def content(self) -> Plane:
         """Corners of all that is drawn."""
-        corners = []
+        corners = [complex(0.0, self.height(name)) for name in self.network.members]
         for wheel in self.wheels:
             reach = wheel.radius + (RIM * self.unit if wheel.ring else 0.0)
             axis = self.height(wheel.member)

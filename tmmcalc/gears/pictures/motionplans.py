@@ -76,6 +76,10 @@ def draw_motion(drawing: Drawing, box: Box, found: Moving) -> Drawn:
     if told.assumed is not None:
         unknown = tr("no module is known: $m_1$ is {module} mm", module=number(1e3 * told.assumed))
         said = f"{said}; {unknown}"
+    driver, _ = ends(found.task)
+    if found.remarks and driver is not None:
+        speed = tr("no speed is given: {member} turns at 1 rad/s", member=plain(driver))
+        said = f"{said}; {speed}"
     size_ = NOTE * min(1.0, (second.right - box.left) / width(said, NOTE))
     drawing.add(Words(complex(box.left, box.bottom), said, size_, -1 - 1j))
     return Drawn(board, velocities, speeds, pole)

@@ -28,7 +28,7 @@ from tmmcalc.report.drawing.pens import CURVES, OTHER, Pen
 from tmmcalc.report.drawing.scales import standard_scale
 from tmmcalc.report.drawing.shapes import Dimension, Drawing, Words
 from tmmcalc.report.drawing.tables import draw_table
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_number, tr_unit
 from tmmcalc.report.numbers import number
 
 WORK, LINKS, REST, INERTIA = CURVES[0], CURVES[2], CURVES[1], CURVES[0]
@@ -216,7 +216,7 @@ def write_readings(drawing: Drawing, box: Box, heading: str, found: Construction
     rows = [
         (
             f"${each.symbol}$",
-            f"{minus(number(each.read, 5))}{'°' if each.of == '°' else ' ' + tr_unit('mm')}",
+            f"{_millimetres(each)}{'°' if each.of == '°' else ' ' + tr_unit('mm')}",
             f"{minus(number(each.value, 5))} {tr_unit(each.unit)}",
             minus(number(each.exact, 5)),
             _percent(each.error),
@@ -252,7 +252,7 @@ def _percent(error: float) -> str:
 
 
 def _millimetres(reading: Reading) -> str:
-    return minus(number(reading.read, 5))
+    return minus(tr_number(f"{reading.read:.1f}"))
 
 
 def _in_braces(text: str) -> str:
@@ -260,4 +260,4 @@ def _in_braces(text: str) -> str:
 
 
 def _length(millimetres: float) -> str:
-    return f"{number(round(millimetres, 1), 5)} {tr_unit('mm')}"
+    return f"{tr_number(f'{millimetres:.1f}')} {tr_unit('mm')}"

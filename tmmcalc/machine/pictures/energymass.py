@@ -24,7 +24,7 @@ from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import NOISE, number
 
 CURVE, FAST, SLOW = CURVES[0]._replace(width=0.5), CURVES[1], CURVES[2]
-SIDES = (16.0, 11.0, 2.0, 11.0)  # room around the frame: left, bottom, right, top [mm]
+SIDES = (18.0, 11.0, 2.0, 11.0)  # room around the frame: left, bottom, right, top [mm]
 BEFORE, AFTER, AIR = 17.0, 9.0, 9.0  # in the frame: left of the axis, right of the curve, below and above [mm]
 NUMBERED = 12  # places of the cycle that are named
 LEG = 24.0  # of the level line that an angle is measured from [mm]

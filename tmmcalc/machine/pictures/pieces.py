@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 SHEET = "forces"
 NARROW, WIDE = 144.0, 180.0  # of a turn at 2.5 and at 2 degrees to a mm
-SIDES = 18.5  # beside it, for numbers and names
+SIDES = 23.5  # beside it, for numbers and names
 
 
 def of_reduction(order: Order) -> Iterator[Piece]:

@@ -12,14 +12,15 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.diagram import ROW, Axis, Curve, Diagram, key_above, key_rows, room
 from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.pens import Pen
-from tmmcalc.report.drawing.scales import standard_scale
+from tmmcalc.report.drawing.scales import factor_text, standard_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr_unit
-from tmmcalc.report.numbers import NOISE, number
+from tmmcalc.report.numbers import NOISE
 
 DOTTED = 72  # more positions than this are not marked one by one
 PREFIXES = ((1e7, 1e-6, "M"), (1e4, 1e-3, "k"))
-SIDES = (15.0, 3.0, 3.0, 2.0)  # room for numbers and names around a frame: left, bottom, right, top [mm]
+SIDES = (17.0, 3.0, 3.0, 2.0)  # room for numbers and names around a frame: left, bottom, right, top [mm]
+LONGER = 3.0  # and on the left for the numbers of an ordinate that a standard factor makes longer
 BELOW = 8.0  # and for those of the abscissa under the lowest
 
 
@@ -116,8 +117,8 @@ def column(drawing: Drawing, box: Box, graphs: Sequence[Graph], heights: Sequenc
     """
     if any(graph.mu for graph in graphs):
         x = along_input(graphs[0].turns, graphs[0].phi)
-        room = box.width - SIDES[0] - SIDES[2]
-        box = box.inset(0, 0, room - float(np.ptp(x)) / standard_scale(float(np.ptp(x)) / room), 0)
+        room = box.width - LONGER - SIDES[0] - SIDES[2]
+        box = box.inset(LONGER, 0, room - float(np.ptp(x)) / standard_scale(float(np.ptp(x)) / room), 0)
     wide = box.width - SIDES[0] - SIDES[2]
     rows = [graph.rows(wide) for graph in graphs]
     return [
@@ -145,8 +146,7 @@ def scale_factor(letter: str, mu: float, unit: str) -> str:
     >>> scale_factor("M", 25.0, "N*m"), scale_factor("ω", 0.04, "rad/s")
     ('$μ_{M}$ = 25 N·m/mm', '$μ_{ω}$ = 0.04 (rad/s)/mm')
     """
-    per = f"({unit})/mm" if "/" in unit else f"{unit}/mm"
-    return f"$μ_{{{letter}}}$ = {number(mu)} {tr_unit(per)}"
+    return factor_text(f"μ_{{{letter}}}", mu, f"({unit})/mm" if "/" in unit else f"{unit}/mm")
 
 
 def _room_of(title: str) -> float:

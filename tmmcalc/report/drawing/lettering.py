@@ -204,6 +204,15 @@ def plain(text: str) -> str:
     return text.replace("$", "\\$")
 
 
+def message(text: str) -> str:
+    """What is drawn, in the letters of a message.
+
+    >>> message("$M_{54}/l_5$, $a_{BA}^n$")
+    'M54/l5, aBAn'
+    """
+    return " ".join("".join(piece.text for piece in pieces(row)) for row in text.split("\n"))
+
+
 def symbol(letter: str, index: str = "") -> str:
     """The sign of a quantity as a formula: one letter with its index, or a longer name as it is.
 

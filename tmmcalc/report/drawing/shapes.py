@@ -156,6 +156,10 @@ class Drawing:
         """How much is drawn, for `undo`."""
         return len(self._levels), len(self.fields)
 
+    def since(self, mark: tuple[int, int]) -> list[Shape]:
+        """What was drawn since that mark."""
+        return [shape for _, shape in self._levels[mark[0] :]]
+
     def undo(self, mark: tuple[int, int]) -> None:
         """Take away what was drawn since that mark."""
         del self._levels[mark[0] :], self.fields[mark[1] :]

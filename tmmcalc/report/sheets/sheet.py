@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from tmmcalc.core.errors import TmmError
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.lettering import plain
+from tmmcalc.report.drawing.lettering import message, plain
+from tmmcalc.report.drawing.reach import around, reach
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr
 from tmmcalc.report.sheets import gost, iso
 from tmmcalc.report.sheets.formats import FORMATS
-from tmmcalc.report.sheets.layout import GAP, Layout, Room, arranged
+from tmmcalc.report.sheets.layout import GAP, Layout, Place, Room, arranged
 from tmmcalc.report.sheets.piece import SHEETS, Piece
 from tmmcalc.report.sheets.titles import Titles, name_of
 
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 HEADINGS = {"a1": 5.0, "a2": 5.0, "a3": 3.5}  # height of the lettering [mm]
 INSIDE = 6.0  # free inside the frame [mm]
+SLACK = 1.0  # that a piece may reach over its room, which is far from the next [mm]
+TRIES = 2  # to bring a piece within its room
 BARE = 10.0  # margin of paper without a frame [mm]
 
 
@@ -52,7 +55,7 @@ class Sheet(NamedTuple):
 
     def warnings(self, style: Style) -> Iterator[str]:
         """What stands on it that was meant to stand elsewhere."""
-        names = ", ".join(place.piece.heading for place in self.layout.places)
+        names = ", ".join(message(place.piece.heading) for place in self.layout.places)
         if self.format != style.format:
             yield f"warning: {self.file} is {self.format.upper()}, which its picture needs: {names}"
         elif self.part > 1:
@@ -69,7 +72,7 @@ def planned(pieces: Iterable[Piece], style: Style) -> tuple[list[Sheet], list[st
     for subject, own in by_subject.items():
         laid, left = _laid(own, style)
         parts += [(subject, part, *each) for part, each in enumerate(laid, 1)]
-        warnings += [f"warning: {subject}: no paper has room for: {piece.heading}" for piece in left]
+        warnings += [f"warning: {subject}: no paper has room for: {message(piece.heading)}" for piece in left]
     sheets = [
         Sheet(subject, part, number, len(parts), size, layout)
         for number, (subject, part, size, layout) in enumerate(parts, 1)
@@ -156,11 +159,35 @@ def drawn(sheet: Sheet, style: Style, failed: Callable[[Piece, TmmError], None])
             drawing.add(Words(place.head, "\n".join(place.heading), height, 1j))
         before = drawing.mark()
         try:
-            place.piece.draw(drawing, place.box)
+            draw_within(drawing, place)
         except TmmError as error:
             drawing.undo(before)
             failed(place.piece, error)
     return drawing
+
+
+def draw_within(drawing: Drawing, place: Place) -> None:
+    """Draw a piece in its room; where words of it reach over that, again in a smaller one, as far as it can be read."""
+    box, before = place.box, drawing.mark()
+    for _ in range(TRIES):
+        place.piece.draw(drawing, box)
+        found = around(map(reach, drawing.since(before)))
+        over = [
+            max(0.0, out - SLACK)
+            for out in (
+                place.box.left - found.left,
+                place.box.bottom - found.bottom,
+                found.right - place.box.right,
+                found.top - place.box.top,
+            )
+        ]
+        smaller = box.inset(*over)
+        least = place.piece.least
+        if not any(over) or smaller.width < least[0] or smaller.height < least[1]:
+            return
+        drawing.undo(before)
+        box = smaller
+    place.piece.draw(drawing, box)
 
 
 def _bare(drawing: Drawing, titles: Titles) -> Box:

@@ -7,13 +7,11 @@ from io import BytesIO
 from itertools import product
 from typing import NamedTuple
 
-import numpy as np
-
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.pdf import POINT, begun, draw_on
 from tmmcalc.report.drawing.pens import BLOCK
-from tmmcalc.report.drawing.shapes import Arc, Dimension, Drawing, Shape, Words
-from tmmcalc.report.drawing.wording import corners
+from tmmcalc.report.drawing.reach import reach
+from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr
 
 A4 = (210.0, 297.0)  # [mm]
@@ -49,7 +47,7 @@ def tiles(width: float, height: float) -> tuple[tuple[float, float], list[Tile]]
 def tiled(drawing: Drawing, name: str) -> bytes:
     """The pages as a PDF; ``name`` is that of the sheet."""
     page, parts = tiles(drawing.width, drawing.height)
-    shapes = [(shape, _reach(shape)) for shape in drawing.shapes]
+    shapes = [(shape, reach(shape).inset(*4 * (-1.0,))) for shape in drawing.shapes]  # with the width of lines
     buffer = BytesIO()
     canvas = begun(buffer, drawing, *page)
     for tile in parts:
@@ -59,7 +57,7 @@ def tiled(drawing: Drawing, name: str) -> bytes:
         path.rect(*(size * POINT for size in (shown.left, shown.bottom, shown.width, shown.height)))
         canvas.clipPath(path, stroke=0, fill=0)
         canvas.translate((shown.left - tile.part.left) * POINT, (shown.bottom - tile.part.bottom) * POINT)
-        draw_on(canvas, [shape for shape, reach in shapes if _meet(reach, tile.part)])
+        draw_on(canvas, [shape for shape, box in shapes if _meet(box, tile.part)])
         canvas.restoreState()
         canvas.saveState()
         draw_on(canvas, _marks(page, shown, tile, name, len(parts)).shapes)
@@ -67,20 +65,6 @@ def tiled(drawing: Drawing, name: str) -> bytes:
         canvas.showPage()
     canvas.save()
     return buffer.getvalue()
-
-
-def _reach(shape: Shape) -> Box:
-    """A rectangle that holds a shape with the width of its lines."""
-    if isinstance(shape, Dimension):
-        inner = [_reach(part) for part in shape.parts()]
-        left, bottom = min(box.left for box in inner), min(box.bottom for box in inner)
-        return Box(left, bottom, max(box.right for box in inner), max(box.top for box in inner))
-    if isinstance(shape, Arc):
-        z = shape.centre + shape.radius * np.array([-1 - 1j, 1 + 1j])
-    else:
-        z = corners(shape) if isinstance(shape, Words) else shape.points
-    box = Box(float(z.real.min()), float(z.imag.min()), float(z.real.max()), float(z.imag.max()))
-    return box.inset(*4 * (-1.0,))
 
 
 def _meet(one: Box, other: Box) -> bool:

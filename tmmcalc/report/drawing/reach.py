@@ -1,0 +1,41 @@
+"""How far shapes reach on paper."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+import numpy as np
+
+from tmmcalc.core.plane import Plane
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.shapes import Arc, Dimension, Shape, Words
+from tmmcalc.report.drawing.wording import corners
+
+
+def reach(shape: Shape) -> Box:
+    """The smallest upright rectangle around a shape, whose lines are taken as thin.
+
+    >>> from tmmcalc.report.drawing.pens import THIN
+    >>> reach(Arc(1j, 2.0, THIN, 0.0, math.pi))
+    Box(left=-2.0, bottom=1.0, right=2.0, top=3.0)
+    """
+    if isinstance(shape, Dimension):
+        return around(map(reach, shape.parts()))
+    z = corners(shape) if isinstance(shape, Words) else _extremes(shape) if isinstance(shape, Arc) else shape.points
+    return Box(float(z.real.min()), float(z.imag.min()), float(z.real.max()), float(z.imag.max()))
+
+
+def around(boxes: Iterable[Box]) -> Box:
+    """The smallest rectangle around others."""
+    left, bottom, right, top = zip(*boxes, strict=True)
+    return Box(min(left), min(bottom), max(right), max(top))
+
+
+def _extremes(arc: Arc) -> Plane:
+    """Ends of an arc, and where it turns round on its way."""
+    if arc.whole:
+        return arc.points
+    quarters = np.arange(math.ceil(2 * arc.start / math.pi), math.floor(2 * arc.end / math.pi) + 1) * math.pi / 2
+    angles = np.concatenate([[arc.start, arc.end], quarters])
+    return np.asarray(arc.centre + arc.radius * np.exp(1j * angles))
