@@ -9,7 +9,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 export PYTHONDONTWRITEBYTECODE :=
 PYTEST := $(BIN)/python -m pytest -n 2 --dist worksteal
 
-.PHONY: demo test slow estimates lint bench accuracy pictures docs format schema clean
+.PHONY: demo test slow estimates lint bench accuracy accuracy-draw pictures docs format schema clean
 
 demo: $(VENV)/.run
 	@mkdir -p $(DEMO)
@@ -44,6 +44,10 @@ bench: $(VENV)/.dev
 # docs/accuracy.md with its diagrams: errors and times of all methods, measured on this machine
 accuracy: $(VENV)/.dev
 	$(BIN)/python docs/make_accuracy.py
+
+# the same drawn from what was measured last
+accuracy-draw: $(VENV)/.run
+	$(BIN)/python docs/make_accuracy.py --draw
 
 # the pictures of the README and the guide
 pictures: $(VENV)/.run

@@ -1,13 +1,20 @@
 """Write docs/accuracy.md and its diagrams: ``make accuracy``.
 
-Every number is measured here and now: times are those of the machine that runs it, errors are the same everywhere.
+What is measured, times on the machine that runs it and errors, which are the same everywhere, is kept in
+docs/accuracy/NAME.json; page and diagrams are drawn from there.
+
+    make_accuracy.py                 measure all scenes, then draw
+    make_accuracy.py press shaper    measure these alone, then draw
+    make_accuracy.py --draw          draw from what is kept
 """
 
 from __future__ import annotations
 
+import json
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from tmmcalc import load_spec
@@ -15,12 +22,13 @@ from tmmcalc.accuracy.document import TOLERANCES, called, told
 from tmmcalc.accuracy.picture import accuracy_drawing
 from tmmcalc.accuracy.solve import solve_accuracy
 from tmmcalc.core.atomic import replace_file
+from tmmcalc.core.conversion import plain, restore
 from tmmcalc.core.studies.measure import Clock
 from tmmcalc.core.studies.study import Accuracy, Ladder, Series, Study
 from tmmcalc.report.drawing import written
 
 HOME = Path(__file__).parent
-ROOT = HOME.parent
+ROOT, DATA = HOME.parent, HOME / "accuracy"
 SCENES = {
     "shaper": "Shaper: crank and slotted link, with its motor",
     "press": "Press: crank and toggle",
@@ -29,6 +37,7 @@ SCENES = {
     "gears-single-planets": "Planetary train",
     "cam-translating": "Cam with a translating roller follower",
 }
+DRAW = "--draw"
 MIDDLE = 1e-6  # tolerance for which the methods are named that never reach it
 ABOVE = 0.25  # part of the order by theory that the observed one may lack without a word
 SETTLED = "Without a choice of methods in this scene:"
@@ -42,16 +51,34 @@ their ratios are what matters. `make accuracy` writes this page afresh, `tmmcalc
 """
 
 
-def page() -> str:
-    """The whole document; the diagrams are written on the way."""
-    head = HEAD.format(cores=os.cpu_count())
-    return "\n".join((head, *(_scene(name, heading) for name, heading in SCENES.items())))
-
-
-def _scene(name: str, heading: str) -> str:
+def measure(name: str, clock: Clock) -> Accuracy:
+    """All studies of a scene, run now; they are kept."""
     spec = load_spec(ROOT / "configs" / f"{name}.toml")
-    result = solve_accuracy(spec, clock=Clock(repeats=9, budget=1.0), tell=_tell)
-    replace_file(HOME / "accuracy" / f"{name}.svg", written("svg", accuracy_drawing(result, heading)))
+    result = replace(solve_accuracy(spec, clock=clock, tell=_tell), failures={})
+    kept = {"cores": os.cpu_count(), "measured": plain(result)}
+    replace_file(DATA / f"{name}.json", (json.dumps(kept, separators=(",", ":")) + "\n").encode())
+    return result
+
+
+def kept(name: str) -> tuple[int, Accuracy]:
+    """Cores of the machine that measured a scene, and what it measured; raises `SystemExit` if nothing is kept."""
+    file = DATA / f"{name}.json"
+    if not file.exists():
+        raise SystemExit(f"nothing is kept of {name}: run {Path(__file__).name} {name}")
+    found = json.loads(file.read_text(encoding="utf-8"))
+    return found["cores"], restore(Accuracy, found["measured"])
+
+
+def page() -> str:
+    """The whole document from what is kept; the diagrams are written on the way."""
+    found = {name: kept(name) for name in SCENES}
+    cores = sorted({cores for cores, _ in found.values()})
+    parts = [_scene(name, SCENES[name], result) for name, (_, result) in found.items()]
+    return "\n".join((HEAD.format(cores=" or ".join(map(str, cores))), *parts))
+
+
+def _scene(name: str, heading: str, result: Accuracy) -> str:
+    replace_file(DATA / f"{name}.svg", written("svg", accuracy_drawing(result, heading)))
     begun = [f"## {heading}\n", f"`configs/{name}.toml`\n", f"![error over run time](accuracy/{name}.svg)\n"]
     parts = [_study(study) for study in result.studies] + [_ladder(ladder) for ladder in result.ladders]
     settled = [f"{SETTLED} {', '.join(result.settled)}.\n"] if result.settled else []
@@ -130,5 +157,15 @@ def _ladder(ladder: Ladder) -> str:
     )
 
 
+def main(asked: Sequence[str]) -> None:
+    """Measure the scenes that are asked for, all without a name, none with ``--draw``; then draw."""
+    strange = [name for name in asked if name not in (*SCENES, DRAW)]
+    if strange:
+        raise SystemExit(f"no scene {', '.join(strange)}: scenes are {', '.join(SCENES)}")
+    for name in [name for name in asked if name != DRAW] or ([] if DRAW in asked else SCENES):
+        measure(name, Clock(repeats=9, budget=1.0))
+    replace_file(HOME / "accuracy.md", page().encode())
+
+
 if __name__ == "__main__":
-    (HOME / "accuracy.md").write_text(page(), encoding="utf-8")
+    main(sys.argv[1:])

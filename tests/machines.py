@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from written import PINS, link, slide
 
 from tmmcalc.core.numerics.panels import panels
 from tmmcalc.machine.cycle import Cycle
@@ -34,13 +35,12 @@ def positions(n: int, sense: float = 1.0) -> tuple[tuple[str, ...], np.ndarray, 
     return tuple(map(str, range(n + 1))), sense * theta, theta
 
 
-def pin(name: str, one: int, other: int) -> str:
-    """A revolute joint of a spec."""
-    return f'[[mechanism.joints]]\nname = "{name}"\nkind = "revolute"\nlinks = [{one}, {other}]\n'
-
-
-PINS = pin("O", 0, 1) + pin("A", 1, 2) + pin("B", 2, 3)  # of a chain of three links from the frame
-
+LINKAGE = {
+    "links": link(1, 'O = [0, 0], A = ["50 mm", 0]')
+    + link(2, 'A = [0, 0], B = ["200 mm", 0]', "mass = 4", "inertia = 0.02", 'center = ["80 mm", 0]')
+    + link(3, "B = [0, 0]", "mass = 10"),
+    "joints": PINS + slide("B0", 3, 0, 'through = "O", angle = "0 deg"', "friction = 0.1"),
+}
 SPEC = """
 [project]
 title = "Press with its motor"
@@ -56,29 +56,7 @@ start = "0 deg"
 [mechanism.fixed]
 O = [0, 0]
 
-[[mechanism.links]]
-id = 1
-points = {{ O = [0, 0], A = ["50 mm", 0] }}
-
-[[mechanism.links]]
-id = 2
-points = {{ A = [0, 0], B = ["200 mm", 0] }}
-mass = 4
-inertia = 0.02
-center = ["80 mm", 0]
-
-[[mechanism.links]]
-id = 3
-points = {{ B = [0, 0] }}
-mass = 10
-
-{pins}[[mechanism.joints]]
-name = "B0"
-kind = "prismatic"
-links = [3, 0]
-guide = {{ through = "O", angle = "0 deg" }}
-friction = 0.1
-
+{links}{joints}
 [[mechanism.outputs]]
 point = "B"
 direction = "0 deg"
@@ -118,4 +96,4 @@ def spec_text(
     motor: str = MOTOR, speed: str = "90 rpm", existing: str = "3 kg*m^2", efficiency: float = 1.0, more: str = ""
 ) -> str:
     """The spec with its motor, or another one in its place."""
-    return SPEC.format(pins=PINS, motor=motor, speed=speed, existing=existing, efficiency=efficiency) + more
+    return SPEC.format(**LINKAGE, motor=motor, speed=speed, existing=existing, efficiency=efficiency) + more

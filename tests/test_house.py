@@ -31,6 +31,7 @@ FLOORS = (
     "rooms",
     "project",
     "pipeline",
+    "note",
     "accuracy",
     "batch",
     "stress",

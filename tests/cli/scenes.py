@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-PLATFORM = """
+from written import link, pin, slide
+
+PLATFORM = (
+    """
 [mechanism.input]
 joint = "O"
 speed = "1 rad/s"
@@ -12,32 +15,21 @@ O = [0, 0]
 E = [4, 0]
 H = [2, 4]
 
-[[mechanism.links]]
-id = 1
-points = { O = [0, 0], A = [1, 0] }
-
-[[mechanism.links]]
-id = 2
-points = { A = [0, 0], B = [2, 0] }
-
-[[mechanism.links]]
-id = 3
-points = { B = [0, 0], D = [1, 0], G = [0.5, 1] }
-
-[[mechanism.links]]
-id = 4
-points = { D = [0, 0], E = [2, 0] }
-
-[[mechanism.links]]
-id = 5
-points = { G = [0, 0], H = [2, 0] }
-""" + "".join(
-    f'\n[[mechanism.joints]]\nname = "{name}"\nkind = "revolute"\nlinks = [{a}, {b}]\n'
-    for name, a, b in (("O", 0, 1), ("A", 1, 2), ("B", 2, 3), ("D", 3, 4), ("E", 4, 0), ("G", 3, 5), ("H", 5, 0))
+"""
+    + link(1, "O = [0, 0], A = [1, 0]")
+    + link(2, "A = [0, 0], B = [2, 0]")
+    + link(3, "B = [0, 0], D = [1, 0], G = [0.5, 1]")
+    + link(4, "D = [0, 0], E = [2, 0]")
+    + link(5, "G = [0, 0], H = [2, 0]")
+    + "".join(
+        pin(*joint)
+        for joint in (("O", 0, 1), ("A", 1, 2), ("B", 2, 3), ("D", 3, 4), ("E", 4, 0), ("G", 3, 5), ("H", 5, 0))
+    )
 )
 
 # a piston drives a crank of 100 mm by a rod of 300 mm; their dead point is at 400 mm
-PISTON = """
+PISTON = (
+    """
 [project]
 title = "Piston and crank"
 
@@ -53,42 +45,19 @@ positions = 10
 [mechanism.fixed]
 O = [0, 0]
 
-[[mechanism.links]]
-id = 1
-points = { B = [0, 0] }
-
-[[mechanism.links]]
-id = 2
-points = { B = [0, 0], A = ["300 mm", 0] }
-
-[[mechanism.links]]
-id = 3
-points = { O = [0, 0], A = ["100 mm", 0] }
-
-[[mechanism.joints]]
-name = "piston"
-kind = "prismatic"
-links = [1, 0]
-guide = { through = "O" }
-
-[[mechanism.joints]]
-name = "B"
-kind = "revolute"
-links = [1, 2]
-
-[[mechanism.joints]]
-name = "A"
-kind = "revolute"
-links = [2, 3]
-
-[[mechanism.joints]]
-name = "O"
-kind = "revolute"
-links = [3, 0]
-
+"""
+    + link(1, "B = [0, 0]")
+    + link(2, 'B = [0, 0], A = ["300 mm", 0]')
+    + link(3, 'O = [0, 0], A = ["100 mm", 0]')
+    + slide("piston", 1, 0, 'through = "O"')
+    + pin("B", 1, 2)
+    + pin("A", 2, 3)
+    + pin("O", 3, 0)
+    + """
 [mechanism.assembly.sketch]
 A = [0, "90 mm"]
 """
+)
 
 TORQUE = """
 [torque]

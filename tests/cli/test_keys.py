@@ -47,6 +47,7 @@ PLAIN = re.compile(  # what is a number and has no unit
             r"[rab]|beta|t0|t_a|mean_life|lives\..*|R_at\..*",  # reliability: times in the unit of the lives
             r"drive_line\.(u|eta)_part|last_digit\..*|springs\.n|regularity|safety|thresholds\.k_.*|use|worst\.(use|K.*)",
             r"(.*\.)?findings\.(value|limit)",  # factors; with a unit they have it
+            r"saturation",
             r"[MCB]",  # matrices of a vibrating device, whose entries have units of their own
         )
     )

@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from machines import PINS, TURN, positions, steps
+from machines import TURN, positions, steps
+from written import PINS, link, slide
 
 from machine.motion import cycle_of, reference
 from tmmcalc.core.errors import NoSolutionError
@@ -99,29 +100,19 @@ def test_what_a_motion_without_drive_says() -> None:
     assert "driving moment" not in facts
 
 
+LINKS = (
+    link(1, "O = [0, 0], A = [0.1, 0]")
+    + link(2, "A = [0, 0], B = [0.4, 0]", "mass = 1")
+    + link(3, "B = [0, 0]", "mass = 2")
+)
+JOINTS = PINS + slide("S", 3, 0, 'through = "O", angle = 0')
 ENGINE = """
 [mechanism.input]
 joint = "O"
 speed = "{speed}"
 [mechanism.fixed]
 O = [0, 0]
-[[mechanism.links]]
-id = 1
-points = {{ O = [0, 0], A = [0.1, 0] }}
-[[mechanism.links]]
-id = 2
-points = {{ A = [0, 0], B = [0.4, 0] }}
-mass = 1
-[[mechanism.links]]
-id = 3
-points = {{ B = [0, 0] }}
-mass = 2
-{pins}[[mechanism.joints]]
-name = "S"
-kind = "prismatic"
-links = [3, 0]
-guide = {{ through = "O", angle = 0 }}
-[mechanism.assembly.sketch]
+{links}{joints}[mechanism.assembly.sketch]
 B = [0.5, 0]
 [[loads]]
 name = "gas"
@@ -148,7 +139,7 @@ duration = "3 s"
 def whole() -> Any:
     from tmmcalc.api import run
 
-    return run(parse_spec(ENGINE.format(pins=PINS, speed="20 rad/s"))).results
+    return run(parse_spec(ENGINE.format(links=LINKS, joints=JOINTS, speed="20 rad/s"))).results
 
 
 def test_the_flywheel_of_a_machine_without_drive_is_the_true_one(whole: Any) -> None:

@@ -11,7 +11,7 @@ import pytest
 
 import tmmcalc
 from tmmcalc.core.errors import TmmError
-from tmmcalc.core.notes import Note, finding, held, restored
+from tmmcalc.core.notes import SHOWN, Note, finding, held, restored
 from tmmcalc.project import load_spec
 from tmmcalc.report.document import Document
 from tmmcalc.report.render import _payload
@@ -73,8 +73,10 @@ def test_what_is_compared_with_a_limit_is_data(spec: Path) -> None:
             assert note.value is not None, f"{stage}: {note}"
             assert note.limit is not None, f"{stage}: {note}"
             assert note.name, f"{stage}: {note}"
-            assert shows(note, note.value), f"{stage}: {note.value} is not in {note}"
-            assert note.limit == 0 or note.name in IN_WORDS or shows(note, note.limit), f"{stage}: {note.limit}: {note}"
+            factors = [1.0, *(factor for (unit, _), factor in SHOWN.items() if unit == note.unit)]
+            value, limit = (any(shows(note, each * factor) for factor in factors) for each in (note.value, note.limit))
+            assert value, f"{stage}: {note.value} is not in {note}"
+            assert limit or note.limit == 0 or note.name in IN_WORDS, f"{stage}: {note.limit} is not in {note}"
 
 
 def test_the_walk_meets_comparisons() -> None:

@@ -14,10 +14,11 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.logplots import MARKS, Dots, framed, pages
 from tmmcalc.report.drawing.pens import CURVES, INK, Pen
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.numbers import number
 
 LEAST_TIMES, LEAST_ERRORS = 1.6, 3.0  # decades that an axis spans at least, so that the scatter of a clock stays small
 ROOM = 0.08  # beyond the outermost points, of the span
-NONE = "no result"
 ROUNDING = 1e-12  # an error that is none
 ASKED = Pen("TOLERANCE", 0.25, (2.5, 1.3), INK)
 
@@ -44,9 +45,9 @@ def _study(drawing: Drawing, box: Box, study: Study, tolerance: float | None) ->
     told = [p for series in study.series for p in series.points if p.error is not None]
     x = _span([(p.seconds or 0.0) * 1e3 for p in told], LEAST_TIMES)
     y = _span([p.error or 0.0 for p in told], LEAST_ERRORS)
-    names = f"{study.stage}: {study.quantity}", "run time, ms", "largest relative error"
+    names = f"{study.stage}: {study.quantity}", tr("run time, ms"), tr("largest relative error")
     levels = [] if tolerance is None else [(tolerance, ASKED)]
-    key = [] if tolerance is None else [("tolerance asked for", ASKED)]
+    key = [] if tolerance is None else [(tr("tolerance asked for"), ASKED)]
     framed(drawing, box, names, curves, levels, ends=(x, y), key=key)
 
 
@@ -56,10 +57,10 @@ def _ladder(drawing: Drawing, box: Box, ladder: Ladder) -> None:
     steps = tuple(float(rung.textbook_evaluations) for rung in ladder.rungs)
     chosen = tuple(float(rung.evaluations) for rung in ladder.rungs)
     curves = [
-        Dots("fixed steps at the limit of stability", values, steps, CURVES[0], MARKS[0]),
-        Dots("choice of the program", values, chosen, CURVES[1], MARKS[1]),
+        Dots(tr("fixed steps at the limit of stability"), values, steps, CURVES[0], MARKS[0]),
+        Dots(tr("choice of the program"), values, chosen, CURVES[1], MARKS[1]),
     ]
-    names = f"{ladder.stage}: {ladder.quantity}", f"value, {ladder.unit}", "evaluations"
+    names = f"{ladder.stage}: {ladder.quantity}", tr("value, {unit}", unit=tr_unit(ladder.unit)), tr("evaluations")
     ends = _span(values, LEAST_TIMES), _span(steps + chosen, LEAST_ERRORS)
     framed(drawing, box, names, curves, [], ends=ends)
 
@@ -75,8 +76,11 @@ def _span(values: Sequence[float], least: float) -> tuple[float, float]:
 
 def _curve(series: Series, k: int) -> Dots:
     told = [p for p in series.points if p.error is not None and p.seconds is not None]
-    order = NONE if not told else "" if series.order is None else f"order {series.order:.2g}"
-    name = f"{series.method} ({order})" if order else series.method
+    name = series.method
+    if not told:
+        name = tr("{method} (no result)", method=name)
+    elif series.order is not None:
+        name = tr("{method} (order {order})", method=name, order=number(series.order, 2))
     times = tuple((p.seconds or 0.0) * 1e3 for p in told)
     errors = tuple(p.error or 0.0 for p in told)
     return Dots(name, times, errors, CURVES[k % len(CURVES)], MARKS[k % len(MARKS)])

@@ -21,7 +21,7 @@ from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.turn import at_angles, loads_of
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.laws.law import Law, Values
-from tmmcalc.cams.program import SAME
+from tmmcalc.cams.program import SAME, PhaseKind
 from tmmcalc.cams.response import Response, residual, steady
 from tmmcalc.cams.rounding import Errors
 from tmmcalc.cams.separation import Contact, contact_notes, contact_of
@@ -54,7 +54,7 @@ class Spectrum:
 class PhaseVibration:
     """What a moving phase leaves for the dwell after it."""
 
-    kind: str  # "rise" or "return"
+    kind: PhaseKind  # rise or return
     law: str
     ratio: float = quantity("ratio_{phase}", "time of the phase over the natural period")
     residual: float = quantity("residual_{phase}[{size}]", "amplitude after this phase alone, from rest")

@@ -56,9 +56,9 @@ def overshoot_remarks(program: Program, turns: bool) -> Iterator[Said]:
 
     def beyond(text: str, amount: float, name: str, **angles: float) -> Said:
         """A warning of an amount that should be none."""
-        value, unit = (degrees(amount), "deg") if turns else (1e3 * amount, "mm")
-        shown: dict[str, Any] = {word: degrees(phi) for word, phi in angles.items()}
-        return held("warning", text, value, 0.0, unit, name=name, **shown)
+        value, unit, mm = (degrees(amount), "deg", "") if turns else (amount, "m", "mm")
+        places: dict[str, Any] = {word: degrees(phi) for word, phi in angles.items()}
+        return held("warning", text, value, 0.0, unit, shown=mm, name=name, **places)
 
     (least, low), (largest, high) = program.span
     if largest - program.stroke > LEVEL * program.stroke:

@@ -46,6 +46,7 @@ SECTIONS = {
             Command("feasibility", "Constraints on results: which hold, by how much."),
             Command("plot", "Draw the result of a stage to an svg, png, pdf or dxf file."),
             Command("sheet", "Draw the sheets that are handed in: A1, with frame and title block."),
+            Command("note", "The explanatory note: every formula in letters, in numbers, checked."),
             Command("accuracy", "Error against run time of every method of the stages."),
             Command("stress", "Ladders of extremes: where every stage loses its digits."),
         )

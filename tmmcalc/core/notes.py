@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
+from math import pi
 from typing import Any
 
 LEVELS = ("note", "warning")
+SHOWN = {  # units of the data and of sentences, with the factor between them
+    ("m", "mm"): 1e3,
+    ("m/s", "m/min"): 60.0,
+    ("Pa", "MPa"): 1e-6,
+    ("rad", "deg"): 180 / pi,
+    ("rad/s", "rpm"): 30 / pi,
+}
 
 
 class Note(str):
@@ -52,10 +60,8 @@ class Note(str):
         level, text, own, *numbers = self.__getnewargs__()
         return Note(level, text, f"{place}: {own}" if own else place, *numbers)
 
-    def stored(self) -> str | dict[str, Any]:
-        """What `restored` takes: the sentence alone if it has neither place nor numbers."""
-        if self.value is None and self.limit is None and not self.place:
-            return str(self)
+    def stored(self) -> dict[str, Any]:
+        """What it is made of, by name; parts that it has not are left out."""
         parts = zip(("level", "text", "place", "value", "limit", "unit", "name"), self.__getnewargs__(), strict=True)
         return {key: part for key, part in parts if part not in (None, "")}
 
@@ -63,31 +69,39 @@ class Note(str):
 Said = Note | str  # in a result: a sentence, with its numbers or without
 
 
-def restored(data: str | dict[str, Any]) -> Any:
-    """The note that `Note.stored` gave; a sentence without a level stays one.
+def restored(data: str | dict[str, Any]) -> Said:
+    """The note that `Note.stored` gave; a sentence is what it was.
 
-    >>> restored(Note("note", "two", value=2.0).stored()).value
-    2.0
+    >>> restored(Note("note", "two", value=2.0).stored())
+    'note: two'
     """
-    if isinstance(data, dict):
-        return Note(**data)
-    level, colon, text = data.partition(": ")
-    return Note(level, text) if colon and level in LEVELS else data
+    return Note(**data) if isinstance(data, dict) else data
 
 
 def held(
-    level: str, text: str, value: float, limit: float, unit: str = "", *, name: str, place: str = "", **words: Any
+    level: str,
+    text: str,
+    value: float,
+    limit: float,
+    unit: str = "",
+    *,
+    name: str,
+    shown: str = "",
+    place: str = "",
+    **words: Any,
 ) -> Note:
     """A note on the quantity ``name`` held against a ``limit``, both in ``unit``.
 
-    ``text`` has both as ``{value:.4g}`` and ``{limit:g}``, in the digits that people are shown, ``{unit}``, and the
-    other ``words``.
+    ``text`` has both as ``{value:.4g}`` and ``{limit:g}``, in the digits and in the unit that people are ``shown``, and
+    the other ``words``.
 
-    >>> print(held("warning", "h/r = {value:.3g} is above {limit:g} in the {part}", 0.2, 0.1, name="h/r", part="ring"))
-    warning: h/r = 0.2 is above 0.1 in the ring
+    >>> print(held("warning", "h = {value:.3g} mm is above {limit:g} mm", 0.002, 0.001, "m", shown="mm", name="h"))
+    warning: h = 2 mm is above 1 mm
     """
     value, limit = float(value), float(limit)
-    return Note(level, text.format(value=value, limit=limit, unit=unit, **words), place, value, limit, unit, name)
+    factor = SHOWN[unit, shown] if shown else 1.0
+    said = text.format(value=factor * value, limit=factor * limit, unit=shown or unit, **words)
+    return Note(level, said, place, value, limit, unit, name)
 
 
 def finding(note: str) -> dict[str, Any]:

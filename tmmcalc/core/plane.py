@@ -55,6 +55,12 @@ class Guide(NamedTuple):
         """The line through a moving point at the angle gamma [rad] that turns with omega and eps."""
         return cls(*point, np.exp(1j * np.asarray(gamma)), np.asarray(omega), np.asarray(eps))
 
+    def transport(self, offset: Plane) -> tuple[Plane, Plane]:
+        """First and second derivative of the point that the guide carries along at ``offset`` [m] from its own."""
+        if not self.omega.ndim and not self.omega and not self.eps:  # it stands, or slides without turning
+            return self.v, self.a
+        return self.v + 1j * self.omega * offset, self.a + (1j * self.eps - self.omega**2) * offset
+
 
 class LinkMotion(NamedTuple):
     """The motion of a rigid link: that of its base point, and of the unit vector u along its own x axis.

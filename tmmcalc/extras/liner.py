@@ -295,7 +295,7 @@ def _notes(task: LinerTask, shell: _Shell, largest: Peak) -> list[Said]:
         )
     if task.allowed is not None and largest.stress > task.allowed:
         text = "the equivalent stress of {value:.6g} MPa is above the allowed {limit:.6g} MPa"
-        found.append(held("warning", text, largest.stress / 1e6, task.allowed / 1e6, "MPa", name="sigma_eq"))
+        found.append(held("warning", text, largest.stress, task.allowed, "Pa", shown="MPa", name="sigma_eq"))
     return found
 
 

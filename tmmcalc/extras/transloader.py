@@ -329,18 +329,18 @@ def _notes(
 
 
 def _outside(limit: Limit) -> Said:
-    scale, unit = (MINUTE, "m/min") if limit.unit == "m/s" else (1.0, limit.unit)
     low = limit.low is not None and limit.value < limit.low
     end = limit.low if low else limit.high
     assert end is not None
+    shown = "m/min" if limit.unit == "m/s" else ""
     text = f"{{what}} is {{value:.6g}} {{unit}}, {'below' if low else 'above'} {{limit:.6g}} {{unit}}"
-    return held("warning", text, scale * limit.value, scale * end, unit, name=limit.what, what=limit.what)
+    return held("warning", text, limit.value, end, limit.unit, shown=shown, name=limit.what, what=limit.what)
 
 
 def _overstressed(check: Check) -> Said:
     text = "{part}, case {case}: {value:.6g} MPa is above the allowed {limit:.6g} MPa ({kind})"
     words = {"part": check.part, "case": check.case, "kind": check.kind}
-    return held("warning", text, check.stress / 1e6, check.allowed / 1e6, "MPa", name="sigma", **words)
+    return held("warning", text, check.stress, check.allowed, "Pa", shown="MPa", name="sigma", **words)
 
 
 def _error(task: TransloaderTask, drives: tuple[Drive, ...], loads: dict[str, Any], checks: tuple[Check, ...]) -> float:

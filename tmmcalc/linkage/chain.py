@@ -8,11 +8,14 @@ of the groups; no difference is taken anywhere.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from tmmcalc.core.plane import LinkMotion, Plane, Real, frame
+from tmmcalc.core.records import record
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.dyads import KINDS
 from tmmcalc.linkage.dyads.base import Dyad, Element, Elements, Motions, Mount, Rates, Sites, Slide, Slides, element
@@ -67,14 +70,23 @@ class Configuration(NamedTuple):
     placed: list[Any]
 
 
-class Chain(NamedTuple):
+class Layout(NamedTuple):
+    """What is stacked, in which order: named points with their owner, links, prismatic joints."""
+
+    points: tuple[tuple[str, int, complex], ...]
+    links: tuple[int, ...]
+    joints: tuple[str, ...]
+
+
+@record
+class Chain:
     """A mechanism with its structure and one step a group, on its variant or branch, ready to be evaluated."""
 
     mechanism: Mechanism
     structure: Structure
     steps: tuple[Step | LoopStep, ...]
 
-    @property
+    @cached_property
     def input_joint(self) -> Joint:
         """The joint of the input link with the frame."""
         return self.mechanism.joint(self.mechanism.input.joint)
@@ -83,6 +95,23 @@ class Chain(NamedTuple):
     def turns(self) -> bool:
         """Whether the input link is a crank (revolute) and not a driven slider."""
         return self.input_joint.kind == "revolute"
+
+    @cached_property
+    def layout(self) -> Layout:
+        """All named points of moving links that are not pins of the frame, each once; links and joints in order."""
+        owners: dict[str, tuple[int, complex]] = {}
+        links = (self.structure.input_link, *(k for group in self.structure.groups for k in group.links))
+        order = tuple(dict.fromkeys(links))
+        points, fixed = {link.id: link.points for link in self.mechanism.links}, self.mechanism.frame.points
+        for k in order:
+            for name, p in points[k].items():
+                if name not in fixed:
+                    owners.setdefault(name, (k, p))
+        return Layout(
+            tuple((name, *owners[name]) for name in sorted(owners, key=_natural)),
+            tuple(sorted(order)),
+            tuple(joint.name for joint in self.mechanism.joints if joint.kind == "prismatic"),
+        )
 
     @property
     def branches(self) -> dict[str, Branch]:
@@ -97,7 +126,7 @@ class Chain(NamedTuple):
 
     def joined(self, step: Step | LoopStep) -> Chain:
         """The chain with one more step."""
-        return self._replace(steps=(*self.steps, step))
+        return replace(self, steps=(*self.steps, step))
 
     def evaluate(
         self, x: Real, *, order: int = 2, method: solvers.Method = solvers.closed, steps: int | None = None
@@ -149,6 +178,11 @@ class Chain(NamedTuple):
         found = self.steps[step]
         assert isinstance(found, Step)
         return found
+
+
+def _natural(name: str) -> tuple[str, str]:
+    """Centres of mass S1, S2, ... after the joints' points."""
+    return ("~" if name[0] == "S" and name[1:].isdigit() else "", name)
 
 
 def compile_chain(

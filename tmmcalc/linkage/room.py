@@ -87,13 +87,19 @@ ROOM = Room(
                 ("--choose",),
             ),
         ),
-        Stage("structure", "mobility, Assur groups, structural formula, class and order", wanted="moves"),
+        Stage(
+            "structure",
+            "mobility, Assur groups, structural formula, class and order",
+            wanted="moves",
+            note="tmmcalc.linkage.notes.chapters:structure",
+        ),
         Stage(
             "kinematics",
             "positions, velocities and accelerations over the cycle",
             needs=("structure",),
             wanted="moves",
             settings={"method": "closed", "step": 0.0, "decimals": 0},  # 0: the default step, no rounding
+            note="tmmcalc.linkage.notes.chapters:kinematics",
             picture=Picture(
                 "scheme in its positions, paths of points, diagrams of the outputs; with --polygons plans of "
                 "velocities and accelerations",
@@ -107,6 +113,7 @@ ROOM = Room(
             "reactions in all pairs and the drive, with friction",
             needs=("kinematics",),
             wanted="forces",
+            note="tmmcalc.linkage.notes.chapters:forces",
             picture=Picture(
                 "reactions, hodographs, drive; with --polygons load diagrams, force polygons, lever of Zhukovsky",
                 ("--polygons",),

@@ -8,13 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import accumulate, pairwise
-from typing import NamedTuple
 
 import numpy as np
 
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage import solvers
-from tmmcalc.linkage.chain import Chain, Configuration
+from tmmcalc.linkage.chain import Chain, Configuration, Layout
 from tmmcalc.linkage.results import Trace
 
 # rows: temporaries of 115 kB stay in cache, and below the 128 kB at which malloc maps fresh pages for every one
@@ -23,50 +22,21 @@ TURN = 2 * np.pi
 SEAM = 1e-9  # an angle that exceeds -pi by less [rad] is pi
 
 
-class Layout(NamedTuple):
-    """What is stacked, in which order: named points with their owner, links, prismatic joints."""
-
-    points: tuple[tuple[str, int, complex], ...]
-    links: tuple[int, ...]
-    joints: tuple[str, ...]
-
-
-def layout(chain: Chain) -> Layout:
-    """All named points of moving links that are not pins of the frame, each once; links and joints in order."""
-    owners: dict[str, tuple[int, complex]] = {}
-    links = (chain.structure.input_link, *(k for group in chain.structure.groups for k in group.links))
-    order = tuple(dict.fromkeys(links))
-    points, fixed = {link.id: link.points for link in chain.mechanism.links}, chain.mechanism.frame.points
-    for k in order:
-        for name, p in points[k].items():
-            if name not in fixed:
-                owners.setdefault(name, (k, p))
-    return Layout(
-        tuple((name, *owners[name]) for name in sorted(owners, key=_natural)),
-        tuple(sorted(order)),
-        tuple(joint.name for joint in chain.mechanism.joints if joint.kind == "prismatic"),
-    )
-
-
-def _natural(name: str) -> tuple[str, str]:
-    """Centres of mass S1, S2, ... after the joints' points."""
-    return ("~" if name[0] == "S" and name[1:].isdigit() else "", name)
-
-
 def trace(chain: Chain, x: Real, method: solvers.Method = solvers.closed, order: int = 2) -> Trace:
     """Evaluate the chain at ``x`` (n,) and stack everything; angles are not yet continuous.
 
     With ``order=0`` the derivatives are left at zero.
     """
-    what = layout(chain)
+    what = chain.layout
     n = len(x)
     r, angle, s = _stacks(what, x, np.empty if order else np.zeros)
+    crank = what.links.index(chain.structure.input_link) if chain.turns else None
+    if crank is not None:
+        angle[0, crank] = x
     for at in range(0, n, BLOCK):
         rows = slice(at, min(at + BLOCK, n))
         configuration = chain.evaluate(x[rows], order=order, method=method)
-        _store(configuration, what, r[..., rows], angle[..., rows], s[..., rows], order)
-    if chain.turns:
-        angle[0, what.links.index(chain.structure.input_link)] = x
+        _store(configuration, what, r[..., rows], angle[..., rows], s[..., rows], order, crank)
     names = tuple(name for name, _, _ in what.points)
     return Trace(names, r[0], r[1], r[2], what.links, angle[0], angle[1], angle[2], what.joints, s[0], s[1], s[2])
 
@@ -83,7 +53,9 @@ def _stacks(what: Layout, x: Real, make: Callable[..., Real]) -> tuple[Plane, Re
     return r.reshape(3, len(what.points), 2 * n).view(np.result_type(x.dtype, np.complex64)), angle, s
 
 
-def _store(configuration: Configuration, what: Layout, r: Plane, angle: Real, s: Real, order: int) -> None:
+def _store(
+    configuration: Configuration, what: Layout, r: Plane, angle: Real, s: Real, order: int, crank: int | None
+) -> None:
     motions = configuration.motions
     for row, (_, link, p) in enumerate(what.points):
         motion = motions[link]
@@ -95,7 +67,7 @@ def _store(configuration: Configuration, what: Layout, r: Plane, angle: Real, s:
             else:
                 np.multiply(d, turn, out=r[k, row])
                 r[k, row] += at
-    _store_angles(configuration, what, angle, order)
+    _store_angles(configuration, what, angle, order, crank)
     for row, joint in enumerate(what.joints):
         slide = configuration.slides[joint]
         s[0, row] = slide.s
@@ -103,13 +75,15 @@ def _store(configuration: Configuration, what: Layout, r: Plane, angle: Real, s:
             s[1, row], s[2, row] = slide.ds, slide.dds
 
 
-def _store_angles(configuration: Configuration, what: Layout, angle: Real, order: int) -> None:
-    """Angles of all links; of links that turn together, only the first pays for an arc tangent."""
+def _store_angles(configuration: Configuration, what: Layout, angle: Real, order: int, crank: int | None) -> None:
+    """Angles of all links but the crank; of links that turn together, only the first pays for an arc tangent."""
     leaders: dict[int, int] = {}
     for row, link in enumerate(what.links):
         motion = configuration.motions[link]
         if order:
             angle[1, row], angle[2, row] = motion.omega, motion.eps
+        if row == crank:
+            continue
         leader = leaders.setdefault(id(motion.omega), row) if order else row
         if leader == row:
             np.arctan2(motion.u.imag, motion.u.real, out=angle[0, row])

@@ -39,7 +39,7 @@ def off_speed(mean: float, asked: float, ratio: float | None, sense: float, key:
         "warning" if abs(off) > GRAVE else "note",
         f"the mean speed {mean * RPM:.6g} rpm lies {above} the {asked * RPM:.6g} rpm of the spec, at which {at} "
         f'computed: set {key} to "{sense * mean * RPM:.6g} rpm"{itself} and run again{gears}',
-        *(mean * RPM, asked * RPM, "rpm", "mean speed"),
+        *(mean, asked, "rad/s", "mean speed"),
     )
 
 
@@ -65,4 +65,4 @@ def off_rated(rated: float, ratio: float, asked: float, sense: float, key: str) 
         "key": key,
         "speed": sense * at_input * RPM,
     }
-    return held("warning", text, at_input * RPM, asked * RPM, "rpm", name="rated speed at the input", **words)
+    return held("warning", text, at_input, asked, "rad/s", shown="rpm", name="rated speed at the input", **words)

@@ -164,7 +164,8 @@ def _held(path: str, note: str) -> Iterator[Chosen]:
     if isinstance(note, Note):
         for word, number in (("value", note.value), ("limit", note.limit)):
             if number is not None:
-                yield Chosen(f"{path}.{word}", note.unit, float(number), f"{word}: {note}")
+                of = f"{word} of {note.name}" if note.name else word
+                yield Chosen(f"{path}.{word}", note.unit, float(number), f"{of}: {note}")
 
 
 def _flat(path: str, values: Mapping[str, Any], meaning: str) -> Iterator[Chosen]:

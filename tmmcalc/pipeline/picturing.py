@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.errors import TmmError
 from tmmcalc.core.stage import STAGES, arguments, resolve
-from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
+from tmmcalc.report.drawing.order import PHASE, POLYGONS, POSITIONS, Order
+from tmmcalc.report.rows import CHOOSE
 
 if TYPE_CHECKING:
     from tmmcalc.report.drawing.shapes import Drawing
+    from tmmcalc.report.manuscript import Block
     from tmmcalc.report.sheets.piece import Piece
 
 NONE = dict.fromkeys((POSITIONS, POLYGONS, CHOOSE, PHASE))  # no flags
@@ -64,3 +66,11 @@ def svg_of(stage: str, spec: Any, results: Mapping[str, Any]) -> str | None:
         return written("svg", figure_of(stage, spec, results)()).decode()
     except TmmError:
         return None
+
+
+def chapter_of(
+    stage: str, spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | None] = NONE
+) -> Iterable[Block]:
+    """The chapter of a stage in the note, in the language in force; nothing of a stage that has none."""
+    note = STAGES[stage].note
+    return resolve(note)(_order(spec, results, flags)) if note else ()

@@ -13,7 +13,7 @@ from itertools import count
 from typing import Any, NamedTuple
 
 from tmmcalc.core.facts import named
-from tmmcalc.core.notes import LEVELS
+from tmmcalc.core.notes import LEVELS, Note
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import STAGES
 from tmmcalc.naming.meanings import described
@@ -93,7 +93,7 @@ def first_columns(document: Document) -> list[str]:
 
 
 def told_of(document: Document, stage: str = "") -> Iterator[tuple[str, str, Any, str, str]]:
-    """Every value that a document tells: name, symbol, value, unit, meaning; then its notes.
+    """Every value that a document tells: name, symbol, value, unit, meaning; then its notes with their numbers.
 
     The meaning is that which the ``stage`` declares, else what the document calls it.
     """
@@ -102,15 +102,22 @@ def told_of(document: Document, stage: str = "") -> Iterator[tuple[str, str, Any
         for name, value, unit in values_of(fact):
             meaning, symbol = known(name.rpartition(".")[2], unit) if known else ("", "")
             yield name, symbol, value, unit, meaning or fact.label
-    for label, text in notes_of(document):
-        yield label, "", text, "", ""
+    for note in document.notes:
+        grade, text = _graded(note)
+        yield grade, "", text, "", ""
+        if isinstance(note, Note):
+            held = {"value": note.value, "limit": note.limit}
+            yield from ((f"{grade} {word}", note.name, n, note.unit, text) for word, n in held.items() if n is not None)
 
 
 def notes_of(document: Document) -> Iterator[tuple[str, str]]:
     """The notes, each with its grade."""
-    for note in document.notes:
-        grade, colon, text = note.partition(": ")
-        yield (grade, text) if colon and grade in LEVELS else ("note", note)
+    yield from map(_graded, document.notes)
+
+
+def _graded(note: str) -> tuple[str, str]:
+    grade, colon, text = note.partition(": ")
+    return (grade, text) if colon and grade in LEVELS else ("note", str(note))
 
 
 def beside_of(document: Document) -> list[tuple[str, Any]]:

@@ -6,6 +6,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.logplots import MARKS, Dots, framed, pages
 from tmmcalc.report.drawing.pens import CURVES, Pen
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.language import tr
 from tmmcalc.stress.results import LIMITS, Ladder, Stress
 
 SAME = 1.001  # ratio of conditions that are one
@@ -26,7 +27,7 @@ def _draw(drawing: Drawing, box: Box, ladder: Ladder) -> None:
     curves: list[Dots] = []
     for k, stage in enumerate(ladder.stages()):
         curves += _curves(ladder, stage, CURVES[k % len(CURVES)], MARKS[k % len(MARKS)], level)
-    names = ladder.name, "what is varied" if level else ladder.condition, "largest relative error"
+    names = ladder.name, tr("what is varied") if level else ladder.condition, tr("largest relative error")
     framed(drawing, box, names, curves, [(limit, LIMIT) for limit in LIMITS], linear=level)
 
 

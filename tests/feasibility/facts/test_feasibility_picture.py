@@ -50,7 +50,7 @@ def test_bars_are_margins() -> None:
     said = written(drawing)
     assert [text for text in said if text.endswith(" %")] == ["+20 %", "−50 %", "−400 %"]
     assert [text for text in said if text in "abc"] == ["a", "b", "c"]
-    assert "s min w is 3 N\nat most 2 N" in said
+    assert "s min w = 3 N\nat most 2 N" in said
     assert "Constraints: not feasible: b\nrule: a and b and (a or c)" in said
 
 

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from machines import PINS, pin
 from paper import inside, named_place, of_words
+from written import PINS, link, pin
 
 import tmmcalc
 from linkage.scenes import CONFIGS
@@ -24,6 +24,17 @@ from tmmcalc.report.drawing.pens import FORCES
 from tmmcalc.report.drawing.shapes import Area, Drawing, Stroke
 
 MM = 25.4
+LINKS = (
+    link(1, 'O = [0, 0], A = ["100 mm", 0]', "mass = 1.5")
+    + link(2, 'A = [0, 0], B = ["600 mm", 0]', "mass = 4", "inertia = 0.1", 'center = ["300 mm", 0]')
+    + link(
+        3,
+        'C = [0, 0], B = ["350 mm", 0], E = ["450 mm", "50 mm"]',
+        "mass = 3",
+        "inertia = 0.05",
+        'center = ["200 mm", 0]',
+    )
+)
 PRESS = f"""
 [project]
 title = "Press with a dyad of three pins"
@@ -36,23 +47,7 @@ positions = 12
 [mechanism.fixed]
 O = [0, 0]
 C = [0.7, 0.1]
-[[mechanism.links]]
-id = 1
-points = {{ O = [0, 0], A = ["100 mm", 0] }}
-mass = 1.5
-[[mechanism.links]]
-id = 2
-points = {{ A = [0, 0], B = ["600 mm", 0] }}
-mass = 4
-inertia = 0.1
-center = ["300 mm", 0]
-[[mechanism.links]]
-id = 3
-points = {{ C = [0, 0], B = ["350 mm", 0], E = ["450 mm", "50 mm"] }}
-mass = 3
-inertia = 0.05
-center = ["200 mm", 0]
-{PINS}{pin("C", 3, 0)}[mechanism.assembly]
+{LINKS}{PINS}{pin("C", 3, 0)}[mechanism.assembly]
 sketch = {{ B = [0.6, 0.4] }}
 [[loads]]
 link = 3

@@ -158,9 +158,11 @@ class TestPlacement:
         assert own.rim is not None
         assert other.rim is not None
         assert (own.rim.diameter, own.rim.width) == (0.6, 0.05)
-        assert any("m/s, above 30 m/s" in remark for remark in own.remarks)
+        (fast,) = own.verdicts
+        assert "m/s, above 30 m/s" in fast.message
+        assert (fast.value, fast.limit, fast.unit) == (own.rim.speed, 30.0, "m/s")
         assert other.rim.thickness / other.rim.diameter == pytest.approx(0.1, rel=1e-12)
-        assert other.remarks == ()
+        assert other.verdicts == ()
         (thin,) = wheels(task(diameter=0.6, thickness=0.05), 4.0, 10.5, 1.0, None)
         assert thin.rim is not None
         assert (thin.rim.diameter, thin.rim.thickness) == (0.6, 0.05)
@@ -169,15 +171,15 @@ class TestPlacement:
     def test_what_is_no_rim(self) -> None:
         (tiny,) = wheels(task(shaft="other"), 40.0, 10.5, 1e9, 1e9)[:1]
         assert tiny.rim is None
-        (said,) = tiny.remarks
-        assert said.startswith("no rim is sized: at 1.05e+10 rad/s cast iron allows 5.71e-06 mm of outer")
+        (said,) = tiny.verdicts
+        assert said.message.startswith("no rim is sized: at 1.05e+10 rad/s cast iron allows 5.71e-06 mm of outer")
         (light,) = wheels(task(), 1e-10, 10.5, 1.0, None)
         assert light.rim is None
-        assert light.remarks[0].startswith("no rim is sized: for 1e-10 kg*m^2 its mean diameter would be ")
+        assert light.verdicts[0].message.startswith("no rim is sized: for 1e-10 kg*m^2 its mean diameter would be ")
         assert wheels(task(), 0.0, 10.5, 1.0, None)[0].rim is None
         (full,) = wheels(task(diameter=0.1), 40.0, 10.5, 1.0, None)
         assert full.rim is None
-        assert full.remarks[0].startswith("no such rim: a wheel of 0.1 m mean diameter is a full disk")
+        assert full.verdicts[0].message.startswith("no such rim: a wheel of 0.1 m mean diameter is a full disk")
 
 
 class TestData:

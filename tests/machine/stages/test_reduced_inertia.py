@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline, PchipInterpolator
+from written import PINS, link, slide
 
 import tmmcalc
 from tmmcalc.core.errors import UsageError
@@ -20,6 +21,12 @@ from tmmcalc.pipeline.outcome import RunResult
 from tmmcalc.project import load_spec, parse_spec, templates
 
 TURN = 2 * math.pi
+LINKS = (
+    link(1, 'O = [0, 0], A = ["90 mm", 0]', "mass = 6", "inertia = 0.03", 'center = ["20 mm", 0]')
+    + link(2, 'A = [0, 0], B = ["310 mm", 0]', "mass = 5", "inertia = 0.05", 'center = ["100 mm", 0]')
+    + link(3, "B = [0, 0]", "mass = 14", "center = [0, 0]")
+)
+JOINTS = PINS + slide("guide", 3, 0, 'through = [0, "25 mm"], angle = "0 deg"')
 LINKAGE = """
 [mechanism.grid]
 positions = {positions}
@@ -32,41 +39,7 @@ point = "B"
 direction = "0 deg"
 [mechanism.fixed]
 O = [0, 0]
-[[mechanism.links]]
-id = 1
-points = {{ O = [0, 0], A = ["90 mm", 0] }}
-mass = 6
-inertia = 0.03
-center = ["20 mm", 0]
-[[mechanism.links]]
-id = 2
-points = {{ A = [0, 0], B = ["310 mm", 0] }}
-mass = 5
-inertia = 0.05
-center = ["100 mm", 0]
-[[mechanism.links]]
-id = 3
-points = {{ B = [0, 0] }}
-mass = 14
-center = [0, 0]
-[[mechanism.joints]]
-name = "O"
-kind = "revolute"
-links = [0, 1]
-[[mechanism.joints]]
-name = "A"
-kind = "revolute"
-links = [1, 2]
-[[mechanism.joints]]
-name = "B"
-kind = "revolute"
-links = [2, 3]
-[[mechanism.joints]]
-name = "guide"
-kind = "prismatic"
-links = [3, 0]
-guide = {{ through = [0, "25 mm"], angle = "0 deg" }}
-[[loads]]
+{links}{joints}[[loads]]
 name = "Q"
 link = 3
 point = "B"
@@ -106,7 +79,7 @@ reduced_inertia = { file = "FILE", columns = "phi,J_red" }
 
 def both(folder: Path, positions: int) -> tuple[RunResult, RunResult]:
     """The linkage with its machine, and the machine of the tables that it leaves in its output folder."""
-    text = LINKAGE.format(positions=positions, speed="300 rpm")
+    text = LINKAGE.format(links=LINKS, joints=JOINTS, positions=positions, speed="300 rpm")
     linkage = tmmcalc.run(parse_spec(text + MACHINE), out=folder / f"{positions}")
     (folder / "tables.toml").write_text(TABLES.replace("FILE", f"{positions}/reduction.csv") + MACHINE)
     return linkage, tmmcalc.run(load_spec(folder / "tables.toml"))
@@ -131,7 +104,9 @@ def test_the_tables_of_a_linkage_move_as_the_linkage(tmp_path: Path) -> None:
 
 
 def test_the_inertia_of_a_clockwise_crank_counts_along_its_motion(tmp_path: Path) -> None:
-    linkage = tmmcalc.run(parse_spec(LINKAGE.format(positions=24, speed="-300 rpm")), out=tmp_path)
+    linkage = tmmcalc.run(
+        parse_spec(LINKAGE.format(links=LINKS, joints=JOINTS, positions=24, speed="-300 rpm")), out=tmp_path
+    )
     (tmp_path / "tables.toml").write_text(TABLES.replace("FILE", "reduction.csv"))
     read = tmmcalc.run(load_spec(tmp_path / "tables.toml")).results["reduction"]
     assert np.all(np.diff(linkage.results["reduction"].phi) < 0)

@@ -68,7 +68,7 @@ def _cam_remarks(found: Indexing, cam: Cam) -> Iterator[Said]:
             "the lobe reaches {value:.6g} mm from O1 and sweeps over O2 at {limit:.6g} mm: no shaft of the wheel can "
             "pass through the planes of the cams"
         )
-        yield held("note", text, 1e3 * reach, 1e3 * found.centres, "mm", name="reach of the lobe")
+        yield held("note", text, reach, found.centres, "m", shown="mm", name="reach of the lobe")
     yield from _roller_remarks(found, cam)
     table = cam.efficiency
     for name, share in (("against", table.against_share), ("along", table.aiding_share)):
@@ -95,7 +95,7 @@ def _roller_remarks(found: Indexing, cam: Cam) -> Iterator[Said]:
                 "usual rule"
             )
             words: dict[str, Any] = {"flank": limit.name, "radius": 1e3 * limit.radius, "part": USUAL[1]}
-            yield held("note", text, 1e3 * radius, 1e3 * USUAL[1] * limit.radius, "mm", name="r2", **words)
+            yield held("note", text, radius, USUAL[1] * limit.radius, "m", shown="mm", name="r2", **words)
 
 
 def _deg(value: float) -> str:

@@ -37,7 +37,7 @@ def optimum_notes(
             "the height of [cam.guide] top, {value:.5g} mm, is below the least possible {limit:.6g} mm: "
             "no sizes keep all constraints at it"
         )
-        yield held("warning", text, 1e3 * top, 1e3 * least.height, "mm", name="height")
+        yield held("warning", text, top, least.height, "m", shown="mm", name="height")
     if scene.follower.kind == "translating" and task.guide.gap == 0:
         yield "note: the guide begins where the roller ends at its highest: [cam.guide] gap is 0"
     if scene.follower.kind == "oscillating":

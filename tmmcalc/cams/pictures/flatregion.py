@@ -21,6 +21,7 @@ from tmmcalc.cams.pictures.zone import (
     dimension,
     limit_point,
     mark_angle,
+    name_angle,
     name_limit,
 )
 from tmmcalc.cams.synthesis.results import Convexity, Synthesis
@@ -89,7 +90,7 @@ def _draw_tangent(board: Board, cut: complex, low: complex, high: complex) -> No
     """The tangent from border to border, and its angle with the ordinate."""
     far, along = abs(high - low), complex(1, -1)
     board.line([cut - far * along, cut + far * along], LIMIT, level=6)
-    mark_angle(board, cut, (1j, -along), MARKED, "45°")
+    name_angle(board, mark_angle(board, cut, (1j, -along), MARKED, "45°"))
 
 
 def _draw_sizes(board: Board, start: float, cut: complex, found: Convexity) -> None:

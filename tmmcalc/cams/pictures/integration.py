@@ -33,10 +33,10 @@ RAY = Pen("RAYS", 0.18, colour=INK)
 CHORD = Pen("CONSTRUCTION", 0.6)
 SHARES = (1.2, 1.5, 1.8, 2.1)  # that the height of the diagram of S'' may have of the others
 AIR = 5.0  # above and below the values of a diagram [mm]
-RIGHT = 9.0  # beyond the last ordinate, for the name of the abscissa [mm]
-BEFORE = 9.0  # beyond the pole, for its name [mm]
-BESIDE = 3.0  # between the axis of the rays and the diagram, beside the numbers [mm]
-POLE_STEP = 5.0  # pole distances are whole multiples of it [mm]
+RIGHT = 8.0  # beyond the last ordinate, for the name of the abscissa [mm]
+BEFORE = 7.0  # beyond the pole, for its name [mm]
+BESIDE = 2.5  # between the axis of the rays and the diagram, beside the numbers [mm]
+POLE_LEAST, POLE_STEP = 15.0, 5.0  # pole distances are whole multiples of the second [mm]
 WORDS = (9.5, 13.0)  # room of the line above, and of those below [mm]
 GAP = 4.0  # between diagrams [mm]
 APART = 3.2  # of two numbers [mm]
@@ -119,22 +119,32 @@ def _layout(box: Box, exact: Pieces, made: Construction) -> Layout:
         bend = standard_scale(spans[0] / (heights[0] - 2 * AIR))
         found.append((bend, heights))
     bend, heights = min(found, key=lambda each: each[0])
-    span = degrees(_end(made))
-    along = standard_scale(span / box.width)
     labels = [", ".join(names) for order in (0, 1) for _, names in _grouped(made, order)]
     beside = max(width(label, NUMBER) for label in labels) + BESIDE
+    span = degrees(_end(made))
+    along = standard_scale(span / box.width)
     while True:
-        ups, poles = [bend], []
-        for size, height in zip(spans[1:], heights[1:], strict=True):
-            unit = ups[-1] * radians(along)  # of the integral to a mm, for a pole distance of 1 mm
-            poles.append(POLE_STEP * ceil(size / (height - 2 * AIR) / unit / POLE_STEP - 1e-9))
-            ups.append(unit * poles[-1])
-        layout = Layout(
-            (heights[0], heights[1], heights[2]), along, (ups[0], ups[1], ups[2]), (poles[0], poles[1]), beside
-        )
-        if layout.left + span / along + RIGHT <= box.width:
-            return layout
+        for coarser in (1.0, 2.0):  # a lower diagram of S'' has a nearer pole: better than a short abscissa
+            up, poles = _stepped(spans, heights, radians(along), standard_scale(coarser * bend))
+            layout = Layout((heights[0], heights[1], heights[2]), along, up, poles, beside)
+            if layout.left + span / along + RIGHT <= box.width:
+                return layout
         along = standard_scale(1.01 * along)
+
+
+def _stepped(
+    spans: list[float], heights: list[float], along: float, bend: float
+) -> tuple[tuple[float, float, float], tuple[float, float]]:
+    """What a mm stands for in the diagrams of S'', S', S, and the pole distances with which the last two fit.
+
+    ``along`` radians and ``bend`` of S'' to a mm.
+    """
+    ups, poles = [bend], []
+    for size, height in zip(spans[1:], heights[1:], strict=True):
+        unit = ups[-1] * along  # of the integral to a mm, for a pole distance of 1 mm
+        poles.append(max(POLE_LEAST, POLE_STEP * ceil(size / (height - 2 * AIR) / unit / POLE_STEP - 1e-9)))
+        ups.append(unit * poles[-1])
+    return (ups[0], ups[1], ups[2]), (poles[0], poles[1])
 
 
 def _grouped(made: Construction, order: int) -> list[tuple[float, list[str]]]:

@@ -28,7 +28,7 @@ STROKE = Pen("STROKE", 0.25, colour=MARK.colour)
 ENDS = Pen("ENDS_OF_PHASES", 0.18, colour="#b8b8b8")
 HEADROOM = 9.0  # for the names of the phases [mm]
 AIR = 0.16  # of the height of a curve, above and below it
-NAME_SIZE, BETWEEN = 1.9, 2.5  # of the names of the phases; least between two of them [mm]
+NAME_SIZE, BETWEEN = 2.2, 2.5  # of the names of the phases; least between two of them [mm]
 
 Pieces = list[tuple[Values, Values]]
 

@@ -19,10 +19,12 @@ from tmmcalc.cams.pictures.zone import (
     LIMIT,
     OTHER,
     ZONE,
+    Angle,
     axis_of_cam,
     dimension,
     limit_point,
     mark_angle,
+    name_angle,
     name_limit,
     textbook_choice,
 )
@@ -84,10 +86,14 @@ def _draw_plane(board: Board, task: CamTask, result: Synthesis) -> None:
     bounding = set(held)
     for line in lines:
         _draw_tangent(board, task, line, (line.phi, line.side) in bounding)
+    angles = [_marked(board, task, line) for line in lines if (line.phi, line.side) in bounding]
     _draw_axis(board, result)
     for line in lines:
         if (line.phi, line.side) in bounding:
-            _name_tangent(board, task, line)
+            at, _ = _touching(task, line)
+            name_limit(board, at, deg(line.phi, 4), complex(1, line.side))
+    for angle in angles:
+        name_angle(board, angle)
 
 
 def _draw_tangent(board: Board, task: CamTask, line: Line, bounds: bool) -> None:
@@ -108,17 +114,16 @@ def _touching(task: CamTask, line: Line) -> tuple[complex, complex]:
     return 1e3 * complex(y, y1), complex(cos(lean), sin(lean))
 
 
-def _name_tangent(board: Board, task: CamTask, line: Line) -> None:
-    """The angle of the cam at its point; the allowed pressure angle, between it and the direction of the abscissa."""
+def _marked(board: Board, task: CamTask, line: Line) -> Angle:
+    """The allowed pressure angle, between a tangent and the direction of the abscissa."""
     at, along = _touching(task, line)
-    name_limit(board, at, deg(line.phi, 4), complex(1, line.side))
     foot = at - at.imag / along.imag * along  # on the axis of abscissas
     room = MARKED * board.mu
     left, right = board.data(complex(board.box.left)).real, board.data(complex(board.box.right)).real
     if not left < foot.real < right - room:
         foot = at - 0.5 * (at.real - left) * along
         board.line([foot, foot + 1.2 * room], OTHER, level=6)
-    mark_angle(board, foot, (1.0, along), MARKED, f"[$θ$] = {deg(abs(cmath.phase(along)))}")
+    return mark_angle(board, foot, (1.0, along), MARKED, f"[$θ$] = {deg(abs(cmath.phase(along)))}")
 
 
 def _draw_axis(board: Board, result: Synthesis) -> None:

@@ -51,8 +51,8 @@ def law_pieces(order: Order) -> Iterator[Piece]:
     def integration(drawing: Drawing, box: Box) -> None:
         draw_integration(drawing, box, task.program, result, constructed(task.program, INTERVALS))
 
-    yield Piece(SHEET, _law_heading(result), laws, (WIDE, 140.0), (WIDE, 230.0))
-    yield Piece(SHEET, integration_heading(result), integration, (230.0, 170.0), (270.0, 215.0))
+    yield Piece(SHEET, _law_heading(result), laws, (WIDE, 140.0), (WIDE, 220.0))
+    yield Piece(SHEET, integration_heading(result), integration, (250.0, 170.0), (300.0, 220.0))
 
 
 def _law_heading(result: LawResult) -> str:
@@ -106,9 +106,9 @@ def profile_pieces(order: Order) -> Iterator[Piece]:
         _bends(drawing, box, task, result)
 
     heading = tr("Profile of the cam, which turns {sense}", sense=sense_of(result.follower))
-    yield Piece(SHEET, heading, cam, (140.0, 120.0), (330.0, 270.0))
+    yield Piece(SHEET, heading, cam, (140.0, 120.0), (340.0, 315.0))
     if not result.flat:
-        yield Piece(SHEET, tr("Curvature of the cam"), bends, (WIDE, 70.0), (WIDE, 100.0))
+        yield Piece(SHEET, tr("Curvature of the cam"), bends, (WIDE, 70.0), (WIDE, 80.0))
 
 
 def _bends(drawing: Drawing, box: Box, task: CamTask, result: Profile) -> None:
@@ -132,7 +132,7 @@ def pressure_pieces(order: Order) -> Iterator[Piece]:
 
     if result.follower.kind != "flat":
         heading = tr("Pressure angle over a turn of the cam")
-        yield Piece(SHEET, heading, pressure, (WIDE, 70.0), (WIDE, 100.0))
+        yield Piece(SHEET, heading, pressure, (WIDE, 65.0), (WIDE, 85.0))
 
 
 def indexing_pieces(order: Order) -> Iterator[Piece]:

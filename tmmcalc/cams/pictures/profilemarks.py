@@ -17,7 +17,7 @@ from tmmcalc.report.drawing.pens import OTHER, PATH, Pen
 MOST = 10  # positions of a moving phase
 STRIDES = tuple(m * 10**n for n in range(6) for m in (1, 2, 5))
 APART = 4.0  # of two numbers on paper [mm]
-NUMBER = 1.8  # height of a number [mm]
+NUMBER = 2.1  # height of a number [mm]
 FACE = 0.3  # of the base circle: half of the piece of a face that is drawn
 LAID = Pen("LIFTS_LAID_OFF", 0.25, colour=PATH.colour)
 DOT = 0.45  # radius of a position [mm]

@@ -25,8 +25,8 @@ from tmmcalc.report.drawing.shapes import Arc, Dimension, Words, arrowhead
 from tmmcalc.report.drawing.wording import corners
 from tmmcalc.report.numbers import number
 
-HEIGHT = 2.2  # of dimensions [mm]
-PHASE = 1.9  # height of the names of the phases
+HEIGHT = 2.3  # of dimensions [mm]
+PHASE = 2.0  # height of the names of the phases
 GAPS = (0.0, 0.6, 1.5)  # of them from their places [mm]
 BEYOND = 7.0  # of a dimension line from what it measures [mm]
 LEADER = 5.0  # how far the line of a radius goes beyond the cam [mm]

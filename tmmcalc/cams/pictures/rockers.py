@@ -20,10 +20,12 @@ from tmmcalc.cams.pictures.zone import (
     OTHER,
     PASSING,
     ZONE,
+    Angle,
     axis_of_cam,
     dimension,
     limit_point,
     mark_angle,
+    name_angle,
     name_limit,
     swept_of,
     textbook_choice,
@@ -86,11 +88,13 @@ def _draw_rockers(board: Board, task: CamTask, result: Synthesis) -> None:
     """Zone, positions, velocities, lines of the limit, the axis with its base circle."""
     placed = Placed(result)
     _draw_zone(board, placed, task, result)
-    tips = _draw_lines(board, placed, task, result)
+    names = _draw_lines(board, placed, task, result)
     _draw_positions(board, placed, task, result)
     _draw_axis(board, placed, task, result)
-    for text, tip in tips:
+    for text, tip, angle in names:
         name_limit(board, tip, text, tip - result.follower.centres, HEIGHT)
+        if angle is not None:
+            name_angle(board, angle)
 
 
 def _draw_zone(board: Board, placed: Placed, task: CamTask, result: Synthesis) -> None:
@@ -107,10 +111,12 @@ def _draw_zone(board: Board, placed: Placed, task: CamTask, result: Synthesis) -
         board.line(branch, PASSING, level=6)
 
 
-def _draw_lines(board: Board, placed: Placed, task: CamTask, result: Synthesis) -> list[tuple[str, complex]]:
+def _draw_lines(
+    board: Board, placed: Placed, task: CamTask, result: Synthesis
+) -> list[tuple[str, complex, Angle | None]]:
     """On both sides the line that bounds the zone next to the axis, and faint the others of its phase and side.
 
-    The names of the points K at which the former begin, with their places.
+    The names of the points K at which the former begin, with their places and the angles that are marked there.
     """
     found = []
     bounds, program = _bounds(result), task.program
@@ -126,21 +132,21 @@ def _draw_lines(board: Board, placed: Placed, task: CamTask, result: Synthesis) 
         board.lines(strokes, LIMIT, level=6)
         tip = complex(placed.at(_ends_on_lines(family, lines))[0])
         limit_point(board, tip)
-        _mark_limit(board, placed, family, (tip, strokes[0][1] - tip))
-        found.append((tr("$K$ at {angle}", angle=deg(held[0], 4)), tip))
+        angle = _mark_limit(board, placed, family, (tip, strokes[0][1] - tip))
+        found.append((tr("$K$ at {angle}", angle=deg(held[0], 4)), tip, angle))
     return found
 
 
-def _mark_limit(board: Board, placed: Placed, family: Family, line: tuple[complex, complex]) -> None:
+def _mark_limit(board: Board, placed: Placed, family: Family, line: tuple[complex, complex]) -> Angle | None:
     """The allowed pressure angle between a line and the perpendicular of the rocker at its point K."""
     tip, along = line
     across = 1j * (tip - placed.follower.centres)
     if not across:
-        return
+        return None
     across *= 1 if (across * along.conjugate()).real > 0 else -1
     across /= abs(across)
     board.line([tip, tip + 1.2 * MARKED * board.mu * across], OTHER, level=6)
-    mark_angle(board, tip, (across, along / abs(along)), MARKED, f"[$θ$] = {deg(family.limit)}")
+    return mark_angle(board, tip, (across, along / abs(along)), MARKED, f"[$θ$] = {deg(family.limit)}")
 
 
 def _strokes(placed: Placed, task: CamTask, family: Family, lines: Lines) -> list[list[complex]]:

@@ -6,14 +6,13 @@ from math import degrees
 
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.profile.results import WallName
-from tmmcalc.cams.program import PhaseKind
 from tmmcalc.cams.synthesis.results import Design
 from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 
-def phase_name(kind: PhaseKind) -> str:
+def phase_name(kind: str) -> str:
     """A phase of the turn."""
     names = {"rise": tr("rise"), "high dwell": tr("high dwell"), "return": tr("return"), "low dwell": tr("low dwell")}
     return names[kind]

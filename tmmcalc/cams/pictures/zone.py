@@ -7,6 +7,7 @@ highest roller (`tmmcalc.cams.synthesis.pivotborder`); all that lies on the side
 from __future__ import annotations
 
 import cmath
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from tmmcalc.cams.pivot import highest
 from tmmcalc.cams.synthesis.pivotborder import hyperbola
 from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.task import CamTask
+from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.pens import CURVES, DIMENSION, INK, MARK, MIDDLE, PATH, Pen
 from tmmcalc.report.drawing.shapes import Area
@@ -71,8 +73,19 @@ def name_limit(board: Board, at: complex, text: str, prefer: complex, height: fl
     board.labels.put(text, board.paper([at]), height=height, prefer=prefer, gaps=gaps, colour=INK)
 
 
-def mark_angle(board: Board, apex: complex, ways: tuple[complex, complex], radius: float, text: str) -> None:
-    """An arc from the first of two directions to the second with heads at both ends, and the angle; radius in mm."""
+class Angle(NamedTuple):
+    """An angle that is marked, and where its value may stand."""
+
+    text: str
+    places: Plane  # on paper
+    outward: complex
+
+
+def mark_angle(board: Board, apex: complex, ways: tuple[complex, complex], radius: float, text: str) -> Angle:
+    """An arc from the first of two directions to the second with heads at both ends; radius in mm.
+
+    Its value is for `name_angle`, when all is drawn that it keeps clear of.
+    """
     first, turn = cmath.phase(ways[0]), cmath.phase(ways[1] / ways[0])
     ends = sorted((first, first + turn))
     board.arc(apex, radius * board.mu, MARKED, start=ends[0], end=ends[1], weight=1.0, level=7)
@@ -80,9 +93,14 @@ def mark_angle(board: Board, apex: complex, ways: tuple[complex, complex], radiu
     for at, sense in zip(ends, (-1, 1), strict=True):
         tip = apex + radius * board.mu * cmath.exp(1j * at)
         board.arrowhead(tip, 1j * sense * cmath.exp(1j * (at - sense * head / radius / 2)), MARKED, head)
-    middle = cmath.exp(1j * (first + turn / 2))
-    places = board.paper([apex + radius * board.mu * middle])
-    board.labels.put(text, places, height=HEIGHT, prefer=middle, gaps=GAPS, colour=MARKED.colour)
+    parts = first + turn * np.array([0.5, 0.25, 0.75])
+    places = board.paper(apex + radius * board.mu * np.exp(1j * parts))
+    return Angle(text, places, cmath.exp(1j * (first + turn / 2)))
+
+
+def name_angle(board: Board, angle: Angle) -> None:
+    """Write its value."""
+    board.labels.put(angle.text, angle.places, height=HEIGHT, prefer=angle.outward, gaps=GAPS, colour=MARKED.colour)
 
 
 def swept_of(task: CamTask, result: Synthesis) -> tuple[Complex, Complex] | None:

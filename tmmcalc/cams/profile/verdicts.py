@@ -111,8 +111,8 @@ def remarks(found: Profile, task: CamTask) -> Iterator[Said]:
             "the profile comes to {value:.6g} mm of the axis at phi = {phi} deg, "
             "the shaft has a radius of {limit:.6g} mm"
         )
-        near, phi = 1e3 * found.nearest.value, _deg(found.nearest.phi)
-        yield held("warning", text, near, 1e3 * shaft, "mm", name="r_min", phi=phi)
+        near, phi = found.nearest.value, _deg(found.nearest.phi)
+        yield held("warning", text, near, shaft, "m", shown="mm", name="r_min", phi=phi)
 
 
 def _flat_remarks(found: Profile, task: CamTask) -> Iterator[Said]:
@@ -123,7 +123,7 @@ def _flat_remarks(found: Profile, task: CamTask) -> Iterator[Said]:
             "S0 has to be at least {start}"
         )
         words = {"at": _at(least), "start": _mm(found.follower.start + limit - least.value)}
-        yield held("warning", text, 1e3 * least.value, 1e3 * limit, "mm", name="rho_min", **words)
+        yield held("warning", text, least.value, limit, "m", shown="mm", name="rho_min", **words)
 
 
 def _roller_remarks(found: Profile, task: CamTask) -> Iterator[Said]:
@@ -134,7 +134,7 @@ def _roller_remarks(found: Profile, task: CamTask) -> Iterator[Said]:
     for part, size, name in ((BASE_PART, found.follower.base, "R0"), (BEND_PART, 1 / found.sharpest.value, "rho_min")):
         if r2 > part * size * (1 + AT_LIMIT):
             text = "the roller of {value:.6g} mm is above {part} {of} = {limit:.6g} mm, the usual rule"
-            yield held("note", text, 1e3 * r2, 1e3 * part * size, "mm", name="r2", part=part, of=name)
+            yield held("note", text, r2, part * size, "m", shown="mm", name="r2", part=part, of=name)
 
 
 def _wall_remarks(wall: Wall, name: str, reach: Reach | None, place: Place | None, limit: float) -> Iterator[Said]:
@@ -148,7 +148,7 @@ def _wall_remarks(wall: Wall, name: str, reach: Reach | None, place: Place | Non
     if bend - r2 < limit * (1 - AT_LIMIT):
         text = "{wall} has a radius of {value:.6g} mm {at}, less than r_m = {limit:.6g} mm: the roller may have {most}"
         words = {"wall": name, "at": _at(place), "most": _mm(max(bend - limit, 0.0))}
-        yield held("warning", text, 1e3 * (bend - r2), 1e3 * limit, "mm", name="rho_min", **words)
+        yield held("warning", text, bend - r2, limit, "m", shown="mm", name="rho_min", **words)
 
 
 def _concave_remarks(found: Profile, task: CamTask) -> Iterator[Said]:
@@ -160,7 +160,7 @@ def _concave_remarks(found: Profile, task: CamTask) -> Iterator[Said]:
         yield f"warning: the profile is concave, with a radius of {_mm(least)} {_at(place)}, which is not allowed"
     elif least < task.limits.concave * (1 - AT_LIMIT) and found.tool_radius is None and found.outer is None:
         text = "concave parts have a radius of {value:.6g} mm {at}, less than r_i = {limit:.6g} mm of the tool"
-        yield held("warning", text, 1e3 * least, 1e3 * task.limits.concave, "mm", name="rho_concave", at=_at(place))
+        yield held("warning", text, least, task.limits.concave, "m", shown="mm", name="rho_concave", at=_at(place))
 
 
 def _tool_remarks(found: Profile) -> Iterator[Said]:
@@ -171,7 +171,7 @@ def _tool_remarks(found: Profile) -> Iterator[Said]:
         "the tool of radius {value:.6g} mm cuts into the profile: its path {fault}; "
         "the largest tool that works has {limit:.6g} mm"
     )
-    yield held("warning", text, 1e3 * found.tool_radius, 1e3 * most, "mm", name="r_tool", fault=fault(tool))
+    yield held("warning", text, found.tool_radius, most, "m", shown="mm", name="r_tool", fault=fault(tool))
 
 
 def _at(place: Place) -> str:

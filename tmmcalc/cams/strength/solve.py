@@ -104,10 +104,8 @@ def _notes(
         yield Note("warning", text, each.name, each.value, each.limit, each.unit, each.symbol)
     for each in margins:
         if each.advice and each.verdict != OK:
-            most = 1e3 * (each.limit or 0.0)
-            value = None if each.value is None else 1e3 * each.value
-            text = f"{each.formula} asks for at most {most:.6g} mm"
-            yield Note("note", text, each.name, value, most, "mm", each.symbol)
+            text = f"{each.formula} asks for at most {1e3 * (each.limit or 0.0):.6g} mm"
+            yield Note("note", text, each.name, each.value, each.limit, each.unit, each.symbol)
     if not case.touches:
         yield "warning: nothing presses the follower on the cam in a part of the turn, so slip and stress have gaps"
     yield from _shaft_notes(case, shaft)
@@ -128,4 +126,4 @@ def _shaft_notes(case: Case, shaft: ShaftFound | None) -> Iterator[Said]:
             f"with the torque that friction adds M_E reaches {shaft.moment_rubbed:.6g} N*m, which asks for "
             "a shaft radius of {limit:.6g} mm"
         )
-        yield held("note", text, 1e3 * shaft.radius, 1e3 * radius, "mm", name="shaft radius")
+        yield held("note", text, shaft.radius, radius, "m", shown="mm", name="shaft radius")

@@ -41,16 +41,16 @@ def remarks(found: Convexity, start: float, shaft: float) -> list[Said]:
             f"rho falls to {1e3 * found.radius:.6g} mm at phi = {_deg(found.least.phi)}: the profile has a cusp or a "
             "loop that the face cannot follow; S0 of at least {limit:.6g} mm is needed"
         )
-        notes.append(held("warning", text, 1e3 * start, 1e3 * found.needed, "mm", name="S0"))
+        notes.append(held("warning", text, start, found.needed, "m", shown="mm", name="S0"))
     elif start < found.needed * (1 - 1e-12):
         text = (
             f"rho falls to {{value:.6g}} mm at phi = {_deg(found.least.phi)}, below the limit of {{limit:.6g}} mm; "
             f"S0 of at least {1e3 * found.needed:.6g} mm is needed"
         )
-        notes.append(held("warning", text, 1e3 * found.radius, 1e3 * found.limit, "mm", name="rho_min"))
+        notes.append(held("warning", text, found.radius, found.limit, "m", shown="mm", name="rho_min"))
     if start < shaft * (1 - 1e-12):
         text = "S0 = {value:.6g} mm does not clear the shaft of {limit:.6g} mm"
-        notes.append(held("warning", text, 1e3 * start, 1e3 * shaft, "mm", name="S0"))
+        notes.append(held("warning", text, start, shaft, "m", shown="mm", name="S0"))
     return notes
 
 

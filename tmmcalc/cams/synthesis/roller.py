@@ -90,7 +90,7 @@ def remarks(task: CamTask, follower: Follower, found: RollerChoice) -> list[Said
         notes += _of_wall("second wall", "rho1", r2, found.concave, limits.convex)
     if follower.base - r2 < limits.shaft * (1 - NEAR):
         text = "R0 - r2 = {value:.6g} mm does not clear the shaft of {limit:.6g} mm"
-        notes.append(held("warning", text, 1e3 * (follower.base - r2), 1e3 * limits.shaft, "mm", name="R0 - r2"))
+        notes.append(held("warning", text, follower.base - r2, limits.shaft, "m", shown="mm", name="R0 - r2"))
     if found.concave is None:
         return notes
     phi = np.degrees(found.concave.phi)
@@ -101,8 +101,8 @@ def remarks(task: CamTask, follower: Follower, found: RollerChoice) -> list[Said
             "the concave part at phi = {phi:.6g} deg has a radius of {value:.6g} mm: a tool of {limit:.6g} mm does not "
             "reach into it"
         )
-        numbers = 1e3 * (found.concave.value + r2), 1e3 * limits.concave, "mm"
-        notes.append(held("note", text, *numbers, name="rho_concave", phi=phi))
+        numbers = (found.concave.value + r2), limits.concave, "m"
+        notes.append(held("note", text, *numbers, shown="mm", name="rho_concave", phi=phi))
     return notes
 
 
@@ -111,8 +111,8 @@ def _of_wall(wall: str, symbol: str, r2: float, bend: Extreme, least: float) -> 
     at = f"at phi = {np.degrees(bend.phi):.6g} deg"
     if r2 >= bend.value * (1 - NEAR):
         text = "the roller of {value:.6g} mm undercuts the {wall}: {symbol} = {limit:.6g} mm {at}"
-        yield held("warning", text, 1e3 * r2, 1e3 * bend.value, "mm", name="r2", wall=wall, symbol=symbol, at=at)
+        yield held("warning", text, r2, bend.value, "m", shown="mm", name="r2", wall=wall, symbol=symbol, at=at)
     elif r2 > (bend.value - least) * (1 + NEAR):
         text = "the roller of {roller:.6g} mm leaves the {wall} a radius of {value:.6g} mm {at}, below {limit:.6g} mm"
-        numbers = 1e3 * (bend.value - r2), 1e3 * least, "mm"
-        yield held("warning", text, *numbers, name="rho_min", roller=1e3 * r2, wall=wall, at=at)
+        numbers = (bend.value - r2), least, "m"
+        yield held("warning", text, *numbers, shown="mm", name="rho_min", roller=1e3 * r2, wall=wall, at=at)

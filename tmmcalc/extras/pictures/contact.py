@@ -13,6 +13,7 @@ from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.pens import CURVES, MARK, Pen
 from tmmcalc.report.drawing.polar import AROUND, name_axes
 from tmmcalc.report.drawing.shapes import Area, Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 MARGIN = 6.0  # free border of the field [mm]
@@ -28,7 +29,7 @@ def figure(order: Order) -> Drawing:
 
 def contact_drawing(result: Contact) -> Drawing:
     """The field of pressure from above, and along the axis of x beside Hertz."""
-    drawing, box = titled(f"Contact pressure, largest {number(1e-6 * result.peak, 5)} MPa")
+    drawing, box = titled(tr("Contact pressure, largest {pressure} MPa", pressure=number(1e-6 * result.peak, 5)))
     left, right = box.split(1, 1, gap=6, across=True)
     _field(drawing, left, result)
     _section(drawing, right, result)
@@ -56,7 +57,7 @@ def _field(drawing: Drawing, box: Box, result: Contact) -> None:
         cell = at + np.array([0, wide / LEVELS, wide / LEVELS + 1j * BAR, 1j * BAR])
         drawing.add(Area(cell, _shade((k + 0.5) / LEVELS)))
     drawing.add(Words(complex(box.left + 19, box.top - 4), "0", 2.3, 1))
-    drawing.add(Words(complex(box.left + 21 + wide, box.top - 4), f"{number(top, 4)} MPa", 2.3, -1))
+    drawing.add(Words(complex(box.left + 21 + wide, box.top - 4), f"{number(top, 4)} {tr_unit('MPa')}", 2.3, -1))
 
 
 def _shade(part: float) -> str:
@@ -75,11 +76,11 @@ def _section(drawing: Drawing, box: Box, result: Contact) -> None:
         part = np.maximum(1 - (fine / (1e3 * smooth.along_x)) ** 2, 0.0)
         values.append(1e-6 * smooth.peak * np.sqrt(part))
     air = 0.04 * float(np.ptp(fine))
-    across = Axis("$x$ at $y$ = 0, mm", float(fine[0]) - air, float(fine[-1]) + air)
-    field = Diagram(drawing, box.inset(16, 12, 2, 7), across, Axis("$p$, MPa", *room(values)))
-    names = [("boundary integral: points", Pen("POINTS", 0.3, colour=CURVES[0].colour))]
+    across = Axis(tr("$x$ at $y$ = 0, mm"), float(fine[0]) - air, float(fine[-1]) + air)
+    field = Diagram(drawing, box.inset(16, 12, 2, 7), across, Axis(f"$p$, {tr_unit('MPa')}", *room(values)))
+    names = [(tr("boundary integral: points"), Pen("POINTS", 0.3, colour=CURVES[0].colour))]
     if smooth is not None:
         field.curve(fine + 1j * values[1], CURVES[1])
-        names.append(("Hertz", CURVES[1]))
+        names.append((tr("Hertz"), CURVES[1]))
     field.dots(x[axis], p[axis], CURVES[0])
     field.key(names)

@@ -7,6 +7,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.panels import Panel, marked, panels
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.language import tr, tr_unit
 
 
 def figure(order: Order) -> Drawing:
@@ -16,8 +17,11 @@ def figure(order: Order) -> Drawing:
 
 def ball_drawing(result: Ball) -> Drawing:
     """Speed and way over the time; maximum and stop are marked."""
-    drawing, box = titled("Fall of the ball")
-    rows = [Panel("$v$, m/s", (("speed", result.v),)), Panel("$S$, m", (("way", result.way),), 1)]
-    found = panels(drawing, box, result.t, "$t$, s", rows)
+    drawing, box = titled(tr("Fall of the ball"))
+    rows = [
+        Panel(f"$v$, {tr_unit('m/s')}", ((tr("speed"), result.v),)),
+        Panel(f"$S$, {tr_unit('m')}", ((tr("way"), result.way),), 1),
+    ]
+    found = panels(drawing, box, result.t, f"$t$, {tr_unit('s')}", rows)
     marked(found, [each.t for each in (result.fastest, result.stop) if each is not None])
     return drawing

@@ -7,6 +7,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.panels import Panel, marked, panels
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 
@@ -18,18 +19,22 @@ def figure(order: Order) -> Drawing:
 def liner_drawing(result: Liner) -> Drawing:
     """Deflection, moment and stresses along the bore; the place of the largest equivalent stress is marked."""
     peak = result.largest
-    told = f"{number(1e-6 * peak.stress, 5)} MPa at $x$ = {number(1e3 * peak.x, 5)} mm, {peak.surface} surface"
-    drawing, box = titled(f"Cylinder liner, largest equivalent stress {told}")
+    values = {"stress": number(1e-6 * peak.stress, 5), "x": number(1e3 * peak.x, 5)}
+    drawing, box = titled(
+        tr("Cylinder liner, largest equivalent stress {stress} MPa at $x$ = {x} mm, inner surface", **values)
+        if peak.surface == "inner"
+        else tr("Cylinder liner, largest equivalent stress {stress} MPa at $x$ = {x} mm, outer surface", **values)
+    )
     stresses = (
-        ("bending, inner surface", 1e-6 * result.axial),
-        ("hoop, mean", 1e-6 * result.hoop),
-        ("equivalent, inner", 1e-6 * result.inner),
-        ("equivalent, outer", 1e-6 * result.outer),
+        (tr("bending, inner surface"), 1e-6 * result.axial),
+        (tr("hoop, mean"), 1e-6 * result.hoop),
+        (tr("equivalent, inner"), 1e-6 * result.inner),
+        (tr("equivalent, outer"), 1e-6 * result.outer),
     )
     rows = [
-        Panel("$w$, µm", (("deflection outwards", 1e6 * result.w),)),
-        Panel("$M$, N·m/m", (("moment of bending", result.bend),), 1),
-        Panel("stress, MPa", stresses),
+        Panel(tr("$w$, µm"), ((tr("deflection outwards"), 1e6 * result.w),)),
+        Panel(f"$M$, {tr_unit('N*m/m')}", ((tr("moment of bending"), result.bend),), 1),
+        Panel(tr("stress, MPa"), stresses),
     ]
-    marked(panels(drawing, box, 1e3 * result.x, "$x$ from the ring, mm", rows), [1e3 * peak.x])
+    marked(panels(drawing, box, 1e3 * result.x, tr("$x$ from the ring, mm"), rows), [1e3 * peak.x])
     return drawing

@@ -7,6 +7,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.panels import Panel, marked, panels
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import number
 
 
@@ -17,10 +18,10 @@ def figure(order: Order) -> Drawing:
 
 def reliability_drawing(result: Reliability) -> Drawing:
     """Reliability, and the density of failures below it; the mean life is marked."""
-    drawing, box = titled(f"Reliability, mean life {number(result.mean, 6)}")
+    drawing, box = titled(tr("Reliability, mean life {life}", life=number(result.mean, 6)))
     rows = [
-        Panel("$R$", (("reliability", result.kept),)),
-        Panel("1/unit of time", (("density $f$", result.density), ("intensity", result.intensity)), 1),
+        Panel("$R$", ((tr("reliability"), result.kept),)),
+        Panel(tr("1/unit of time"), ((tr("density $f$"), result.density), (tr("intensity"), result.intensity)), 1),
     ]
     marked(panels(drawing, box, result.t, "$t$", rows), [result.threshold, result.mean])
     return drawing

@@ -10,6 +10,7 @@ from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.panels import PLACE, Panel, panels
 from tmmcalc.report.drawing.pens import AXIS, MARK
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import number
 
 
@@ -20,16 +21,21 @@ def figure(order: Order) -> Drawing:
 
 def tie_down_drawing(result: TieDown) -> Drawing:
     """Forces of a stretched and an opposite tie over k; thresholds by equilibrium are named, the load is a point."""
-    drawing, box = titled("Forces of the ties of a load")
+    drawing, box = titled(tr("Forces of the ties of a load"))
     lines = (
-        ("$R$ by (3)", 1e-3 * result.forces),
-        ("$R$ by equilibrium", 1e-3 * result.balance),
-        ("opposite tie by equilibrium", 1e-3 * result.slackening),
+        (tr("$R$ by (3)"), 1e-3 * result.forces),
+        (tr("$R$ by equilibrium"), 1e-3 * result.balance),
+        (tr("opposite tie by equilibrium"), 1e-3 * result.slackening),
     )
-    rows = [Panel("force of a tie, kN", lines)]
-    (field,) = panels(drawing, box, result.k, "inertia force over weight, $k$", rows)
+    rows = [Panel(tr("force of a tie, kN"), lines)]
+    (field,) = panels(drawing, box, result.k, tr("inertia force over weight, $k$"), rows)
     at = result.thresholds
-    for name, k in (("slips", at.slip), ("slack", at.slack), ("yields", at.yielding), ("tips", at.tipping)):
+    for name, k in (
+        (tr("slips"), at.slip),
+        (tr("slack"), at.slack),
+        (tr("yields"), at.yielding),
+        (tr("tips"), at.tipping),
+    ):
         if k is not None and 0 < k <= result.k[-1]:
             field.vertical(k, PLACE)
             place = complex(field.place(complex(k, 0.0)).real - 0.8, field.box.top - 1.5)

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.extras.loadcases import CASES, LOADS
+from tmmcalc.extras.loadcases import CASES
 from tmmcalc.extras.transloader import MINUTE, Drive, Transloader
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.diagram import HEIGHT, ROW, Axis, key_above, ticks, written
+from tmmcalc.report.drawing.diagram import HEIGHT, ROW, Axis, key_above, key_rows, ticks, written
 from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.panels import Panel, panels
 from tmmcalc.report.drawing.pens import CURVES, GRID, MARK, PLATE, THIN, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.numbers import number
 
 ALLOWED = Pen("ALLOWED", 0.7, colour=MARK.colour)
 OTHER = Pen("ALLOWED_OTHER", 0.5, colour="#8a8a8a")
@@ -27,7 +29,7 @@ def figure(order: Order) -> Drawing:
 
 def transloader_drawing(result: Transloader) -> Drawing:
     """Ways of trolley and hoist above, the loads of the cases and the stresses of the parts below."""
-    drawing, box = titled("Grab transloader")
+    drawing, box = titled(tr("Grab transloader"))
     below = box
     if result.drives:
         above, below = box.split(1, 1.4, gap=3)
@@ -51,14 +53,16 @@ def _way(drawing: Drawing, box: Box, drive: Drive) -> None:
     rising = MINUTE * drive.acceleration
     slow = np.clip(np.minimum(rising * np.minimum(t, drive.time - t), MINUTE * reached), 0.0, None)
     fast = np.clip(rising * np.minimum(t, drive.shortest - t), 0.0, None)
-    lines = ((f"{drive.what}, {drive.time:.3g} s", slow), (f"up to the peak, {drive.shortest:.3g} s", fast))
-    panels(drawing, box, t, "$t$, s", [Panel("$v$, m/min", lines)])
+    time, shortest = number(drive.time, 3), number(drive.shortest, 3)
+    way = tr("trolley, {time} s", time=time) if drive.what == "trolley" else tr("hoist, {time} s", time=time)
+    lines = ((way, slow), (tr("up to the peak, {time} s", time=shortest), fast))
+    panels(drawing, box, t, f"$t$, {tr_unit('s')}", [Panel(f"$v$, {tr_unit('m/min')}", lines)])
 
 
 def _loads(drawing: Drawing, box: Box, result: Transloader) -> None:
     """A cell for each load and case: its size where it acts."""
-    names = [LOADS[each.load].meaning for each in result.loads]
-    drawing.add(Words(complex(box.middle.real, box.top), "loads by case, kN", 2.5, 1j))
+    names = [_meaning(each.load) for each in result.loads]
+    drawing.add(Words(complex(box.middle.real, box.top), tr("loads by case, kN"), 2.5, 1j))
     frame = box.inset(max(width(name, 2.0) for name in names) + 2, 6, 1, 7)
     wide, high = frame.width / len(CASES), frame.height / len(names)
     for row, (load, name) in enumerate(zip(result.loads, names, strict=True)):
@@ -69,7 +73,7 @@ def _loads(drawing: Drawing, box: Box, result: Transloader) -> None:
             at = complex(frame.left + (column + 0.5) * wide, y)
             cell = at + np.array([complex(s * wide / 2, t * high / 2) for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
             drawing.add(Area(cell, PLATE if acting else WHITE, CELL))
-            text = (f"{load.value / 1000:.4g}" if acting else "") + ("?" if left_blank else "")
+            text = (number(load.value / 1000, 4) if acting else "") + ("?" if left_blank else "")
             if text:
                 drawing.add(Words(at, text, min(2.0, 0.5 * high, 0.9 * wide / width(text))))
     for column, case in enumerate(CASES):
@@ -78,11 +82,21 @@ def _loads(drawing: Drawing, box: Box, result: Transloader) -> None:
 
 def _stresses(drawing: Drawing, box: Box, result: Transloader) -> None:
     """Bars of the stresses, with what is allowed as marks."""
-    names = [f"{each.part}, {each.case} {each.kind}" for each in result.checks]
+    names = [
+        tr("{part}, {case} endurance", part=each.part, case=each.case)
+        if each.kind == "endurance"
+        else tr("{part}, {case} strength", part=each.part, case=each.case)
+        for each in result.checks
+    ]
     rows = [(1e-6 * each.stress, 1e-6 * each.allowed, 1e-6 * each.other) for each in result.checks]
-    frame = box.inset(max(width(name, 2.0) for name in names) + 2, 11, 2, ROW + 3)
+    both = [tr("allowed, sum of factors"), tr("allowed, product of factors")]
+    own, other_name = both if result.factors == "sum" else both[::-1]
+    bars = Pen("BARS", 1.4, colour=CURVES[0].colour)
+    key = [(tr("stress"), bars), (own, ALLOWED), (other_name, OTHER)]
+    left = max(width(name, 2.0) for name in names) + 2
+    frame = box.inset(left, 11, 2, ROW * len(key_rows(key, box.width - left - 2)) + 3)
     top = 1.08 * max(max(row) for row in rows)
-    axis, unit, high = Axis("stress, MPa", 0.0, top), frame.width / top, frame.height / len(rows)
+    axis, unit, high = Axis(tr("stress, MPa"), 0.0, top), frame.width / top, frame.height / len(rows)
     values = ticks(axis, max(2, int(frame.width / 14)))
     for value in values:
         x = frame.left + value * unit
@@ -100,7 +114,20 @@ def _stresses(drawing: Drawing, box: Box, result: Transloader) -> None:
     outline = [complex(frame.left, frame.bottom), complex(frame.right, frame.bottom)]
     drawing.line([*outline, complex(frame.right, frame.top), complex(frame.left, frame.top)], THIN, closed=True)
     drawing.add(Words(complex(frame.middle.real, frame.bottom - 5.5), axis.name, HEIGHT, 1j))
-    factors = ("sum", "product") if result.factors == "sum" else ("product", "sum")
-    bars = Pen("BARS", 1.4, colour=CURVES[0].colour)
-    key = [("stress", bars), (f"allowed, {factors[0]}", ALLOWED), (f"allowed, {factors[1]}", OTHER)]
     key_above(drawing, frame, key)
+
+
+def _meaning(load: str) -> str:
+    """What a load is."""
+    return {
+        "dead_weight": tr("dead weight"),
+        "rated_load": tr("rated load"),
+        "inertia": tr("inertia in normal operation"),
+        "wind": tr("wind"),
+        "equivalent_wind": tr("equivalent wind"),
+        "track": tr("track gradient, rocking of the crane"),
+        "drive": tr("largest moments of drives, skidding, their inertia"),
+        "shock": tr("shock"),
+        "hurricane": tr("hurricane wind"),
+        "seismic": tr("seismic"),
+    }[load]

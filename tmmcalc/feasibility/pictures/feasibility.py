@@ -10,7 +10,7 @@ import textwrap
 
 import numpy as np
 
-from tmmcalc.feasibility.facts.feasibility import limits_in_words, measured
+from tmmcalc.feasibility.facts.feasibility import TRUTH
 from tmmcalc.feasibility.judge import Feasibility, Verdict
 from tmmcalc.report.drawing.diagram import Axis, Diagram
 from tmmcalc.report.drawing.lettering import minus, width
@@ -18,6 +18,8 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.pens import INK, MIDDLE, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing, Hatching, Words
+from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.numbers import number
 
 HOLDS, FAILS, IDLE = "#009e73", "#d55e00", "#9a9a9a"
 REGION = "#e3f2ec"
@@ -37,20 +39,18 @@ def figure(order: Order) -> Drawing:
 
 def feasibility_drawing(result: Feasibility) -> Drawing:
     """One sheet: a bar a constraint in the order of the spec, the rule above."""
-    state = "feasible" if result.feasible else f"not feasible: {', '.join(result.failing)}"
-    of = f" of solution {result.chosen} of {len(result.candidates)}" if result.candidates else ""
-    title = "\n".join([f"Constraints{of}: {state}", *textwrap.wrap(f"rule: {result.rule}", WRAP)])
+    title = "\n".join([_heading(result), *textwrap.wrap(tr("rule: {rule}", rule=result.rule), WRAP)])
     drawing, box = titled(title, 3.0)
     margins = [100 * verdict.margin for verdict in result.verdicts]
     scale = min(max(LEAST, *(1.1 * abs(margin) for margin in margins)), MOST)
     rows = max(len(result.verdicts), LEAST_ROWS)
     between = "\n" if len(result.verdicts) <= TWO_LINES else "; "
-    words = [f"{measured(each)}{between}{' and '.join(limits_in_words(each))}" for each in result.verdicts]
+    words = [between.join([_measured(each), *_limits(each)]) for each in result.verdicts]
     height = min(HEIGHT, 0.35 * (box.height - 14) / rows)
     left = max(width(each.name, height) for each in result.verdicts) + 3
     right = max(width(each, height) for each in words) + 3
     frame = box.inset(left, 12, right, 2)
-    across = Axis("margin to the nearer limit, % of it", -scale, scale)
+    across = Axis(tr("margin to the nearer limit, % of it"), -scale, scale)
     field = Diagram(drawing, frame, across, Axis("", 0.0, 1.0), lettered=False)
     field.band(0.0, scale, REGION)
     field.vertical(0.0, MIDDLE)
@@ -60,10 +60,44 @@ def feasibility_drawing(result: Feasibility) -> Drawing:
         drawing.add(Words(complex(frame.left - 1.5, y), verdict.name, height, 1))
         drawing.add(Words(complex(frame.right + 1.5, y), said, height, -1))
         _bar(field, y, pitch, verdict, scale, verdict.name in result.failing)
-    for side, name, colour in ((1, "holds", HOLDS), (-1, "fails", FAILS)):
+    for side, name, colour in ((1, tr("holds"), HOLDS), (-1, tr("fails"), FAILS)):
         at = complex(frame.right - 1.5 if side > 0 else frame.left + 1.5, frame.bottom + 1.5)
         drawing.add(Words(at, name, HEIGHT, side - 1j, colour=colour))
     return drawing
+
+
+def _heading(result: Feasibility) -> str:
+    """Whether all is kept, of what solution, and what is not."""
+    values = {"n": result.chosen, "count": len(result.candidates), "failing": ", ".join(result.failing)}
+    if result.candidates:
+        if result.feasible:
+            return tr("Constraints of solution {n} of {count}: feasible", **values)
+        return tr("Constraints of solution {n} of {count}: not feasible: {failing}", **values)
+    return tr("Constraints: feasible") if result.feasible else tr("Constraints: not feasible: {failing}", **values)
+
+
+def _measured(verdict: Verdict) -> str:
+    """The quantity with its value."""
+    if verdict.quantity == TRUTH:
+        return tr("given as true") if verdict.value > 0 else tr("given as false")
+    name = {"given value": tr("given value"), "given function": tr("given function")}.get(
+        verdict.quantity, verdict.quantity
+    )
+    return f"{name} = {_told(verdict.value, verdict)}"
+
+
+def _told(value: float, verdict: Verdict) -> str:
+    return f"{minus(number(value))} {tr_unit(verdict.unit)}".rstrip()
+
+
+def _limits(verdict: Verdict) -> list[str]:
+    """The limits that there are, in one text."""
+    if verdict.quantity == TRUTH:
+        return []
+    low, high = (None if limit is None else _told(limit, verdict) for limit in (verdict.at_least, verdict.at_most))
+    if low is not None and high is not None:
+        return [tr("at least {low} and at most {high}", low=low, high=high)]
+    return [tr("at least {low}", low=low) if low is not None else tr("at most {high}", high=high)]
 
 
 def _bar(field: Diagram, y: float, pitch: float, verdict: Verdict, scale: float, at_fault: bool) -> None:
@@ -83,6 +117,6 @@ def _bar(field: Diagram, y: float, pitch: float, verdict: Verdict, scale: float,
         draw.add(Area(head + side * np.array([2.2, 1.2j, -1.2j]), INK), level=5)
     side = 1 if verdict.margin >= 0 else -1
     inwards = -side if abs(end) > INSIDE * scale else side
-    text = minus(f"{margin:+.3g} %" if abs(margin) < 100 else f"{margin:+.0f} %")
+    text = tr_number(minus(f"{margin:+.3g} %" if abs(margin) < 100 else f"{margin:+.0f} %"))
     at = complex(tip + (4 if inwards != side else 2) * inwards, y)
     draw.add(Words(at, text, HEIGHT, -inwards, clear=True), level=6)

@@ -20,6 +20,7 @@ from tmmcalc.report.drawing.key import samples_in_rows
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.pens import CURVES, INK, Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing, Stroke
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import number
 
 REGION = "#d5ece2"
@@ -36,9 +37,9 @@ SCALE = 100.0  # [%] of the margins of one parameter, at most
 
 def region_drawing(result: RegionMap) -> Drawing:
     """One sheet: over two parameters the plane with the borders, over one the margins as curves."""
-    share = f"{np.count_nonzero(result.feasible)} of {len(result.feasible)} points"
-    heading = f"Feasible parameters: {share}"
-    drawing, box = titled("\n".join([heading, *textwrap.wrap(f"rule: {result.rule}", WRAP)]), 3.2)
+    found, count = int(np.count_nonzero(result.feasible)), len(result.feasible)
+    heading = tr("Feasible parameters: {found} of {count} points", found=found, count=count)
+    drawing, box = titled("\n".join([heading, *textwrap.wrap(tr("rule: {rule}", rule=result.rule), WRAP)]), 3.2)
     names = _names(result)
     foot = 4.8 * len(key_rows(names, box.width)) + 3
     frame = box.inset(18, 12 + foot, 4, 2)
@@ -130,7 +131,7 @@ def _curves(drawing: Drawing, box: Box, result: RegionMap) -> None:
     largest = float(np.max(np.abs(100 * result.margins)))
     scale = min(1.1 * largest, SCALE) or 1.0
     across = Axis(result.parameters[0].header, x[0], x[-1])
-    field = Diagram(drawing, box, across, Axis("margin to the nearer limit, % of it", -scale, scale))
+    field = Diagram(drawing, box, across, Axis(tr("margin to the nearer limit, % of it"), -scale, scale))
     fine = _between(x)
     region = result.exact([np.interp(fine, x, each) for each in result.margins]) >= 0
     region &= np.interp(fine, x, result.solved) == 1
@@ -159,7 +160,7 @@ def _names(result: RegionMap) -> list[tuple[str, Pen]]:
     flat = len(result.parameters) == 1
     names = [(name, CURVES[k % len(CURVES)] if flat else _pen(k)) for k, name in enumerate(result.names)]
     places = zip(result.parameters, result.at(result.best), strict=True)
-    best = ", ".join(number(each.values[k], 5) for each, k in places)
-    label = f"{'best' if result.feasible.any() else 'nearest'} point ({best}){'' if flat else ': circle'}"
-    names += [("the rule holds", HOLDS), (label, BEST)]
-    return names if result.solved.all() else [*names, ("no solution: crosses", BARRED)]
+    at = "; ".join(number(each.values[k], 5) for each, k in places)
+    point = tr("best point ({at})", at=at) if result.feasible.any() else tr("nearest point ({at})", at=at)
+    names += [(tr("the rule holds"), HOLDS), (point if flat else tr("{point}: circle", point=point), BEST)]
+    return names if result.solved.all() else [*names, (tr("no solution: crosses"), BARRED)]

@@ -116,10 +116,9 @@ def verdict_fact(checks: Sequence[Check]) -> Fact:
 
 def check_note(check: Check, text: str) -> Note:
     """The warning of a condition that is not kept, in the words of ``text``."""
-    scale, unit = (math.degrees(1.0), "deg") if check.name in ANGLES else (1.0, "")
-    limit = None if check.limit is None else scale * check.limit
+    unit = "rad" if check.name in ANGLES else ""
     place = "cannot work" if check.verdict == "fail" else ""
-    return Note("warning", text, place, scale * check.value, limit, unit, check.name)
+    return Note("warning", text, place, check.value, check.limit, unit, check.name)
 
 
 def pair_notes(found: MeshPair) -> Iterator[Note]:

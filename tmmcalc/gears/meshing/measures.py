@@ -136,7 +136,7 @@ def _span_remarks(asked: WheelMeasuring, row: SpanRow | None, found: Spans) -> t
         why = "the plates reach beyond the tip circle"
     else:
         why = f"the face width is less than the {millimetres(row.width)} that it needs"
-        numbers = {"value": 1e3 * (asked.face_width or 0.0), "limit": 1e3 * row.width, "unit": "mm", "name": "b"}
+        numbers = {"value": asked.face_width, "limit": row.width, "unit": "m", "name": "b"}
     return (Note("warning", f"{why}{better}", f"span over {row.teeth} teeth", **numbers),)
 
 
@@ -151,7 +151,7 @@ def _balls(asked: WheelMeasuring, gear: Gear) -> tuple[BallsRow | None, tuple[No
         side = "smaller" if gear.wheel.teeth < 0 else "larger"
         limit, told = millimetres(m * (error.limit or 0.0)), millimetres(asked.ball or 0.0)
         text = f"{body} of {told} do not stand in the space: they have to be {side} than {limit}"
-        numbers = 1e3 * (asked.ball or 0.0), 1e3 * m * (error.limit or 0.0), "mm"
+        numbers = asked.ball, m * (error.limit or 0.0), "m"
         return None, (Note("warning", text, "", *numbers, "D_M"),)
     if not (isfinite(found.size) and isfinite(found.curvature)):
         return None, (Note("warning", f"no {body} stand in the space"),)
@@ -205,4 +205,4 @@ def _chord_remarks(m: float, gear: Gear, radii: np.ndarray, on_tooth: np.ndarray
         elif (radius > form * (1 + NOISE)) if ring else (radius < form * (1 - NOISE)):
             told = f"the circle r = {millimetres(m * radius)} cuts the fillet, the involute ends at r_F = "
             text = f"{told}{millimetres(m * form)}: its row is of the involute continued"
-            yield Note("warning", text, "", 1e3 * m * radius, 1e3 * m * form, "mm", "r")
+            yield Note("warning", text, "", m * radius, m * form, "m", "r")

@@ -56,13 +56,13 @@ def pair(order: Order) -> Iterator[Piece]:
     for found in order.results["pair"].pairs:
         name = pair_title(found.task)
         if all(fault_of(member) is None for member in both(found)):
-            yield Piece(SHEET, tr("Mesh {pair}", pair=name), partial(_mesh, found=found), (200, 150), (330, 240))
+            yield Piece(SHEET, tr("Mesh {pair}", pair=name), partial(_mesh, found=found), (260, 190), (340, 250))
             heading = tr("Specific sliding and specific pressure {pair}", pair=name)
-            yield Piece(SHEET, heading, partial(_course, found=found), (205, 110), (300, 170))
+            yield Piece(SHEET, heading, partial(_course, found=found), (230, 130), (300, 170))
         table = partial(draw_parameters, found=found)
-        yield Piece(SHEET, tr("Parameters of the pair {pair}", pair=name), table, (100, 130), (150, 240))
+        yield Piece(SHEET, tr("Parameters of the pair {pair}", pair=name), table, (120, 150), (150, 240))
         quality = partial(draw_quality, found=found)
-        yield Piece(SHEET, tr("Figures of quality {pair}", pair=name), quality, (120, 70), (180, 120))
+        yield Piece(SHEET, tr("Figures of quality {pair}", pair=name), quality, (140, 100), (180, 120))
 
 
 def profile(order: Order) -> Iterator[Piece]:
@@ -71,19 +71,19 @@ def profile(order: Order) -> Iterator[Piece]:
         tables = None if fault_of(member) is not None else book_tables(member, "tooth", INTERVALS)
         if tables is not None:
             heading = tr("Tooth of wheel {wheel} by points", wheel=plain(member.name))
-            yield Piece(SHEET, heading, partial(draw_tooth_points, tables=tables), (150, 90), (260, 140))
+            yield Piece(SHEET, heading, partial(draw_tooth_points, tables=tables), (200, 100), (260, 140))
 
 
 def blocking(order: Order) -> Iterator[Piece]:
     """The contours of all pairs with the points that were chosen."""
     for found in order.results["blocking"].pairs:
         heading = tr("Blocking contour {pair}", pair=plain(found.name))
-        yield Piece(SHEET, heading, partial(_contour, found=found), (230, 140), (290, 180))
+        yield Piece(SHEET, heading, partial(_contour, found=found), (290, 185), (310, 195))
 
 
 def _moving(found: Moving) -> Piece:
     heading = tr("Gear train") if found.chosen is None else train_name(found.chosen.sets)
-    return Piece(SHEET, heading, partial(draw_motion, found=found), (230, 130), (330, 190))
+    return Piece(SHEET, heading, partial(draw_motion, found=found), (290, 160), (340, 200))
 
 
 def _mesh(drawing: Drawing, box: Box, found: MeshPair) -> None:
@@ -97,13 +97,14 @@ def _course(drawing: Drawing, box: Box, found: MeshPair) -> None:
     placed = placed_pair(found)
     marks = [mark.at.real for mark in placed.marks if mark.rho >= 0]
     over = BEYOND * (max(marks) - min(marks))
-    curves, beside = Box(box.left + 15, box.bottom + 10, box.right - VALUES - 6, box.top - 17), box
-    draw_course(drawing, tuple(curves.split(1.3, 1.0, gap=8)), placed, (min(marks) - over, max(marks) + over))  # type: ignore[arg-type]
-    upper, lower = Box(box.right - VALUES, beside.bottom, box.right, beside.top).split(1.4, 1.0, gap=4)
+    theta, pressure = Box(box.left + 18, box.bottom + 13, box.right - VALUES - 6, box.top - 17).split(1.3, 1.0, gap=8)
+    draw_course(drawing, (theta, pressure), placed, (min(marks) - over, max(marks) + over))
+    upper, lower = Box(box.right - VALUES, box.bottom, box.right, box.top).split(1.4, 1.0, gap=4)
     draw_whole(drawing, upper, placed)
     list_rows(drawing, lower, contact_values(placed), tuple(part * VALUES for part in (0.34, 0.56, 0.78, 1.0)))
 
 
 def _contour(drawing: Drawing, box: Box, found: PairContour) -> None:
-    seen = draw_plane(drawing, box.inset(0, 0, KEY + 6, 0), found)
-    write_key(drawing, Box(box.right - KEY, box.bottom, box.right, box.top), found, seen)
+    key = min(KEY, 0.45 * box.width)
+    seen = draw_plane(drawing, box.inset(0, 0, key + 6, 2), found)
+    write_key(drawing, Box(box.right - key, box.bottom, box.right, box.top), found, seen)

@@ -30,7 +30,7 @@ from tmmcalc.report.language import tr, tr_number, tr_unit
 Row = tuple[str, complex, float | None, float, complex | None]
 INTERVALS = 6  # equal steps of each curve
 TABLE = 0.42  # part of the width that the table takes at most
-MARGIN, FOOT = 6.0, 7.0  # free border, and room of the key under the drawing [mm]
+MARGIN, FOOT = 6.0, 12.0  # free border, and room of the key under the drawing [mm]
 DOT, NAME = 0.8, 2.6  # radius of a point and height of its number [mm]
 LETTERS = 3.5  # height of the letters of the table at most [mm]
 THROUGH = Pen("TEXTBOOK_POINTS", 0.5, (2.4, 0.8), MARK.colour)

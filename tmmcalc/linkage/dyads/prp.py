@@ -55,11 +55,7 @@ class PRPMount(NamedTuple):
 
 def _offset(guide: Guide, x: Plane) -> Point:
     """State of the point of the guide's link at the vector x from its reference point."""
-    return Point(
-        guide.r + x,
-        guide.v + 1j * guide.omega * x,
-        guide.a + (1j * guide.eps - guide.omega**2) * x,
-    )
+    return Point(guide.r + x, *guide.transport(x))
 
 
 class PRP(NamedTuple):
@@ -101,8 +97,9 @@ class PRP(NamedTuple):
     def rates(self, port1: Guide, port2: Guide, placed: PRPPlaced, method: Method) -> Rates:
         """B is the same on both guides: transport1 + ds1 e1 = transport2 + ds2 e2."""
         solve = method(placed.e1, -placed.e2)
-        x, y = solve((port2.v + 1j * port2.omega * placed.offset2) - (port1.v + 1j * port1.omega * placed.offset1))
-        return Rates(x, y, *solve(_sliding(port2, placed.offset2, y) - _sliding(port1, placed.offset1, x)))
+        (v1, a1), (v2, a2) = port1.transport(placed.offset1), port2.transport(placed.offset2)
+        x, y = solve(v2 - v1)
+        return Rates(x, y, *solve(a2 + _coriolis(port2, y) - (a1 + _coriolis(port1, x))))
 
     def regularity(self, placed: PRPPlaced) -> Real:
         """|sin| of the angle between the guides."""
@@ -125,6 +122,6 @@ class PRP(NamedTuple):
         return PRPMount(0j, 0j, 1 + 0j, 1 + 0j, 0.0, 0.0, ("0", "2"), (1, 1)), 0j
 
 
-def _sliding(guide: Guide, offset: Plane, ds: Real) -> Plane:
-    """Acceleration of a point that slides with ds, without its dds part."""
-    return guide.a + (1j * guide.eps - guide.omega**2) * offset + 2j * (guide.omega * ds) * guide.e
+def _coriolis(guide: Guide, ds: Real) -> Plane:
+    """Acceleration of Coriolis of a point that slides with ds."""
+    return 2j * (guide.omega * ds) * guide.e

@@ -91,10 +91,10 @@ class RPP(NamedTuple):
     def rates(self, port1: Point, port2: Guide, placed: RPPPlaced, method: Method) -> Rates:
         """v1 = transport + ds1 e1 + ds2 e2; accelerations have transport and Coriolis parts."""
         solve = method(placed.e1, placed.e2)
-        x, y = solve(port1.v - port2.v - 1j * port2.omega * placed.offset)
+        v, a = port2.transport(placed.offset)
+        x, y = solve(port1.v - v)
         sliding = x * placed.e1 + y * placed.e2
-        transport = port2.a + (1j * port2.eps - port2.omega**2) * placed.offset
-        return Rates(x, y, *solve(port1.a - transport - 2j * port2.omega * sliding))
+        return Rates(x, y, *solve(port1.a - a - 2j * port2.omega * sliding))
 
     def regularity(self, placed: RPPPlaced) -> Real:
         """|sin| of the constant angle between the two lines."""

@@ -98,10 +98,10 @@ class RRP(NamedTuple):
     def rates(self, port1: Point, port2: Guide, placed: RRPPlaced, method: Method) -> Rates:
         """v1 + i omega_a a = transport + ds e, divided by e; accelerations have Coriolis and the rod's normal part."""
         solve = method(1j * placed.along - placed.across, np.array(-1 + 0j))
-        x, y = solve((port2.v + 1j * port2.omega * placed.offset - port1.v) * np.conj(port2.e))
-        transport = port2.a + (1j * port2.eps - port2.omega**2) * placed.offset - port1.a
+        v, a = port2.transport(placed.offset)
+        x, y = solve((v - port1.v) * np.conj(port2.e))
         relative = x**2 * placed.along + 1j * (x**2 * placed.across + 2 * port2.omega * y)
-        return Rates(x, y, *solve(transport * np.conj(port2.e) + relative))
+        return Rates(x, y, *solve((a - port1.a) * np.conj(port2.e) + relative))
 
     def regularity(self, placed: RRPPlaced) -> Real:
         """|cos| of the angle between rod and guide."""

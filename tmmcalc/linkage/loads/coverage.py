@@ -30,7 +30,8 @@ def of_displacement(
     if high > reach * (1 + EDGE):
         only = "; the whole table lies beyond it, and its first value holds throughout" if low >= reach else ""
         text = f"its table goes to {high * factor:.5g} {said}, but {stroke}{only}"
-        yield Grade("warning", where, text, high * factor, reach * factor, said, "end of the table")
+        numbers = (high, reach, "m") if said == "mm" else (high * factor, reach * factor, said)
+        yield Grade("warning", where, text, *numbers, "end of the table")
     whole = _whole(acting.load)
     passed = (0.0, reach) if whole else _passed(acting, displacement.at(acting.dense.configuration))
 

@@ -9,6 +9,7 @@ evaluations of the dyads give either exactly.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, NamedTuple, cast
 
 import numpy as np
@@ -105,7 +106,7 @@ def split_chain(chain: Chain) -> Chain:
             remedy="leave --method out",
         )
     steps = [step if step.group.kind else _split_step(chain, cast(LoopStep, step)) for step in chain.steps]
-    return chain._replace(steps=cast(Any, tuple(steps)))
+    return replace(chain, steps=cast(Any, tuple(steps)))
 
 
 def _split_step(chain: Chain, step: LoopStep) -> SplitStep:

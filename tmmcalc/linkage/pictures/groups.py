@@ -18,7 +18,7 @@ from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr
 
 NAME = 16.0  # room of the name of a group, its class and scale [mm]
-LEAST = 45.0  # of a picture in a row with others [mm]
+LEAST = 50.0  # width and height of a picture beside others, if they can have it [mm]
 MARGIN = 7.0  # free border of a group [mm]
 GAP = 4.0  # between pictures [mm]
 
@@ -50,7 +50,7 @@ def draw_groups(drawing: Drawing, box: Box, structure: Structure, motion: Linkag
         return [scale_in(room(place), body, motion, cycle, MARGIN) for place, body in zip(places, free, strict=True)]
 
     for place, body, told in zip(cells(box, len(free), scales), free, classes, strict=True):
-        mu = draw_load_diagram(drawing, room(place), body, motion, cycle, MARGIN)
+        mu = draw_load_diagram(drawing, room(place), body, motion, cycle, MARGIN * larger)
         lines = f"{body.name}\n{told}\n{length_note(mu)}"
         drawing.add(Words(complex(place.middle.real, place.top), lines, 2.5 * larger, 1j))
         board = drawing.fields[-1]

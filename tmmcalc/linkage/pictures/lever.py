@@ -17,13 +17,13 @@ from tmmcalc.linkage.lever import Lever, LeverForce, levers
 from tmmcalc.linkage.pictures.loaddiagram import HEAD, arrow_length, free_arrow
 from tmmcalc.linkage.pictures.plans import scale_note
 from tmmcalc.linkage.pictures.scheme import position_text
-from tmmcalc.linkage.pictures.vectors import drawn_vectors, vertices_together
+from tmmcalc.linkage.pictures.vectors import drawn_vectors, name_vertices
 from tmmcalc.linkage.polygons import polygons
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.vectors import Polygon
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board, needed
-from tmmcalc.report.drawing.lettering import NUMBERED, minus, width
+from tmmcalc.report.drawing.lettering import NUMBERED, minus, width, wrapped
 from tmmcalc.report.drawing.pens import FORCES, MIDDLE, THIN, VECTORS
 from tmmcalc.report.drawing.scales import standard_scale
 from tmmcalc.report.drawing.shapes import Dimension, Drawing, Stroke, Words
@@ -161,9 +161,7 @@ class _Lever:
 
     def names(self) -> None:
         """Letters of the vertices, then those of the forces."""
-        for place, name in vertices_together(self.turned, self.fixed).items():
-            at = self.board.paper([place])
-            self.board.labels.put(name, at, height=3.0, prefer=place or -1 - 1j, gaps=(1.1, 2.0, 3.2, 4.6))
+        name_vertices(self.board, self.turned, self.fixed)
         for force, tail, head in self.arrows:
             anchors = sorted((tail, head), key=lambda end: -abs(end - self.tip(force)))
             self.board.labels.put(
@@ -208,7 +206,8 @@ def _draw_moments(drawing: Drawing, box: Box, found: Lever, shown: list[LeverFor
         tr("difference {share} %", share=tr_number(f"{off:.4f}")),
         tr("an arm is positive that turns counter-clockwise"),
     ]
-    drawing.add(Words(complex(box.left, box.top - high - 2.5), "\n".join(lines), 2.1 * larger, -1 + 1j))
+    told = [row for line in lines for row in wrapped(line, box.width, 2.1 * larger)]
+    drawing.add(Words(complex(box.left, box.top - high - 2.5), "\n".join(told), 2.1 * larger, -1 + 1j))
 
 
 def _row(force: LeverForce, peak: float) -> list[str]:

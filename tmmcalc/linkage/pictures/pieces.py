@@ -22,6 +22,7 @@ from tmmcalc.linkage.pictures.groups import cells, draw_groups
 from tmmcalc.linkage.pictures.lever import draw_lever
 from tmmcalc.linkage.pictures.plans import draw_plans_of_kind, plans_of
 from tmmcalc.linkage.pictures.scheme import draw_scheme
+from tmmcalc.linkage.pictures.vectors import drawn_vectors
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
@@ -32,8 +33,9 @@ from tmmcalc.report.sheets.wish import diagrams_of, positions_of
 
 LARGER = 1.4  # names on a sheet against those of a picture: 3.5 mm
 PARTS = (1 / 3, 2 / 3)  # of the working stroke, where plans are drawn by default
+NAMED = 32.0  # side of the room that a name of a plan has [mm]
 WIDE = 1.35  # of so many more pictures side by side than one under another
-WHOLE = (1 / 6, 1 / 2, 5 / 6)  # of the motion, where it has no strokes
+WHOLE = (1 / 4, 3 / 4)  # of the motion, where it has no strokes
 
 
 def of_kinematics(order: Order) -> Iterator[Piece]:
@@ -49,7 +51,9 @@ def of_kinematics(order: Order) -> Iterator[Piece]:
     plans, count = plans_of(mechanism, result, rows), len(rows)
     for letter, heading in (("v", tr("Velocity polygons")), ("a", tr("Acceleration polygons"))):
         plan = partial(draw_plans_of_kind, result=result, plans=plans, letter=letter)
-        yield Piece("linkage", heading, _larger(plan), (60 * count, 80), (110 * count, 140))
+        drawn = drawn_vectors(plans[0].velocity if letter == "v" else plans[0].acceleration)
+        side = NAMED * math.sqrt(len(drawn) + 1)
+        yield Piece("linkage", heading, _larger(plan), (0.6 * side * count, 0.7 * side), (side * count, 1.2 * side))
     for curves in _wished(order, columns_of(result, cycle)):
         diagram = partial(draw_diagrams, result=result, cycle=cycle, curves=curves)
         heading = tr("Diagrams of angles of links") if curves[0].angular else tr("Diagrams of the outputs")
@@ -87,7 +91,7 @@ def of_forces(order: Order) -> Iterator[Piece]:
 
 
 def by_default(mechanism: Mechanism, result: Kinematics) -> list[int]:
-    """Positions of plans: two on the working stroke of the first output, else three evenly over the motion."""
+    """Positions of plans: two on the working stroke of the first output, else evenly over the motion."""
     first = result.summaries[0] if result.summaries else None
     if first is None or first.working_angle is None:
         span = float(result.phi[-1])

@@ -35,9 +35,7 @@ def draw_polygon(
     for vector in drawn:
         _draw(board, polygon, vector)
     board.circle(polygon.vertices[polygon.pole], 0.9, MIDDLE, level=25)
-    for place, names in vertices_together(polygon, fixed).items():
-        at = board.paper([place])
-        board.labels.put(names, at, height=VERTEX, prefer=place or -1 - 1j, gaps=(1.1, 2.0, 3.2, 4.6))
+    name_vertices(board, polygon, fixed)
     ends = {vector: board.paper(_ends(polygon, vector)).tolist() for vector in drawn}
     for vector in drawn:
         others = [ends[other] for other in drawn if other is not vector]
@@ -112,19 +110,29 @@ def _designate(board: Board, vector: Vector, letter: str, own: Sequence[complex]
         height=DESIGNATION,
         colour=VECTORS[vector.kind].colour,
         prefer=1j * across,
-        gaps=(0.5, 0.8, 1.4, 2.2),
+        gaps=(0.7, 1.1, 1.7, 2.5),
         own=own,
         others=others,
     )
 
 
-def vertices_together(polygon: Polygon, fixed: tuple[str, ...]) -> dict[complex, str]:
-    """Vertices that lie in one place share a label; points of the frame stand in brackets beside the pole."""
+def name_vertices(board: Board, polygon: Polygon, fixed: tuple[str, ...]) -> None:
+    """The letters of the vertices; points of the frame stand in brackets beside the pole where there is room."""
+    gaps = (1.1, 2.0, 3.2, 4.6)
+    for place, names in _together(polygon).items():
+        at, prefer, told = board.place(place), place or -1 - 1j, ", ".join(names)
+        if place == polygon.vertices[polygon.pole] and fixed:
+            points = f"{told}, ({', '.join(map(point_name, fixed))})"
+            if board.labels.put_where_free(points, at, height=VERTEX, prefer=prefer, gaps=gaps) is not None:
+                continue
+        board.labels.put(told, [at], height=VERTEX, prefer=prefer, gaps=gaps)
+
+
+def _together(polygon: Polygon) -> dict[complex, list[str]]:
+    """The names of the vertices; those that lie in one place have one label."""
     size = max(map(abs, polygon.vertices.values()))
     names: dict[complex, list[str]] = {}
     for name, tip in polygon.vertices.items():
         place = next((other for other in names if abs(other - tip) <= 2e-3 * size), tip)
         names.setdefault(place, []).append(vertex_name(name))
-    pole = polygon.vertices[polygon.pole]
-    names[pole].extend(f"({', '.join(map(point_name, group))})" for group in [fixed] if group)
-    return {place: ", ".join(group) for place, group in names.items()}
+    return names

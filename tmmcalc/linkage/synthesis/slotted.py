@@ -105,9 +105,9 @@ def _notes(crank: float, centres: float, arm: float, guide: float) -> Iterator[S
             "the block goes up to L + r = {value:.6g} mm from C, beyond the end D of the arm at R = {limit:.6g} mm: "
             "the slot is longer than the arm"
         )
-        yield held("note", text, 1e3 * (centres + crank), 1e3 * arm, "mm", name="L + r")
+        yield held("note", text, centres + crank, arm, "m", shown="mm", name="L + r")
     if guide < centres + crank:
         text = (
             "the guide, {value:.6g} mm over C, passes through the circle of the crank pin, which reaches {limit:.6g} mm"
         )
-        yield held("warning", text, 1e3 * guide, 1e3 * (centres + crank), "mm", name="height of the guide")
+        yield held("warning", text, guide, centres + crank, "m", shown="mm", name="height of the guide")

@@ -23,7 +23,7 @@ from tmmcalc.linkage.outputs import coordinate_of, default_outputs
 from tmmcalc.linkage.quality import assess, check_regular, grade
 from tmmcalc.linkage.results import Grade, Kinematics, Trace
 from tmmcalc.linkage.survey import Survey, survey
-from tmmcalc.linkage.trace import continuous, layout, trace
+from tmmcalc.linkage.trace import continuous, trace
 from tmmcalc.linkage.unsteady.ends import WHERE, Ends, find_ends
 from tmmcalc.linkage.unsteady.errors import with_law
 from tmmcalc.linkage.unsteady.results import Unsteady
@@ -168,7 +168,7 @@ def _rows(v: Real, a: Real, own: Real, moved: Trace) -> Real:
 
 
 def _names(chain: Chain, outputs: tuple[Output, ...]) -> list[tuple[str, str]]:
-    what, turning, sliding = layout(chain), ("rad/s", "rad/s^2"), ("m/s", "m/s^2")
+    what, turning, sliding = chain.layout, ("rad/s", "rad/s^2"), ("m/s", "m/s^2")
     named = [
         (("v", "a"), turning if chain.turns else sliding),
         *(((f"vS_{o.name}", f"aS_{o.name}"), sliding if o.link is None else turning) for o in outputs),

@@ -73,16 +73,14 @@ def _rim(task: FlywheelTask, own: float, fast: float) -> tuple[Rim | None, tuple
     edge = largest_diameter(fast, material)
     if task.diameter is task.width is task.thickness is None and edge < SMALLEST:
         text = f"no rim is sized: at {fast:.4g} rad/s {material.name} allows {1e3 * edge:.3g} mm of outer diameter"
-        return None, (
-            Verdict("warning", f"{text}; a slower shaft", 1e3 * edge, 1e3 * SMALLEST, "mm", "outer diameter"),
-        )
+        return None, (Verdict("warning", f"{text}; a slower shaft", edge, SMALLEST, "m", "outer diameter"),)
     try:
         rim = _sized(task, own, fast, material)
     except NoSolutionError as fault:
         return None, (Verdict("warning", f"no such rim: {fault.message}; {fault.remedy}"),)
     if rim.diameter < SMALLEST:
         text = f"no rim is sized: for {own:.4g} kg*m^2 its mean diameter would be {1e3 * rim.diameter:.3g} mm"
-        return None, (Verdict("warning", text, 1e3 * rim.diameter, 1e3 * SMALLEST, "mm", "mean diameter"),)
+        return None, (Verdict("warning", text, rim.diameter, SMALLEST, "m", "mean diameter"),)
     if rim.thickness > THICK * rim.diameter:
         text = f"the rim is {rim.thickness / rim.diameter:.2g} of its mean diameter thick, more disk than rim"
         remedy = "a larger diameter, a wider rim or a faster shaft"

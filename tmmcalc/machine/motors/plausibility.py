@@ -62,7 +62,7 @@ def _at_rated_point(motor: Motor, line: Characteristic) -> Iterator[Note]:
             "its characteristic has no load at {value:.6g} rpm, not above the rated {limit:.6g} rpm: "
             "at the rated speed it gives nothing"
         )
-        yield held("warning", text, idle * RPM, motor.speed * RPM, "rpm", name="no-load speed", place=PLACE)
+        yield held("warning", text, idle, motor.speed, "rad/s", shown="rpm", name="no-load speed", place=PLACE)
         return
     given = line.moment(motor.speed)
     if abs(given - rated) > FAR * rated:
@@ -80,8 +80,8 @@ def _of_circuit(motor: Motor, kind: CharacteristicKind) -> Iterator[Note]:
         idle = motor.voltage / motor.constant
         if abs(motor.synchronous - idle) > FAR * idle:
             text = "U/k gives no load at {value:.6g} rpm, and not at the {limit:.6g} rpm given"
-            numbers = idle * RPM, motor.synchronous * RPM, "rpm"
-            yield held("warning", text, *numbers, name="no-load speed", place=PLACE)
+            numbers = idle, motor.synchronous, "rad/s"
+            yield held("warning", text, *numbers, shown="rpm", name="no-load speed", place=PLACE)
     if kind == "series" and motor.voltage and motor.resistance and motor.efficiency:
         from tmmcalc.machine.motors.direct_current import voltage_drop
 

@@ -28,13 +28,14 @@ from tmmcalc.report.drawing.pens import CURVES, OTHER, Pen
 from tmmcalc.report.drawing.scales import standard_scale
 from tmmcalc.report.drawing.shapes import Dimension, Drawing, Words
 from tmmcalc.report.drawing.tables import draw_table
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_number, tr_unit
 from tmmcalc.report.numbers import number
 
 WORK, LINKS, REST, INERTIA = CURVES[0], CURVES[2], CURVES[1], CURVES[0]
 PROJECTED = OTHER._replace(width=0.2, dashes=(1.6, 1.2))
 TURNED = 46.0  # height of the inertia's diagram above the curve [mm]
 LINE = 5.6  # between the lines of what follows from readings [mm]
+AIR = 0.06  # of the range of works, below and above, for the names of ordinates
 SEEN = 5e-7  # a smaller relative difference is none
 HEADING, LETTERS = 3.0, 2.6  # heights of the words beside [mm]
 
@@ -52,7 +53,11 @@ class Machine(NamedTuple):
         """A diagram over the cycle of values at the picture's places, to scale."""
         picture, nodes = self.picture, np.abs(self.phi - self.phi[0])
         every = tuple(Line(name, v, np.interp(nodes, picture.theta, v), pen) for name, v, pen in lines)
-        return Graph(symbol, unit, True, self.sense * picture.theta, self.phi, every, mu=mu)
+        values = np.concatenate([v for _, v, _ in lines])
+        low, high = float(min(values.min(), 0.0)), float(max(values.max(), 0.0))
+        air = AIR * (high - low)
+        ends = (low - air * (low < 0 or symbol == "A"), high + air)
+        return Graph(symbol, unit, True, self.sense * picture.theta, self.phi, every, ends=ends, mu=mu)
 
 
 def machine_of(picture: EnergyMass, cycle: Cycle, phi: Real, delta: float) -> Machine:
@@ -216,7 +221,7 @@ def write_readings(drawing: Drawing, box: Box, heading: str, found: Construction
     rows = [
         (
             f"${each.symbol}$",
-            f"{minus(number(each.read, 5))}{'°' if each.of == '°' else ' ' + tr_unit('mm')}",
+            f"{_millimetres(each)}{'°' if each.of == '°' else ' ' + tr_unit('mm')}",
             f"{minus(number(each.value, 5))} {tr_unit(each.unit)}",
             minus(number(each.exact, 5)),
             _percent(each.error),
@@ -252,7 +257,7 @@ def _percent(error: float) -> str:
 
 
 def _millimetres(reading: Reading) -> str:
-    return minus(number(reading.read, 5))
+    return minus(tr_number(f"{reading.read:.1f}"))
 
 
 def _in_braces(text: str) -> str:
@@ -260,4 +265,4 @@ def _in_braces(text: str) -> str:
 
 
 def _length(millimetres: float) -> str:
-    return f"{number(round(millimetres, 1), 5)} {tr_unit('mm')}"
+    return f"{tr_number(f'{millimetres:.1f}')} {tr_unit('mm')}"

@@ -28,6 +28,7 @@ from tmmcalc.report.numbers import NOISE, number
 MEAN = AXIS._replace(layer="MEAN")
 NODAL = Pen("RECURRENCE", 0.3, colour="#009e73")
 ROOM = 0.16  # of the range of the speeds, below and above them
+STILL = 1e-9  # of the speed: one that varies less is a constant
 HEADING = 11.0  # room of the heading [mm]
 
 
@@ -120,7 +121,7 @@ def _of_speed(result: Motion, theta: Values, lines: tuple[Line, ...]) -> Graph:
     if result.by_energy is not None:  # off by the mean, while the recurrence may swing without limit
         everything = np.append(everything, result.by_energy.omega)
     low, high = float(everything.min()), float(everything.max())
-    air = ROOM * (high - low) or 1e-3 * abs(high)
+    air = ROOM * (high - low) if high - low > STILL * abs(high) else 1e-3 * abs(high)
     names = [(line.label, line.pen) for line in lines]
     names.append((tr("mean $ω_m$ = {speed}", speed=number(result.regime.mean, 5)), MEAN))
     if result.omega_textbook is not None:

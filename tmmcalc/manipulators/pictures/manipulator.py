@@ -23,6 +23,7 @@ from tmmcalc.report.drawing.panels import Panel, marked, panels
 from tmmcalc.report.drawing.pens import INK, MIDDLE, Pen
 from tmmcalc.report.drawing.polar import AROUND, name_axes
 from tmmcalc.report.drawing.shapes import Area, Drawing, Hatching, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 UNIFORM = 2  # number of the phase
@@ -55,10 +56,20 @@ def manipulator_drawing(task: ManipulatorTask, result: Manipulator) -> Drawing:
 
 
 def _heading(result: Manipulator) -> str:
-    problem = "inverse problem" if result.inverse else "direct problem"
-    kind = f"{result.arm.kind} arm{' on a turning base' if result.arm.spatial else ''}"
-    colours = "orange: acceleration and deceleration, blue: uniform motion" if result.inverse else ""
-    return f"Manipulator, {kind}, {problem}, T = {number(result.duration, 6)} s\n{colours}"
+    values = {"arm": _arm(result), "time": number(result.duration, 6)}
+    if not result.inverse:
+        return tr("Manipulator, {arm}, direct problem, $T$ = {time} s", **values)
+    first = tr("Manipulator, {arm}, inverse problem, $T$ = {time} s", **values)
+    return first + "\n" + tr("orange: acceleration and deceleration, blue: uniform motion")
+
+
+def _arm(result: Manipulator) -> str:
+    kinds = {
+        "spherical": (tr("spherical arm"), tr("spherical arm on a turning base")),
+        "cylindrical": (tr("cylindrical arm"), tr("cylindrical arm on a turning base")),
+        "angular": (tr("angular arm"), tr("angular arm on a turning base")),
+    }
+    return kinds[result.arm.kind][result.arm.spatial]
 
 
 def _draw_views(drawing: Drawing, box: Box, task: ManipulatorTask, result: Manipulator, dense: Manipulator) -> None:
@@ -69,7 +80,7 @@ def _draw_views(drawing: Drawing, box: Box, task: ManipulatorTask, result: Manip
         _draw_view(drawing, box, ("x", "y"), result, dense, places, limbs, task.obstacles)
         return
     left, right = box.split(1, 1, gap=4, across=True)
-    for part, title in ((left, "from above"), (right, "in the plane of the arm")):
+    for part, title in ((left, tr("from above")), (right, tr("in the plane of the arm"))):
         drawing.add(Words(complex(part.middle.real, part.top), title, 2.8, 1j))
     plan, reach = ([view(each.gripper[0]) for each in (result, dense)] for view in (_from_above, _from_side))
     above, side = left.inset(0, 0, 0, 6), right.inset(0, 0, 0, 6)
@@ -145,7 +156,7 @@ def _draw_view(
         if label.isdigit():
             pen = EVEN if result.phase[k] == UNIFORM or not result.inverse else RAMP
             board.circle(complex(dots[k]), 0.7, pen._replace(width=0.3), level=6)
-    for name, k in (("start", 0), ("end", -1)):
+    for name, k in ((tr("start"), 0), (tr("end"), -1)):
         at = complex(dots[k])
         here = board.place(at)
         square = here + np.array([-1 - 1j, 1 - 1j, 1 + 1j, -1 + 1j])
@@ -158,18 +169,30 @@ def _draw_graphs(drawing: Drawing, box: Box, result: Manipulator, dense: Manipul
     left, right = box.split(1, 1, gap=4, across=True)
     axes = "xyz"[: result.gripper.shape[1]]
     gripper = [
-        Panel(unit, tuple((f"${symbol}{name}$", row) for name, row in zip(axes, dense.gripper[order], strict=True)))
+        Panel(
+            tr_unit(unit),
+            tuple((f"${symbol}{name}$", row) for name, row in zip(axes, dense.gripper[order], strict=True)),
+        )
         for order, (symbol, unit) in enumerate((("", "m"), ("v_", "m/s"), ("a_", "m/s²")))
     ]
-    rates = (("", "rad or m"), (", first derivative", "rad/s or m/s"), (", second derivative", "rad/s² or m/s²"))
     joints = [
-        Panel(unit, tuple((f"${_symbol(name)}${said}", row) for name, row in zip(result.joints, values, strict=True)))
-        for (said, unit), values in zip(rates, dense.q, strict=True)
+        Panel(unit, tuple((_rate(name, order), row) for name, row in zip(result.joints, values, strict=True)))
+        for order, (unit, values) in enumerate(
+            zip((tr("rad or m"), tr("rad/s or m/s"), tr("rad/s² or m/s²")), dense.q, strict=True)
+        )
     ]
     instants = _instants(result)
-    for part, title, rows in ((left, "Gripper", gripper), (right, "Joints", joints)):
+    for part, title, rows in ((left, tr("Gripper"), gripper), (right, tr("Joints"), joints)):
         drawing.add(Words(complex(part.middle.real, part.top), title, 3.2, 1j))
-        marked(panels(drawing, part.inset(0, 0, 0, 6), dense.t, "$t$, s", rows), instants)
+        marked(panels(drawing, part.inset(0, 0, 0, 6), dense.t, f"$t$, {tr_unit('s')}", rows), instants)
+
+
+def _rate(joint: str, order: int) -> str:
+    """A joint, or a derivative of it."""
+    symbol = f"${_symbol(joint)}$"
+    return (symbol, tr("{joint}, first derivative", joint=symbol), tr("{joint}, second derivative", joint=symbol))[
+        order
+    ]
 
 
 def _instants(result: Manipulator) -> list[float]:

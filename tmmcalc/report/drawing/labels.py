@@ -25,12 +25,12 @@ AIR = 0.4  # between a name and what is around it [mm]
 CLEARLY = 0.8  # so much nearer to its own stroke than to another a name is told apart [mm]
 ASTRAY = 15.0  # what a mm less costs
 WRONG = 50.0  # and what it costs to be nearer to another one
-FURTHER = (4.0, 6.0, 8.5, 11.5, 15.0, 19.0)  # gaps of a name that found no free place nearby [mm]
+FURTHER = (4.0, 6.0, 8.5, 11.5, 15.0, 19.0, 24.0, 30.0)  # gaps of a name that found no free place nearby [mm]
 FAR = 3.0  # a name that stands farther from its anchor has a leader [mm]
 TOUCHING = 0.3  # strokes nearer than this all along are told apart by no name [mm]
 CROSSED = 3.0  # what it costs a leader to cross another name, by mm
 OUTSIDE = 60.0  # what it costs to reach over the border
-COVERED = 4.0  # covering more than this is a fault
+COVERED = 3.0  # covering more than this is a fault
 LEVEL = 20.0  # names stand over all else
 AROUND = np.exp(1j * np.radians([45, 135, -45, -135, 90, 0, 180, -90, 22, 68, 112, 158, -22, -68, -112, -158]))
 
@@ -137,8 +137,8 @@ class Labels:
         """Write a name that may be left out: its middle, or None where no place around the anchor is free."""
         larger = height * self.drawing.letters
         above, below = extent(text, larger)
-        _, cost = self._tried(anchor, (width(text, larger) / 2, (above + below) / 2), gaps, prefer)
-        if float(cost.min()) > COVERED:
+        _, cost, dislike = self._tried(anchor, (width(text, larger) / 2, (above + below) / 2), gaps, prefer)
+        if float((cost + dislike).min()) > COVERED:
             return None
         return self.put(text, [anchor], height=height, gaps=gaps, prefer=prefer, colour=colour)
 
@@ -150,17 +150,18 @@ class Labels:
         prefer: complex,
         strokes: Sequence[Plane],
     ) -> tuple[complex, complex, float]:
-        """Where a name covers least: its middle, its anchor, what it costs there."""
+        """Where a name covers least, and near its anchor: its middle, its anchor, the cost of what it covers."""
         found = []
         for rank, anchor in enumerate(anchors):
-            tried, cost = self._tried(anchor, half, gaps, prefer)
+            tried, cost, dislike = self._tried(anchor, half, gaps, prefer)
             if strokes:
                 cost = cost + _astray(tried, strokes)
             if gaps[-1] > FAR:
                 cost = cost + self._crossed(anchor, tried, half)
-            best = int(np.argmin(cost))
-            found.append((complex(tried[best]), anchor, float(cost[best]) + 0.4 * rank))
-        return min(found, key=lambda each: each[2])
+            best = int(np.argmin(cost + dislike))
+            whole = float(cost[best] + dislike[best]) + 0.4 * rank
+            found.append((whole, complex(tried[best]), anchor, float(cost[best])))
+        return min(found, key=lambda each: each[0])[1:]
 
     def _crossed(self, anchor: complex, centres: Plane, half: tuple[float, float]) -> Real:
         """What the leaders (n,) from an anchor to names at these places cost for the names that they cross."""
@@ -201,12 +202,12 @@ class Labels:
 
     def _tried(
         self, anchor: complex, half: tuple[float, float], gaps: tuple[float, ...], prefer: complex
-    ) -> tuple[Plane, Real]:
-        """Centres of the name around an anchor and what each would cost."""
+    ) -> tuple[Plane, Real, Real]:
+        """Centres of the name around an anchor, what each would cover, and what else is said against it."""
         centres = np.concatenate([anchor + _outward(AROUND, half, gap) for gap in gaps])
         liking = np.tile((AROUND * np.conj(prefer / abs(prefer))).real, len(gaps))
         distance = np.repeat(np.arange(len(gaps)), len(AROUND))
-        return centres, self._covered(centres, half) + 0.8 * distance - 0.5 * liking
+        return centres, self._covered(centres, half), 0.8 * distance - 0.5 * liking
 
     def _covered(self, centres: Plane, half: tuple[float, float]) -> Real:
         wide, high = half[0] + AIR, half[1] + AIR

@@ -189,4 +189,4 @@ def _notes(task: PendulumTask, critical: Values, slopes: tuple[Values, Values] |
                 "the lower end comes to a slope of {value:.4g} deg, more than the {limit:.3g} deg up to which the "
                 "equations of small slopes hold"
             )
-            yield held("warning", text, np.degrees(largest), np.degrees(LARGE), "deg", name="slope")
+            yield held("warning", text, largest, LARGE, "rad", shown="deg", name="slope")

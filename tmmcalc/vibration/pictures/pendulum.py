@@ -15,6 +15,7 @@ from tmmcalc.report.drawing.panels import PLACE, Panel, panels
 from tmmcalc.report.drawing.pens import CURVES, INK, MARK, PATH, Pen
 from tmmcalc.report.drawing.polar import AROUND, name_axes
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 from tmmcalc.vibration.pendulum.results import Campbell, PendulumResult
 from tmmcalc.vibration.pendulum.swing import SwingCourse
@@ -32,27 +33,27 @@ def figure(order: Order) -> Drawing:
 
 def pendulum_drawing(result: PendulumResult) -> Drawing:
     """A sheet each of shapes, Campbell diagram and motion, as far as there are results."""
-    content: list[Sheet] = [("Mode shapes", partial(_shapes, result=result))]
+    content: list[Sheet] = [(tr("Mode shapes"), partial(_shapes, result=result))]
     if result.campbell is not None:
-        content.append(("Campbell diagram", partial(_campbell, result=result, campbell=result.campbell)))
+        content.append((tr("Campbell diagram"), partial(_campbell, result=result, campbell=result.campbell)))
     if result.swing is not None:
-        content.append(("Motion of the lower end", partial(_swing, swing=result.swing)))
+        content.append((tr("Motion of the lower end"), partial(_swing, swing=result.swing)))
     return sheets_of(content)
 
 
 def _shapes(drawing: Drawing, box: Box, result: PendulumResult) -> None:
     """Displacements across, the rod downwards."""
-    depth = Axis("$a$ along the rod, mm", 1e3 * float(np.max(result.place)), 1e3 * float(np.min(result.place)))
+    depth = Axis(tr("$a$ along the rod, mm"), 1e3 * float(np.max(result.place)), 1e3 * float(np.min(result.place)))
     parts = box.split(*(1.0 for _ in result.modes), gap=3, across=True)
     for part, modes in zip(parts, result.modes, strict=True):
-        drawing.add(Words(complex(part.middle.real, part.top), modes.name, 2.8, 1j))
+        drawing.add(Words(complex(part.middle.real, part.top), _plane(modes.name), 2.8, 1j))
         names = [
-            (f"{n + 1}: {number(float(w) / (2 * np.pi), 5)} Hz", CURVES[n % len(CURVES)])
+            (f"{n + 1}: {number(float(w) / (2 * np.pi), 5)} {tr_unit('Hz')}", CURVES[n % len(CURVES)])
             for n, w in enumerate(modes.frequency[: len(modes.shapes)])
         ]
         rows = len(key_rows(names, part.width - 18.0))
         frame = part.inset(16, 12, 2, 7 + 4.2 * rows)
-        field = Diagram(drawing, frame, Axis("displacement, largest 1", -1.15, 1.15), depth)
+        field = Diagram(drawing, frame, Axis(tr("displacement, largest 1"), -1.15, 1.15), depth)
         field.vertical(0.0, PLACE)
         for (_, pen), shape in zip(names, modes.shapes, strict=True):
             field.curve(shape + 1e3j * result.place, pen)
@@ -63,22 +64,22 @@ def _campbell(drawing: Drawing, box: Box, result: PendulumResult, campbell: Camp
     """Frequencies over the spin with the line of the spin itself, and the whirl of the unbalance."""
     spin = campbell.spin * RPM
     top = max(1.6 * float(spin[-1]), 1.3 * float(campbell.forward[0, -1]) * RPM)
-    along = Axis("spin, rpm", float(spin[0]), float(spin[-1]))
+    along = Axis(tr("spin, rpm"), float(spin[0]), float(spin[-1]))
     parts = box.split(1, 1) if len(campbell.whirl) else [box]
     frame = parts[0].inset(16, 12, 2, 7)
-    field = Diagram(drawing, frame, along, Axis("whirl, 1/min", 0.0, top))
+    field = Diagram(drawing, frame, along, Axis(tr("whirl, 1/min"), 0.0, top))
     for k in range(campbell.modes):
         field.curve(spin + 1j * campbell.forward[k] * RPM, CURVES[0])
         field.curve(spin + 1j * campbell.backward[k] * RPM, CURVES[1])
     field.curve(spin * (1 + 1j), SPIN)
-    field.key([("forward", CURVES[0]), ("backward", CURVES[1]), ("spin", SPIN)])
+    field.key([(tr("forward"), CURVES[0]), (tr("backward"), CURVES[1]), (tr("spin"), SPIN)])
     for w in result.forward_critical.tolist():
         if campbell.spin[0] <= w <= campbell.spin[-1]:
             field.marker(complex(w * RPM, w * RPM), "D", MARK, 1.6, filled=False)
     for part in parts[1:]:
         size = 1e3 * np.abs(campbell.whirl)
         low, high = 1e-2 * float(np.median(size)), 1e2 * float(np.median(size))
-        whirl = Axis("whirl of the unbalance, mm", low, high, log=True)
+        whirl = Axis(tr("whirl of the unbalance, mm"), low, high, log=True)
         below = Diagram(drawing, part.inset(16, 12, 2, 3), along, whirl)
         below.curve(spin + 1j * np.clip(size, low, high), CURVES[2])
 
@@ -91,7 +92,18 @@ def _swing(drawing: Drawing, box: Box, swing: SwingCourse) -> None:
     board.line(path, PATH._replace(dashes=()), level=4)
     board.circle(complex(path[0]), 0.8, MARK._replace(width=0.3), level=6)
     rows = [
-        Panel("mm", (("$v$ from under the joint", 1e3 * swing.v), ("$w$", 1e3 * swing.w))),
-        Panel("joint, m", (("$x_O$", swing.carrier_x), ("$y_O$", swing.carrier_y)), 2),
+        Panel(tr_unit("mm"), ((tr("$v$ from under the joint"), 1e3 * swing.v), ("$w$", 1e3 * swing.w))),
+        Panel(tr("joint, m"), (("$x_O$", swing.carrier_x), ("$y_O$", swing.carrier_y)), 2),
     ]
-    panels(drawing, right, swing.t, "$t$, s", rows)
+    panels(drawing, right, swing.t, f"$t$, {tr_unit('s')}", rows)
+
+
+def _plane(name: str) -> str:
+    """Where a mode is: a plane of the joint, or a sense of the whirl."""
+    return {
+        "plane xz": tr("plane $xz$"),
+        "plane yz": tr("plane $yz$"),
+        "both planes": tr("both planes"),
+        "forward": tr("forward"),
+        "backward": tr("backward"),
+    }[name]

@@ -15,6 +15,7 @@ from tmmcalc.report.drawing.panels import Panel, marked, panels
 from tmmcalc.report.drawing.pens import AXIS, CURVES, GRID, MARK, MIDDLE, THIN
 from tmmcalc.report.drawing.polar import AROUND, name_axes
 from tmmcalc.report.drawing.shapes import Area, Drawing, Words
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 from tmmcalc.vibration.pictures.sheets import Sheet, sheets_of
 from tmmcalc.vibration.vibrator.results import Curve, MotorStart, Start, VibratorResult
@@ -38,15 +39,17 @@ def figure(order: Order) -> Drawing:
 
 def vibrator_drawing(result: VibratorResult) -> Drawing:
     """A sheet each of modes, resonance curve, starts and paths, as far as there are results."""
-    content: list[Sheet] = [("Natural modes", partial(_modes, result=result))]
+    content: list[Sheet] = [(tr("Natural modes"), partial(_modes, result=result))]
     if result.curve is not None:
-        content.append(("Resonance curve", partial(_curve, result=result, curve=result.curve)))
+        content.append((tr("Resonance curve"), partial(_curve, result=result, curve=result.curve)))
     if result.run_up is not None:
-        content.append(("Start with a given angle of the rotor", partial(_start, result=result, start=result.run_up)))
+        content.append(
+            (tr("Start with a given angle of the rotor"), partial(_start, result=result, start=result.run_up))
+        )
     if result.drive is not None:
-        content.append(("Start by the motor", partial(_start, result=result, start=result.drive)))
+        content.append((tr("Start by the motor"), partial(_start, result=result, start=result.drive)))
     if result.paths:
-        content.append(("Paths of points of the part in steady motion", partial(_paths, result=result)))
+        content.append((tr("Paths of points of the part in steady motion"), partial(_paths, result=result)))
     return sheets_of(content)
 
 
@@ -57,7 +60,7 @@ def _modes(drawing: Drawing, box: Box, result: VibratorResult) -> None:
     places = [part for row in box.split(1, 1, gap=4) for part in row.split(1, 1, 1, 1, gap=4, across=True)]
     for k, part in enumerate(places[: len(COORDINATES)]):
         hertz = float(result.frequency[k]) / (2 * np.pi)
-        title = f"{k + 1}: {number(hertz, 5)} Hz, {number(60 * hertz, 5)} rpm"
+        title = tr("{k}: {hertz} Hz, {rpm} rpm", k=k + 1, hertz=number(hertz, 5), rpm=number(60 * hertz, 5))
         drawing.add(Words(complex(part.middle.real, part.top), title, 2.4, 1j))
         _bars(drawing, part.inset(2, 8, 2, 7), result.shapes[:, k] * weights)
 
@@ -79,12 +82,13 @@ def _bars(drawing: Drawing, frame: Box, values: Values) -> None:
 
 def _curve(drawing: Drawing, box: Box, result: VibratorResult, curve: Curve) -> None:
     rows = []
-    for of, factor, label, first in ((SHIFTS, 1e3, "amplitude, mm", 0), (TURNS, 180 / np.pi, "amplitude, °", 3)):
-        lines = tuple((COORDINATES[k], factor * curve.amplitude[k]) for k in of if np.any(curve.amplitude[k] > 0))
+    shifts, turns = (SHIFTS, 1e3, tr("amplitude, mm"), 0), (TURNS, 180 / np.pi, tr("amplitude, °"), 3)
+    for of, factor, label, first in (shifts, turns):
+        lines = tuple((f"${NAMES[k]}$", factor * curve.amplitude[k]) for k in of if np.any(curve.amplitude[k] > 0))
         if lines:
             top = max(float(np.max(values)) for _, values in lines)
             rows.append(Panel(label, lines, first, True, (LOWEST * top, 2 * top)))
-    found = panels(drawing, box, curve.omega * RPM, "speed of the rotor, rpm", rows)
+    found = panels(drawing, box, curve.omega * RPM, tr("speed of the rotor, rpm"), rows)
     marked(found, (result.frequency * RPM).tolist())
     for field in found:
         if result.steady is not None:
@@ -94,19 +98,20 @@ def _curve(drawing: Drawing, box: Box, result: VibratorResult, curve: Curve) -> 
 def _start(drawing: Drawing, box: Box, result: VibratorResult, start: Start | MotorStart) -> None:
     course = start.course
     rows = [
-        Panel("speed, rpm", (("rotor", course.omega * RPM),)),
-        Panel("mm", _moved(course.q, SHIFTS, 1e3)),
+        Panel(tr("speed, rpm"), ((tr("rotor"), course.omega * RPM),)),
+        Panel(tr_unit("mm"), _moved(course.q, SHIFTS, 1e3)),
         Panel("°", _moved(course.q, TURNS, 180 / np.pi), 3),
     ]
-    speed, *_ = panels(drawing, box, course.t, "$t$, s", rows)
+    speed, *_ = panels(drawing, box, course.t, f"$t$, {tr_unit('s')}", rows)
     reached = float(np.max(course.omega)) * RPM
     for k, natural in enumerate((result.frequency * RPM).tolist(), 1):
         if natural < 1.15 * reached:
-            speed.level(natural, AXIS, str(k))
+            speed.level(natural, AXIS)
+            speed.name_level(natural, str(k), AXIS.colour)
 
 
 def _moved(q: Values, rows: list[int], factor: float) -> tuple[tuple[str, Values], ...]:
-    return tuple((COORDINATES[k], factor * q[k]) for k in rows)
+    return tuple((f"${NAMES[k]}$", factor * q[k]) for k in rows)
 
 
 def _paths(drawing: Drawing, box: Box, result: VibratorResult) -> None:
@@ -116,7 +121,8 @@ def _paths(drawing: Drawing, box: Box, result: VibratorResult) -> None:
     widest = max(each.major for each in result.paths) or 1.0
     factor = ENLARGED * (size or 1.0) / widest
     names = [(each.name, CURVES[k % len(CURVES)]) for k, each in enumerate(result.paths)]
-    views = (f"paths {number(factor, 3)} times enlarged", ASLANT), ("from above; a diamond is $ψ$ = 0", ABOVE)
+    enlarged = tr("paths {factor} times enlarged", factor=number(factor, 3))
+    views = (enlarged, ASLANT), (tr("from above; a diamond is $ψ$ = 0"), ABOVE)
     for part, (title, directions) in zip(box.split(1, 1, gap=4, across=True), views, strict=True):
         flat = directions is ABOVE
         drawn = [(1e3 * (each.at + factor * each.path)) @ directions for each in result.paths]

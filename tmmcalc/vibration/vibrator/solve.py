@@ -168,8 +168,8 @@ def _large(what: str, sizes: np.ndarray) -> Iterator[Said]:
             "{turn} comes to {value:.4g} deg, more than the {limit:.3g} deg up to which the equations of small turns "
             "hold"
         )
-        numbers = np.degrees(size), np.degrees(LARGE_TURN), "deg"
-        yield held("warning", text, *numbers, name=name, place=what, turn=name)
+        numbers = size, LARGE_TURN, "rad"
+        yield held("warning", text, *numbers, shown="deg", name=name, place=what, turn=name)
 
 
 def _of_motor(modes: Modes, driven: MotorStart) -> Iterator[Said]:
@@ -186,14 +186,14 @@ def _of_motor(modes: Modes, driven: MotorStart) -> Iterator[Said]:
             "motor, more damping or less unbalance"
         )
         words: dict[str, Any] = {"part": driven.mean / w, "mode": driven.stuck, "frequency": w / (2 * pi)}
-        yield held("warning", text, driven.mean * RPM, top * RPM, "rpm", name="mean speed", **words)
+        yield held("warning", text, driven.mean, top, "rad/s", shown="rpm", name="mean speed", **words)
     elif driven.mean < top * (1 - SHORT):
         text = (
             "the start has not ended: {value:.5g} rpm of {limit:.5g} rpm, still gaining {gain:.5g} rpm in a tenth of "
             "the time; write a longer duration"
         )
-        numbers = driven.mean * RPM, top * RPM, "rpm"
-        yield held("warning", text, *numbers, name="mean speed", gain=driven.gain * RPM)
+        numbers = driven.mean, top, "rad/s"
+        yield held("warning", text, *numbers, shown="rpm", name="mean speed", gain=driven.gain * RPM)
     for each in driven.barriers:
         if each.speed < top and each.motor < each.load:
             text = (
@@ -215,8 +215,8 @@ def _validity(task: VibratorTask, driven: MotorStart | None) -> Iterator[Said]:
             'the characteristic "{kind}" holds from {limit:.5g} rpm, the start begins at {value:.5g} rpm; take one of '
             "the whole range, such as kloss or table"
         )
-        numbers = lowest * RPM, least * RPM, "rpm"
-        yield held("warning", text, *numbers, name="least speed", kind=task.drive.kind)
+        numbers = lowest, least, "rad/s"
+        yield held("warning", text, *numbers, shown="rpm", name="least speed", kind=task.drive.kind)
 
 
 def _undamped(task: VibratorTask, modes: Modes) -> Iterator[Said]:

@@ -1,0 +1,117 @@
+"""The note in its forms: read back, in both languages, nothing over the edge, no word of the other language."""
+
+from __future__ import annotations
+
+import re
+import zipfile
+from html.parser import HTMLParser
+from io import BytesIO
+from typing import Any
+from xml.etree import ElementTree
+
+import pytest
+
+from note.scenes import written
+from tmmcalc.note.assembled import Equation, Grid, Title
+from tmmcalc.note.docx import document
+from tmmcalc.note.html import page
+from tmmcalc.note.plaintext import text
+from tmmcalc.note.typst import pdf, source
+from tmmcalc.report.formula.plain import plain
+from tmmcalc.report.language import speaking
+
+LATIN = re.compile(r"[A-Za-z]{3,}")
+OWN = {"crank", "slider", "block", "slotted", "link", "connecting", "rod", "ram", "RPR", "RRP", "RRR"}  # of the spec
+FUNCTIONS = {"sin", "cos", "arcsin", "arctg"}
+MM = 72 / 25.4
+
+
+@pytest.fixture(scope="module", params=["en", "uk"])
+def spoken(request: pytest.FixtureRequest) -> Any:
+    """A language, and the shaper's note in it."""
+    with speaking(request.param):
+        yield request.param, written("shaper")
+
+
+def test_a_pdf_keeps_its_margins_and_can_be_searched(spoken: Any) -> None:
+    language, note = spoken
+    reader = pytest.importorskip("pypdfium2")
+    read = reader.PdfDocument(pdf(source(note, language)))
+    assert 10 <= len(read) <= 20
+    whole = ""
+    for sheet in read:
+        words = sheet.get_textpage()
+        whole += words.get_text_bounded()
+        assert sheet.get_size() == pytest.approx((210 * MM, 297 * MM), abs=0.1)
+        for k in range(words.count_rects()):
+            left, bottom, right, top = words.get_rect(k)
+            assert left >= 25 * MM - 0.5
+            assert right <= 190 * MM + 7.0  # the space that ends a line
+            assert bottom >= 9 * MM  # the number of the page
+            assert top <= 277 * MM + 2.0  # ascenders
+    assert {"en": "Force analysis", "uk": "Силовий розрахунок"}[language] in whole
+
+
+def test_ukrainian_has_no_english_left() -> None:
+    with speaking("uk"):
+        note = written("shaper")
+        said, formulas = text(note), [plain(part) for each in note if isinstance(each, Equation) for part in each.parts]
+    left = set(LATIN.findall(said)) - OWN - FUNCTIONS
+    assert not left
+    assert not [formula for formula in formulas if re.search(r"\d\.\d", formula)]
+    assert "-0" not in said
+
+
+def test_a_document_of_word_has_every_formula_as_an_equation(spoken: Any) -> None:
+    _, note = spoken
+    archive = zipfile.ZipFile(BytesIO(document(note, "Shaper")))
+    assert archive.testzip() is None
+    root = ElementTree.fromstring(archive.read("word/document.xml"))
+    math = "{http://schemas.openxmlformats.org/officeDocument/2006/math}"
+    equations = [each for each in note if isinstance(each, Equation)]
+    assert len(root.findall(f".//{math}oMath")) >= len(equations)
+    assert all(len(each) for each in root.iter(f"{math}num"))
+    words = "".join(root.itertext())
+    assert all(f"({each.number})" in words for each in equations if each.number)
+    assert all(cell in words for each in note if isinstance(each, Grid) for row in each.rows for cell in row)
+
+
+class Balance(HTMLParser):
+    """Counts what is open, and notes what is asked for from elsewhere."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.links: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.links += [str(value) for name, value in attrs if name in ("src", "href")]
+        if tag not in ("meta", "mspace"):
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        pass
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+def test_a_page_is_whole_and_asks_for_nothing(spoken: Any) -> None:
+    language, note = spoken
+    read = Balance()
+    found = page(note, "Shaper", language)
+    read.feed(found)
+    assert not read.open
+    assert not read.links
+    assert f'lang="{language}"' in found
+    assert all(each.text in found for each in note if isinstance(each, Title))
+
+
+def test_formulas_are_numbered_in_a_row(spoken: Any) -> None:
+    numbers = [each.number for each in spoken[1] if isinstance(each, Equation) and each.number]
+    by_chapter: dict[str, list[int]] = {}
+    for number in numbers:
+        chapter, _, rest = number.partition(".")
+        by_chapter.setdefault(chapter, []).append(int(rest))
+    assert [*by_chapter] == ["1", "2", "3"]
+    assert all(found == list(range(1, len(found) + 1)) for found in by_chapter.values())

@@ -1,0 +1,108 @@
+"""Every line of the notes of the ready specs: exact against the program, and right as it is printed.
+
+A formula with a mistake in it is caught: its mutants do not give what the program found.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import pytest
+
+from note.scenes import LINKAGES, lines, told
+from tmmcalc.note.assembled import Assembler
+from tmmcalc.report.formula.digits import EXACT, worked
+from tmmcalc.report.formula.tree import Call, Name, Node, Product, Quotient, Statement, Sum, mapped, parts
+from tmmcalc.report.manuscript import Lexicon, Line
+
+QUICK = ("shaper", "press", "scotch-yoke")
+SWAPPED = {"sin": "cos", "cos": "sin"}
+
+
+@pytest.mark.parametrize("name", [pytest.param(n, marks=() if n in QUICK else pytest.mark.slow) for n in LINKAGES])
+def test_every_line_is_exact_and_works_out_as_printed(name: str) -> None:
+    found = lines(name)
+    assert found
+    for line in found:
+        assert line.found.error <= EXACT, (line.formula, line.place, line.found.error)
+        assert line.found.off <= 0.5 + 1e-6, (line.formula, line.place, line.found)
+
+
+def test_there_are_linkages_of_every_kind_of_dyad() -> None:
+    assert {"shaper", "press", "four-bar", "trammel", "scotch-yoke", "four-dyads"} <= set(LINKAGES)
+
+
+def test_the_shaper_moves_as_in_the_textbook() -> None:
+    """Positions 6 and 18 of table D.2.1, recomputed: angles, and rates against l_1 omega_1 and its like."""
+    assembler = Assembler()
+    assembler.written(told("shaper", "6,18"))
+    found = {(line.formula.sides[0], line.place): float(line.found.result) for line in assembler.lines}
+    omega = 55 * math.pi / 30
+    for name, unit, first, second in (
+        ("phi_3", 1.0, 85.442, 98.519),
+        ("phi_4", 1.0, -3.316, -1.728),
+        ("omega_3", omega, 0.2388, -0.4080),
+        ("omega_4", omega, -0.067, -0.213),
+        ("v_Dx", 0.2 * omega, -1.219, 2.048),
+        ("a_Dx", 0.2 * omega**2, -0.175, 2.008),
+        ("eps_3", omega**2, 0.032, -0.383),
+    ):
+        assert found[Name(name), "in position 6"] / unit == pytest.approx(first, abs=6e-4)
+        assert found[Name(name), "in position 18"] / unit == pytest.approx(second, abs=6e-4)
+
+
+def mutants(formula: Statement) -> Iterator[Statement]:
+    """The formula with one sign, function or operator changed in its right side."""
+    left, right = formula.sides
+    for changed in _changed(right):
+        yield Statement((left, changed), formula.relations)
+
+
+def _changed(node: Node) -> Iterator[Node]:
+    match node:
+        case Sum(terms):
+            for k, (sign, term) in enumerate(terms):
+                yield Sum((*terms[:k], (-sign, term), *terms[k + 1 :]))
+        case Product(factors):
+            yield Quotient(Product(factors[:-1]) if len(factors) > 2 else factors[0], factors[-1])
+        case Quotient(over, under):
+            yield Product((over, under))
+        case Call(function, arguments) if function in ("sin", "cos"):
+            yield Call(SWAPPED[function], arguments)
+    for k, part in enumerate(parts(node)):
+        for changed in _changed(part):
+            yield _with_part(node, k, changed)
+
+
+def _with_part(node: Node, k: int, part: Node) -> Node:
+    count = iter(range(len(parts(node))))
+    return mapped(node, lambda old: part if next(count) == k else old)
+
+
+@pytest.mark.parametrize("name", ["shaper", "press"])
+def test_mutants_are_caught(name: str) -> None:
+    """A wrong formula is caught unless it gives the same number in every shown position: less than 1 in 100."""
+    caught = missed = 0
+    for block in told(name, "2,7"):
+        if not isinstance(block, Line):
+            continue
+        left = block.formula.sides[0]
+        assert isinstance(left, Name)
+        for mutant in mutants(block.formula):
+            if any(wrong(mutant, place.lexicon, left.key) for place in block.places):
+                caught += 1
+            else:
+                missed += 1
+    assert caught > 100
+    assert missed <= 0.01 * (caught + missed), (missed, caught)
+
+
+def wrong(mutant: Statement, lexicon: Lexicon, key: str) -> bool:
+    """Whether a mutant gives another value than the program, or none."""
+    given = lexicon[key]
+    assert isinstance(given.value, float)
+    try:
+        return worked(mutant.sides[1], lexicon, given.value, unit=given.unit).error > EXACT
+    except (ValueError, ArithmeticError):
+        return True

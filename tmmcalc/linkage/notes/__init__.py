@@ -1,0 +1,1 @@
+"""What the note says of linkages: structure, motion, forces."""

@@ -1,0 +1,93 @@
+"""What a note is made of before it has a format: headings, paragraphs, formulas with numbers, tables, figures.
+
+Texts are in the language in force. Within ``$`` stands a formula as `tmmcalc.report.formula.syntax` reads it.
+``{eq:KEY}``, ``{tab:KEY}``, ``{fig:KEY}`` are replaced by the number of what has this key.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, NamedTuple
+
+from tmmcalc.report.formula.digits import RESULT, Given
+
+if TYPE_CHECKING:
+    from tmmcalc.report.drawing.shapes import Drawing
+    from tmmcalc.report.formula.tree import Statement
+
+Lexicon = Mapping[str, Given]  # the quantities of a scene at one place, by their names in formulas
+
+
+class Heading(NamedTuple):
+    """The title of a section (level 1) or a part of one."""
+
+    text: str
+    level: int = 2
+
+
+class Paragraph(NamedTuple):
+    """Sentences."""
+
+    text: str
+
+
+class Display(NamedTuple):
+    """A formula in letters alone: a vector equation, a law."""
+
+    formula: Statement
+    key: str = ""
+
+
+class Place(NamedTuple):
+    """A place at which a formula is worked out: what is said of it, ``in position 3``, and its quantities."""
+
+    name: str
+    lexicon: Lexicon
+
+
+class Line(NamedTuple):
+    """A formula in letters, then with the numbers of each place: its left side is a name whose value is the program's.
+
+    Names that stand for the first time are explained by their meaning.
+    """
+
+    formula: Statement
+    places: tuple[Place, ...]
+    key: str = ""
+    digits: int = RESULT
+
+
+class Condition(NamedTuple):
+    """An inequality in letters and numbers, and whether it holds."""
+
+    formula: Statement
+    lexicon: Lexicon
+    key: str = ""
+
+
+class Listing(NamedTuple):
+    """Points of a list."""
+
+    items: tuple[str, ...]
+
+
+class Table(NamedTuple):
+    """Cells as they are printed, under a head; ``turned``: it stands on a page of its own, landscape."""
+
+    caption: str
+    head: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    key: str = ""
+    turned: bool = False
+
+
+class Figure(NamedTuple):
+    """A drawing made at the size at which it stands [mm]."""
+
+    caption: str
+    draw: Callable[[float, float], Drawing]
+    size: tuple[float, float]
+    key: str = ""
+
+
+Block = Heading | Paragraph | Display | Line | Condition | Listing | Table | Figure
