@@ -27,6 +27,7 @@ WORKING = Pen("WORKING_PROFILE", 0.4, colour=INK)
 CUSP = Pen("CUSP", 0.3, (2.4, 0.9), MARK.colour)
 CONVEX = Pen("CONVEX_LIMIT", 0.3, (2.4, 0.9, 0.7, 0.9), MARK.colour)
 CONCAVE = Pen("CONCAVE_LIMIT", 0.3, (0.9, 0.9), MARK.colour)
+STRAIGHT = 0.005  # of the largest: a curvature that is not told
 CUSPED = 0.02  # of the pitch curve's radius: a working profile that is sharper has a cusp, without end on paper
 NEAR_CUSP = 2.5  # 1/r2 against the largest curvature of the pitch curve, where it is drawn
 NEAR_LIMIT = 1.4  # and the least radius against the largest curvature of the working profile
@@ -76,7 +77,9 @@ def draw_bends(
         for pen, each in zip(pens, values, strict=False):
             diagram.curve(np.degrees(phi) + 1j * each, pen)
     factor, pen = (1e3, WORKING) if result.flat else (1e-3, PITCH)
-    marks = [(place, factor * place.value, pen) for place in (result.sharpest, result.hollowest) if place is not None]
+    places = (place for place in (result.sharpest, result.hollowest) if place is not None)
+    least = STRAIGHT * abs(result.sharpest.value)
+    marks = [(place, factor * place.value, pen) for place in places if abs(place.value) > least]
     marks += [] if worked is None else [(result.sharpest, worked, WORKING)]
     for place, value, pen in marks:
         diagram.mark(complex(degrees(place.phi), value), number(value, 4), pen, VALUE)
