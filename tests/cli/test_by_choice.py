@@ -162,3 +162,12 @@ def test_what_is_refused(cli: Cli, args: tuple[str, ...], words: str) -> None:
     code, out, err = cli(*args, "-q", "--no-store")
     assert (code, out) == (2, "")
     assert words in err
+
+
+def test_passes_of_friction_have_a_column_by_pair(cli: Cli) -> None:
+    """A slider rubs along its line, a pin about itself: the last pass is near the forces of the table."""
+    for group, spec, joint, name in (("RRP(4,5)", "shaper", "D0", "F_fr_D0"), ("RRP(2,3)", "press", "A", "M_fr_A")):
+        passes = told(cli, "forces", f"{spec}.toml", "--iterations", f"{group}@4", "--stop", "1e-6")["columns"]
+        (header,) = [each for each in passes if each.startswith(name)]
+        table = told(cli, "forces", f"{spec}.toml", "--columns", name, "--positions", "4")["columns"]
+        assert passes[header][-1] == pytest.approx(table[header][0], rel=1e-4), joint

@@ -421,7 +421,7 @@ def test_plot_writes_a_picture(cli: Cli) -> None:
 
 
 @pytest.mark.parametrize(
-    "flags", [("structure",), ("-o", "a.doc"), ("-o", "no/a.svg"), ("--polygons", "1:3"), ("--positions", "77")]
+    "flags", [("structure",), ("-o", "a.doc"), ("-o", "no/a.svg"), ("--polygons", "77"), ("--positions", "77")]
 )
 def test_plot_refuses(cli: Cli, flags: tuple[str, ...]) -> None:
     code, out, _ = cli("plot", "my.toml", *flags)

@@ -47,6 +47,11 @@ def test_every_text_has_its_translation(language: str) -> None:
 
 
 @pytest.mark.parametrize("language", OTHERS)
+def test_every_translation_is_of_a_text_that_is_said(language: str) -> None:
+    assert not set(catalogue(language).texts) - set(said()["tr"])
+
+
+@pytest.mark.parametrize("language", OTHERS)
 def test_a_text_is_translated_once(language: str) -> None:
     seen: dict[str, tuple[Path, str]] = {}
     for file in files_of(language):

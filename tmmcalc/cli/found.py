@@ -25,9 +25,7 @@ SpecOut = Annotated[
 Force = Annotated[bool, typer.Option("--force", help="Replace the file of --spec if it exists, also the spec itself.")]
 Choose = Annotated[
     int | None,
-    typer.Option(
-        "--choose", metavar="N", min=1, help="Row i, from 1, of the one that --spec writes.", show_default=False
-    ),
+    typer.Option("--choose", metavar="N", min=1, help="Row N, from 1, that --spec writes.", show_default=False),
 ]
 
 

@@ -20,7 +20,8 @@ from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.plan import plan
 from tmmcalc.core.stage import Picture
 from tmmcalc.report.drawing import draw
-from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS
+from tmmcalc.report.drawing.order import PHASE, POLYGONS, POSITIONS
+from tmmcalc.report.rows import CHOOSE
 from tmmcalc.rooms import STAGES
 
 if TYPE_CHECKING:
@@ -159,8 +160,8 @@ def command(
             CHOOSE,
             metavar="N",
             min=1,
-            help="Train or pair to draw, from 1: of train and criteria row N of criteria.csv (default: the chosen "
-            "train), without [strength] set N of gears synth; of synthesis solution N; of pair, blocking and profile "
+            help="What to draw, from 1: of train and criteria row N of gears compare (default: the chosen train), "
+            "without [strength] tooth set N of gears synth; of synthesis solution N; of pair, blocking and profile "
             "pair N (default: all).",
             show_default=False,
         ),

@@ -28,7 +28,8 @@ def command(
             "--choose",
             metavar="N",
             min=1,
-            help="Solution to print and write (default: that of the spec, or the best that keeps its [[constraints]]).",
+            help="Solution N, from 1, to print and write (default: that of the spec, or the best that keeps its "
+            "[[constraints]]).",
             show_default=False,
         ),
     ] = None,
@@ -50,9 +51,9 @@ def command(
     if choose is None:
         choose = (scene.synthesis and scene.synthesis.choose) or (1 if judged is None else judged.chosen)
     from tmmcalc.linkage.facts.synthesis import document as synthesis_document
-    from tmmcalc.linkage.tables.found import check_choice
+    from tmmcalc.report.rows import check_choice
 
-    check_choice(choose, len(result.designs))
+    check_choice(choose, len(result.designs), "solution")
     target = Target(job.file, spec_out, force, choose)
     settled = target.made(scene, "synthesis", result)
 

@@ -19,6 +19,11 @@ from tmmcalc.gears.trains import Request, Trains, Variant
 NO, YES = "no", "yes"
 FIRST = ("i", "layout", "K")  # headers that come first, before the wheels in their order
 WHEEL = "z_"
+PLANETS = Quantity("planets", "number of planets or layshafts")
+RATIOS = (  # by their kind, which is the name of the column
+    Quantity("u", "ratio of the numbers of teeth of the train"),
+    Quantity("i_{ratio}", "ratio of angular velocities, of the first member of the index over the second"),
+)
 ERROR = Quantity("error[%]", "deviation of the ratio from the one asked for")
 COPRIME = Quantity("coprime", "whether no two wheels in mesh have a common factor")
 TEXTBOOK = Quantity("textbook", "whether the textbook's stepping finds the set")
@@ -99,7 +104,7 @@ def stacked(trains: Trains, *, words: bool = True) -> dict[str, np.ndarray]:
 
 def _named(variant: Variant) -> dict[str, np.ndarray]:
     count = len(variant.sets)
-    return {"layout": np.full(count, variant.request.task.layout), "planets": np.full(count, variant.sets.planets)}
+    return {"layout": np.full(count, variant.request.task.layout), PLANETS.key: np.full(count, variant.sets.planets)}
 
 
 def by_wheels(header: str) -> tuple[int, str]:

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.errors import TmmError
 from tmmcalc.core.stage import STAGES, arguments, resolve
-from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
+from tmmcalc.report.drawing.order import PHASE, POLYGONS, POSITIONS, Order
+from tmmcalc.report.rows import CHOOSE
 
 if TYPE_CHECKING:
     from tmmcalc.report.drawing.shapes import Drawing

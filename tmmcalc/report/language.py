@@ -1,6 +1,6 @@
 """The language that drawings and notes are in: English, or a translation of it.
 
-A text stands in the program in English, ``tr("Position {label}", label="7")``. Files ``uk.toml`` beside what says it
+A text stands in the program in English, ``tr("in position {label}", label="7")``. Files ``uk.toml`` beside what says it
 hold its translation, "English" = "Ukrainian", in which the same values stand; ``[units]`` in one of them the units,
 ``[counts]`` words that follow a number, in the forms for 1, for 2 to 4 and for 5. ``with speaking("uk"):`` holds for
 all that is drawn within. A text without a translation stays English; `tests/report/test_language.py` finds it.
@@ -56,11 +56,11 @@ def spoken() -> str:
 def tr(text: str, **values: Any) -> str:
     """A text in the language in force; ``{name}`` is replaced by the value of this name, other braces stay.
 
-    >>> tr("Position {label}, $R_{21}$", label=7)
-    'Position 7, $R_{21}$'
+    >>> tr("{count} of $R_{21}$", count=7)
+    '7 of $R_{21}$'
     >>> with speaking("uk"):
-    ...     tr("Position {label}", label=7)
-    'Положення 7'
+    ...     tr("in position {label}", label=7)
+    'у положенні 7'
     """
     language = _spoken.get()
     found = text if language == "en" else catalogue(language).texts.get(text, text)

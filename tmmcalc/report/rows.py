@@ -1,4 +1,4 @@
-"""The positions that a flag names: by label, and ranges of labels."""
+"""What a flag names of several: positions by label and ranges of labels, a row, solution or pair by its number."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from tmmcalc.core.errors import UsageError
 
+CHOOSE = "--choose"
 LISTED = 2000  # positions of a table for people, as in a CSV that nobody asked for
 
 
@@ -23,6 +24,13 @@ def rows_of(positions: str | None, labels: Sequence[str], flag: str = "--positio
     for part in (p.strip() for p in positions.split(",")):
         rows += _range(part, labels, flag) if ":" in part else [_row(part, part, labels, flag)]
     return rows
+
+
+def check_choice(number: int, count: int, what: str, where: str = CHOOSE) -> None:
+    """Raise UsageError unless there are so many rows, solutions, pairs, counted from 1."""
+    if not 1 <= number <= count:
+        some = f"write 1 to {count}" if count > 1 else f"there is {'one' if count else 'none'}"
+        raise UsageError(f"there is no {what} {number}", where=where, value=number, limit=count, remedy=some)
 
 
 def listed(count: int, everything: bool) -> range:

@@ -461,7 +461,7 @@ class TestFigure:
 
     @pytest.mark.parametrize("choose", [0, 2])
     def test_a_pair_that_there_is_not(self, choose: int) -> None:
-        with pytest.raises(UsageError, match=f"no contour {choose}"):
+        with pytest.raises(UsageError, match=f"no pair {choose}"):
             blocking_drawing(Blocking((pair_of("empty"),), ()), choose=choose)
 
     def test_no_pair_at_all(self) -> None:

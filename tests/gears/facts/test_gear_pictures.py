@@ -326,7 +326,7 @@ class TestTrain:
             teeth = result.variants[at].sets.teeth[rows[at]]
             assert teeth.tolist() == selection.variants[at].sets.teeth[pool.row[place]].tolist()
         assert rows != chosen_rows(result, selection)
-        with pytest.raises(UsageError, match=r"no row 0 of criteria\.csv"):
+        with pytest.raises(UsageError, match="no row 0"):
             chosen_rows(result, selection, 0)
 
 

@@ -148,7 +148,7 @@ def test_power_that_is_rounding_alone_is_nothing() -> None:
 
 def test_choice_beyond_the_sets() -> None:
     trains = run(tmmcalc.parse_spec(TRAIN), target="train").results["train"]
-    with pytest.raises(UsageError, match="tooth set 1000 is asked for"):
+    with pytest.raises(UsageError, match="there is no tooth set 1000"):
         planetary_document(trains, "title", choose=1000)
 
 

@@ -21,6 +21,8 @@ from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.numerics.extended import WIDER
 from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.placing import placed
+from tmmcalc.linkage.structure import solve_structure
 
 pytestmark = pytest.mark.skipif(not WIDER, reason="no wider float here: the estimate has no reference")
 
@@ -121,12 +123,12 @@ def truth(mechanism: Mechanism, chain: Chain, x: Array) -> tuple[Array, Array, A
 def near_limit(seed: int) -> Mechanism:
     """The same, up to the limit position of its branch but for 1e-2 to 1e-11 rad."""
     mechanism = with_grid(drawn(seed), positions=12)
-    result = solve_kinematics(mechanism)
-    branch = next(iter(result.branches.values()))
+    found = placed(mechanism, solve_structure(mechanism))
+    branch = next(iter(found.chain.branches.values()))
     left = 10 ** np.random.default_rng(seed).uniform(-11, -2)
     if branch.high not in (limit.x for limit in branch.limits):
         raise NoSolutionError("the branch has no limit ahead")
-    return with_grid(mechanism, span=branch.high - float(result.x[0]) - left)
+    return with_grid(mechanism, span=branch.high - found.start - left)
 
 
 def check(seeds: range, scenes: int, make: Callable[[int], Mechanism] = drawn, every: int = 4) -> None:

@@ -96,7 +96,8 @@ class TestFlywheel:
     def test_a_sine_of_load(self) -> None:
         """A = 100 (1 - cos phi), no inertia of the links: G = 200 J, H = 0."""
         field = self.curve(swinging())
-        assert {"$G$: 200", "$GH$ = 100 mm"} <= set(texts(field))
+        assert {"$G$", "$H$", "$GH$ = 100 mm"} <= set(texts(field))
+        assert any("$G$: 200 J, $H$: 0 J" in text for text in around(field))
         assert "$μ_{A}$ = 2 J/mm" in field.y.name
         assert any(f"$J$ = {MINUS}25 kg·m²" in text for text in around(field))
 

@@ -53,7 +53,7 @@ def test_a_sum_over_an_index_is_the_sum_of_its_terms() -> None:
     assert value(node, values) == pytest.approx(0.5 + 2.0 + 6.0)
     tree = written_out(node, values)
     assert isinstance(tree, Sum)
-    assert names(tree) == [f"{name}_i[{k}]" for k in range(3) for name in ("P", "v", "alpha")]
+    assert names(tree) == [f"{name}_i#{k}" for k in range(3) for name in ("P", "v", "alpha")]
     with pytest.raises(KeyError, match="different lengths"):
         value(node, {**values, "v_i": [1.0]})
 

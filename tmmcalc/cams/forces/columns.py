@@ -13,7 +13,10 @@ import numpy as np
 
 from tmmcalc.cams.follower import along
 from tmmcalc.cams.forces.results import CamForces
-from tmmcalc.core.quantity import headed, in_degrees
+from tmmcalc.core.quantity import headed, in_degrees, quantities
+
+# names of the technological force with the weight, which have no word of its form
+GIVEN = tuple(quantities(CamForces)["force"].of(**along(turns)) for turns in (False, True))
 
 
 def force_columns(result: CamForces) -> dict[str, np.ndarray]:

@@ -19,8 +19,8 @@ Row = Annotated[
         "--choose",
         metavar="N",
         min=1,
-        help="Of a [train]: row N of gears compare in place of the train that is chosen; without [strength] set N of "
-        "gears synth.",
+        help="Of a [train]: row N, from 1, of gears compare in place of the train that is chosen; without [strength] "
+        "tooth set N of gears synth.",
         show_default=False,
     ),
 ]

@@ -8,12 +8,12 @@ from math import gcd
 
 import numpy as np
 
-from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
 from tmmcalc.gears.gearingtask import GearingTask
 from tmmcalc.gears.model import Interval, ToothSets, TrainTask
 from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.trains import Request, Trains, Variant
+from tmmcalc.report.rows import check_choice
 
 
 @record
@@ -47,9 +47,7 @@ def chosen_sets(trains: Trains, selection: Selection | None = None, number: int 
     found = tuple(numbered_set(variant, number) for variant in trains.variants if 1 <= number <= len(variant.sets))
     if not found:
         most = max(len(variant.sets) for variant in trains.variants)
-        raise UsageError(
-            f"tooth set {number} is asked for", where="--choose", value=number, limit=most, remedy=f"there are {most}"
-        )
+        check_choice(number, most, "tooth set")
     return found
 
 

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.bounds import single_planet_limits
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency
 from tmmcalc.gears.facts.gearing import document as gearing_document
@@ -20,6 +19,7 @@ from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.trains import Request, Trains, Variant
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
+from tmmcalc.report.rows import check_choice
 
 PLANETS = range(2, 9)  # of the textbook's table 4.7
 
@@ -52,10 +52,8 @@ def planetary_document(
     ``everything`` all numbers keep all digits. Raises `UsageError` if no variant has such a set.
     """
     most = max(len(variant.sets) for variant in result.variants)
-    if chosen is None and choose > most:
-        raise UsageError(
-            f"tooth set {choose} is asked for", where="--choose", value=choose, limit=most, remedy=f"there are {most}"
-        )
+    if chosen is None:
+        check_choice(choose, most, "tooth set")
     requests = [variant.request for variant in result.variants if variant.request.scheme.planetary]
     parts = [*_type_parts(requests, power, internal, everything), *_limit_parts(requests)]
     parts += [radial_document(request, everything) for request in requests if request.scheme.paired]

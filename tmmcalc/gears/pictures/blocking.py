@@ -19,6 +19,7 @@ from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
+from tmmcalc.report.rows import check_choice
 
 LEAST = "\N{GREATER-THAN OR EQUAL TO}"
 HEADING, TITLE = 14.0, 3.0  # room of the heading and the height of its letters [mm]
@@ -38,10 +39,8 @@ def blocking_drawing(result: Blocking, *, choose: int | None = None) -> Drawing:
     count = len(result.pairs)
     if not count:
         raise UsageError("no pair has a blocking contour", where="plot", remedy="; ".join(result.remarks))
-    if choose is not None and not 1 <= choose <= count:
-        raise UsageError(
-            f"there is no contour {choose}", where="plot", value=choose, limit=count, remedy=f"1 to {count}"
-        )
+    if choose is not None:
+        check_choice(choose, count, "pair")
     shown = result.pairs if choose is None else result.pairs[choose - 1 : choose]
     drawing, boxes = sheets(len(shown), tr("Blocking contours"))
     for box, pair in zip(boxes, shown, strict=True):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.pictures.front import pairs_of, pairs_sheet, pareto_sheet
 from tmmcalc.gears.pictures.placed import placed
 from tmmcalc.gears.pictures.scheme import scheme_sheet
@@ -19,6 +18,7 @@ from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
+from tmmcalc.report.rows import check_choice
 
 USUAL = 3  # objectives that the first diagram shows together: mass, inertia, size
 
@@ -34,7 +34,7 @@ def criteria_drawing(result: Selection, trains: Trains, choose: int | None = Non
     Raises `UsageError` for a row that there is not.
     """
     place = result.winner.place if choose is None else choose - 1
-    check_row(place, len(result.pool))
+    check_choice(place + 1, len(result.pool), "row")
     more = len(result.objectives) > USUAL or bool(set(result.objectives) - {"mass", "inertia", "size"})
     pairs = pairs_of(result) if more and len(result.objectives) > 1 else []
     drawing, (first, *others, last) = sheets(2 + len(pairs), tr("Choice of the gear train"))
@@ -43,18 +43,6 @@ def criteria_drawing(result: Selection, trains: Trains, choose: int | None = Non
         pairs_sheet(drawing, box, result, part, place)
     _scheme(drawing, last, result, trains, place)
     return drawing
-
-
-def check_row(place: int, count: int) -> None:
-    """Raise `UsageError` for a row, from 0, that the ``count`` trains have not."""
-    if not 0 <= place < count:
-        raise UsageError(
-            f"there is no row {place + 1} of criteria.csv",
-            where="plot",
-            value=place + 1,
-            limit=count,
-            remedy=f"1 to {count}",
-        )
 
 
 def _heading(result: Selection, place: int) -> str:

@@ -45,7 +45,7 @@ class SchemeView(NamedTuple):
     """What is drawn, as data: s along the axes + i height [m]."""
 
     content: Plane
-    draw: Callable[[Board], None]
+    draw: Callable[[Board, float], None]  # to what part of their usual height letters are written
 
 
 def view_of(found: Moving) -> SchemeView:
@@ -56,19 +56,19 @@ def view_of(found: Moving) -> SchemeView:
         module = np.array(modules_of(chosen))
         train = placed(chosen.sets, 0, module, rack=chosen.task.pressure_angle, driver=driver)
 
-        def drawn(board: Board) -> None:
+        def drawn(board: Board, part: float) -> None:
             sideview.draw_side_view(board, train, complex)
             axis = 0.0 if train.scheme.branched else train.wheels[0].axes[0].real
             extent = lengthwise.extent(train)
             board.line((complex(extent.real.min(), axis), complex(extent.real.max(), axis)), CENTRES, weight=0.2)
-            sideview.label_side_view(board, train, complex)
+            sideview.label_side_view(board, train, complex, part)
 
         return SchemeView(lengthwise.extent(train), drawn)
     network = found.task.network
     at = places(network, None, found.task.locked, MODULE)
     held = tuple(name for name, speed in found.task.speeds.items() if not speed)
     scheme = _arranged(network, at, held)
-    return SchemeView(scheme.content, lambda board: _draw(board, scheme))
+    return SchemeView(scheme.content, lambda board, part: _draw(board, scheme, part))
 
 
 @record
@@ -296,20 +296,20 @@ def _layers(scheme: Scheme) -> dict[str, int]:
     return {name: inside(name) for name in upright}
 
 
-def _draw(board: Board, scheme: Scheme) -> None:
+def _draw(board: Board, scheme: Scheme, part: float) -> None:
     """Axes, shafts, wheels, carriers, then their names."""
     layers = _layers(scheme)
     wide = scheme.content.real.min(), scheme.content.real.max()
     for height in sorted({scheme.height(name) for name in layers}):
         board.line([complex(s, height) for s in wide], CENTRES, weight=0.2, level=2)
     for name, layer in layers.items():
-        _shaft(board, scheme, name, layer)
+        _shaft(board, scheme, name, layer, part)
     for carrier in scheme.arms:
         _carrier(board, scheme, carrier)
     # planets beside the line of centres stand behind those on it
     for wheel in sorted(scheme.wheels, key=lambda each: -abs(scheme.at.axes.get(each.member, 0j).imag)):
         _wheel(board, scheme, wheel)
-    _label(board, scheme)
+    _label(board, scheme, part)
 
 
 def _wheel(board: Board, scheme: Scheme, wheel: Wheel) -> None:
@@ -367,7 +367,7 @@ def _mate(network: Network, k: int, member: str) -> str:
     return mesh.second if mesh.first == member else mesh.first
 
 
-def _shaft(board: Board, scheme: Scheme, name: str, layer: int) -> None:
+def _shaft(board: Board, scheme: Scheme, name: str, layer: int, part: float) -> None:
     """The shaft of a member over all that it has, as a sleeve around those inside."""
     stands, axis = scheme.stands(name), scheme.height(name)
     rings = [_web(scheme, wheel) for wheel in scheme.wheels if wheel.member == name and wheel.ring]
@@ -407,7 +407,7 @@ def _shaft(board: Board, scheme: Scheme, name: str, layer: int) -> None:
     board.labels.put(
         name,
         board.paper([complex(high if free >= 0 else low, axis + radius)]),
-        height=2.4,
+        height=part * 2.4,
         gaps=(1.2, 2.2, 3.6),
         prefer=complex(free or 1, 1),
     )
@@ -454,7 +454,7 @@ def _carrier(board: Board, scheme: Scheme, name: str) -> None:
         board.line(bent, CARRIER, level=ON_CARRIER)
 
 
-def _label(board: Board, scheme: Scheme) -> None:
+def _label(board: Board, scheme: Scheme, part: float) -> None:
     """Numbers of teeth at the wheels."""
     for wheel in scheme.wheels:
         start, end = scheme.along(wheel)
@@ -462,9 +462,9 @@ def _label(board: Board, scheme: Scheme) -> None:
         if wheel.ring:
             size += RIM * scheme.unit / 2
         parts = (1.0, -1.0) if wheel.ring else (0.6, -0.6, 0.9, -0.9, 0.3, -0.3)
-        anchors = [complex(s, axis + part * size) for part in parts for s in (end, start)]
+        anchors = [complex(s, axis + share * size) for share in parts for s in (end, start)]
         if wheel.tilt and scheme.network.tilted(wheel.member):
             anchors = [complex(s, axis) for s in (end, start)]
         text = f"$z_{{{wheel.member}}}$ = {wheel.teeth}"
         colour = COLOURS[scheme.span(wheel)[0] % len(COLOURS)]
-        board.labels.put(text, board.paper(anchors), height=2.3, gaps=(1.0, 1.8, 3.0, 4.6), colour=colour)
+        board.labels.put(text, board.paper(anchors), height=part * 2.3, gaps=(1.0, 1.8, 3.0, 4.6), colour=colour)

@@ -37,7 +37,8 @@ HEAD = 7.0  # room of the headings of the plans [mm]
 POLES = (50.0, 40.0, 30.0, 25.0, 20.0, 15.0, 12.0, 10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0)  # h [mm], as there is room
 OVER = 8.0  # of the upright lines beyond what lies on them [mm]
 STILL = 1e-9  # of the largest: what is at rest
-NAME, NOTE, LETTERS = 2.6, 2.5, 2.6  # heights of names, of what is told, of the table [mm]
+TITLE, NAME, NOTE, RING = 3.0, 2.6, 2.5, 2.3  # heights of headings, names, of what is told, of members [mm]
+USUAL, LARGEST = 300.0, 2.0  # width from which letters grow with the rectangle [mm], and how far
 GUIDE = Pen("PLACES", 0.18, (1.6, 1.2), "#8a8a8a")
 MEMBERS = tuple(Pen(f"MEMBERS_{k}", 0.55, pen.dashes, pen.colour) for k, pen in enumerate(CURVES, 1))
 
@@ -54,24 +55,25 @@ class Drawn(NamedTuple):
 def draw_motion(drawing: Drawing, box: Box, found: Moving) -> Drawn:
     """Scheme, plan of velocities, plan of speeds with the table of members, side by side."""
     told, view = plans_of(found), view_of(found)
-    room = box.inset(0, FOOT, 0, HEAD)
+    part = min(LARGEST, max(1.0, box.width / USUAL))  # of letters
+    room = box.inset(0, part * FOOT, 0, part * HEAD)
     size = complex(float(np.ptp(view.content.real)), float(np.ptp(view.content.imag)))
     reach = _heights(told)
     high = max(size.imag, float(np.ptp([*reach, *view.content.imag])))
     mu = length_scale(max(high / (room.height - 2 * MARGIN), size.real / (SCHEME * box.width - 2 * MARGIN)))
     wide = size.real / mu + 2 * MARGIN
     board = Board(drawing, Box(box.left, room.bottom, box.left + wide, room.top), view.content, MARGIN, mu)
-    view.draw(board)
+    view.draw(board, part)
     second, third = Box(board.box.right, room.bottom, box.right, room.top).split(1.0, 1.0, gap=GAP, across=True)
-    velocities = _Velocities(drawing, second, board, told, found.task.network)
+    velocities = _Velocities(drawing, second, board, told, found.task.network, part)
     velocities.draw(float(view.content.real.max()))
-    speeds, pole = _draw_speeds(drawing, third, told, mu, velocities.mu_v, found)
+    speeds, pole = _draw_speeds(drawing, third, told, mu, velocities.mu_v, found, part)
     for text, place in (
         (tr("Kinematic scheme"), board.box),
         (tr("Plan of velocities"), second),
         (tr("Plan of speeds"), third),
     ):
-        drawing.add(Words(complex(place.left, box.top), text, 3.0, -1 + 1j))
+        drawing.add(Words(complex(place.left, box.top), text, part * TITLE, -1 + 1j))
     said = f"{scale_text(mu)}, {factor_text('μ_v', velocities.mu_v, '(m/s)/mm')}"
     if told.assumed is not None:
         unknown = tr("no module is known: $m_1$ is {module} mm", module=number(1e3 * told.assumed))
@@ -80,8 +82,7 @@ def draw_motion(drawing: Drawing, box: Box, found: Moving) -> Drawn:
     if found.remarks and driver is not None:
         speed = tr("no speed is given: {member} turns at 1 rad/s", member=plain(driver))
         said = f"{said}; {speed}"
-    size_ = NOTE * min(1.0, (second.right - box.left) / width(said, NOTE))
-    drawing.add(Words(complex(box.left, box.bottom), said, size_, -1 - 1j))
+    _tell(drawing, complex(box.left, box.bottom), said, part * NOTE, second.right - box.left, -1j)
     return Drawn(board, velocities, speeds, pole)
 
 
@@ -120,11 +121,11 @@ def member_pens(told: Plans) -> dict[str, Pen]:
 class _Velocities(Field):
     """The plan of velocities, at the heights of the scheme."""
 
-    def __init__(self, drawing: Drawing, box: Box, scheme: Board, told: Plans, network: Network) -> None:
-        self.told, self.network = told, network
+    def __init__(self, drawing: Drawing, box: Box, scheme: Board, told: Plans, network: Network, part: float) -> None:
+        self.told, self.network, self.part = told, network, part
         found = [point.velocity for point in told.points]
         low, high = min(0.0, *found), max(0.0, *found)
-        self.mu_v = scale_factor((high - low) / (box.width - 2 * ASIDE))
+        self.mu_v = scale_factor((high - low) / (box.width - 2 * part * ASIDE))
         floor = scheme.data(complex(scheme.box.left, scheme.box.bottom)).imag
         left = (low + high) / 2 - self.mu_v * box.width / 2
         super().__init__(drawing, box, complex(left, floor), (1 / self.mu_v, 1 / scheme.mu))
@@ -162,7 +163,7 @@ class _Velocities(Field):
             merged.setdefault(round(self.place(complex(0, point.x)).imag, 1), []).append(point)
         for points in merged.values():
             text = ", ".join(dict.fromkeys(point_text(point) for point in points))
-            self.name(text, [complex(0, points[0].x)], height=NAME, prefer=-1 + 0.4j)
+            self.name(text, [complex(0, points[0].x)], height=self.part * NAME, prefer=-1 + 0.4j)
         for member, pen in member_pens(self.told).items():
             line = _ends(member_points(self.network, self.told, member))
             along = [line[0] + part * (line[-1] - line[0]) for part in (0.5, 0.35, 0.65, 0.2, 0.8, 0.95)]
@@ -171,7 +172,7 @@ class _Velocities(Field):
             self.labels.put(
                 plain(member),
                 anchors,
-                height=2.3,
+                height=self.part * RING,
                 gaps=(1.0, 1.8, 3.0, 5.0, 8.0),
                 ring=len(member) < 3,
                 colour=pen.colour,
@@ -186,7 +187,7 @@ def _ends(points: Plane) -> Plane:
 
 
 def _draw_speeds(
-    drawing: Drawing, box: Box, told: Plans, mu_l: float, mu_v: float, found: Moving
+    drawing: Drawing, box: Box, told: Plans, mu_l: float, mu_v: float, found: Moving, part: float
 ) -> tuple[Field, float]:
     """The plan of speeds with its scale, under it the table of members and the ratio that the plan gives."""
     omegas = [line.speed for line in told.lines]
@@ -209,12 +210,12 @@ def _draw_speeds(
         field.curve(np.array([0j, end]), pens[line.member], weight=1.0, level=5)
         field.drawing.add(Arc(field.place(end), 0.6, THIN, fill=INK), level=8)
     field.drawing.add(Arc(field.place(0j), 0.7, THIN, fill="#ffffff"), level=8)
-    field.labels.put("$p$", [field.place(0j)], height=NAME, prefer=-1j)
+    field.labels.put("$p$", [field.place(0j)], height=part * NAME, prefer=-1j)
     for text, at in _merged(told, mu):
-        field.name(text, [complex(at, pole)], height=2.3, prefer=0.2 + 1j)
+        field.name(text, [complex(at, pole)], height=part * RING, prefer=0.2 + 1j)
     said = f"{factor_text('μ_ω', mu, '(rad/s)/mm')}, $h$ = {number(pole)} {tr_unit('mm')}"
-    drawing.add(Words(complex(box.left, frame.bottom), said, NOTE * min(1.0, box.width / width(said, NOTE)), -1 + 1j))
-    _tabulate(drawing, Box(box.left, box.bottom, box.right, frame.bottom - 6.0), told, mu, found)
+    _tell(drawing, complex(box.left, frame.bottom), said, part * NOTE, box.width, 1j)
+    _tabulate(drawing, Box(box.left, box.bottom, box.right, frame.bottom - part * 6.0), told, mu, found, part)
     return field, pole
 
 
@@ -230,13 +231,13 @@ def _merged(told: Plans, mu: float) -> Iterator[tuple[str, float]]:
         yield ", ".join(names), speed
 
 
-def _tabulate(drawing: Drawing, box: Box, told: Plans, mu: float, found: Moving) -> None:
+def _tabulate(drawing: Drawing, box: Box, told: Plans, mu: float, found: Moving, part: float) -> None:
     """Speeds of the members with the segments that stand for them, and the ratio of two segments."""
     head = (tr("member"), f"$ω$, {tr_unit('rad/s')}", f"$n$, {tr_unit('rpm')}", tr("segment, mm"))
     rows = [
         (plain(line.member), _told(line.speed), _told(line.turns), _told(line.speed / mu, 4)) for line in told.lines
     ]
-    below = box.top - draw_table(drawing, box.inset(0, 6.0, 0, 0), head, rows, LETTERS)
+    below = box.top - draw_table(drawing, box.inset(0, part * 6.0, 0, 0), head, rows, part * NAME)
     driver, outputs = ends(found.task)
     segments = {line.member: line.speed / mu for line in told.lines}
     shown = [name for name in outputs if segments.get(name)]
@@ -250,7 +251,12 @@ def _tabulate(drawing: Drawing, box: Box, told: Plans, mu: float, found: Moving)
         last=_told(last, 4),
         value=_told(first / last, 5),
     )
-    drawing.add(Words(complex(box.left, below - 2.0), said, NOTE * min(1.0, box.width / width(said, NOTE)), -1 + 1j))
+    _tell(drawing, complex(box.left, below - 2.0), said, part * NOTE, box.width, 1j)
+
+
+def _tell(drawing: Drawing, at: complex, text: str, height: float, wide: float, align: complex) -> None:
+    """A line of words, smaller where it is wider than its room."""
+    drawing.add(Words(at, text, height * min(1.0, wide / width(text, height)), -1 + align))
 
 
 def _told(value: float, digits: int = 6) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.gears.meshing.halftooth import fault_of
 from tmmcalc.gears.meshing.members import both
 from tmmcalc.gears.meshing.refusal import error_of_all
@@ -29,6 +29,7 @@ from tmmcalc.report.drawing.scales import fitting_scale, scale_text
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import number
+from tmmcalc.report.rows import check_choice
 
 HEAD = 9.0  # of the heading of a sheet [mm]
 TABLE = 74.0  # width of the tables
@@ -43,14 +44,7 @@ def chosen(found: Pairs, choose: int | None) -> tuple[MeshPair, ...]:
     """All pairs, or the one of this number, from 1; raises `UsageError` if there is none."""
     if choose is None:
         return found.pairs
-    if not 1 <= choose <= len(found.pairs):
-        raise UsageError(
-            f"there is no pair {choose}",
-            where="plot",
-            value=choose,
-            limit=len(found.pairs),
-            remedy=f"1 to {len(found.pairs)}",
-        )
+    check_choice(choose, len(found.pairs), "pair")
     return (found.pairs[choose - 1],)
 
 

@@ -141,7 +141,7 @@ def draw_parameters(drawing: Drawing, box: Box, found: MeshPair) -> None:
     below = box.top - draw_table(drawing, upper, (*head, tr("Value")), _told(common), LETTERS)
     lower = Box(box.left, box.bottom, box.right, below - APART)
     named = tuple(plain(sizes.name) for sizes in found.sizes)
-    draw_table(drawing, lower, (*head, *(f"$z_{{{name}}}$" for name in named)), _told(wheels), LETTERS)
+    draw_table(drawing, lower, (*head, *(tr("wheel {wheel}", wheel=name) for name in named)), _told(wheels), LETTERS)
 
 
 def _told(rows: Sequence[Parameter]) -> list[tuple[str, ...]]:

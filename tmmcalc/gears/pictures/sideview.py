@@ -20,6 +20,7 @@ from tmmcalc.report.language import tr
 # On paper [mm].
 SLEEVE = 1.3  # half height of a sleeve around a shaft
 BEARING = (4.6, 0.9)  # length, and distance from the shaft
+NAME = 2.5  # height of names
 FACE = ("#dbe9f4", "#f9e0d0", "#d3ece4")  # of wheels by plane
 
 WHEELS = tuple(Pen(f"WHEELS_{k}", 0.35, (), colour) for k, colour in enumerate(COLOURS, 1))
@@ -49,24 +50,25 @@ def draw_side_view(board: Board, train: PlacedTrain, to: To) -> None:
         view.output()
 
 
-def label_side_view(board: Board, train: PlacedTrain, to: To) -> None:
-    """Numbers of teeth at the wheels, names of the shafts."""
+def label_side_view(board: Board, train: PlacedTrain, to: To, part: float = 1.0) -> None:
+    """Numbers of teeth at the wheels, names of the shafts; ``part`` is that of their usual height."""
+    height = part * NAME
     frame = frame_of(train)
     ends = [to(frame.left, 0.0), to(frame.right, 0.0)]
     for wheel in train.wheels:
         text = f"$z_{{{wheel.name}}}$ = {wheel.teeth}"
         anchors = board.paper([to(s, r) for s, r in free_places(train, wheel)])
-        board.labels.put(text, anchors, gaps=(1.2, 2.0, 3.2, 4.6), colour=COLOURS[plane_of(wheel)])
+        board.labels.put(text, anchors, height=height, gaps=(1.2, 2.0, 3.2, 4.6), colour=COLOURS[plane_of(wheel)])
     if train.scheme.planetary:
         middle = abs(train.wheel("2").axes[0]) / 2
-        board.labels.put("H", board.paper([to(carrier_at(train), middle)]), gaps=(1.2, 2.0), ring=True)
+        board.labels.put("H", board.paper([to(carrier_at(train), middle)]), height=height, gaps=(1.2, 2.0), ring=True)
     if not train.scheme.branched:
         ends[1] = to(frame.right, train.wheels[-1].axes[0].real)
     elif train.output == "H" and train.scheme.carrier == "left":
         ends[1] = to(sleeve_end(train), SLEEVE * board.mu)
     names = (tr("input"), tr("output")) if train.driver == "1" else (tr("output"), tr("input"))
     for name, end, other in zip(names, ends, reversed(ends), strict=True):
-        board.labels.put(name, board.paper([end]), gaps=(1.5, 2.5, 4.0, 6.0), prefer=end - other)
+        board.labels.put(name, board.paper([end]), height=height, gaps=(1.5, 2.5, 4.0, 6.0), prefer=end - other)
 
 
 class _View(NamedTuple):

@@ -16,7 +16,6 @@ from tmmcalc.gears.columns import ratios
 from tmmcalc.gears.details import speed_of_driver
 from tmmcalc.gears.kinds import from_tooth_ratio
 from tmmcalc.gears.model import Values
-from tmmcalc.gears.pictures.criteria import check_row
 from tmmcalc.gears.pictures.graphs import graphs_of
 from tmmcalc.gears.pictures.motionplans import draw_motion
 from tmmcalc.gears.pictures.placed import PlacedTrain, placed
@@ -33,6 +32,7 @@ from tmmcalc.report.drawing.page import headed, sheets
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import number
+from tmmcalc.report.rows import check_choice
 
 ROWS = 2  # strips of diagrams that share a sheet
 COLUMNS = 3  # diagrams that stand side by side at most
@@ -45,7 +45,7 @@ def figure(order: Order) -> Drawing:
     speed = speed_of_driver(order.spec, order.results)
     if selection is not None:
         place = selection.winner.place if order.choice is None else order.choice - 1
-        check_row(place, len(selection.pool))
+        check_choice(place + 1, len(selection.pool), "row")
         told = tr("row {row} of {count} trains compared, ", row=place + 1, count=len(selection.pool))
         at, row = int(selection.pool.variant[place]), int(selection.pool.row[place])
         modules = tuple(selection.variants[at].module[row].tolist())
@@ -69,7 +69,7 @@ def chosen_rows(result: Trains, selection: Selection, choose: int | None = None)
     Raises `UsageError` for a row that there is not.
     """
     place, pool = selection.winner.place if choose is None else choose - 1, selection.pool
-    check_row(place, len(pool))
+    check_choice(place + 1, len(pool), "row")
     at, row = int(pool.variant[place]), int(pool.row[place])
     own, sets = selection.variants[at].sets, result.variants[at].sets
     same = (sets.teeth == own.teeth[row]).all(axis=1) & (sets.modules == own.modules[row]).all(axis=1)

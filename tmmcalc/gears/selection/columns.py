@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.core.quantity import components, headed
+from tmmcalc.core.quantity import Quantity, components, headed
 from tmmcalc.gears.columns import stacked_tables
 from tmmcalc.gears.selection.results import Selection, SeriesChoice, Weighed
+from tmmcalc.gears.strength.columns import BRANCHES
 
 NO, YES = "no", "yes"
+FRONT = Quantity("front", "whether the train is on the Pareto front")
+RANK = Quantity("rank", "place of the train by the weights, 1 the best")
 BOTH = ("I", "II")  # trains in series
 
 
@@ -20,7 +23,7 @@ def chosen_columns(result: Selection) -> dict[str, np.ndarray]:
     rank[result.ranking.order] = np.arange(1, count + 1)
     on_front = np.full(count, NO, dtype="<U3")
     on_front[result.front] = YES
-    return {"i": np.arange(1, count + 1), **columns, "front": on_front, "rank": rank}
+    return {"i": np.arange(1, count + 1), **columns, FRONT.key: on_front, RANK.key: rank}
 
 
 def columns_of(each: Weighed) -> dict[str, np.ndarray]:
@@ -29,7 +32,7 @@ def columns_of(each: Weighed) -> dict[str, np.ndarray]:
     stages = range(1, sets.scheme.stages + 1)
     return {
         "layout": np.full(len(sets), sets.layout),
-        "K": np.full(len(sets), sets.planets),
+        BRANCHES.key: np.full(len(sets), sets.planets),
         **components(sets, "teeth", wheel=sets.scheme.wheels),
         **components(each, "module", stage=stages),
         **components(each, "width", stage=stages),

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmmcalc.core.quantity import components
+from tmmcalc.core.quantity import Quantity, components
 from tmmcalc.gears.columns import stacked_tables
 from tmmcalc.gears.sizing import Sized, Sizing
 from tmmcalc.gears.strength.series import Outcome
 
+BRANCHES = Quantity("K", "number of planets or layshafts, which share the power")
+NUMBER = Quantity("i", "number of the train, from 1")
 STAGE = (  # of every stage, in the order of its columns
     *("contact_module", "bending_module", "contact_governs", "module", "psi", "width"),
     *("contact_stress", "permissible_contact", "contact_margin"),
@@ -28,7 +30,7 @@ def sized_columns(sized: Sized) -> dict[str, np.ndarray]:
     sets, found = sized.sets, sized.strength
     columns = {
         "layout": np.full(len(sets), sets.layout),
-        "K": np.full(len(sets), sets.planets),
+        BRANCHES.key: np.full(len(sets), sets.planets),
         **components(sets, "teeth", wheel=sets.scheme.wheels),
     }
     stages = range(1, sets.scheme.stages + 1)
@@ -46,4 +48,4 @@ def _in_words(column: np.ndarray) -> np.ndarray:
 def stacked(sizing: Sizing) -> dict[str, np.ndarray]:
     """The columns of all variants, one after the other, rows numbered from 1."""
     columns = stacked_tables([sized_columns(sized) for sized in sizing.variants if len(sized.sets)])
-    return {"i": np.arange(1, len(columns["layout"]) + 1), **columns}
+    return {NUMBER.key: np.arange(1, len(columns["layout"]) + 1), **columns}

@@ -6,6 +6,7 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.report.rows import check_choice
 from tmmcalc.spec.rewrite import Change, Found
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ def of_train(spec: GearTables, result: Trains, choose: int | None = None) -> Fou
             remedy="add --choose N, the row i of the table; gears compare chooses by mass, inertia or size",
         )
     number = choose or 1
-    _check_row(number - 1, count)
+    check_choice(number, count, "row")
     rows = ((variant.sets, row) for variant in result.variants for row in range(len(variant.sets)))
     sets, row = next(islice(rows, number - 1, None))
     return _found(spec, sets, row, f"tooth set {number} of {count}")
@@ -38,17 +39,10 @@ def of_criteria(spec: GearTables, result: Selection, choose: int | None = None) 
     """The best train, or row ``choose``, from 1, of all trains; raises `UsageError` if there is no such row."""
     pool = result.pool
     place = result.winner.place if choose is None else choose - 1
-    _check_row(place, len(pool))
+    check_choice(place + 1, len(pool), "row")
     sets = result.variants[int(pool.variant[place])].sets
     which = f"by {result.choose}" if choose is None else "by --choose"
     return _found(spec, sets, int(pool.row[place]), f"train {place + 1} of {len(pool)}, {which}")
-
-
-def _check_row(row: int, count: int) -> None:
-    if row >= count:
-        raise UsageError(
-            f"there is no row {row + 1}", where="--choose", value=row + 1, limit=count, remedy=f"write 1 to {count}"
-        )
 
 
 def _found(spec: GearTables, sets: ToothSets, row: int, which: str) -> Found:

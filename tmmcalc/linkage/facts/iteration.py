@@ -62,7 +62,9 @@ def _off(found: Iteration) -> Real:
 def _view(found: Iteration) -> View:
     unknowns = [UNKNOWN.of(name=name, unit="m" if name.endswith(ARM) else "N").key for name in found.names]
     told = {each.unit: each for each in (FRICTION, FRICTION_MOMENT)}
-    friction = [told[unit].of(joint=joint).key for joint, unit in zip(found.joints, found.units, strict=True)]
+    friction = [
+        told[unit].of(pin=joint, slide=joint).key for joint, unit in zip(found.joints, found.units, strict=True)
+    ]
     label = [str(k + 1) for k in range(found.passes)]
     rows = np.hstack((found.unknowns, found.friction[1:]))
     change: list[float | str] = ["", *(100 * found.change[1:]).tolist()]

@@ -27,7 +27,7 @@ def structure_blocks(mechanism: Mechanism, result: Structure) -> Iterator[Block]
     yield Table(tr("Links"), (tr("Number"), tr("Link"), tr("Pairs")), tuple(_links(mechanism, result)), key="links")
     yield Table(
         tr("Kinematic pairs"),
-        (tr("Pair"), tr("Links"), tr("Kind"), tr("Class")),
+        (tr("Kinematic pair"), tr("Links"), tr("Kind"), tr("Class")),
         tuple((joint.name, _pair(joint.links), _kind(joint.kind), "5") for joint in mechanism.joints),
         key="pairs",
     )

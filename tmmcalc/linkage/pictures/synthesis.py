@@ -10,7 +10,6 @@ import math
 
 import numpy as np
 
-from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Mechanism
@@ -24,12 +23,13 @@ from tmmcalc.report.drawing.diagram import Axis, Diagram, room
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.key import Part, write_key
 from tmmcalc.report.drawing.lettering import minus
-from tmmcalc.report.drawing.order import CHOOSE, Order
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import CURVES, MARK, Pen
 from tmmcalc.report.drawing.shapes import Dimension, Drawing, Words
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
+from tmmcalc.report.rows import check_choice
 
 # Links that are dimensioned, by kind: symbol and the two points.
 LENGTHS = {
@@ -58,8 +58,7 @@ def figure(order: Order) -> Drawing:
 
     result: Synthesis = order.results["synthesis"]
     choose = order.choice or (order.solved("feasibility").chosen if order.spec.constraints else 1)
-    if choose > len(result.designs):
-        raise UsageError(f"there is no solution {choose}", where=CHOOSE, remedy=f"write 1 to {len(result.designs)}")
+    check_choice(choose, len(result.designs), "solution")
     design = result.designs[choose - 1]
     mechanism = to_linkage(order.read(design.spec).linkage)
     if design.dwell is not None:

@@ -110,7 +110,7 @@ def _designate(board: Board, vector: Vector, letter: str, own: Sequence[complex]
         height=DESIGNATION,
         colour=VECTORS[vector.kind].colour,
         prefer=1j * across,
-        gaps=(0.5, 0.8, 1.4, 2.2),
+        gaps=(0.7, 1.1, 1.7, 2.5),
         own=own,
         others=others,
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from tmmcalc.core.errors import UsageError
+from tmmcalc.report.rows import CHOOSE, check_choice
 from tmmcalc.spec.rewrite import Change, Found
 
 if TYPE_CHECKING:
@@ -13,7 +13,6 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.synthesis.results import Synthesis
     from tmmcalc.linkage.tables.mechanism import MechanismTable
 
-CHOOSE = "--choose"  # the flag that names a linkage
 _FIRST, _LOADS = "[mechanism", "[[loads]]"  # how the mechanism begins in a ready spec, and its loads after it
 
 
@@ -24,7 +23,7 @@ def of_synthesis(spec: LinkageTables, result: Synthesis, choose: int | None = No
     """
     assert spec.synthesis is not None
     number, count = choose or spec.synthesis.choose or 1, len(result.designs)
-    check_choice(number, count, "synthesis.choose" if choose is None else CHOOSE)
+    check_choice(number, count, "solution", "synthesis.choose" if choose is None else CHOOSE)
     design = result.designs[number - 1]
     head, _, mechanism = design.spec.partition(_FIRST)
     mechanism, _, loads = mechanism.partition(_LOADS)
@@ -49,15 +48,3 @@ def outlook() -> dict[str, MechanismTable]:
         "joints": [{"name": "O", "kind": "revolute", "links": [0, 1]}],
     }
     return {"mechanism": MechanismTable.model_validate(crank)}
-
-
-def check_choice(number: int, count: int, where: str = CHOOSE) -> None:
-    """Raise `UsageError` unless there are so many linkages."""
-    if number > count:
-        raise UsageError(
-            f"there is no solution {number}",
-            where=where,
-            value=number,
-            limit=count,
-            remedy=f"write 1 to {count}",
-        )

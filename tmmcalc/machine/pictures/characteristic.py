@@ -15,12 +15,12 @@ from tmmcalc.machine.pictures.words import form_name
 from tmmcalc.machine.power import MotorDuty
 from tmmcalc.machine.regime import Regime
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.curves import BELOW, SIDES, scale_factor, suited, to_scale
+from tmmcalc.report.drawing.curves import BELOW, scale_factor, sides, suited, to_scale
 from tmmcalc.report.drawing.diagram import ROW, Axis, Diagram, key_rows
 from tmmcalc.report.drawing.lettering import minus, width
 from tmmcalc.report.drawing.pens import AXIS, CURVES, INK, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 FORMS: tuple[CharacteristicKind, ...] = ("parabolic", "linear", "kloss", "shunt", "series", "table", "constant")
@@ -94,9 +94,11 @@ def _diagram(drawing: Drawing, frame: Box, ends: tuple[Axis, Axis], unit: str, s
     if not scaled:
         return Diagram(drawing, frame, *ends)
     axes = []
-    for axis, size, letter, of in zip(ends, (frame.width, frame.height), "ωM", ("rad/s", unit), strict=True):
+    names = f"$ω$, {tr_unit('rad/s')}", ends[1].name
+    of_both = zip(ends, (frame.width, frame.height), "ωM", ("rad/s", unit), names, strict=True)
+    for axis, size, letter, of, name in of_both:
         longer, mu = to_scale(axis, size)
-        axes.append(longer._replace(name=f"{axis.name}; {scale_factor(letter, mu, of)}"))
+        axes.append(longer._replace(name=f"{name}; {scale_factor(letter, mu, of)}"))
     return Diagram(drawing, frame, *axes)
 
 
@@ -109,12 +111,14 @@ def _draw_near(drawing: Drawing, box: Box, motor: MotorCurves, scaled: bool) -> 
     peak = max(float(np.max(np.abs(moment))) for moment in [*moments, regime.driving])
     factor, unit = suited(peak, "N*m")
     names = _names(motor)
-    rows = ROW * len(key_rows(names, box.width - SIDES[0] - SIDES[2])) + SIDES[3]
+    larger = drawing.letters
+    left, bottom, right, top = sides(larger)
+    rows = larger * ROW * len(key_rows(names, box.width - left - right, larger)) + top
     driving = _closed(regime.driving) * factor
     heights = np.concatenate([*(moment * factor for moment in moments), driving, [0.0]])
     air = MARGIN * float(np.ptp(heights))
     up = Axis(f"{tr('$M_d$')}, {unit}", float(heights.min()) - air, float(heights.max()) + air)
-    frame = box.inset(SIDES[0], BELOW + SIDES[1], SIDES[2], rows)
+    frame = box.inset(left, BELOW * larger + bottom, right, rows)
     diagram = _diagram(drawing, frame, (Axis(_abscissa(), low, high), up), unit, scaled)
     diagram.curve(_closed(regime.omega) + 1j * driving, PATH, level=2)
     for curve, moment in zip(motor.curves, moments, strict=True):
@@ -142,14 +146,16 @@ def _draw_whole(drawing: Drawing, box: Box, motor: MotorCurves, scaled: bool) ->
     inside = np.linspace(max(low, 0.0), high, SAMPLES)
     top = HEADROOM * float(np.max(moment))
     up = Axis(f"{tr('$M_d$')}, {unit}", min(float(moment[-1]), -0.1 * top) * factor, top * factor)
-    frame = box.inset(SIDES[0], BELOW + SIDES[1], SIDES[2], SIDES[3] + ROW)
+    larger = drawing.letters
+    left, bottom, right, over = sides(larger)
+    frame = box.inset(left, BELOW * larger + bottom, right, over + ROW * larger)
     diagram = _diagram(drawing, frame, (Axis(_abscissa(), 0.0, high), up), unit, scaled)
     for curve in motor.curves:
         x = omega if curve.form is whole else inside
         diagram.curve(x + 1j * np.broadcast_to(curve.form.moment(x), x.shape) * factor, curve.pen)
     diagram.band(motor.regime.omega_min, motor.regime.omega_max, BAND)
     text = tr("$H$ rated point, $C$ without load, $K$ break-down; shaded: the range above")
-    height = min(2.0, frame.width / width(text))
+    height = min(2.0 * larger, frame.width / width(text))
     drawing.add(Words(complex(frame.left, frame.top + 1.2), text, height, -1 - 1j))
     _points(diagram, whole, factor, (("H", whole.nominal), ("C", whole.synchronous), ("K", whole.critical)))
 

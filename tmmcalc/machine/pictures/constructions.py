@@ -35,6 +35,7 @@ WORK, LINKS, REST, INERTIA = CURVES[0], CURVES[2], CURVES[1], CURVES[0]
 PROJECTED = OTHER._replace(width=0.2, dashes=(1.6, 1.2))
 TURNED = 46.0  # height of the inertia's diagram above the curve [mm]
 LINE = 5.6  # between the lines of what follows from readings [mm]
+AIR = 0.06  # of the range of works, below and above, for the names of ordinates
 SEEN = 5e-7  # a smaller relative difference is none
 HEADING, LETTERS = 3.0, 2.6  # heights of the words beside [mm]
 
@@ -52,7 +53,11 @@ class Machine(NamedTuple):
         """A diagram over the cycle of values at the picture's places, to scale."""
         picture, nodes = self.picture, np.abs(self.phi - self.phi[0])
         every = tuple(Line(name, v, np.interp(nodes, picture.theta, v), pen) for name, v, pen in lines)
-        return Graph(symbol, unit, True, self.sense * picture.theta, self.phi, every, mu=mu)
+        values = np.concatenate([v for _, v, _ in lines])
+        low, high = float(min(values.min(), 0.0)), float(max(values.max(), 0.0))
+        air = AIR * (high - low)
+        ends = (low - air * (low < 0 or symbol == "A"), high + air)
+        return Graph(symbol, unit, True, self.sense * picture.theta, self.phi, every, ends=ends, mu=mu)
 
 
 def machine_of(picture: EnergyMass, cycle: Cycle, phi: Real, delta: float) -> Machine:

@@ -17,7 +17,7 @@ from tmmcalc.machine.flywheel.worked import paper, round_scales
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import scale_factor, suited
 from tmmcalc.report.drawing.diagram import Axis, Diagram
-from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.lettering import minus, width
 from tmmcalc.report.drawing.pens import CURVES, DIMENSION, MIDDLE, THIN
 from tmmcalc.report.drawing.shapes import Arc, Dimension, Drawing, Words
 from tmmcalc.report.language import tr, tr_unit
@@ -31,10 +31,10 @@ LEG = 24.0  # of the level line that an angle is measured from [mm]
 BEYOND = 14.0  # how far a tangent goes on where it has touched [mm]
 
 
-def free(box: Box) -> tuple[float, float]:
-    """Width and height that curve and tangents may take of a rectangle [mm]."""
-    frame = box.inset(*SIDES)
-    return frame.width - BEFORE - AFTER, frame.height - 2 * AIR
+def _frame(box: Box, larger: float) -> Box:
+    """The frame in a rectangle, where words are so many times ``larger`` than usual."""
+    left, bottom, right, top = SIDES
+    return box.inset(left * larger, bottom * larger, right, top * larger)
 
 
 def draw_energy_mass(
@@ -44,15 +44,18 @@ def draw_energy_mass(
 
     ``scales`` are mu_A [J/mm] and mu_J [kg*m^2/mm]; by default the largest standard ones for the rectangle.
     """
-    mu_a, mu_j = scales or round_scales(picture, *free(box))
+    larger = drawing.letters
+    frame = _frame(box, larger)
+    told, before = _meeting(picture), BEFORE * larger
+    free = frame.width - before - AFTER * larger, frame.height - 2 * AIR * larger
+    mu_a, mu_j = scales or round_scales(picture, *free)
     factor, unit = suited(max(float(np.max(np.abs(picture.work))), *map(abs, picture.intercepts)), "J")
-    frame = box.inset(*SIDES)
     heights = [*picture.work, *picture.intercepts]
     low = (max(heights) + min(heights)) / 2 - frame.height / 2 * mu_a
     across = Axis(
         tr("$J$ of the links, kg·m²") + f"; {scale_factor('J', mu_j, 'kg*m^2')}",
-        -BEFORE * mu_j,
-        (frame.width - BEFORE) * mu_j,
+        -before * mu_j,
+        (frame.width - before) * mu_j,
     )
     ends = (low * factor, (low + frame.height * mu_a) * factor)
     up = Axis(f"$A$, {unit}; {scale_factor('A', mu_a * factor, unit)}", *ends)
@@ -63,7 +66,7 @@ def draw_energy_mass(
     diagram.vertical(0.0, MIDDLE)
     axis = diagram.paper([complex(0, up.low), complex(0, up.high)])
     diagram.labels.avoid(axis)
-    drawing.add(Words(complex(frame.left, box.top), _meeting(picture), 2.1, -1 + 1j))
+    drawing.add(Words(complex(frame.left, box.top), told, min(2.1 * larger, frame.width / width(told)), -1 + 1j))
     _measure(diagram, picture, (mu_a, mu_j), factor)
     _mark_tangents(diagram, picture, factor)
     _number(diagram, picture, factor, sense)
@@ -83,7 +86,13 @@ def _meeting(picture: EnergyMass) -> str:
     return (
         tr("Energy-mass curve; numbers: degrees of $φ$; tan $ψ$ = $ω^2 μ_J/(2 μ_A)$")
         + "\n"
-        + tr("the tangents meet at $J$ = {inertia} kg·m², $A$ = {energy}", inertia=inertia, energy=f"{energy} {unit}")
+        + tr(
+            "$G$: {upper} J, $H$: {lower} J; the tangents meet at $J$ = {inertia} kg·m², $A$ = {energy}",
+            upper=minus(number(picture.upper, 5)),
+            lower=minus(number(picture.lower, 5)),
+            inertia=inertia,
+            energy=f"{energy} {unit}",
+        )
     )
 
 
@@ -91,14 +100,15 @@ def _measure(diagram: Diagram, picture: EnergyMass, scales: tuple[float, float],
     """The segment GH in mm, and the angles of both tangents from level lines."""
     measured = paper(picture, scales)
     high, low = (diagram.place(complex(0, value * factor)) for value in picture.intercepts)
-    side = -0.62 * BEFORE
+    larger = diagram.drawing.letters
+    side = -0.62 * BEFORE * larger
     diagram.drawing.add(Dimension(low, high, low + side, "", 2.3), level=6)
     diagram.labels.avoid([low + side, high + side])
     zero = diagram.place(0j).imag  # a line that the words keep clear of
     ends = [low.imag, min(max(zero, low.imag), high.imag), high.imag]
     middle = (ends[0] + ends[1]) / 2 if ends[1] - ends[0] > ends[2] - ends[1] else (ends[1] + ends[2]) / 2
     text = f"$GH$ = {number(measured.segment, 4)} {tr_unit('mm')}"
-    words = Words(complex((low + side).real - 0.9, middle), text, 2.3, -1j, math.pi / 2, clear=True)
+    words = Words(complex((low + side).real - 0.9, middle), text, 2.3 * larger, -1j, math.pi / 2, clear=True)
     diagram.drawing.add(words, level=6)
     for vertex, angle, word, pen in (
         (high, measured.angle_max, "max", FAST),
@@ -118,10 +128,10 @@ def _measure(diagram: Diagram, picture: EnergyMass, scales: tuple[float, float],
 
 def _mark_tangents(diagram: Diagram, picture: EnergyMass, factor: float) -> None:
     """G, H and the touching points, with their names."""
-    labels, gaps = diagram.labels, (1.0, 1.8, 2.8)
+    labels, gaps = diagram.labels, (1.0, 1.8, 2.8, 4.2, 6.0)
     for name, value, pen in (("G", picture.upper, FAST), ("H", picture.lower, SLOW)):
         place = diagram.point(complex(0, value * factor), pen)
-        labels.put(f"${name}$: {minus(number(value * factor, 5))}", [place], gaps=gaps, colour=pen.colour)
+        labels.put(f"${name}$", [place], gaps=gaps, colour=pen.colour)
     for word, theta, pen in (("max", picture.touching[0], FAST), ("min", picture.touching[1], SLOW)):
         inertia, work = at(picture, theta)
         place = diagram.point(complex(inertia, work * factor), pen)

@@ -68,7 +68,7 @@ class Graph:
         factor, unit = self.scale
         x, nodes = along_input(self.turns, self.phi), along_input(self.turns, self.phi_nodes)
         values = [line.values * factor for line in self.lines]
-        air = (0.08, 0.05) if self.mu else (0.18, 0.12)  # a standard factor leaves more
+        air = (0.05, 0.03) if self.mu else (0.18, 0.12)  # a standard factor leaves more
         low, high = room(values, *air) if self.ends is None else (factor * self.ends[0], factor * self.ends[1])
         along = input_axis(self.turns, x)
         along = along._replace(name=self.abscissa or along.name)
@@ -90,14 +90,16 @@ class Graph:
             marks = tuple(complex(at, height) for at, height in zip(places.tolist(), heights, strict=True))
             curves.append(Curve(line.label, value, line.pen, marks))
         diagram.draw(x, curves, key=False, digits=self.digits)
-        wide = box.width - _room_of(title)
+        larger = drawing.letters
+        wide = box.width - larger * _room_of(title)
         if self.named:
             key_above(drawing, box._replace(right=box.left + wide), self.named)
         for height, pen, name in self.levels:
             diagram.name_level(factor * height, name, pen.colour)
         if title:
-            row = max(len(key_rows(self.named, wide)) - 1, 0)
-            drawing.add(Words(complex(box.right, box.top + ROW * (row + 0.5) + 0.1), title, 2.5, 1))
+            row = max(len(key_rows(self.named, wide, larger)) - 1, 0)
+            place = complex(box.right, box.top + larger * ROW * (row + 0.5) + 0.1)
+            drawing.add(Words(place, title, 2.5 * larger, 1))
         return diagram
 
     @property
@@ -105,9 +107,9 @@ class Graph:
         """What stands above on the right: its title, or its scale factor, of which the longest is told."""
         return scale_factor(self.mu, 0.0025, self.scale[1]) if self.mu else self.title
 
-    def rows(self, wide: float) -> int:
-        """Rows of words above a frame of this width [mm]."""
-        return max(len(key_rows(self.named, wide - _room_of(self.head))), bool(self.head))
+    def rows(self, wide: float, larger: float) -> int:
+        """Rows of words, so many times ``larger`` than usual, above a frame of this width [mm]."""
+        return max(len(key_rows(self.named, wide - larger * _room_of(self.head), larger)), bool(self.head))
 
 
 def column(drawing: Drawing, box: Box, graphs: Sequence[Graph], heights: Sequence[float] = ()) -> list[Diagram]:
@@ -115,16 +117,23 @@ def column(drawing: Drawing, box: Box, graphs: Sequence[Graph], heights: Sequenc
 
     Those with a scale factor are narrower than the rectangle where that of the abscissa would not be standard.
     """
+    larger = drawing.letters
+    left, _, right, _ = sides(larger)
     if any(graph.mu for graph in graphs):
         x = along_input(graphs[0].turns, graphs[0].phi)
-        room = box.width - LONGER - SIDES[0] - SIDES[2]
-        box = box.inset(LONGER, 0, room - float(np.ptp(x)) / standard_scale(float(np.ptp(x)) / room), 0)
-    wide = box.width - SIDES[0] - SIDES[2]
-    rows = [graph.rows(wide) for graph in graphs]
+        room = box.width - LONGER * larger - left - right
+        box = box.inset(LONGER * larger, 0, room - float(np.ptp(x)) / standard_scale(float(np.ptp(x)) / room), 0)
+    rows = [graph.rows(box.width - left - right, larger) for graph in graphs]
     return [
         graph.draw(drawing, place, numbered=k + 1 == len(graphs))
-        for k, (graph, place) in enumerate(zip(graphs, stacked(box, rows, heights), strict=True))
+        for k, (graph, place) in enumerate(zip(graphs, stacked(box, rows, heights, larger), strict=True))
     ]
+
+
+def sides(larger: float) -> tuple[float, float, float, float]:
+    """Room around a frame whose words are so many times ``larger`` than usual: left, bottom, right, top [mm]."""
+    left, bottom, right, top = SIDES
+    return left * larger, bottom, right, top
 
 
 def to_scale(axis: Axis, size: float) -> tuple[Axis, float]:
@@ -160,17 +169,19 @@ def _with_scale(along: Axis, turns: bool, wide: float) -> Axis:
     return along._replace(name=f"{along.name}; {factor}")
 
 
-def stacked(box: Box, rows: Sequence[int], heights: Sequence[float] = ()) -> list[Box]:
+def stacked(box: Box, rows: Sequence[int], heights: Sequence[float] = (), larger: float = 1.0) -> list[Box]:
     """Frames of diagrams one under another, in these proportions, with so many rows of words above each of them.
 
-    Numbers and names of the axes have room around; those of the abscissa stand under the lowest frame alone.
+    The words are so many times ``larger`` than usual. Numbers and names of the axes have room around; those of the
+    abscissa stand under the lowest frame alone.
     """
-    left, bottom, right, top = SIDES
+    left, bottom, right, top = sides(larger)
+    row_height = ROW * larger
     parts = heights or [1.0] * len(rows)
-    free = box.height - BELOW - ROW * sum(rows) - (top + bottom) * len(rows)
+    free = box.height - BELOW * larger - row_height * sum(rows) - (top + bottom) * len(rows)
     found, at = [], box.top
     for row, part in zip(rows, parts, strict=True):
-        high = at - top - ROW * row
+        high = at - top - row_height * row
         low = high - free * part / sum(parts)
         found.append(Box(box.left + left, low, box.right - right, high))
         at = low - bottom

@@ -98,20 +98,21 @@ class Diagram(Field):
         return complex(x, y)
 
     def _grid(self, numbered: bool, lettered: bool) -> None:
-        box, draw = self.box, self.drawing
-        along = ticks(self.x, max(2, int(box.width / 12)))
-        up = ticks(self.y, max(2, int(box.height / ROOM)))
+        box, draw, larger = self.box, self.drawing, self.drawing.letters
+        along = ticks(self.x, max(2, int(box.width / 12 / larger)))
+        up = ticks(self.y, max(2, int(box.height / ROOM / larger)))
+        height = HEIGHT * larger
         for value in along:
             at = self.place(complex(value, self.y.low)).real
             draw.line([complex(at, box.bottom), complex(at, box.top)], GRID, level=-2)
             draw.line([complex(at, box.bottom), complex(at, box.bottom - 0.9)], THIN, level=-1)
             if numbered:
-                draw.add(Words(complex(at, box.bottom - 1.5), written(value, along), HEIGHT, 1j))
+                draw.add(Words(complex(at, box.bottom - 1.5), written(value, along), height, 1j))
         for value in up if lettered else ():
             at = self.place(complex(self.x.low, value)).imag
             draw.line([complex(box.left, at), complex(box.right, at)], GRID, level=-2)
             draw.line([complex(box.left, at), complex(box.left - 0.9, at)], THIN, level=-1)
-            draw.add(Words(complex(box.left - 1.5, at), written(value, up), HEIGHT, 1))
+            draw.add(Words(complex(box.left - 1.5, at), written(value, up), height, 1))
         if not self.y.log and self.y.low < 0 < self.y.high:
             at = self.place(complex(self.x.low, 0.0)).imag
             draw.line([complex(box.left, at), complex(box.right, at)], MIDDLE, level=-1)
@@ -119,12 +120,12 @@ class Diagram(Field):
         corners += [complex(box.right, box.top), complex(box.left, box.top)]
         draw.line(corners, THIN, closed=True, level=-1)
         if lettered:
-            widest = max((width(written(value, up), HEIGHT) for value in up), default=0.0)
+            widest = max((width(written(value, up), height) for value in up), default=0.0)
             side = complex(box.left - 3.5 - widest, box.middle.imag)
-            draw.add(Words(side, self.y.name, HEIGHT + 0.5, -1j, math.pi / 2))
+            draw.add(Words(side, self.y.name, 1.2 * height, -1j, math.pi / 2))
         if numbered:
-            below = complex(box.middle.real, box.bottom - 3.0 - 1.6 * HEIGHT)
-            draw.add(Words(below, self.x.name, HEIGHT + 0.5, 1j))
+            below = complex(box.middle.real, box.bottom - 3.0 - 1.6 * height)
+            draw.add(Words(below, self.x.name, 1.2 * height, 1j))
 
     def draw(self, x: Real, curves: Sequence[Curve], *, key: bool = True, digits: int = 4) -> None:
         """The curves, their names in a row above the frame, and their marked places."""
@@ -183,7 +184,8 @@ class Diagram(Field):
             self.drawing.line(ends, pen, level=1)
             self.labels.avoid(ends, 0.5)
             if name:
-                self.drawing.add(Words(complex(self.box.right - 1.0, at + 0.7), name, 0.85 * HEIGHT, 1 - 1j), level=5)
+                height = 0.85 * HEIGHT * self.drawing.letters
+                self.drawing.add(Words(complex(self.box.right - 1.0, at + 0.7), name, height, 1 - 1j), level=5)
 
     def name_level(self, y: float, name: str, colour: str) -> None:
         """The name of a height beside its line, where it covers least, on the right if it can."""
@@ -216,31 +218,32 @@ def sign(drawing: Drawing, at: complex, kind: str, pen: Pen, size: float, *, fil
 
 def key_above(drawing: Drawing, box: Box, names: Sequence[tuple[str, Pen]], lift: float = 0.0) -> None:
     """Names of curves with a piece of their line, in rows above a rectangle, from the left."""
-    rows = key_rows(names, box.width)
+    larger = drawing.letters
+    rows = key_rows(names, box.width, larger)
     for k, row in enumerate(rows):
-        at = complex(box.left, box.top + ROW / 2 + 0.1 + lift + (len(rows) - 1 - k) * ROW)
+        at = complex(box.left, box.top + larger * (ROW / 2 + (len(rows) - 1 - k) * ROW) + 0.1 + lift)
         for name, pen in row:
             drawing.line([at, at + SAMPLE], pen)
-            drawing.add(Words(at + SAMPLE + 1.2, name, HEIGHT, -1))
-            at += _sample(name)
+            drawing.add(Words(at + SAMPLE + 1.2, name, HEIGHT * larger, -1))
+            at += _sample(name, larger)
 
 
-def key_rows(names: Sequence[tuple[str, Pen]], wide: float) -> list[list[tuple[str, Pen]]]:
-    """The names of curves in rows that are no wider than this [mm]."""
+def key_rows(names: Sequence[tuple[str, Pen]], wide: float, larger: float = 1.0) -> list[list[tuple[str, Pen]]]:
+    """The names of curves, so many times ``larger`` than usual, in rows that are no wider than this [mm]."""
     rows: list[list[tuple[str, Pen]]] = []
     at = math.inf
     for name, pen in names:
-        if at + _sample(name) - 4.0 > wide:
+        if at + _sample(name, larger) - 4.0 > wide:
             rows.append([])
             at = 0.0
         rows[-1].append((name, pen))
-        at += _sample(name)
+        at += _sample(name, larger)
     return rows
 
 
-def _sample(name: str) -> float:
+def _sample(name: str, larger: float) -> float:
     """Room of a name with its piece of line, and air."""
-    return SAMPLE + 1.2 + width(name, HEIGHT) + 4.0
+    return SAMPLE + 1.2 + width(name, HEIGHT * larger) + 4.0
 
 
 def ticks(axis: Axis, most: int) -> list[float]:

@@ -7,9 +7,10 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.report.rows import CHOOSE
 
 TURNS = 100  # that an angle of a drawing may have
-POSITIONS, POLYGONS, CHOOSE, PHASE = "--positions", "--polygons", "--choose", "--phase"
+POSITIONS, POLYGONS, PHASE = "--positions", "--polygons", "--phase"
 
 
 class Order(NamedTuple):
@@ -26,14 +27,6 @@ class Order(NamedTuple):
         from tmmcalc.report.rows import rows_of
 
         return rows_of(self.flags[flag], labels, flag)
-
-    def row(self, flag: str, labels: Sequence[str]) -> int | None:
-        """The index of the one position that a flag names."""
-        rows = self.rows(flag, labels)
-        if rows is not None and len(rows) > 1:
-            said = f"{self.flags[flag]!r} names {len(rows)} positions"
-            raise UsageError(said, where=flag, remedy="name one of them")
-        return rows[0] if rows else None
 
     def angle(self, flag: str) -> float:
         """The angle [rad] that a flag gives, 0 without it."""

@@ -9,7 +9,7 @@ import numpy as np
 from tmmcalc.core.plane import Real
 from tmmcalc.core.records import record
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.curves import SIDES, stacked
+from tmmcalc.report.drawing.curves import sides, stacked
 from tmmcalc.report.drawing.diagram import Axis, Diagram, key_rows, room
 from tmmcalc.report.drawing.pens import CURVES, Pen
 from tmmcalc.report.drawing.shapes import Drawing
@@ -47,8 +47,10 @@ def panels(
     along = Axis(abscissa, float(np.min(x)), float(np.max(x))) if isinstance(abscissa, str) else abscissa
     if along.low == along.high:
         along = along._replace(high=along.low + 1.0)
-    left, _, right, _ = SIDES
-    frames = stacked(box, [len(key_rows(row.named, box.width - left - right)) for row in rows], heights)
+    larger = drawing.letters
+    left, _, right, _ = sides(larger)
+    named = [len(key_rows(row.named, box.width - left - right, larger)) for row in rows]
+    frames = stacked(box, named, heights, larger)
     found = []
     for k, (row, frame) in enumerate(zip(rows, frames, strict=True)):
         diagram = Diagram(drawing, frame, along, row.axis, numbered=k + 1 == len(rows))

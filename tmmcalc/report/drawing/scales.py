@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from math import floor, log10
 
+import numpy as np
+
 from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import needed
@@ -85,7 +87,8 @@ def scale_text(mu: float) -> str:
 def factor_text(symbol: str, factor: float, unit: str) -> str:
     """A scale factor with its sign and unit.
 
-    >>> factor_text("μ_v", 0.025, "(m/s)/mm")
-    '$μ_v$ = 0.025 (m/s)/mm'
+    >>> factor_text("μ_v", 0.025, "(m/s)/mm"), factor_text("μ_l", 5e-5, "m/mm")
+    ('$μ_v$ = 0.025 (m/s)/mm', '$μ_l$ = 0.00005 m/mm')
     """
-    return f"${symbol}$ = {tr_number(f'{factor:.4g}')} {tr_unit(unit)}"
+    written = np.format_float_positional(float(f"{factor:.4g}"), trim="-")
+    return f"${symbol}$ = {tr_number(written)} {tr_unit(unit)}"

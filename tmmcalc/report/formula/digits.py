@@ -87,7 +87,7 @@ def _flat(given: Mapping[str, Given]) -> tuple[dict[str, float], dict[str, str]]
     for key, each in given.items():
         several = not isinstance(each.value, float | int)
         for k, one in enumerate(each.value if isinstance(each.value, Sequence) else [each.value]):
-            name = f"{key}[{k}]" if several else key
+            name = f"{key}#{k}" if several else key
             values[name], units[name] = float(one), each.unit
     return values, units
 

@@ -142,7 +142,7 @@ def expanded(body: Node, values: Mapping[str, Value]) -> Iterator[dict[str, Valu
 
 
 def written_out(node: Node, values: Mapping[str, Value]) -> Node:
-    """The node with every sum over an index term by term; the k-th value of a list has the name ``P_i[k]``."""
+    """The node with every sum over an index term by term; the k-th value of a list has the name ``P_i#k``."""
     if isinstance(node, Over):
         count = len(list(expanded(node.body, values)))
         return Sum(tuple((1, _numbered(node.body, k, values)) for k in range(count)))
@@ -152,7 +152,7 @@ def written_out(node: Node, values: Mapping[str, Value]) -> Node:
 def _numbered(node: Node, k: int, values: Mapping[str, Value]) -> Node:
     """The k-th term of a sum over an index."""
     if isinstance(node, Name):
-        return node if isinstance(values.get(node.key, 0.0), float | int) else Name(f"{node.key}[{k}]")
+        return node if isinstance(values.get(node.key, 0.0), float | int) else Name(f"{node.key}#{k}")
     return mapped(node, lambda part: _numbered(part, k, values))
 
 
