@@ -118,7 +118,9 @@ def test_the_files_hold_what_is_drawn(name: str) -> None:
 
 @pytest.mark.parametrize("name", EXPECTED)
 def test_the_sheets_of_a_scene(name: str) -> None:
-    assert [made.sheet.file for made in drawn(name, "en")] == EXPECTED[name]
+    sheets = [made.sheet for made in drawn(name, "en")]
+    assert list(dict.fromkeys(sheet.subject for sheet in sheets)) == EXPECTED[name]
+    assert [sheet.number for sheet in sheets] == list(range(1, len(sheets) + 1))
 
 
 @pytest.mark.parametrize("paper", FORMATS)
