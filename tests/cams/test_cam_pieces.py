@@ -13,7 +13,7 @@ from paper import arcs, curves, frames, inside, of_words, on_sheet, written
 
 from tmmcalc.cams.pictures.cam_profile import PENS
 from tmmcalc.cams.pictures.profilemarks import LAID
-from tmmcalc.cams.pictures.zone import LIMIT, MARKED
+from tmmcalc.cams.pictures.zone import BASE, LIMIT, MARKED
 from tmmcalc.core.stage import STAGES, resolve
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec, parse_spec
@@ -228,6 +228,14 @@ def test_the_borders_of_a_rockers_region_lean_by_the_allowed_angle() -> None:
     for tip, end in lines:
         lean = abs(np.degrees(np.angle((end - tip) / (tip - pivot)))) % 180 - 90
         assert abs(lean) == pytest.approx(degrees(result.rise.limit), abs=1e-6)
+
+
+def test_the_base_circle_of_a_rockers_region_is_drawn_whole() -> None:
+    result, drawing = order_of("cam-oscillating").results["cam_synthesis"], piece("cam-oscillating", "Admissible")
+    (board,) = frames(drawing)
+    (circle,) = [z for z in curves(board, BASE) if len(z) > 100]
+    assert np.abs(circle) == pytest.approx(np.full(len(circle), result.follower.base))
+    assert abs(circle[0] - circle[-1]) < 1e-9
 
 
 def test_the_tangent_of_a_flat_face_falls_at_45_degrees_and_touches() -> None:

@@ -232,3 +232,29 @@ def test_scales_are_of_the_standard_series(least: float) -> None:
     assert lengths >= least * (1 - 1e-9)
     series = [MM * size for size in REDUCTIONS] + [MM / size for size in ENLARGEMENTS]
     assert min(abs(lengths / each - 1) for each in series) < 1e-9 or lengths == standard_scale(least)
+
+
+@pytest.mark.parametrize("config", ["shaper", "class-three", "hydraulic-lift"])
+@pytest.mark.parametrize("size", ["least", "good"])
+def test_diagrams_on_a_sheet_have_the_scale_factors_that_are_written(config: str, size: str) -> None:
+    """Lengths on paper times the written factors: the range of the input, the extremes of the output."""
+    _, result = solved(config)
+    found = next(piece for piece in pieces(config, "kinematics") if piece.heading.startswith("Diagrams"))
+    drawing = draw(found, getattr(found, size))
+    (told,) = [words.text for words in of_words(drawing) if words.text.count("μ_") == 4]
+    along, *up = [float(part.partition(" = ")[2].partition(" ")[0]) for part in told.split(",   ")]
+    assert [along, *up] == pytest.approx([standard_scale(mu) for mu in (along, *up)])
+    span = abs(float(np.degrees(result.phi[-1]) if result.turns else 1e3 * result.phi[-1]))
+    (summary,) = result.summaries
+    angular = found.heading.startswith("Diagrams of angles")
+    for field, mu, ends in zip(drawing.fields, up, (None, summary.velocity, summary.acceleration), strict=True):
+        drawn = [s.points for s in drawing.shapes if isinstance(s, Stroke) and inside(s.points, field.box)]
+        (curve,) = [z for z in drawn if len(z) > 100]
+        assert np.ptp(curve.real) * along == pytest.approx(span)
+        heights = (curve.imag - field.place(0j).imag) * mu
+        if ends is not None:
+            assert [heights.min(), heights.max()] == pytest.approx(sorted(e.value for e in ends), rel=1e-3)
+        else:
+            turned = [centre.value for centre in summary.dead_centres]
+            stroke = np.ptp(turned or result.s[0])  # without dead centres it goes one way from end to end
+            assert np.ptp(heights) == pytest.approx(stroke * (180 / math.pi if angular else 1e3), rel=1e-3)

@@ -80,7 +80,7 @@ def _content(task: CamTask, result: Synthesis) -> Complex:
     placed, follower = Placed(result), result.follower
     swing = np.exp(1j * np.linspace(0, task.program.stroke, 9))
     tips = [placed.at(_velocity_ends(task, result, kind)) for kind in ("rise", "return")]
-    circle = 0.55 * follower.base * np.exp(1j * np.linspace(0, 2 * np.pi, 13))
+    circle = follower.base * np.exp(1j * np.linspace(0, 2 * np.pi, 13))
     return np.concatenate((*tips, placed.at(swing), circle, np.array([0.0, follower.centres])))
 
 

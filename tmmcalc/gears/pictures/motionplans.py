@@ -38,7 +38,7 @@ POLES = (50.0, 40.0, 30.0, 25.0, 20.0, 15.0, 12.0, 10.0, 8.0, 6.0, 5.0, 4.0, 3.0
 OVER = 8.0  # of the upright lines beyond what lies on them [mm]
 STILL = 1e-9  # of the largest: what is at rest
 TITLE, NAME, NOTE, RING = 3.0, 2.6, 2.5, 2.3  # heights of headings, names, of what is told, of members [mm]
-USUAL, LARGEST = 300.0, 2.0  # width from which letters grow with the rectangle [mm], and how far
+USUAL, LARGEST = 300.0, 1.5  # width from which letters grow with the rectangle [mm], and how far: below a heading of A1
 GUIDE = Pen("PLACES", 0.18, (1.6, 1.2), "#8a8a8a")
 MEMBERS = tuple(Pen(f"MEMBERS_{k}", 0.55, pen.dashes, pen.colour) for k, pen in enumerate(CURVES, 1))
 
