@@ -25,7 +25,7 @@ from tmmcalc.gears.pictures.sideview import WHEELS
 from tmmcalc.project import load_spec
 from tmmcalc.project.templates import path
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.scales import SERIES
+from tmmcalc.report.drawing.scales import SERIES, standard_scale
 from tmmcalc.report.drawing.shapes import Area, Drawing
 from tmmcalc.report.drawing.wording import corners
 
@@ -84,6 +84,20 @@ def test_segments_of_the_plan_of_speeds_give_the_ratio(name: str) -> None:
     assert ratio == pytest.approx(float(TRAINS[name][1]), rel=1e-9)
     (said,) = [text for text in written(drawn(name)[0]) if text.startswith("From the plan")]
     assert float(said.rpartition("= ")[2].replace("−", "-")) == pytest.approx(ratio, rel=1e-4)
+
+
+@pytest.mark.parametrize("name", TRAINS)
+@pytest.mark.parametrize("wide", [290.0, 320.0, 350.0, 420.0])
+def test_the_scale_factor_of_speeds_is_standard(name: str, wide: float) -> None:
+    """It is mu_v/(mu_l h), which a suitable h makes round, but not under a scale like 1:15."""
+    drawing = Drawing(wide + 20.0, 220.0)
+    parts = draw_motion(drawing, Box(10.0, 10.0, 10.0 + wide, 200.0), train(name))
+    (told,) = [text for text in written(drawing) if text.startswith("$μ_ω$")]
+    factor = float(told.partition(" = ")[2].partition(" ")[0])
+    line = parts.speeds.place(1.0) - parts.speeds.place(0.0)
+    assert factor * line.real == pytest.approx(1.0, rel=1e-3)
+    if not any(f"(1:{size})" in text for size in (15, 75) for text in written(drawing)):
+        assert factor == pytest.approx(standard_scale(factor))
 
 
 @pytest.mark.parametrize("name", [*TRAINS, *WRITTEN])

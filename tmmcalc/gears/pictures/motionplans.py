@@ -7,6 +7,7 @@ the pole, parallel to it, cuts off the speed of the member on the line of speeds
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from itertools import cycle
 from typing import NamedTuple
@@ -23,7 +24,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board, Field
 from tmmcalc.report.drawing.lettering import minus, plain, width
 from tmmcalc.report.drawing.pens import AXIS, CURVES, INK, THIN, VECTORS, Pen
-from tmmcalc.report.drawing.scales import factor_text, length_scale, scale_text
+from tmmcalc.report.drawing.scales import factor_text, length_scale, scale_text, standard_scale
 from tmmcalc.report.drawing.shapes import Arc, Drawing, Words
 from tmmcalc.report.drawing.tables import draw_table
 from tmmcalc.report.language import tr, tr_unit
@@ -194,8 +195,9 @@ def _draw_speeds(
     low, high = min(0.0, *omegas), max(0.0, *omegas)
     room = 0.45 * box.height
     across = box.width - 2 * OVER
-    fitting = (h for h in POLES if h < room - 2 * OVER and (high - low) * mu_l * h / mu_v <= across)
-    pole = next(fitting, POLES[-1])
+    fitting = [h for h in POLES if h < room - 2 * OVER and (high - low) * mu_l * h / mu_v <= across] or [POLES[-1]]
+    standard = (h for h in fitting if math.isclose(standard_scale(mu_v / (mu_l * h)), mu_v / (mu_l * h)))
+    pole = next(standard, fitting[0])  # under a scale such as 1:15 no factor of speeds is round
     mu = mu_v / (mu_l * pole)
     tall = pole + 2 * OVER + 6.0
     frame = Box(box.left, box.top - tall, box.right, box.top)

@@ -115,7 +115,8 @@ class Graph:
 def column(drawing: Drawing, box: Box, graphs: Sequence[Graph], heights: Sequence[float] = ()) -> list[Diagram]:
     """Diagrams of one abscissa, one under another, in these proportions; its numbers stand under the lowest.
 
-    Those with a scale factor are narrower than the rectangle where that of the abscissa would not be standard.
+    Those with a scale factor stand in the middle of the rectangle, narrower than it where that of the abscissa would
+    not be standard.
     """
     larger = drawing.letters
     left, _, right, _ = sides(larger)
@@ -129,10 +130,11 @@ def column(drawing: Drawing, box: Box, graphs: Sequence[Graph], heights: Sequenc
 
 
 def narrowed(box: Box, x: Real, larger: float) -> Box:
-    """The part of a rectangle in which frames have a standard factor along ``x``, as it is drawn [degrees or mm]."""
+    """The middle of a rectangle, so wide that frames have a standard factor along ``x`` [degrees or mm]."""
     left, _, right, _ = sides(larger)
     room, span = box.width - LONGER * larger - left - right, float(np.ptp(x))
-    return box.inset(LONGER * larger, 0, room - span / standard_scale(span / room), 0)
+    over = (room - span / standard_scale(span / room)) / 2
+    return box.inset(LONGER * larger + over, 0, over, 0)
 
 
 def sides(larger: float) -> tuple[float, float, float, float]:
