@@ -1,10 +1,12 @@
 """Write the pictures of the README and of the guide: ``make pictures``.
 
-Each is that of ``tmmcalc plot configs/NAME.toml STAGE``, with the flags below, its text as text.
+Each is that of ``tmmcalc plot configs/NAME.toml STAGE``, with the flags below, its text as text; a sheet that of
+``tmmcalc sheet configs/NAME.toml --as svg``.
 """
 
 from __future__ import annotations
 
+import subprocess
 from pathlib import Path
 
 from tmmcalc import load_spec
@@ -20,6 +22,7 @@ DRAWN = {  # file: ready spec, stage, flags
     "shaper.svg": ("shaper", "kinematics", {POSITIONS: "0:20:5"}),
     "guide/cam.svg": ("cam", "cam_profile", {}),
 }
+SHEETS = {"guide/linkage.svg": "shaper"}  # file, called as its sheet: ready spec
 
 
 def drawing(name: str, stage: str, given: dict[str, str]) -> bytes:
@@ -35,3 +38,7 @@ def drawing(name: str, stage: str, given: dict[str, str]) -> bytes:
 if __name__ == "__main__":
     for file, (name, stage, given) in DRAWN.items():
         replace_file(HOME / file, drawing(name, stage, given))
+    for file, name in SHEETS.items():
+        spec = str(HOME.parent / "configs" / f"{name}.toml")
+        flags = ("--only", Path(file).stem, "--as", "svg", "--no-store", "-q")
+        subprocess.run(["tmmcalc", "sheet", spec, "-o", str((HOME / file).parent), *flags], check=True)

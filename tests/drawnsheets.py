@@ -113,7 +113,7 @@ def words_of(drawing: Drawing) -> list[Words]:
     found: list[Words] = []
     for shape in drawing.shapes:
         if isinstance(shape, Dimension):
-            found += [part for part in shape.parts() if isinstance(part, Words)]
+            found += [part for part in shape.parts() if isinstance(part, Words) and part.text.strip()]
         elif isinstance(shape, Words) and shape.text.strip():
             found.append(shape)
     return found
@@ -186,8 +186,8 @@ def over_words(drawing: Drawing) -> list[tuple[str, str]]:
 
 
 def on_lines(drawing: Drawing) -> list[str]:
-    """Words that lie on a line that is seen."""
-    words, ink = words_of(drawing), inked(drawing)
+    """Words that lie on a line that is seen; a line is interrupted, as the standards allow, at words with a rim."""
+    words, ink = [each for each in words_of(drawing) if not each.clear], inked(drawing)
     found = []
     for each, (left, right, bottom, top) in zip(words, boxes(words), strict=True):
         near = slice(*np.searchsorted(ink.at.real, [left, right]))

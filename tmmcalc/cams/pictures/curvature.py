@@ -22,7 +22,7 @@ from tmmcalc.report.numbers import number
 
 VALUE = 2.0  # height of marked curvatures [mm]
 DENSE = 160  # points of a piece of the motion
-PITCH = Pen("PITCH_CURVE", 0.4, colour=PATH.colour)
+PITCH = Pen("PITCH_CURVE", 0.4, (5.0, 1.2, 0.9, 1.2), PATH.colour)
 WORKING = Pen("WORKING_PROFILE", 0.4, colour=INK)
 CUSP = Pen("CUSP", 0.3, (2.4, 0.9), MARK.colour)
 CONVEX = Pen("CONVEX_LIMIT", 0.3, (2.4, 0.9, 0.7, 0.9), MARK.colour)

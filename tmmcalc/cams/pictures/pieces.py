@@ -36,8 +36,9 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.sheets.piece import Piece
 
 SHEET = "cam"
-NAMES = (4.0, 3.0, 0.0, 0.0)  # room that names of axes take beside diagrams, all around [mm]
-WIDE = 383.0  # of diagrams over the turn, a degree of which is a mm then [mm]
+NAMES = (1.0, 3.0, 0.0, 0.0)  # room that names of axes take beside diagrams, all around [mm]
+# diagrams over the turn have a degree to a mm from 381 mm on: what they like makes columns of A1 that wide [mm]
+LEAST, WIDE, BROAD = 205.0, 420.0, 476.0
 FOOT = 13.0  # room of what the lines of a drawing to scale are [mm]
 
 
@@ -51,8 +52,8 @@ def law_pieces(order: Order) -> Iterator[Piece]:
     def integration(drawing: Drawing, box: Box) -> None:
         draw_integration(drawing, box, task.program, result, constructed(task.program, INTERVALS))
 
-    yield Piece(SHEET, _law_heading(result), laws, (WIDE, 140.0), (WIDE, 220.0))
-    yield Piece(SHEET, integration_heading(result), integration, (250.0, 170.0), (300.0, 220.0))
+    yield Piece(SHEET, _law_heading(result), laws, (LEAST, 140.0), (WIDE, 220.0))
+    yield Piece(SHEET, integration_heading(result), integration, (250.0, 170.0), (252.0, 215.0))
 
 
 def _law_heading(result: LawResult) -> str:
@@ -77,7 +78,7 @@ def synthesis_pieces(order: Order) -> Iterator[Piece]:
 
         yield Piece(SHEET, centre_heading(result), convexity, (140.0, 130.0), (280.0, 160.0))
     else:
-        yield Piece(SHEET, centre_heading(result), centre, (140.0, 130.0), (230.0, 210.0))
+        yield Piece(SHEET, centre_heading(result), centre, (140.0, 130.0), (160.0, 200.0))
 
 
 def _centre(drawing: Drawing, box: Box, task: CamTask, result: Synthesis) -> None:
@@ -106,9 +107,9 @@ def profile_pieces(order: Order) -> Iterator[Piece]:
         _bends(drawing, box, task, result)
 
     heading = tr("Profile of the cam, which turns {sense}", sense=sense_of(result.follower))
-    yield Piece(SHEET, heading, cam, (140.0, 120.0), (340.0, 315.0))
+    yield Piece(SHEET, heading, cam, (140.0, 120.0), (420.0, 315.0))
     if not result.flat:
-        yield Piece(SHEET, tr("Curvature of the cam"), bends, (WIDE, 70.0), (WIDE, 80.0))
+        yield Piece(SHEET, tr("Curvature of the cam"), bends, (LEAST, 70.0), (BROAD, 80.0))
 
 
 def _bends(drawing: Drawing, box: Box, task: CamTask, result: Profile) -> None:
@@ -132,7 +133,7 @@ def pressure_pieces(order: Order) -> Iterator[Piece]:
 
     if result.follower.kind != "flat":
         heading = tr("Pressure angle over a turn of the cam")
-        yield Piece(SHEET, heading, pressure, (WIDE, 65.0), (WIDE, 85.0))
+        yield Piece(SHEET, heading, pressure, (LEAST, 65.0), (BROAD, 90.0))
 
 
 def indexing_pieces(order: Order) -> Iterator[Piece]:

@@ -7,7 +7,7 @@ import numpy as np
 from tmmcalc.gears.pictures.front import pairs_of, pairs_sheet, pareto_sheet
 from tmmcalc.gears.pictures.placed import placed
 from tmmcalc.gears.pictures.scheme import scheme_sheet
-from tmmcalc.gears.pictures.words import CRITERIA, layout_name, ratio_text, short_name, teeth_text
+from tmmcalc.gears.pictures.words import CRITERIA, brief_layout, layout_name, ratio_text, short_name, teeth_text
 from tmmcalc.gears.selection.results import Pool, Selection
 from tmmcalc.gears.selection.solve import speed_ratio
 from tmmcalc.gears.sizing import rows_of
@@ -51,7 +51,8 @@ def _heading(result: Selection, place: int) -> str:
     first = tr(
         "Trains strong enough: {count}; on the Pareto front: {front}", count=len(result.pool), front=len(result.front)
     )
-    name, winner = result.winner.name, result.winner.place + 1
+    name = f"{brief_layout(result.winner.layout)} {teeth_text(result.winner.teeth)}"
+    winner = result.winner.place + 1
     if place != result.winner.place:
         said = tr("row {row} is drawn; chosen is row {chosen}, {name}", row=place + 1, chosen=winner, name=name)
         return f"{first}\n{said}"

@@ -20,6 +20,7 @@ from tmmcalc.gears.kinds import from_tooth_ratio
 from tmmcalc.gears.network.curves import Curve, efficiency_over_ratio, efficiency_over_reduction, ratio_over_inverted
 from tmmcalc.gears.network.types import efficiency
 from tmmcalc.gears.pictures.cloud import Mark, draw_marks, write_key
+from tmmcalc.gears.pictures.words import brief_layout
 from tmmcalc.gears.proportion import RANGE, RANGE_INTERNAL, curve, equal_strength
 from tmmcalc.gears.radial import ratio_limits
 from tmmcalc.gears.scheme import Layout
@@ -206,7 +207,9 @@ def _limits(drawing: Drawing, box: Box, request: Request) -> Diagram:
     key.append((tr("task: {ratio}", ratio=f"${symbol}$ = {number(value, 5)}"), TASK))
     across = Axis(tr("number of planets $K$"), known[0] - 0.7, known[-1] + 0.7, whole=True)
     up = Axis(f"${symbol}$", 0.0, ROOM * max(*tops, value))
-    field = _graph(drawing, box, tr("{layout}: neighbours clear each other", layout=task.layout), across, up, key)
+    field = _graph(
+        drawing, box, tr("{layout}: neighbours clear each other", layout=brief_layout(task.layout)), across, up, key
+    )
     half = BROAD / 2
     for starts, ends, colour in bars:
         for k, low, high in zip(known, starts, ends, strict=True):
@@ -242,6 +245,6 @@ def _graph(
     draw_marks(field, np.array([at for at, *_ in tasks]), POINT, 2.0)
     # layouts of one ratio share their point
     for at, said in dict.fromkeys((at, said) for at, _, said in tasks):
-        keys = ", ".join(key for other, key, same in tasks if (other, same) == (at, said))
+        keys = ", ".join(brief_layout(key) for other, key, same in tasks if (other, same) == (at, said))
         field.labels.put(f"{keys}: {said}", [field.place(at)], height=2.3, gaps=(1.9, 2.8, 4.0, 5.5))
     return field

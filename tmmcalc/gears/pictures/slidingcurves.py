@@ -26,7 +26,7 @@ ROOM = 1.25  # of the ordinate over the values of the contact
 BEYOND = 1.15  # where there is no N2: how far the curves go, in parts of N1A1
 DOUBLE = "#eaf3ea"
 GUIDE = Pen("PLACES", 0.18, (1.6, 1.0), "#7a7a7a")
-SLIDING = tuple(Pen(f"SLIDING_{k}", 0.6, (), CURVES[k - 1].colour) for k in (1, 2))
+SLIDING = tuple(CURVES[k - 1]._replace(layer=f"SLIDING_{k}", width=0.6) for k in (1, 2))
 PRESSURE = Pen("PRESSURE", 0.6, (), CURVES[2].colour)
 DASHES = (1.4, 1.0)  # outside of the contact
 HEIGHT, ROW = 2.5, 3.7  # of the names of points and of their rows [mm]
@@ -96,7 +96,8 @@ def singles(pair: PlacedPair) -> list[tuple[str, float]]:
 
 def _curve(diagram: Diagram, rho: Real, values: Real, within: Real, pen: Pen) -> None:
     """A curve, dashed outside of the contact, with dots at its ends."""
-    beyond = pen._replace(layer=f"{pen.layer}_BEYOND", width=0.3, dashes=DASHES)
+    dashes = (*DASHES, 0.4, 1.0) if pen.dashes else DASHES
+    beyond = pen._replace(layer=f"{pen.layer}_BEYOND", width=0.3, dashes=dashes)
     z = 1e3 * rho + 1j * values
     before, active, after = rho <= within[0], (rho >= within[0]) & (rho <= within[1]), rho >= within[1]
     for part in (before, after):

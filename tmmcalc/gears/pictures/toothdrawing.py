@@ -24,6 +24,7 @@ from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.pens import AXIS, INK, MARK, PATH, THIN, Pen
 from tmmcalc.report.drawing.scales import fitting_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
+from tmmcalc.report.language import tr
 
 DEEP = 0.7  # [module] of the body behind the root circle of a space
 SHALLOW = 0.3  # the same of the enlarged tooth
@@ -49,7 +50,11 @@ def _radii(member: Toothed, half: Half) -> list[tuple[str, Circle, float]]:
     """Circles of a wheel, of a rack the heights of its lines over the datum line [m]."""
     if member.shape == "rack":
         m = member.module
-        return [("tip", "tip", m * half.tip), ("datum", "reference", 0.0), ("root", "root", m * half.root)]
+        return [
+            (tr("tip line"), "tip", m * half.tip),
+            (tr("datum line"), "reference", 0.0),
+            (tr("root line"), "root", m * half.root),
+        ]
     m = member.module
     own = {"tip": m * half.tip, "reference": m * abs(member.wheel.reference), "base": m * half.base}
     sizes = own | {"root": m * half.root}

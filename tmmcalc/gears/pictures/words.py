@@ -110,6 +110,12 @@ def layout_name(scheme: Layout, planets: int) -> str:
     return f"{name}, {counted(scheme, planets)}" if scheme.branched else name
 
 
+def brief_layout(key: str) -> str:
+    """The word of a layout; designations of planetary trains are the same in all languages."""
+    names = {"coaxial": tr("coaxial"), "unfolded2": tr("unfolded2"), "unfolded3": tr("unfolded3")}
+    return names.get(key, key)
+
+
 def train_name(sets: ToothSets) -> str:
     """A tooth set by its layout and its teeth."""
     return f"{layout_name(sets.scheme, sets.planets)}: $z$ = {teeth_text(sets.teeth[0].tolist())}"

@@ -60,8 +60,9 @@ def draw_lever(
     mu = standard_scale(needed(content, field, MARGIN))
     found = levers(statics, kinematics, *at, mu)[0]
     shown = _shown(found)
-    title = complex(field.middle.real, box.top)
     heading = tr("{position}: velocities turned by 90° clockwise", position=position_text(kinematics, position))
+    half = width(heading, 2.5 * larger) / 2  # a long one stands over the table too
+    title = complex(max(field.middle.real, box.left + half), box.top)
     drawing.add(Words(title, f"{heading}\n{scale_note('v', mu)}", 2.5 * larger, 1j))
     board = Board(drawing, field, content, MARGIN, mu)
     drawn = _Lever(board, turned, plan.fixed)

@@ -12,7 +12,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from heapq import nsmallest
-from itertools import product
+from itertools import islice, product
 from typing import NamedTuple
 
 from tmmcalc.report.drawing.box import Box
@@ -22,6 +22,8 @@ from tmmcalc.report.sheets.piece import Piece
 GAP = 6.0  # between pieces [mm]
 UNDER = 4.0  # from a heading to its picture [mm]
 TRIED = 50  # arrangements that are laid out in full, the most promising ones
+MOST = 400  # and so many until one is found that gives every piece what it needs
+FULL = 1.05  # part of the room beyond which the needs of pieces, with gaps also beside the last ones, cannot be met
 KEPT = 8  # ways to divide one column that are joined with others
 FINALISTS = 5  # of these the columns are made wider and narrower
 STEPS = (0.2, 0.05)
@@ -82,7 +84,11 @@ class Layout(NamedTuple):
 def arranged(pieces: Sequence[Piece], room: Room, height: float) -> Layout | None:
     """The best arrangement with headings of this height [mm]; None if the pieces do not fit together."""
     task = _Task(pieces, room, height)
-    found = filter(None, map(task.layout, task.promising(TRIED)))
+    if sum((w + GAP) * (h + GAP + task.head) for w, h in (piece.least for piece in pieces)) > FULL * room.area:
+        return None
+    found = [*filter(None, map(task.layout, task.promising(TRIED)))]
+    if not found:
+        found = [*islice(filter(None, map(task.layout, task.promising(MOST)[TRIED:])), 1)]
     best = [task.improved(each) for each in nsmallest(FINALISTS, found, key=lambda each: each.cost)]
     return min(best, key=lambda each: each.cost, default=None)
 
