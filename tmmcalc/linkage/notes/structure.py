@@ -6,18 +6,10 @@ from collections.abc import Iterator
 
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.structure import ROMAN, Group, Structure
-from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_count
 from tmmcalc.report.manuscript import Block, Heading, Line, Listing, Paragraph, Place, Table
-
-
-def chapter(order: Order) -> Iterator[Block]:
-    """What is said of the structure of the scene."""
-    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
-
-    yield from structure_blocks(to_linkage(order.spec.linkage), order.results["structure"])
 
 
 def structure_blocks(mechanism: Mechanism, result: Structure) -> Iterator[Block]:
