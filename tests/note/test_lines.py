@@ -6,12 +6,14 @@ A formula with a mistake in it is caught: its mutants do not give what the progr
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 
 import pytest
 
-from note.scenes import LINKAGES, lines, told
+from note.scenes import LINKAGES, lines, told, written
 from tmmcalc.note.assembled import Assembler
+from tmmcalc.note.plaintext import text
 from tmmcalc.report.formula.digits import EXACT, worked
 from tmmcalc.report.formula.tree import Call, Name, Node, Product, Quotient, Statement, Sum, mapped, parts
 from tmmcalc.report.manuscript import Lexicon, Line
@@ -106,3 +108,9 @@ def wrong(mutant: Statement, lexicon: Lexicon, key: str) -> bool:
         return worked(mutant.sides[1], lexicon, given.value, unit=given.unit).error > EXACT
     except (ValueError, ArithmeticError):
         return True
+
+
+def test_couples_are_not_called_forces() -> None:
+    said = text(written("shaper"))
+    assert "M_3 – inertia couple of link 3, N·m" in said
+    assert not re.search(r"force of link \d, N·m", said)

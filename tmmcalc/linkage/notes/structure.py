@@ -31,8 +31,8 @@ def structure_blocks(mechanism: Mechanism, result: Structure) -> Iterator[Block]
     }
     yield Line(read("W = 3*n - 2*p_5"), (Place("", lexicon),), key="mobility")
     if result.groups:
-        count = tr_count(len(result.groups), "group", "groups")
-        yield Paragraph(tr("Without the input link the mechanism falls into {count} of Assur:", count=count))
+        count = tr_count(len(result.groups), "Assur group", "Assur groups")
+        yield Paragraph(tr("Without the input link the mechanism falls into {count}:", count=count))
         yield Listing(tuple(map(_described, result.groups)))
     formula = result.formula.replace("->", "→")
     told = {"formula": formula, "number": ROMAN.get(result.class_number, str(result.class_number))}
