@@ -40,6 +40,7 @@ def forces_blocks(told: Told, loading: Loading, result: Forces) -> Iterator[Bloc
     found = solved(statics, result.theta[rows], sides)
     bodies = [{body.links[0]: body for body in link_bodies(found, k)} for k in range(len(told.rows))]
     yield Heading(tr("Force analysis"), 1)
+    yield from told.beyond()
     yield from _inertia(told, loading, bodies)
     for dyad in reversed(told.dyads):
         yield Heading(tr("Group {name}", name=dyad.step.group.name), 2)
