@@ -17,13 +17,13 @@ from tmmcalc.core.plane import Plane
 from tmmcalc.gears.chosen.motion import Moving, plans_of
 from tmmcalc.gears.gearingtask import ends
 from tmmcalc.gears.network.model import Network
-from tmmcalc.gears.network.plans import PlanPoint, Plans, scale_factor
+from tmmcalc.gears.network.plans import PlanPoint, Plans
 from tmmcalc.gears.pictures.memberscheme import view_of
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board, Field
 from tmmcalc.report.drawing.lettering import minus, plain, width
 from tmmcalc.report.drawing.pens import AXIS, CURVES, INK, THIN, VECTORS, Pen
-from tmmcalc.report.drawing.scales import factor_text, length_scale, scale_text
+from tmmcalc.report.drawing.scales import factor_text, length_scale, scale_text, standard_scale
 from tmmcalc.report.drawing.shapes import Arc, Drawing, Words
 from tmmcalc.report.drawing.tables import draw_table
 from tmmcalc.report.language import tr, tr_unit
@@ -125,7 +125,7 @@ class _Velocities(Field):
         self.told, self.network, self.part = told, network, part
         found = [point.velocity for point in told.points]
         low, high = min(0.0, *found), max(0.0, *found)
-        self.mu_v = scale_factor((high - low) / (box.width - 2 * part * ASIDE))
+        self.mu_v = standard_scale((high - low) / (box.width - 2 * part * ASIDE))
         floor = scheme.data(complex(scheme.box.left, scheme.box.bottom)).imag
         left = (low + high) / 2 - self.mu_v * box.width / 2
         super().__init__(drawing, box, complex(left, floor), (1 / self.mu_v, 1 / scheme.mu))
