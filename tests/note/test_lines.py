@@ -6,12 +6,14 @@ A formula with a mistake in it is caught: its mutants do not give what the progr
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 
 import pytest
 
-from note.scenes import LINKAGES, lines, told
+from note.scenes import LINKAGES, lines, told, written
 from tmmcalc.note.assembled import Assembler
+from tmmcalc.note.plaintext import text
 from tmmcalc.report.formula.digits import EXACT, worked
 from tmmcalc.report.formula.tree import Call, Name, Node, Product, Quotient, Statement, Sum, mapped, parts
 from tmmcalc.report.manuscript import Lexicon, Line
@@ -106,3 +108,22 @@ def wrong(mutant: Statement, lexicon: Lexicon, key: str) -> bool:
         return worked(mutant.sides[1], lexicon, given.value, unit=given.unit).error > EXACT
     except (ValueError, ArithmeticError):
         return True
+
+
+def test_couples_are_not_called_forces() -> None:
+    said = text(written("shaper"))
+    assert "M_3 – inertia couple of link 3, N·m" in said
+    assert not re.search(r"force of link \d, N·m", said)
+
+
+def test_a_number_that_is_the_result_stands_once() -> None:
+    """``R_10y = −T_1y`` of a positive sum is a sign before a number, and that is the result."""
+    twice = re.compile(r"= (\S+) = \1(?= |$)", re.MULTILINE)
+    assert "R_10x = −9537.8 N" in text(written("shaper"))
+    assert not twice.findall(text(written("shaper")))
+
+
+@pytest.mark.parametrize(("name", "group"), [("class-three", "III(2,3,4,5)"), ("tipper", "D(1,2,3)")])
+def test_groups_that_are_not_worked_out_are_named(name: str, group: str) -> None:
+    assert f"not written out here: {group}." in text(written(name))
+    assert "not written out" not in text(written("shaper"))

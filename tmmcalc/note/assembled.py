@@ -9,6 +9,7 @@ from typing import NamedTuple
 from tmmcalc.report.formula import setting
 from tmmcalc.report.formula.digits import Worked, worked
 from tmmcalc.report.formula.layout import Box, Gap, Row, Word
+from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
 from tmmcalc.report.formula.tree import Name, Statement, names
 from tmmcalc.report.language import tr, tr_unit
@@ -121,7 +122,7 @@ class Assembler:
             self.lines.append(Checked(line.formula, place.name, found))
             numbers = setting.side(found.tree, found.shown)
             parts = (setting.side(left), numbers, with_unit(found.result, given.unit))
-            same = not found.shown or numbers.boxes == parts[2].boxes[:1]
+            same = not found.shown or plain(numbers) == plain(parts[2].boxes[0])
             yield Equation((parts[0], parts[2]) if same else parts, lead=place.name)
 
     def _where(self, line: Line) -> Iterator[Written]:

@@ -1,18 +1,17 @@
-"""What a note is made of before it has a format: headings, paragraphs, formulas with numbers, tables, figures.
+"""What a note is made of before it has a format: headings, paragraphs, formulas with numbers, lists, tables.
 
 Texts are in the language in force. Within ``$`` stands a formula as `tmmcalc.report.formula.syntax` reads it.
-``{eq:KEY}``, ``{tab:KEY}``, ``{fig:KEY}`` are replaced by the number of what has this key.
+``{eq:KEY}``, ``{tab:KEY}`` are replaced by the number of what has this key.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
 from tmmcalc.report.formula.digits import RESULT, Given
 
 if TYPE_CHECKING:
-    from tmmcalc.report.drawing.shapes import Drawing
     from tmmcalc.report.formula.tree import Statement
 
 Lexicon = Mapping[str, Given]  # the quantities of a scene at one place, by their names in formulas
@@ -57,14 +56,6 @@ class Line(NamedTuple):
     digits: int = RESULT
 
 
-class Condition(NamedTuple):
-    """An inequality in letters and numbers, and whether it holds."""
-
-    formula: Statement
-    lexicon: Lexicon
-    key: str = ""
-
-
 class Listing(NamedTuple):
     """Points of a list."""
 
@@ -72,22 +63,12 @@ class Listing(NamedTuple):
 
 
 class Table(NamedTuple):
-    """Cells as they are printed, under a head; ``turned``: it stands on a page of its own, landscape."""
+    """Cells as they are printed, under a head."""
 
     caption: str
     head: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     key: str = ""
-    turned: bool = False
 
 
-class Figure(NamedTuple):
-    """A drawing made at the size at which it stands [mm]."""
-
-    caption: str
-    draw: Callable[[float, float], Drawing]
-    size: tuple[float, float]
-    key: str = ""
-
-
-Block = Heading | Paragraph | Display | Line | Condition | Listing | Table | Figure
+Block = Heading | Paragraph | Display | Line | Listing | Table

@@ -18,7 +18,7 @@ from tmmcalc.report.formula.mathml import mathml
 from tmmcalc.report.formula.omml import omml
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, side, statement
-from tmmcalc.report.formula.syntax import read, read_node
+from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import value
 from tmmcalc.report.formula.typst import typst
 from tmmcalc.report.language import speaking
@@ -53,16 +53,16 @@ def test_letters(text: str, said: str) -> None:
 
 def test_numbers_have_points_between_and_brackets_about_negative_ones() -> None:
     shown = {"a": Shown("-2.5"), "b": Shown("-3"), "phi": Shown("-30", degrees=True)}
-    assert plain(side(read_node("a*b*sin(phi)"), shown)) == "−2.5·(−3)·sin(−30°)"
-    assert plain(side(read_node("b - a"), shown)) == "−3 − (−2.5)"
-    assert plain(side(read_node("-a"), shown)) == "−(−2.5)"
-    assert plain(side(read_node("a**2"), shown)) == "(−2.5)^2"
+    assert plain(side(read("a*b*sin(phi)").sides[0], shown)) == "−2.5·(−3)·sin(−30°)"
+    assert plain(side(read("b - a").sides[0], shown)) == "−3 − (−2.5)"
+    assert plain(side(read("-a").sides[0], shown)) == "−(−2.5)"
+    assert plain(side(read("a**2").sides[0], shown)) == "(−2.5)^2"
     with speaking("uk"):
-        assert plain(side(read_node("a*tan(phi)"), shown)) == "−2,5·tg(−30°)"
+        assert plain(side(read("a*tan(phi)").sides[0], shown)) == "−2,5·tg(−30°)"
 
 
 def test_a_power_of_ten_stands_beside_its_number() -> None:
-    assert plain(side(read_node("E*a"), {"E": Shown("2.1e11"), "a": Shown("-1e-7")})) == "2.1·10^11·(−1·10^−7)"
+    assert plain(side(read("E*a").sides[0], {"E": Shown("2.1e11"), "a": Shown("-1e-7")})) == "2.1·10^11·(−1·10^−7)"
 
 
 def formulas() -> list[Any]:
@@ -115,7 +115,7 @@ def signs(box: Box) -> int:
 
 def test_a_broken_line_loses_nothing_and_fits() -> None:
     text = " + ".join(f"a_{k}*sin(phi_{k})*l_{k}" for k in range(12))
-    parts = (side(read_node("x")), side(read_node(text)))
+    parts = (side(read("x").sides[0]), side(read(text).sides[0]))
     rows = broken(parts, 30.0)
     assert len(rows) == 3
     assert all(width(row) <= 30.0 for row in rows)
@@ -132,8 +132,8 @@ def test_a_printed_line_works_out(digits: int) -> None:
         given = {key: Given(draw.choice([1, -1]) * 10 ** draw.uniform(-3, 4)) for key in "abc"}
         given["phi"] = Given(draw.uniform(-360, 360), "deg")
         plainly = {key: each.value for key, each in given.items()} | {"phi": math.radians(float(given["phi"].value))}
-        result = value(read_node(text), plainly)
-        found = worked(read_node(text), given, result, digits=digits)
+        result = value(read(text).sides[0], plainly)
+        found = worked(read(text).sides[0], given, result, digits=digits)
         assert found.error < 1e-14
         assert found.off <= 0.5 + 1e-6
         printed = {key: float(each.digits) for key, each in found.shown.items()}

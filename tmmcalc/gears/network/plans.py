@@ -13,7 +13,7 @@ the distance h from a line, parallel to those lines, cut off lengths there that 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import atan, floor, hypot, log10, pi
+from math import atan, hypot, pi
 
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
@@ -21,8 +21,8 @@ from tmmcalc.gears.network.model import FRAME, Network
 from tmmcalc.gears.network.places import Places, places
 from tmmcalc.gears.network.speeds import Motion
 from tmmcalc.gears.network.willis import Wheels, wheel_names
+from tmmcalc.report.drawing.scales import standard_scale
 
-FACTORS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)  # of scales, times a power of ten
 LENGTH, VELOCITY = 150.0, 60.0  # [mm] room of the line of centres, and of the largest velocity
 Raw = tuple[str, str, tuple[str, ...], tuple[float, float] | None, complex, complex]  # name, kind ... place, velocity
 POLE = 40.0  # [mm] h, of the pole from the line of speeds
@@ -112,7 +112,7 @@ def plans(
     reach = max([reach, *(abs(place) for place in at.axes.values())])
     raw = [*_axes(moving), *_pitch_points(moving, named)]
     fastest = max((hypot(v.real, v.imag) for *_, v in raw), default=0.0)
-    mu_l, mu_v = scale_factor(reach / LENGTH), scale_factor(fastest / VELOCITY)
+    mu_l, mu_v = standard_scale(reach / LENGTH), standard_scale(fastest / VELOCITY)
     mu_omega = mu_v / (mu_l * POLE)
     points = tuple(
         PlanPoint(
@@ -131,20 +131,6 @@ def plans(
     )
     lines = tuple(_line(moving, name, mu_l / mu_v, mu_omega) for name in network.members)
     return Plans(mu_l, mu_v, mu_omega, 1e-3 * POLE, assumed, points, lines)
-
-
-def scale_factor(least: float) -> float:
-    """The scale factor 1, 2, 2.5, 4 or 5 times a power of ten that is ``least`` or next above; 1 for 0.
-
-    >>> scale_factor(0.0013), scale_factor(25.0), scale_factor(0.0)
-    (0.002, 25.0, 1.0)
-    """
-    if least <= 0:
-        return 1.0
-    power = floor(log10(least))
-    # a decimal by its digits: 2 times 1e-3 is not 0.002
-    sizes = (float(f"{factor:g}e{power}") for factor in FACTORS)
-    return next(size for size in sizes if size >= least * (1 - 1e-12))
 
 
 class _Moving:

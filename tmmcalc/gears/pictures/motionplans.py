@@ -18,7 +18,7 @@ from tmmcalc.core.plane import Plane
 from tmmcalc.gears.chosen.motion import Moving, plans_of
 from tmmcalc.gears.gearingtask import ends
 from tmmcalc.gears.network.model import Network
-from tmmcalc.gears.network.plans import PlanPoint, Plans, scale_factor
+from tmmcalc.gears.network.plans import PlanPoint, Plans
 from tmmcalc.gears.pictures.memberscheme import view_of
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board, Field
@@ -126,7 +126,7 @@ class _Velocities(Field):
         self.told, self.network, self.part = told, network, part
         found = [point.velocity for point in told.points]
         low, high = min(0.0, *found), max(0.0, *found)
-        self.mu_v = scale_factor((high - low) / (box.width - 2 * part * ASIDE))
+        self.mu_v = standard_scale((high - low) / (box.width - 2 * part * ASIDE))
         floor = scheme.data(complex(scheme.box.left, scheme.box.bottom)).imag
         left = (low + high) / 2 - self.mu_v * box.width / 2
         super().__init__(drawing, box, complex(left, floor), (1 / self.mu_v, 1 / scheme.mu))

@@ -40,6 +40,7 @@ def forces_blocks(told: Told, loading: Loading, result: Forces) -> Iterator[Bloc
     found = solved(statics, result.theta[rows], sides)
     bodies = [{body.links[0]: body for body in link_bodies(found, k)} for k in range(len(told.rows))]
     yield Heading(tr("Force analysis"), 1)
+    yield from told.beyond()
     yield from _inertia(told, loading, bodies)
     for dyad in reversed(told.dyads):
         yield Heading(tr("Group {name}", name=dyad.step.group.name), 2)
@@ -164,13 +165,15 @@ def _sums(told: Told, bodies: Sequence[Bodies], link: int, own: set[str]) -> lis
 
 
 def _said(acting: Acting | Couple | None, key: str) -> str:
-    """What a force is."""
+    """What a force or a couple is."""
     kind = acting.kind if acting is not None else "load"
     link = acting.link if acting is not None else ""
     words = {
         "load": tr("given load"),
         "weight": tr("weight of link {link}", link=link),
-        "inertia": tr("inertia force of link {link}", link=link),
+        "inertia": tr("inertia couple of link {link}", link=link)
+        if isinstance(acting, Couple)
+        else tr("inertia force of link {link}", link=link),
         "spring": tr("force of the spring"),
         "damper": tr("force of the damper"),
         "reaction": tr("reaction found before"),

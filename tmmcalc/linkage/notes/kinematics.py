@@ -13,6 +13,7 @@ from tmmcalc.report.manuscript import Block, Heading
 def kinematics_blocks(told: Told) -> Iterator[Block]:
     """The input link and every dyad, with their formulas worked out."""
     yield Heading(tr("Kinematic analysis"), 1)
+    yield from told.beyond()
     if told.chain.turns and told.chain.structure.driven is None:
         yield Heading(tr("Input link"), 2)
         sense = "" if told.result.speed > 0 else "-"

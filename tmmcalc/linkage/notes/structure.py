@@ -6,18 +6,10 @@ from collections.abc import Iterator
 
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.structure import ROMAN, Group, Structure
-from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_count
 from tmmcalc.report.manuscript import Block, Heading, Line, Listing, Paragraph, Place, Table
-
-
-def chapter(order: Order) -> Iterator[Block]:
-    """What is said of the structure of the scene."""
-    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
-
-    yield from structure_blocks(to_linkage(order.spec.linkage), order.results["structure"])
 
 
 def structure_blocks(mechanism: Mechanism, result: Structure) -> Iterator[Block]:
@@ -39,8 +31,8 @@ def structure_blocks(mechanism: Mechanism, result: Structure) -> Iterator[Block]
     }
     yield Line(read("W = 3*n - 2*p_5"), (Place("", lexicon),), key="mobility")
     if result.groups:
-        count = tr_count(len(result.groups), "group", "groups")
-        yield Paragraph(tr("Without the input link the mechanism falls into {count} of Assur:", count=count))
+        count = tr_count(len(result.groups), "Assur group", "Assur groups")
+        yield Paragraph(tr("Without the input link the mechanism falls into {count}:", count=count))
         yield Listing(tuple(map(_described, result.groups)))
     formula = result.formula.replace("->", "→")
     told = {"formula": formula, "number": ROMAN.get(result.class_number, str(result.class_number))}

@@ -19,7 +19,7 @@ from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Name
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Line, Place
+from tmmcalc.report.manuscript import Block, Line, Paragraph, Place
 
 DYADS = "tmmcalc.linkage.notes.dyads"
 STILL = 1e-12  # a value this small in every shown position is nothing
@@ -62,6 +62,15 @@ class Told(NamedTuple):
                     lexicon[left.key] = turned(lexicon[left.key], value_of(right, lexicon, "deg"))
             names = [tr("in position {label}", label=self.result.labels[row]) for row in self.rows]
             yield Line(formula, tuple(map(Place, names, self.lexicons)))
+
+    def beyond(self) -> Iterator[Block]:
+        """A sentence on the groups that are no dyads, where there are some."""
+        names = ", ".join(step.group.name for step in self.chain.steps if not isinstance(step, Step))
+        if names:
+            said = tr(
+                "The program solves these groups, and their lines are not written out here: {groups}.", groups=names
+            )
+            yield Paragraph(said)
 
     def _zeros(self) -> set[str]:
         """Names that are nothing in every shown position."""

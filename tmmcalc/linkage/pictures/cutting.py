@@ -14,12 +14,13 @@ from tmmcalc.linkage.pictures.cycle import LinkageMotion, motion_at, whole_cycle
 from tmmcalc.linkage.pictures.forcepolygon import draw_force_polygon
 from tmmcalc.linkage.pictures.loaddiagram import draw_load_diagram, scale_in
 from tmmcalc.linkage.pictures.plans import SENSES
-from tmmcalc.linkage.pictures.scheme import length_note, position_text
+from tmmcalc.linkage.pictures.scheme import position_text
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.key import samples_in_rows
 from tmmcalc.report.drawing.lettering import minus, symbol
 from tmmcalc.report.drawing.pens import FORCES
+from tmmcalc.report.drawing.scales import scale_text
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.drawing.tables import draw_table
 from tmmcalc.report.language import tr, tr_unit
@@ -123,7 +124,7 @@ def draw_body(drawing: Drawing, box: Box, body: FreeBody, motion: LinkageMotion,
     """The load diagram of a body with its name and scale above."""
     larger = drawing.letters
     mu = draw_load_diagram(drawing, box.inset(0, 0, 0, NAME * larger), body, motion, cycle)
-    drawing.add(Words(complex(box.middle.real, box.top), f"{body.name},  {length_note(mu)}", 2.5 * larger, 1j))
+    drawing.add(Words(complex(box.middle.real, box.top), f"{body.name},  {scale_text(mu)}", 2.5 * larger, 1j))
 
 
 def _draw_values(drawing: Drawing, box: Box, body: FreeBody, other: FreeBody | None, limits: tuple[str, str]) -> None:

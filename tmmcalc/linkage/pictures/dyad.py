@@ -10,7 +10,6 @@ import numpy as np
 
 from tmmcalc.linkage.dyadstate import DyadState, DyadTask, Port
 from tmmcalc.linkage.pictures.plans import scale_note
-from tmmcalc.linkage.pictures.scheme import length_note
 from tmmcalc.report.drawing import signs
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
@@ -18,7 +17,7 @@ from tmmcalc.report.drawing.lettering import minus, point_name
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import AXIS, THICK, THIN, Pen
-from tmmcalc.report.drawing.scales import length_scale
+from tmmcalc.report.drawing.scales import length_scale, scale_text
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number, round_scale
@@ -114,7 +113,7 @@ def _draw(drawing: Drawing, box: Box, task: DyadTask, result: DyadState, order: 
     drawing.line(corners, THIN, closed=True)
     title = tr("Velocities") if letter == "v" else tr("Accelerations")
     named = scale_note(letter, scale * board.mu) if longest else tr("none")
-    text = f"{title}, {named},  {length_note(board.mu)}"
+    text = f"{title}, {named},  {scale_text(board.mu)}"
     drawing.add(Words(complex(box.middle.real, box.top), text, 2.8, 1j))
     drawing.add(Words(complex(box.middle.real, box.bottom), _turning(result, order), 2.5, -1j))
 

@@ -17,10 +17,9 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board, needed
 from tmmcalc.report.drawing.lettering import symbol
 from tmmcalc.report.drawing.pens import AXIS, FORCES, INK, MIDDLE, THIN, Pen
-from tmmcalc.report.drawing.scales import standard_scale
+from tmmcalc.report.drawing.scales import factor_text, standard_scale
 from tmmcalc.report.drawing.shapes import Arc, Drawing, Words
-from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.numbers import number
+from tmmcalc.report.language import tr
 
 MARGIN = 8.0  # free border [mm]
 HEAD = 3.0
@@ -80,7 +79,7 @@ def polygon_scale(box: Box, body: FreeBody) -> float:
 
 def scale_of_forces(mu: float) -> str:
     """The scale as it is written beside a polygon."""
-    return f"$μ_F$ = {number(mu, 4)} {tr_unit('N/mm')}"
+    return factor_text("μ_F", mu, "N/mm")
 
 
 def vectors_of(body: FreeBody) -> list[ForceVector]:

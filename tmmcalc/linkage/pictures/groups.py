@@ -9,11 +9,11 @@ from tmmcalc.linkage.freebody import FreeBody
 from tmmcalc.linkage.pictures.bodies import bodies
 from tmmcalc.linkage.pictures.cycle import LinkageMotion
 from tmmcalc.linkage.pictures.loaddiagram import draw_load_diagram, scale_in
-from tmmcalc.linkage.pictures.scheme import length_note
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.structure import ROMAN, Group, Structure
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.scales import scale_text
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr
 
@@ -51,7 +51,7 @@ def draw_groups(drawing: Drawing, box: Box, structure: Structure, motion: Linkag
 
     for place, body, told in zip(cells(box, len(free), scales), free, classes, strict=True):
         mu = draw_load_diagram(drawing, room(place), body, motion, cycle, MARGIN * larger)
-        lines = f"{body.name}\n{told}\n{length_note(mu)}"
+        lines = f"{body.name}\n{told}\n{scale_text(mu)}"
         drawing.add(Words(complex(place.middle.real, place.top), lines, 2.5 * larger, 1j))
         board = drawing.fields[-1]
         assert isinstance(board, Board)

@@ -18,7 +18,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board, needed
 from tmmcalc.report.drawing.key import samples_in_rows
 from tmmcalc.report.drawing.pens import VECTORS
-from tmmcalc.report.drawing.scales import standard_scale
+from tmmcalc.report.drawing.scales import factor_text, standard_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.drawing.tables import draw_table
 from tmmcalc.report.language import tr, tr_number, tr_unit
@@ -157,8 +157,7 @@ def plan_name(letter: str) -> str:
 
 def scale_note(letter: str, mu: float) -> str:
     """The scale as it is written beside a plan."""
-    unit = tr_unit("m/s" if letter == "v" else "m/s²")
-    return f"$μ_{letter}$ = {number(mu, 4)} ({unit})/{tr_unit('mm')}"
+    return factor_text(f"μ_{letter}", mu, "(m/s)/mm" if letter == "v" else "(m/s²)/mm")
 
 
 def _draw_tables(drawing: Drawing, boxes: tuple[Box, Box, Box], plan: VectorPolygons, scale: PlanScale) -> None:

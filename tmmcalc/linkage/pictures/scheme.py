@@ -19,10 +19,10 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.lettering import minus, point_name
 from tmmcalc.report.drawing.pens import MARK, OTHER, PATH
-from tmmcalc.report.drawing.scales import length_scale, ratio
+from tmmcalc.report.drawing.scales import length_scale, scale_text
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.drawing.wording import corners
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import number
 
 PATHS, OTHERS = 1, 2  # levels of what lies beneath the links
@@ -261,7 +261,7 @@ def _rays(at: complex, segment: Sequence[complex], reach: float) -> list[complex
 def _title(result: Kinematics, position: int, mu: float) -> str:
     """Which position the main lines show, and the scale on paper."""
     formula = result.structure.formula.replace("->", "→")
-    return f"{formula}\n{position_text(result, position)},  {length_note(mu)}"
+    return f"{formula}\n{position_text(result, position)},  {scale_text(mu)}"
 
 
 def position_text(result: Kinematics, row: int) -> str:
@@ -270,8 +270,3 @@ def position_text(result: Kinematics, row: int) -> str:
     if result.turns:
         return tr("Position {label}, $φ$ = {angle}°", label=label, angle=minus(number(math.degrees(value), 5)))
     return tr("Position {label}, $s − s_0$ = {way} m", label=label, way=minus(number(value, 5)))
-
-
-def length_note(mu: float) -> str:
-    """A scale of lengths as it is written beside a scheme."""
-    return f"$μ_l$ = {number(mu, 4)} {tr_unit('m/mm')} ({ratio(mu)})"

@@ -47,12 +47,6 @@ def read(text: str) -> Statement:
     return Statement(tuple(_side(side) for side in rest), tuple(found))
 
 
-@cache
-def read_node(text: str) -> Node:
-    """One side. Raises `FormulaError`."""
-    return _side(text)
-
-
 def _side(text: str) -> Node:
     words: list[str] = []
     lettered = _with_identifiers(text.strip(), words)

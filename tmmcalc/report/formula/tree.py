@@ -100,7 +100,6 @@ FUNCTIONS: Mapping[str, Callable[..., float]] = {
     "deg": math.radians,  # a number of degrees
     "vec": lambda x: x,  # a vector, in letters alone
 }
-ANGLES = ("asin", "acos", "atan", "atan2", "deg")  # functions whose value is an angle
 CONSTANTS = {"pi": math.pi}
 
 
