@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import csv
+import io
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from bounding import assert_bounds
+from typer.testing import CliRunner
 
 import tmmcalc
+from tmmcalc.cli.app import app
 from tmmcalc.extras.loadcases import LOADS, MECHANISMS
 from tmmcalc.extras.transloader import Part, Start, TransloaderTask, Way, Wind, solve_transloader
 from tmmcalc.project import templates
@@ -133,6 +138,29 @@ def test_limits_that_are_not_kept_are_told(change: dict[str, Any], what: str) ->
     warnings = [note for note in notes if note.startswith("warning")]
     assert len(warnings) == 1, warnings
     assert what in warnings[0]
+
+
+def test_limits_by_their_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The limits of the source: 50 to 360 m/min, v <= 0.5 sqrt(L j), lowering at 1 to 1.4 of hoisting, span/700."""
+    monkeypatch.chdir(tmp_path)
+    spec = str(templates.path("extra-transloader"))
+    told = CliRunner().invoke(app, ["names", spec, "limits.*", "-f", "csv"]).stdout
+    listed = csv.DictReader(io.StringIO(told))
+    rows = {(row["name"].removeprefix("transloader.limits."), row["unit"]): row for row in listed}
+    expected = {
+        ("trolley_speed.low", "m/s"): 50 / 60,
+        ("trolley_speed.high", "m/s"): 360 / 60,
+        ("trolley_speed_by_way.high", "m/s"): 0.5 * (60 * 0.6) ** 0.5,
+        ("hoist_speed_by_height.high", "m/s"): 0.3 * (25 * 1.1) ** 0.5,
+        ("hoist_acceleration.value", "m/s^2"): 1.1,
+        ("lift.high", "m"): 30.0,
+        ("lowering_speed.high", "m/s"): 1.4 * 1.5,
+        ("deflection.high", "m"): 76 / 700,
+        ("deflection.holds", ""): 1.0,
+    }
+    assert {key: float(rows[key]["value"]) for key in expected} == pytest.approx(expected)
+    assert all(row["meaning"] and "{" not in row["meaning"] for row in rows.values())
+    assert ("deflection.low", "m") not in rows
 
 
 def test_inertia_and_wind_by_hand() -> None:

@@ -20,7 +20,7 @@ from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
 from tmmcalc.linkage.forces.solve import solve_forces
 from tmmcalc.linkage.freebody import FreeBody, Solved, link_bodies
 from tmmcalc.linkage.kinematics import solve_kinematics
-from tmmcalc.linkage.lever import REACH, Lever, levers, scale_of
+from tmmcalc.linkage.lever import REACH, Lever, levers, velocity_scale
 from tmmcalc.linkage.loading import GearDrive, Load, Loading
 from tmmcalc.linkage.loadlaws.constant import Constant
 from tmmcalc.linkage.loads.scene import compile_scene
@@ -181,7 +181,7 @@ def test_documents_tell_every_position_that_is_asked_for() -> None:
         assert found["M_drive[N*m]"] == pytest.approx(result.drive[row])
         assert found["M_drive_lever[N*m]"] == pytest.approx(result.drive[row])
     mu = told.facts[1].values["mu_v[m/s/mm]"]
-    assert mu == scale_of(scene, kinematics, result.theta[rows])
+    assert mu == velocity_scale(scene, kinematics, result.theta[rows])
     reach = max(np.hypot(x, y) for x, y in zip(told.table.columns[7], told.table.columns[8], strict=True))
     assert REACH / 5 < reach <= REACH * 1.01  # the loads of the press act at its pins, or between them
     links = bodies_document(scene, result, "", rows[:1])

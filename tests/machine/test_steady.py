@@ -40,6 +40,7 @@ from machine.motion import (
 from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
 from tmmcalc.core.numerics.collocation import initial, solve
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.motors.direct_current import series
 from tmmcalc.machine.motors.gearing import reduced
 from tmmcalc.machine.motors.table import table
 from tmmcalc.machine.onemass import OneMass, onto
@@ -547,6 +548,23 @@ def test_a_machine_that_runs_away_is_told() -> None:
         warnings.simplefilter("error")
         with pytest.raises(NoSolutionError, match="runs away"):
             driven(of_pieces([300.0], [0.0, TURN]), 0.5, MOTORS["kloss"])
+
+
+@pytest.mark.parametrize("lag", [0.0, 1e-2])
+@pytest.mark.parametrize("loads", [[0.0, 0.0], [40.0, 60.0], [-50.0, 50.0]])
+def test_a_motor_without_a_no_load_speed_runs_away_unloaded(loads: list[float], lag: float) -> None:
+    """M = M_N ((w_N + a)/(w + a))^2 is positive at every speed: with loads that do not resist no cycle balances."""
+    motor = series(60.0, 10.0, 0.2)
+    with pytest.raises(NoSolutionError, match=r"runs away.*no no-load speed, at 200 rad/s") as caught:
+        driven(of_pieces(loads, [0.0, TURN / 2, TURN]), 2.0, motor, time_constant=lag)
+    assert caught.value.value == pytest.approx(sum(loads) / 2, abs=1e-12)
+    assert f"{60.0 * (12.5 / 202.5) ** 2:.6g} N*m" in caught.value.message
+
+
+def test_a_small_load_holds_a_motor_without_a_no_load_speed() -> None:
+    load = 60.0 * (12.5 / 102.5) ** 2  # at ten times the rated speed
+    regime = driven(of_pieces([-load], [0.0, TURN]), 2.0, series(60.0, 10.0, 0.2))
+    assert regime.mean == pytest.approx(100.0, rel=1e-9)
 
 
 class _Rising(Motor):

@@ -97,12 +97,13 @@ class TransloaderTask:
 class Limit:
     """What a speed, an acceleration or a size may be."""
 
+    name: str = quantity("name", "name of what is limited")
     what: str = quantity("limit", "what is limited")
-    unit: str = quantity("unit", "unit of the value and its limits")
-    value: float = quantity("value", "value")
-    low: float | None = quantity("low", "lowest value that is usual")
-    high: float | None = quantity("high", "highest value that is usual")
-    holds: bool = quantity("holds", "whether the value is between them")
+    unit: str
+    value: float = quantity("value[{unit}]", "{what}")
+    low: float | None = quantity("low[{unit}]", "lowest that is usual: {what}")
+    high: float | None = quantity("high[{unit}]", "highest that is usual: {what}")
+    holds: bool = quantity("holds", "whether it is between its limits: {what}")
 
 
 @record
@@ -268,30 +269,31 @@ def _limits(task: TransloaderTask, drives: tuple[Drive, ...]) -> list[Limit]:
     found = []
     speeds = {drive.what: drive for drive in drives}
     if "trolley" in speeds:
-        trolley = speeds["trolley"]
-        found.append(_limit("speed of the trolley", "m/s", trolley.speed, *TROLLEY))
-        found.append(_limit("speed of the trolley by its way", "m/s", trolley.speed, None, TROLLEY_PART * trolley.peak))
+        v, most = speeds["trolley"].speed, TROLLEY_PART * speeds["trolley"].peak
+        found.append(_limit("trolley_speed", "speed of the trolley", "m/s", v, *TROLLEY))
+        found.append(_limit("trolley_speed_by_way", "speed of the trolley by its way", "m/s", v, None, most))
     if "hoist" in speeds:
-        hoist = speeds["hoist"]
-        found.append(_limit("speed of the hoist", "m/s", hoist.speed, *HOIST))
-        found.append(_limit("speed of the hoist by its height", "m/s", hoist.speed, None, HOIST_PART * hoist.peak))
-        found.append(_limit("acceleration of the hoist", "m/s^2", hoist.acceleration, *HOIST_ACCELERATION))
-        found.append(_limit("height of the lift", "m", hoist.length, *LIFT))
+        v, j, most = speeds["hoist"].speed, speeds["hoist"].acceleration, HOIST_PART * speeds["hoist"].peak
+        found.append(_limit("hoist_speed", "speed of the hoist", "m/s", v, *HOIST))
+        found.append(_limit("hoist_speed_by_height", "speed of the hoist by its height", "m/s", v, None, most))
+        found.append(_limit("hoist_acceleration", "acceleration of the hoist", "m/s^2", j, *HOIST_ACCELERATION))
+        found.append(_limit("lift", "height of the lift", "m", speeds["hoist"].length, *LIFT))
         if task.lowering is not None:
-            low, high = (part * hoist.speed for part in LOWERING)
-            found.append(_limit("speed of lowering", "m/s", task.lowering, low, high))
+            low, high = (part * v for part in LOWERING)
+            found.append(_limit("lowering_speed", "speed of lowering", "m/s", task.lowering, low, high))
     if task.bridge_speed is not None:
-        found.append(_limit("speed of the bridge", "m/s", task.bridge_speed, *BRIDGE))
+        found.append(_limit("bridge_speed", "speed of the bridge", "m/s", task.bridge_speed, *BRIDGE))
     if task.span is not None:
-        found.append(_limit("span", "m", task.span, *SPAN))
+        found.append(_limit("span", "span", "m", task.span, *SPAN))
         if task.deflection is not None:
-            found.append(_limit("deflection of the bridge", "m", task.deflection, None, task.span / DEFLECTION))
+            most = task.span / DEFLECTION
+            found.append(_limit("deflection", "deflection of the bridge", "m", task.deflection, None, most))
     return found
 
 
-def _limit(what: str, unit: str, value: float, low: float | None, high: float | None) -> Limit:
+def _limit(name: str, what: str, unit: str, value: float, low: float | None, high: float | None) -> Limit:
     above = low is None or value >= low * (1 - SAME)
-    return Limit(what, unit, value, low, high, bool(above and (high is None or value <= high * (1 + SAME))))
+    return Limit(name, what, unit, value, low, high, bool(above and (high is None or value <= high * (1 + SAME))))
 
 
 def _notes(
@@ -334,7 +336,7 @@ def _outside(limit: Limit) -> Said:
     assert end is not None
     shown = "m/min" if limit.unit == "m/s" else ""
     text = f"{{what}} is {{value:.6g}} {{unit}}, {'below' if low else 'above'} {{limit:.6g}} {{unit}}"
-    return held("warning", text, limit.value, end, limit.unit, shown=shown, name=limit.what, what=limit.what)
+    return held("warning", text, limit.value, end, limit.unit, shown=shown, name=limit.name, what=limit.what)
 
 
 def _overstressed(check: Check) -> Said:

@@ -92,7 +92,7 @@ def levers(statics: Statics, kinematics: Kinematics, theta: Real, side: Real, mu
     return tuple(made)
 
 
-def scale_of(statics: Statics, kinematics: Kinematics, theta: Real) -> float:
+def velocity_scale(statics: Statics, kinematics: Kinematics, theta: Real) -> float:
     """The round scale [(m/s)/mm] by which no velocity of a pin or named point at theta (n,) is longer than `REACH`."""
     motions = statics.scene.chain.evaluate(statics.scene.travel.x(theta)).motions
     pins = find_pins(statics.scene.chain.mechanism)

@@ -12,7 +12,7 @@ from tmmcalc.core.numerics.collocation import Orbit
 from tmmcalc.machine.cycle import Cycle, place
 from tmmcalc.machine.driver import UNDRIVEN
 from tmmcalc.machine.onemass import SPEEDS, OneMass
-from tmmcalc.machine.settling import Guess, Halt, directly, next_to, settled
+from tmmcalc.machine.settling import RUNAWAY, Guess, Halt, directly, next_to, settled
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic
@@ -23,6 +23,7 @@ GROWTH = 10.0
 LARGEST = 1e9  # times the first trial: where the search upwards ends
 LEAST = 1e-9  # times an inertia that carries the load: with so little the links alone do
 STEP = 0.8  # from one inertia to the next smaller one: near enough for the regime to be continued
+UNLOADED = 1e-12  # mean moment of the loads against the largest of the motor that is rounding
 MESSAGE = 1e-3  # tolerance of the inertia in a message
 
 Machine = Callable[[float], OneMass]  # of its constant inertia
@@ -122,6 +123,29 @@ def check_mean_load(machine: OneMass) -> None:
         value=-mean,
         limit=largest,
         remedy="a stronger motor, a larger ratio of the gear train, or less load",
+    )
+
+
+def check_no_load(machine: OneMass) -> None:
+    """Raise `NoSolutionError` if nothing resists a motor that drives at every speed: no inertia and no time help then.
+
+    A regime needs loads that take, on the average, what the motor gives.
+    """
+    cycle, motor, reference = machine.cycle, machine.characteristic, machine.reference
+    if motor.synchronous is not None or np.any(cycle.viscous < 0) or np.any(cycle.quadratic < 0):
+        return
+    mean = float(cycle.panels.total(cycle.moment)) / cycle.period
+    given = motor.moment(reference * np.append(SPEEDS, RUNAWAY))
+    if np.min(given) <= 0 or mean < -UNLOADED * np.max(given):
+        return
+    raise NoSolutionError(
+        f"the machine runs away: the motor ({motor.name}) has no no-load speed, at {RUNAWAY * reference:.6g} rad/s of "
+        f"the crank it still drives with {given[-1]:.6g} N*m, and the loads do not resist it: their mean moment is "
+        f"{mean if abs(mean) > UNLOADED * np.max(given) else 0.0:.6g} N*m",
+        where=WHERE,
+        value=mean,
+        limit=0.0,
+        remedy="a load that resists (a negative moment), or a motor that has a no-load speed, such as a shunt one",
     )
 
 

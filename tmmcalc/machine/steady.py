@@ -18,7 +18,7 @@ from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.onemass import SPEEDS, OneMass, balanced_speed, check_inertia, onto
 from tmmcalc.machine.regime import Regime, multipliers, regime_of
 from tmmcalc.machine.settling import Guess, Halt, guessed, settled
-from tmmcalc.machine.stall import check_mean_load, halted
+from tmmcalc.machine.stall import check_mean_load, check_no_load, halted
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motors.characteristics import Characteristic
@@ -64,6 +64,7 @@ def driven(
         return free
     if balanced_speed(machine) is None:
         check_mean_load(machine)
+        check_no_load(machine)
     near = None if guess is None else guessed(machine, _guess(cycle, guess), guess.constant_inertia)
     found = settled(machine, near)
     if isinstance(found, Halt):

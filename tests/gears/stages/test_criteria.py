@@ -13,6 +13,8 @@ import pytest
 import tmmcalc
 from gears.stages.trains import ABSOLUTE, AI, AIBAR, CASES, COAXIAL, LOADED, UNFOLDED, at, chosen
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Note
+from tmmcalc.gears.facts.criteria import summary
 from tmmcalc.gears.selection.columns import chosen_columns
 from tmmcalc.gears.selection.results import MEASURES, Selection
 from tmmcalc.gears.split import best_split
@@ -45,6 +47,18 @@ def test_mass_inertia_size_of_the_tables(case: str, train: str, sizes: Any) -> N
         assert found["mass"] == pytest.approx(row["M_sum_kg"], abs=6e-5)
         assert found["inertia"] == pytest.approx(row["J_kgm2"], abs=6e-7)
         assert 1000 * found["size"] == pytest.approx(row["D_mm"], abs=1e-9)
+
+
+@pytest.mark.parametrize(("widths", "told"), [((8.0, 120.0), [(1, 4.0, 6.0), (2, 60.0, 40.0)]), ((12.0, 80.0), [])])
+def test_unusual_widths_are_told_by_stage(widths: tuple[float, float], told: list[tuple[int, float, float]]) -> None:
+    """b/m of both stages, of modules of 2 mm; the ends 6 and 40 themselves are usual."""
+    sizes = f"module = [0.002, 0.002]\nwidth = {[b / 1000 for b in widths]}\n"
+    found = chosen(UNFOLDED, f"torque = 22\n{sizes}{STRONG}")
+    notes = [each for each in summary(found, "criteria").notes if isinstance(each, Note) and "face width" in each]
+    assert [(each.name, each.level) for each in notes] == [(f"b_{k}/m_{k}", "warning") for k, _, _ in told]
+    assert [(each.value, each.limit) for each in notes] == [pytest.approx(numbers) for _, *numbers in told]
+    worst = max((max(limit / value, value / limit) - 1 for _, value, limit in told), default=0.0)
+    assert found.winner.values["width_deviation"] == pytest.approx(worst)
 
 
 @pytest.mark.parametrize("planets", [1, 3])

@@ -243,6 +243,24 @@ def test_plugging_without_saturation_needs_more_than_the_critical_resistance() -
     assert raised.value.value == pytest.approx(critical - 0.2, rel=1e-12)
 
 
+@pytest.mark.parametrize("efficiency", [1.0, 0.9])
+@pytest.mark.parametrize("method", ["merson", "collocation"])
+def test_plugging_beyond_the_pole_when_the_motor_is_switched_on_late(efficiency: float, method: str) -> None:
+    """Alone the load slows the crank evenly; at 2 s the circuit has an answer above the critical resistance alone."""
+    speed = 6.4 - LOAD / INERTIA * 2.0
+    critical = (U - CURRENT * R) / (CURRENT * RATED) * speed * RATIO
+    late = f'method = "{method}"\nduration = 20\nmotor_on = [["2 s", "60 s"]]\n'
+    enough, little = (
+        f'{late}braking = {{ kind = "plugging", resistance = {critical - R + off} }}' for off in (0.05, -0.05)
+    )
+    assert run(enough, motor="", efficiency=efficiency).end == "standstill"
+    with pytest.raises(NoSolutionError, match="scenario braking: the motor is switched on at t = 2 s") as raised:
+        run(little, motor="", efficiency=efficiency)
+    assert raised.value.value == pytest.approx(speed, rel=1e-9)
+    assert raised.value.limit == pytest.approx(speed * (critical - 0.05) / critical, rel=1e-12)
+    assert f"more than {critical / (critical - 0.05):.5g} times" in raised.value.remedy
+
+
 def test_a_field_apart_is_a_shunt_machine() -> None:
     """The same line as a shunt machine with the flux of that field, regenerating or not."""
     k = float(flux(0.8 * CURRENT))

@@ -34,7 +34,8 @@ def _facts(result: Transloader) -> Iterator[Fact]:
     for drive in result.drives:
         yield Fact(drive.what, _way(drive), {drive.what: keyed(drive)})
     if result.limits:
-        yield Fact("limits", "\n".join(map(_limit, result.limits)), {"limits": [keyed(each) for each in result.limits]})
+        limits = [keyed(each, unit=each.unit, what=each.what) for each in result.limits]
+        yield Fact("limits", "\n".join(map(_limit, result.limits)), {"limits": limits})
     if result.inertia is not None:
         yield Fact("force of inertia", f"P = {number(result.inertia / 1000)} kN", keyed(result, "inertia"))
     cases = "\n".join(f"{case}: {meaning}" for case, meaning in CASES.items())

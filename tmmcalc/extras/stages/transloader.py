@@ -19,7 +19,8 @@ def errors(result: Transloader) -> dict[str, Any]:
 
 
 def details(spec: Any, results: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Facts by choice: every load by its name, and the stress of every part by its case and kind."""
+    """Facts by choice: every load and every limit by its name, the stress of every part by its case and kind."""
     found: Transloader = results["transloader"]
     stresses = {f"{each.part}.{each.case}.{each.kind}": each for each in found.checks}
-    return {**{f"loads.{each.load}": each for each in found.loads}, **stresses}
+    loads = {f"loads.{each.load}": each for each in found.loads}
+    return {**loads, **{f"limits.{each.name}": each for each in found.limits}, **stresses}

@@ -6,12 +6,14 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from tmmcalc.core.notes import Note, held
 from tmmcalc.core.quantity import Quantity, keyed, quantity_of
 from tmmcalc.gears.criteria.choice import Reason
 from tmmcalc.gears.criteria.comparison import Comparison
+from tmmcalc.gears.criteria.evaluate import Assumptions
 from tmmcalc.gears.criteria.objectives import OBJECTIVES
 from tmmcalc.gears.selection.columns import YES, chosen_columns, pair_columns
-from tmmcalc.gears.selection.results import Guide, Selection, SeriesChoice, Weighed
+from tmmcalc.gears.selection.results import Guide, Selection, SeriesChoice, Weighed, Winner
 from tmmcalc.gears.selection.series import SERIES
 from tmmcalc.gears.selection.task import ROW, WEIGHTED
 from tmmcalc.report.document import Document, Fact
@@ -227,9 +229,19 @@ def _front_rows(result: Selection, columns: dict[str, np.ndarray], rows: int) ->
     return {header: column[order] for header, column in columns.items() if header not in hidden}
 
 
+def _width_notes(winner: Winner) -> Iterator[Note]:
+    """The stages of the best train whose teeth are narrower or wider than usual."""
+    low, high = Assumptions().slenderness
+    for stage, (module, width) in enumerate(zip(winner.modules, winner.widths, strict=True), 1):
+        ratio = width / module
+        if not low <= ratio <= high:
+            word, limit = ("below", low) if ratio < low else ("above", high)
+            text = "the face width of stage {stage} of the best train is {value:.4g} of its modules, {word} {limit:g}"
+            yield held("warning", text, ratio, limit, name=f"b_{stage}/m_{stage}", stage=stage, word=word)
+
+
 def _notes(result: Selection) -> Iterator[str]:
-    if result.winner.values["width_deviation"] > 0:
-        yield "warning: the face width of the best train over its module is outside 6 to 40"
+    yield from _width_notes(result.winner)
     unseen = {each.title: each.unseen for each in result.variants if each.unseen}
     for title, count in unseen.items():
         yield f"note: {title}: {count} further tooth sets, of larger Z1 + Z2, are not compared"

@@ -13,6 +13,7 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.meshing.contours import UNBOUNDED, Area, ContourPoint, PairContour
 from tmmcalc.gears.pictures.contourlines import Stroke, chosen, indexed, number_of
 from tmmcalc.gears.pictures.contourlook import BELT, HATCHED, PALE, RING, STRICT, Look, marker, point_called, ring
+from tmmcalc.gears.pictures.contourreasons import reason_of
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import extent, minus, wrapped
 from tmmcalc.report.drawing.pens import INK, MARK
@@ -222,7 +223,7 @@ class _Key:
         found = [tr("strict contour: {reason}", reason=text) for text in strict if text not in tolerated]
         found += [tr("both contours: {reason}", reason=text) for text in both]
         found += [tr("tolerated contour: {reason}", reason=text) for text in tolerated if text not in strict]
-        found += pair.missing
+        found += map(reason_of, pair.missing)
         for text in found:
             yield self.worded(indexed(f"{text[:1].upper()}{text[1:]}"))
 
@@ -252,6 +253,6 @@ def _point_title(point: ContourPoint) -> str:
 
 def _reasons(area: Area) -> Iterator[str]:
     if area.main is None:
-        yield area.reason
+        yield reason_of(area.reason)
     for wheel in area.untraced:
         yield tr("pieces with the tip of wheel {wheel} inside its reference circle are not drawn", wheel=3 - wheel)

@@ -12,6 +12,7 @@ from tmmcalc.gears.pictures.contourlines import Stroke, strokes
 from tmmcalc.gears.pictures.contourlook import BELT, HATCHED, PALE, STRICT, marker, together
 from tmmcalc.gears.pictures.contournumbers import EDGE, number_stroke, seen
 from tmmcalc.gears.pictures.contourpaths import outlines, smooth
+from tmmcalc.gears.pictures.contourreasons import reason_of
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.diagram import Axis, written
 from tmmcalc.report.drawing.diagram import ticks as ticks_of
@@ -184,7 +185,7 @@ def _say_empty(board: Board, pair: PairContour) -> None:
     """The reason in a corner of the picture if nothing at all is admissible; numbers keep clear of it."""
     if pair.strict.main is None and pair.tolerated.main is None:
         box = board.box
-        said = wrapped(pair.tolerated.reason or pair.strict.reason, WIDE, SAID)
+        said = wrapped(reason_of(pair.tolerated.reason or pair.strict.reason), WIDE, SAID)
         wide = max(width(line, SAID) for line in said)
         words = Words(complex(box.right - 2 * PAD - wide, box.bottom + 2 * PAD), "\n".join(said), SAID, -1 - 1j)
         low, _, high, _ = corners(words).tolist()

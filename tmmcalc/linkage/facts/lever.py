@@ -11,7 +11,7 @@ from tmmcalc.linkage.forces.columns import drive_of
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import Forces, side_of
 from tmmcalc.linkage.forces.terms import BY_LEVER, OFF_LEVER
-from tmmcalc.linkage.lever import Lever, LeverForce, levers, scale_of
+from tmmcalc.linkage.lever import Lever, LeverForce, levers, velocity_scale
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
@@ -25,7 +25,7 @@ def lever_document(
 ) -> Document:
     """The levers of rows of the result by their indices, all to one round scale."""
     theta, side = result.theta[rows], np.array([side_of(result, row) for row in rows])
-    mu = scale_of(statics, kinematics, theta)
+    mu = velocity_scale(statics, kinematics, theta)
     found = levers(statics, kinematics, theta, side, mu)
     facts = [
         Fact("plan", "of velocities, turned by 90 deg clockwise: moments about the pole are powers over its scale"),

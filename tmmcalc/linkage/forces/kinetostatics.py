@@ -254,11 +254,11 @@ def compile_statics(scene: Scene, with_inertia: bool = True, scales: dict[str, A
     driver = post_of(chain.input_joint, chain.structure.input_link, pairs)
     if scales is None:
         posts = (*(() if chain.structure.driven else (driver,)), *(post for plan in plans for post in plan.posts))
-        scales = {post.joint.name: scale_of(post.joint, scene) for post in posts if post.coefficient > 0}
+        scales = {post.joint.name: largest_rate(post.joint, scene) for post in posts if post.coefficient > 0}
     return Statics(scene, (*scene.sources, *dynamic), pairs, scales, plans, driver)
 
 
-def scale_of(joint: Joint, scene: Scene) -> float:
+def largest_rate(joint: Joint, scene: Scene) -> float:
     """Largest relative rate in a joint over the survey; of a pair that never slides what counts as motion at all."""
     configuration = scene.survey.configuration
     own = float(np.max(np.abs(sliding(joint, configuration)[0])))

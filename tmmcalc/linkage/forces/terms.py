@@ -20,7 +20,7 @@ from tmmcalc.linkage.acting import Acts, acting_on, told_apart
 from tmmcalc.linkage.forces.columns import drive_of
 from tmmcalc.linkage.forces.results import LeverScale
 from tmmcalc.linkage.forces.rows import Rows
-from tmmcalc.linkage.lever import UNGIVEN, Lever, LeverForce, levers, replaced_at, scale_of
+from tmmcalc.linkage.lever import UNGIVEN, Lever, LeverForce, levers, replaced_at, velocity_scale
 from tmmcalc.linkage.moments import LinkEquilibrium, equilibria, moments_about
 
 BY_LEVER = Quantity("{name}_lever[{unit}]", "{name} by Zhukovsky's lever", source="3.2.8")
@@ -67,7 +67,7 @@ class Term(NamedTuple):
 
 def lever_scale(rows: Rows) -> LeverScale:
     """The scale of the lever in the columns."""
-    return LeverScale(scale_of(rows.statics, rows.kinematics, rows.result.theta))
+    return LeverScale(velocity_scale(rows.statics, rows.kinematics, rows.result.theta))
 
 
 def lever_columns(rows: Rows) -> Iterator[Column]:

@@ -16,15 +16,25 @@ from tmmcalc.linkage.pictures.cycle import TURN, LinkageMotion, along, closed
 from tmmcalc.linkage.results import Kinematics, OutputSummary
 from tmmcalc.linkage.trace import unwrapped
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.curves import BELOW, DOTTED, SIDES, along_input, input_axis
+from tmmcalc.report.drawing.curves import (
+    BELOW,
+    DOTTED,
+    along_input,
+    input_axis,
+    narrowed,
+    scale_factor,
+    sides,
+    to_scale,
+)
 from tmmcalc.report.drawing.diagram import HEIGHT, Axis, Curve, Diagram, room
-from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.lettering import minus, width
 from tmmcalc.report.drawing.pens import CURVES, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr_unit
 from tmmcalc.report.numbers import number
 
 NARROW = 0.08  # names of dead centres that stand closer than this part of the range would touch
+FACTORS = 6.0  # room of the line of scale factors [mm]
 SMALL = 2.0  # an output that goes less far is drawn in mm [m]
 Row = tuple[Real, Real, Real]
 
@@ -63,20 +73,32 @@ def _curve(result: Kinematics, cycle: LinkageMotion, k: int, output: Output, out
 
 
 def draw_diagrams(
-    drawing: Drawing, box: Box, result: Kinematics, cycle: LinkageMotion, curves: Sequence[OutputCurve]
-) -> None:
-    """Three diagrams of these outputs in a rectangle."""
-    full = closed(cycle.chain)
+    drawing: Drawing,
+    box: Box,
+    result: Kinematics,
+    cycle: LinkageMotion,
+    curves: Sequence[OutputCurve],
+    *,
+    scaled: bool = False,
+) -> list[Diagram]:
+    """Three diagrams of these outputs in a rectangle; ``scaled``: to standard factors, which stand on top."""
+    full, larger = closed(cycle.chain), drawing.letters
     x, nodes = (along_input(result.turns, v) for v in (cycle.x - result.x[0], result.phi))
     abscissa = input_axis(result.turns, x)
     names = len(curves) > 1
-    frames = box.inset(0, BELOW, 0, 7.0 if names else 2.5).split(1, 1, 1)
+    inner = narrowed(box.inset(0, 0, 0, FACTORS * larger), x, larger) if scaled else box
+    frames = inner.inset(0, BELOW * larger, 0, larger * (7.0 if names else 2.5)).split(1, 1, 1)
     panels: list[Diagram] = []
+    factors: list[str] = []
     for kind, frame in enumerate(frames):
-        factor, label = _quantity(curves, kind)
+        factor, symbol, unit = _quantity(curves, kind)
         values = [curve.dense[kind] * factor for curve in curves]
-        ordinate = Axis(label, *room(values))
-        panel = Diagram(drawing, frame.inset(*SIDES), abscissa, ordinate, numbered=kind == 2)
+        place = frame.inset(*sides(larger))
+        ordinate = Axis(f"{symbol}, {tr_unit(unit)}", *room(values))
+        if scaled:
+            ordinate, mu = to_scale(ordinate, place.height)
+            factors.append(scale_factor(_letter(curves[0], kind), mu, unit))
+        panel = Diagram(drawing, place, abscissa, ordinate, numbered=kind == 2)
         panels.append(panel)
         centres = [(at, curve.pen) for curve in curves for at in _dead_centres(result, curve, full)]
         for at, pen in centres:
@@ -95,20 +117,31 @@ def draw_diagrams(
                 panel.dots(nodes, curve.nodes[kind] * factor, curve.pen)
         panel.draw(x, marked, key=False)
     if names:
-        panels[0].key([(f"${_letter(c, 0)}_{{{c.name}}}$", c.pen) for c in curves], lift=3.5)
+        panels[0].key([(f"${_letter(c, 0)}_{{{c.name}}}$", c.pen) for c in curves], lift=3.5 * larger)
     _name_dead_centres(panels[0], result, curves, full)
+    if scaled:
+        _write_factors(drawing, box, panels[0], result.turns, factors)
+    return panels
 
 
-def _quantity(curves: Sequence[OutputCurve], kind: int) -> tuple[float, str]:
-    """Factor from SI and name of a panel."""
+def _write_factors(drawing: Drawing, box: Box, panel: Diagram, turns: bool, factors: Sequence[str]) -> None:
+    """The scale factors on top of the rectangle, that of the abscissa first."""
+    along = abs(panel.x.high - panel.x.low) / panel.box.width
+    text = ",   ".join([scale_factor("φ", along, "°") if turns else scale_factor("s", along, "mm"), *factors])
+    at = complex(panel.box.left, box.top)
+    drawing.add(Words(at, text, min(2.5 * drawing.letters, (box.right - at.real) / width(text)), -1 + 1j))
+
+
+def _quantity(curves: Sequence[OutputCurve], kind: int) -> tuple[float, str, str]:
+    """Factor from SI, symbol and unit of a panel."""
     letter = _letter(curves[0], kind)
     symbol = f"${letter}_{{{curves[0].name}}}$" if len(curves) == 1 else f"${letter}$"
     if curves[0].angular:
-        return ((180 / math.pi, 1.0, 1.0)[kind], f"{symbol}, {tr_unit(('°', 'rad/s', 'rad/s²')[kind])}")
+        return (180 / math.pi, 1.0, 1.0)[kind], symbol, ("°", "rad/s", "rad/s²")[kind]
     small = max(float(np.max(np.abs(c.dense[0]))) for c in curves) < SMALL
     if kind == 0 and small:
-        return 1000.0, f"{symbol}, {tr_unit('mm')}"
-    return 1.0, f"{symbol}, {tr_unit(('m', 'm/s', 'm/s²')[kind])}"
+        return 1000.0, symbol, "mm"
+    return 1.0, symbol, ("m", "m/s", "m/s²")[kind]
 
 
 def _letter(curve: OutputCurve, kind: int) -> str:
@@ -158,4 +191,4 @@ def _name_dead_centres(panel: Diagram, result: Kinematics, curves: Sequence[Outp
         side = 0 if before == after else -1 if before else 1
         text = minus(number(round(centre, 2), 6)) + ("°" if result.turns else "")
         at = complex(panel.place(complex(centre, 0)).real, panel.box.top + 0.9)
-        panel.drawing.add(Words(at, text, 0.8 * HEIGHT, side - 1j, colour=colour))
+        panel.drawing.add(Words(at, text, 0.8 * HEIGHT * panel.drawing.letters, side - 1j, colour=colour))

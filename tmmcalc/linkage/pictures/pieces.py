@@ -55,9 +55,9 @@ def of_kinematics(order: Order) -> Iterator[Piece]:
         side = NAMED * math.sqrt(len(drawn) + 1)
         yield Piece("linkage", heading, _larger(plan), (0.6 * side * count, 0.7 * side), (side * count, 1.2 * side))
     for curves in _wished(order, columns_of(result, cycle)):
-        diagram = partial(draw_diagrams, result=result, cycle=cycle, curves=curves)
+        diagram = partial(draw_diagrams, result=result, cycle=cycle, curves=curves, scaled=True)
         heading = tr("Diagrams of angles of links") if curves[0].angular else tr("Diagrams of the outputs")
-        yield Piece("linkage", heading, diagram, (90, 110), (190, 200))
+        yield Piece("linkage", heading, _larger(diagram), (90, 110), (190, 200))
     motion = motion_at(cycle.chain, result.x[rows[:1]])
     columns, lines = _grid(len(result.structure.groups) + (result.structure.driven is None))
     groups = partial(draw_groups, structure=result.structure, motion=motion, cycle=cycle)

@@ -46,7 +46,12 @@ class Series(NamedTuple):
     @property
     def most(self) -> float | None:
         """The pole of a braking machine whose flux is proportional to the current."""
-        return self.drop / self.rate if self.way < 0 and not self.bend else None
+        return self.pole if self.way < 0 else None
+
+    @property
+    def pole(self) -> float | None:
+        """Speed -e r/kappa from which on nothing limits the current, if the flux is proportional to it [rad/s]."""
+        return None if self.bend else -self.way * self.drop / self.rate
 
     def moment(self, omega: N) -> N:
         """Moment [N*m]."""

@@ -94,6 +94,13 @@ def points_of(motor: Characteristic) -> tuple[float, ...]:
     return points
 
 
+def pole_of(motor: Characteristic) -> float | None:
+    """Speed at which a characteristic has no bounds [rad/s]; None of one that is bounded everywhere."""
+    if isinstance(motor, Reduced):
+        return _slower(pole_of(motor.base), motor.ratio)
+    return motor.pole if isinstance(motor, Series) else None
+
+
 def _closed(motor: Characteristic, u: float) -> Characteristic | None:
     """The same form with other constants; None for a characteristic that is not one of the closed forms."""
     match motor:

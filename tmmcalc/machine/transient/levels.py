@@ -23,11 +23,12 @@ RUNAWAY = 5.0  # times the largest speed that is known beforehand: a motion with
 
 
 class Limits(NamedTuple):
-    """Speeds of the motor's group that are noted on the way down, and that of a crank that runs away [rad/s]."""
+    """Speeds of the motor's group that are noted on the way down, of a crank that runs away, of the pole [rad/s]."""
 
     overload: float | None  # rated speed
     pull_out: float | None  # speed of the largest moment
     runaway: float | None  # None: the motion has a duration
+    pole: float | None = None  # of the characteristic, beyond which the motor cannot be switched on
 
 
 def stretch_ends(regime: Regime, stretch: Stretch) -> list[Watch]:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
 
-from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.errors import AccuracyError, NoSolutionError
 from tmmcalc.core.numerics.steps import Derivative, State
 from tmmcalc.machine.transient.equations import Regime, System, derivative
 from tmmcalc.machine.transient.events import Hit, Watch, extreme, hits, level
@@ -116,11 +116,28 @@ class Run:
         regime = self.holder.resolve(regime, self.stretch, self.y)
         self._place, self._way = (regime.stretch, regime.base), regime.way
         self._note_turn(regime)
+        if regime.motor and not (before and before.motor):
+            self._check_pole()
         if before and before.motor != regime.motor:
             self.note(*(_ON if regime.motor else _OFF), self.t, self.y)
         if before and before.braked != regime.braked:
             self.note(*(_BRAKED if regime.braked else _FREED), self.t, self.y)
         return regime
+
+    def _check_pole(self) -> None:
+        """Raise `NoSolutionError` for a motor that is switched on where nothing limits its current."""
+        speed, pole = self.y[self.system.layout.speed], self.limits.pole
+        if pole is None or speed / pole < 1:
+            return
+        raise NoSolutionError(
+            f"the motor is switched on at t = {self.t:.6g} s, where it has {speed:.6g} rad/s at the crank: its flux is "
+            f"in proportion to the current, which from {pole:.6g} rad/s on has no limit",
+            where=f"transient motion, scenario {self.scenario.name}",
+            value=speed,
+            limit=pole,
+            remedy=f"more than {speed / pole:.5g} times the resistance of its circuit, another time, or the saturation "
+            "of the motor",
+        )
 
     def _note_turn(self, regime: Regime) -> None:
         """Note that the crank, at rest, turns back or stays there."""

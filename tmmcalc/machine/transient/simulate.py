@@ -10,6 +10,7 @@ from typing import NamedTuple, cast
 import numpy as np
 
 from tmmcalc.core.errors import AccuracyError
+from tmmcalc.machine.motors.gearing import pole_of
 from tmmcalc.machine.transient.collocation import Collocation
 from tmmcalc.machine.transient.equations import System
 from tmmcalc.machine.transient.errors import FEW, instants_of, missed, second
@@ -185,8 +186,8 @@ def _limits(drive: Drive, scenario: Scenario, system: System, size: Sizes) -> Li
     runaway = RUNAWAY * size.speed if scenario.until_steady else None
     if motor is None:
         return Limits(None, None, runaway)
-    nominal, critical = (None if s is None else s / u for s in (motor.nominal, motor.critical))
-    return Limits(nominal, critical, runaway)
+    nominal, critical, pole = (None if s is None else s / u for s in (motor.nominal, motor.critical, pole_of(motor)))
+    return Limits(nominal, critical, runaway, pole)
 
 
 def _imbalance(found: Curves) -> float:

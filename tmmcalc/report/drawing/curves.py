@@ -120,14 +120,19 @@ def column(drawing: Drawing, box: Box, graphs: Sequence[Graph], heights: Sequenc
     larger = drawing.letters
     left, _, right, _ = sides(larger)
     if any(graph.mu for graph in graphs):
-        x = along_input(graphs[0].turns, graphs[0].phi)
-        room = box.width - LONGER * larger - left - right
-        box = box.inset(LONGER * larger, 0, room - float(np.ptp(x)) / standard_scale(float(np.ptp(x)) / room), 0)
+        box = narrowed(box, along_input(graphs[0].turns, graphs[0].phi), larger)
     rows = [graph.rows(box.width - left - right, larger) for graph in graphs]
     return [
         graph.draw(drawing, place, numbered=k + 1 == len(graphs))
         for k, (graph, place) in enumerate(zip(graphs, stacked(box, rows, heights, larger), strict=True))
     ]
+
+
+def narrowed(box: Box, x: Real, larger: float) -> Box:
+    """The part of a rectangle in which frames have a standard factor along ``x``, as it is drawn [degrees or mm]."""
+    left, _, right, _ = sides(larger)
+    room, span = box.width - LONGER * larger - left - right, float(np.ptp(x))
+    return box.inset(LONGER * larger, 0, room - span / standard_scale(span / room), 0)
 
 
 def sides(larger: float) -> tuple[float, float, float, float]:
