@@ -41,7 +41,7 @@ class Speed:
         """y'' in time (n,): y'' omega^2 + y' eps, of the motion (4, n) by phi.
 
         >>> still = constant_speed(10.0)
-        >>> still.acceleration(np.array([0.25]), np.array([[0.0], [0.01], [0.04], [0.0]])).tolist()
+        >>> still.acceleration(np.array([0.25]), np.array([[0.0], [0.01], [0.04], [0.0]])).round(9).tolist()
         [4.0]
         """
         omega, eps = self.at(phi)

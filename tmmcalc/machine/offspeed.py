@@ -25,7 +25,7 @@ def off_speed(mean: float, asked: float, ratio: float | None, sense: float, key:
     ``ratio`` of the gears to the motor is None where no ratio sets the speed; ``sense`` is -1 of a clockwise input,
     ``key`` the place of the speed in the spec.
 
-    >>> str(off_speed(10.1, 10.0, None, 1.0, INPUT))
+    >>> str(off_speed(10.01, 10.0, None, 1.0, INPUT))
     'None'
     """
     off = mean / asked - 1

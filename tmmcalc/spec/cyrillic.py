@@ -82,8 +82,8 @@ _KEYS = {
 def latin_units(text: str) -> str:
     """The text with every unit that is written in Cyrillic in its Latin form; what is none stays.
 
-    >>> latin_units("500 об/хв"), latin_units("2.5 кН·м"), latin_units("4 кг·м²"), latin_units("7 верст")
-    ('500 rpm', '2.5 kN·m', '4 kg·m²', '7 верст')
+    >>> latin_units("500 об/хв"), latin_units("2.5 кН·м"), latin_units("4 кг·м²"), latin_units("7 шт")
+    ('500 rpm', '2.5 kN·m', '4 kg·m²', '7 шт')
     """
     return _WORD.sub(lambda match: _unit(match.group()), text).replace("rev/min", "rpm")
 

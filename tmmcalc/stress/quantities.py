@@ -25,7 +25,7 @@ def rewritten(value: Any, change: Callable[[float], float]) -> Any:
     """A quantity with its number changed: with a unit in SI, without one as a number.
 
     >>> rewritten("15deg", lambda angle: -angle), rewritten("1/4", lambda number: -number)
-    ('-0.2617993877991494 rad', -0.25)
+    ('-0.26179938779914946 rad', -0.25)
     """
     dimension = dimension_of(value)
     if dimension is None:

@@ -9,7 +9,7 @@ from tmmcalc.cams.pictures.followersketch import AXES, centre_of, draw_follower,
 from tmmcalc.cams.pictures.ordered import cam_of
 from tmmcalc.cams.pictures.profilemarks import LAID, draw_marks, marks_of, name_marks
 from tmmcalc.cams.pictures.profilesizes import draw_phases, draw_sizes, name_phases, write_sizes
-from tmmcalc.cams.pictures.toscale import closed_up
+from tmmcalc.cams.pictures.toscale import closed_up, lengths_text
 from tmmcalc.cams.pictures.wording import mm, sense_of, wall_name
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.results import Profile, Wall
@@ -24,10 +24,10 @@ from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.pens import INK, MARK, PATH, THICK, Pen
-from tmmcalc.report.drawing.scales import length_scale, scale_text
+from tmmcalc.report.drawing.scales import length_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.numbers import number, round_scale
+from tmmcalc.report.numbers import round_scale
 
 MARGIN = 11.0  # [mm], for the dimensions
 GAPS = (0.9, 1.7, 2.8, 4.0, 5.5)  # of the name of the roller
@@ -67,7 +67,7 @@ def profile_drawing(task: CamTask, result: Profile) -> Drawing:
 def draw_cam(drawing: Drawing, box: Box, task: CamTask, result: Profile, *, to_scale: bool = False) -> Board:
     """The cam with its follower and all sizes, under it what the lines are; ``to_scale``: at a standard scale."""
     board = _draw_cam(drawing, box.inset(0, FOOT, 0, 0), task, result, to_scale=to_scale)
-    said = scale_text(board.mu) if to_scale else f"$μ_l$ = {number(1e3 * board.mu, 4)} {tr_unit('mm/mm')}"
+    said = lengths_text(board.mu, to_scale)
     foot = board.box.bottom
     _legend(drawing, Box(box.left, foot - FOOT, box.right, foot - 1.0), task, result, said)
     return board

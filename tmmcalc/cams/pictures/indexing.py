@@ -8,6 +8,7 @@ from tmmcalc.cams.indexing.task import IndexingTask
 from tmmcalc.cams.pictures.indexingscheme import content_of, draw_scheme, parts_of
 from tmmcalc.cams.pictures.indexingstep import draw_step
 from tmmcalc.cams.pictures.indexingstudy import draw_study
+from tmmcalc.cams.pictures.toscale import lengths_text
 from tmmcalc.cams.pictures.wording import law_name, mm
 from tmmcalc.core.errors import UsageError
 from tmmcalc.report.drawing.box import Box
@@ -15,10 +16,10 @@ from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.key import write_key
 from tmmcalc.report.drawing.order import PHASE, Order
 from tmmcalc.report.drawing.page import sheets
-from tmmcalc.report.drawing.scales import length_scale, scale_text
+from tmmcalc.report.drawing.scales import length_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.numbers import number, round_scale
+from tmmcalc.report.numbers import round_scale
 
 MARGIN = 8.0  # [mm]
 KEY = 88.0  # width of the key beside the scheme [mm]
@@ -64,7 +65,7 @@ def draw_drive(
     scale = length_scale if to_scale else round_scale
     board = Board(drawing, scheme, content_of(drive, result), MARGIN, scale=scale)
     draw_scheme(board, task, result, result.cam, phase)
-    said = scale_text(board.mu) if to_scale else f"$μ_l$ = {number(1e3 * board.mu, 4)} {tr_unit('mm/mm')}"
+    said = lengths_text(board.mu, to_scale)
     write_key(drawing, key, parts_of(result, result.cam, said))
 
 

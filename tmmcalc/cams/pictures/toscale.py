@@ -9,10 +9,11 @@ import numpy as np
 
 from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import scale_factor
 from tmmcalc.report.drawing.diagram import Diagram
 from tmmcalc.report.drawing.field import needed
 from tmmcalc.report.drawing.lettering import width
-from tmmcalc.report.drawing.scales import factor_text, length_scale, standard_scale
+from tmmcalc.report.drawing.scales import factor_text, length_scale, scale_text, standard_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr_unit
 from tmmcalc.report.numbers import number
@@ -48,7 +49,7 @@ def heights_to_scale(spans: Sequence[float], free: float) -> list[float]:
     """Heights of frames that share a room [mm] so that the scales of their ordinates are as large as standard ones go.
 
     >>> heights_to_scale([10.0, 30.0], 100.0)
-    [30.0, 70.0]
+    [60.0, 40.0]
     """
     steps = [standard_scale(span * len(spans) / free) for span in spans]
     for k in sorted(range(len(spans)), key=lambda k: spans[k] / steps[k]):
@@ -61,8 +62,16 @@ def heights_to_scale(spans: Sequence[float], free: float) -> list[float]:
 
 def factor(sign: str, value: float, unit: str) -> str:
     """A scale factor with its unit."""
-    bare = unit or "1"
-    return factor_text(f"μ_{{{sign.removeprefix('Δ')}}}", value, f"({bare})/mm" if "/" in bare else f"{bare}/mm")
+    return scale_factor(sign.removeprefix("Δ"), value, unit or "1")
+
+
+def lengths_text(mu: float, to_scale: bool) -> str:
+    """The scale of lengths [m/mm] of a picture, with its ratio where it is a standard one.
+
+    >>> lengths_text(0.0005, True), lengths_text(0.0006, False)
+    ('$μ_l$ = 0.0005 m/mm (2:1)', '$μ_l$ = 0.6 mm/mm')
+    """
+    return scale_text(mu) if to_scale else factor_text("μ_l", 1e3 * mu, "mm/mm")
 
 
 def turn_factor(step: float) -> str:

@@ -37,7 +37,7 @@ def solve_meshes(task: PairsTask, selection: Selection, solve: Solve) -> Pairs:
     own, solve = _distances(asked, selection), _once(solve)
     if not layout.branched:
         tasks, remark = _free(asked, own), ""
-    elif _radial(layout):
+    elif layout.paired:
         tasks, remark = _kept(asked, own, layout)
     else:
         tasks, remark = _shared(task, asked, own, layout, solve)
@@ -93,11 +93,6 @@ def chains(layout: Layout) -> tuple[tuple[int, ...], ...]:
         else:
             found.append([k])
     return tuple(tuple(each) for each in found)
-
-
-def _radial(layout: Layout) -> bool:
-    """Whether the planets stand on orbits of their own: 2A-AA."""
-    return any(mesh.first in layout.planets and mesh.second in layout.planets for mesh in layout.meshes)
 
 
 def _asked(task: PairsTask, selection: Selection, layout: Layout) -> tuple[PairTask, ...]:

@@ -68,7 +68,11 @@ def pooled(variants: tuple[Weighed, ...]) -> Pool:
 
 @record
 class Winner:
-    """The train that was chosen."""
+    """The train that was chosen.
+
+    >>> Winner(0, 0, "", "AIbar", 3, (18, 48, 114), (), (), Fraction(22, 3), 0.1, {}).name
+    'AIbar 18/48/114'
+    """
 
     place: int  # row among all trains
     variant: int
@@ -85,11 +89,7 @@ class Winner:
 
     @derived("winner", "layout and teeth")
     def name(self) -> str:
-        """Layout and teeth.
-
-        >>> Winner(0, 0, "", "AIbar", 3, (18, 48, 114), (), (), Fraction(22, 3), 0.1, {}).name
-        'AIbar 18/48/114'
-        """
+        """Layout and teeth."""
         return f"{self.layout} {'/'.join(map(str, self.teeth))}"
 
     @derived("J_crank[kg*m^2]", "inertia reduced to the crank")

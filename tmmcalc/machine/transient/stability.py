@@ -42,7 +42,7 @@ def stable_step(name: str, values: Values, duration: float) -> float:
     """The longest step [s] of a method up to which all eigenvalues (m,) [1/s] are stable; inf if none bounds it.
 
     >>> round(stable_step("rk4", np.array([-1000.0]), 10.0), 6)
-    0.002786
+    0.002785
     """
     size = np.abs(values)
     fastest = float(size.max(initial=0.0))

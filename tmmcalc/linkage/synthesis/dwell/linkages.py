@@ -73,8 +73,8 @@ def circumcentre(p: Plane) -> tuple[Plane, Flags]:
     """Centre (m,) of the circle through three points (3, m), and whether they do not lie on a line.
 
     >>> centre, round_ = circumcentre(np.array([[1 + 0j], [1j], [-1 + 0j]]))
-    >>> complex(centre[0]), bool(round_[0])
-    (0j, True)
+    >>> float(abs(centre[0]).round(9)), bool(round_[0])
+    (0.0, True)
     """
     b, c = p[1] - p[0], p[2] - p[0]
     area = cross(b, c)
