@@ -29,6 +29,7 @@ SECONDS = 25.0  # that a command may take without having said that it takes long
 MEMORY_SAID = "more memory than there is"
 SAID = re.compile(r"still at it after")
 OF_RESULTS = re.compile(r"^error: constraints, (?!.*this scene has no )", re.MULTILINE)
+OF_FOUND = re.compile(r"\[\d+\]\.\w+: there is no (link|point|joint) ")  # of a linkage that a synthesis finds
 UNREAL = re.compile(r"(?<![\w./\"'-])[-+]?(nan|inf|infinity)(?![\w./\"'(])", re.IGNORECASE)
 
 
@@ -67,8 +68,11 @@ def judge(case: Case, folder: Path) -> Verdict:
     fresh = sorted(file for file in set(folder.rglob("*")) - before if file.is_file())
     if verdict.code is not None and verdict.code not in CODES:
         verdict.faults.append((f"exit code {verdict.code}", verdict.err[-500:]))
-    # whether a table has a column is known when it is computed, and so is what a constraint on a result can name
+    # whether a table has a column is known when it is computed, and so is what a constraint on a result can name,
+    # and which links and points a linkage has that is still sought
     known_late = "--columns" in case.args or OF_RESULTS.search(verdict.err)
+    sought = {file.stem for file in fresh} <= {".lock", "run", "synthesis"} and OF_FOUND.search(verdict.err)
+    known_late = known_late or ("[synthesis" in case.text and sought)
     if verdict.code == 2 and fresh and (not known_late or any("feasibility" in file.name for file in fresh)):
         verdict.faults.append(("files on exit 2", ", ".join(file.name for file in fresh)))
     texts = {file.name: file.read_text("utf-8", "replace") for file in fresh if file.suffix in {".csv", ".toml"}}

@@ -19,6 +19,7 @@ from tmmcalc.machine.driveline import DriveLine, drive_line
 from tmmcalc.machine.wanted import power as unpowered
 
 if TYPE_CHECKING:
+    from tmmcalc.gears.selection.results import Winner
     from tmmcalc.machine.driver import Driver
     from tmmcalc.machine.model import MotorChoice
     from tmmcalc.machine.reduction.results import Reduction
@@ -71,19 +72,25 @@ def _nominal(spec: MachineTables) -> float:
 
 def _line(spec: MachineTables, reduction: Reduction) -> DriveLine:
     """The drive line; where no train can be chosen, which its stages tell, that of the train's own ratio."""
-    from tmmcalc.machine.stages.drive import best, sought
     from tmmcalc.machine.tables.tasks.machine import to_gears
 
     given = to_gears(spec)
-    train = None
-    asked = sought(spec) if unchosen(spec) is None and (given.ratio is None or given.efficiency is None) else None
-    if asked is not None:
-        try:
-            train = best(asked, reduction)
-        except TmmError:
-            train = None
-    line = drive_line(given, train)
+    chosen = unchosen(spec) is None and (given.ratio is None or given.efficiency is None)
+    line = drive_line(given, _chosen(spec, reduction) if chosen else None)
     return line if line.ratio is not None else drive_line(replace(given, ratio=_nominal(spec)))
+
+
+def _chosen(spec: MachineTables, reduction: Reduction) -> Winner | None:
+    """The train that is chosen for the drive; None where none is asked for, or none can be chosen."""
+    from tmmcalc.machine.stages.drive import best, sought
+
+    asked = sought(spec)
+    if asked is None:
+        return None
+    try:
+        return best(asked, reduction)
+    except TmmError:
+        return None
 
 
 def _mean(spec: MachineTables, reduction: Reduction, wish: MotorChoice, line: DriveLine) -> float | None:
