@@ -13,6 +13,7 @@ from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.structure import ROMAN, Group, Structure
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.scales import scale_text
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr
@@ -52,7 +53,8 @@ def draw_groups(drawing: Drawing, box: Box, structure: Structure, motion: Linkag
     for place, body, told in zip(cells(box, len(free), scales), free, classes, strict=True):
         mu = draw_load_diagram(drawing, room(place), body, motion, cycle, MARGIN * larger)
         lines = f"{body.name}\n{told}\n{scale_text(mu)}"
-        drawing.add(Words(complex(place.middle.real, place.top), lines, 2.5 * larger, 1j))
+        height = 2.5 * larger * min(1.0, place.width / width(lines, 2.5 * larger))
+        drawing.add(Words(complex(place.middle.real, place.top), lines, height, 1j))
         board = drawing.fields[-1]
         assert isinstance(board, Board)
         _number_links(board, body, motion, cycle)

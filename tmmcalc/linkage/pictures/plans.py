@@ -17,6 +17,7 @@ from tmmcalc.linkage.vectors import Polygon, VectorPolygons
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board, needed
 from tmmcalc.report.drawing.key import samples_in_rows
+from tmmcalc.report.drawing.lettering import wrapped
 from tmmcalc.report.drawing.pens import VECTORS
 from tmmcalc.report.drawing.scales import factor_text, standard_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
@@ -27,6 +28,7 @@ from tmmcalc.report.numbers import number
 HEADING, TITLE, FOOT = 7.0, 6.0, 5.0  # room of the heading, of the name of a plan, of the kinds of lines [mm]
 TABLES = 52.0  # height of the tables [mm]
 GAP = 4.0
+SMALL, LINE = 0.85, 1.9  # rotations of links beside the title of their plan, and a line of them, in heights of letters
 REACH = 1.3  # a special point farther away than this against the rest is not on a plan
 STILL = 1e-12  # of the fastest link: no sense
 SENSES = {True: "↺", False: "↻"}  # counter-clockwise or not
@@ -134,7 +136,12 @@ def draw_plans_of_kind(
     wide = [float(np.ptp(each.real)) for each in tips]
     shares = [max(each, max(wide) / 3) or 1.0 for each in wide]
     parts = box.inset(0, 0, 0, head).split(*shares, across=True)
-    fields = [part.inset(0, 0, 0, head) for part in parts]
+    small = SMALL * height
+    turning = [
+        wrapped(_rotations(plan, letter), part.width - GAP, small) for plan, part in zip(plans, parts, strict=True)
+    ]
+    foot = LINE * small * max(map(len, turning))
+    fields = [part.inset(0, foot, 0, head) for part in parts]
     mu = standard_scale(
         max(
             needed(np.array([*each.vertices.values()]), field, MARGIN)
@@ -143,11 +150,20 @@ def draw_plans_of_kind(
     )
     drawing.add(Words(complex(box.middle.real, box.top), scale_note(letter, mu), height, 1j))
     boards = []
-    for part, field, plan, polygon in zip(parts, fields, plans, drawn, strict=True):
+    for part, field, plan, polygon, said in zip(parts, fields, plans, drawn, turning, strict=True):
         title = complex(part.middle.real, part.top)
+        drawing.add(Words(complex(part.middle.real, part.bottom), "\n".join(said), small, -1j))
         drawing.add(Words(title, position_text(result, plan.position), height, 1j))
         boards.append(draw_polygon(drawing, field, polygon, letter, plan.fixed, mu))
     return boards
+
+
+def _rotations(plan: VectorPolygons, letter: str) -> str:
+    """The angular velocities, or accelerations, of the links with their senses."""
+    rates, symbol, unit = (plan.omega, "ω", "rad/s") if letter == "v" else (plan.eps, "ε", "rad/s^2")
+    largest = max(map(abs, rates.values()), default=0.0)
+    listed = "; ".join(f"${symbol}_{{{link}}}$ = {_size(rate, largest)}" for link, rate in rates.items())
+    return f"{listed} {tr_unit(unit)}" if listed else ""
 
 
 def plan_name(letter: str) -> str:
