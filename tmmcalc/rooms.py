@@ -19,7 +19,7 @@ from tmmcalc.vibration.room import ROOM as VIBRATION
 if TYPE_CHECKING:
     from tmmcalc.report.tables.sheets import SheetsTable
 
-__all__ = ["ROOMS", "STAGES", "TABLES", "Shared"]
+__all__ = ["CHAPTERS", "ROOMS", "STAGES", "TABLES", "Shared"]
 
 ROOMS = (LINKAGE, MACHINE, GEARS, CAMS, VIBRATION, MANIPULATORS, EXTRAS, FEASIBILITY)
 
@@ -31,6 +31,7 @@ class Shared:
 
 
 TABLES |= merged([*(room.tables for room in ROOMS), entries("tmmcalc.report", Shared)])
+CHAPTERS = {name: title for room in ROOMS for name, title in room.chapters.items()}  # of the note
 STAGES |= merged([room.stages for room in ROOMS])
 STAGES |= {
     name: replace(stage, uses=tuple(each for each in STAGES if each != name))

@@ -42,7 +42,7 @@ def test_a_note_is_written_the_same_every_time(cli: Cli, tmp_path: Path, form: s
         (("shaper.toml", "--only", "gears"), "there is no chapter 'gears'"),
         (("shaper.toml", "--language", "de"), "there is no language 'de'"),
         (("shaper.toml", "--positions", "77"), "no position is called '77'"),
-        (("pair-spur.toml",), "nothing that the note tells of"),
+        (("pair-spur.toml",), "the scene has nothing for these chapters"),
     ],
 )
 def test_what_cannot_be_is_refused(cli: Cli, args: tuple[str, ...], said: str) -> None:

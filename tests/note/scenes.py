@@ -1,4 +1,4 @@
-"""The ready specs with a linkage, and what their notes say."""
+"""The ready specs, and what their notes say."""
 
 from __future__ import annotations
 
@@ -7,43 +7,49 @@ from functools import cache
 from pathlib import Path
 
 from tmmcalc.note.assembled import Assembler, Checked, Written
-from tmmcalc.pipeline.picturing import NONE, chapter_of
+from tmmcalc.pipeline.chapters import chapters_of, stages_of
+from tmmcalc.pipeline.picturing import NONE
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
 from tmmcalc.report.drawing.order import POSITIONS
-from tmmcalc.report.manuscript import Block
+from tmmcalc.report.manuscript import Block, Chapter
+from tmmcalc.rooms import CHAPTERS
 
 CONFIGS = Path(__file__).parent.parent.parent / "configs"
-CHAPTERS = ("structure", "kinematics", "forces")
-LINKAGES = [
-    file.stem
-    for file in sorted(CONFIGS.glob("*.toml"))
-    if tomllib.loads(file.read_text(encoding="utf-8")).get("links")
-    or tomllib.loads(file.read_text(encoding="utf-8")).get("mechanism", {}).get("links")
-]
+SPECS = [file.stem for file in sorted(CONFIGS.glob("*.toml"))]
+
+
+def linkage(name: str) -> bool:
+    """Whether a ready spec has links."""
+    found = tomllib.loads((CONFIGS / f"{name}.toml").read_text(encoding="utf-8"))
+    return bool(found.get("links") or found.get("mechanism", {}).get("links"))
 
 
 @cache
-def blocks(name: str) -> tuple[Block, ...]:
+def chapters(name: str) -> tuple[Chapter, ...]:
     """The chapters of a ready spec in English."""
     return tuple(told(name))
 
 
-def told(name: str, positions: str | None = None) -> list[Block]:
+def told(name: str, positions: str | None = None, only: tuple[str, ...] = tuple(CHAPTERS)) -> list[Chapter]:
     """The chapters of a ready spec in the language in force."""
-    done = run(load_spec(CONFIGS / f"{name}.toml"), target=CHAPTERS)
-    flags = {**NONE, POSITIONS: positions}
-    stages = [stage for stage in CHAPTERS if stage in done.outcomes]
-    return [block for stage in stages for block in chapter_of(stage, done.spec, done.results, flags)]
+    done = run(load_spec(CONFIGS / f"{name}.toml"), target=stages_of(only))
+    titles = {chapter: CHAPTERS[chapter] for chapter in only}
+    return chapters_of(titles, done.spec, done.results, {**NONE, POSITIONS: positions})
+
+
+def blocks(told: list[Chapter]) -> list[Block]:
+    """What stands in these chapters."""
+    return [block for chapter in told for block in chapter.blocks]
 
 
 def lines(name: str) -> list[Checked]:
     """The lines of a note, worked out."""
     assembler = Assembler()
-    assembler.written(blocks(name))
+    assembler.written(chapters(name))
     return assembler.lines
 
 
-def written(name: str) -> list[Written]:
+def written(name: str, only: tuple[str, ...] = tuple(CHAPTERS)) -> list[Written]:
     """The note in the language in force."""
-    return Assembler().written(told(name))
+    return Assembler().written(told(name, only=only))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import zipfile
+from collections.abc import Iterator
 from html.parser import HTMLParser
 from io import BytesIO
 from typing import Any
@@ -11,18 +12,16 @@ from xml.etree import ElementTree
 
 import pytest
 
-from note.scenes import written
-from tmmcalc.note.assembled import Equation, Grid, Title
+from note.scenes import CONFIGS, SPECS, written
+from tmmcalc.note.assembled import Equation, Grid, Image, Points, Text, Title, Written
 from tmmcalc.note.docx import document
 from tmmcalc.note.html import page
-from tmmcalc.note.plaintext import text
 from tmmcalc.note.typst import pdf, source
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.language import speaking
 
 LATIN = re.compile(r"[A-Za-z]{3,}")
-OWN = {"crank", "slider", "block", "slotted", "link", "connecting", "rod", "ram", "RPR", "RRP", "RRR"}  # of the spec
-FUNCTIONS = {"sin", "cos", "arcsin", "arctg"}
+KINDS = {"RRR", "RRP", "RPR", "PRP", "RPP"}  # of dyads
 MM = 72 / 25.4
 
 
@@ -40,11 +39,11 @@ def test_a_pdf_keeps_its_margins_and_can_be_searched(spoken: Any) -> None:
     assert 10 <= len(read) <= 20
     whole = ""
     for sheet in read:
-        words = sheet.get_textpage()
-        whole += words.get_text_bounded()
+        found = sheet.get_textpage()
+        whole += found.get_text_bounded()
         assert sheet.get_size() == pytest.approx((210 * MM, 297 * MM), abs=0.1)
-        for k in range(words.count_rects()):
-            left, bottom, right, top = words.get_rect(k)
+        for k in range(found.count_rects()):
+            left, bottom, right, top = found.get_rect(k)
             assert left >= 25 * MM - 0.5
             assert right <= 190 * MM + 7.0  # the space that ends a line
             assert bottom >= 9 * MM  # the number of the page
@@ -52,14 +51,37 @@ def test_a_pdf_keeps_its_margins_and_can_be_searched(spoken: Any) -> None:
     assert {"en": "Force analysis", "uk": "Силовий розрахунок"}[language] in whole
 
 
-def test_ukrainian_has_no_english_left() -> None:
+@pytest.mark.parametrize("name", [pytest.param(n, marks=() if n == "shaper" else pytest.mark.slow) for n in SPECS])
+def test_ukrainian_has_no_english_left(name: str) -> None:
+    """Latin words are names that the spec gives; in formulas there are indices and functions."""
     with speaking("uk"):
-        note = written("shaper")
-        said, formulas = text(note), [plain(part) for each in note if isinstance(each, Equation) for part in each.parts]
-    left = set(LATIN.findall(said)) - OWN - FUNCTIONS
-    assert not left
+        note = written(name)
+        formulas = [plain(part) for each in note if isinstance(each, Equation) for part in each.parts]
+    own = set(LATIN.findall((CONFIGS / f"{name}.toml").read_text(encoding="utf-8")))
+    assert not set(LATIN.findall(" ".join(words(note)))) - own - KINDS
     assert not [formula for formula in formulas if re.search(r"\d\.\d", formula)]
-    assert "-0" not in said
+    assert not [formula for formula in formulas if re.search(r"−0(,0*)?(?![\d,])", formula)]
+
+
+def words(note: list[Written]) -> Iterator[str]:
+    """The words of a note without its formulas."""
+    for each in note:
+        match each:
+            case Title(_, said) | Image(said):
+                yield said
+            case Equation(_, _, lead):
+                yield lead
+            case Text():
+                yield from said_in(each)
+            case Points(items):
+                yield from (part for item in items for part in said_in(item))
+            case Grid(caption, head, rows):
+                yield caption
+                yield from (part for row in (head, *rows) for cell in row for part in said_in(cell))
+
+
+def said_in(text: Text) -> Iterator[str]:
+    yield from (part for part in text.parts if isinstance(part, str))
 
 
 def test_a_document_of_word_has_every_formula_as_an_equation(spoken: Any) -> None:
@@ -71,9 +93,9 @@ def test_a_document_of_word_has_every_formula_as_an_equation(spoken: Any) -> Non
     equations = [each for each in note if isinstance(each, Equation)]
     assert len(root.findall(f".//{math}oMath")) >= len(equations)
     assert all(len(each) for each in root.iter(f"{math}num"))
-    words = "".join(root.itertext())
-    assert all(f"({each.number})" in words for each in equations if each.number)
-    assert all(cell in words for each in note if isinstance(each, Grid) for row in each.rows for cell in row)
+    said = "".join(root.itertext())
+    assert all(f"({each.number})" in said for each in equations if each.number)
+    assert all(part in said for part in words(note))
 
 
 class Balance(HTMLParser):

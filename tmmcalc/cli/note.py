@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -55,20 +56,21 @@ def command(
     """Write the note: every formula in letters, then with the numbers of the chosen positions, and its value.
 
     Each line is worked out again with its printed numbers; one that does not give its printed result is an error of the
-    program. So far it has the structure of linkages, motion and forces of their dyads.
+    program.
 
     Example: tmmcalc note my.toml -o my.pdf --positions 3,9 --language uk
     """
+    from tmmcalc.pipeline.chapters import stages_of
     from tmmcalc.report.language import speaking
 
     file = out or Path(f"{spec.stem}.pdf")
     form = "txt" if file == STDOUT else _form(file)
-    chapters = _chapters(only)
+    titles = _chosen(only)
     job = Job(spec, store=store, fresh=fresh, quiet=quiet, overrides=overrides or (), csv=False)
     scene = job.spec()
     with speaking(language_of(scene, language)):
-        run = job.run(scene, chapters)
-        written = _written(run, chapters, positions, form)
+        run = job.run(scene, stages_of([*titles]))
+        written = _written(run, titles, positions, form)
     if file == STDOUT:
         sys.stdout.buffer.write(written)
         return
@@ -97,33 +99,30 @@ def _form(file: Path) -> str:
     return form
 
 
-def _chapters(only: str | None) -> list[str]:
-    """The stages with a chapter, or those of them that are asked for; raises `UsageError` for others."""
-    from tmmcalc.rooms import STAGES
+def _chosen(only: str | None) -> dict[str, str]:
+    """The titles of all chapters, or of those that are asked for; raises `UsageError` for others."""
+    from tmmcalc.rooms import CHAPTERS
 
-    known = [name for name, stage in STAGES.items() if stage.note]
     if only is None:
-        return known
+        return CHAPTERS
     asked = [each.strip() for each in only.split(",")]
     for name in asked:
-        if name not in known:
-            raise UsageError(f"there is no chapter {name!r}", where="--only", remedy=f"chapters: {', '.join(known)}")
-    return [name for name in known if name in asked]
+        if name not in CHAPTERS:
+            raise UsageError(f"there is no chapter {name!r}", where="--only", remedy=f"chapters: {', '.join(CHAPTERS)}")
+    return {name: title for name, title in CHAPTERS.items() if name in asked}
 
 
-def _written(run: RunResult, chapters: list[str], positions: str | None, form: str) -> bytes:
+def _written(run: RunResult, titles: Mapping[str, str], positions: str | None, form: str) -> bytes:
     from tmmcalc.note.assembled import Assembler
-    from tmmcalc.pipeline.picturing import NONE, chapter_of
+    from tmmcalc.pipeline.chapters import chapters_of
+    from tmmcalc.pipeline.picturing import NONE
     from tmmcalc.report.language import spoken
 
-    flags = {**NONE, POSITIONS: positions}
-    told = [name for name in chapters if name in run.outcomes]
-    if not told:
-        raise UsageError(
-            "the scene has nothing that the note tells of", where="note", remedy="it tells of linkages so far"
-        )
-    blocks = [block for name in told for block in chapter_of(name, run.spec, run.results, flags)]
-    note = Assembler().written(blocks)
+    chapters = chapters_of(titles, run.spec, run.results, {**NONE, POSITIONS: positions})
+    if not chapters:
+        said = f"the scene has nothing for these chapters: {', '.join(titles)}"
+        raise UsageError(said, where="note", remedy="see tmmcalc plan")
+    note = Assembler().written(chapters)
     if form == "txt":
         from tmmcalc.note.plaintext import text
 

@@ -10,6 +10,7 @@ A room is a package with a module ``room``, whose ``ROOM`` is a `Room`. What it 
     stage           <room>.stages.<name>         its functions, see `tmmcalc.core.stage.Stage`
     its facts       <room>.facts.<name>          summary(result, title)
     its picture     <room>.pictures.<name>       figure(order)
+    its note        <room>.notes.<name>          blocks(order)
     its studies     <room>.accuracy.<name>       studies(scene)
     command         cli.<name>, cli.<group>.<name>
 
@@ -18,7 +19,7 @@ A manifest imports no more than its own words.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple, Protocol, TypeVar
 
@@ -61,6 +62,7 @@ class Entry:
         return f"[[{self.name}]]" if self.several else f"[{self.name}]"
 
 
+NO_CHAPTERS: Mapping[str, str] = {}
 TABLES: dict[str, Entry] = {}  # those of all rooms, in the order of the root; `tmmcalc.rooms` enters them
 
 
@@ -143,6 +145,7 @@ class Room:
         *,
         section: str = "",
         group: Group | None = None,
+        chapters: Mapping[str, str] = NO_CHAPTERS,
     ) -> None:
         self.name = name
         self.home = f"tmmcalc.{name}"
@@ -152,6 +155,7 @@ class Room:
         self.commands = tuple(commands)
         self.section = section  # of the list of commands
         self.group = group
+        self.chapters = chapters  # of the note: their titles by their names, in their order
 
     def _at_home(self, stage: Stage) -> Stage:
         """The stage with the places of its functions."""
@@ -166,6 +170,7 @@ class Room:
             reads=f"{self.home}.wanted:{stage.reads}" if stage.reads else "",
             facts=f"{self.home}.facts.{name}",
             picture=picture,
+            note=f"{self.home}.notes.{name}" if stage.chapter else "",
             studies=f"{self.home}.accuracy.{name}:studies" if stage.studied else "",
         )
 

@@ -101,7 +101,8 @@ class Stage:
     every: bool = False  # whether it is given ``every`` result so far, to take what the stages that it reads have read
     facts: str = ""  # module with ``summary(result, title)``, and ``document`` with its table where it has one
     picture: Picture | None = None
-    note: str = ""  # "module:function", (order) -> its chapter of the note, see `tmmcalc.report.manuscript`
+    chapter: str = ""  # of the note in which it is told of, by the function ``blocks`` of ``note``; empty: in none
+    note: str = ""  # module with ``blocks(order)``: what the note tells of it, see `tmmcalc.report.manuscript`
     studied: bool = False  # whether it has several methods, which are studied
     studies: str = ""  # "module:function", (scene) -> the studies of its methods
 

@@ -91,7 +91,7 @@ ROOM = Room(
             "structure",
             "mobility, Assur groups, structural formula, class and order",
             wanted="moves",
-            note="tmmcalc.linkage.notes.chapters:structure",
+            chapter="structure",
         ),
         Stage(
             "kinematics",
@@ -99,7 +99,7 @@ ROOM = Room(
             needs=("structure",),
             wanted="moves",
             settings={"method": "closed", "step": 0.0, "decimals": 0},  # 0: the default step, no rounding
-            note="tmmcalc.linkage.notes.chapters:kinematics",
+            chapter="kinematics",
             picture=Picture(
                 "scheme in its positions, paths of points, diagrams of the outputs; with --polygons plans of "
                 "velocities and accelerations",
@@ -113,7 +113,7 @@ ROOM = Room(
             "reactions in all pairs and the drive, with friction",
             needs=("kinematics",),
             wanted="forces",
-            note="tmmcalc.linkage.notes.chapters:forces",
+            chapter="forces",
             picture=Picture(
                 "reactions, hodographs, drive; with --polygons load diagrams, force polygons, lever of Zhukovsky",
                 ("--polygons",),
@@ -145,4 +145,9 @@ ROOM = Room(
         Command("unsteady", "Motion from rest to rest by the time-optimal law."),
     ),
     section="Linkages",
+    chapters={
+        "structure": "Structural analysis",
+        "kinematics": "Kinematic analysis",
+        "forces": "Force analysis",
+    },
 )

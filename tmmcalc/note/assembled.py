@@ -6,6 +6,8 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
+from tmmcalc.report.drawing.box import Box as Rectangle
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula import setting
 from tmmcalc.report.formula.digits import Worked, worked
 from tmmcalc.report.formula.layout import Box, Gap, Row, Word
@@ -13,9 +15,9 @@ from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
 from tmmcalc.report.formula.tree import Name, Statement, names
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Display, Heading, Line, Listing, Paragraph, Table
+from tmmcalc.report.manuscript import Block, Chapter, Display, Figure, Heading, Line, Listing, Paragraph, Table
 
-REFERENCE = re.compile(r"\{((?:tab|eq):\w+)\}")
+REFERENCE = re.compile(r"\{((?:tab|eq|fig):\w+)\}")
 
 
 class Title(NamedTuple):
@@ -44,8 +46,15 @@ class Grid(NamedTuple):
     """A table; its number stands in the caption."""
 
     caption: str
-    head: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
+    head: tuple[Text, ...]
+    rows: tuple[tuple[Text, ...], ...]
+
+
+class Image(NamedTuple):
+    """A picture; its number stands in the caption."""
+
+    caption: str
+    drawing: Drawing
 
 
 class Points(NamedTuple):
@@ -54,7 +63,7 @@ class Points(NamedTuple):
     items: tuple[Text, ...]
 
 
-Written = Title | Text | Equation | Grid | Points
+Written = Title | Text | Equation | Grid | Image | Points
 
 
 class Checked(NamedTuple):
@@ -70,14 +79,17 @@ class Assembler:
 
     def __init__(self) -> None:
         self.lines: list[Checked] = []
-        self.numbers: dict[str, str] = {}  # of tables and formulas, by their keys
+        self.numbers: dict[str, str] = {}  # of tables, figures and formulas, by their keys
         self._sections = [0, 0, 0]
-        self._equations = self._tables = 0
+        self._equations = self._tables = self._figures = 0
         self._explained: set[str] = set()
 
-    def written(self, blocks: Iterable[Block]) -> list[Written]:
-        """What is written for these blocks, references in their texts replaced by numbers."""
-        return [_referred(each, self.numbers) for each in [*self._written(blocks)]]
+    def written(self, chapters: Iterable[Chapter]) -> list[Written]:
+        """What is written of these chapters, references in their texts replaced by numbers."""
+        found: list[Written] = []
+        for chapter in chapters:
+            found += [self._title(chapter.title, 1), *self._written(chapter.blocks)]
+        return [_referred(each, self.numbers) for each in found]
 
     def _written(self, blocks: Iterable[Block]) -> Iterator[Written]:
         for block in blocks:
@@ -96,13 +108,20 @@ class Assembler:
                     self._tables += 1
                     number = f"{self._sections[0]}.{self._tables}"
                     self.numbers[f"tab:{key}"] = number
-                    yield Grid(tr("Table {number} – {caption}", number=number, caption=caption), head, rows)
+                    cells = tuple(tuple(map(inline, row)) for row in rows)
+                    said = tr("Table {number} – {caption}", number=number, caption=caption)
+                    yield Grid(said, tuple(map(inline, head)), cells)
+                case Figure(caption, _, _, key):
+                    self._figures += 1
+                    number = f"{self._sections[0]}.{self._figures}"
+                    self.numbers[f"fig:{key}"] = number
+                    yield Image(tr("Figure {number} – {caption}", number=number, caption=caption), drawn(block))
 
     def _title(self, text: str, level: int) -> Title:
         self._sections[level - 1] += 1
         self._sections[level:] = [0] * (3 - level)
         if level == 1:
-            self._equations = self._tables = 0
+            self._equations = self._tables = self._figures = 0
         return Title(".".join(map(str, self._sections[:level])), text, level)
 
     def _numbered(self, key: str) -> str:
@@ -155,6 +174,13 @@ def _referring(text: Text, numbers: Mapping[str, str]) -> Text:
         return numbers[found[1]]
 
     return Text(tuple(REFERENCE.sub(number, part) if isinstance(part, str) else part for part in text.parts))
+
+
+def drawn(figure: Figure) -> Drawing:
+    """The picture at its size."""
+    drawing = Drawing(*figure.size, figure.caption)
+    figure.draw(drawing, Rectangle(0.0, 0.0, *figure.size))
+    return drawing
 
 
 def shown_unit(unit: str) -> str:

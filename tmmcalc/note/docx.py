@@ -7,7 +7,9 @@ from io import BytesIO
 from typing import TYPE_CHECKING, Any
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from tmmcalc.note.assembled import Equation, Grid, Points, Text, Title, Written
+from tmmcalc.note.assembled import Equation, Grid, Image, Points, Text, Title, Written
+from tmmcalc.report.drawing.pdf import png
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.breaking import broken
 from tmmcalc.report.formula.layout import Box
 from tmmcalc.report.formula.omml import omml
@@ -67,6 +69,8 @@ def _block(found: Document, block: Written) -> None:
         case Grid(caption, head, rows):
             found.add_paragraph(caption)
             _grid(found, [head, *rows])
+        case Image(caption, drawing):
+            _image(found, caption, drawing)
         case Points(items):
             for item in items:
                 _fill(found.add_paragraph(style="List Bullet"), item)
@@ -106,13 +110,20 @@ def _equation(found: Document, rows: Sequence[Box], number: str, lead: str) -> N
         paragraph._p.append(_math(row))
 
 
-def _grid(found: Document, rows: Sequence[Sequence[str]]) -> None:
+def _image(found: Document, caption: str, drawing: Drawing) -> None:
+    from docx.shared import Mm
+
+    found.add_picture(BytesIO(png(drawing)), width=Mm(drawing.width))
+    found.add_paragraph(caption)
+
+
+def _grid(found: Document, rows: Sequence[Sequence[Text]]) -> None:
     """A table with lines, whose head is repeated on every page."""
     from docx.oxml import parse_xml
 
     table = found.add_table(rows=0, cols=len(rows[0]), style="Table Grid")
     for row in rows:
         for cell, text in zip(table.add_row().cells, row, strict=True):
-            cell.text = text
+            _fill(cell.paragraphs[0], text)
     table.rows[0]._tr.get_or_add_trPr().append(parse_xml(HEADER))
     found.add_paragraph()

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from xml.sax.saxutils import escape
 
-from tmmcalc.note.assembled import Equation, Grid, Points, Text, Title, Written
+from tmmcalc.note.assembled import Equation, Grid, Image, Points, Text, Title, Written
+from tmmcalc.report.drawing.svg import svg
 from tmmcalc.report.formula.breaking import broken
 from tmmcalc.report.formula.mathml import mathml
 
@@ -37,6 +38,8 @@ def _block(block: Written) -> str:
             return (
                 f"<p>{escape(caption)}</p><table>{_row(head, 'th')}{''.join(_row(row, 'td') for row in rows)}</table>"
             )
+        case Image(caption, drawing):
+            return f"<figure>{svg(drawing).decode()}<figcaption>{escape(caption)}</figcaption></figure>"
         case Points(items):
             return f"<ul>{''.join(f'<li>{_words(item)}</li>' for item in items)}</ul>"
 
@@ -45,5 +48,5 @@ def _words(words: Text) -> str:
     return "".join(escape(part) if isinstance(part, str) else f"<math>{mathml(part)}</math>" for part in words.parts)
 
 
-def _row(cells: Sequence[str], kind: str) -> str:
-    return f"<tr>{''.join(f'<{kind}>{escape(cell)}</{kind}>' for cell in cells)}</tr>"
+def _row(cells: Sequence[Text], kind: str) -> str:
+    return f"<tr>{''.join(f'<{kind}>{_words(cell)}</{kind}>' for cell in cells)}</tr>"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from tmmcalc.note.assembled import Equation, Grid, Points, Text, Title, Written
+from tmmcalc.note.assembled import Equation, Grid, Image, Points, Text, Title, Written
 from tmmcalc.report.formula.plain import plain
 
 INDENT = "    "
@@ -28,7 +28,9 @@ def _block(block: Written) -> str:
             said = f"{lead}: " if lead else ""
             return f"{INDENT}{said}{formula}{f'    ({number})' if number else ''}"
         case Grid(caption, head, rows):
-            return f"{caption}\n{_grid([head, *rows])}"
+            return f"{caption}\n{_grid([[_words(cell) for cell in row] for row in (head, *rows)])}"
+        case Image(caption):
+            return caption
         case Points(items):
             return "\n".join(f"- {_words(item)}" for item in items)
 

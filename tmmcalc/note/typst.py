@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from tmmcalc.note.assembled import Equation, Grid, Points, Text, Title, Written
+from tmmcalc.note.assembled import Equation, Grid, Image, Points, Text, Title, Written
 from tmmcalc.report.drawing.lettering import FONTS
+from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.drawing.svg import svg
 from tmmcalc.report.formula.breaking import broken
 from tmmcalc.report.formula.layout import Row
 from tmmcalc.report.formula.typst import typst as formula
@@ -51,6 +53,8 @@ def _block(block: Written) -> str:
             return _equation(parts, number, lead)
         case Grid(caption, head, rows):
             return _grid(caption, head, rows)
+        case Image(caption, drawing):
+            return _image(caption, drawing)
         case Points(items):
             return "\n".join(f"- {_text(item)}" for item in items) + "\n"
 
@@ -65,9 +69,17 @@ def _equation(parts: Sequence[Row], number: str, lead: str) -> str:
     return f"#line[{_escaped(lead)}][$ {body} $][{f'({number})' if number else ''}]"
 
 
-def _grid(caption: str, head: tuple[str, ...], rows: tuple[tuple[str, ...], ...]) -> str:
-    cells = ", ".join(f"[{_escaped(cell)}]" for row in (head, *rows) for cell in row)
-    return f"#block(breakable: false)[{_escaped(caption)}\n#table(columns: {len(head)}, {cells})]"
+def _grid(caption: str, head: tuple[Text, ...], rows: tuple[tuple[Text, ...], ...]) -> str:
+    cells = ", ".join(f"[{_text(cell)}]" for row in rows for cell in row)
+    heads = ", ".join(f"[{_text(cell)}]" for cell in head)
+    table = f"table(columns: {len(head)}, table.header({heads}), {cells})"
+    return f"#block(breakable: true)[#block(sticky: true)[{_escaped(caption)}]\n#{table}]"
+
+
+def _image(caption: str, drawing: Drawing) -> str:
+    picture = svg(drawing).decode().replace("\\", "\\\\").replace('"', '\\"')
+    shown = f'#image(bytes("{picture}"), format: "svg", width: {drawing.width:g}mm)'
+    return f"#block(breakable: false, width: 100%)[#align(center)[{shown}\n{_escaped(caption)}]]"
 
 
 def _escaped(text: str) -> str:

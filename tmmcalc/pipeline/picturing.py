@@ -12,7 +12,6 @@ from tmmcalc.report.rows import CHOOSE
 
 if TYPE_CHECKING:
     from tmmcalc.report.drawing.shapes import Drawing
-    from tmmcalc.report.manuscript import Block
     from tmmcalc.report.sheets.piece import Piece
 
 NONE = dict.fromkeys((POSITIONS, POLYGONS, CHOOSE, PHASE))  # no flags
@@ -24,7 +23,7 @@ def figure_of(
     """What draws the picture of a stage that has one; ``flags`` are those of ``tmmcalc plot``."""
     picture = STAGES[stage].picture
     assert picture is not None
-    order = _order(spec, results, flags)
+    order = order_of(spec, results, flags)
     draw: Callable[[Order], Drawing] = resolve(picture.figure)
 
     def drawn() -> Drawing:
@@ -42,10 +41,11 @@ def pieces_of(stage: str, spec: Any, results: Mapping[str, Any]) -> list[Piece]:
     if picture is None or not picture.pieces:
         return []
     offered: Callable[[Order], Iterable[Piece]] = resolve(picture.pieces)
-    return list(offered(_order(spec, results, NONE)))
+    return list(offered(order_of(spec, results, NONE)))
 
 
-def _order(spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | None]) -> Order:
+def order_of(spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | None] = NONE) -> Order:
+    """What a picture or a chapter of a run is made from."""
     from tmmcalc.pipeline.runner import upstream_of
     from tmmcalc.project import parse_spec
 
@@ -66,11 +66,3 @@ def svg_of(stage: str, spec: Any, results: Mapping[str, Any]) -> str | None:
         return written("svg", figure_of(stage, spec, results)()).decode()
     except TmmError:
         return None
-
-
-def chapter_of(
-    stage: str, spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | None] = NONE
-) -> Iterable[Block]:
-    """The chapter of a stage in the note, in the language in force; nothing of a stage that has none."""
-    note = STAGES[stage].note
-    return resolve(note)(_order(spec, results, flags)) if note else ()

@@ -1,9 +1,10 @@
 """The language that drawings and notes are in: English, or a translation of it.
 
 A text stands in the program in English, ``tr("in position {label}", label="7")``. Files ``uk.toml`` beside what says it
-hold its translation, "English" = "Ukrainian", in which the same values stand; ``[units]`` in one of them the units,
-``[counts]`` words that follow a number, in the forms for 1, for 2 to 4 and for 5. ``with speaking("uk"):`` holds for
-all that is drawn within. A text without a translation stays English; `tests/report/test_language.py` finds it.
+hold its translation, "English" = "Ukrainian", in which the same values stand; ``[names]`` texts that the theory and
+manifests say, ``[units]`` in one of them the units, ``[counts]`` words that follow a number, in the forms for 1, for 2
+to 4 and for 5. ``with speaking("uk"):`` holds for all that is drawn within.
+A text without a translation stays English; `tests/report/test_language.py` finds it.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ class Catalogue(NamedTuple):
     """The words of a language by the English ones."""
 
     texts: Mapping[str, str]
+    names: Mapping[str, str]
     units: Mapping[str, str]
     counts: Mapping[str, tuple[str, str, str]]
 
@@ -65,6 +67,12 @@ def tr(text: str, **values: Any) -> str:
     language = _spoken.get()
     found = text if language == "en" else catalogue(language).texts.get(text, text)
     return PLACE.sub(lambda name: str(values.get(name[1], name[0])), found) if values else found
+
+
+def tr_name(text: str) -> str:
+    """A text that the theory or a manifest says, as the name of a law or a method; itself where it has no other."""
+    language = _spoken.get()
+    return text if language == "en" else catalogue(language).names.get(text, text)
 
 
 def tr_unit(unit: str) -> str:
@@ -116,14 +124,16 @@ def tr_number(text: str) -> str:
 def catalogue(language: str) -> Catalogue:
     """All words of a language, from the files of the program that hold some."""
     texts: dict[str, str] = {}
+    names: dict[str, str] = {}
     units: dict[str, str] = {}
     counts: dict[str, tuple[str, str, str]] = {}
     for file in files_of(language):
         words = tomllib.loads(file.read_text(encoding="utf-8"))
+        names |= words.pop("names", {})
         units |= words.pop("units", {})
         counts |= {one: tuple(forms) for one, forms in words.pop("counts", {}).items()}
         texts |= words
-    return Catalogue(texts, units, counts)
+    return Catalogue(texts, names, units, counts)
 
 
 def files_of(language: str) -> list[Path]:

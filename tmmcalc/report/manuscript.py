@@ -1,24 +1,26 @@
 """What a note is made of before it has a format: headings, paragraphs, formulas with numbers, lists, tables.
 
 Texts are in the language in force. Within ``$`` stands a formula as `tmmcalc.report.formula.syntax` reads it.
-``{eq:KEY}``, ``{tab:KEY}`` are replaced by the number of what has this key.
+``{eq:KEY}``, ``{tab:KEY}``, ``{fig:KEY}`` are replaced by the number of what has this key.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
 from tmmcalc.report.formula.digits import RESULT, Given
 
 if TYPE_CHECKING:
+    from tmmcalc.report.drawing.box import Box
+    from tmmcalc.report.drawing.shapes import Drawing
     from tmmcalc.report.formula.tree import Statement
 
-Lexicon = Mapping[str, Given]  # the quantities of a scene at one place, by their names in formulas
+Lexicon = dict[str, Given]  # the quantities of a scene at one place, by their names in formulas
 
 
 class Heading(NamedTuple):
-    """The title of a section (level 1) or a part of one."""
+    """The title of a part of a chapter (level 2), or of a part of it (3); chapters have theirs from the manifest."""
 
     text: str
     level: int = 2
@@ -63,7 +65,7 @@ class Listing(NamedTuple):
 
 
 class Table(NamedTuple):
-    """Cells as they are printed, under a head."""
+    """Cells as they are printed, with formulas between ``$``, under a head that is repeated on every page."""
 
     caption: str
     head: tuple[str, ...]
@@ -71,4 +73,21 @@ class Table(NamedTuple):
     key: str = ""
 
 
-Block = Heading | Paragraph | Display | Line | Listing | Table
+class Figure(NamedTuple):
+    """A picture, drawn at the size at which it stands: ``draw(drawing, box)`` fills the whole rectangle."""
+
+    caption: str
+    draw: Callable[[Drawing, Box], object]
+    size: tuple[float, float]  # width and height [mm]
+    key: str = ""
+
+
+Block = Heading | Paragraph | Display | Line | Listing | Table | Figure
+
+
+class Chapter(NamedTuple):
+    """What the stages of one subject tell."""
+
+    name: str  # by which it is asked for
+    title: str
+    blocks: tuple[Block, ...]

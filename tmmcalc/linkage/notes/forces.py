@@ -14,32 +14,35 @@ import numpy as np
 
 from tmmcalc.core.plane import cross
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
-from tmmcalc.linkage.forces.results import Forces, side_of
+from tmmcalc.linkage.forces.results import side_of
 from tmmcalc.linkage.freebody import Acting, Couple, FreeBody, link_bodies, solved
 from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.loads.scene import compile_scene
-from tmmcalc.linkage.notes.group import plain_name, vector
-from tmmcalc.linkage.notes.told import Dyad, Told, named, number_of
+from tmmcalc.linkage.notes.group import plain_name
+from tmmcalc.linkage.notes.told import Dyad, Told, told_of
 from tmmcalc.linkage.pins import find_pins
+from tmmcalc.linkage.tables.tasks.loading import to_loading
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Paragraph
+from tmmcalc.report.telling import named, number_of, vector
 
 NOTHING = 1e-12  # of the largest force, or couple: less is not told
 
 Bodies = Mapping[int, FreeBody]
 
 
-def forces_blocks(told: Told, loading: Loading, result: Forces) -> Iterator[Block]:
+def blocks(order: Order) -> Iterator[Block]:
     """Inertia forces, every dyad from the last, the balancing moment of the input link."""
+    told, loading, result = told_of(order), to_loading(order.spec), order.results["forces"]
     mechanism = told.chain.mechanism
     statics = compile_statics(compile_scene(mechanism, loading, told.result))
     rows = [result.labels.index(told.result.labels[row]) for row in told.rows]  # more of them where friction jumps
     sides = np.array([side_of(result, row) for row in rows])
     found = solved(statics, result.theta[rows], sides)
     bodies = [{body.links[0]: body for body in link_bodies(found, k)} for k in range(len(told.rows))]
-    yield Heading(tr("Force analysis"), 1)
     yield from told.beyond()
     yield from _inertia(told, loading, bodies)
     for dyad in reversed(told.dyads):

@@ -18,6 +18,7 @@ from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
+from tmmcalc.report.telling import vector
 
 
 class GroupAt(NamedTuple):
@@ -107,12 +108,6 @@ def angle(direction: complex, meaning: str) -> Given:
     return Given(math.degrees(cmath.phase(complex(direction))), "deg", meaning)
 
 
-def turned(given: Given, near: float) -> Given:
-    """An angle [deg] with as many whole turns as bring it to ``near``."""
-    assert isinstance(given.value, float)
-    return given._replace(value=given.value + 360.0 * round((near - given.value) / 360.0))
-
-
 def along_guide(slider: str, link: str, number: str, s: float, rate: float, rate2: float) -> dict[str, Given]:
     """Coordinate, velocity and acceleration of a slider along its guide on a link."""
     return {
@@ -148,14 +143,6 @@ def guide_quantities(
     }
 
 
-def vector(name: str, value: complex, unit: str, meaning: str) -> dict[str, Given]:
-    """The projections of a vector; ``%`` in the name is the axis."""
-    return {
-        name.replace("%", "x"): Given(value.real, unit, meaning),
-        name.replace("%", "y"): Given(value.imag, unit, meaning),
-    }
-
-
 def pin_quantities(chain: Chain, result: Kinematics, row: int) -> dict[str, Given]:
     """Places, velocities and accelerations of all pins and points of links at a position."""
     motions = chain.evaluate(result.x[[row]]).motions
@@ -177,10 +164,3 @@ def point_quantities(key: str, name: str, state: Point) -> dict[str, Given]:
             f"a_{{{key}%}}", complex(state.a), "m/s^2", tr("projection of the acceleration of {point}", point=name)
         ),
     }
-
-
-def filled(text: str, places: Mapping[str, str]) -> str:
-    """A formula or a name with the links and points in their places."""
-    for key, place in places.items():
-        text = text.replace(f"<{key}>", place)
-    return text

@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from tmmcalc.linkage.notes import points
-from tmmcalc.linkage.notes.told import Told
+from tmmcalc.linkage.notes.told import Told, told_of
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading
 
 
-def kinematics_blocks(told: Told) -> Iterator[Block]:
+def blocks(order: Order) -> Iterator[Block]:
     """The input link and every dyad, with their formulas worked out."""
-    yield Heading(tr("Kinematic analysis"), 1)
+    told = told_of(order)
     yield from told.beyond()
     if told.chain.turns and told.chain.structure.driven is None:
         yield Heading(tr("Input link"), 2)

@@ -6,15 +6,17 @@ from collections.abc import Iterator
 
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.structure import ROMAN, Group, Structure
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr, tr_count
-from tmmcalc.report.manuscript import Block, Heading, Line, Listing, Paragraph, Place, Table
+from tmmcalc.report.language import tr, tr_count, tr_name
+from tmmcalc.report.manuscript import Block, Line, Listing, Paragraph, Place, Table
 
 
-def structure_blocks(mechanism: Mechanism, result: Structure) -> Iterator[Block]:
+def blocks(order: Order) -> Iterator[Block]:
     """Tables of links and pairs, the mobility with numbers, the groups in the order of assembly."""
-    yield Heading(tr("Structural analysis"), 1)
+    mechanism, result = to_linkage(order.spec.linkage), order.results["structure"]
     yield Paragraph(tr("The links are listed in table {tab:links}, the kinematic pairs in table {tab:pairs}."))
     yield Table(tr("Links"), (tr("Number"), tr("Link"), tr("Pairs")), tuple(_links(mechanism, result)), key="links")
     yield Table(
@@ -41,7 +43,7 @@ def structure_blocks(mechanism: Mechanism, result: Structure) -> Iterator[Block]
 
 def _links(mechanism: Mechanism, result: Structure) -> Iterator[tuple[str, ...]]:
     for link in (FRAME, *(each.id for each in mechanism.links)):
-        name = tr("frame") if link == FRAME else result.names.get(str(link), "")
+        name = tr("frame") if link == FRAME else tr_name(result.names.get(str(link), ""))
         yield str(link), name, ", ".join(joint.name for joint in mechanism.joints if link in joint.links)
 
 

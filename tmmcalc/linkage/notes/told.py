@@ -10,19 +10,19 @@ from typing import Any, NamedTuple
 from tmmcalc.linkage.chain import Chain, Step, chain_of
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.notes import points
-from tmmcalc.linkage.notes.group import GroupAt, filled, group_at, pin_quantities, plain_name, turned
+from tmmcalc.linkage.notes.group import GroupAt, group_at, pin_quantities, plain_name
+from tmmcalc.linkage.notes.positions import by_default
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.report.formula.digits import Given, value_of
-from tmmcalc.report.formula.simplify import ZERO, simplified
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+from tmmcalc.report.drawing.order import POSITIONS, Order
+from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
-from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.formula.tree import Name
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Line, Paragraph, Place
+from tmmcalc.report.manuscript import Block, Paragraph, Place
+from tmmcalc.report.telling import filled, lines, named
 
 DYADS = "tmmcalc.linkage.notes.dyads"
-STILL = 1e-12  # a value this small in every shown position is nothing
 
 
 class Dyad(NamedTuple):
@@ -49,19 +49,15 @@ class Told(NamedTuple):
     crank: Sequence[points.Carried]  # points of the input crank
     dyads: Sequence[Dyad]
 
-    def lines(self, texts: Sequence[str], places: Mapping[str, str]) -> Iterator[Block]:
-        """The formulas with their links and points, without what is nothing here."""
-        for text in texts:
-            formula = simplified(read(filled(text, places)), self._zeros())
-            left, right = formula.sides
-            assert isinstance(left, Name)
-            if right in (ZERO, left):
-                continue
-            for lexicon in self.lexicons:
-                if lexicon[left.key].unit == "deg":
-                    lexicon[left.key] = turned(lexicon[left.key], value_of(right, lexicon, "deg"))
-            names = [tr("in position {label}", label=self.result.labels[row]) for row in self.rows]
-            yield Line(formula, tuple(map(Place, names, self.lexicons)))
+    @property
+    def places(self) -> list[Place]:
+        """The positions as places of lines."""
+        names = [tr("in position {label}", label=self.result.labels[row]) for row in self.rows]
+        return [*map(Place, names, self.lexicons)]
+
+    def lines(self, texts: Sequence[str], words: Mapping[str, str]) -> Iterator[Block]:
+        """The formulas with their links and points, worked out at the positions."""
+        return lines(texts, self.places, words)
 
     def beyond(self) -> Iterator[Block]:
         """A sentence on the groups that are no dyads, where there are some."""
@@ -72,29 +68,14 @@ class Told(NamedTuple):
             )
             yield Paragraph(said)
 
-    def _zeros(self) -> set[str]:
-        """Names that are nothing in every shown position."""
-        common = set.intersection(*(set(lexicon) for lexicon in self.lexicons))
-        return {key for key in common if all(abs(_size(lexicon[key])) <= STILL for lexicon in self.lexicons)}
+
+def told_of(order: Order) -> Told:
+    """What is told of the linkage of a run, at the positions that are asked for, or one of each stroke."""
+    mechanism, result = to_linkage(order.spec.linkage), order.results["kinematics"]
+    return _gathered(mechanism, result, order.rows(POSITIONS, result.labels) or by_default(mechanism, result))
 
 
-def named(quantities: Mapping[str, Given]) -> dict[str, Given]:
-    """Quantities by the names that formulas have when they are read."""
-    return {canonical(key): given for key, given in quantities.items()}
-
-
-def number_of(lexicon: Mapping[str, Given], key: str) -> float:
-    """The value of a quantity."""
-    found = lexicon[canonical(key)].value
-    assert isinstance(found, float)
-    return found
-
-
-def _size(given: Given) -> float:
-    return given.value if isinstance(given.value, float) else math.inf
-
-
-def told_of(mechanism: Mechanism, result: Kinematics, rows: Sequence[int]) -> Told:
+def _gathered(mechanism: Mechanism, result: Kinematics, rows: Sequence[int]) -> Told:
     """All quantities of the motion at these positions."""
     chain = chain_of(mechanism, result)
     lexicons = [named({**pin_quantities(chain, result, row), **_input_quantities(result, row)}) for row in rows]

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from tmmcalc.linkage.notes.group import GroupAt, along_guide, guide_quantities, length, vector
+from tmmcalc.linkage.notes.group import GroupAt, along_guide, guide_quantities, length
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
+from tmmcalc.report.telling import vector
 
 POSITION = (
     "w_{<a><b>x} = x_{<Q>} - x_{<P>} - h_<b>*sin(gamma_<b>) + h_<a>*sin(gamma_<a>)",

@@ -1,0 +1,134 @@
+"""What chapters of a note are told with: formulas of several links or points from one text, worked out at places.
+
+A chapter gathers its quantities by their names in formulas in a lexicon for each place, ``{"omega_1": Given(5.76,
+"rad/s", tr("angular velocity of the crank"))}``, and gives the texts of its formulas in their order to `lines`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tmmcalc.report.formula.digits import PLAIN, Given, rounded, value_of
+from tmmcalc.report.formula.simplify import ZERO, simplified
+from tmmcalc.report.formula.symbols import canonical
+from tmmcalc.report.formula.syntax import read
+from tmmcalc.report.formula.tree import Name
+from tmmcalc.report.language import tr_number, tr_unit
+from tmmcalc.report.manuscript import Figure, Lexicon, Line, Place, Table
+from tmmcalc.report.sheets.piece import Piece
+
+STILL = 1e-12  # a value this small in every shown place is nothing
+DIGITS = 5  # of the largest number of a column
+WIDE, HIGH = 160.0, 220.0  # that a picture may be [mm]
+
+
+def named(quantities: Lexicon) -> dict[str, Given]:
+    """Quantities by the names that formulas have when they are read."""
+    return {canonical(key): given for key, given in quantities.items()}
+
+
+def filled(text: str, words: Mapping[str, str]) -> str:
+    """A formula or a name with words for its places in angle brackets.
+
+    >>> filled("omega_<k> = v_<P>/l_<k>", {"k": "3", "P": "B"})
+    'omega_3 = v_B/l_3'
+    """
+    for key, word in words.items():
+        text = text.replace(f"<{key}>", word)
+    return text
+
+
+def vector(name: str, value: complex, unit: str, meaning: str) -> dict[str, Given]:
+    """The projections of a vector; ``%`` in the name is the axis."""
+    return {
+        name.replace("%", "x"): Given(value.real, unit, meaning),
+        name.replace("%", "y"): Given(value.imag, unit, meaning),
+    }
+
+
+def number_of(lexicon: Lexicon, key: str) -> float:
+    """The value of a quantity."""
+    found = lexicon[canonical(key)].value
+    assert isinstance(found, float)
+    return found
+
+
+def lines(texts: Sequence[str], places: Sequence[Place], words: Mapping[str, str] | None = None) -> Iterator[Line]:
+    """The formulas worked out at these places, without terms and factors that are nothing in all of them.
+
+    The left side of each is a quantity of the lexicons, whose value the line gives; one that is nothing is left out.
+    An angle has from then on as many whole turns as its formula gives.
+    """
+    for text in texts:
+        formula = simplified(read(filled(text, words or {})), _zeros(places))
+        left, right = formula.sides
+        assert isinstance(left, Name)
+        if right in (ZERO, left):
+            continue
+        for place in places:
+            given = place.lexicon[left.key]
+            if given.unit == "deg":
+                place.lexicon[left.key] = _turned(given, value_of(right, place.lexicon, "deg"))
+        yield Line(formula, tuple(places))
+
+
+def _zeros(places: Sequence[Place]) -> set[str]:
+    """Names that are nothing at every place."""
+    common = set.intersection(*(set(place.lexicon) for place in places))
+    return {key for key in common if all(_size(place.lexicon[key]) <= STILL for place in places)}
+
+
+def _size(given: Given) -> float:
+    return abs(given.value) if isinstance(given.value, float) else math.inf
+
+
+def _turned(given: Given, near: float) -> Given:
+    """An angle [deg] with as many whole turns as bring it to ``near``."""
+    assert isinstance(given.value, float)
+    return given._replace(value=given.value + 360.0 * round((near - given.value) / 360.0))
+
+
+def tabulated(
+    caption: str, columns: Mapping[str, ArrayLike], labels: Sequence[str], *, head: str, key: str = ""
+) -> Table:
+    """A table of columns over labelled rows; the numbers of a column have one last digit.
+
+    ``columns`` are headed by what they are, ``"$phi_3$, deg"`` with a unit as `tr_unit` reads it after the comma.
+    """
+    cells = [list(labels), *(column_of(values) for values in columns.values())]
+    heads = (head, *map(headed, columns))
+    return Table(caption, heads, tuple(zip(*cells, strict=True)), key)
+
+
+def pictured(piece: Piece, *, key: str = "", wide: float = WIDE) -> Figure:
+    """A picture of a sheet at the width of the note, as high as its proportions want."""
+    least, good = piece.least, piece.good
+    factor = max(wide / good[0], least[1] / good[1])
+    return Figure(piece.heading, piece.draw, (wide, min(factor * good[1], HIGH)), key)
+
+
+def headed(head: str) -> str:
+    """The head of a column with its unit in the language in force."""
+    name, comma, unit = head.partition(", ")
+    return name + (comma and f", {tr_unit(unit)}")
+
+
+def column_of(values: ArrayLike, digits: int = DIGITS) -> list[str]:
+    """Numbers of a column as they are printed: all to one last digit, zero without a sign; a dash where one is nan.
+
+    >>> column_of([1.0, -0.00001, 123.456])
+    ['1.00', '0.00', '123.46']
+    """
+    numbers = np.asarray(values, dtype=float)
+    largest = np.max(np.abs(numbers[np.isfinite(numbers)]), initial=0.0)
+    exponent = math.floor(math.log10(largest)) if largest > 0 else 0
+    last = exponent - digits + 1
+    if PLAIN[0] < exponent < PLAIN[1]:
+        texts = [tr_number(f"{round(each, -last) + 0.0:.{max(0, -last)}f}") for each in numbers]
+    else:
+        texts = [f"${rounded(each, 10.0**last)}$" if math.isfinite(each) else "" for each in numbers]
+    return [text if math.isfinite(each) else "–" for text, each in zip(texts, numbers, strict=True)]
