@@ -26,7 +26,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Heading, Paragraph
+from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph
 from tmmcalc.report.telling import named, number_of, vector
 
 NOTHING = 1e-12  # of the largest force, or couple: less is not told
@@ -221,7 +221,7 @@ def _moments(told: Told, bodies: Sequence[Bodies], links: Sequence[int], point: 
     return f"{name} = {' + '.join(terms)}" if terms else ""
 
 
-def _reactions(told: Told, dyad: Dyad, bodies: Bodies, lexicon: Mapping[str, Given]) -> dict[str, Given]:
+def _reactions(told: Told, dyad: Dyad, bodies: Bodies, lexicon: Lexicon) -> dict[str, Given]:
     """The reactions of the dyad by the program."""
     places = dyad.places
     mechanism = told.chain.mechanism
@@ -257,7 +257,7 @@ def _reactions(told: Told, dyad: Dyad, bodies: Bodies, lexicon: Mapping[str, Giv
     return found
 
 
-def _line_angle(dyad: Dyad, joint: str, lexicon: Mapping[str, Given]) -> float:
+def _line_angle(dyad: Dyad, joint: str, lexicon: Lexicon) -> float:
     """The direction of a prismatic joint in the equations [deg]."""
     places, group = dyad.places, dyad.step.group
     if group.kind == "RPR":
@@ -270,7 +270,7 @@ def _line_angle(dyad: Dyad, joint: str, lexicon: Mapping[str, Given]) -> float:
     return gamma
 
 
-def _parts(dyad: Dyad, index: str, on: str, value: complex, lexicon: Mapping[str, Given]) -> dict[str, Given]:
+def _parts(dyad: Dyad, index: str, on: str, value: complex, lexicon: Lexicon) -> dict[str, Given]:
     """The parts of an outer reaction along and across the line that its equations take."""
     places, kind = dyad.places, dyad.step.group.kind
     along = tr("parts of the reaction along and across link {link}", link=places[on])
