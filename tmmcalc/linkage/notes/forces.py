@@ -111,8 +111,8 @@ def _dyad(told: Told, dyad: Dyad, bodies: Sequence[Bodies]) -> Iterator[Block]:
 
 
 def key_of(acting: Acting | Couple) -> str:
-    """The name of a force in formulas: letters with an index, ``Q_5`` of ``Q5``."""
-    found = re.fullmatch(r"([A-Za-z]+)_?(\w*)", acting.letter)
+    """The name of a force in formulas: a letter with an index, ``Q_5`` of ``Q5``, ``Q_gas`` of ``gas``."""
+    found = re.fullmatch(r"([A-Za-z])_?(\d*)", acting.letter)
     letters, rest = (found[1], found[2]) if found else ("Q", plain_name(acting.letter))
     index = f"{rest}{acting.index}".replace(",", "")
     return f"{letters}_{{{index}}}" if index else letters
