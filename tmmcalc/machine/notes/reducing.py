@@ -35,7 +35,7 @@ from tmmcalc.machine.reduction.inertia import lumped
 from tmmcalc.machine.reduction.results import Contribution, Reduction
 from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.stages.reduction import further, inputs
-from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Heading, Line
 from tmmcalc.report.telling import lines
@@ -125,7 +125,9 @@ def reducing(order: Order) -> Reducing:
     """What is told of the reduction of a linkage, its results put into the lexicons."""
     result, kinematics = order.results["reduction"], order.results["kinematics"]
     mechanism, loading, _ = inputs(order.spec)
-    rows = _with_loads(rows_shown(order, mechanism), result, kinematics)
+    rows = rows_shown(order, mechanism)
+    if order.flags[POSITIONS] is None:
+        rows = _with_loads(rows, result, kinematics)
     if result.rods == "lumped":
         loading = replace(loading, bodies=lumped(mechanism, loading, result.rod_links))
     attached = [each for each in order.results.values() if isinstance(each, Attached)]
@@ -145,7 +147,7 @@ def _with_loads(rows: Sequence[int], result: Reduction, kinematics: Kinematics) 
     for contribution, moment in zip(result.contributions, result.moment[:, : len(kinematics.labels)], strict=True):
         if contribution.kind == "load" and not np.any(moment[found]):
             found.append(int(np.argmax(np.abs(moment))))
-    return found
+    return sorted(found)
 
 
 def _with_results(told: Reducing) -> Reducing:
