@@ -41,7 +41,7 @@ def plain(box: Box) -> str:
         case Row(boxes):
             return "".join(map(plain, boxes))
         case Fraction(over, under):
-            return f"{_grouped(over)}/{_grouped(under)}"
+            return f"{_signed(over)}/{_signed(under)}"
         case Marked(inner, mark):
             return f"{plain(inner)}{mark}"
         case Root(inner):
@@ -56,6 +56,12 @@ def plain(box: Box) -> str:
             return f"{sign}_{plain(lower)} {plain(body)}"
         case Arrowed(inner):
             return f"vec({plain(inner)})"
+
+
+def _signed(box: Box) -> str:
+    """A side of a fraction on one line, where a minus before it belongs in brackets."""
+    text = _grouped(box)
+    return f"({text})" if text.startswith("−") else text
 
 
 def _grouped(box: Box) -> str:
