@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import re
 
-from tmmcalc.gears.pictures.contourlines import line_title
-from tmmcalc.report.language import spoken, tr, tr_number
+from tmmcalc.report.language import spoken, tr, tr_name, tr_number
 
 NONE = "C, D, E, balanced, equal strength: "  # no point, for want of a contour
 MESH = re.compile(r"no shifts of z = (\S+) give a mesh (without|even with tolerated) undercut")
@@ -37,7 +36,7 @@ def reason_of(text: str) -> str:
     if found := SLIDING.fullmatch(text):
         return tr("D: no mesh has the contact ratio {ratio} and equal specific sliding", ratio=tr_number(found[1]))
     if found := OUTSIDE.fullmatch(text):
-        lines = ", ".join(map(line_title, found[4].split(", ")))
+        lines = ", ".join(map(tr_name, found[4].split(", ")))
         ratio, place = tr_number(found[1]), tr_number(f"x1 = {found[2]}; x2 = {found[3]}")
         return tr(
             "D: equal sliding at the contact ratio {ratio}, {place}, lies outside the contour: {lines}",
