@@ -12,8 +12,20 @@ import pytest
 
 import tmmcalc
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.report.drawing.lettering import pieces
-from tmmcalc.report.language import LANGUAGES, PLACE, catalogue, files_of, speaking, spoken, tr, tr_count, tr_unit
+from tmmcalc.report.language import (
+    LANGUAGES,
+    PLACE,
+    catalogue,
+    files_of,
+    speaking,
+    spoken,
+    tr,
+    tr_count,
+    tr_name,
+    tr_unit,
+)
 
 ROOT = Path(tmmcalc.__file__).parent
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -125,6 +137,15 @@ def test_a_language_holds_within_its_block() -> None:
             assert tr_unit("N*m") == "N·m"
         assert tr("a text that nobody translates") == "a text that nobody translates"
     assert spoken() == "en"
+
+
+def test_a_phrase_is_translated_with_its_values() -> None:
+    reason = Phrase("no shifts of z = {teeth} give a mesh {kind}", teeth="14/17", kind="without undercut")
+    outside = Phrase("equal specific sliding at the contact ratio {ratio}", ratio="1.25")
+    assert tr_name(reason) == "no shifts of z = 14/17 give a mesh without undercut"
+    with speaking("uk"):
+        assert tr_name(reason) == "жодні зміщення коліс z = 14/17 не дають зачеплення без підрізання"
+        assert tr_name(outside).endswith("за коефіцієнта перекриття 1,25")
 
 
 def test_an_unknown_language_is_refused() -> None:

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Phrase
 
 LANGUAGES = {"en": "English", "uk": "Ukrainian"}
 PLACE = re.compile(r"\{(\w+)\}")
@@ -72,6 +73,8 @@ def tr(text: str, **values: Any) -> str:
 def tr_name(text: str) -> str:
     """A text that the theory, a manifest or the spec says, as the name of a law or a link; itself without another.
 
+    The values of a `Phrase` are translated too.
+
     >>> with speaking("uk"):
     ...     tr_name("slider-crank"), tr_name("Q5")
     ('кривошипно-повзунний механізм', 'Q5')
@@ -79,6 +82,10 @@ def tr_name(text: str) -> str:
     language = _spoken.get()
     if language == "en":
         return text
+    if isinstance(text, Phrase):
+        values = {name: [each] if isinstance(each, str) else each for name, each in text.values.items()}
+        said = {name: tr_number(", ".join(map(tr_name, each))) for name, each in values.items()}
+        return PLACE.sub(lambda name: said[name[1]], tr_name(text.template))
     words = catalogue(language)
     return words.names.get(text) or words.texts.get(text, text)
 

@@ -13,7 +13,6 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.meshing.contours import UNBOUNDED, Area, ContourPoint, PairContour
 from tmmcalc.gears.pictures.contourlines import Stroke, chosen, indexed, number_of
 from tmmcalc.gears.pictures.contourlook import BELT, HATCHED, PALE, RING, STRICT, Look, marker, ring
-from tmmcalc.gears.pictures.contourreasons import reason_of
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import extent, minus, wrapped
 from tmmcalc.report.drawing.pens import INK, MARK
@@ -160,7 +159,7 @@ class _Key:
                     texts[k] = f"{MINUS}\N{INFINITY}"
             yield self._cells(texts, tr_name(point.name), point)
         said = [
-            f"{tr_name(point.name)}: {indexed(_point_title(point))}" for point in pair.points if point.name != "chosen"
+            f"{tr_name(point.name)}: {indexed(tr_name(point.title))}" for point in pair.points if point.name != "chosen"
         ]
         if said:
             yield self.worded("; ".join(said))
@@ -221,7 +220,8 @@ class _Key:
         found = [tr("strict contour: {reason}", reason=text) for text in strict if text not in tolerated]
         found += [tr("both contours: {reason}", reason=text) for text in both]
         found += [tr("tolerated contour: {reason}", reason=text) for text in tolerated if text not in strict]
-        found += map(reason_of, pair.missing)
+        for points in pair.missing:
+            found.append(f"{', '.join(map(tr_name, points.names))}: {tr_name(points.reason)}")
         for text in found:
             yield self.worded(indexed(f"{text[:1].upper()}{text[1:]}"))
 
@@ -231,17 +231,8 @@ def _fixed(value: float, decimals: int) -> str:
     return tr_number(minus(text.lstrip("-") if not float(text) else text))
 
 
-def _point_title(point: ContourPoint) -> str:
-    """What a point is, in the language in force."""
-    ratio = "equal specific sliding at the contact ratio "
-    if point.title.startswith(ratio):
-        value = tr_number(point.title.removeprefix(ratio))
-        return tr("equal specific sliding at the contact ratio {value}", value=value)
-    return tr_name(point.title)
-
-
 def _reasons(area: Area) -> Iterator[str]:
     if area.main is None:
-        yield reason_of(area.reason)
+        yield tr_name(area.reason)
     for wheel in area.untraced:
         yield tr("pieces with the tip of wheel {wheel} inside its reference circle are not drawn", wheel=3 - wheel)
