@@ -408,7 +408,9 @@ class TestEmpty:
 class TestKey:
     @pytest.mark.slow
     def test_much_text_shrinks(self) -> None:
-        pair = replace(pair_of("empty"), missing=tuple(MissingPoints((f"D{k}",), "outside of the contour") for k in range(40)))
+        pair = replace(
+            pair_of("empty"), missing=tuple(MissingPoints((f"D{k}",), "outside of the contour") for k in range(40))
+        )
         drawing = blocking_drawing(Blocking((pair,), ()))
         right = drawing.fields[0].box.right
         shown = [words for words in of_words(drawing) if words.at.real > right]
