@@ -49,6 +49,8 @@ OWN = {  # indices of the causes that the program names
     "cam spring": "cs",
     "cam friction": "cF",
 }
+
+
 class Names(NamedTuple):
     """What reduced quantities are called in formulas."""
 

@@ -24,7 +24,7 @@ from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
 from tmmcalc.report.numbers import NOISE
-from tmmcalc.report.telling import column_of, headed, lines, named, pictured, tabulated
+from tmmcalc.report.telling import column, lines, named, pictured, tabulated
 
 POWER = "<M>*<w> = sum(F_i*v_i*cos(alpha_i), i) + sum(M_i*omega_i, i)"
 ENERGY = "<J>*<w>**2/2 = sum(m_i*v_{Si}**2/2 + J_{Si}*omega_i**2/2, i)"
@@ -130,9 +130,14 @@ def _by_simpson(result: Reduction, names: Names) -> Iterator[Block]:
         )
     )
     weights = simpson_weights(len(result.phi))
-    columns = [column_of(np.append(each, each.sum())) for each in weights * result.moment]
-    cells = zip([*result.labels, tr("Sum")], [*map(str, weights.astype(int)), "–"], *columns, strict=True)
-    head = (tr("Position"), "$k_i$", *(headed(f"$k_i*{key}$, {names.unit}") for key in keys.values()))
+    columns = [
+        column(f"$k_i*{key}$, {names.unit}", np.append(each, each.sum()))
+        for key, each in zip(keys.values(), weights * result.moment, strict=True)
+    ]
+    cells = zip(
+        [*result.labels, tr("Sum")], [*map(str, weights.astype(int)), "–"], *(each for _, each in columns), strict=True
+    )
+    head = (tr("Position"), "$k_i$", *(each for each, _ in columns))
     yield Table(tr("Ordinates of Simpson's rule"), head, tuple(cells), "reduction_simpson")
     places = [Place(cause_name(each.name), _sums(found[key])) for key, each in zip(keys, result.contributions)]
     yield from lines([SIMPSON], places)
