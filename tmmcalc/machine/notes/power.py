@@ -15,7 +15,7 @@ from tmmcalc.machine.motors.model import Motor, characteristic
 from tmmcalc.machine.notes.reducing import index_of
 from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.power import LOSSES, MotorDuty, Power
-from tmmcalc.machine.reduction.results import Reduction
+from tmmcalc.machine.reduction.results import Contribution, Reduction
 from tmmcalc.machine.stages.power import inputs
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given, significant
@@ -84,8 +84,10 @@ def _works(power: Power, reduction: Reduction) -> Lexicon:
     }
 
 
-def _work(contribution: Any) -> str:
-    return f"A_{{{index_of(contribution)}}}"
+def _work(contribution: Contribution) -> str:
+    """The work of a cause; that of friction in the linkage has a name beside that of all friction."""
+    index = index_of(contribution)
+    return f"A_{{{'Fl' if index == 'F' else index}}}"
 
 
 def _work_texts(reduction: Reduction) -> Iterator[str]:
@@ -97,7 +99,7 @@ def _work_texts(reduction: Reduction) -> Iterator[str]:
         ("A_c", [each for each in loads if each.work < 0]),
         ("A_F", lost),
     ):
-        if parts and [_work(each) for each in parts] != [name]:
+        if len(parts) > 1 or (parts and name != "A_F"):
             yield f"{name} = {' + '.join(map(_work, parts))}"
 
 

@@ -30,10 +30,10 @@ from tmmcalc.linkage.notes.group import plain_name
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.machine.attached import Attached
 from tmmcalc.machine.notes.moving import Mass, Moving, masses_of, moving, point_name, rows_shown
+from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.reduction.causes import Causes, causes_of
 from tmmcalc.machine.reduction.inertia import lumped
 from tmmcalc.machine.reduction.results import Contribution, Reduction
-from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.stages.reduction import further, inputs
 from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.language import tr, tr_name
@@ -120,7 +120,7 @@ class Reducing(NamedTuple):
 
     def lines(self, *texts: str) -> Iterator[Line]:
         """The formulas worked out at the positions; ``<w>`` is the speed of the input."""
-        return lines(texts, self.moving.places, {"w": self.moving.rate, "eps": f"eps_{self.moving.link}"})
+        return lines(texts, self.moving.places, {"w": self.moving.rate, "eps": self.moving.acceleration})
 
 
 def reducing(order: Order) -> Reducing:

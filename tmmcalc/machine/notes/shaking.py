@@ -213,8 +213,8 @@ def _harmonics(found: Shaking) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "The shaking force is a sum of vectors that turn $k$ times as fast as the crank, with it ($k > 0$) and "
-            "against it ($k < 0$); their sizes $C_k$ are in table {tab:balance_harmonics}, with their parts of the mean "
-            "square $R_q**2$."
+            "against it ($k < 0$); their sizes $C_k$ are in table {tab:balance_harmonics}, with their parts of the "
+            "mean square $R_q**2$."
         )
     )
     orders = [k for k in range(-HIGHEST, HIGHEST + 1) if abs(series.coefficient(k)) > NOISE * found.scale]
