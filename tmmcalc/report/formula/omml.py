@@ -8,6 +8,7 @@ from tmmcalc.report.formula import layout
 from tmmcalc.report.formula.setting import spelt
 
 UPRIGHT = '<m:rPr><m:sty m:val="p"/></m:rPr>'
+TEXT = "<m:rPr><m:nor/></m:rPr>"
 
 
 def omml(box: layout.Box) -> str:
@@ -23,7 +24,7 @@ def omml(box: layout.Box) -> str:
         case layout.Letter(text):
             return _run(text, "")
         case layout.Word(text):
-            return _run(text, UPRIGHT)
+            return _run(text, TEXT)
         case layout.Digits(text):
             return _run(spelt(text), UPRIGHT)
         case layout.Sign(text):
@@ -34,6 +35,8 @@ def omml(box: layout.Box) -> str:
             return "".join(map(omml, boxes))
         case layout.Fraction(over, under):
             return f"<m:f><m:num>{omml(over)}</m:num><m:den>{omml(under)}</m:den></m:f>"
+        case layout.Marked(layout.Digits(text), mark):
+            return _run(spelt(text) + mark, UPRIGHT)
         case layout.Marked(inner, mark):
             return omml(inner) + _run(mark, UPRIGHT)
         case layout.Root(inner):

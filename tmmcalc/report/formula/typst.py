@@ -25,6 +25,8 @@ upright("2")), 2)'
         case layout.Digits(text):
             number = spelt(text)
             return f'"{number}"' if "," in number else number
+        case layout.Sign("−", leads=True):
+            return 'class("unary", −)'
         case layout.Sign(text):
             return OPERATORS.get(text, text)
         case layout.Gap():
