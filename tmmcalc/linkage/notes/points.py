@@ -43,7 +43,7 @@ class Carried(NamedTuple):
     """A point of such a link: what stands in the formulas, and the quantities that are new."""
 
     places: Mapping[str, str]
-    quantities: Mapping[str, Given]
+    quantities: dict[str, Given]
 
 
 def carried(chain: Chain, carrier: Carrier, known: set[str]) -> Iterator[Carried]:
