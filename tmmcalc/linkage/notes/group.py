@@ -88,9 +88,17 @@ def names_of(chain: Chain, step: Step) -> dict[str, str]:
 
 
 def _named(pins: tuple[Pin, ...], joint: Joint) -> str:
-    """The point of a revolute joint; of a prismatic one its own name."""
-    found = next((pin.name for pin in pins if joint.name in pin.joints), joint.name)
-    return plain_name(found)
+    """The point of a revolute joint; of a prismatic one that of its guide."""
+    found = next((plain_name(pin.name) for pin in pins if joint.name in pin.joints), "")
+    return found or guide_name(pins, joint)
+
+
+def guide_name(pins: tuple[Pin, ...], joint: Joint) -> str:
+    """The point of the guide of a prismatic joint: the name of the joint, with zeros where a pin has it."""
+    name, taken = plain_name(joint.name), {plain_name(pin.name) for pin in pins}
+    while name in taken:
+        name += "0"
+    return name
 
 
 def plain_name(name: str) -> str:
