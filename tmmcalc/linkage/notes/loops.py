@@ -1,6 +1,6 @@
 """A group of class III or IV, or one with the drive inside: its loops closed by Newton's method, rates from a system.
 
-The projections of the closure of every loop are equations in the angles of the links and the coordinates of the sliders.
+The projections of the closure of every loop are equations in the angles of the links and the coordinates of sliders.
 Their derivatives are linear in the rates, with one matrix for velocities and accelerations:
 
     sum_first - sum_second of [-(y_E - y_S) omega + v cos gamma] = B_x        and along y
@@ -28,6 +28,7 @@ from tmmcalc.linkage.notes.paths import (
     Loop,
     Slid,
     Spin,
+    coordinate,
     degrees,
     direction,
     loops_of,
@@ -37,23 +38,31 @@ from tmmcalc.linkage.notes.paths import (
 )
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.report.formula.digits import Given
-from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Lexicon
-from tmmcalc.report.telling import named, vector
+from tmmcalc.report.formula.digits import Given, significant
+from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.manuscript import Lexicon, Table
+from tmmcalc.report.telling import column_of, headed, named, vector
 
 AXES = "xy"
 PASSES = 12  # of Newton in the table
-CLOSE = 1e-12  # of the longest vector: the residual of its last line
+CLOSE = 1e-8  # of the longest vector: the residual of its last line
 NEARER = 20  # halvings of the way to the start of Newton
 
 
 class System(NamedTuple):
-    """The equations of a group at one position: matrix (2 L, N), the right sides in time."""
+    """The equations of a group at one position: matrix (2 L, N), and the solutions in time."""
 
     matrix: Real
-    velocities: Real
-    accelerations: Real
+    rates: Real  # (N,) the unknown velocities
+    rates2: Real  # and accelerations
+
+    def found(self, letter: str) -> Real:
+        """The solution, of the system of velocities ``B`` or of accelerations ``C``."""
+        return self.rates if letter == "B" else self.rates2
+
+    def right(self, letter: str) -> Real:
+        """The right sides (2 L,): those along x, then those along y."""
+        return self.matrix @ self.found(letter)
 
 
 class Looped(NamedTuple):
@@ -88,9 +97,7 @@ def system_of(chain: Chain, step: LoopStep, result: Kinematics, row: int) -> Sys
     loops: Loops = configuration.ports[number]
     placed: PlacedGroup = configuration.placed[number]
     q1, q2 = loops.rates(placed)
-    matrix = placed.jacobian[..., 0]
-    first, second = result.in_time(q1[:, 0], q2[:, 0])
-    return System(matrix, matrix @ first, matrix @ second)
+    return System(placed.jacobian[..., 0], *result.in_time(q1[:, 0], q2[:, 0]))
 
 
 def iteration_of(chain: Chain, step: LoopStep, result: Kinematics, row: int) -> Iteration:
@@ -219,9 +226,10 @@ def _slide_quantities(configuration: Configuration, result: Kinematics, arm: Arm
 
 def _right_sides(system: System) -> Lexicon:
     """The right sides of the equations."""
-    count = len(system.velocities) // 2
+    count = len(system.matrix) // 2
     found: Lexicon = {}
-    for letter, values, unit in (("B", system.velocities, "m/s"), ("C", system.accelerations, "m/s^2")):
+    for letter, unit in (("B", "m/s"), ("C", "m/s^2")):
+        values = system.right(letter)
         for k in range(count):
             told = (
                 tr("right side of an equation for the velocities")
@@ -239,6 +247,66 @@ def _carriers(chain: Chain, looped: Looped, known: set[str]) -> Iterator[points.
         own = next((pin for pin in pins if link in pin.at and plain_name(pin.name) in known), None)
         if own is not None:
             yield points.Carrier(link, plain_name(own.name), own.at[link], spin.angle, line, spin.link)
+
+
+def unknown_names(looped: Looped, kind: str) -> list[str]:
+    """The names of the unknowns: of the ``position``, or of the system of a rate, ``velocity`` or ``acceleration``."""
+    turning, sliding = {"position": ("", "s"), "velocity": ("omega", "v"), "acceleration": ("eps", "a")}[kind]
+    names = []
+    for each in looped.unknowns:
+        if isinstance(each, Spin):
+            names.append(f"{turning}_{each.link}" if turning else each.angle)
+        else:
+            names.append(coordinate(each) if kind == "position" else f"{sliding}_{{{each.pair}}}")
+    return names
+
+
+def reached(looped: Looped) -> list[Arm]:
+    """The vectors that lead to every point of the group, the first one to each."""
+    return list({arm.end: arm for arm in reversed(looped.arms)}.values())[::-1]
+
+
+def newton(result: Kinematics, rows: Sequence[int], looped: Looped) -> Iterator[Table]:
+    """The steps of Newton's method at each position: the unknowns and the largest residual of the equations."""
+    names = unknown_names(looped, "position")
+    turned = [isinstance(each, Spin) for each in looped.unknowns]
+    heads = [headed(f"${name}$, {'deg' if turns else 'm'}") for name, turns in zip(names, turned, strict=True)]
+    for row, (start, unknowns, residuals) in zip(rows, looped.iterations, strict=True):
+        columns = [column_of(values) for values in _as_told(looped, unknowns)]
+        sizes = [f"${significant(residual, 2)}$" for residual in residuals]
+        began = f"φ = {math.degrees(start):.4g}°" if result.turns else f"Δs = {start:.4g} {tr_unit('m')}"
+        yield Table(
+            tr("Newton's method in position {label}, from {start}", label=result.labels[row], start=tr_number(began)),
+            (tr("Step"), *heads, headed(tr("Residual") + ", m")),
+            tuple(zip(map(str, range(len(sizes))), *columns, sizes, strict=True)),
+        )
+
+
+def _as_told(looped: Looped, unknowns: Real) -> Iterator[Real]:
+    """The columns of unknowns: angles [deg] of the lines of links, in place of their axes, and coordinates."""
+    turnings = looped.step.equations.turnings
+    for each, values in zip(looped.unknowns, unknowns.T, strict=True):
+        if isinstance(each, Spin):
+            own, line = each.line
+            yield np.degrees(values) + degrees(turnings[own].turn * line)
+        else:
+            yield values
+
+
+def systems(result: Kinematics, rows: Sequence[int], looped: Looped, letter: str) -> Iterator[Table]:
+    """The matrix with the right sides at each position, and the solution below."""
+    names = unknown_names(looped, "velocity" if letter == "B" else "acceleration")
+    count = len(looped.loops)
+    order = [k + count * axis for k in range(count) for axis in (0, 1)]
+    heads = [f"${letter}_{{{k + 1}{axis}}}$" for k in range(count) for axis in AXES]
+    for row, system in zip(rows, looped.systems, strict=True):
+        right, found = system.right(letter), system.found(letter)
+        columns = [[*column_of(part[order]), *column_of([x])] for part, x in zip(system.matrix.T, found, strict=True)]
+        yield Table(
+            tr("Coefficients of the system and its solution in position {label}", label=result.labels[row]),
+            (tr("Equation"), *(f"${name}$" for name in names), tr("Right side")),
+            tuple(zip((*heads, tr("Solution")), *columns, [*column_of(right[order]), ""], strict=True)),
+        )
 
 
 def closures(looped: Looped) -> Iterator[str]:
@@ -291,12 +359,11 @@ def rates_of(arm: Arm) -> tuple[list[str], list[str]]:
     """Velocity and acceleration of the end of a vector from those of its start."""
     velocities, accelerations = [], []
     for axis in AXES:
-        slides = [term for slid in arm.slid for term in (_slide(arm, slid, axis, 1, "v"),)]
+        slides = [_slide(arm, slid, axis, 1, "v") for slid in arm.slid]
         turned = _turned(arm, axis, 1, f"omega_{arm.spin.link}")
         velocities.append(f"v_{{{arm.end}{axis}}} = v_{{{arm.start}{axis}}} {' '.join([turned, *slides])}")
-        slides = [
-            term for slid in arm.slid for term in (_slide(arm, slid, axis, 1, "a"), _coriolis(arm, slid, axis, 1))
-        ]
+        slides = [_slide(arm, slid, axis, 1, "a") for slid in arm.slid]
+        slides += [_coriolis(arm, slid, axis, 1) for slid in arm.slid]
         parts = [_turned(arm, axis, 1, f"eps_{arm.spin.link}"), _normal(arm, axis, 1), *slides]
         accelerations.append(f"a_{{{arm.end}{axis}}} = a_{{{arm.start}{axis}}} {' '.join(parts)}")
     return velocities, accelerations

@@ -146,7 +146,7 @@ class _Paths:
 
     def _entry(self, link: int) -> tuple[str, list[_Move]]:
         """The way to the point through which a link hangs on the source chain."""
-        _, joint, parent = self.grown[link]
+        joint = self.grown[link].joint
         side = joint.links.index(link)
         start, moves = self._seat(joint, 1 - side)
         if joint.kind == "prismatic":

@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 
 from tmmcalc.linkage.chain import Chain, Step, chain_of
 from tmmcalc.linkage.loops.step import LoopStep
-from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.notes import driven, loops, points
 from tmmcalc.linkage.notes.group import GroupAt, group_at, pin_quantities, plain_name
 from tmmcalc.linkage.notes.paths import Arm, Loop, loops_of
-from tmmcalc.linkage.notes.positions import by_default
+from tmmcalc.linkage.pictures.choice import at_parts
+from tmmcalc.linkage.pictures.cycle import LinkageMotion, whole_cycle
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
@@ -24,6 +24,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Paragraph, Place
 from tmmcalc.report.telling import STILL, filled, lines, named
 
+SHOWN = ((1 / 2,), (1 / 2,))  # parts of the working and of the idle stroke whose positions are worked out
 DYADS = "tmmcalc.linkage.notes.dyads"
 
 
@@ -45,13 +46,18 @@ class Dyad(NamedTuple):
 class Told(NamedTuple):
     """A linkage at positions ``rows`` of the result, with the quantities of each."""
 
-    chain: Chain
+    cycle: LinkageMotion
     result: Kinematics
     rows: Sequence[int]
     lexicons: Sequence[dict[str, Given]]
     slider: Arm | None  # the vector to a pin of a driven slider
     crank: Sequence[points.Carried]  # points of the input link
     groups: Sequence[Dyad | loops.Looped]  # in the order of assembly
+
+    @property
+    def chain(self) -> Chain:
+        """The linkage with its groups."""
+        return self.cycle.chain
 
     @property
     def dyads(self) -> list[Dyad]:
@@ -67,6 +73,16 @@ class Told(NamedTuple):
     def lines(self, texts: Sequence[str], words: Mapping[str, str]) -> Iterator[Block]:
         """The formulas with their links and points, worked out at the positions."""
         return lines(texts, self.places, words)
+
+    @property
+    def turning(self) -> list[int]:
+        """Links that turn, but the crank and blocks that turn with a link on which they slide."""
+        joints = self.chain.mechanism.joints
+        blocks = {joint.links[0] for joint in joints if joint.kind == "prismatic" and joint.links[1]}
+        crank = {self.result.structure.input_link} if self.chain.turns else set()
+        links = self.result.trace.link_ids
+        moves = (link for link, rates in zip(links, self.result.trace.dangle, strict=True) if rates.any())
+        return [link for link in moves if link not in blocks | crank]
 
     def nothing(self, *names: str) -> bool:
         """Whether these quantities are zero in all shown positions."""
@@ -86,16 +102,17 @@ class Told(NamedTuple):
 def told_of(order: Order) -> Told:
     """What is told of the linkage of a run, at the positions that are asked for, or one of each stroke."""
     mechanism, result = to_linkage(order.spec.linkage), order.results["kinematics"]
-    return _gathered(mechanism, result, order.rows(POSITIONS, result.labels) or by_default(mechanism, result))
+    cycle = whole_cycle(chain_of(mechanism, result), result)
+    return _gathered(cycle, result, order.rows(POSITIONS, result.labels) or at_parts(cycle, result, *SHOWN))
 
 
-def _gathered(mechanism: Mechanism, result: Kinematics, rows: Sequence[int]) -> Told:
+def _gathered(cycle: LinkageMotion, result: Kinematics, rows: Sequence[int]) -> Told:
     """All quantities of the motion at these positions."""
-    chain = chain_of(mechanism, result)
+    chain = cycle.chain
     lexicons = [named({**pin_quantities(chain, result, row), **_input_quantities(chain, result, row)}) for row in rows]
     for lexicon, row in zip(lexicons, rows, strict=True):
         lexicon |= _rotations(result, row)
-    known = {plain_name(pin.name) for pin in find_pins(mechanism) if pin.fixed}
+    known = {plain_name(pin.name) for pin in find_pins(chain.mechanism) if pin.fixed}
     slider = driven.driven_slider(chain)
     if slider is not None:
         known.add(slider.end)
@@ -109,7 +126,7 @@ def _gathered(mechanism: Mechanism, result: Kinematics, rows: Sequence[int]) -> 
             groups.append(loops.looped_of(chain, step, result, rows, known, lexicons))
         else:
             groups.append(_dyad(chain, step, result, rows, known, lexicons))
-    return Told(chain, result, rows, lexicons, slider, crank, groups)
+    return Told(cycle, result, rows, lexicons, slider, crank, groups)
 
 
 def _rotations(result: Kinematics, row: int) -> dict[str, Given]:
