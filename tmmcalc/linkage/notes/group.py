@@ -134,8 +134,8 @@ def guide_quantities(
     velocity = complex(guide.v) + 1j * omega * offset
     acceleration = complex(guide.a) + (1j * eps - omega**2) * offset
     number = places[slider[1:-1]]
-    carried = tr("projection of the velocity of the guide of link {link} at {point}", link=number, point=places["B"])
-    drawn = tr("projection of the acceleration of the guide of link {link} at {point}", link=number, point=places["B"])
+    carried = tr("projections of the velocity of the guide of link {link} at {point}", link=number, point=places["B"])
+    drawn = tr("projections of the acceleration of the guide of link {link} at {point}", link=number, point=places["B"])
     return {
         f"gamma_{slider}": angle(complex(guide.e), tr("angle of the guide of link {link}", link=number)),
         **vector(f"v_{{<B>%}}^{mark}", velocity, "m/s", carried),
@@ -144,10 +144,10 @@ def guide_quantities(
             f"%_{{{origin}}}",
             complex(guide.r),
             "m",
-            tr("coordinate of a point of the guide of link {link}", link=number),
+            tr("coordinates of a point of the guide of link {link}", link=number),
         ),
-        **vector(f"v_{{{origin}%}}", complex(guide.v), "m/s", tr("projection of the velocity of this point")),
-        **vector(f"a_{{{origin}%}}", complex(guide.a), "m/s^2", tr("projection of the acceleration of this point")),
+        **vector(f"v_{{{origin}%}}", complex(guide.v), "m/s", tr("projections of the velocity of this point")),
+        **vector(f"a_{{{origin}%}}", complex(guide.a), "m/s^2", tr("projections of the acceleration of this point")),
     }
 
 
@@ -166,9 +166,9 @@ def pin_quantities(chain: Chain, result: Kinematics, row: int) -> dict[str, Give
 def point_quantities(key: str, name: str, state: Point) -> dict[str, Given]:
     """A point: coordinates and the projections of its velocity and acceleration."""
     return {
-        **vector(f"%_{{{key}}}", complex(state.r), "m", tr("coordinate of point {point}", point=name)),
-        **vector(f"v_{{{key}%}}", complex(state.v), "m/s", tr("projection of the velocity of {point}", point=name)),
+        **vector(f"%_{{{key}}}", complex(state.r), "m", tr("coordinates of point {point}", point=name)),
+        **vector(f"v_{{{key}%}}", complex(state.v), "m/s", tr("projections of the velocity of {point}", point=name)),
         **vector(
-            f"a_{{{key}%}}", complex(state.a), "m/s^2", tr("projection of the acceleration of {point}", point=name)
+            f"a_{{{key}%}}", complex(state.a), "m/s^2", tr("projections of the acceleration of {point}", point=name)
         ),
     }
