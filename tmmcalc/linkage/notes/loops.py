@@ -41,7 +41,7 @@ from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.language import tr, tr_number, tr_unit
 from tmmcalc.report.manuscript import Lexicon, Table
-from tmmcalc.report.telling import column_of, headed, named, vector
+from tmmcalc.report.telling import column_of, named, vector
 
 AXES = "xy"
 PASSES = 12  # of Newton in the table
@@ -270,14 +270,14 @@ def newton(result: Kinematics, rows: Sequence[int], looped: Looped) -> Iterator[
     """The steps of Newton's method at each position: the unknowns and the largest residual of the equations."""
     names = unknown_names(looped, "position")
     turned = [isinstance(each, Spin) for each in looped.unknowns]
-    heads = [headed(f"${name}$, {'deg' if turns else 'm'}") for name, turns in zip(names, turned, strict=True)]
+    heads = [f"${name}$, {tr_unit('deg' if turns else 'm')}" for name, turns in zip(names, turned, strict=True)]
     for row, (start, unknowns, residuals) in zip(rows, looped.iterations, strict=True):
         columns = [column_of(values) for values in _as_told(looped, unknowns)]
         sizes = [f"${significant(residual, 2)}$" for residual in residuals]
         began = f"φ = {math.degrees(start):.4g}°" if result.turns else f"Δs = {start:.4g} {tr_unit('m')}"
         yield Table(
             tr("Newton's method in position {label}, from {start}", label=result.labels[row], start=tr_number(began)),
-            (tr("Step"), *heads, headed(tr("Residual") + ", m")),
+            (tr("Step"), *heads, f"{tr('Residual')}, {tr_unit('m')}"),
             tuple(zip(map(str, range(len(sizes))), *columns, sizes, strict=True)),
         )
 

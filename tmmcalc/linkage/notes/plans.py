@@ -22,7 +22,7 @@ from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
-from tmmcalc.report.telling import headed, number_of, pictured
+from tmmcalc.report.telling import number_of, pictured
 
 SIDE_BY_SIDE = 3  # positions whose segments stand in one table
 UNITS = {"v": "m/s", "a": "m/s^2"}
@@ -137,8 +137,8 @@ def _compared(told: Told, found: Sequence[VectorPolygons], plans: Sequence[Plan]
         tr("Position"),
         tr("Quantity"),
         tr("Segment"),
-        headed("$z$, mm"),
-        headed("$l$, m"),
+        f"$z$, {tr_unit('mm')}",
+        f"$l$, {tr_unit('m')}",
         tr("By the plan"),
         tr("By the formulas"),
         tr("Difference") + ", %",

@@ -16,9 +16,9 @@ from tmmcalc.linkage.results import OutputSummary
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Lexicon, Paragraph, Place, Table
+from tmmcalc.report.manuscript import Block, Lexicon, Paragraph, Place
 from tmmcalc.report.numbers import number
-from tmmcalc.report.telling import column_of, headed, lines, named, pictured
+from tmmcalc.report.telling import lines, named, pictured, tabulated
 
 ROMAN = ("I", "II", "III", "IV", "V", "VI", "VII", "VIII")
 ENDS = ("I", "{II}")
@@ -61,14 +61,13 @@ def _extremes(told: Told, summary: OutputSummary) -> Iterator[Block]:
     angles = np.degrees if result.turns else np.asarray
     heads = (f"$phi_{index}$, deg", "$phi$, deg") if result.turns else ("$s$, m", "$Deltas$, m")
     own = f"$phi_{{{name}}}$, deg" if summary.angular else f"$S_{{{name}}}$, m"
-    cells = [column_of(angles(x)), column_of(angles(counted)), column_of(values)]
     caption = (
         tr("Extreme positions of link {output}", output=name)
         if summary.angular
         else tr("Extreme positions of {output}", output=name)
     )
-    rows = zip(ROMAN, *cells, strict=False)
-    yield Table(caption, (tr("Extreme position"), *map(headed, (*heads, own))), tuple(rows))
+    columns = dict(zip((*heads, own), (angles(x), angles(counted), values), strict=True))
+    yield tabulated(caption, columns, ROMAN[: len(centres)], head=tr("Extreme position"))
     lexicon: Lexicon = dict(told.lexicons[0])
     place = (Place("", lexicon),)
     if result.turns and full:
