@@ -1,0 +1,174 @@
+"""What is told of a pair once its reaction is known: its friction, the arm of a normal reaction, the edges of a slider.
+
+A pair is told as the link that takes the reaction feels it; of a prismatic one the direction of its line is a formula,
+``gamma_5`` or ``gamma_5 + delta_5``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from tmmcalc.linkage.forces.kinetostatics import REST
+from tmmcalc.linkage.forces.results import edge_reactions
+from tmmcalc.linkage.forces.wrench import Slideway, sliding
+from tmmcalc.linkage.model import Joint
+from tmmcalc.linkage.notes.statics.loaded import Loaded
+from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.symbols import canonical
+from tmmcalc.report.language import tr
+from tmmcalc.report.manuscript import Block, Lexicon, Paragraph
+from tmmcalc.report.telling import lines, named, number_of
+
+SMALL = 1e-9  # of the largest force: a normal reaction without an arm
+
+
+class ToldPair(NamedTuple):
+    """A pair as a link feels it; ``line`` is the formula of the direction of a prismatic one."""
+
+    joint: Joint
+    link: int
+    line: str = ""
+    point: str = ""  # about which the moment of a normal reaction is told
+
+    @property
+    def other(self) -> int:
+        """The link that gives the reaction."""
+        return self.joint.other(self.link)
+
+    @property
+    def index(self) -> str:
+        """The index of its reaction."""
+        return f"{self.link}{self.other}"
+
+    def angle(self, lexicon: Lexicon) -> float:
+        """The direction of its line [deg]."""
+        return sum(number_of(lexicon, part) for part in self.line.split(" + "))
+
+
+def arms(loaded: Loaded, pairs: Sequence[ToldPair]) -> Iterator[Block]:
+    """The arms of the normal reactions about the points of their moments; the reactions at the edges of sliders."""
+    for pair in pairs:
+        ij, about = pair.index, f"M_{{{pair.index}}}^{{{pair.point}}}"
+        places = []
+        for place in loaded.told.places:
+            normal = number_of(place.lexicon, f"N_{{{ij}}}")
+            if abs(normal) <= SMALL * loaded.largest[0]:
+                continue
+            value = 1e3 * number_of(place.lexicon, about) / normal
+            meaning = tr("arm of the normal reaction about {point}, along the guide", point=pair.point)
+            place.lexicon[canonical(f"h_{{{ij}}}")] = Given(value, "mm", meaning)
+            places.append(place)
+        if places:
+            yield from lines([f"h_{{{ij}}} = 1000*{about}/N_{{{ij}}}"], places)
+        yield from _edges(loaded, pair)
+
+
+def _edges(loaded: Loaded, pair: ToldPair) -> Iterator[Block]:
+    """The reactions at both edges of a slider whose length is given (textbook fig. 3.1b)."""
+    length, ij, j = loaded.pair(pair.joint.name).length, pair.index, loaded.row_of(pair.joint.name)
+    if length is None:
+        return
+    sign = 1.0 if pair.link > pair.other else -1.0
+    tips = False
+    for lexicon, row in zip(loaded.told.lexicons, loaded.rows, strict=True):
+        normal, couple = number_of(lexicon, f"N_{{{ij}}}"), sign * float(loaded.result.couple[j, row])
+        ahead, behind = edge_reactions(normal, couple, length)
+        tips = tips or ahead * behind < 0
+        edge = tr("reaction at the edge of the slider of link {link}", link=pair.link)
+        lexicon |= named(
+            {
+                f"C_{{{ij}}}": Given(couple, "N*m", tr("moment of the normal reaction about the middle of the slider")),
+                f"L_{{{ij}}}": Given(length, "m", tr("length of the slider of link {link}", link=pair.link)),
+                f"N'_{{{ij}}}": Given(ahead, "N", edge),
+                f"N''_{{{ij}}}": Given(behind, "N", edge),
+            }
+        )
+    yield from loaded.lines(
+        [f"N'_{{{ij}}} = N_{{{ij}}}/2 + C_{{{ij}}}/L_{{{ij}}}", f"N''_{{{ij}}} = N_{{{ij}}}/2 - C_{{{ij}}}/L_{{{ij}}}"]
+    )
+    if tips:
+        said = tr("Where both have opposite signs, the slider of link {link} tips and bears on both edges.",
+                  link=pair.link)  # fmt: skip
+        yield Paragraph(said)
+
+
+def friction(loaded: Loaded, pairs: Sequence[ToldPair]) -> Iterator[Block]:
+    """The friction that the reactions give: (3.27) along a line, (3.28) about a pin."""
+    texts = [text for pair in pairs if _rubs(loaded, pair) for text in _law(loaded, pair)]
+    if texts:
+        yield Paragraph(
+            tr("Friction acts against the relative motion in the pair; with the reactions that were found it is")
+        )
+        yield from loaded.lines(texts)
+
+
+def _rubs(loaded: Loaded, pair: ToldPair) -> bool:
+    return pair.joint.name in loaded.statics.scales
+
+
+def _law(loaded: Loaded, pair: ToldPair) -> list[str]:
+    """The formulas of the friction in a pair; its quantities are put into the lexicons."""
+    own, ij, link, other = loaded.pair(pair.joint.name), pair.index, pair.link, pair.other
+    resting = _senses(loaded, pair)
+    for lexicon in loaded.told.lexicons:
+        about = tr("coefficient of friction in pair {joint}", joint=pair.joint.name)
+        lexicon[canonical(f"f_{{{ij}}}")] = Given(own.friction, "", about)
+    if pair.joint.kind == "revolute":
+        for lexicon, each in zip(loaded.told.lexicons, loaded.bodies, strict=True):
+            radius = tr("radius of the pin of pair {joint}", joint=pair.joint.name)
+            lexicon[canonical(f"r_{{{ij}}}")] = Given(own.radius, "m", radius)
+            found = sum(c.value for c in each[link].couples if c.joint == pair.joint.name and c.kind == "friction")
+            meaning = tr("friction moment of link {other} on link {link}", other=other, link=link)
+            lexicon[canonical(f"M_{{{ij}}}")] = Given(found, "N*m", meaning)
+        sense = f"s_{{{ij}}}" if resting else f"sign(omega_{link} - omega_{other})"
+        return [f"M_{{{ij}}} = -f_{{{ij}}}*r_{{{ij}}}*R_{{{ij}}}*{sense}"]
+    for lexicon, each in zip(loaded.told.lexicons, loaded.bodies, strict=True):
+        force = sum((f.value for f in each[link].forces if f.joint == pair.joint.name and f.kind == "friction"), 0j)
+        meaning = tr("friction force of link {other} on link {link}", other=other, link=link)
+        lexicon |= named(
+            {
+                f"F_{{{ij}}}": Given(abs(force), "N", meaning),
+                f"F_{{{ij}x}}": Given(force.real, "N", meaning),
+                f"F_{{{ij}y}}": Given(force.imag, "N", meaning),
+            }
+        )
+    sense = f"s_{{{ij}}}" if resting else f"sign(v_{{{ij}}})"
+    size = f"abs(N_{{{ij}}})" if own.length is None else f"(abs(N'_{{{ij}}}) + abs(N''_{{{ij}}}))"
+    line = pair.line if " " not in pair.line else f"({pair.line})"
+    return [
+        f"F_{{{ij}}} = f_{{{ij}}}*{size}",
+        f"F_{{{ij}x}} = -F_{{{ij}}}*cos({line})*{sense}",
+        f"F_{{{ij}y}} = -F_{{{ij}}}*sin({line})*{sense}",
+    ]
+
+
+def _senses(loaded: Loaded, pair: ToldPair) -> bool:
+    """Enter the relative velocity; whether the pair stands still in a shown position, so that its sense is told."""
+    rate = np.broadcast_to(sliding(pair.joint, loaded.every.place.configuration)[0], loaded.result.theta.shape)
+    sense = loaded.statics.sense(pair.joint, loaded.every.place.configuration, loaded.every.place.side)
+    sense = np.broadcast_to(sense, rate.shape)
+    own = 1.0 if pair.link > pair.other else -1.0
+    resting = False
+    for lexicon, row in zip(loaded.told.lexicons, loaded.rows, strict=True):
+        turned = own
+        if pair.joint.kind == "prismatic":
+            turned *= along(loaded, pair)
+            speed = turned * float(rate[row]) * loaded.statics.scene.travel.speed
+            meaning = tr("velocity of link {block} along link {link}", block=pair.link, link=pair.other)
+            lexicon.setdefault(canonical(f"v_{{{pair.index}}}"), Given(speed, "m/s", meaning))
+        resting = resting or abs(rate[row]) <= REST * loaded.statics.scales[pair.joint.name]
+        told = tr("sense of the relative motion just after the position, 1 or −1")
+        lexicon[canonical(f"s_{{{pair.index}}}")] = Given(turned * float(sense[row]), "", told)
+    return resting
+
+
+def along(loaded: Loaded, pair: ToldPair) -> float:
+    """+1 if the told direction of a line is that of the program, else -1: they turn together."""
+    seat, row = loaded.every.state.reactions[pair.joint.name].seat, loaded.rows[0]
+    assert isinstance(seat, Slideway)
+    e = np.broadcast_to(seat.e, loaded.result.theta.shape)[row]
+    told = np.exp(1j * np.radians(pair.angle(loaded.told.lexicons[0])))
+    return 1.0 if (np.conj(e) * told).real > 0 else -1.0
