@@ -31,25 +31,25 @@ def blocks(order: Order) -> Iterator[Block]:
             "With the forces of inertia each link is in equilibrium. The groups are solved from the last to the "
             "first: the reactions that are found act with opposite signs on the links that carry the group. Moments "
             "and angles are positive counter-clockwise, projections along the axes; a minus before a result means "
-            "that its sense is opposite to the positive one."
+            "that its sense is opposite to the positive one. The first index of a force is the link that it acts on, "
+            "the second the link that it comes from. In the figures the links are to scale, the arrows of the forces "
+            "on them are not; the polygons of forces are to the scale that stands above them."
         )
     )
     yield from inertia(loaded)
     groups = {}
     for plan in loaded.statics.plans:
         name = plan.group.name
-        said = tr("Group {name}", name=name)
-        yield Heading(said, 2)
+        yield Heading(tr("Group {name}", name=name), 2)
         yield from cut.pictured(plan.group.links)
         dyad = dyads.get(name)
-        groups[said] = pairs = dyad_pairs(loaded, dyad) if dyad else group_pairs(loaded, plan)
+        groups[tr("group {name}", name=name)] = pairs = dyad_pairs(loaded, dyad) if dyad else group_pairs(loaded, plan)
         yield from passes(loaded, plan, pairs)
         yield from dyad_reactions(loaded, dyad, pairs) if dyad else group_reactions(loaded, plan, pairs)
     if told.result.structure.driven is None:
-        said = tr("Input link")
-        yield Heading(said, 2)
+        yield Heading(tr("Input link"), 2)
         yield from cut.pictured([told.result.structure.input_link])
-        groups[said] = [input_pair(loaded)]
+        groups[tr("input link")] = [input_pair(loaded)]
         yield from crank(loaded) if told.chain.turns else slider(loaded)
     yield from over_the_motion(loaded, groups)
     yield from lever(loaded)

@@ -55,22 +55,24 @@ def over_the_motion(loaded: Loaded, groups: Mapping[str, Sequence[ToldPair]]) ->
         tables = [*_tables(loaded, groups, ideal, caption, "ideal")]
         more = [*_tables(loaded, groups, own, tr("Reactions with friction, {group}", group="{group}"), "rubbing")]
         said = tr(
-            "Tables {first}–{last} give the reactions without friction, tables {then}–{end} those with friction.",
-            **_ends(tables, "first", "last"),
-            **_ends(more, "then", "end"),
+            "The reactions at all positions: without friction (tab. {ideal}) and with it (tab. {rubbing}).",
+            ideal=_span(tables),
+            rubbing=_span(more),
         )
         yield Paragraph(said)
         yield from (*tables, *more)
     else:
         tables = [*_tables(loaded, groups, own, tr("Reactions, {group}", group="{group}"), "all")]
-        yield Paragraph(tr("Tables {first}–{last} give the reactions.", **_ends(tables, "first", "last")))
+        yield Paragraph(tr("The reactions at all positions: tab. {tables}.", tables=_span(tables)))
         yield from tables
     yield Paragraph(_balance(loaded))
     yield from _pictures(loaded)
 
 
-def _ends(tables: Sequence[Table], first: str, last: str) -> dict[str, str]:
-    return {first: f"{{tab:{tables[0].key}}}", last: f"{{tab:{tables[-1].key}}}"}
+def _span(tables: Sequence[Table]) -> str:
+    """The numbers of some tables that follow each other."""
+    ends = dict.fromkeys(f"{{tab:{table.key}}}" for table in (tables[0], tables[-1]))
+    return "–".join(ends)
 
 
 def _tables(
@@ -100,7 +102,7 @@ def _packed(parts: Sequence[Mapping[str, Real]]) -> list[dict[str, Real]]:
 
 def _columns(loaded: Loaded, pair: ToldPair, values: Values) -> dict[str, Real]:
     """The columns of a pair on the link that takes its reaction; arms are nan where there is no normal reaction."""
-    j, ij = loaded.row_of(pair.joint.name), pair.index
+    j, ij = loaded.row_of(pair.joint.name), pair.ij
     sign = 1.0 if pair.link > pair.other else -1.0
     largest = float(np.max(np.abs(values.reaction)))
     if pair.joint.kind == "revolute":
@@ -118,14 +120,13 @@ def _columns(loaded: Loaded, pair: ToldPair, values: Values) -> dict[str, Real]:
 def _balance(loaded: Loaded) -> str:
     """What is left of the equations, and the drive by the balance of powers."""
     result = loaded.result
-    said = tr(
-        "At every position the forces and moments on each link sum up to zero, what is left is no more than {left} of "
+    return tr(
+        "At every position the forces and moments on each link sum up to zero: what is left is no more than {left} of "
         "the largest. The balance of powers of all given forces gives the drive once more, without the reactions; it "
         "differs by no more than {apart} of the largest value.",
         left=_part(result.equilibrium),
         apart=_part(result.virtual),
     )
-    return said
 
 
 def _part(residual: Real) -> str:

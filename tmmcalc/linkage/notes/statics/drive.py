@@ -10,7 +10,6 @@ from tmmcalc.linkage.notes.statics.loaded import Loaded, moments, point_of, put_
 from tmmcalc.linkage.notes.statics.pairs import ToldPair, arms, friction
 from tmmcalc.linkage.notes.statics.slides import put_slide
 from tmmcalc.report.formula.digits import Given
-from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Paragraph
 from tmmcalc.report.telling import named, vector
@@ -35,7 +34,7 @@ def crank(loaded: Loaded) -> Iterator[Block]:
     mesh = ""
     if isinstance(gear, GearDrive):
         yield from _mesh(loaded, gear)
-        mesh = "F_{mesh%}"
+        mesh = "F_{mesh,%}"
     yield from loaded.lines(
         [
             *(
@@ -60,7 +59,7 @@ def _mesh(loaded: Loaded, gear: GearDrive) -> Iterator[Block]:
                 "alpha_w": Given(math.degrees(gear.mesh_angle), "deg", tr("operating pressure angle")),
                 "beta": Given(math.degrees(gear.pinion), "deg", tr("direction from the pivot to the pinion")),
                 "F_{mesh}": Given(abs(force), "N", tr("force of the mesh along the line of action")),
-                **vector("F_{mesh%}", force, "N", tr("force of the mesh along the line of action")),
+                **vector("F_{mesh,%}", force, "N", tr("force of the mesh along the line of action")),
             }
         )
     said = tr("The drive acts through the mesh of a gear: its force lies on the line of action and makes this moment.")
@@ -71,8 +70,8 @@ def _mesh(loaded: Loaded, gear: GearDrive) -> Iterator[Block]:
     yield from loaded.lines(
         [
             "F_{mesh} = abs(M_d)/(r_w*cos(alpha_w))",
-            f"F_{{mesh%}} = {radial}F_{{mesh}}*sin(alpha_w)*cos(beta) - M_d*sin(beta)/r_w".replace("%", "x"),
-            f"F_{{mesh%}} = {radial}F_{{mesh}}*sin(alpha_w)*sin(beta) + M_d*cos(beta)/r_w".replace("%", "y"),
+            f"F_{{mesh,%}} = {radial}F_{{mesh}}*sin(alpha_w)*cos(beta) - M_d*sin(beta)/r_w".replace("%", "x"),
+            f"F_{{mesh,%}} = {radial}F_{{mesh}}*sin(alpha_w)*sin(beta) + M_d*cos(beta)/r_w".replace("%", "y"),
         ]
     )
 
@@ -100,7 +99,7 @@ def slider(loaded: Loaded) -> Iterator[Block]:
         link=link,
     )
     yield Paragraph(said)
-    ij = pair.index
+    ij = pair.ij
     angle = f"gamma_{{{ij}}}"
     moment = f"M_{{{link}}}^{{{point}}}"
     yield from loaded.lines(

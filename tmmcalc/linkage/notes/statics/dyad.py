@@ -126,18 +126,18 @@ def _put(loaded: Loaded, dyad: Dyad, pair: ToldPair, bodies: Bodies, lexicon: Le
     value = sum((f.value for f in acting), 0j)
     normal = (value * np.conj(1j * cmath.exp(1j * np.radians(pair.angle(lexicon))))).real
     meaning = tr("normal reaction of link {other} on link {link}", other=pair.other, link=link)
-    lexicon[canonical(f"N_{{{pair.index}}}")] = Given(float(normal), "N", meaning)
+    lexicon[canonical(f"N_{{{pair.ij}}}")] = Given(float(normal), "N", meaning)
     points = {plain_name(pin.name) for pin in find_pins(loaded.told.chain.mechanism)}
     for point in {places["B"], places["P"]} & points:
         pole = complex(number_of(lexicon, f"x_{{{point}}}"), number_of(lexicon, f"y_{{{point}}}"))
         moment = couple + sum(float(cross(f.at - pole, f.value)) for f in acting)
         about = tr("moment of the normal reaction about {point}", point=point)
-        lexicon[canonical(f"M_{{{pair.index}}}^{{{point}}}")] = Given(moment, "N*m", about)
+        lexicon[canonical(f"M_{{{pair.ij}}}^{{{point}}}")] = Given(moment, "N*m", about)
 
 
 def _parts(dyad: Dyad, pair: ToldPair, value: complex, lexicon: Lexicon) -> dict[str, Given]:
     """The parts of an outer reaction along and across the line that its equations take."""
-    places, kind, index = dyad.places, dyad.step.group.kind, pair.index
+    places, kind, index = dyad.places, dyad.step.group.kind, pair.ij
     along = tr("parts of the reaction along and across link {link}", link=pair.link)
     if kind == "RPP":
         lines = {"I": number_of(lexicon, f"gamma_{places['b']}")}

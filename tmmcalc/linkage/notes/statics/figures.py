@@ -31,18 +31,14 @@ class Cut:
         self.place = loaded.told.places[0].name
 
     def pictured(self, links: Sequence[int]) -> Iterator[Block]:
-        """What the picture shows, then that of each body of these links."""
+        """The picture of each body of these links."""
         own = [body for body in self.bodies if set(body.links) <= set(links)]
         keys = [f"forces_body_{body.links[0]}" for body in own]
-        numbers = ", ".join(f"{{fig:{key}}}" for key in keys)
-        yield Paragraph(
-            tr(
-                "All that acts is shown in figures {figures}: on the left the links to scale with the forces, whose "
-                "arrows are not to scale, on the right the closed force polygon. The first index of a force is the "
-                "link that it acts on, the second the link that it comes from.",
-                figures=numbers,
-            )
+        said = tr(
+            "The forces on what is cut out and their closed polygon: fig. {figures}.",
+            figures=", ".join(f"{{fig:{key}}}" for key in keys),
         )
+        yield Paragraph(said)
         for body, key in zip(own, keys, strict=True):
             yield self._figure(body, key)
 
@@ -52,4 +48,6 @@ class Cut:
             draw_body(drawing, left, body, self.motion, self.cycle)
             draw_force_polygon(drawing, right.inset(0, 0, 0, NAME), body, None)
 
-        return Figure(tr("Load diagram and force polygon {place}", place=self.place), draw, (WIDE, HIGH), key)
+        name = tr("link {link}", link=body.links[0]) if len(body.links) == 1 else tr("group {name}", name=body.name)
+        caption = tr("Load diagram and force polygon {place}, {name}", place=self.place, name=name)
+        return Figure(caption, draw, (WIDE, HIGH), key)

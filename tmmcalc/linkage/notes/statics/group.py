@@ -83,7 +83,7 @@ def group_reactions(loaded: Loaded, plan: Plan, pairs: Sequence[ToldPair]) -> It
     yield from _checks(loaded, equations)
     yield from loaded.lines(
         [
-            f"R_{{{pair.index}}} = sqrt(R_{{{pair.index}x}}**2 + R_{{{pair.index}y}}**2)"
+            f"R_{{{pair.ij}}} = sqrt(R_{{{pair.ij}x}}**2 + R_{{{pair.ij}y}}**2)"
             for pair in pairs
             if pair.joint.kind == "revolute"
         ]
@@ -99,12 +99,12 @@ def _told(loaded: Loaded, joint: Joint, link: int) -> ToldPair:
             put_reaction(loaded, joint, link, each, lexicon)
         return ToldPair(joint, link, "", point_of(loaded, joint.name))
     pair = ToldPair(joint, link)
-    pair = pair._replace(line=f"gamma_{{{pair.index}}}")
+    pair = pair._replace(line=f"gamma_{{{pair.ij}}}")
     return pair._replace(point=put_slide(loaded, pair))
 
 
 def _unknowns(pair: ToldPair) -> tuple[str, str]:
-    ij = pair.index
+    ij = pair.ij
     if pair.joint.kind == "revolute":
         return f"R_{{{ij}x}}", f"R_{{{ij}y}}"
     return f"N_{{{ij}}}", f"M_{{{ij}}}^{{{pair.point}}}"
@@ -151,8 +151,8 @@ def _system(loaded: Loaded, name: str, equations: list[Equations], unknowns: lis
     yield Paragraph(
         tr(
             "Each link of group {name} is in equilibrium: its projections on both axes and its moments make three "
-            "equations, together {count} equations with {count} unknowns. Tables {tables} give their coefficients, "
-            "those of moments in m, and the right sides; table {solution} gives the unknowns that solve them.",
+            "equations, together {count} equations with {count} unknowns. Their coefficients, those of moments in m, "
+            "and their right sides: tab. {tables}; the unknowns that solve them: tab. {solution}.",
             name=name,
             count=len(unknowns),
             tables=tables,
@@ -163,10 +163,9 @@ def _system(loaded: Loaded, name: str, equations: list[Equations], unknowns: lis
         yield _coefficients(loaded, each, [u for u in unknowns if _in(each, u)], keys[each.link])
     values = [[_cell(number_of(lexicon, u)) for lexicon in loaded.told.lexicons] for u in unknowns]
     heads = [headed(f"${u}$, {'N*m' if u.startswith('M_') else 'N'}") for u in unknowns]
-    names = [place.name for place in loaded.told.places]
     yield Table(
-        tr("Unknowns of group {name}", name=name),
-        (tr("Unknown"), *names),
+        tr("Reactions of group {name} at the positions", name=name),
+        (tr("Unknown"), *loaded.labels),
         tuple((head, *row) for head, row in zip(heads, values, strict=True)),
         solution,
     )
@@ -179,7 +178,7 @@ def _in(each: Equations, unknown: str) -> bool:
 def _coefficients(loaded: Loaded, each: Equations, unknowns: list[str], key: str) -> Table:
     """The coefficients of the equations of a link at the shown positions."""
     rows = []
-    for place in loaded.told.places:
+    for place, label in zip(loaded.told.places, loaded.labels, strict=True):
         for which in SUMS:
             known = each.known(which)
             right = -number_of(place.lexicon, known) if known else 0.0
@@ -193,7 +192,7 @@ def _coefficients(loaded: Loaded, each: Equations, unknowns: list[str], key: str
                 )
                 for unknown in unknowns
             ]
-            rows.append((place.name, f"${each.left(which)} = 0$", *cells, _cell(right)))
+            rows.append((label, f"${each.left(which)} = 0$", *cells, _cell(right)))
     head = (tr("Position"), tr("Equation"), *(f"${unknown}$" for unknown in unknowns), tr("Right side"))
     return Table(tr("Coefficients of the equations of link {link}", link=each.link), head, tuple(rows), key)
 

@@ -17,7 +17,7 @@ from tmmcalc.linkage.pins import find_pins
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Paragraph
-from tmmcalc.report.telling import filled, named, tabulated, vector
+from tmmcalc.report.telling import named, tabulated, vector
 
 LINKS = 2  # in a table
 
@@ -70,7 +70,7 @@ def _tables(loaded: Loaded) -> Iterator[Block]:
     for k in range(0, len(columns), LINKS):
         key = f"forces_inertia_{k}"
         if k == 0:
-            yield Paragraph(tr("The loads of inertia at all positions stand in table {tab}.", tab=f"{{tab:{key}}}"))
+            yield Paragraph(tr("At all positions they are as follows."))
         merged = {head: values for each in columns[k : k + LINKS] for head, values in each.items()}
         caption = tr("Inertia forces and couples of the links")
         yield tabulated(caption, merged, rows_of(result), head=tr("Position"), key=key)

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.plane import cross
-from tmmcalc.linkage.acting import acting_on, told_apart
+from tmmcalc.linkage.acting import Kind, acting_on, told_apart
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
 from tmmcalc.linkage.forces.results import Forces, side_of
 from tmmcalc.linkage.freebody import Acting, Couple, FreeBody, Solved, link_bodies, solved
@@ -45,8 +45,13 @@ class Loaded(NamedTuple):
     statics: Statics
     every: Solved  # all rows of the result
     bodies: Sequence[Bodies]  # of the shown positions
-    names: Mapping[tuple[int, str, str], str]  # of what acts, by link, name and kind
+    names: Mapping[tuple[int, str, Kind], str]  # of what acts, by link, name and kind
     largest: tuple[float, float]  # force and couple of the shown positions
+
+    @property
+    def labels(self) -> list[str]:
+        """The labels of the shown positions."""
+        return [self.told.result.labels[row] for row in self.told.rows]
 
     def lines(self, texts: Sequence[str], words: Mapping[str, str] | None = None) -> Iterator[Block]:
         """The formulas worked out at the shown positions."""

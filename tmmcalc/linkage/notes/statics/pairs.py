@@ -39,7 +39,7 @@ class ToldPair(NamedTuple):
         return self.joint.other(self.link)
 
     @property
-    def index(self) -> str:
+    def ij(self) -> str:
         """The index of its reaction."""
         return f"{self.link}{self.other}"
 
@@ -51,7 +51,7 @@ class ToldPair(NamedTuple):
 def arms(loaded: Loaded, pairs: Sequence[ToldPair]) -> Iterator[Block]:
     """The arms of the normal reactions about the points of their moments; the reactions at the edges of sliders."""
     for pair in pairs:
-        ij, about = pair.index, f"M_{{{pair.index}}}^{{{pair.point}}}"
+        ij, about = pair.ij, f"M_{{{pair.ij}}}^{{{pair.point}}}"
         places = []
         for place in loaded.told.places:
             normal = number_of(place.lexicon, f"N_{{{ij}}}")
@@ -68,28 +68,29 @@ def arms(loaded: Loaded, pairs: Sequence[ToldPair]) -> Iterator[Block]:
 
 def _edges(loaded: Loaded, pair: ToldPair) -> Iterator[Block]:
     """The reactions at both edges of a slider whose length is given (textbook fig. 3.1b)."""
-    length, ij, j = loaded.pair(pair.joint.name).length, pair.index, loaded.row_of(pair.joint.name)
+    length, ij, j = loaded.pair(pair.joint.name).length, pair.ij, loaded.row_of(pair.joint.name)
     if length is None:
         return
     sign = 1.0 if pair.link > pair.other else -1.0
-    tips = False
-    for lexicon, row in zip(loaded.told.lexicons, loaded.rows, strict=True):
-        normal, couple = number_of(lexicon, f"N_{{{ij}}}"), sign * float(loaded.result.couple[j, row])
-        ahead, behind = edge_reactions(normal, couple, length)
-        tips = tips or ahead * behind < 0
+    normals = np.array([number_of(lexicon, f"N_{{{ij}}}") for lexicon in loaded.told.lexicons])
+    couples = sign * loaded.result.couple[j, [*loaded.rows]]
+    edges = np.array(edge_reactions(normals, couples, length))
+    for k, lexicon in enumerate(loaded.told.lexicons):
         edge = tr("reaction at the edge of the slider of link {link}", link=pair.link)
         lexicon |= named(
             {
-                f"C_{{{ij}}}": Given(couple, "N*m", tr("moment of the normal reaction about the middle of the slider")),
+                f"C_{{{ij}}}": Given(
+                    float(couples[k]), "N*m", tr("moment of the normal reaction about the middle of the slider")
+                ),
                 f"L_{{{ij}}}": Given(length, "m", tr("length of the slider of link {link}", link=pair.link)),
-                f"N'_{{{ij}}}": Given(ahead, "N", edge),
-                f"N''_{{{ij}}}": Given(behind, "N", edge),
+                f"N'_{{{ij}}}": Given(float(edges[0, k]), "N", edge),
+                f"N''_{{{ij}}}": Given(float(edges[1, k]), "N", edge),
             }
         )
     yield from loaded.lines(
         [f"N'_{{{ij}}} = N_{{{ij}}}/2 + C_{{{ij}}}/L_{{{ij}}}", f"N''_{{{ij}}} = N_{{{ij}}}/2 - C_{{{ij}}}/L_{{{ij}}}"]
     )
-    if tips:
+    if np.any(edges[0] * edges[1] < 0):
         said = tr("Where both have opposite signs, the slider of link {link} tips and bears on both edges.",
                   link=pair.link)  # fmt: skip
         yield Paragraph(said)
@@ -111,7 +112,7 @@ def _rubs(loaded: Loaded, pair: ToldPair) -> bool:
 
 def _law(loaded: Loaded, pair: ToldPair) -> list[str]:
     """The formulas of the friction in a pair; its quantities are put into the lexicons."""
-    own, ij, link, other = loaded.pair(pair.joint.name), pair.index, pair.link, pair.other
+    own, ij, link, other = loaded.pair(pair.joint.name), pair.ij, pair.link, pair.other
     resting = _senses(loaded, pair)
     for lexicon in loaded.told.lexicons:
         about = tr("coefficient of friction in pair {joint}", joint=pair.joint.name)
@@ -158,10 +159,10 @@ def _senses(loaded: Loaded, pair: ToldPair) -> bool:
             turned *= along(loaded, pair)
             speed = turned * float(rate[row]) * loaded.statics.scene.travel.speed
             meaning = tr("velocity of link {block} along link {link}", block=pair.link, link=pair.other)
-            lexicon.setdefault(canonical(f"v_{{{pair.index}}}"), Given(speed, "m/s", meaning))
+            lexicon.setdefault(canonical(f"v_{{{pair.ij}}}"), Given(speed, "m/s", meaning))
         resting = resting or abs(rate[row]) <= REST * loaded.statics.scales[pair.joint.name]
         told = tr("sense of the relative motion just after the position, 1 or −1")
-        lexicon[canonical(f"s_{{{pair.index}}}")] = Given(turned * float(sense[row]), "", told)
+        lexicon[canonical(f"s_{{{pair.ij}}}")] = Given(turned * float(sense[row]), "", told)
     return resting
 
 

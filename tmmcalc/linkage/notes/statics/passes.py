@@ -11,6 +11,7 @@ from tmmcalc.linkage.forces.results import side_of
 from tmmcalc.linkage.forces.wrench import Plan
 from tmmcalc.linkage.notes.statics.loaded import Loaded
 from tmmcalc.linkage.notes.statics.pairs import ToldPair, along
+from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.language import tr, tr_number
 from tmmcalc.report.manuscript import Block, Paragraph, Table
 from tmmcalc.report.telling import column_of, headed
@@ -18,6 +19,7 @@ from tmmcalc.report.telling import column_of, headed
 STOP = 1e-3  # relative change at which the passes end
 FIRST, LAST = 4, 3  # passes that a long table shows
 MOST = 50
+LEAST = 1e-9  # of an unknown [N, mm]: less is rounding
 
 
 def passes(loaded: Loaded, plan: Plan, pairs: Sequence[ToldPair]) -> Iterator[Block]:
@@ -34,8 +36,8 @@ def passes(loaded: Loaded, plan: Plan, pairs: Sequence[ToldPair]) -> Iterator[Bl
     yield Paragraph(
         tr(
             "The reactions are first found without friction; they give friction forces and moments, with which the "
-            "reactions are found again, until no unknown changes by more than {stop} %. These successive "
-            "approximations stand in tables {tables}; the formulas below hold for the solution that they lead to.",
+            "reactions are found again, until no unknown changes by more than {stop} % (tab. {tables}). The formulas "
+            "below hold for the solution to which these successive approximations lead.",
             stop=tr_number(f"{100 * STOP:g}"),
             tables=", ".join(f"{{tab:{table.key}}}" for table in tables),
         )
@@ -46,7 +48,7 @@ def passes(loaded: Loaded, plan: Plan, pairs: Sequence[ToldPair]) -> Iterator[Bl
 def _table(found: Iteration, pairs: Mapping[str, ToldPair], loaded: Loaded, caption: str, key: str) -> Table:
     """The friction that each pass is solved with, the unknowns that it gives, the largest change."""
     shown = [*range(found.passes)]
-    if found.passes > FIRST + LAST:
+    if found.passes > FIRST + LAST + 1:
         shown = [*shown[:FIRST], *shown[-LAST:]]
     slot = next((pair for pair in [*pairs.values()][1:2] if pair.joint.kind == "prismatic"), None)
     rows = []
@@ -55,14 +57,16 @@ def _table(found: Iteration, pairs: Mapping[str, ToldPair], loaded: Loaded, capt
         pair = pairs[joint]
         letter, sense = ("M", 1.0) if unit == "N*m" else ("F", along(loaded, pair))
         values = sense * np.append(found.friction[:-1, k][shown], exact[k])
-        rows.append((headed(f"${letter}_{{{pair.index}}}$, {unit}"), *column_of(values)))
+        rows.append((headed(f"${letter}_{{{pair.ij}}}$, {unit}"), *column_of(values)))
     ends = [np.nan] * len(found.names) if found.exact is None else found.exact
     for k, name in enumerate(found.names):
         joint, _, part = name.rpartition(".")
         head, factor = _unknown(loaded, pairs[joint], part, slot)
-        rows.append((headed(head), *column_of(factor * np.append(found.unknowns[:, k][shown], ends[k]))))
-    change = np.where(np.arange(found.passes) > 0, 100 * found.change, np.nan)[shown]
-    rows.append((tr("largest change, %"), *column_of(change, 3), "–"))
+        values = factor * np.append(found.unknowns[:, k][shown], ends[k])
+        if np.max(np.abs(values)) > LEAST:
+            rows.append((headed(head), *column_of(values)))
+    change = [f"${significant(100 * each, 2)}$" for each in found.change]
+    rows.append((tr("largest change, %"), *("–" if k == 0 else change[k] for k in shown), "–"))
     return Table(caption, (tr("Pass"), *(str(k + 1) for k in shown), tr("solution")), tuple(rows), key)
 
 
@@ -71,7 +75,7 @@ def _unknown(loaded: Loaded, pair: ToldPair, part: str, slot: ToldPair | None) -
 
     With an inner prismatic pair, the ``slot``, the parts of an outer reaction are those along and across its line.
     """
-    ij = pair.index
+    ij = pair.ij
     if pair.joint.kind == "prismatic":
         sense = along(loaded, pair)
         return (f"$N_{{{ij}}}$, N", sense) if part == "N" else (f"$h_{{{ij}}}$, mm", 1e3 * sense)

@@ -22,7 +22,7 @@ def put_slide(loaded: Loaded, pair: ToldPair, turned: float = 1.0) -> str:
 
     The line has the name ``gamma_`` with the index of the reaction.
     """
-    joint, ij, j = pair.joint, pair.index, loaded.row_of(pair.joint.name)
+    joint, ij, j = pair.joint, pair.ij, loaded.row_of(pair.joint.name)
     name = _point(loaded, pair)
     seat = loaded.every.state.reactions[joint.name].seat
     assert isinstance(seat, Slideway)
