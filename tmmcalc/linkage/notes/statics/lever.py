@@ -23,7 +23,7 @@ from tmmcalc.report.telling import WIDE, column_of, headed, named
 
 SIZE = (WIDE, 125.0)  # of the picture [mm]
 KEY = "forces_lever"
-LEAST = 1e-9  # of an arm [mm]: a shorter one is none
+LEAST = 1e-10  # of an arm [mm]: a shorter one is none
 
 
 def lever(loaded: Loaded) -> Iterator[Block]:
@@ -32,6 +32,8 @@ def lever(loaded: Loaded) -> Iterator[Block]:
     mu = lever_scale(Box(0.0, 0.0, *SIZE), loaded.statics, told.result, result, row)
     side = np.array([side_of(result, each) for each in loaded.rows])
     found = levers(loaded.statics, told.result, result.theta[[*loaded.rows]], side, mu)
+    if not any(_acting(each) for each in found):
+        return
     yield Heading(tr("Lever of Zhukovsky"), 2)
     yield Paragraph(
         tr(
@@ -122,15 +124,15 @@ def _drive(loaded: Loaded, found: Sequence[Lever]) -> Iterator[Block]:
     for lexicon, each in zip(loaded.told.lexicons, found, strict=True):
         moving = [force for force in each.forces if abs(force.arm) > LEAST]
         forces = {
-            "F_i": Given([force.force for force in moving], "N", tr("forces on the lever")),
+            "F_i": Given([force.force for force in moving] or [0.0], "N", tr("forces on the lever")),
             "h_i": Given(
-                [force.arm for force in moving],
+                [force.arm for force in moving] or [0.0],
                 "mm",
                 tr("arms of the forces, positive if they turn counter-clockwise"),
             ),
-            "M_p": Given(each.moment, "N*mm", tr("sum of the moments about the pole")),
+            "M_p": Given(each.moment if moving else 0.0, "N*mm", tr("sum of the moments about the pole")),
             "mu_v": Given(each.mu, "(m/s)/mm", tr("scale of the plan of velocities")),
-            f"{letter}'_d": Given(each.drive, unit, what),
+            f"{letter}'_d": Given(each.drive if moving else 0.0, unit, what),
         }
         lexicon |= named(forces)
         if not result.turns:

@@ -124,8 +124,10 @@ def _law(loaded: Loaded, pair: ToldPair) -> list[str]:
             found = sum(c.value for c in each[link].couples if c.joint == pair.joint.name and c.kind == "friction")
             meaning = tr("friction moment of link {other} on link {link}", other=other, link=link)
             lexicon[canonical(f"M_{{{ij}}}")] = Given(found, "N*m", meaning)
-        sense = f"s_{{{ij}}}" if resting else f"sign(omega_{link} - omega_{other})"
-        return [f"M_{{{ij}}} = -f_{{{ij}}}*r_{{{ij}}}*R_{{{ij}}}*{sense}"]
+        law = f"f_{{{ij}}}*r_{{{ij}}}*R_{{{ij}}}"
+        if resting:
+            return [f"M_{{{ij}}} = -s_{{{ij}}}*{law}"]
+        return [f"omega_{{{ij}}} = omega_{link} - omega_{other}", f"M_{{{ij}}} = -sign(omega_{{{ij}}})*{law}"]
     for lexicon, each in zip(loaded.told.lexicons, loaded.bodies, strict=True):
         force = sum((f.value for f in each[link].forces if f.joint == pair.joint.name and f.kind == "friction"), 0j)
         meaning = tr("friction force of link {other} on link {link}", other=other, link=link)
@@ -141,8 +143,8 @@ def _law(loaded: Loaded, pair: ToldPair) -> list[str]:
     line = pair.line if " " not in pair.line else f"({pair.line})"
     return [
         f"F_{{{ij}}} = f_{{{ij}}}*{size}",
-        f"F_{{{ij}x}} = -F_{{{ij}}}*cos({line})*{sense}",
-        f"F_{{{ij}y}} = -F_{{{ij}}}*sin({line})*{sense}",
+        f"F_{{{ij}x}} = -{sense}*F_{{{ij}}}*cos({line})",
+        f"F_{{{ij}y}} = -{sense}*F_{{{ij}}}*sin({line})",
     ]
 
 
@@ -154,10 +156,12 @@ def _senses(loaded: Loaded, pair: ToldPair) -> bool:
     own = 1.0 if pair.link > pair.other else -1.0
     resting = False
     for lexicon, row in zip(loaded.told.lexicons, loaded.rows, strict=True):
-        turned = own
-        if pair.joint.kind == "prismatic":
-            turned *= along(loaded, pair)
-            speed = turned * float(rate[row]) * loaded.statics.scene.travel.speed
+        turned = own * (along(loaded, pair) if pair.joint.kind == "prismatic" else 1.0)
+        speed = turned * float(rate[row]) * loaded.statics.scene.travel.speed
+        if pair.joint.kind == "revolute":
+            meaning = tr("angular velocity of link {link} against link {other}", link=pair.link, other=pair.other)
+            lexicon[canonical(f"omega_{{{pair.ij}}}")] = Given(speed, "rad/s", meaning)
+        else:
             meaning = tr("velocity of link {block} along link {link}", block=pair.link, link=pair.other)
             lexicon.setdefault(canonical(f"v_{{{pair.ij}}}"), Given(speed, "m/s", meaning))
         resting = resting or abs(rate[row]) <= REST * loaded.statics.scales[pair.joint.name]
