@@ -15,6 +15,7 @@ from tmmcalc.linkage.notes.statics.group import group_pairs, group_reactions
 from tmmcalc.linkage.notes.statics.inertia import inertia
 from tmmcalc.linkage.notes.statics.lever import lever
 from tmmcalc.linkage.notes.statics.loaded import loaded_of
+from tmmcalc.linkage.notes.statics.pairs import put_friction
 from tmmcalc.linkage.notes.statics.passes import passes
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr
@@ -44,12 +45,14 @@ def blocks(order: Order) -> Iterator[Block]:
         yield from cut.pictured(plan.group.links)
         dyad = dyads.get(name)
         groups[tr("group {name}", name=name)] = pairs = dyad_pairs(loaded, dyad) if dyad else group_pairs(loaded, plan)
+        put_friction(loaded, pairs)
         yield from passes(loaded, plan, pairs)
         yield from dyad_reactions(loaded, dyad, pairs) if dyad else group_reactions(loaded, plan, pairs)
     if told.result.structure.driven is None:
         yield Heading(tr("Input link"), 2)
         yield from cut.pictured([told.result.structure.input_link])
-        groups[tr("input link")] = [input_pair(loaded)]
+        groups[tr("input link")] = pairs = [input_pair(loaded)]
+        put_friction(loaded, pairs)
         yield from crank(loaded) if told.chain.turns else slider(loaded)
     yield from over_the_motion(loaded, groups)
     yield from lever(loaded)

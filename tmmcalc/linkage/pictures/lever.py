@@ -15,7 +15,7 @@ import numpy as np
 from tmmcalc.core.plane import Plane
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import Forces, side_of
-from tmmcalc.linkage.lever import Lever, LeverForce, levers
+from tmmcalc.linkage.lever import Lever, LeverForce, levers, working
 from tmmcalc.linkage.pictures.loaddiagram import HEAD, arrow_length, free_arrow
 from tmmcalc.linkage.pictures.plans import scale_note
 from tmmcalc.linkage.pictures.scheme import position_text
@@ -110,7 +110,7 @@ def draw_lever(
 
 def _shown(found: Lever) -> list[LeverForce]:
     """The forces that are not left out."""
-    every = [*found.forces, *found.balancing]
+    every = working([*found.forces, *found.balancing])
     largest = max((force.force for force in every), default=0.0)
     return [force for force in every if force.force > SEEN * largest]
 

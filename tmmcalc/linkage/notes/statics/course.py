@@ -13,9 +13,8 @@ import numpy as np
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
 from tmmcalc.linkage.forces.stack import Stack, stacked
-from tmmcalc.linkage.notes.statics.inertia import rows_of
 from tmmcalc.linkage.notes.statics.loaded import Loaded
-from tmmcalc.linkage.notes.statics.pairs import SMALL, ToldPair, along
+from tmmcalc.linkage.notes.statics.pairs import SMALL, ToldPair, along, rubs
 from tmmcalc.linkage.pictures.course import course_of
 from tmmcalc.linkage.pictures.forces import drive_graphs, reaction_graphs
 from tmmcalc.linkage.pictures.hodographs import draw_hodograph, hodographs_of
@@ -26,9 +25,9 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
 from tmmcalc.report.telling import WIDE, tabulated
 
-COLUMNS = 7  # of numbers in a table
-GRAPH, GRAPHS = 62.0, 3  # height of a diagram [mm], and how many stand in a figure
-SQUARE = 105.0  # height of a hodograph [mm]
+COLUMNS = 8  # of numbers in a table
+GRAPH = 58.0  # height of a diagram [mm]
+SQUARE = 88.0  # height of a hodograph [mm]
 NOISE = 1e-12  # of the largest: less is nothing
 
 
@@ -38,6 +37,7 @@ class Values(NamedTuple):
     reaction: Plane  # (J, n)
     normal: Real
     couple: Real
+    friction: Real | None  # None without friction
     drive: Real  # (n,)
 
 
@@ -45,12 +45,13 @@ def over_the_motion(loaded: Loaded, groups: Mapping[str, Sequence[ToldPair]]) ->
     """All positions; ``groups`` are the pairs of each group, by its name, and of the input link."""
     yield Heading(tr("Results at all positions"), 2)
     result, statics = loaded.result, loaded.statics
-    own = Values(result.reaction, result.normal, result.couple, result.drive)
+    jump = next((label for label in result.labels if label.endswith("-")), None)
+    own = Values(result.reaction, result.normal, result.couple, result.friction, result.drive)
     if statics.scales:
         bare = statics.scene._replace(loading=replace(statics.scene.loading, pairs=()))
         side = np.broadcast_to(loaded.every.place.side, result.theta.shape)
         found: Stack = stacked(compile_statics(bare), result.theta, side, checked=False)[0]
-        ideal = Values(found.reaction, found.normal, found.couple, found.drive)
+        ideal = Values(found.reaction, found.normal, found.couple, None, found.drive)
         caption = tr("Reactions without friction, {group}", group="{group}")
         tables = [*_tables(loaded, groups, ideal, caption, "ideal")]
         more = [*_tables(loaded, groups, own, tr("Reactions with friction, {group}", group="{group}"), "rubbing")]
@@ -65,6 +66,13 @@ def over_the_motion(loaded: Loaded, groups: Mapping[str, Sequence[ToldPair]]) ->
         tables = [*_tables(loaded, groups, own, tr("Reactions, {group}", group="{group}"), "all")]
         yield Paragraph(tr("The reactions at all positions: tab. {tables}.", tables=_span(tables)))
         yield from tables
+    if jump is not None:
+        said = tr(
+            "Where friction jumps, as at position {label}, the limit just before stands in the row {before}.",
+            label=jump.removesuffix("-"),
+            before=jump.replace("-", "−"),
+        )
+        yield Paragraph(said)
     yield Paragraph(_balance(loaded))
     yield from _pictures(loaded)
 
@@ -86,7 +94,7 @@ def _tables(
             parts.append({"$M_d$, N*m" if turns else "$F_d$, N": values.drive})
         for i, part in enumerate(_packed(parts)):
             said = caption.replace("{group}", name)
-            labels = rows_of(loaded.result)
+            labels = [label.replace("-", "−") for label in loaded.result.labels]
             yield tabulated(said, part, labels, head=tr("Position"), key=f"forces_{key}_{k}_{i}")
 
 
@@ -105,16 +113,19 @@ def _columns(loaded: Loaded, pair: ToldPair, values: Values) -> dict[str, Real]:
     j, ij = loaded.row_of(pair.joint.name), pair.ij
     sign = 1.0 if pair.link > pair.other else -1.0
     largest = float(np.max(np.abs(values.reaction)))
+    rubbing = sign * values.friction[j] if values.friction is not None and rubs(loaded, pair) else None
     if pair.joint.kind == "revolute":
         force = sign * values.reaction[j]
-        clean = [np.where(np.abs(part) > NOISE * largest, part, 0.0) for part in (force.real, force.imag)]
-        return {f"$R_{{{ij}x}}$, N": clean[0], f"$R_{{{ij}y}}$, N": clean[1], f"$R_{{{ij}}}$, N": np.abs(force)}
-    normal, couple = sign * along(loaded, pair) * values.normal[j], sign * values.couple[j]
+        x, y = (np.where(np.abs(part) > NOISE * largest, part, 0.0) for part in (force.real, force.imag))
+        found = {f"$R_{{{ij}x}}$, N": x, f"$R_{{{ij}y}}$, N": y, f"$R_{{{ij}}}$, N": np.abs(force)}
+        return found if rubbing is None else {**found, f"$M_{{{ij}}}$, N*m": rubbing}
+    sense = along(loaded, pair)
+    normal, couple = sign * sense * values.normal[j], sign * values.couple[j]
     found = {f"$N_{{{ij}}}$, N": normal}
     if np.max(np.abs(couple)) > NOISE * largest:
         there = np.abs(normal) > SMALL * largest
         found[f"$h_{{{ij}}}$, mm"] = np.where(there, 1e3 * couple / np.where(there, normal, 1.0), np.nan)
-    return found
+    return found if rubbing is None else {**found, f"$F_{{{ij}}}$, N": sense * rubbing}
 
 
 def _balance(loaded: Loaded) -> str:
@@ -122,10 +133,11 @@ def _balance(loaded: Loaded) -> str:
     result = loaded.result
     return tr(
         "At every position the forces and moments on each link sum up to zero: what is left is no more than {left} of "
-        "the largest. The balance of powers of all given forces gives the drive once more, without the reactions; it "
-        "differs by no more than {apart} of the largest value.",
+        "the largest. The value of ${drive}$ by the balance of powers of all given forces, without the reactions, "
+        "differs by no more than {apart} of the largest.",
         left=_part(result.equilibrium),
         apart=_part(result.virtual),
+        drive="M_d" if result.turns else "F_d",
     )
 
 
@@ -138,26 +150,32 @@ def _part(residual: Real) -> str:
 def _pictures(loaded: Loaded) -> Iterator[Block]:
     """Diagrams of the reactions by group and of the drive; hodographs."""
     result, course = loaded.result, course_of(loaded.statics)
-    graphs = reaction_graphs(loaded.statics, result, course)
-    keys = [f"forces_reactions_{k}" for k in range(0, len(graphs), GRAPHS)]
+    reactions = [(tr("Reactions over the motion"), graph) for graph in reaction_graphs(loaded.statics, result, course)]
+    moment, power = drive_graphs(result, course)
+    what = tr("Balancing moment over the motion") if result.turns else tr("Balancing force over the motion")
+    graphs = [*reactions, (what, moment), (tr("Power of the drive over the motion"), power)]
+    keys = [f"forces_diagram_{k}" for k in range(len(graphs))]
     said = tr(
-        "Figures {first}–{last} show reactions and drive over the motion: $R_A$ (1–2) is the force of link 1 on link "
-        "2 in joint A.",
+        "Figures {first}–{last} show the reactions, ${drive}$ and the power of the drive over the motion: $R_A$ (1–2) "
+        "is the force of link 1 on link 2 in joint A.",
         first=f"{{fig:{keys[0]}}}",
-        last="{fig:forces_drive}",
+        last=f"{{fig:{keys[-1]}}}",
+        drive="M_d" if result.turns else "F_d",
     )
     yield Paragraph(said)
-    for k, key in enumerate(keys):
-        yield _diagrams(tr("Reactions over the motion"), graphs[GRAPHS * k : GRAPHS * (k + 1)], key)
-    yield _diagrams(tr("Drive and its power over the motion"), drive_graphs(result, course), "forces_drive")
-    structure = loaded.told.result.structure
-    for k, shown in enumerate(hodographs_of(loaded.told.chain.mechanism, result)):
-        draw = partial(draw_hodograph, result=result, course=course, drawn=shown, link=structure.input_link)
-        yield Figure(tr("Hodograph of reactions"), draw, (SQUARE, SQUARE), f"forces_hodograph_{k}")
+    for key, (caption, graph) in zip(keys, graphs, strict=True):
+        yield Figure(caption, partial(_diagram, graph=graph), (WIDE, GRAPH), key)
+    shown = hodographs_of(loaded.told.chain.mechanism, result)
+    link = loaded.told.result.structure.input_link
+
+    def hodographs(drawing: Drawing, box: Box) -> None:
+        places = box.split(*(1.0 for _ in shown), gap=4.0, across=True)
+        for place, each in zip(places, shown, strict=True):
+            draw_hodograph(drawing, place, result, course, each, link)
+
+    if shown:
+        yield Figure(tr("Hodographs of reactions"), hodographs, (WIDE, SQUARE), "forces_hodographs")
 
 
-def _diagrams(caption: str, graphs: Sequence[Graph], key: str) -> Figure:
-    def draw(drawing: Drawing, box: Box) -> None:
-        column(drawing, box, graphs)
-
-    return Figure(caption, draw, (WIDE, GRAPH * len(graphs)), key)
+def _diagram(drawing: Drawing, box: Box, graph: Graph) -> None:
+    column(drawing, box, [graph])

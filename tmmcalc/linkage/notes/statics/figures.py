@@ -16,7 +16,8 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Paragraph
 from tmmcalc.report.telling import WIDE
 
-HIGH = 78.0  # of a picture [mm]
+HIGH = 80.0  # of a picture [mm]
+PARTS = (0.8, 1.0)  # of the load diagram and the polygon, which may have details beside it
 
 
 class Cut:
@@ -44,10 +45,13 @@ class Cut:
 
     def _figure(self, body: FreeBody, key: str) -> Figure:
         def draw(drawing: Drawing, box: Box) -> None:
-            left, right = box.split(1.0, 1.0, gap=4.0, across=True)
+            left, right = box.split(*PARTS, gap=4.0, across=True)
             draw_body(drawing, left, body, self.motion, self.cycle)
             draw_force_polygon(drawing, right.inset(0, 0, 0, NAME), body, None)
 
-        name = tr("link {link}", link=body.links[0]) if len(body.links) == 1 else tr("group {name}", name=body.name)
-        caption = tr("Load diagram and force polygon {place}, {name}", place=self.place, name=name)
+        caption = (
+            tr("Forces on link {link} and their polygon {place}", link=body.links[0], place=self.place)
+            if len(body.links) == 1
+            else tr("Forces on group {name} and their polygon {place}", name=body.name, place=self.place)
+        )
         return Figure(caption, draw, (WIDE, HIGH), key)

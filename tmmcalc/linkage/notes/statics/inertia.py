@@ -7,12 +7,11 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.freebody import FreeBody
 from tmmcalc.linkage.loading import Body, Loading
 from tmmcalc.linkage.loads.sources import inertia_load
 from tmmcalc.linkage.notes.group import plain_name
-from tmmcalc.linkage.notes.statics.loaded import Loaded
+from tmmcalc.linkage.notes.statics.loaded import NOTHING, Loaded
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
@@ -65,36 +64,32 @@ def _quantities(loading: Loading, body: Body, found: FreeBody) -> dict[str, Give
 
 def _tables(loaded: Loaded) -> Iterator[Block]:
     """The loads of inertia at all positions, some links to a table; what is nothing everywhere is left out."""
-    result, columns = loaded.result, [_columns(loaded, body) for body in loaded.loading.heavy]
-    columns = [each for each in columns if each]
+    labels = loaded.result.labels
+    whole = [k for k, label in enumerate(labels) if not label.endswith("-")]  # inertia does not jump with friction
+    columns = [each for body in loaded.loading.heavy if (each := _columns(loaded, body, whole))]
     for k in range(0, len(columns), LINKS):
         key = f"forces_inertia_{k}"
         if k == 0:
             yield Paragraph(tr("At all positions they are as follows."))
         merged = {head: values for each in columns[k : k + LINKS] for head, values in each.items()}
         caption = tr("Inertia forces and couples of the links")
-        yield tabulated(caption, merged, rows_of(result), head=tr("Position"), key=key)
+        yield tabulated(caption, merged, [labels[k] for k in whole], head=tr("Position"), key=key)
 
 
-def rows_of(result: Forces) -> list[str]:
-    """The labels of all positions; where friction jumps the limit before stands with a minus."""
-    return [label.replace("-", "−") for label in result.labels]
-
-
-def _columns(loaded: Loaded, body: Body) -> dict[str, ArrayLike]:
-    """The columns of a link."""
+def _columns(loaded: Loaded, body: Body, rows: list[int]) -> dict[str, ArrayLike]:
+    """The columns of a link, without what is nothing."""
     place, travel = loaded.every.place, loaded.statics.scene.travel
     load = inertia_load(body, place.configuration.motions[body.link], travel.speed, travel.acceleration)
-    force = np.broadcast_to(load.force, loaded.result.theta.shape)
-    couple = np.broadcast_to(load.couple, loaded.result.theta.shape)
+    force = np.broadcast_to(load.force, loaded.result.theta.shape)[rows]
+    couple = np.broadcast_to(load.couple, loaded.result.theta.shape)[rows]
     found = {
         f"$P_{{{body.link}x}}$, N": force.real,
         f"$P_{{{body.link}y}}$, N": force.imag,
         f"$M_{{{body.link}}}$, N*m": couple,
     }
-    largest = float(np.max(np.abs(force), initial=0.0))
+    largest = max(float(np.max(np.abs(force))), NOTHING)
     return {
-        head: np.where(np.abs(values) > 1e-12 * largest, values, 0.0) if head.endswith("N") else values
+        head: np.where(np.abs(values) > NOTHING * largest, values, 0.0)
         for head, values in found.items()
-        if np.max(np.abs(values)) > 1e-12 * (largest if head.endswith("N") else 1.0)
+        if np.max(np.abs(values)) > NOTHING * largest
     }

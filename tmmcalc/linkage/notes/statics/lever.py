@@ -10,7 +10,7 @@ import numpy as np
 
 from tmmcalc.linkage.forces.results import side_of
 from tmmcalc.linkage.freebody import Acting, Couple
-from tmmcalc.linkage.lever import Lever, LeverForce, levers, replaced_at
+from tmmcalc.linkage.lever import LEAST_ARM, Lever, LeverForce, levers, replaced_at, working
 from tmmcalc.linkage.notes.group import plain_name
 from tmmcalc.linkage.notes.statics.loaded import Loaded, said
 from tmmcalc.linkage.pictures.lever import draw_lever, lever_scale
@@ -23,7 +23,6 @@ from tmmcalc.report.telling import WIDE, column_of, headed, named
 
 SIZE = (WIDE, 125.0)  # of the picture [mm]
 KEY = "forces_lever"
-LEAST = 1e-10  # of an arm [mm]: a shorter one is none
 
 
 def lever(loaded: Loaded) -> Iterator[Block]:
@@ -32,7 +31,7 @@ def lever(loaded: Loaded) -> Iterator[Block]:
     mu = lever_scale(Box(0.0, 0.0, *SIZE), loaded.statics, told.result, result, row)
     side = np.array([side_of(result, each) for each in loaded.rows])
     found = levers(loaded.statics, told.result, result.theta[[*loaded.rows]], side, mu)
-    if not any(_acting(each) for each in found):
+    if not any(working(each.forces) for each in found):
         return
     yield Heading(tr("Lever of Zhukovsky"), 2)
     yield Paragraph(
@@ -45,10 +44,10 @@ def lever(loaded: Loaded) -> Iterator[Block]:
             figure=f"{{fig:{KEY}}}",
         )
     )
+    yield from _pairs(loaded, found)
     caption = tr("Lever of Zhukovsky {place}", place=told.places[0].name)
     draw = partial(draw_lever, statics=loaded.statics, kinematics=told.result, result=result, row=row, tabled=False)
     yield Figure(caption, draw, SIZE, KEY)
-    yield from _pairs(loaded, found)
     tables = [_table(loaded, each, k) for k, each in enumerate(found)]
     numbers = ", ".join(f"{{tab:{table.key}}}" for table in tables)
     yield Paragraph(tr("The forces with their arms and moments about the pole: tab. {tables}.", tables=numbers))
@@ -60,7 +59,7 @@ def _pairs(loaded: Loaded, found: Sequence[Lever]) -> Iterator[Block]:
     """The forces that stand for the couples."""
     texts = []
     mechanism = loaded.told.chain.mechanism
-    seen = dict.fromkeys((f.link, f.name, f.kind) for each in found for f in _acting(each) if f.point)
+    seen = dict.fromkeys((f.link, f.name, f.kind) for each in found for f in working(each.forces) if f.point)
     for link, name, kind in seen:
         (tail, a), (head, b) = replaced_at(mechanism, link)
         points = plain_name(tail) + plain_name(head)
@@ -81,12 +80,6 @@ def _pairs(loaded: Loaded, found: Sequence[Lever]) -> Iterator[Block]:
     yield from loaded.lines(texts)
 
 
-def _acting(found: Lever) -> list[LeverForce]:
-    """The forces of a lever without couples on links that do not turn."""
-    turning = {(f.link, f.name) for f in found.forces if abs(f.arm) > LEAST}
-    return [f for f in found.forces if not f.point or (f.link, f.name) in turning]
-
-
 def _pair_name(key: str) -> str:
     """The force that stands for a couple: ``F_{M4}``."""
     return f"F_{{{''.join(letter for letter in key if letter not in '_{}')}}}"
@@ -103,7 +96,7 @@ def _name(loaded: Loaded, force: LeverForce) -> str:
 
 def _table(loaded: Loaded, found: Lever, k: int) -> Table:
     """The forces of a lever."""
-    forces = _acting(found)
+    forces = working(found.forces)
     columns = [
         [_name(loaded, force) for force in forces],
         column_of([force.force for force in forces]),
@@ -122,7 +115,7 @@ def _drive(loaded: Loaded, found: Sequence[Lever]) -> Iterator[Block]:
     letter, unit, rate = ("M", "N*m", f"omega_{link}") if result.turns else ("F", "N", "v_d")
     what = tr("balancing moment by the lever") if result.turns else tr("balancing force by the lever")
     for lexicon, each in zip(loaded.told.lexicons, found, strict=True):
-        moving = [force for force in each.forces if abs(force.arm) > LEAST]
+        moving = [force for force in each.forces if abs(force.arm) > LEAST_ARM]
         forces = {
             "F_i": Given([force.force for force in moving] or [0.0], "N", tr("forces on the lever")),
             "h_i": Given(

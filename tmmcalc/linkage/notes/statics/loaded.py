@@ -155,9 +155,11 @@ def moments(loaded: Loaded, links: Sequence[int], point: str, own: set[str]) -> 
                 key = loaded.key(f)
                 moment = float(cross(f.at - pole, f.value))
                 arm = f"h_{{{key.replace('_', '').replace('{', '').replace('}', '')}}}^{{{point}}}"
-                lexicon[canonical(key)] = Given(abs(f.value), "N", said(loaded, f))
+                known = lexicon.get(canonical(key)) if f.kind == "friction" else None  # it has a sign along its line
+                size = number_of(lexicon, key) if known else abs(f.value)
+                lexicon[canonical(key)] = Given(size, "N", said(loaded, f))
                 lexicon[canonical(arm)] = Given(
-                    moment / abs(f.value), "m", tr("arm of the force about {point}, with its sign", point=point)
+                    moment / size, "m", tr("arm of the force about {point}, with its sign", point=point)
                 )
                 terms[f"{key}*{arm}"] = None
                 total += moment

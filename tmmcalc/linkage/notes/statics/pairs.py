@@ -20,7 +20,7 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Lexicon, Paragraph
-from tmmcalc.report.telling import lines, named, number_of
+from tmmcalc.report.telling import lines, named, number_of, vector
 
 SMALL = 1e-9  # of the largest force: a normal reaction without an arm
 
@@ -96,9 +96,35 @@ def _edges(loaded: Loaded, pair: ToldPair) -> Iterator[Block]:
         yield Paragraph(said)
 
 
+def put_friction(loaded: Loaded, pairs: Sequence[ToldPair]) -> None:
+    """Enter the friction of pairs: the moment on the link, or the force along the line with its sign."""
+    for pair in pairs:
+        if not rubs(loaded, pair):
+            continue
+        own, ij = loaded.pair(pair.joint.name), pair.ij
+        words = {"link": pair.link, "other": pair.other}
+        for lexicon, bodies in zip(loaded.told.lexicons, loaded.bodies, strict=True):
+            about = tr("coefficient of friction in pair {joint}", joint=pair.joint.name)
+            found = {f"f_{{{ij}}}": Given(own.friction, "", about)}
+            body = bodies[pair.link]
+            if pair.joint.kind == "revolute":
+                rubbing = [c.value for c in body.couples if c.joint == pair.joint.name and c.kind == "friction"]
+                radius = tr("radius of the pin of pair {joint}", joint=pair.joint.name)
+                found[f"r_{{{ij}}}"] = Given(own.radius, "m", radius)
+                meaning = tr("friction moment of link {other} on link {link}", **words)
+                found[f"M_{{{ij}}}"] = Given(sum(rubbing), "N*m", meaning)
+            else:
+                force = sum((f.value for f in body.forces if f.joint == pair.joint.name and f.kind == "friction"), 0j)
+                meaning = tr("friction force of link {other} on link {link}", **words)
+                along_line = (np.exp(-1j * np.radians(pair.angle(lexicon))) * force).real
+                found[f"F_{{{ij}}}"] = Given(float(along_line), "N", meaning)
+                found |= vector(f"F_{{{ij}%}}", force, "N", meaning)
+            lexicon |= named(found)
+
+
 def friction(loaded: Loaded, pairs: Sequence[ToldPair]) -> Iterator[Block]:
     """The friction that the reactions give: (3.27) along a line, (3.28) about a pin."""
-    texts = [text for pair in pairs if _rubs(loaded, pair) for text in _law(loaded, pair)]
+    texts = [text for pair in pairs if rubs(loaded, pair) for text in _law(loaded, pair)]
     if texts:
         yield Paragraph(
             tr("Friction acts against the relative motion in the pair; with the reactions that were found it is")
@@ -106,45 +132,28 @@ def friction(loaded: Loaded, pairs: Sequence[ToldPair]) -> Iterator[Block]:
         yield from loaded.lines(texts)
 
 
-def _rubs(loaded: Loaded, pair: ToldPair) -> bool:
+def rubs(loaded: Loaded, pair: ToldPair) -> bool:
+    """Whether a pair has friction."""
     return pair.joint.name in loaded.statics.scales
 
 
 def _law(loaded: Loaded, pair: ToldPair) -> list[str]:
-    """The formulas of the friction in a pair; its quantities are put into the lexicons."""
-    own, ij, link, other = loaded.pair(pair.joint.name), pair.ij, pair.link, pair.other
-    resting = _senses(loaded, pair)
-    for lexicon in loaded.told.lexicons:
-        about = tr("coefficient of friction in pair {joint}", joint=pair.joint.name)
-        lexicon[canonical(f"f_{{{ij}}}")] = Given(own.friction, "", about)
+    """The formulas of the friction in a pair."""
+    ij, resting = pair.ij, _senses(loaded, pair)
     if pair.joint.kind == "revolute":
-        for lexicon, each in zip(loaded.told.lexicons, loaded.bodies, strict=True):
-            radius = tr("radius of the pin of pair {joint}", joint=pair.joint.name)
-            lexicon[canonical(f"r_{{{ij}}}")] = Given(own.radius, "m", radius)
-            found = sum(c.value for c in each[link].couples if c.joint == pair.joint.name and c.kind == "friction")
-            meaning = tr("friction moment of link {other} on link {link}", other=other, link=link)
-            lexicon[canonical(f"M_{{{ij}}}")] = Given(found, "N*m", meaning)
         law = f"f_{{{ij}}}*r_{{{ij}}}*R_{{{ij}}}"
         if resting:
             return [f"M_{{{ij}}} = -s_{{{ij}}}*{law}"]
-        return [f"omega_{{{ij}}} = omega_{link} - omega_{other}", f"M_{{{ij}}} = -sign(omega_{{{ij}}})*{law}"]
-    for lexicon, each in zip(loaded.told.lexicons, loaded.bodies, strict=True):
-        force = sum((f.value for f in each[link].forces if f.joint == pair.joint.name and f.kind == "friction"), 0j)
-        meaning = tr("friction force of link {other} on link {link}", other=other, link=link)
-        lexicon |= named(
-            {
-                f"F_{{{ij}}}": Given(abs(force), "N", meaning),
-                f"F_{{{ij}x}}": Given(force.real, "N", meaning),
-                f"F_{{{ij}y}}": Given(force.imag, "N", meaning),
-            }
-        )
+        relative = f"omega_{{{ij}}} = omega_{pair.link} - omega_{pair.other}"
+        return [relative, f"M_{{{ij}}} = -sign(omega_{{{ij}}})*{law}"]
     sense = f"s_{{{ij}}}" if resting else f"sign(v_{{{ij}}})"
-    size = f"abs(N_{{{ij}}})" if own.length is None else f"(abs(N'_{{{ij}}}) + abs(N''_{{{ij}}}))"
+    edged = loaded.pair(pair.joint.name).length is not None
+    size = f"(abs(N'_{{{ij}}}) + abs(N''_{{{ij}}}))" if edged else f"abs(N_{{{ij}}})"
     line = pair.line if " " not in pair.line else f"({pair.line})"
     return [
-        f"F_{{{ij}}} = f_{{{ij}}}*{size}",
-        f"F_{{{ij}x}} = -{sense}*F_{{{ij}}}*cos({line})",
-        f"F_{{{ij}y}} = -{sense}*F_{{{ij}}}*sin({line})",
+        f"F_{{{ij}}} = -{sense}*f_{{{ij}}}*{size}",
+        f"F_{{{ij}x}} = F_{{{ij}}}*cos({line})",
+        f"F_{{{ij}y}} = F_{{{ij}}}*sin({line})",
     ]
 
 
