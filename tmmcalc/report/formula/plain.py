@@ -26,7 +26,7 @@ def plain(box: layout.Box) -> str:
         case layout.Row(boxes):
             return "".join(map(plain, boxes))
         case layout.Fraction(over, under):
-            return f"{_grouped(over)}/{_grouped(under)}"
+            return f"{_signed(over)}/{_signed(under)}"
         case layout.Marked(inner, mark):
             return f"{plain(inner)}{mark}"
         case layout.Root(inner):
@@ -41,6 +41,12 @@ def plain(box: layout.Box) -> str:
             return f"{sign}_{plain(lower)} {plain(body)}"
         case layout.Arrowed(inner):
             return f"vec({plain(inner)})"
+
+
+def _signed(box: layout.Box) -> str:
+    """A side of a fraction on one line, where a minus before it belongs in brackets."""
+    text = _grouped(box)
+    return f"({text})" if text.startswith("−") else text
 
 
 def _grouped(box: layout.Box) -> str:
