@@ -124,6 +124,7 @@ ROOM = Room(
                 pieces="tmmcalc.machine.pictures.pieces:of_flywheel",
             ),
             studied=True,
+            chapter="motion",
         ),
         Stage(
             "motion",
@@ -138,6 +139,7 @@ ROOM = Room(
                 pieces="tmmcalc.machine.pictures.pieces:of_motion",
             ),
             studied=True,
+            chapter="motion",
         ),
         Stage(
             "transient",
@@ -149,6 +151,7 @@ ROOM = Room(
             settings=TOLERANCE,
             picture=Picture("speeds and moments over the time"),
             studied=True,
+            chapter="motion",
         ),
         Stage(
             "balance",
@@ -172,4 +175,7 @@ ROOM = Room(
         Command("balance", "Shaking forces of linkage, engine, rotor; counterweights."),
     ),
     section="Machines",
+    chapters={
+        "motion": "Motion of the machine and flywheel",
+    },
 )

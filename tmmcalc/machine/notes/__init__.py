@@ -1,0 +1,1 @@
+"""What the note says of machines: reduction, motion, flywheel, balance."""

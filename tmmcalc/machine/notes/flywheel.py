@@ -1,0 +1,339 @@
+"""The chapter on motion, its part on the flywheel: excess work, energy-mass curve, all methods, the wheel."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from tmmcalc.machine.flywheel.materials import RECOMMENDED
+from tmmcalc.machine.flywheel.results import Flywheel, Trial
+from tmmcalc.machine.flywheel.worked import Paper, Worked, curve_columns, paper, round_scales
+from tmmcalc.machine.notes.motors import of_motor
+from tmmcalc.machine.notes.told import held, inertias, numeral
+from tmmcalc.machine.notes.wheel import of_wheel
+from tmmcalc.machine.pictures.pieces import of_flywheel
+from tmmcalc.machine.pictures.words import method_name
+from tmmcalc.machine.power import moment_at
+from tmmcalc.machine.reduction.results import Reduction
+from tmmcalc.machine.stages.flywheel import mean, methods_of
+from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.syntax import read
+from tmmcalc.report.language import tr, tr_name
+from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place
+from tmmcalc.report.telling import lines, named, pictured, tabulated
+
+DIVISOR = "(delta_0*omega_m**2)"
+
+
+class Method(NamedTuple):
+    """One method by the numbers: its heading is its name; letters with the index ``<i>`` are its own."""
+
+    said: str  # what it takes
+    lines: tuple[str, ...]
+
+
+class Told(NamedTuple):
+    """What the part tells from."""
+
+    result: Flywheel
+    reduction: Reduction
+    worked: Mapping[str, Worked]  # by their keys
+    speed: float  # mean [rad/s]
+    drawn: Paper
+
+
+def blocks(order: Order) -> Iterator[Block]:
+    """The motor, the excess work, the curve with its tangents, the methods side by side, the flywheel and its rim."""
+    yield from of_motor(order, "flywheel")
+    result: Flywheel = order.results["flywheel"]
+    speed, picture = mean(order.spec, order.results), result.picture
+    every = {each.key: each for each in methods_of(order.spec, order.results)}
+    drawn = paper(picture, round_scales(picture), result.sense)
+    told = Told(result, order.results["reduction"], every, speed, drawn)
+    yield from _excess(told)
+    yield from _curve(told, order)
+    yield from _methods(told, order)
+    yield from _inertia(told, order)
+    yield from of_wheel(order)
+
+
+def _excess(told: Told) -> Iterator[Block]:
+    """The moment that closes the cycle, the excess work at the positions."""
+    cycle, result = told.reduction.cycle, told.result
+    yield Heading(tr("Excess work"), 2)
+    yield Paragraph(
+        tr(
+            "The flywheel has to keep the coefficient of speed fluctuation $delta_0 = {delta}$ at the mean angular "
+            "velocity $omega_m$. The methods take the drive as a constant moment that makes the work of the cycle "
+            "zero:",
+            delta=numeral(result.delta),
+        )
+    )
+    work = float(cycle.panels.total(moment_at(cycle, told.speed)))
+    lexicon = {
+        "M_m": Given(result.picture.drive, "N*m", tr("constant moment that makes the work of the cycle zero")),
+        "A_c": Given(work, "J", tr("work of the reduced moments of all forces over the cycle")),
+        "phi_c": Given(cycle.period, "rad", tr("angle of the cycle")),
+    }
+    yield from lines(("M_m = -A_c/phi_c",), [Place("", named(lexicon))])
+    yield Paragraph(tr("The excess work is the work of all moments from position 0, the change of the kinetic energy:"))
+    yield Display(read("A = DeltaT = T - T_0"))
+    reduction = told.reduction
+    theta = np.minimum(np.abs(reduction.phi - reduction.phi[0]), cycle.period)
+    found = {each.name: each.make() for each in curve_columns(result.picture, cycle, theta, told.speed, (1.0, 1.0))}
+    columns = {
+        "$phi$, deg": np.degrees(reduction.phi),
+        "$A$, J": found["A"],
+        "$J_v$, kg*m^2": found["J_red"],
+        "$T_v$, J": found["T_links"],
+        "$A - T_v$, J": found["T_rest"],
+    }
+    yield Paragraph(
+        tr(
+            "Table {tab:flywheel_work} has the excess work, the reduced moment of inertia $J_v$ of the links and their "
+            "kinetic energy at the mean angular velocity, $T_v = J_v*omega_m**2/2$."
+        )
+    )
+    caption = tr("Excess work and kinetic energy of the links")
+    yield tabulated(caption, columns, reduction.labels, head=tr("Position"), key="flywheel_work")
+
+
+def _curve(told: Told, order: Order) -> Iterator[Block]:
+    """Wittenbauer's construction: angles of the tangents, the segment, the inertia; then the picture."""
+    exact, drawn = told.worked["exact_by_cycle"], told.drawn
+    yield Heading(tr("Energy-mass curve"), 2)
+    yield Paragraph(
+        tr(
+            "Eliminating the angle $phi$ from $A$ and $J_v$ gives the closed energy-mass curve, figure "
+            "{fig:flywheel_curve}. The angular velocity is largest and least where the tangents at the angles "
+            "$psi_1$ and $psi_2$ touch it, at $phi = {first}$° and $phi = {second}$°:",
+            first=numeral(math.degrees(exact.at_max)),
+            second=numeral(math.degrees(exact.at_min)),
+        )
+    )
+    scales = {
+        "mu_T": Given(drawn.energy_scale, "J/mm", tr("scale factor of the energies")),
+        "mu_J": Given(drawn.inertia_scale, "kg*m^2/mm", tr("scale factor of the moments of inertia")),
+    }
+    angle = tr("angle of the tangent")
+    lexicon = _lexicon(told, exact, "") | named(
+        {
+            **scales,
+            "psi_1": Given(math.degrees(drawn.angle_max), "deg", angle),
+            "psi_2": Given(math.degrees(drawn.angle_min), "deg", angle),
+            "l_GH": Given(drawn.segment, "mm", tr("segment between the tangents on the axis of energies")),
+        }
+    )
+    place = [Place("", lexicon)]
+    texts = (
+        "psi_1 = atan(mu_J*omega_m**2*(1 + delta_0/2)**2/(2*mu_T))",
+        "psi_2 = atan(mu_J*omega_m**2*(1 - delta_0/2)**2/(2*mu_T))",
+    )
+    yield from lines(texts, place)
+    yield Paragraph(tr("On the axis of energies the tangents cut off"))
+    texts = (
+        "G = A_1 - J_1*omega_m**2*(1 + delta_0/2)**2/2",
+        "H = A_2 - J_2*omega_m**2*(1 - delta_0/2)**2/2",
+        "l_GH = (G - H)/mu_T",
+    )
+    yield from lines(texts, place)
+    yield Paragraph(tr("The constant moment of inertia that the machine must have"))
+    yield from lines((f"J_F = mu_T*l_GH/{DIVISOR}",), place)
+    curve, *_ = of_flywheel(order)
+    yield pictured(curve, key="flywheel_curve")
+
+
+def _lexicon(told: Told, found: Worked, index: str) -> Lexicon:
+    """The numbers of a method, its own ones with an upper index."""
+    mark = f"^{{({index})}}" if index else ""
+    work, links = tr("excess work where the tangent touches"), tr("reduced moment of inertia of the links there")
+    cut = tr("what a tangent cuts off on the axis of energies")
+    return named(
+        {
+            "delta_0": Given(told.result.delta, "", tr("allowed coefficient of speed fluctuation")),
+            "omega_m": Given(told.speed, "rad/s", tr("mean angular velocity of the input link")),
+            f"A_1{mark}": Given(found.work_max, "J", work),
+            f"A_2{mark}": Given(found.work_min, "J", work),
+            f"J_1{mark}": Given(found.links_max, "kg*m^2", links),
+            f"J_2{mark}": Given(found.links_min, "kg*m^2", links),
+            f"G{mark}": Given(found.intercept_max, "J", cut),
+            f"H{mark}": Given(found.intercept_min, "J", cut),
+            f"J_F{mark}": Given(found.inertia, "kg*m^2", tr("constant moment of inertia, reduced to the input link")),
+        }
+    )
+
+
+def _methods(told: Told, order: Order) -> Iterator[Block]:
+    """The approximate methods, each by its formulas, and all of them in a table."""
+    yield Heading(tr("Approximate methods"), 2)
+    names = ("book", "mertsalov", "artobolevsky", "excess work")
+    for k, name in enumerate(names, 2):
+        found = told.worked[f"{name.replace(' ', '_')}_by_cycle"]
+        yield Heading(_title(name), 3)
+        method, i = _method(name), f"^{{({k})}}"
+        at = {
+            "first": numeral(math.degrees(found.at_max)),
+            "second": numeral(math.degrees(found.at_min)),
+        }
+        where = tr("The extremes stand at $phi = {first}$° and $phi = {second}$°.", **at)
+        yield Paragraph(f"{method.said} {where}")
+        place = [Place("", _lexicon(told, found, str(k)))]
+        yield from lines([text.replace("<i>", i) for text in method.lines], place)
+    *_, ordinates = of_flywheel(order)
+    yield pictured(ordinates, key="flywheel_ordinates")
+    yield from _compared(told)
+
+
+def _title(name: str) -> str:
+    return {
+        "book": tr("Tangents without the square of the coefficient"),
+        "mertsalov": tr("Method of Mertsalov"),
+        "artobolevsky": tr("Method of Artobolevsky"),
+        "excess work": tr("By the largest excess work"),
+    }[name]
+
+
+def _method(name: str) -> Method:
+    """What a method takes, and its formulas."""
+    extremes = "G<i> = A_1<i> - J_1<i>*omega_m**2{more}/2", "H<i> = A_2<i> - J_2<i>*omega_m**2{less}/2"
+    segment = f"J_F<i> = (G<i> - H<i>)/{DIVISOR}"
+    return {
+        "book": Method(
+            tr("The small square of $delta_0$ is dropped from the slopes of the tangents."),
+            (extremes[0].format(more="*(1 + delta_0)"), extremes[1].format(less="*(1 - delta_0)"), segment),
+        ),
+        "mertsalov": Method(
+            tr(
+                "The kinetic energy of the links is taken at the mean angular velocity; what is left of the excess "
+                "work, $A - T_v$, falls to the flywheel, figure {fig:flywheel_ordinates}."
+            ),
+            (extremes[0].format(more=""), extremes[1].format(less=""), segment),
+        ),
+        "artobolevsky": Method(
+            tr(
+                "The angular velocity is taken as extreme where the excess work is; the energy of the links counts "
+                "there with the extreme angular velocities."
+            ),
+            (
+                "J_F<i> = (A_1<i> - A_2<i> - (J_1<i>*(1 + delta_0) - J_2<i>*(1 - delta_0))*omega_m**2/2)/" + DIVISOR,
+            ),
+        ),
+        "excess work": Method(
+            tr("The kinetic energy of the links is neglected."), (f"J_F<i> = (A_1<i> - A_2<i>)/{DIVISOR}",)
+        ),
+    }[name]
+
+
+def _compared(told: Told) -> Iterator[Block]:
+    """All methods side by side: over the cycle, at the positions alone, and what each really leads to."""
+    result = told.result
+    names = [row.positional.method for row in result.rows]
+    columns: dict[str, list[float | None]] = {
+        "$J_F$, kg*m^2": [row.positional.inertia for row in result.rows],
+        tr("difference, %"): [100 * row.positional.error for row in result.rows],
+    }
+    nodal = [told.worked.get(f"{name.replace(' ', '_')}_by_positions") for name in names]
+    if all(nodal):
+        columns[tr("by positions $J_F$, kg*m^2")] = [each.inertia for each in nodal if each is not None]
+    if result.addition > 0:
+        columns[tr("$delta$ by positional forces")] = [row.positional.delta for row in result.rows]
+        if result.required is not None:
+            columns[tr("$delta$ under the motor")] = [row.delta for row in result.rows]
+    said = tr("Table {tab:flywheel_methods} compares the methods with the exact one.")
+    if all(nodal):
+        said += " " + tr("The same by the positions alone misses the extremes between them.")
+    yield Paragraph(said)
+    shown = {head: [math.nan if each is None else each for each in cells] for head, cells in columns.items()}
+    labels = [_named(name) for name in names]
+    caption = tr("Constant moment of inertia by all methods")
+    yield tabulated(caption, shown, labels, head=tr("Method"), key="flywheel_methods")
+
+
+def _named(name: str) -> str:
+    return tr("without the square of $delta_0$") if name == "book" else method_name(name)
+
+
+def _inertia(told: Told, order: Order) -> Iterator[Block]:
+    """What of the inertia is at hand, and what the flywheel has to add."""
+    result = told.result
+    yield Heading(tr("Moment of inertia of the flywheel"), 2)
+    needed = result.rows[0].positional.inertia
+    if result.required is not None:
+        yield from _under_motor(result)
+        needed = result.required.inertia
+    lexicon = {
+        **inertias(result.at_hand, order),
+        "J_0": Given(result.without, "kg*m^2", tr("constant moment of inertia at hand without a flywheel")),
+        "J_F": Given(needed, "kg*m^2", tr("constant moment of inertia that is needed")),
+        "J_M": Given(result.addition, "kg*m^2", tr("moment of inertia of the flywheel, reduced to the input link")),
+    }
+    place = [Place("", named(lexicon))]
+    yield from lines(("J_0 = J_R*u**2 + J_g + J_e",), place)
+    if result.addition > 0:
+        yield from lines(("J_M = J_F - J_0",), place)
+    elif result.required is not None:
+        delta = result.required.delta
+        yield held("delta <= delta_0", (delta, result.delta), "", holds=True)
+        yield Paragraph(tr("What is at hand suffices: no flywheel is needed."))
+    else:
+        yield held("J_0 >= J_F", (result.without, needed), "kg*m^2", holds=True)
+        yield Paragraph(tr("What is at hand suffices: no flywheel is needed."))
+    yield from _customary(result.delta)
+
+
+def _under_motor(result: Flywheel) -> Iterator[Block]:
+    """The true inertia by trials of the motion, and the textbook's correction."""
+    required = result.required
+    assert required is not None
+    yield Paragraph(
+        tr(
+            "The motor gives way when it is loaded, and evens the speed by itself. So the constant moment of inertia "
+            "is sought for which the steady motion under the characteristic of the motor keeps $delta_0$; table "
+            "{tab:flywheel_trials} has the motions that were computed."
+        )
+        if not result.undriven
+        else tr(
+            "The loads set the speed. So the constant moment of inertia is sought for which the steady motion keeps "
+            "$delta_0$; table {tab:flywheel_trials} has the motions that were computed."
+        )
+    )
+    yield _trials(required.trials, tr("Trials of the constant moment of inertia"), "flywheel_trials")
+    if len(result.history) < 2:
+        return
+    first, second = result.history[:2]
+    assert first.delta is not None
+    yield Paragraph(
+        tr(
+            "The correction of the textbook multiplies the constant moment of inertia by the fluctuation over the "
+            "allowed one until it is reached, table {tab:flywheel_correction}; in the first step"
+        )
+    )
+    said = tr("constant moment of inertia in the step")
+    lexicon = {
+        "J^{(1)}": Given(second.inertia, "kg*m^2", said),
+        "J^{(0)}": Given(first.inertia, "kg*m^2", said),
+        "delta^{(0)}": Given(first.delta, "", tr("coefficient of speed fluctuation in the step")),
+        "delta_0": Given(result.delta, "", tr("allowed coefficient of speed fluctuation")),
+    }
+    yield from lines(("J^{(1)} = J^{(0)}*delta^{(0)}/delta_0",), [Place("", named(lexicon))])
+    yield _trials(result.history, tr("Correction of the constant moment of inertia"), "flywheel_correction")
+
+
+def _trials(trials: tuple[Trial, ...], caption: str, key: str) -> Block:
+    columns = {
+        "$J$, kg*m^2": [trial.inertia for trial in trials],
+        "$delta$": [math.nan if trial.delta is None else trial.delta for trial in trials],
+    }
+    return tabulated(caption, columns, [str(k) for k in range(len(trials))], head=tr("Step"), key=key)
+
+
+def _customary(delta: float) -> Iterator[Block]:
+    """For which machines the coefficient is customary."""
+    machines = [tr_name(kind.machine) for kind in RECOMMENDED if kind.smallest * 0.999 <= delta <= kind.largest * 1.001]
+    if machines:
+        said = tr("This coefficient of speed fluctuation is customary for: {machines}.", machines="; ".join(machines))
+        yield Paragraph(said)

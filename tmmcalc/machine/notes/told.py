@@ -1,0 +1,43 @@
+"""What several parts of the chapter on motion say alike: conditions, numbers within sentences, constant inertias."""
+
+from __future__ import annotations
+
+from tmmcalc.machine.driver import ConstantInertia
+from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.formula.digits import Given, significant
+from tmmcalc.report.formula.setting import spelt
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.manuscript import Lexicon, Paragraph
+
+DIGITS = 5  # of a number within a sentence
+SIGNS = {"<=": "≤", ">=": "≥", "<": "<", ">": ">"}
+
+
+def numeral(value: float, digits: int = DIGITS) -> str:
+    """A number within a formula of a sentence.
+
+    >>> numeral(0.0125), numeral(1 / 3)
+    ('0.0125', '0.33333')
+    """
+    return significant(value, digits)
+
+
+def held(condition: str, sides: tuple[float, float], unit: str, *, holds: bool) -> Paragraph:
+    """A condition ``a <= b`` with the numbers of both sides, and whether it holds."""
+    sign = next(each for each in SIGNS if each in condition)
+    first, second = (spelt(significant(side, DIGITS)) for side in sides)
+    told = f"${condition}$: {first} {SIGNS[sign]} {second}" + (f" {tr_unit(unit)}" if unit else "")
+    said = tr("The condition holds.") if holds else tr("The condition fails.")
+    return Paragraph(f"{told}. {said}")
+
+
+def inertias(parts: ConstantInertia, order: Order) -> Lexicon:
+    """The parts of a constant inertia, by their letters."""
+    duty = order.results["power"].duty
+    rotor = (duty.motor.inertia or 0.0) if duty is not None else 0.0
+    return {
+        "J_R": Given(rotor, "kg*m^2", tr("moment of inertia of the rotor")),
+        "u": Given(duty.ratio if duty is not None else 1.0, "", tr("speed ratio of the motor and the input shaft")),
+        "J_g": Given(parts.gears, "kg*m^2", tr("moment of inertia of the gears, reduced to the input link")),
+        "J_e": Given(parts.further, "kg*m^2", tr("further constant moment of inertia of the input link")),
+    }
