@@ -13,11 +13,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tmmcalc.report.formula.digits import PLAIN, Given, rounded, value_of
+from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.simplify import ZERO, simplified
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Name
-from tmmcalc.report.language import tr_number, tr_unit
+from tmmcalc.report.language import tr_unit
 from tmmcalc.report.manuscript import Figure, Lexicon, Line, Place, Table
 from tmmcalc.report.sheets.piece import Piece
 
@@ -128,7 +129,7 @@ def column_of(values: ArrayLike, digits: int = DIGITS) -> list[str]:
     exponent = math.floor(math.log10(largest)) if largest > 0 else 0
     last = exponent - digits + 1
     if PLAIN[0] < exponent < PLAIN[1]:
-        texts = [tr_number(f"{round(each, -last) + 0.0:.{max(0, -last)}f}") for each in numbers]
+        texts = [spelt(f"{round(each, -last) + 0.0:.{max(0, -last)}f}") for each in numbers]
     else:
         texts = [f"${rounded(each, 10.0**last)}$" if math.isfinite(each) else "" for each in numbers]
     return [text if math.isfinite(each) else "–" for text, each in zip(texts, numbers, strict=True)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -26,6 +26,7 @@ from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place
 from tmmcalc.report.telling import lines, named, pictured, tabulated
 
+SAME = 1e-4  # of the inertia: trials nearer than this are one
 DIVISOR = "(delta_0*omega_m**2)"
 
 
@@ -98,6 +99,20 @@ def _excess(told: Told) -> Iterator[Block]:
             "kinetic energy at the mean angular velocity, $T_v = J_v*omega_m**2/2$."
         )
     )
+    extreme = told.worked["excess_work_by_cycle"]
+    values = {
+        "high": numeral(extreme.work_max),
+        "at_high": numeral(math.degrees(extreme.at_max)),
+        "low": numeral(extreme.work_min),
+        "at_low": numeral(math.degrees(extreme.at_min)),
+    }
+    yield Paragraph(
+        tr(
+            "Over the cycle the excess work is largest, $A = {high}$ J, at $phi = {at_high}$°, and least, "
+            "$A = {low}$ J, at $phi = {at_low}$°.",
+            **values,
+        )
+    )
     caption = tr("Excess work and kinetic energy of the links")
     yield tabulated(caption, columns, reduction.labels, head=tr("Position"), key="flywheel_work")
 
@@ -150,8 +165,11 @@ def _curve(told: Told, order: Order) -> Iterator[Block]:
 def _lexicon(told: Told, found: Worked, index: str) -> Lexicon:
     """The numbers of a method, its own ones with an upper index."""
     mark = f"^{{({index})}}" if index else ""
-    work, links = tr("excess work where the tangent touches"), tr("reduced moment of inertia of the links there")
-    cut = tr("what a tangent cuts off on the axis of energies")
+    work, links, cut, needed = ("",) * 4  # told once
+    if not index:
+        work, links = tr("excess work where the tangent touches"), tr("reduced moment of inertia of the links there")
+        cut = tr("what the tangent cuts off on the axis of energies")
+        needed = tr("constant moment of inertia that is needed, reduced to the input link")
     return named(
         {
             "delta_0": Given(told.result.delta, "", tr("allowed coefficient of speed fluctuation")),
@@ -162,7 +180,7 @@ def _lexicon(told: Told, found: Worked, index: str) -> Lexicon:
             f"J_2{mark}": Given(found.links_min, "kg*m^2", links),
             f"G{mark}": Given(found.intercept_max, "J", cut),
             f"H{mark}": Given(found.intercept_min, "J", cut),
-            f"J_F{mark}": Given(found.inertia, "kg*m^2", tr("constant moment of inertia, reduced to the input link")),
+            f"J_F{mark}": Given(found.inertia, "kg*m^2", needed),
         }
     )
 
@@ -268,7 +286,7 @@ def _inertia(told: Told, order: Order) -> Iterator[Block]:
     lexicon = {
         **inertias(result.at_hand, order),
         "J_0": Given(result.without, "kg*m^2", tr("constant moment of inertia at hand without a flywheel")),
-        "J_F": Given(needed, "kg*m^2", tr("constant moment of inertia that is needed")),
+        "J_F": Given(needed, "kg*m^2", tr("constant moment of inertia that is needed, reduced to the input link")),
         "J_M": Given(result.addition, "kg*m^2", tr("moment of inertia of the flywheel, reduced to the input link")),
     }
     place = [Place("", named(lexicon))]
@@ -301,7 +319,8 @@ def _under_motor(result: Flywheel) -> Iterator[Block]:
             "$delta_0$; table {tab:flywheel_trials} has the motions that were computed."
         )
     )
-    yield _trials(required.trials, tr("Trials of the constant moment of inertia"), "flywheel_trials")
+    kept = [trial for k, trial in enumerate(required.trials) if k == 0 or _apart(trial, required.trials[k - 1])]
+    yield _trials(kept, tr("Trials of the constant moment of inertia"), "flywheel_trials")
     if len(result.history) < 2:
         return
     first, second = result.history[:2]
@@ -323,7 +342,12 @@ def _under_motor(result: Flywheel) -> Iterator[Block]:
     yield _trials(result.history, tr("Correction of the constant moment of inertia"), "flywheel_correction")
 
 
-def _trials(trials: tuple[Trial, ...], caption: str, key: str) -> Block:
+def _apart(trial: Trial, before: Trial) -> bool:
+    """Whether two trials differ as they are printed."""
+    return trial.inertia - before.inertia > SAME * trial.inertia
+
+
+def _trials(trials: Sequence[Trial], caption: str, key: str) -> Block:
     columns = {
         "$J$, kg*m^2": [trial.inertia for trial in trials],
         "$delta$": [math.nan if trial.delta is None else trial.delta for trial in trials],

@@ -24,6 +24,7 @@ from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragrap
 from tmmcalc.report.telling import lines, named, pictured, tabulated
 
 TURNS = 6  # of the iteration that are shown in the table of turns
+EVEN = 1e-9  # coefficient of speed fluctuation below which the speed is constant
 SOUND = 1.0  # B dphi/J up to which the recurrence does not swing
 
 
@@ -32,10 +33,13 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from of_motor(order, "motion")
     result: Motion = order.results["motion"]
     yield from _machine(result, order)
-    yield from _recurrence(result, order)
-    yield from _by_energy(result, order)
-    yield from _exact(result, order)
-    yield from _unevenness(result, order)
+    if result.regime.delta > EVEN:
+        yield from _recurrence(result, order)
+        yield from _by_energy(result, order)
+        yield from _exact(result, order)
+        yield from _unevenness(result, order)
+    else:
+        yield from _even(result, order)
     yield from _regulation(result, order)
 
 
@@ -68,6 +72,21 @@ def _machine(result: Motion, order: Order) -> Iterator[Block]:
         "J_c": Given(result.inertia.total, "kg*m^2", tr("constant moment of inertia of the machine")),
     }
     yield from lines(("J_c = J_R*u**2 + J_g + J_e + J_f",), [Place("", named(lexicon))])
+
+
+def _even(result: Motion, order: Order) -> Iterator[Block]:
+    """A machine whose moments and inertia are constant."""
+    speed = numeral(result.regime.mean)
+    yield Paragraph(
+        tr(
+            "The moments and the moment of inertia do not change over the cycle, nor does the angular velocity: "
+            "$omega_m = {speed}$ rad/s.",
+            speed=speed,
+        )
+    )
+    _, *motor = of_motion(order)
+    for piece in motor:
+        yield pictured(piece, key="motion_motor")
 
 
 def _shown(result: Motion, order: Order) -> list[int]:
@@ -120,7 +139,7 @@ def _step(run: Run, row: int) -> Lexicon:
     nodes, omega = run.nodes, run.regime.omega
     moment, inertia = tr("reduced moment of the loads"), tr("moment of inertia of the machine")
     speed = tr("angular velocity of the input link")
-    parabola = tr("coefficients of the parabola")
+    parabola = tr("coefficient of the parabola")
     return named(
         {
             "omega_i": Given(float(omega[row]), "rad/s", speed),
@@ -153,9 +172,8 @@ def _turns(result: Motion, run: Run, idle: Run | None) -> Iterator[Block]:
         columns[f"$omega^{{({k + 1})}}$, rad/s"] = run.turn(k)
     if idle is not None:
         columns["$omega_x$, rad/s"] = idle.regime.omega
+        yield Paragraph(tr("In the table $omega_x$ is the angular velocity without technological loads."))
     caption = tr("Angular velocity by the recurrence, turn by turn")
-    if idle is not None:
-        caption = tr("Angular velocity by the recurrence, turn by turn; $omega_x$ without technological loads")
     yield tabulated(caption, columns, result.labels, head=tr("Position"), key="motion_turns")
 
 
@@ -243,9 +261,8 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
     }
     if result.omega_idle is not None:
         columns["$omega_x$, rad/s"] = result.omega_idle
+        yield Paragraph(tr("In the table $omega_x$ is the angular velocity without technological loads."))
     caption = tr("Steady motion of the machine")
-    if result.omega_idle is not None:
-        caption = tr("Steady motion of the machine; $omega_x$ without technological loads")
     yield tabulated(caption, columns, result.labels, head=tr("Position"), key="motion_exact")
     speed, *motor = of_motion(order)
     yield pictured(speed, key="motion_speed")

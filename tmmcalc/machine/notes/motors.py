@@ -23,6 +23,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place
 from tmmcalc.report.telling import lines, named, tabulated
 
+NAMELESS = "motor"  # what a motor without a name is called
 FREQUENCY = 50.0  # of the mains, by which a lag follows from the critical slip [Hz]
 
 RATED = ("omega_N = pi*n_N/(30*u)", "M_N = P_N*eta_u/omega_N")
@@ -93,7 +94,7 @@ def of_form(kind: CharacteristicKind, motor: Motor, power: Power) -> Iterator[Bl
     """One form of the characteristic: what it is, its coefficients, its law."""
     assert power.duty is not None
     curve = driver_of(motor, kind, power.duty.ratio, power.line.efficiency).characteristic
-    yield Paragraph(_said(kind, motor.name))
+    yield Paragraph(_said(kind, motor))
     texts, laws = LAWS[_form(kind, motor)]
     lexicon = named({**_given(motor, power), **_coefficients(kind, motor, curve, power)})
     yield from lines(texts, [Place("", lexicon)])
@@ -120,36 +121,37 @@ def _form(kind: CharacteristicKind, motor: Motor) -> str:
     return "series by efficiency" if kind == "series" and motor.voltage is None and motor.resistance is None else kind
 
 
-def _said(kind: CharacteristicKind, name: str) -> str:
+def _said(kind: CharacteristicKind, motor: Motor) -> str:
     """What kind of a motor it is, and what is taken for its characteristic."""
+    name = "" if motor.name == NAMELESS else f" {motor.name}"
     return {
         "parabolic": tr(
-            "The machine is driven by the induction motor {motor}. The working part of its characteristic is replaced "
+            "The machine is driven by the induction motor{motor}. The working part of its characteristic is replaced "
             "by a parabola through the rated and the synchronous point.",
             motor=name,
         ),
         "linear": tr(
-            "The machine is driven by the motor {motor}. The working part of its characteristic is replaced by a "
+            "The machine is driven by the motor{motor}. The working part of its characteristic is replaced by a "
             "straight line through the rated point and the point without load.",
             motor=name,
         ),
         "kloss": tr(
-            "The machine is driven by the induction motor {motor}. Its whole characteristic is taken by the formula of "
+            "The machine is driven by the induction motor{motor}. Its whole characteristic is taken by the formula of "
             "Kloss.",
             motor=name,
         ),
         "shunt": tr(
-            "The machine is driven by the direct-current motor {motor} with shunt field, whose characteristic is a "
+            "The machine is driven by the direct-current motor{motor} with shunt field, whose characteristic is a "
             "straight line.",
             motor=name,
         ),
         "series": tr(
-            "The machine is driven by the direct-current motor {motor} with series field. Its characteristic follows "
+            "The machine is driven by the direct-current motor{motor} with series field. Its characteristic follows "
             "from the circuit of the armature.",
             motor=name,
         ),
-        "constant": tr("The machine is driven by the motor {motor} with a constant moment.", motor=name),
-        "table": tr("The machine is driven by the motor {motor}, whose characteristic is given by points.", motor=name),
+        "constant": tr("The machine is driven by the motor{motor} with a constant moment.", motor=name),
+        "table": tr("The machine is driven by the motor{motor}, whose characteristic is given by points.", motor=name),
     }[kind]
 
 
@@ -192,7 +194,7 @@ def _coefficients(kind: CharacteristicKind, motor: Motor, curve: Characteristic,
         said = tr("angular velocity without load, reduced to the input shaft")
         found["omega_c"] = Given(curve.synchronous, "rad/s", said)
     if kind == "parabolic":
-        said = tr("coefficients of the parabola")
+        said = tr("coefficient of the parabola")
         found["A_M"] = Given(curve.moment(0.0), "N*m", said)
         found["B_M"] = Given(-curve.slope(rated) / (2 * rated), "N*m*s^2/rad^2", said)
     if kind in ("linear", "shunt"):

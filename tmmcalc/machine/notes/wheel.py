@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
-
-import numpy as np
 
 from tmmcalc.machine.flywheel.placement import Wheel
 from tmmcalc.machine.flywheel.results import Flywheel
@@ -15,8 +14,8 @@ from tmmcalc.machine.tables.tasks.machine import to_flywheel
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place
-from tmmcalc.report.telling import lines, named, tabulated
+from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Table
+from tmmcalc.report.telling import column_of, headed, lines, named
 
 MEGA = 1e6
 
@@ -33,11 +32,10 @@ def of_wheel(order: Order) -> Iterator[Block]:
             yield from _rim(result, result.rim, task)
         if len(result.wheels) > 1:
             yield from _elsewhere(result)
-    if result.existing:
-        yield Paragraph(tr("The flywheel that is there is compared with the needed one, both reduced to the input link:"))
-        yield held(
-            "J_f >= J_M", (result.existing, result.addition), "kg*m^2", holds=bool(result.sufficient)
-        )
+        if result.existing:
+            yield Paragraph(tr("The flywheel that is there, $J_f$, against the needed one:"))
+            sides = (result.existing, result.addition)
+            yield held("J_f >= J_M", sides, "kg*m^2", holds=bool(result.sufficient))
 
 
 def _shaft(result: Flywheel) -> Iterator[Block]:
@@ -73,15 +71,15 @@ def _rim(result: Flywheel, rim: Rim, task: FlywheelTask) -> Iterator[Block]:
     yield from lines(("m_r = pi*rho*b*h*D", "m_M = m_r/c_m"), place)
     yield Paragraph(tr("A thin rim that carries the whole moment of inertia would have the mass"))
     yield from lines((f"m_t = 4*{own}/D**2",), place)
-    yield Paragraph(tr("Speed of the edge of the rim:"))
+    yield Paragraph(tr("Speed of the edge of the rim, against the permissible speed $v_a$ of the material:"))
     yield from lines(("v_o = omega_M*D_o/2",), place)
     yield held("v_o <= v_a", (rim.speed, material.rim_speed), "m/s", holds=rim.allowed)
     yield Paragraph(
         tr("Stress in the rim as in a thin ring, the largest one in it as in a full ring, and the safety factor:")
     )
     texts = (
-        "sigma_t = rho*(omega_M*D/2)**2/1000000",
-        "sigma_r = rho*omega_M**2*((3 + nu)*D_o**2 + (1 - nu)*D_i**2)/16000000",
+        "sigma_t = rho*(omega_M*D/2)**2/10**6",
+        "sigma_r = rho*omega_M**2*((3 + nu)*D_o**2 + (1 - nu)*D_i**2)/(16*10**6)",
         "n_s = sigma_B/sigma_r",
     )
     yield from lines(texts, place)
@@ -137,16 +135,17 @@ def _elsewhere(result: Flywheel) -> Iterator[Block]:
         )
     )
     names = {"input": tr("input"), "motor": tr("motor"), "other": tr("its own")}
-    labels = [names[wheel.shaft] for wheel in result.wheels]
 
     def of_rims(what: str) -> list[float]:
-        return [np.nan if wheel.rim is None else getattr(wheel.rim, what) for wheel in result.wheels]
+        return [math.nan if wheel.rim is None else getattr(wheel.rim, what) for wheel in result.wheels]
 
-    columns = {
+    rows = {
         "$u_M$": [wheel.ratio for wheel in result.wheels],
         "$J_M1$, kg*m^2": [wheel.inertia for wheel in result.wheels],
         "$D$, m": of_rims("diameter"),
         "$m_r$, kg": of_rims("mass"),
         "$v_o$, m/s": of_rims("speed"),
     }
-    yield tabulated(tr("The flywheel on different shafts"), columns, labels, head=tr("Shaft"), key="flywheel_shafts")
+    head = (tr("Shaft"), *(names[wheel.shaft] for wheel in result.wheels))
+    cells = tuple((headed(name), *(column_of([value])[0] for value in values)) for name, values in rows.items())
+    yield Table(tr("The flywheel on different shafts"), head, cells, "flywheel_shafts")
