@@ -90,12 +90,20 @@ def _texts(law: TimeLaw, task: UnsteadyTask) -> tuple[str, ...]:
     way = "S_m = x_e - x_0" if law.sense > 0 else "S_m = x_0 - x_e"
     settled = ("t_1 = v_p/a_m", "S_1 = a_m*t_1**2/2")
     if not travelled:
-        speed = ("v_p = v_m", *settled, "t_2 = T - 2*t_1") if law.uniform else ("t_1 = T/2", "v_p = a_m*t_1", settled[1])
+        speed = (
+            ("v_p = v_m", *settled, "t_2 = T - 2*t_1") if law.uniform else ("t_1 = T/2", "v_p = a_m*t_1", settled[1])
+        )
         return (*speed, "S_2 = v_p*t_2", "S_m = 2*S_1 + S_2", end)
     if task.duration is not None:
         return (way, "v_p = a_m*(T - sqrt(T**2 - 4*S_m/a_m))/2", *settled, "t_2 = T - 2*t_1", "S_2 = v_p*t_2")
     speed = ("v_p = v_m",) if law.uniform else ("v_p = sqrt(S_m*a_m)",)
-    return (way, *speed, *settled, *(("t_2 = (S_m - 2*S_1)/v_p", "S_2 = v_p*t_2") if law.uniform else ()), "T = 2*t_1 + t_2")
+    return (
+        way,
+        *speed,
+        *settled,
+        *(("t_2 = (S_m - 2*S_1)/v_p", "S_2 = v_p*t_2") if law.uniform else ()),
+        "T = 2*t_1 + t_2",
+    )
 
 
 def _phases(result: Unsteady, order: Order) -> Iterator[Block]:
@@ -163,7 +171,9 @@ def _triple(x: str, v: str, a: str, angular: bool, rows: Real) -> dict[str, Real
 
 def _extremes(result: Unsteady) -> Iterator[Block]:
     """Extreme angular velocities and accelerations of the links."""
-    links = [each for each in result.extremes if each.name.startswith(("omega_", "eps_")) and each.least != each.largest]
+    links = [
+        each for each in result.extremes if each.name.startswith(("omega_", "eps_")) and each.least != each.largest
+    ]
     if not links:
         return
     yield Paragraph(tr("Table {tab:unsteady_extremes} has the extremes of the links, between the rows too."))

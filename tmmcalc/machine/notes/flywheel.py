@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -12,9 +13,10 @@ from tmmcalc.machine.flywheel.materials import RECOMMENDED
 from tmmcalc.machine.flywheel.results import Flywheel, Trial
 from tmmcalc.machine.flywheel.worked import Paper, Worked, curve_columns, paper, round_scales
 from tmmcalc.machine.notes.motors import of_motor
-from tmmcalc.machine.notes.told import held, inertias, numeral
+from tmmcalc.machine.notes.told import drawn, held, inertias, numeral
 from tmmcalc.machine.notes.wheel import of_wheel
-from tmmcalc.machine.pictures.pieces import of_flywheel
+from tmmcalc.machine.pictures.constructions import draw_ordinates, machine_of
+from tmmcalc.machine.pictures.energymass import draw_energy_mass
 from tmmcalc.machine.pictures.words import method_name
 from tmmcalc.machine.power import moment_at
 from tmmcalc.machine.reduction.results import Reduction
@@ -23,10 +25,12 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place
-from tmmcalc.report.telling import lines, named, pictured, tabulated
+from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
+from tmmcalc.report.telling import DIGITS, column_of, headed, lines, named, tabulated
 
 SAME = 1e-4  # of the inertia: trials nearer than this are one
+CURVE, ORDINATES = 150.0, 130.0  # heights of pictures [mm]
+PERCENT = 3  # digits of a difference
 DIVISOR = "(delta_0*omega_m**2)"
 
 
@@ -44,7 +48,7 @@ class Told(NamedTuple):
     reduction: Reduction
     worked: Mapping[str, Worked]  # by their keys
     speed: float  # mean [rad/s]
-    drawn: Paper
+    on_paper: Paper
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -53,11 +57,11 @@ def blocks(order: Order) -> Iterator[Block]:
     result: Flywheel = order.results["flywheel"]
     speed, picture = mean(order.spec, order.results), result.picture
     every = {each.key: each for each in methods_of(order.spec, order.results)}
-    drawn = paper(picture, round_scales(picture), result.sense)
-    told = Told(result, order.results["reduction"], every, speed, drawn)
+    on_paper = paper(picture, round_scales(picture), result.sense)
+    told = Told(result, order.results["reduction"], every, speed, on_paper)
     yield from _excess(told)
-    yield from _curve(told, order)
-    yield from _methods(told, order)
+    yield from _curve(told)
+    yield from _methods(told)
     yield from _inertia(told, order)
     yield from of_wheel(order)
 
@@ -90,13 +94,13 @@ def _excess(told: Told) -> Iterator[Block]:
         "$phi$, deg": np.degrees(reduction.phi),
         "$A$, J": found["A"],
         "$J_v$, kg*m^2": found["J_red"],
-        "$T_v$, J": found["T_links"],
-        "$A - T_v$, J": found["T_rest"],
+        "$T_II$, J": found["T_links"],
+        "$A - T_II$, J": found["T_rest"],
     }
     yield Paragraph(
         tr(
             "Table {tab:flywheel_work} has the excess work, the reduced moment of inertia $J_v$ of the links and their "
-            "kinetic energy at the mean angular velocity, $T_v = J_v*omega_m**2/2$."
+            "kinetic energy at the mean angular velocity, $T_II = J_v*omega_m**2/2$."
         )
     )
     extreme = told.worked["excess_work_by_cycle"]
@@ -117,9 +121,9 @@ def _excess(told: Told) -> Iterator[Block]:
     yield tabulated(caption, columns, reduction.labels, head=tr("Position"), key="flywheel_work")
 
 
-def _curve(told: Told, order: Order) -> Iterator[Block]:
+def _curve(told: Told) -> Iterator[Block]:
     """Wittenbauer's construction: angles of the tangents, the segment, the inertia; then the picture."""
-    exact, drawn = told.worked["exact_by_cycle"], told.drawn
+    exact, on_paper = told.worked["exact_by_cycle"], told.on_paper
     yield Heading(tr("Energy-mass curve"), 2)
     yield Paragraph(
         tr(
@@ -131,35 +135,40 @@ def _curve(told: Told, order: Order) -> Iterator[Block]:
         )
     )
     scales = {
-        "mu_T": Given(drawn.energy_scale, "J/mm", tr("scale factor of the energies")),
-        "mu_J": Given(drawn.inertia_scale, "kg*m^2/mm", tr("scale factor of the moments of inertia")),
+        "mu_A": Given(on_paper.energy_scale, "J/mm", tr("scale factor of the energies")),
+        "mu_J": Given(on_paper.inertia_scale, "kg*m^2/mm", tr("scale factor of the moments of inertia")),
     }
     angle = tr("angle of the tangent")
     lexicon = _lexicon(told, exact, "") | named(
         {
             **scales,
-            "psi_1": Given(math.degrees(drawn.angle_max), "deg", angle),
-            "psi_2": Given(math.degrees(drawn.angle_min), "deg", angle),
-            "l_GH": Given(drawn.segment, "mm", tr("segment between the tangents on the axis of energies")),
+            "psi_1": Given(math.degrees(on_paper.angle_max), "deg", angle),
+            "psi_2": Given(math.degrees(on_paper.angle_min), "deg", angle),
+            "l_GH": Given(on_paper.segment, "mm", tr("segment between the tangents on the axis of energies")),
         }
     )
     place = [Place("", lexicon)]
     texts = (
-        "psi_1 = atan(mu_J*omega_m**2*(1 + delta_0/2)**2/(2*mu_T))",
-        "psi_2 = atan(mu_J*omega_m**2*(1 - delta_0/2)**2/(2*mu_T))",
+        "psi_1 = atan(mu_J*omega_m**2*(1 + delta_0/2)**2/(2*mu_A))",
+        "psi_2 = atan(mu_J*omega_m**2*(1 - delta_0/2)**2/(2*mu_A))",
     )
     yield from lines(texts, place)
     yield Paragraph(tr("On the axis of energies the tangents cut off"))
     texts = (
         "G = A_1 - J_1*omega_m**2*(1 + delta_0/2)**2/2",
         "H = A_2 - J_2*omega_m**2*(1 - delta_0/2)**2/2",
-        "l_GH = (G - H)/mu_T",
+        "l_GH = (G - H)/mu_A",
     )
     yield from lines(texts, place)
     yield Paragraph(tr("The constant moment of inertia that the machine must have"))
-    yield from lines((f"J_F = mu_T*l_GH/{DIVISOR}",), place)
-    curve, *_ = of_flywheel(order)
-    yield pictured(curve, key="flywheel_curve")
+    yield from lines((f"J_F = mu_A*l_GH/{DIVISOR}",), place)
+    draw = partial(
+        draw_energy_mass,
+        picture=told.result.picture,
+        sense=told.result.sense,
+        scales=(on_paper.energy_scale, on_paper.inertia_scale),
+    )
+    yield drawn(tr("Energy-mass curve"), draw, CURVE, "flywheel_curve")
 
 
 def _lexicon(told: Told, found: Worked, index: str) -> Lexicon:
@@ -185,7 +194,7 @@ def _lexicon(told: Told, found: Worked, index: str) -> Lexicon:
     )
 
 
-def _methods(told: Told, order: Order) -> Iterator[Block]:
+def _methods(told: Told) -> Iterator[Block]:
     """The approximate methods, each by its formulas, and all of them in a table."""
     yield Heading(tr("Approximate methods"), 2)
     names = ("book", "mertsalov", "artobolevsky", "excess work")
@@ -201,8 +210,10 @@ def _methods(told: Told, order: Order) -> Iterator[Block]:
         yield Paragraph(f"{method.said} {where}")
         place = [Place("", _lexicon(told, found, str(k)))]
         yield from lines([text.replace("<i>", i) for text in method.lines], place)
-    *_, ordinates = of_flywheel(order)
-    yield pictured(ordinates, key="flywheel_ordinates")
+    picture, reduction = told.result.picture, told.reduction
+    machine = machine_of(picture, reduction.cycle, reduction.phi, told.result.delta)
+    draw = partial(draw_ordinates, machine=machine)
+    yield drawn(tr("Excess work by Mertsalov and Artobolevsky"), draw, ORDINATES, "flywheel_ordinates")
     yield from _compared(told)
 
 
@@ -227,7 +238,7 @@ def _method(name: str) -> Method:
         "mertsalov": Method(
             tr(
                 "The kinetic energy of the links is taken at the mean angular velocity; what is left of the excess "
-                "work, $A - T_v$, falls to the flywheel, figure {fig:flywheel_ordinates}."
+                "work, $A - T_II$, falls to the flywheel, figure {fig:flywheel_ordinates}."
             ),
             (extremes[0].format(more=""), extremes[1].format(less=""), segment),
         ),
@@ -236,9 +247,7 @@ def _method(name: str) -> Method:
                 "The angular velocity is taken as extreme where the excess work is; the energy of the links counts "
                 "there with the extreme angular velocities."
             ),
-            (
-                "J_F<i> = (A_1<i> - A_2<i> - (J_1<i>*(1 + delta_0) - J_2<i>*(1 - delta_0))*omega_m**2/2)/" + DIVISOR,
-            ),
+            (extremes[0].format(more="*(1 + delta_0)"), extremes[1].format(less="*(1 - delta_0)"), segment),
         ),
         "excess work": Method(
             tr("The kinetic energy of the links is neglected."), (f"J_F<i> = (A_1<i> - A_2<i>)/{DIVISOR}",)
@@ -266,9 +275,10 @@ def _compared(told: Told) -> Iterator[Block]:
         said += " " + tr("The same by the positions alone misses the extremes between them.")
     yield Paragraph(said)
     shown = {head: [math.nan if each is None else each for each in cells] for head, cells in columns.items()}
-    labels = [_named(name) for name in names]
-    caption = tr("Constant moment of inertia by all methods")
-    yield tabulated(caption, shown, labels, head=tr("Method"), key="flywheel_methods")
+    cells = [column_of(values, PERCENT if "%" in head else DIGITS) for head, values in shown.items()]
+    head = (tr("Method"), *map(headed, shown))
+    rows = tuple(zip(map(_named, names), *cells, strict=True))
+    yield Table(tr("Constant moment of inertia by all methods"), head, rows, "flywheel_methods")
 
 
 def _named(name: str) -> str:

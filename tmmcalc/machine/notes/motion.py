@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 
@@ -11,8 +12,8 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.nodes import nodal_tables, nodal_work
 from tmmcalc.machine.notes.motors import driven, of_motor
-from tmmcalc.machine.notes.told import held, inertias, numeral
-from tmmcalc.machine.pictures.pieces import of_motion
+from tmmcalc.machine.notes.told import drawn, held, inertias, numeral
+from tmmcalc.machine.pictures.motion import draw_speed
 from tmmcalc.machine.reduction.results import Reduction
 from tmmcalc.machine.regime import LOST, Regime
 from tmmcalc.machine.stepwise import Run, idle_run_of, run_of
@@ -21,8 +22,9 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place
-from tmmcalc.report.telling import lines, named, pictured, tabulated
+from tmmcalc.report.telling import lines, named, tabulated
 
+SPEED = 95.0  # height of the picture [mm]
 TURNS = 6  # of the iteration that are shown in the table of turns
 EVEN = 1e-9  # coefficient of speed fluctuation below which the speed is constant
 SOUND = 1.0  # B dphi/J up to which the recurrence does not swing
@@ -39,7 +41,7 @@ def blocks(order: Order) -> Iterator[Block]:
         yield from _exact(result, order)
         yield from _unevenness(result, order)
     else:
-        yield from _even(result, order)
+        yield from _even(result)
     yield from _regulation(result, order)
 
 
@@ -54,7 +56,9 @@ def _machine(result: Motion, order: Order) -> Iterator[Block]:
             )
         )
     elif result.kind == "none":
-        yield Paragraph(tr("Nothing drives but the loads, which set the speed. With the kinetic energy $T$ of the machine"))
+        yield Paragraph(
+            tr("Nothing drives but the loads, which set the speed. With the kinetic energy $T$ of the machine")
+        )
     else:
         yield Paragraph(
             tr("The steady motion repeats itself from cycle to cycle. With the kinetic energy $T$ of the machine")
@@ -74,7 +78,7 @@ def _machine(result: Motion, order: Order) -> Iterator[Block]:
     yield from lines(("J_c = J_R*u**2 + J_g + J_e + J_f",), [Place("", named(lexicon))])
 
 
-def _even(result: Motion, order: Order) -> Iterator[Block]:
+def _even(result: Motion) -> Iterator[Block]:
     """A machine whose moments and inertia are constant."""
     speed = numeral(result.regime.mean)
     yield Paragraph(
@@ -84,9 +88,6 @@ def _even(result: Motion, order: Order) -> Iterator[Block]:
             speed=speed,
         )
     )
-    _, *motor = of_motion(order)
-    for piece in motor:
-        yield pictured(piece, key="motion_motor")
 
 
 def _shown(result: Motion, order: Order) -> list[int]:
@@ -112,9 +113,10 @@ def _recurrence(result: Motion, order: Order) -> Iterator[Block]:
     )
     rows = _shown(result, order)
     places = [Place(tr("in position {label}", label=result.labels[row]), _step(run, row)) for row in rows]
-    before = "(J_{i−1} - B_M*Deltaphi)*omega_{i−1}**2"
-    gained = "(M_{c,i−1} + M_{c,i} + 2*A_M)*Deltaphi"
-    yield from lines((f"omega_i = sqrt(({before} + {gained})/(J_i + B_M*Deltaphi))",), places)
+    before, gained = "(J_{i−1} - B_M*Deltaphi)*omega_{i−1}**2", "(M_{c,i−1} + M_{c,i} + 2*A_M)*Deltaphi"
+    yield Display(read(f"omega_i**2 = ({before} + {gained})/(J_i + B_M*Deltaphi)"), key="motion_recurrence")
+    yield Paragraph(tr("Part by part:"))
+    yield from lines((f"E_i = {before}", f"W_i = {gained}", "omega_i = sqrt((E_i + W_i)/(J_i + B_M*Deltaphi))"), places)
     yield from _turns(result, run, idle_run_of(result, reduction))
     lexicon = {
         "omega_max^r": Given(float(np.max(run.regime.omega)), "rad/s", tr("largest angular velocity")),
@@ -150,6 +152,8 @@ def _step(run: Run, row: int) -> Lexicon:
             "M_{c,i−1}": Given(float(nodes.moment[row - 1]), "N*m", moment),
             "A_M": Given(nodes.a, "N*m", parabola),
             "B_M": Given(nodes.b, "N*m*s^2/rad^2", parabola),
+            "E_i": Given(float(run.kept[row]), "J", tr("what is kept of the position before, doubled")),
+            "W_i": Given(float(run.gained[row]), "J", tr("what the moments add on the step, doubled")),
             "Deltaphi": Given(nodes.step, "rad", tr("step of the positions")),
         }
     )
@@ -237,7 +241,9 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
             "the whole cycle at once; with its solution, table {tab:motion_exact} and figure {fig:motion_speed},"
         )
     )
-    slopes = reduction.cycle.panels.at(np.stack((reduction.cycle.inertia, reduction.cycle.slope)), _theta(result, reduction))
+    slopes = reduction.cycle.panels.at(
+        np.stack((reduction.cycle.inertia, reduction.cycle.slope)), _theta(result, reduction)
+    )
     places = []
     for row in _shown(result, order):
         lexicon = {
@@ -250,7 +256,7 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
             "J'_v": Given(float(slopes[1, row]), "kg*m^2/rad", tr("its derivative by the angle of the input link")),
         }
         places.append(Place(tr("in position {label}", label=result.labels[row]), named(lexicon)))
-    yield from lines(("eps = (M_d + M_c - omega**2*J'_v/2)/(J_c + J_v)",), places)
+    yield from lines(("eps = (M_d + M_c - 0.5*J'_v*omega**2)/(J_c + J_v)",), places)
     columns: dict[str, Values] = {
         "$phi$, deg": np.degrees(result.phi),
         "$omega$, rad/s": result.omega,
@@ -264,10 +270,8 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
         yield Paragraph(tr("In the table $omega_x$ is the angular velocity without technological loads."))
     caption = tr("Steady motion of the machine")
     yield tabulated(caption, columns, result.labels, head=tr("Position"), key="motion_exact")
-    speed, *motor = of_motion(order)
-    yield pictured(speed, key="motion_speed")
-    for piece in motor:
-        yield pictured(piece, key="motion_motor")
+    draw = partial(draw_speed, result=result, cycle=reduction.cycle)
+    yield drawn(tr("Angular speed of the input link"), draw, SPEED, "motion_speed")
 
 
 def _theta(result: Motion, reduction: Reduction) -> Values:
@@ -313,7 +317,11 @@ def _against(result: Motion, order: Order) -> Iterator[Block]:
         nodal = result.by_energy.delta
     if nodal is not None and result.regime.delta:
         off = 100 * (nodal / result.regime.delta - 1)
-        said = tr("By the positions alone it is {nodal}, the difference amounts to {off} %.", nodal=_told(nodal), off=_told(off, 3))
+        said = tr(
+            "By the positions alone it is {nodal}, the difference amounts to {off} %.",
+            nodal=_told(nodal),
+            off=_told(off, 3),
+        )
         yield Paragraph(said)
     table = order.spec.flywheel
     if table is not None and table.delta is not None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 
@@ -14,6 +15,8 @@ from tmmcalc.machine.motors.characteristics import Characteristic, Straight
 from tmmcalc.machine.motors.direct_current import Series
 from tmmcalc.machine.motors.gearing import Reduced
 from tmmcalc.machine.motors.model import CharacteristicKind, Motor, characteristic
+from tmmcalc.machine.notes.told import drawn
+from tmmcalc.machine.pictures.characteristic import draw_motor, motor_curves
 from tmmcalc.machine.power import Power
 from tmmcalc.machine.tables.tasks.machine import to_motion, to_motor
 from tmmcalc.report.drawing.order import Order
@@ -23,6 +26,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place
 from tmmcalc.report.telling import lines, named, tabulated
 
+NEAR, WHOLE = 80.0, 75.0  # heights of the diagrams of the working part and of the whole characteristic [mm]
 NAMELESS = "motor"  # what a motor without a name is called
 FREQUENCY = 50.0  # of the mains, by which a lag follows from the critical slip [Hz]
 
@@ -84,10 +88,15 @@ def of_motor(order: Order, stage: str) -> Iterator[Block]:
         return
     wish, motor = found
     power: Power = order.results["power"]
+    assert power.duty is not None
     yield Heading(tr("Characteristic of the motor"), 2)
     yield from of_form(wish.characteristic, motor, power)
     if "motion" in order.results:
+        curves = motor_curves(order.results["motion"], power.duty, power.transmission)
         yield Paragraph(tr("The characteristic and its working part are shown in figure {fig:motion_motor}."))
+        draw = partial(draw_motor, motor=curves, scaled=True)
+        high = NEAR if curves.kloss is None else NEAR + WHOLE
+        yield drawn(tr("Characteristic of the motor and its working part"), draw, high, "motion_motor")
 
 
 def of_form(kind: CharacteristicKind, motor: Motor, power: Power) -> Iterator[Block]:
@@ -158,10 +167,11 @@ def _said(kind: CharacteristicKind, motor: Motor) -> str:
 def _given(motor: Motor, power: Power) -> Lexicon:
     """What is known of the motor and of the gears."""
     assert power.duty is not None
+    no_load = _no_load(motor, tr("synchronous speed of the motor"), tr("speed of the motor without load"))
     known: dict[str, tuple[float | None, str, str]] = {
         "P_N": (motor.power, "W", tr("rated power of the motor")),
         "n_N": (motor.rated_rpm, "rpm", tr("rated speed of the motor")),
-        "n_c": (motor.synchronous_rpm, "rpm", _no_load(motor, tr("synchronous speed of the motor"))),
+        "n_c": (motor.synchronous_rpm, "rpm", no_load),
         "u": (power.duty.ratio, "", tr("speed ratio of the motor and the input shaft")),
         "K": (motor.overload, "", tr("overload factor of the motor")),
         "U": (motor.voltage, "V", tr("voltage of the motor")),
@@ -178,8 +188,8 @@ def _losses(power: Power) -> Given:
     return Given(power.line.efficiency, "", tr("efficiency of the gears between the motor and the input shaft"))
 
 
-def _no_load(motor: Motor, synchronous: str) -> str:
-    return synchronous if motor.kind == "induction" else tr("speed of the motor without load")
+def _no_load(motor: Motor, synchronous: str, without_load: str) -> str:
+    return synchronous if motor.kind == "induction" else without_load
 
 
 def _coefficients(kind: CharacteristicKind, motor: Motor, curve: Characteristic, power: Power) -> Lexicon:
@@ -191,7 +201,11 @@ def _coefficients(kind: CharacteristicKind, motor: Motor, curve: Characteristic,
         "M_N": Given(power.rated_moment, "N*m", tr("rated moment, reduced to the input shaft")),
     }
     if curve.synchronous is not None:
-        said = tr("angular velocity without load, reduced to the input shaft")
+        said = _no_load(
+            motor,
+            tr("synchronous angular velocity, reduced to the input shaft"),
+            tr("angular velocity without load, reduced to the input shaft"),
+        )
         found["omega_c"] = Given(curve.synchronous, "rad/s", said)
     if kind == "parabolic":
         said = tr("coefficient of the parabola")

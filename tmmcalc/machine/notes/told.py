@@ -1,15 +1,21 @@
-"""What several parts of the chapter on motion say alike: conditions, numbers within sentences, constant inertias."""
+"""What several parts of the chapter on motion say alike: conditions, numbers, constant inertias, pictures."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from tmmcalc.machine.driver import ConstantInertia
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Lexicon, Paragraph
+from tmmcalc.report.manuscript import Figure, Lexicon, Paragraph
+from tmmcalc.report.telling import WIDE
 
 DIGITS = 5  # of a number within a sentence
+LETTERED = 1.15  # words of a picture against those of a drawing on screen
 SIGNS = {"<=": "≤", ">=": "≥", "<": "<", ">": ">"}
 
 
@@ -41,3 +47,13 @@ def inertias(parts: ConstantInertia, order: Order) -> Lexicon:
         "J_g": Given(parts.gears, "kg*m^2", tr("moment of inertia of the gears, reduced to the input link")),
         "J_e": Given(parts.further, "kg*m^2", tr("further constant moment of inertia of the input link")),
     }
+
+
+def drawn(caption: str, draw: Callable[[Drawing, Box], object], high: float, key: str) -> Figure:
+    """A picture at the width of the note, ``high`` mm high, with words about as large as those of the text."""
+
+    def lettered(drawing: Drawing, box: Box) -> object:
+        with drawing.lettered(LETTERED):
+            return draw(drawing, box)
+
+    return Figure(caption, lettered, (WIDE, high), key)

@@ -12,7 +12,7 @@ from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.facts.timed import equal_times, within
 from tmmcalc.machine.model import TransientTask
 from tmmcalc.machine.notes.motors import driven, of_braking, of_form, of_motor
-from tmmcalc.machine.notes.told import numeral
+from tmmcalc.machine.notes.told import drawn, numeral
 from tmmcalc.machine.pictures.transient import draw_course
 from tmmcalc.machine.pictures.words import end_text, event_text, mass_name
 from tmmcalc.machine.stages.transient import inputs, machine_of
@@ -23,11 +23,11 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Lexicon, Line, Paragraph, Place, Table
-from tmmcalc.report.telling import WIDE, column_of, lines, named, tabulated
+from tmmcalc.report.manuscript import Block, Display, Heading, Paragraph, Place, Table
+from tmmcalc.report.telling import column_of, headed, lines, named, tabulated
 
 PANEL = 60.0  # height of a diagram [mm]
-CLOSED = 1e-10  # of the balance of energy: what a line of it may leave open
+CLOSED = 5e-10  # of the balance of energy: what a line of it may leave open
 APART = 0.02  # of the time: how far from all events the worked row stands
 
 
@@ -66,7 +66,7 @@ def _equations(motion: TimedMotion, machine: Machine) -> Iterator[Block]:
                 "integrated in time by steps:"
             )
         )
-        yield Display(read("eps = (M_d + M_c - M_b - omega**2*J'_v/2)/(J_c + J_v)"), key="transient_equation")
+        yield Display(read("eps = (M_d + M_c - M_b - 0.5*J'_v*omega**2)/(J_c + J_v)"), key="transient_equation")
         return
     yield Paragraph(
         tr(
@@ -76,7 +76,7 @@ def _equations(motion: TimedMotion, machine: Machine) -> Iterator[Block]:
     )
     yield Display(read("J_i*eps_i = M_{i−1} - M_i"))
     yield Display(read("M_i = c_i*(phi_i - phi_{i+1}) + d_i*(omega_i - omega_{i+1})"))
-    yield Display(read("(J_n + J_v)*eps_n = M_{n−1} + M_c - M_b - omega_n**2*J'_v/2"))
+    yield Display(read("(J_n + J_v)*eps_n = M_{n−1} + M_c - M_b - 0.5*J'_v*omega_n**2"))
     yield Paragraph(
         tr("where $M_i$ is the moment of the shaft behind mass $i$, in place of $M_0$ stands the moment of the motor.")
     )
@@ -139,9 +139,13 @@ def _row(motion: TimedMotion, task: TransientTask, cycle: Cycle, constant: float
         "J_v": Given(links, "kg*m^2", tr("reduced moment of inertia of the links")),
         "J'_v": Given(slope, "kg*m^2/rad", tr("its derivative by the angle of the input link")),
     }
-    said = tr("At $t = {time}$ s, at the angle $phi = {angle}$° of the turn,", time=numeral(time), angle=numeral(within(theta)))
+    said = tr(
+        "At $t = {time}$ s, at the angle $phi = {angle}$° of the turn,",
+        time=numeral(time),
+        angle=numeral(within(theta)),
+    )
     yield Paragraph(said)
-    yield from lines(("eps = (M_d + M_c - M_b - omega**2*J'_v/2)/(J_c + J_v)",), [Place("", named(lexicon))])
+    yield from lines(("eps = (M_d + M_c - M_b - 0.5*J'_v*omega**2)/(J_c + J_v)",), [Place("", named(lexicon))])
 
 
 def _worked_row(motion: TimedMotion) -> int | None:
@@ -166,12 +170,18 @@ def _course(motion: TimedMotion, key: str) -> Iterator[Block]:
     }
     for k in range(len(motion.masses) - 1):
         columns[f"$M_{k + 1}$, N*m"] = motion.shaft_moment[k, rows]
-    yield Paragraph(tr("The course of the motion is in table {place} and in figure {figure}.", place=f"{{tab:{key}}}", figure=f"{{fig:{key}}}"))
+    yield Paragraph(
+        tr(
+            "The course of the motion is in table {place} and in figure {figure}.",
+            place=f"{{tab:{key}}}",
+            figure=f"{{fig:{key}}}",
+        )
+    )
     caption = tr("Course of the motion: {name}", name=motion.name)
     yield tabulated(caption, columns, [str(k) for k in range(len(rows))], head=tr("Row"), key=key)
     high = PANEL * (2 + (len(motion.masses) > 1))
     draw = partial(draw_course, motion=motion)
-    yield Figure(tr("Angular velocity and moments over the time: {name}", name=motion.name), draw, (WIDE, high), key)
+    yield drawn(tr("Angular velocity and moments over the time: {name}", name=motion.name), draw, high, key)
 
 
 def _events(motion: TimedMotion, key: str) -> Block:
@@ -185,7 +195,7 @@ def _events(motion: TimedMotion, key: str) -> Block:
         column_of([event.speed for event in events]),
         [event_text(event) for event in events],
     )
-    head = (tr("Event"), tr("$t$, s"), tr("Turns"), tr("$omega$, rad/s"), tr("What happens"))
+    head = (tr("Event"), headed("$t$, s"), tr("Turns"), headed("$omega$, rad/s"), tr("What happens"))
     return Table(tr("Events: {name}", name=motion.name), head, tuple(zip(*cells, strict=True)), f"{key}_events")
 
 
@@ -195,7 +205,10 @@ def _shafts(motion: TimedMotion, key: str) -> Block:
     columns = {"$M_max$, N*m": largest, "$t$, s": motion.largest_moment[1, :-1]}
     if motion.rigid_moment:
         rigid = np.array(motion.rigid_moment)
-        columns |= {tr("with rigid shafts, N*m"): rigid, tr("dynamic factor"): largest / np.where(rigid > 0, rigid, np.nan)}
+        columns |= {
+            tr("with rigid shafts, N*m"): rigid,
+            tr("dynamic factor"): largest / np.where(rigid > 0, rigid, np.nan),
+        }
     labels = [f"{mass_name(a)} – {mass_name(b)}" for a, b in zip(motion.masses[:-1], motion.masses[1:], strict=True)]
     caption = tr("Largest moments of the shafts: {name}", name=motion.name)
     return tabulated(caption, columns, labels, head=tr("Shaft"), key=f"{key}_shafts")
@@ -215,7 +228,6 @@ def _motor(motion: TimedMotion) -> Iterator[Block]:
 
 def _energy(motion: TimedMotion) -> Iterator[Block]:
     """The energy at both ends and the works between."""
-    yield Paragraph(tr("The works change the energy of the machine from $T_0$ to $T_e$:"))
     work = {
         "A_d": (motion.motor_work, tr("work of the drive")),
         "A_c": (motion.load_work, tr("work of the loads")),
@@ -230,4 +242,15 @@ def _energy(motion: TimedMotion) -> Iterator[Block]:
             **{key: Given(float(values[-1]), "J", said) for key, (values, said) in work.items()},
         }
     )
-    yield from lines(("T_e = T_0 + A_d + A_c + A_b + A_s",), [Place("", lexicon)])
+    if motion.imbalance <= CLOSED:
+        yield Paragraph(tr("The works change the energy of the machine from $T_0$ to $T_e$:"))
+        yield from lines(("T_e = T_0 + A_d + A_c + A_b + A_s",), [Place("", lexicon)])
+        return
+    open_part = tr(
+        "The works of the steps change the energy from $T_0$ to $T_e$; the balance is open by {part} % of the largest.",
+        part=f"${numeral(100 * motion.imbalance, 2)}$",
+    )
+    yield Paragraph(open_part)
+    values = {f"${key}$, J": given.value for key, given in lexicon.items() if given.value}
+    rows = tuple((headed(name), *column_of([value])) for name, value in values.items() if isinstance(value, float))
+    yield Table(tr("Energy and works: {name}", name=motion.name), (tr("Quantity"), tr("Value")), rows)

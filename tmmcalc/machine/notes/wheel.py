@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from tmmcalc.machine.flywheel.placement import Wheel
 from tmmcalc.machine.flywheel.results import Flywheel
 from tmmcalc.machine.flywheel.rim import DEFAULT, POISSON, Rim
 from tmmcalc.machine.model import FlywheelTask
@@ -62,7 +61,9 @@ def _rim(result: Flywheel, rim: Rim, task: FlywheelTask) -> Iterator[Block]:
     material, own = rim.material, "J_M" if result.ratio == 1 else "J_M1"
     lexicon = named(_of_rim(result, rim, own))
     place = [Place("", lexicon)]
-    yield Paragraph(tr("The rim is of {material}; it carries this part of the moment of inertia:", material=tr_name(material.name)))
+    yield Paragraph(
+        tr("The rim is of {material}; it carries this part of the moment of inertia:", material=tr_name(material.name))
+    )
     yield from lines((f"J_r = c_J*{own}",), place)
     yield Paragraph(_sizes_said(task))
     fixed = () if task.width is not None or task.thickness is not None else ("b = c_b*h",)
@@ -87,7 +88,9 @@ def _rim(result: Flywheel, rim: Rim, task: FlywheelTask) -> Iterator[Block]:
 
 def _sizes_said(task: FlywheelTask) -> str:
     """Which sizes are given, and which follows."""
-    given = [word for word, size in (("D", task.diameter), ("b", task.width), ("h", task.thickness)) if size is not None]
+    given = [
+        word for word, size in (("D", task.diameter), ("b", task.width), ("h", task.thickness)) if size is not None
+    ]
     return {
         "Db": tr("With the given mean diameter $D$ and width $b$ the thickness $h$ follows from the equation"),
         "Dh": tr("With the given mean diameter $D$ and thickness $h$ the width $b$ follows from the equation"),
