@@ -68,42 +68,32 @@ def _law(result: Unsteady, task: UnsteadyTask) -> Iterator[Block]:
     law = result.law
     yield Paragraph(
         tr(
-            "The input moves from rest to rest in the shortest time that the limits of its speed and acceleration allow: "
-            "with the largest acceleration, at constant speed, with the largest deceleration."
+            "The input moves from rest to rest in the shortest time that the limits of its speed and acceleration "
+            "allow: with the largest acceleration, at constant speed, with the largest deceleration."
         )
         if task.duration is None
         else tr(
-            "The input moves from rest to rest in the given time: with the largest acceleration, at constant speed, with "
-            "the largest deceleration."
+            "The input moves from rest to rest in the given time: with the largest acceleration, at constant speed, "
+            "with the largest deceleration."
         )
     )
     yield from lines(_texts(law, task), [Place("", _quantities(result, task))])
     if not law.uniform:
-        yield Paragraph(tr("There is no uniform motion: the travel is too short for the allowed speed."))
+        yield Paragraph(tr("There is no uniform motion: the allowed speed is not reached."))
 
 
 def _texts(law: TimeLaw, task: UnsteadyTask) -> tuple[str, ...]:
-    """The formulas of the law: by the travel, by the time, by both."""
-    sense = "" if law.sense > 0 else "-"
-    end = f"x_e = x_0 {sense or '+'} S_m"
-    travelled = task.end is not None or task.travel is not None
-    way = "S_m = x_e - x_0" if law.sense > 0 else "S_m = x_0 - x_e"
-    settled = ("t_1 = v_p/a_m", "S_1 = a_m*t_1**2/2")
-    if not travelled:
-        speed = (
-            ("v_p = v_m", *settled, "t_2 = T - 2*t_1") if law.uniform else ("t_1 = T/2", "v_p = a_m*t_1", settled[1])
-        )
-        return (*speed, "S_2 = v_p*t_2", "S_m = 2*S_1 + S_2", end)
+    """The formulas of the law: by the time alone, by travel and time, by the travel alone."""
+    sign, way = ("+", "x_e - x_0") if law.sense > 0 else ("-", "x_0 - x_e")
+    settled, between = ("t_1 = v_p/a_m", "S_1 = a_m*t_1**2/2"), ("t_2 = T - 2*t_1", "S_2 = v_p*t_2")
+    if task.end is None and task.travel is None:
+        speed = ("v_p = v_m", *settled) if law.uniform else ("t_1 = T/2", "v_p = a_m*t_1", settled[1])
+        return (*speed, *between, "S_m = 2*S_1 + S_2", f"x_e = x_0 {sign} S_m")
     if task.duration is not None:
-        return (way, "v_p = a_m*(T - sqrt(T**2 - 4*S_m/a_m))/2", *settled, "t_2 = T - 2*t_1", "S_2 = v_p*t_2")
-    speed = ("v_p = v_m",) if law.uniform else ("v_p = sqrt(S_m*a_m)",)
-    return (
-        way,
-        *speed,
-        *settled,
-        *(("t_2 = (S_m - 2*S_1)/v_p", "S_2 = v_p*t_2") if law.uniform else ()),
-        "T = 2*t_1 + t_2",
-    )
+        return (f"S_m = {way}", "v_p = a_m*(T - sqrt(T**2 - 4*S_m/a_m))/2", *settled, *between)
+    if not law.uniform:
+        return (f"S_m = {way}", "v_p = sqrt(S_m*a_m)", *settled, "T = 2*t_1")
+    return (f"S_m = {way}", "v_p = v_m", *settled, "t_2 = (S_m - 2*S_1)/v_p", between[1], "T = 2*t_1 + t_2")
 
 
 def _phases(result: Unsteady, order: Order) -> Iterator[Block]:
@@ -147,14 +137,15 @@ def _moved(result: Unsteady) -> Iterator[Block]:
     )
     yield Display(read("v_S = S'*v"))
     yield Display(read("a_S = S''*v**2 + S'*a"))
-    columns: dict[str, Real] = {"$t$, s": result.t, **_triple("x", "v", "a", result.turns, result.drive)}
+    columns: dict[str, Real] = {"$t$, s": result.t, **_triple(("x", "v", "a"), result.turns, result.drive)}
     for k, (name, angular) in enumerate(zip(result.outputs, result.angular, strict=True)):
-        letters = ("phi", "omega", "eps") if angular else ("S", "v", "a")
-        columns |= _triple(*(f"{letter}_{{{name}}}" for letter in letters), angular, result.coordinate[:, k])
+        first, second, third = ("phi", "omega", "eps") if angular else ("S", "v", "a")
+        letters = f"{first}_{{{name}}}", f"{second}_{{{name}}}", f"{third}_{{{name}}}"
+        columns |= _triple(letters, angular, result.coordinate[:, k])
     yield Paragraph(
         tr(
-            "Table {tab:unsteady_rows} has the input coordinate $x$, its speed and acceleration, and those of the outputs; "
-            "a minus after the number of a row marks the limit before a jump of the acceleration."
+            "Table {tab:unsteady_rows} has the input coordinate $x$, its speed and acceleration, and those of the "
+            "outputs; a minus after the number of a row marks the limit before a jump of the acceleration."
         )
     )
     caption = tr("Unsteady motion of the input and of the outputs")
@@ -162,11 +153,11 @@ def _moved(result: Unsteady) -> Iterator[Block]:
     yield from _extremes(result)
 
 
-def _triple(x: str, v: str, a: str, angular: bool, rows: Real) -> dict[str, Real]:
-    """Heads and columns of a coordinate and its derivatives."""
-    first, second, third = ("deg", "rad/s", "rad/s^2") if angular else ("m", "m/s", "m/s^2")
-    coordinate = np.degrees(rows[0]) if angular else rows[0]
-    return {f"${x}$, {first}": coordinate, f"${v}$, {second}": rows[1], f"${a}$, {third}": rows[2]}
+def _triple(letters: tuple[str, str, str], angular: bool, rows: Real) -> dict[str, Real]:
+    """Heads and columns of a coordinate and its derivatives, rows (3, n)."""
+    units = ("deg", "rad/s", "rad/s^2") if angular else ("m", "m/s", "m/s^2")
+    values = (np.degrees(rows[0]) if angular else rows[0], rows[1], rows[2])
+    return {f"${letter}$, {unit}": row for letter, unit, row in zip(letters, units, values, strict=True)}
 
 
 def _extremes(result: Unsteady) -> Iterator[Block]:

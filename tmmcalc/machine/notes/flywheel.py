@@ -29,14 +29,15 @@ from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragrap
 from tmmcalc.report.telling import DIGITS, column_of, headed, lines, named, tabulated
 
 SAME = 1e-4  # of the inertia: trials nearer than this are one
-CURVE, ORDINATES = 150.0, 130.0  # heights of pictures [mm]
+AROUND, ORDINATES = 60.0, 130.0  # above and below the energy-mass curve; height of the ordinates [mm]
 PERCENT = 3  # digits of a difference
 DIVISOR = "(delta_0*omega_m**2)"
 
 
 class Method(NamedTuple):
-    """One method by the numbers: its heading is its name; letters with the index ``<i>`` are its own."""
+    """One method by the numbers: its own letters have the upper index ``<i>``."""
 
+    title: str
     said: str  # what it takes
     lines: tuple[str, ...]
 
@@ -148,18 +149,18 @@ def _curve(told: Told) -> Iterator[Block]:
         }
     )
     place = [Place("", lexicon)]
-    texts = (
+    angles = (
         "psi_1 = atan(mu_J*omega_m**2*(1 + delta_0/2)**2/(2*mu_A))",
         "psi_2 = atan(mu_J*omega_m**2*(1 - delta_0/2)**2/(2*mu_A))",
     )
-    yield from lines(texts, place)
+    yield from lines(angles, place)
     yield Paragraph(tr("On the axis of energies the tangents cut off"))
-    texts = (
+    segment = (
         "G = A_1 - J_1*omega_m**2*(1 + delta_0/2)**2/2",
         "H = A_2 - J_2*omega_m**2*(1 - delta_0/2)**2/2",
         "l_GH = (G - H)/mu_A",
     )
-    yield from lines(texts, place)
+    yield from lines(segment, place)
     yield Paragraph(tr("The constant moment of inertia that the machine must have"))
     yield from lines((f"J_F = mu_A*l_GH/{DIVISOR}",), place)
     draw = partial(
@@ -168,7 +169,8 @@ def _curve(told: Told) -> Iterator[Block]:
         sense=told.result.sense,
         scales=(on_paper.energy_scale, on_paper.inertia_scale),
     )
-    yield drawn(tr("Energy-mass curve"), draw, CURVE, "flywheel_curve")
+    high = float(np.ptp([*told.result.picture.work, *told.result.picture.intercepts])) / on_paper.energy_scale
+    yield drawn(tr("Energy-mass curve"), draw, high + AROUND, "flywheel_curve")
 
 
 def _lexicon(told: Told, found: Worked, index: str) -> Lexicon:
@@ -200,8 +202,8 @@ def _methods(told: Told) -> Iterator[Block]:
     names = ("book", "mertsalov", "artobolevsky", "excess work")
     for k, name in enumerate(names, 2):
         found = told.worked[f"{name.replace(' ', '_')}_by_cycle"]
-        yield Heading(_title(name), 3)
-        method, i = _method(name), f"^{{({k})}}"
+        method = _method(name)
+        yield Heading(method.title, 3)
         at = {
             "first": numeral(math.degrees(found.at_max)),
             "second": numeral(math.degrees(found.at_min)),
@@ -209,7 +211,7 @@ def _methods(told: Told) -> Iterator[Block]:
         where = tr("The extremes stand at $phi = {first}$° and $phi = {second}$°.", **at)
         yield Paragraph(f"{method.said} {where}")
         place = [Place("", _lexicon(told, found, str(k)))]
-        yield from lines([text.replace("<i>", i) for text in method.lines], place)
+        yield from lines(method.lines, place, {"i": f"^{{({k})}}"})
     picture, reduction = told.result.picture, told.reduction
     machine = machine_of(picture, reduction.cycle, reduction.phi, told.result.delta)
     draw = partial(draw_ordinates, machine=machine)
@@ -217,40 +219,40 @@ def _methods(told: Told) -> Iterator[Block]:
     yield from _compared(told)
 
 
-def _title(name: str) -> str:
-    return {
-        "book": tr("Tangents without the square of the coefficient"),
-        "mertsalov": tr("Method of Mertsalov"),
-        "artobolevsky": tr("Method of Artobolevsky"),
-        "excess work": tr("By the largest excess work"),
-    }[name]
-
-
 def _method(name: str) -> Method:
     """What a method takes, and its formulas."""
-    extremes = "G<i> = A_1<i> - J_1<i>*omega_m**2{more}/2", "H<i> = A_2<i> - J_2<i>*omega_m**2{less}/2"
-    segment = f"J_F<i> = (G<i> - H<i>)/{DIVISOR}"
+
+    def three(more: str = "", less: str = "") -> tuple[str, ...]:
+        upper, lower = f"G<i> = A_1<i> - J_1<i>*omega_m**2{more}/2", f"H<i> = A_2<i> - J_2<i>*omega_m**2{less}/2"
+        return upper, lower, f"J_F<i> = (G<i> - H<i>)/{DIVISOR}"
+
+    slopes = three("*(1 + delta_0)", "*(1 - delta_0)")
     return {
         "book": Method(
+            tr("Tangents without the square of the coefficient"),
             tr("The small square of $delta_0$ is dropped from the slopes of the tangents."),
-            (extremes[0].format(more="*(1 + delta_0)"), extremes[1].format(less="*(1 - delta_0)"), segment),
+            slopes,
         ),
         "mertsalov": Method(
+            tr("Method of Mertsalov"),
             tr(
                 "The kinetic energy of the links is taken at the mean angular velocity; what is left of the excess "
                 "work, $A - T_II$, falls to the flywheel, figure {fig:flywheel_ordinates}."
             ),
-            (extremes[0].format(more=""), extremes[1].format(less=""), segment),
+            three(),
         ),
         "artobolevsky": Method(
+            tr("Method of Artobolevsky"),
             tr(
                 "The angular velocity is taken as extreme where the excess work is; the energy of the links counts "
                 "there with the extreme angular velocities."
             ),
-            (extremes[0].format(more="*(1 + delta_0)"), extremes[1].format(less="*(1 - delta_0)"), segment),
+            slopes,
         ),
         "excess work": Method(
-            tr("The kinetic energy of the links is neglected."), (f"J_F<i> = (A_1<i> - A_2<i>)/{DIVISOR}",)
+            tr("By the largest excess work"),
+            tr("The kinetic energy of the links is neglected."),
+            (f"J_F<i> = (A_1<i> - A_2<i>)/{DIVISOR}",),
         ),
     }[name]
 

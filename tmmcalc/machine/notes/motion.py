@@ -51,8 +51,8 @@ def _machine(result: Motion, order: Order) -> Iterator[Block]:
     if result.kind == "positional":
         yield Paragraph(
             tr(
-                "A constant moment makes the work of the cycle zero; the motion is steady. With the kinetic energy $T$ of "
-                "the machine"
+                "A constant moment makes the work of the cycle zero; the motion is steady. With the kinetic energy $T$ "
+                "of the machine"
             )
         )
     elif result.kind == "none":
@@ -66,8 +66,8 @@ def _machine(result: Motion, order: Order) -> Iterator[Block]:
     yield Display(read("T = (J_c + J_v)*omega**2/2 = T_0 + A"), key="motion_energy")
     yield Paragraph(
         tr(
-            "where $A$ is the work of all moments from position 0, $J_v$ the reduced moment of inertia of the links and "
-            "$J_c$ the constant moment of inertia:"
+            "where $A$ is the work of all moments from position 0, $J_v$ the reduced moment of inertia of the links "
+            "and $J_c$ the constant moment of inertia:"
         )
     )
     lexicon = {
@@ -107,8 +107,8 @@ def _recurrence(result: Motion, order: Order) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "The moment $M_c$ of the loads and $J = J_c + J_v$ are known at the positions, with the step $Deltaphi$. "
-            "The trapezoid rule for the work of the motor and of the loads gives the angular velocity in a position from "
-            "that in the one before:"
+            "The trapezoid rule for the work of the motor and of the loads gives the angular velocity in a position "
+            "from that in the one before:"
         )
     )
     rows = _shown(result, order)
@@ -237,13 +237,13 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
     yield Heading(tr("Exact motion"), 3)
     yield Paragraph(
         tr(
-            "The derivative of the kinetic energy by the angle gives the equation of motion, which the program solves for "
-            "the whole cycle at once; with its solution, table {tab:motion_exact} and figure {fig:motion_speed},"
+            "The derivative of the kinetic energy by the angle gives the equation of motion, which the program solves "
+            "for the whole cycle at once; with its solution, table {tab:motion_exact} and figure {fig:motion_speed},"
         )
     )
-    slopes = reduction.cycle.panels.at(
-        np.stack((reduction.cycle.inertia, reduction.cycle.slope)), _theta(result, reduction)
-    )
+    cycle = reduction.cycle
+    theta = np.clip(result.theta, 0.0, cycle.period)
+    links, slopes = cycle.panels.at(np.stack((cycle.inertia, cycle.slope)), theta)
     places = []
     for row in _shown(result, order):
         lexicon = {
@@ -252,8 +252,10 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
             "M_d": Given(float(result.driving[row]), "N*m", tr("moment of the drive")),
             "M_c": Given(float(result.load[row]), "N*m", tr("reduced moment of the loads")),
             "J_c": Given(result.inertia.total, "kg*m^2", tr("constant moment of inertia of the machine")),
-            "J_v": Given(float(slopes[0, row]), "kg*m^2", tr("reduced moment of inertia of the links")),
-            "J'_v": Given(float(slopes[1, row]), "kg*m^2/rad", tr("its derivative by the angle of the input link")),
+            "J_v": Given(float(links[row]), "kg*m^2", tr("reduced moment of inertia of the links")),
+            "J'_v": Given(
+                float(slopes[row]), "kg*m^2/rad", tr("derivative of the reduced moment of inertia by the angle")
+            ),
         }
         places.append(Place(tr("in position {label}", label=result.labels[row]), named(lexicon)))
     yield from lines(("eps = (M_d + M_c - 0.5*J'_v*omega**2)/(J_c + J_v)",), places)
@@ -272,10 +274,6 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
     yield tabulated(caption, columns, result.labels, head=tr("Position"), key="motion_exact")
     draw = partial(draw_speed, result=result, cycle=reduction.cycle)
     yield drawn(tr("Angular speed of the input link"), draw, SPEED, "motion_speed")
-
-
-def _theta(result: Motion, reduction: Reduction) -> Values:
-    return np.clip(result.theta, 0.0, reduction.cycle.period)
 
 
 def _unevenness(result: Motion, order: Order) -> Iterator[Block]:

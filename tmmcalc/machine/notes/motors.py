@@ -194,7 +194,8 @@ def _no_load(motor: Motor, synchronous: str, without_load: str) -> str:
 
 def _coefficients(kind: CharacteristicKind, motor: Motor, curve: Characteristic, power: Power) -> Lexicon:
     """What the program has found, on the input shaft."""
-    assert power.duty is not None and power.rated_moment is not None
+    assert power.duty is not None
+    assert power.rated_moment is not None
     rated = motor.speed / power.duty.ratio
     found = {
         "omega_N": Given(rated, "rad/s", tr("rated angular velocity, reduced to the input shaft")),

@@ -137,7 +137,7 @@ def _row(motion: TimedMotion, task: TransientTask, cycle: Cycle, constant: float
         "M_b": Given(braked, "N*m", tr("moment of the brake")),
         "J_c": Given(constant, "kg*m^2", tr("constant moment of inertia of the machine")),
         "J_v": Given(links, "kg*m^2", tr("reduced moment of inertia of the links")),
-        "J'_v": Given(slope, "kg*m^2/rad", tr("its derivative by the angle of the input link")),
+        "J'_v": Given(slope, "kg*m^2/rad", tr("derivative of the reduced moment of inertia by the angle")),
     }
     said = tr(
         "At $t = {time}$ s, at the angle $phi = {angle}$° of the turn,",
