@@ -13,7 +13,7 @@ from tmmcalc.machine.flywheel.materials import RECOMMENDED
 from tmmcalc.machine.flywheel.results import Flywheel, Trial
 from tmmcalc.machine.flywheel.worked import Paper, Worked, curve_columns, paper, round_scales
 from tmmcalc.machine.notes.motors import of_motor
-from tmmcalc.machine.notes.told import drawn, held, inertias, numeral
+from tmmcalc.machine.notes.told import degrees, drawn, held, inertias, numeral
 from tmmcalc.machine.notes.wheel import of_wheel
 from tmmcalc.machine.pictures.constructions import draw_ordinates, machine_of
 from tmmcalc.machine.pictures.energymass import draw_energy_mass
@@ -107,14 +107,14 @@ def _excess(told: Told) -> Iterator[Block]:
     extreme = told.worked["excess_work_by_cycle"]
     values = {
         "high": numeral(extreme.work_max),
-        "at_high": numeral(math.degrees(extreme.at_max)),
+        "at_high": degrees(extreme.at_max),
         "low": numeral(extreme.work_min),
-        "at_low": numeral(math.degrees(extreme.at_min)),
+        "at_low": degrees(extreme.at_min),
     }
     yield Paragraph(
         tr(
-            "Over the cycle the excess work is largest, $A = {high}$ J, at $phi = {at_high}$°, and least, "
-            "$A = {low}$ J, at $phi = {at_low}$°.",
+            "Over the cycle the excess work is largest, $A = {high}$ J, at $phi = {at_high}$, and least, "
+            "$A = {low}$ J, at $phi = {at_low}$.",
             **values,
         )
     )
@@ -130,9 +130,9 @@ def _curve(told: Told) -> Iterator[Block]:
         tr(
             "Eliminating the angle $phi$ from $A$ and $J_v$ gives the closed energy-mass curve, figure "
             "{fig:flywheel_curve}. The angular velocity is largest and least where the tangents at the angles "
-            "$psi_1$ and $psi_2$ touch it, at $phi = {first}$° and $phi = {second}$°:",
-            first=numeral(math.degrees(exact.at_max)),
-            second=numeral(math.degrees(exact.at_min)),
+            "$psi_1$ and $psi_2$ touch it, at $phi = {first}$ and $phi = {second}$:",
+            first=degrees(exact.at_max),
+            second=degrees(exact.at_min),
         )
     )
     scales = {
@@ -205,10 +205,10 @@ def _methods(told: Told) -> Iterator[Block]:
         method = _method(name)
         yield Heading(method.title, 3)
         at = {
-            "first": numeral(math.degrees(found.at_max)),
-            "second": numeral(math.degrees(found.at_min)),
+            "first": degrees(found.at_max),
+            "second": degrees(found.at_min),
         }
-        where = tr("The extremes stand at $phi = {first}$° and $phi = {second}$°.", **at)
+        where = tr("The extremes stand at $phi = {first}$ and $phi = {second}$.", **at)
         yield Paragraph(f"{method.said} {where}")
         place = [Place("", _lexicon(told, found, str(k)))]
         yield from lines(method.lines, place, {"i": f"^{{({k})}}"})

@@ -12,10 +12,10 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.nodes import nodal_tables, nodal_work
 from tmmcalc.machine.notes.motors import driven, of_motor
-from tmmcalc.machine.notes.told import drawn, held, inertias, numeral
+from tmmcalc.machine.notes.told import degrees, drawn, held, inertias, numeral, plainly
 from tmmcalc.machine.pictures.motion import draw_speed
 from tmmcalc.machine.reduction.results import Reduction
-from tmmcalc.machine.regime import LOST, Regime
+from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.stepwise import Run, idle_run_of, run_of
 from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.formula.digits import Given
@@ -26,6 +26,7 @@ from tmmcalc.report.telling import lines, named, tabulated
 
 SPEED = 95.0  # height of the picture [mm]
 TURNS = 6  # of the iteration that are shown in the table of turns
+NOTHING = 1e-6  # of a deviation after a cycle: less is nothing
 EVEN = 1e-9  # coefficient of speed fluctuation below which the speed is constant
 SOUND = 1.0  # B dphi/J up to which the recurrence does not swing
 
@@ -280,10 +281,10 @@ def _unevenness(result: Motion, order: Order) -> Iterator[Block]:
     """The coefficient of speed fluctuation, loaded and idle, against what is allowed and by the textbook."""
     regime, sense = result.regime, math.copysign(1.0, result.phi[-1])
     yield Heading(tr("Coefficient of speed fluctuation"), 3)
-    first, second = (numeral(math.degrees(sense * at) + 0.0) for at in (regime.theta_max, regime.theta_min))
+    first, second = (degrees(sense * at) for at in (regime.theta_max, regime.theta_min))
     yield Paragraph(
         tr(
-            "Over the cycle the angular velocity is largest at $phi = {first}$° and least at $phi = {second}$°:",
+            "Over the cycle the angular velocity is largest at $phi = {first}$ and least at $phi = {second}$:",
             first=first,
             second=second,
         )
@@ -317,18 +318,14 @@ def _against(result: Motion, order: Order) -> Iterator[Block]:
         off = 100 * (nodal / result.regime.delta - 1)
         said = tr(
             "By the positions alone it is {nodal}, the difference amounts to {off} %.",
-            nodal=_told(nodal),
-            off=_told(off, 3),
+            nodal=plainly(nodal),
+            off=plainly(off, 3),
         )
         yield Paragraph(said)
     table = order.spec.flywheel
     if table is not None and table.delta is not None:
         delta = result.regime.delta
         yield held("delta <= delta_0", (delta, table.delta), "", holds=delta <= table.delta * (1 + 1e-6))
-
-
-def _told(value: float, digits: int = 5) -> str:
-    return f"${numeral(value, digits)}$"
 
 
 def _regulation(result: Motion, order: Order) -> Iterator[Block]:
@@ -359,10 +356,12 @@ def _stability(regime: Regime) -> Iterator[Block]:
     if not regime.stable:
         yield Paragraph(tr("A small deviation of the speed grows: the motion is unstable."))
         return
-    part = numeral(100 * left, 3) if left > max(LOST, 1e-6) else ""
     said = (
-        tr("Of a small deviation of the speed {part} % is left after a cycle: the motion is stable.", part=f"${part}$")
-        if part
+        tr(
+            "Of a small deviation of the speed {part} % is left after a cycle: the motion is stable.",
+            part=plainly(100 * left, 3),
+        )
+        if left > NOTHING
         else tr("Nothing noticeable of a small deviation of the speed is left after a cycle: the motion is stable.")
     )
     yield Paragraph(said)

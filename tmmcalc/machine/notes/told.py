@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from tmmcalc.machine.driver import ConstantInertia
@@ -9,10 +10,12 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given, significant
+from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Figure, Lexicon, Paragraph
 from tmmcalc.report.telling import WIDE
 
+ANGLE = 6  # decimals of an angle that are no rounding [deg]
 DIGITS = 5  # of a number within a sentence
 LETTERED = 1.15  # words of a picture against those of a drawing on screen
 SIGNS = ("<=", ">=", "<", ">")
@@ -26,6 +29,25 @@ def numeral(value: float, digits: int = DIGITS) -> str:
     """
     mantissa, _, exponent = significant(value, digits).partition("e")
     return f"{mantissa}*10**({exponent})" if exponent else mantissa
+
+
+def degrees(angle: float) -> str:
+    """An angle [rad] within a formula of a sentence, in degrees.
+
+    >>> degrees(math.pi / 8), degrees(-math.pi / 2)
+    ('deg(22.5)', '-deg(90)')
+    """
+    value = round(math.degrees(angle), ANGLE) + 0.0
+    return f"{'-' if value < 0 else ''}deg({numeral(abs(value))})"
+
+
+def plainly(value: float, digits: int = DIGITS) -> str:
+    """A number of a sentence.
+
+    >>> plainly(-12.5)
+    '−12.5'
+    """
+    return spelt(f"{value:.{digits}g}")
 
 
 def held(condition: str, sides: tuple[float, float], unit: str, *, holds: bool) -> Paragraph:

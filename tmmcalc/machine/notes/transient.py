@@ -12,7 +12,7 @@ from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.facts.timed import equal_times, within
 from tmmcalc.machine.model import TransientTask
 from tmmcalc.machine.notes.motors import driven, of_braking, of_form, of_motor
-from tmmcalc.machine.notes.told import drawn, numeral
+from tmmcalc.machine.notes.told import degrees, drawn, numeral, plainly
 from tmmcalc.machine.pictures.transient import draw_course
 from tmmcalc.machine.pictures.words import end_text, event_text, mass_name
 from tmmcalc.machine.stages.transient import inputs, machine_of
@@ -93,8 +93,8 @@ def _motion(motion: TimedMotion, task: TransientTask, machine: Machine, key: str
     ended = tr(
         "It ends at $t = {time}$ s after {turns} turns of the crank at the angular velocity {speed} rad/s: {why}.",
         time=numeral(motion.end_time),
-        turns=f"${numeral(motion.turns)}$",
-        speed=f"${numeral(motion.end_speed)}$",
+        turns=plainly(motion.turns),
+        speed=plainly(motion.end_speed),
         why=end_text(motion.end),
     )
     yield Paragraph(f"{method} {ended}")
@@ -140,9 +140,9 @@ def _row(motion: TimedMotion, task: TransientTask, cycle: Cycle, constant: float
         "J'_v": Given(slope, "kg*m^2/rad", tr("derivative of the reduced moment of inertia by the angle")),
     }
     said = tr(
-        "At $t = {time}$ s, at the angle $phi = {angle}$° of the turn,",
+        "At $t = {time}$ s, at the angle $phi = {angle}$ of the turn,",
         time=numeral(time),
-        angle=numeral(within(theta)),
+        angle=degrees(math.radians(within(theta))),
     )
     yield Paragraph(said)
     yield from lines(("eps = (M_d + M_c - M_b - 0.5*J'_v*omega**2)/(J_c + J_v)",), [Place("", named(lexicon))])
@@ -165,9 +165,9 @@ def _course(motion: TimedMotion, key: str) -> Iterator[Block]:
         "$phi$, rad": motion.theta[-1, rows],
         "$omega$, rad/s": motion.omega[-1, rows],
         "$eps$, rad/s^2": motion.alpha[-1, rows],
-        "$M_d$, N*m": motion.motor_moment[rows],
-        "$M_c$, N*m": motion.load_moment[rows],
     }
+    moments = {"$M_d$, N*m": motion.motor_moment[rows], "$M_c$, N*m": motion.load_moment[rows]}
+    columns |= {head: values for head, values in moments.items() if values.any()}
     for k in range(len(motion.masses) - 1):
         columns[f"$M_{k + 1}$, N*m"] = motion.shaft_moment[k, rows]
     yield Paragraph(
@@ -220,7 +220,7 @@ def _motor(motion: TimedMotion) -> Iterator[Block]:
         yield Paragraph(
             tr(
                 "The largest moment of the motor is {moment} N·m at $t = {time}$ s.",
-                moment=f"${numeral(motion.largest_motor)}$",
+                moment=plainly(motion.largest_motor),
                 time=numeral(motion.largest_motor_at),
             )
         )
@@ -234,11 +234,10 @@ def _energy(motion: TimedMotion) -> Iterator[Block]:
         "A_b": (motion.brake_work, tr("work of the brake")),
         "A_s": (motion.shaft_loss, tr("work of the damping in the shafts")),
     }
-    energy = tr("energy of the machine at the beginning and at the end")
     lexicon = named(
         {
-            "T_0": Given(motion.begin_energy, "J", energy),
-            "T_e": Given(motion.end_energy, "J", energy),
+            "T_0": Given(motion.begin_energy, "J", tr("energy of the machine at the beginning")),
+            "T_e": Given(motion.end_energy, "J", tr("energy of the machine at the end")),
             **{key: Given(float(values[-1]), "J", said) for key, (values, said) in work.items()},
         }
     )
@@ -248,7 +247,7 @@ def _energy(motion: TimedMotion) -> Iterator[Block]:
         return
     open_part = tr(
         "The works of the steps change the energy from $T_0$ to $T_e$; the balance is open by {part} % of the largest.",
-        part=f"${numeral(100 * motion.imbalance, 2)}$",
+        part=plainly(100 * motion.imbalance, 2),
     )
     yield Paragraph(open_part)
     values = {f"${key}$, J": given.value for key, given in lexicon.items() if given.value}

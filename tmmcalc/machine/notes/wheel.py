@@ -137,7 +137,7 @@ def _elsewhere(result: Flywheel) -> Iterator[Block]:
             "square of the speed ratio, table {tab:flywheel_shafts}."
         )
     )
-    names = {"input": tr("input"), "motor": tr("motor"), "other": tr("its own")}
+    names = {"input": tr("input shaft"), "motor": tr("shaft of the motor"), "other": tr("shaft of its own")}
 
     def of_rims(what: str) -> list[float]:
         return [math.nan if wheel.rim is None else getattr(wheel.rim, what) for wheel in result.wheels]
@@ -149,6 +149,6 @@ def _elsewhere(result: Flywheel) -> Iterator[Block]:
         "$m_r$, kg": of_rims("mass"),
         "$v_o$, m/s": of_rims("speed"),
     }
-    head = (tr("Shaft"), *(names[wheel.shaft] for wheel in result.wheels))
+    head = (tr("Quantity"), *(names[wheel.shaft] for wheel in result.wheels))
     cells = tuple((headed(name), *(column_of([value])[0] for value in values)) for name, values in rows.items())
     yield Table(tr("The flywheel on different shafts"), head, cells, "flywheel_shafts")

@@ -110,9 +110,10 @@ def _sheet(drawing: Drawing, box: Box, motion: TimedMotion) -> None:
 def draw_course(drawing: Drawing, box: Box, motion: TimedMotion) -> None:
     """Speeds, the tail of the speed if it is flat, moments; events across them all, by their numbers."""
     panels = [_speeds(motion), *_tail(motion), _moments(motion), *_shafts(motion)]
-    left, bottom, right, top = SIDES
-    free = box.inset(left, BELOW, right, 0)
-    heads = [top + ROW * len(key_rows(panel.named, free.width)) for panel in panels]
+    larger = drawing.letters
+    left, bottom, right, top = (side * larger for side in SIDES)
+    free = box.inset(left, BELOW * larger, right, 0)
+    heads = [top + ROW * larger * len(key_rows(panel.named, free.width / larger)) for panel in panels]
     height = (free.height - sum(heads) - bottom * len(panels)) / len(panels)
     y, first = free.top, True
     for k, (panel, head) in enumerate(zip(panels, heads, strict=True)):

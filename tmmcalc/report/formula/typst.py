@@ -45,7 +45,7 @@ upright("2")), 2)'
         case Gap():
             return "thin"
         case Row(boxes):
-            return " ".join(map(typst, boxes))
+            return "".join(typst(box) + ("" if _leads(box) else " ") for box in boxes).rstrip()
         case Fraction(over, under):
             return f"frac({typst(over)}, {typst(under)})"
         case Marked(inner, mark):
@@ -67,3 +67,8 @@ upright("2")), 2)'
             return f"sum_({typst(lower)}) {typst(body)}"
         case Arrowed(inner):
             return f"arrow({typst(inner)})"
+
+
+def _leads(box: Box) -> bool:
+    """A minus that stands right before what follows: after a space it would stand as between two terms."""
+    return isinstance(box, Sign) and box.leads
