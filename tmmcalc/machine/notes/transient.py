@@ -17,7 +17,7 @@ from tmmcalc.machine.pictures.transient import draw_course
 from tmmcalc.machine.pictures.words import end_text, event_text, mass_name
 from tmmcalc.machine.stages.transient import inputs, machine_of
 from tmmcalc.machine.tables.tasks.machine import to_scenarios
-from tmmcalc.machine.transient.solve import Machine
+from tmmcalc.machine.transient.solve import Machine, drive_of
 from tmmcalc.machine.transient.timed import TURN, TimedMotion
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
@@ -27,6 +27,7 @@ from tmmcalc.report.manuscript import Block, Display, Heading, Paragraph, Place,
 from tmmcalc.report.telling import column_of, headed, lines, named, tabulated
 
 PANEL = 60.0  # height of a diagram [mm]
+NOTHING = 1e-10  # of the largest energy: less is none
 CLOSED = 5e-10  # of the balance of energy: what a line of it may leave open
 APART = 0.02  # of the time: how far from all events the worked row stands
 
@@ -74,16 +75,27 @@ def _equations(motion: TimedMotion, machine: Machine) -> Iterator[Block]:
             "dampings $d_i$ reduced to the crank"
         )
     )
-    yield Display(read("J_i*eps_i = M_{i−1} - M_i"))
-    yield Display(read("M_i = c_i*(phi_i - phi_{i+1}) + d_i*(omega_i - omega_{i+1})"))
-    yield Display(read("(J_n + J_v)*eps_n = M_{n−1} + M_c - M_b - 0.5*J'_v*omega_n**2"))
+    yield Display(read("J_i*eps_i = M_{i−1,i} - M_{i,i+1}"))
+    yield Display(read("M_{i,i+1} = c_i*(phi_i - phi_{i+1}) + d_i*(omega_i - omega_{i+1})"))
+    yield Display(read("(J_n + J_v)*eps_n = M_{n−1,n} + M_c - M_b - 0.5*J'_v*omega_n**2"))
     yield Paragraph(
-        tr("where $M_i$ is the moment of the shaft behind mass $i$, in place of $M_0$ stands the moment of the motor.")
+        tr("where $M_{i,i+1}$ is the moment of the shaft between two masses; on the first one acts the motor.")
     )
-    columns = {"$u_i$": list(motion.ratios)}
-    labels = [mass_name(name) for name in motion.masses]
-    caption = tr("Masses of the drive and their speeds over that of the crank")
-    yield tabulated(caption, columns, labels, head=tr("Mass"), key="transient_masses")
+    drive, names = drive_of(machine)
+    yield Paragraph(
+        tr(
+            "Table {tab:transient_masses} has the masses and shafts as they are, and the speeds $u_i$ of the masses over "
+            "that of the crank."
+        )
+    )
+    columns = {
+        "$u_i$": motion.ratios,
+        "$J_i$, kg*m^2": [mass.inertia for mass in drive.masses],
+        "$c_i$, N*m/rad": [*(shaft.stiffness for shaft in drive.shafts), math.nan],
+        "$d_i$, N*m*s/rad": [*(shaft.damping for shaft in drive.shafts), math.nan],
+    }
+    caption = tr("Masses of the drive and the shafts behind them")
+    yield tabulated(caption, columns, [mass_name(name) for name in names], head=tr("Mass"), key="transient_masses")
 
 
 def _motion(motion: TimedMotion, task: TransientTask, machine: Machine, key: str) -> Iterator[Block]:
@@ -169,7 +181,7 @@ def _course(motion: TimedMotion, key: str) -> Iterator[Block]:
     moments = {"$M_d$, N*m": motion.motor_moment[rows], "$M_c$, N*m": motion.load_moment[rows]}
     columns |= {head: values for head, values in moments.items() if values.any()}
     for k in range(len(motion.masses) - 1):
-        columns[f"$M_{k + 1}$, N*m"] = motion.shaft_moment[k, rows]
+        columns[f"$M_{{{k + 1},{k + 2}}}$, N*m"] = motion.shaft_moment[k, rows]
     yield Paragraph(
         tr(
             "The course of the motion is in table {place} and in figure {figure}.",
@@ -241,6 +253,8 @@ def _energy(motion: TimedMotion) -> Iterator[Block]:
             **{key: Given(float(values[-1]), "J", said) for key, (values, said) in work.items()},
         }
     )
+    peak = max(abs(given.value) for given in lexicon.values() if isinstance(given.value, float))
+    lexicon = {key: given._replace(value=0.0) if _nothing(given, peak) else given for key, given in lexicon.items()}
     if motion.imbalance <= CLOSED:
         yield Paragraph(tr("The works change the energy of the machine from $T_0$ to $T_e$:"))
         yield from lines(("T_e = T_0 + A_d + A_c + A_b + A_s",), [Place("", lexicon)])
@@ -253,3 +267,8 @@ def _energy(motion: TimedMotion) -> Iterator[Block]:
     values = {f"${key}$, J": given.value for key, given in lexicon.items() if given.value}
     rows = tuple((headed(name), *column_of([value])) for name, value in values.items() if isinstance(value, float))
     yield Table(tr("Energy and works: {name}", name=motion.name), (tr("Quantity"), tr("Value")), rows)
+
+
+def _nothing(given: Given, peak: float) -> bool:
+    """Whether an energy is no more than rounding."""
+    return isinstance(given.value, float) and abs(given.value) <= NOTHING * peak
