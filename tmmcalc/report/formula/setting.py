@@ -256,7 +256,7 @@ def _signed(box: Box) -> bool:
             return text.startswith(("-", "−"))
         case Sign(text):
             return text == "−"
-        case Marked(inner):
+        case Marked(inner) | Fraction(inner):
             return _signed(inner)
         case Row(boxes):
             return bool(boxes) and _signed(boxes[0])
