@@ -49,8 +49,10 @@ def mathml(box: Box) -> str:
             return f"<mfrac>{mathml(over)}{mathml(under)}</mfrac>"
         case Marked(inner, mark):
             return f"<mrow>{mathml(inner)}<mo lspace='0' rspace='0'>{mark}</mo></mrow>"
-        case Root(inner):
-            return f"<msqrt>{mathml(inner)}</msqrt>"
+        case Root(inner, degree):
+            if degree is None:
+                return f"<msqrt>{mathml(inner)}</msqrt>"
+            return f"<mroot>{mathml(inner)}{mathml(degree)}</mroot>"
         case Script(base, lower, upper, primes):
             marks = "<mo>" + "′" * primes + "</mo>" if primes else ""
             above = f"<mrow>{marks}{'' if upper is None else mathml(upper)}</mrow>"

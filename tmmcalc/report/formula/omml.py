@@ -51,9 +51,10 @@ def omml(box: Box) -> str:
             return f"<m:f><m:num>{omml(over)}</m:num><m:den>{omml(under)}</m:den></m:f>"
         case Marked(inner, mark):
             return omml(inner) + _run(mark, UPRIGHT)
-        case Root(inner):
+        case Root(inner, degree):
             hidden = '<m:radPr><m:degHide m:val="1"/></m:radPr><m:deg/>'
-            return f"<m:rad>{hidden}<m:e>{omml(inner)}</m:e></m:rad>"
+            above = hidden if degree is None else f"<m:deg>{omml(degree)}</m:deg>"
+            return f"<m:rad>{above}<m:e>{omml(inner)}</m:e></m:rad>"
         case Script(base, lower, upper, primes):
             body = f"<m:e>{omml(base)}</m:e>"
             above = _run("′" * primes, UPRIGHT) * bool(primes) + ("" if upper is None else omml(upper))

@@ -20,6 +20,8 @@ from tmmcalc.report.formula.layout import (
 )
 from tmmcalc.report.formula.setting import spelt
 
+RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+
 
 def plain(box: Box) -> str:
     """The text.
@@ -44,8 +46,9 @@ def plain(box: Box) -> str:
             return f"{_grouped(over)}/{_grouped(under)}"
         case Marked(inner, mark):
             return f"{plain(inner)}{mark}"
-        case Root(inner):
-            return f"√({plain(inner)})"
+        case Root(inner, degree):
+            raised = "" if degree is None else plain(degree).translate(RAISED)
+            return f"{raised}√({plain(inner)})"
         case Script(base, lower, upper, primes):
             below = "" if lower is None else f"_{plain(lower)}"
             above = "" if upper is None else f"^{_grouped(upper)}"

@@ -54,8 +54,8 @@ upright("2")), 2)'
                 if not isinstance(inner, Digits)
                 else f'"{spelt(inner.text)}{mark}"'
             )
-        case Root(inner):
-            return f"sqrt({typst(inner)})"
+        case Root(inner, degree):
+            return f"sqrt({typst(inner)})" if degree is None else f"root({typst(degree)}, {typst(inner)})"
         case Script(base, lower, upper, primes):
             below = "" if lower is None else f", b: {typst(lower)}"
             above = "" if upper is None else f", t: {typst(upper)}"
