@@ -43,7 +43,7 @@ def trains_in_motion(spec: GearTables, results: Mapping[str, Any], number: int) 
 
 
 def searched_trains(spec: GearTables, results: Mapping[str, Any], number: int) -> Iterator[tuple[str, Moving]]:
-    """The train that criteria chose, without them set ``number`` of every variant, as the motor or the spec drives it."""
+    """The train that criteria chose, without them set ``number`` of every variant, at the speed of its driver."""
     from tmmcalc.gears.chosen.choice import chosen_sets
     from tmmcalc.gears.chosen.motion import moving
 

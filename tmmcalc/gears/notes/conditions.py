@@ -7,15 +7,17 @@ from collections.abc import Iterator
 from itertools import groupby
 from typing import NamedTuple
 
+from tmmcalc.gears.advice import called
 from tmmcalc.gears.chosen.choice import Chosen
 from tmmcalc.gears.chosen.condition import Condition
 from tmmcalc.gears.chosen.conditions import conditions
+from tmmcalc.gears.columns import ratios
 from tmmcalc.gears.notes.letters import joined, letter, noted
-from tmmcalc.gears.pictures.words import constraint_name, counted
+from tmmcalc.gears.pictures.words import KINDS, counted
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Call, Name, Number
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
 from tmmcalc.report.telling import lines, named
 
@@ -41,6 +43,8 @@ def told_conditions(chosen: Chosen, key: str) -> Iterator[Block]:
         if lead:
             yield Paragraph(lead)
             yield from _worked(own, lexicon, chosen)
+        if name == "ratio":
+            yield from _error(chosen, lexicon)
     yield Paragraph(tr("All conditions are listed in table {tab}.", tab=f"{{tab:{key}}}"))
     yield _table(found, key)
 
@@ -61,7 +65,7 @@ def _lead(name: str, chosen: Chosen) -> str:
         "interference": tr("No interference: the ring has enough teeth more than the wheel in it."),
         "undercut": tr("No undercut: the least number of teeth is not below that which the rack does not undercut."),
         "stage_ratio": tr("The ratio of each stage is within its limit."),
-        "diameter_band": tr("The wheels of neighbouring stages are of nearly equal diameter and dip alike into the oil."),
+        "diameter_band": tr("Wheels of neighbouring stages are of nearly equal diameter, to dip alike into the oil."),
     }
     return leads.get(name, "")
 
@@ -84,6 +88,21 @@ def _worked(own: list[Condition], lexicon: Lexicon, chosen: Chosen) -> Iterator[
         yield Paragraph(_verdict(each))
 
 
+def _error(chosen: Chosen, lexicon: Lexicon) -> Iterator[Block]:
+    """The deviation of the ratio from the one that is asked for."""
+    request = chosen.request
+    assert request is not None
+    kind, asked = KINDS[request.kind], KINDS[request.kind][:-1] + ",0}" if request.kind != "u" else "U_0"
+    error = 100 * float(ratios(request, chosen.sets)[1][0])
+    lexicon |= named(
+        {
+            asked: Given(float(request.nominal), "", tr("ratio that is asked for")),
+            "delta": Given(error, "%", tr("error of the ratio")),
+        }
+    )
+    yield from lines([f"delta = 100*({kind} - {asked})/{asked}"], [Place("", lexicon)])
+
+
 def _texts(each: Condition) -> tuple[str, str]:
     """Both sides in letters."""
     left, right = each.formula.split(f" {each.relation} ")
@@ -103,7 +122,7 @@ def _left(each: Condition, several: int, k: int) -> Side | None:
         return None
     match each.name:
         case "ratio":
-            return Side(letter(each.of), tr("ratio of the train"))
+            return Side(KINDS[each.of], tr("ratio of the train"))
         case "coaxiality":
             return Side(f"A_{{{_axes(of.split(', ')[:-1])}}}", _distance())
         case "assembly":
@@ -188,6 +207,6 @@ def _row(each: Condition) -> tuple[str, ...]:
     numbers = [significant(value, SHOWN) for value in (each.left, each.right)]
     sides = f"{numbers[0]} {each.relation} {numbers[1]}" if each.kept else f"{numbers[0]}$; ${numbers[1]}"
     verdict = tr("kept") if each.kept else tr("not kept") if each.asked else tr("not recommended")
-    name = tr("numbers of teeth") if each.name == "teeth" else constraint_name(each.name)
+    name = tr("numbers of teeth") if each.name == "teeth" else tr_name(called(each.name))
     of = "" if each.name == "ratio" else each.of.removeprefix(PLANETS).replace("-", "–")
     return name, of, f"${left} {each.relation} {right}$", f"${sides}$", verdict

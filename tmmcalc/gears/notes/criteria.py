@@ -1,2 +1,2 @@
-from tmmcalc.report.drawing.order import Order
-def blocks(order): return iter(())
+def blocks(order):
+    return iter(())

@@ -1,4 +1,4 @@
-"""The room's formulas as the note has them: ``Z2'*m_1`` is ``z_{2'}*m_{1}`` there; and the letters of teeth and speeds."""
+"""The room's formulas as the note has them, ``Z2'*m_1`` as ``z_{2'}*m_{1}``; the letters of teeth and speeds."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tmmcalc.report.formula.tree import CONSTANTS, FUNCTIONS
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Lexicon
 
-TEETH = re.compile(r"Z_?(?P<wheel>\d.*|[a-z].*)")
+TEETH = re.compile(r"Z_?(?P<wheel>.+)")
 NOTED = {  # letters of the room that have another form in the note
     "h_a": "h_a^{*}",
     "gap": "c_g",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -12,9 +13,10 @@ from tmmcalc.gears.network.model import FRAME, Network
 from tmmcalc.gears.network.willis import Willis, wheel_names
 from tmmcalc.gears.notes.inorder import Equation, Together, in_order
 from tmmcalc.gears.notes.letters import joined, member_name, noted, speed_of, teeth
-from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.digits import RESULT, Given, significant
+from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_number, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
 from tmmcalc.report.telling import lines, named, tabulated
 
@@ -35,6 +37,13 @@ class Told(NamedTuple):
     def lines(self, *texts: str) -> Iterator[Block]:
         """Formulas worked out."""
         return lines(texts, [Place("", self.lexicon)])
+
+    def together(self, name: str) -> Paragraph:
+        """A quantity that only all equations that are left give."""
+        given = self.lexicon[canonical(name)]
+        assert isinstance(given.value, float)
+        value = f"{tr_number(significant(given.value, RESULT))} {tr_unit(given.unit)}"
+        return Paragraph(tr("The equations that are left give together ${name}$ = {value}.", name=name, value=value))
 
     def relative(self, member: str, carrier: str) -> str:
         """The speed of a member against the carrier of a mesh, in letters; of a bevel planet that on its own axis."""
@@ -71,12 +80,12 @@ def told_speeds(told: Told, key: str) -> Iterator[Block]:
     held = (speed_of(name) for name in moving.task.speeds)
     for step in in_order([*(_solved(told, each) for each in found), *_locks(told)], set(held)):
         if isinstance(step, Together):
-            yield Paragraph(tr("The equations that are left give ${name}$ together.", name=step.name))
+            yield told.together(step.name)
         else:
             yield from told.lines(step)
     yield from _planets(told)
     yield from _ratio(told)
-    yield Paragraph(tr("The angular velocities of all members are listed in table {tab}.", tab=f"{{tab:{key}}}"))
+    yield Paragraph(tr("The angular velocities of all links are listed in table {tab}.", tab=f"{{tab:{key}}}"))
     yield _table(told, key)
 
 
@@ -163,7 +172,7 @@ def _planets(told: Told) -> Iterator[Block]:
     motion = told.moving.motion
     for name, speed in zip(motion.members, motion.relative.tolist(), strict=True):
         carrier = told.network.bearer(name)
-        if carrier == FRAME or told.network.tilted(name):
+        if carrier == FRAME or told.network.tilted(name) or not motion.speed(carrier):
             continue
         symbol = f"omega_{{{name}}}^{{({carrier})}}"
         said = tr("angular velocity of link {link} against its carrier", link=name)
@@ -197,7 +206,10 @@ def _table(told: Told, key: str) -> Table:
     columns = {
         "$omega$, rad/s": motion.speeds,
         "$n$, rpm": motion.turns,
-        f"{tr('against the carrier')}, rad/s": motion.relative,
+        f"{tr('against the carrier')}, rad/s": [
+            math.nan if told.network.bearer(name) == FRAME else speed
+            for name, speed in zip(motion.members, motion.relative.tolist(), strict=True)
+        ],
     }
     labels = [member_name(told.network, name) for name in motion.members]
-    return tabulated(tr("Angular velocities of the members"), columns, labels, head=tr("Member"), key=key)
+    return tabulated(tr("Angular velocities of the links"), columns, labels, head=tr("Link"), key=key)

@@ -69,12 +69,12 @@ def told_torques(told: Told, found: Gearing, key: str) -> Iterator[Block]:
             tab=f"{{tab:{key}}}",
         )
     )
-    yield _table(marks, key)
+    yield _table(told, marks, key)
     yield from _known(told, found, outside)
     equations = [*_meshes(told, marks, flow), *_members(told, found, marks, outside)]
     for step in in_order(equations, {_from_outside(name) for name in _given(found)}):
         if isinstance(step, Together):
-            yield Paragraph(tr("The equations that are left give ${name}$ together.", name=step.name))
+            yield told.together(step.name)
         else:
             yield from told.lines(step)
     yield from _powers(told, marks, found, flow, outside)
@@ -147,12 +147,14 @@ def _lock(one: str, other: str) -> str:
     return f"T_{{{one},{other}}}"
 
 
-def _table(marks: list[Mark], key: str) -> Table:
+def _table(told: Told, marks: list[Mark], key: str) -> Table:
     """The meshes with their numbers."""
     head = (tr("Mesh"), tr("Wheels"), tr("Kind of mesh"), tr("Links"), tr("Carrier"), "$eta_k$")
     rows = []
     for mark in marks:
         kind = tr("internal") if mark.mesh.sign == INTERNAL else tr("external")
+        if told.network.tilted(mark.mesh.first) or told.network.tilted(mark.mesh.second):
+            kind = tr("bevel")
         carrier = tr("frame") if mark.carrier == FRAME else mark.carrier
         eta = tr_number(significant(mark.mesh.efficiency, DIGITS))
         links = f"{mark.mesh.first}, {mark.mesh.second}"
@@ -214,7 +216,8 @@ def _bears(told: Told, mark: Mark) -> list[str]:
 def _members(told: Told, found: Gearing, marks: list[Mark], outside: list[str]) -> Iterator[Equation]:
     """Of each member that the sum of all torques is zero."""
     for name in found.motion.members:
-        terms = [mark.torque(name) for mark in marks if name in (mark.mesh.first, mark.mesh.second, *_bears(told, mark))]
+        on = [(mark.mesh.first, mark.mesh.second, *_bears(told, mark)) for mark in marks]
+        terms = [mark.torque(name) for mark, members in zip(marks, on, strict=True) if name in members]
         terms += [_from_outside(name)] * (name in outside)
         locked = {_lock(*pair): pair.index(name) for pair in found.task.locked if name in pair}
         solved = {}
@@ -225,8 +228,7 @@ def _members(told: Told, found: Gearing, marks: list[Mark], outside: list[str]) 
         for lock, k in locked.items():
             value = _minus(terms) if not k else " + ".join(terms)
             solved[lock] = f"{lock} = {value}"
-        if len(solved) > 1:
-            yield Equation(solved)
+        yield Equation(solved)
 
 
 def _minus(names: list[str]) -> str:
@@ -234,9 +236,7 @@ def _minus(names: list[str]) -> str:
     return "-" + " - ".join(names) if names else "0"
 
 
-def _powers(
-    told: Told, marks: list[Mark], found: Gearing, flow: PowerFlow, outside: list[str]
-) -> Iterator[Block]:
+def _powers(told: Told, marks: list[Mark], found: Gearing, flow: PowerFlow, outside: list[str]) -> Iterator[Block]:
     """Powers from outside, rolling powers, losses, the balance."""
     yield Paragraph(tr("Powers at the links, put in if they are positive:"))
     for name in outside:
@@ -256,7 +256,8 @@ def _powers(
     put_in = [_power(name) for name in outside if flow.power(name) > 0]
     taken = [_power(name) for name in outside if flow.power(name) < 0]
     if taken:
-        yield from told.lines(f"eta = ({_minus(taken)})/({' + '.join(put_in)})")
+        out = " + ".join(f"abs({name})" for name in taken)
+        yield from told.lines(f"eta = ({out})/({' + '.join(put_in)})")
     if lossy:
         lost = " + ".join(mark.loss for _, mark in lossy)
         told.lexicon.update(named({"P_v": Given(flow.power_lost, "W", tr("power lost in all meshes"))}))

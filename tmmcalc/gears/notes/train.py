@@ -9,7 +9,7 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.gears.advice import removals
+from tmmcalc.gears.advice import called, removals
 from tmmcalc.gears.chosen.choice import Chosen
 from tmmcalc.gears.chosen.motion import Moving
 from tmmcalc.gears.columns import ratios
@@ -24,9 +24,9 @@ from tmmcalc.gears.notes.torques import told_torques
 from tmmcalc.gears.pictures.pieces import motion_piece
 from tmmcalc.gears.pictures.placed import placed
 from tmmcalc.gears.pictures.scheme import draw_scheme
-from tmmcalc.gears.pictures.words import KINDS, constraint_name, layout_name, train_name
+from tmmcalc.gears.pictures.words import KINDS, layout_name, train_name
 from tmmcalc.gears.proportion import equal_strength
-from tmmcalc.gears.scheme import CARRIER, Layout
+from tmmcalc.gears.scheme import CARRIER
 from tmmcalc.gears.search.measures import coprime_meshes
 from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.split import equal_diameters, exponents
@@ -36,7 +36,7 @@ from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr, tr_number
+from tmmcalc.report.language import tr, tr_name, tr_number
 from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Paragraph, Place, Table
 from tmmcalc.report.telling import lines, named, pictured, tabulated
 
@@ -58,7 +58,7 @@ def blocks(order: Order) -> Iterator[Block]:
         yield from _searched(variant, None if own is None else own.chosen, selection, f"train{k}")
         if own is not None:
             torque = results["strength"].variants[k].torque.value if "strength" in results else None
-            yield from _chosen(variant, own, meshes, torque, f"train{k}")
+            yield from _chosen(own, meshes, torque, f"train{k}")
 
 
 def _of(found: Moving) -> Request | None:
@@ -77,7 +77,7 @@ def _searched(variant: Variant, chosen: Chosen | None, selection: Selection | No
     if request.task.teeth is None:
         yield from _removed(variant, key)
     if synthesis.count > 1:
-        yield from _sets(variant, chosen, key)
+        yield from _sets(variant, chosen, selection, key)
 
 
 def _lower(text: str) -> str:
@@ -110,7 +110,9 @@ def _split(request: Request, selection: Selection | None) -> Iterator[Block]:
     """How the ratio falls to the stages for wheels of equal diameter, and for the least mass, inertia, size."""
     stages, whole = request.scheme.stages, float(request.task.nominal)
     found = equal_diameters(whole, stages)
-    yield Paragraph(tr("With pinions of one number of teeth the wheels are of equal diameter if the ratio is split so:"))
+    yield Paragraph(
+        tr("With equal pinions the wheels are of equal diameter if the ratio is split so:")
+    )
     lexicon = named({"U": Given(whole, "", tr("ratio that is asked for"))})
     texts = []
     for k, power in enumerate(exponents(stages), 1):
@@ -123,7 +125,9 @@ def _split(request: Request, selection: Selection | None) -> Iterator[Block]:
         yield Paragraph(tr("Other criteria split it as in table {tab}.", tab="{tab:split}"))
         columns = {f"$u_{k}$": [each.ratios[k - 1] for each in guide.splits] for k in range(1, stages + 1)}
         labels = [_split_name(each.criterion) for each in guide.splits]
-        yield tabulated(tr("Splits of the ratio between the stages"), columns, labels, head=tr("Criterion"), key="split")
+        yield tabulated(
+            tr("Splits of the ratio between the stages"), columns, labels, head=tr("Criterion"), key="split"
+        )
 
 
 def _split_name(criterion: str) -> str:
@@ -180,7 +184,7 @@ def _removed(variant: Variant, key: str) -> Iterator[Block]:
             **counts,
         )
     )
-    rows = tuple((constraint_name(name), _grouped(of), _grouped(number)) for name, number, of in found)
+    rows = tuple((tr_name(called(name)), _grouped(of), _grouped(number)) for name, number, of in found)
     head = (tr("Constraint"), tr("Combinations before it"), tr("Removed"))
     yield Table(tr("What the constraints removed"), head, rows, f"{key}_removed")
 
@@ -194,7 +198,7 @@ def _number(value: float) -> str:
     return tr_number(significant(value, DIGITS)).replace("-", "−")
 
 
-def _sets(variant: Variant, chosen: Chosen | None, key: str) -> Iterator[Block]:
+def _sets(variant: Variant, chosen: Chosen | None, selection: Selection | None, key: str) -> Iterator[Block]:
     """The first sets, and the chosen one if it is not among them."""
     request, sets = variant.request, variant.sets
     rows = [*range(min(FIRST, len(sets)))]
@@ -206,7 +210,9 @@ def _sets(variant: Variant, chosen: Chosen | None, key: str) -> Iterator[Block]:
     tab = f"{{tab:{key}_sets}}"
     said = tr("The first sets by $z_1 + z_2$ are listed in table {tab}.", tab=tab)
     if chosen is not None:
-        said += " " + tr("Further on set {number} of {count} is taken.", number=own + 1, count=variant.synthesis.count)
+        told = {"number": own + 1, "count": variant.synthesis.count}
+        chose = tr("The criteria chose set {number} of {count}; it is worked out here.", **told)
+        said += " " + (tr("Further on set {number} of {count} is taken.", **told) if selection is None else chose)
     yield Paragraph(said)
     ratio, error = ratios(request, sets)
     parts = sets.modules[rows]
@@ -237,14 +243,11 @@ def _sets(variant: Variant, chosen: Chosen | None, key: str) -> Iterator[Block]:
     )
 
 
-def _chosen(
-    variant: Variant, moving: Moving, meshes: MeshEfficiency, torque: float | None, key: str
-) -> Iterator[Block]:
+def _chosen(moving: Moving, meshes: MeshEfficiency, torque: float | None, key: str) -> Iterator[Block]:
     """Everything of one set."""
     chosen = moving.chosen
     assert chosen is not None
     yield Heading(message(train_name(chosen.sets)), 2)
-    yield from _error(variant.request, chosen)
     yield from told_conditions(chosen, f"{key}_conditions")
     yield _scheme(chosen, f"{key}_scheme")
     found = _driven(moving, meshes, torque)
@@ -254,21 +257,6 @@ def _chosen(
     yield from _efficiency(told, found, chosen)
     if found.task.torques or chosen.sets.scheme.three_centrals:
         yield from told_torques(told, found, f"{key}_meshes")
-
-
-def _error(request: Request, chosen: Chosen) -> Iterator[Block]:
-    """The deviation of the ratio."""
-    kind = KINDS[request.kind]
-    value, error = (float(each[0]) for each in ratios(request, chosen.sets))
-    asked = f"{kind[:-1]},0}}" if kind.endswith("}") else f"{kind}_0"
-    lexicon = named(
-        {
-            kind: Given(value, "", tr("ratio of the train")),
-            asked: Given(float(request.nominal), "", tr("ratio that is asked for")),
-            "delta": Given(100 * error, "%", tr("error of the ratio")),
-        }
-    )
-    yield from lines([f"delta = 100*({kind} - {asked})/{asked}"], [Place("", lexicon)])
 
 
 def _driven(moving: Moving, meshes: MeshEfficiency, torque: float | None) -> Gearing:
