@@ -73,6 +73,7 @@ def _lead(name: str, chosen: Chosen) -> str:
 def _worked(own: list[Condition], lexicon: Lexicon, chosen: Chosen) -> Iterator[Block]:
     """Both sides of each condition as lines, where there is something to compute, and the verdict."""
     told: set[str] = set()
+    judged: set[tuple[float, str, float]] = set()
     for k, each in enumerate(own):
         left, right = _texts(each)
         names = _left(each, len(own), k), _right(each)
@@ -84,8 +85,9 @@ def _worked(own: list[Condition], lexicon: Lexicon, chosen: Chosen) -> Iterator[
                 told.add(side.name)
                 lexicon |= named({side.name: Given(value, "", side.meaning)})
                 yield from lines([f"{side.name} = {text}"], [Place("", lexicon)])
-    for each in {(one.left, one.relation, one.right): one for one in own}.values():
-        yield Paragraph(_verdict(each))
+        if (sides := (each.left, each.relation, each.right)) not in judged:
+            judged.add(sides)
+            yield Paragraph(_verdict(each))
 
 
 def _error(chosen: Chosen, lexicon: Lexicon) -> Iterator[Block]:
@@ -165,6 +167,8 @@ def _distance() -> str:
 
 def _verdict(each: Condition) -> str:
     left, right = (significant(value, SHOWN) for value in (each.left, each.right))
+    if each.kept and each.name == "assembly":
+        return tr("${left}$ is a whole number: the condition holds.", left=left)
     if each.kept:
         return tr("${sides}$: the condition holds.", sides=f"{left} {each.relation} {right}")
     return tr("The left side is ${left}$, the right one ${right}$: the condition fails.", left=left, right=right)

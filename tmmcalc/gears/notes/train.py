@@ -110,9 +110,7 @@ def _split(request: Request, selection: Selection | None) -> Iterator[Block]:
     """How the ratio falls to the stages for wheels of equal diameter, and for the least mass, inertia, size."""
     stages, whole = request.scheme.stages, float(request.task.nominal)
     found = equal_diameters(whole, stages)
-    yield Paragraph(
-        tr("With equal pinions the wheels are of equal diameter if the ratio is split so:")
-    )
+    yield Paragraph(tr("With equal pinions the wheels are of equal diameter if the ratio is split so:"))
     lexicon = named({"U": Given(whole, "", tr("ratio that is asked for"))})
     texts = []
     for k, power in enumerate(exponents(stages), 1):

@@ -168,7 +168,7 @@ class _Chain:
             force = K_D**3 * letters["T"] * letters["K_Hbeta"] * f
             sigma_H = float(np.sqrt(force / (letters["b"] * letters["d"] ** 2)))
             told = Coefficient(of, "sigma_H", MPA * sigma_H, "Pa", f"contact stress{at}")
-            formula = f"(K_d**3*T*K_Hbeta*(u {self._sign(k)} 1)/u/(b*d**2))**(1/2)"
+            formula = f"(K_d**3*T*K_Hbeta*(u {self._sign(k)} 1)/(u*b*d**2))**(1/2)"
             yield made(told, formula, letters, "MPa")
             limit = min(each for _, _, each, _ in self._wheels(k))
             yield Factor(Coefficient(of, "sigma_HP", MPA * limit, "Pa", "the smaller one of both wheels"))
