@@ -7,6 +7,8 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from numpy.typing import ArrayLike
+
 from tmmcalc.gears.chosen.motion import Moving, equations
 from tmmcalc.gears.gearingtask import ends
 from tmmcalc.gears.network.model import FRAME, Network
@@ -203,7 +205,7 @@ def _ratio(told: Told) -> Iterator[Block]:
 
 def _table(told: Told, key: str) -> Table:
     motion = told.moving.motion
-    columns = {
+    columns: dict[str, ArrayLike] = {
         "$omega$, rad/s": motion.speeds,
         "$n$, rpm": motion.turns,
         f"{tr('against the carrier')}, rad/s": [

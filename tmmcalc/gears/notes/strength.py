@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.gears.details import sized_train
+from tmmcalc.gears.letters import LETTER
 from tmmcalc.gears.notes.letters import letter, noted
 from tmmcalc.gears.pictures.words import train_name
 from tmmcalc.gears.scheme import Layout
@@ -19,10 +20,11 @@ from tmmcalc.gears.strength.endurance import Factor
 from tmmcalc.gears.strength.explain import real_width
 from tmmcalc.gears.strength.series import tied
 from tmmcalc.gears.strength.solve import SLACK
+from tmmcalc.gears.strength.steels import latin, steel_key
 from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import RESULT, Given, significant
-from tmmcalc.report.language import tr, tr_name, tr_number, tr_unit
+from tmmcalc.report.language import spoken, tr, tr_name, tr_number, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import lines, named
 
@@ -51,6 +53,7 @@ def blocks(order: Order) -> Iterator[Block]:
     told = strength_factors(sized.sets, sized.task, at)
     yield Heading(tr("Strength: {train}", train=_lower(message(train_name(one)))), 2)
     yield from _torque(sized.torque, one.planets, scheme)
+    yield from _materials(sized)
     wheels, stages, meshes = (_of(told.factors, kind) for kind in ("wheel", "stage", "mesh"))
     yield Heading(tr("Permissible stresses and factors"), 3)
     groups = _alike(wheels)
@@ -72,6 +75,19 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from _stresses(meshes, scheme)
     if not told.accepted:
         yield Paragraph(tr("The train is not strong enough."))
+
+
+def _materials(sized: Sized) -> Iterator[Block]:
+    """Steel, treatment and hardness of the wheels."""
+    materials = (each for stage in sized.task.stages for each in (stage.pinion, stage.wheel) if each is not None)
+    for material in dict.fromkeys(materials):
+        told = {"treatment": tr_name(material.treatment), "hardness": str(material.hardness)}
+        if not material.steel:
+            yield Paragraph(tr("The wheels are {treatment}, of hardness {hardness}.", **told))
+            continue
+        key = steel_key(material.steel)
+        told["steel"] = key if spoken() == "uk" else latin(key)
+        yield Paragraph(tr("Wheels of steel {steel}, {treatment}, of hardness {hardness}.", **told))
 
 
 def _lower(text: str) -> str:
@@ -136,23 +152,41 @@ def _place(of: str, factor: Factor) -> str:
     if word == "wheel":
         return tr("for wheels {wheels}", wheels=of) if ", " in of else tr("for wheel {wheel}", wheel=of)
     if word == "stage":
-        return tr("for stage {stage}", stage=of)
-    return tr("for the mesh {mesh}", mesh=of.replace("-", "–"))
+        return tr("for stages {stages}", stages=of) if ", " in of else tr("for stage {stage}", stage=of)
+    mesh = of.replace("-", "–")
+    return tr("for the meshes {meshes}", meshes=mesh) if ", " in of else tr("for the mesh {mesh}", mesh=mesh)
 
 
 def _lines(symbol: str, owned: Sequence[Own]) -> Iterator[Block]:
     """The formula of one symbol, worked out for all that it is of; where formulas differ each of them."""
     for formula in dict.fromkeys(own.factor.formula for own in owned if own.factor.formula):
-        like = [own for own in owned if own.factor.formula == formula]
-        places = [Place(_place(own.of, own.factor), _lexicon(symbol, own.factor)) for own in like]
+        like: dict[tuple[float, ...], list[Own]] = {}
+        for own in owned:
+            if own.factor.formula == formula:
+                like.setdefault(tuple(_numbers(own.factor).values()), []).append(own)
+        places = []
+        for same in like.values():
+            of = _sorted([own.of for own in same]) if len(same) < len(owned) else ""
+            places.append(Place(_place(of, same[0].factor), _lexicon(symbol, same[0].factor)))
         yield from lines([f"{letter(symbol)} = {noted(formula)}"], places)
+
+
+def _numbers(factor: Factor) -> dict[str, float]:
+    """The letters that stand in a factor's formula."""
+    used = LETTER.findall(factor.formula)
+    return {name: value for name, value in factor.letters.items() if name in used}
+
+
+def _sorted(names: Sequence[str]) -> str:
+    """Names of wheels, stages or meshes in their order, each name one or several."""
+    return ", ".join(sorted({one for name in names for one in name.split(", ")}))
 
 
 def _lexicon(symbol: str, factor: Factor) -> Lexicon:
     """The quantities of a factor's formula."""
     found = {
         letter(name): Given(float(value), UNITS.get(name, "MPa" if name.startswith("sigma") else ""), _meaning(name))
-        for name, value in factor.letters.items()
+        for name, value in _numbers(factor).items()
     }
     _, scale = PRINTED.get(factor.told.unit, ("", 1.0))
     value = factor.told.value * (scale if factor.formula_unit in ("mm", "MPa") else 1.0)
@@ -224,11 +258,17 @@ def _values(wheels: Mapping[str, list[Factor]], stages: Mapping[str, list[Factor
                     if factor.told.symbol == symbol and _is_read(factor):
                         same.setdefault((_value(factor), _source(factor)), []).append(name)
             for (value, source), names in same.items():
-                word = tr("stage") if found is stages else tr("wheel")
-                of = f"{word} {', '.join(names)}" if len(names) == 1 and ", " not in names[0] else ", ".join(names)
+                of = _owners(_sorted(names), stage=found is stages)
                 rows.append((f"${letter(symbol)}$", _meaning(symbol), of, value, source))
     head = (tr("Designation"), tr("Quantity"), tr("Of what"), tr("Value"), tr("Source"))
     return Table(tr("Values from tables"), head, tuple(rows), TABLES)
+
+
+def _owners(names: str, *, stage: bool) -> str:
+    """Wheels or stages by their names."""
+    if stage:
+        return tr("stages {stages}", stages=names) if ", " in names else tr("stage {stage}", stage=names)
+    return tr("wheels {wheels}", wheels=names) if ", " in names else tr("wheel {wheel}", wheel=names)
 
 
 def _is_read(factor: Factor) -> bool:
@@ -274,7 +314,8 @@ def _required(meshes: Mapping[str, list[Factor]], scheme: Layout) -> Iterator[Bl
             if factor.told.symbol.startswith("Y_F"):
                 wheel = factor.told.symbol.partition(" of wheel ")[2] or weaker
                 forms.setdefault(wheel, Own(tr("for wheel {wheel}", wheel=wheel), factor))
-    places = [Place(own.of, _lexicon("Y_F", own.factor)) for own in forms.values() if own.factor.formula]
+    external = [forms[wheel] for wheel in sorted(forms) if forms[wheel].factor.formula]
+    places = [Place(own.of, _lexicon("Y_F", own.factor)) for own in external]
     yield from lines(["Y_F = 3.568 + 201.95/z**2"], places)
     rings = [wheel for wheel, own in forms.items() if not own.factor.formula]
     if rings:
@@ -304,8 +345,7 @@ def _plain(factor: Factor) -> Factor:
 def _sizes(sized: Sized, stages: Mapping[str, list[Factor]]) -> Iterator[Block]:
     """Standard modules and face widths."""
     task = sized.task
-    if any(own.factor.letters["m_H"] for own in _owned(stages, "m_req")):
-        yield Paragraph(tr("The larger module is required, in a stage of several meshes the largest of theirs."))
+    yield Paragraph(tr("The larger module is required, in a stage of several meshes the largest of theirs."))
     yield from _lines("m_req", _owned(stages, "m_req"))
     for own in _owned(stages, "m"):
         value = f"$m$ = {_value(own.factor)}"
@@ -360,8 +400,8 @@ def _stresses(meshes: Mapping[str, list[Factor]], scheme: Layout) -> Iterator[Bl
         symbols = {factor.told.symbol: factor.told.value / 1e6 for factor in factors}
         said = tr("mesh {mesh}", mesh=mesh.replace("-", "–"))
         found.append((said, "sigma_{H}", symbols["sigma_H"], symbols["sigma_HP"]))
-    for mesh, wheel, place in bending:
-        given = place.lexicon["sigma_F"].value
+    for mesh, wheel, at in bending:
+        given = at.lexicon["sigma_F"].value
         assert isinstance(given, float)
         said = tr("wheel {wheel} in the mesh {mesh}", wheel=wheel, mesh=mesh.replace("-", "–"))
         found.append((said, "sigma_{F}", given, limits[mesh, wheel]))

@@ -53,12 +53,13 @@ def blocks(order: Order) -> Iterator[Block]:
         results = {**results, "power": order.solved("power")}
     meshes = to_selection(order.spec).meshes
     trains = [found for _, found in searched_trains(order.spec, results, 1)]
+    widths = () if selection is None else selection.winner.widths
     for k, variant in enumerate(variants):
         own = next((found for found in trains if _of(found) is variant.request), None)
         yield from _searched(variant, None if own is None else own.chosen, selection, f"train{k}")
         if own is not None:
             torque = results["strength"].variants[k].torque.value if "strength" in results else None
-            yield from _chosen(own, meshes, torque, f"train{k}")
+            yield from _chosen(own, meshes, torque, widths, f"train{k}")
 
 
 def _of(found: Moving) -> Request | None:
@@ -241,13 +242,15 @@ def _sets(variant: Variant, chosen: Chosen | None, selection: Selection | None, 
     )
 
 
-def _chosen(moving: Moving, meshes: MeshEfficiency, torque: float | None, key: str) -> Iterator[Block]:
+def _chosen(
+    moving: Moving, meshes: MeshEfficiency, torque: float | None, widths: tuple[float, ...], key: str
+) -> Iterator[Block]:
     """Everything of one set."""
     chosen = moving.chosen
     assert chosen is not None
     yield Heading(message(train_name(chosen.sets)), 2)
     yield from told_conditions(chosen, f"{key}_conditions")
-    yield _scheme(chosen, f"{key}_scheme")
+    yield _scheme(chosen, widths, f"{key}_scheme")
     found = _driven(moving, meshes, torque)
     told = told_motion(Moving(found.task, found.motion, chosen, moving.remarks))
     yield from told_speeds(told, f"{key}_speeds")
@@ -281,12 +284,12 @@ def told_plans(moving: Moving, key: str) -> Iterator[Block]:
     yield pictured(motion_piece(moving), key=key)
 
 
-def _scheme(chosen: Chosen, key: str) -> Figure:
+def _scheme(chosen: Chosen, widths: tuple[float, ...], key: str) -> Figure:
     """The train to scale from two sides."""
-    modules = np.array(chosen.modules) if chosen.modules else None
+    modules, width = (np.array(each) if each else None for each in (chosen.modules, widths))
     driver = CARRIER if chosen.request is not None and chosen.request.kind == "i_H1" else "1"
     rack, addendum = chosen.task.pressure_angle, float(chosen.task.addendum)
-    train = placed(chosen.sets, 0, modules, rack=rack, addendum=addendum, driver=driver)
+    train = placed(chosen.sets, 0, modules, width, rack=rack, addendum=addendum, driver=driver)
     return Figure(message(train_name(chosen.sets)), partial(draw_scheme, train=train), SCHEME, key)
 
 
