@@ -5,6 +5,8 @@ from __future__ import annotations
 from tmmcalc.report.formula import layout
 from tmmcalc.report.formula.setting import spelt
 
+RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+
 
 def plain(box: layout.Box) -> str:
     """The text.
@@ -29,8 +31,9 @@ def plain(box: layout.Box) -> str:
             return f"{_signed(over)}/{_signed(under)}"
         case layout.Marked(inner, mark):
             return f"{plain(inner)}{mark}"
-        case layout.Root(inner):
-            return f"√({plain(inner)})"
+        case layout.Root(inner, degree):
+            raised = "" if degree is None else plain(degree).translate(RAISED)
+            return f"{raised}√({plain(inner)})"
         case layout.Script(base, lower, upper, primes):
             below = "" if lower is None else f"_{plain(lower)}"
             above = "" if upper is None else f"^{_grouped(upper)}"

@@ -41,8 +41,8 @@ upright("2")), 2)'
                 if not isinstance(inner, layout.Digits)
                 else f'"{spelt(inner.text)}{mark}"'
             )
-        case layout.Root(inner):
-            return f"sqrt({typst(inner)})"
+        case layout.Root(inner, degree):
+            return f"sqrt({typst(inner)})" if degree is None else f"root({typst(degree)}, {typst(inner)})"
         case layout.Script(base, lower, upper, primes):
             below = "" if lower is None else f", b: {typst(lower)}"
             above = "" if upper is None else f", t: {typst(upper)}"
