@@ -127,6 +127,7 @@ ROOM = Room(
                 pieces="tmmcalc.machine.pictures.pieces:of_flywheel",
             ),
             studied=True,
+            chapter="motion",
         ),
         Stage(
             "motion",
@@ -141,6 +142,7 @@ ROOM = Room(
                 pieces="tmmcalc.machine.pictures.pieces:of_motion",
             ),
             studied=True,
+            chapter="motion",
         ),
         Stage(
             "transient",
@@ -152,6 +154,7 @@ ROOM = Room(
             settings=TOLERANCE,
             picture=Picture("speeds and moments over the time"),
             studied=True,
+            chapter="motion",
         ),
         Stage(
             "balance",
@@ -178,6 +181,7 @@ ROOM = Room(
     section="Machines",
     chapters={
         "reduction": "Reduction of forces and masses",
+        "motion": "Motion of the machine and flywheel",
         "balance": "Balancing",
     },
 )
