@@ -9,11 +9,11 @@ from typing import NamedTuple
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula import setting
-from tmmcalc.report.formula.digits import Worked, worked
+from tmmcalc.report.formula.digits import Worked, result_of, worked
 from tmmcalc.report.formula.layout import Box, Gap, Row, Word
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
-from tmmcalc.report.formula.tree import Name, Statement, names
+from tmmcalc.report.formula.tree import Statement, names
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Chapter, Display, Figure, Heading, Line, Listing, Paragraph, Table
 
@@ -82,7 +82,7 @@ class Assembler:
         self.numbers: dict[str, str] = {}  # of tables, figures and formulas, by their keys
         self._sections = [0, 0, 0]
         self._equations = self._tables = self._figures = 0
-        self._explained: set[str] = set()
+        self._explained: dict[str, tuple[str, str]] = {}  # meaning and unit of a name
 
     def written(self, chapters: Iterable[Chapter]) -> list[Written]:
         """What is written of these chapters, references in their texts replaced by numbers."""
@@ -131,11 +131,10 @@ class Assembler:
 
     def _line(self, line: Line) -> Iterator[Written]:
         left, right = line.formula.sides
-        assert isinstance(left, Name)
         yield Equation((setting.side(left), setting.side(right)), self._numbered(line.key))
         yield from self._where(line)
         for place in line.places:
-            given = place.lexicon[left.key]
+            given = result_of(left, place.lexicon)
             assert isinstance(given.value, float)
             found = worked(right, place.lexicon, given.value, unit=given.unit, digits=line.digits)
             self.lines.append(Checked(line.formula, place.name, found))
@@ -145,13 +144,13 @@ class Assembler:
             yield Equation((parts[0], parts[2]) if same else parts, lead=place.name)
 
     def _where(self, line: Line) -> Iterator[Written]:
-        """The names that stand for the first time, with meaning and unit."""
-        lexicon = line.places[0].lexicon
-        new = [key for key in names(line.formula) if key not in self._explained and lexicon[key].meaning]
-        self._explained |= set(new)
+        """The names that stand for the first time, or for something else than before, with meaning and unit."""
         groups: dict[tuple[str, str], list[str]] = {}
-        for key in new:
-            groups.setdefault((lexicon[key].meaning, lexicon[key].unit), []).append(key)
+        for key in names(line.formula):
+            _, unit, meaning = line.places[0].lexicon[key]
+            if meaning and self._explained.get(key) != (meaning, unit):
+                self._explained[key] = meaning, unit
+                groups.setdefault((meaning, unit), []).append(key)
         parts: list[str | Box] = []
         for k, ((meaning, unit), keys) in enumerate(groups.items()):
             parts.append("; " if k else tr("where") + " ")

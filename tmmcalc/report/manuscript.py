@@ -49,7 +49,8 @@ class Place(NamedTuple):
 class Line(NamedTuple):
     """A formula in letters, then with the numbers of each place: its left side is a name whose value is the program's.
 
-    Names that stand for the first time are explained by their meaning.
+    It may be a function of names too: ``inv(alpha)``, a number. Names that stand for the first time, or for something
+    else than before, are explained by their meaning.
     """
 
     formula: Statement
