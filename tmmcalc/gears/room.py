@@ -106,6 +106,7 @@ ROOM = Room(
                 ("--choose", "--phase"),
                 pieces="tmmcalc.gears.pictures.pieces:pair",
             ),
+            chapter="gears",
             studied=True,
         ),
         Stage(
@@ -165,4 +166,5 @@ ROOM = Room(
         "Gears: tooth numbers of trains within all constraints, strength, pairs, contours, tooth profiles, measures.",
         "tmmcalc gears synth my.toml",
     ),
+    chapters={"gears": "Gears"},
 )

@@ -13,11 +13,12 @@ from tmmcalc.report.formula.digits import Worked, result_of, worked
 from tmmcalc.report.formula.layout import Box, Gap, Row, Word
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
-from tmmcalc.report.formula.tree import Statement, names
+from tmmcalc.report.formula.tree import Name, Node, Statement, mapped, names
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Chapter, Display, Figure, Heading, Line, Listing, Paragraph, Table
 
 REFERENCE = re.compile(r"\{((?:tab|eq|fig):\w+)\}")
+COUNTER = re.compile(r"(?<=_)(\w*)i(?=\^|$)|(?<=,)i(?=\})")
 
 
 class Title(NamedTuple):
@@ -139,7 +140,8 @@ class Assembler:
             found = worked(right, place.lexicon, given.value, unit=given.unit, digits=line.digits)
             self.lines.append(Checked(line.formula, place.name, found))
             numbers = setting.side(found.tree, found.shown)
-            parts = (setting.side(left), numbers, with_unit(found.result, given.unit))
+            own = _indexed(left, place.index) if place.index else left
+            parts = (setting.side(own), numbers, with_unit(found.result, given.unit))
             same = not found.shown or plain(numbers) == plain(parts[2].boxes[0])
             yield Equation((parts[0], parts[2]) if same else parts, lead=place.name)
 
@@ -159,6 +161,13 @@ class Assembler:
             parts.append(f" – {meaning}" + (f", {shown_unit(unit)}" if unit else ""))
         if parts:
             yield Text((*parts, "."))
+
+
+def _indexed(node: Node, index: str) -> Node:
+    """The node with this index in place of the i at the end of indices."""
+    if isinstance(node, Name):
+        return Name(COUNTER.sub(lambda found: (found[1] or "") + index, node.key))
+    return mapped(node, lambda part: _indexed(part, index))
 
 
 def _referred(block: Written, numbers: Mapping[str, str]) -> Written:

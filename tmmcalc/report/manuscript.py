@@ -40,10 +40,14 @@ class Display(NamedTuple):
 
 
 class Place(NamedTuple):
-    """A place at which a formula is worked out: what is said of it, ``in position 3``, and its quantities."""
+    """A place at which a formula is worked out: what is said of it, ``in position 3``, and its quantities.
+
+    With an ``index`` the left side of a formula of ``r_ai`` has it in place of i: ``r_a2``.
+    """
 
     name: str
     lexicon: Lexicon
+    index: str = ""
 
 
 class Line(NamedTuple):

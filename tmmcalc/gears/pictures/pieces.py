@@ -56,13 +56,24 @@ def pair(order: Order) -> Iterator[Piece]:
     for found in order.results["pair"].pairs:
         name = pair_title(found.task)
         if all(fault_of(member) is None for member in both(found)):
-            yield Piece(SHEET, tr("Mesh {pair}", pair=name), partial(_mesh, found=found), (260, 190), (340, 250))
-            heading = tr("Specific sliding and specific pressure {pair}", pair=name)
-            yield Piece(SHEET, heading, partial(_course, found=found), (230, 130), (300, 170))
+            yield mesh_of(found)
+            yield sliding_of(found)
         table = partial(draw_parameters, found=found)
         yield Piece(SHEET, tr("Parameters of the pair {pair}", pair=name), table, (120, 150), (150, 240))
         quality = partial(draw_quality, found=found)
         yield Piece(SHEET, tr("Figures of quality {pair}", pair=name), quality, (140, 100), (180, 120))
+
+
+def mesh_of(found: MeshPair) -> Piece:
+    """The mesh of a pair whose wheels have profiles."""
+    heading = tr("Mesh {pair}", pair=pair_title(found.task))
+    return Piece(SHEET, heading, partial(_mesh, found=found), (260, 190), (340, 250))
+
+
+def sliding_of(found: MeshPair) -> Piece:
+    """Sliding and pressure of such a pair along its line of action."""
+    heading = tr("Specific sliding and specific pressure {pair}", pair=pair_title(found.task))
+    return Piece(SHEET, heading, partial(_course, found=found), (230, 130), (300, 170))
 
 
 def profile(order: Order) -> Iterator[Piece]:
