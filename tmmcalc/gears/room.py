@@ -116,6 +116,7 @@ ROOM = Room(
             uses=("reduction",),
             reads="read_by_open_pair",
             wanted="open_pair",
+            chapter="gears",
         ),
         Stage(
             "blocking",
@@ -127,6 +128,7 @@ ROOM = Room(
                 ("--choose",),
                 pieces="tmmcalc.gears.pictures.pieces:blocking",
             ),
+            chapter="gears",
             studied=True,
         ),
         Stage(
@@ -139,6 +141,7 @@ ROOM = Room(
                 ("--choose",),
                 pieces="tmmcalc.gears.pictures.pieces:profile",
             ),
+            chapter="gears",
             studied=True,
         ),
         Stage(
@@ -146,6 +149,7 @@ ROOM = Room(
             "a wheel without a mate: circles, limits, measures, profile",
             asked=("wheel", "no wheel by itself"),
             picture=Picture("how the tool cuts the teeth, half a tooth enlarged"),
+            chapter="gears",
         ),
     ),
     (

@@ -12,7 +12,7 @@ from tmmcalc.gears.meshing.results import NOISE, MeshPair
 from tmmcalc.gears.notes.pairs.choice import chosen
 from tmmcalc.gears.notes.pairs.conditions import judged
 from tmmcalc.gears.notes.pairs.contact import contact, interference, quality
-from tmmcalc.gears.notes.pairs.lexicon import Told, indexed, told_of
+from tmmcalc.gears.notes.pairs.lexicon import Told, indexed, shortened, told_of
 from tmmcalc.gears.notes.pairs.measured import measured, quantities
 from tmmcalc.gears.notes.pairs.sizes import SECTION, circles, teeth
 from tmmcalc.gears.notes.pairs.tables import of_wheels, parameters
@@ -30,9 +30,11 @@ BY_DISTANCE = (
 )
 INVERSE = "inv(alpha_tw) = tan(alpha_tw) - rad(alpha_tw)"
 COMMON = (
-    *("m", "alpha", "h_a^{*}", "c^{*}", "beta", "b", "m_t", "alpha_t", "beta_b", "alpha_tw", "a", "a_w", "H"),
-    *("x_Sigma", "y", "Deltay", "u", "p_b", "g", "g_alpha", "eps_alpha", "eps'_alpha", "eps_beta", "eps_gamma"),
+    *("m", "alpha", "h_a^{*}", "c^{*}", "beta", "b", "alpha_tw", "H", "p_b", "g_alpha"),
+    *("eps_alpha", "eps_beta", "eps_gamma"),
 )
+WHEELED = "a", "a_w", "x_Sigma", "y", "u", "g"  # not of a rack
+HELICAL = "m_t", "alpha_t", "beta_b"
 WHEELS = (
     *("z", "x", "r", "r_w", "r_a", "r_f", "r_b", "r_F", "d", "d_w", "d_a", "d_f", "d_b", "h"),
     *("s_n", "s", "s_t", "s_na", "s_a", "x_min", "alpha_a", "z_w", "W", "s_c", "h_c", "D", "M"),
@@ -50,9 +52,13 @@ def _pair(told: Told, key: str) -> Iterator[Block]:
     found, task = told.found, told.found.task
     yield Heading(title_of(found))
     yield from _data(told, key)
-    yield Heading(tr("Shifts and centre distance"), 3)
-    yield from _distance(told)
+    if task.kind != "rack":
+        yield Heading(tr("Shifts and centre distance"), 3)
+        yield from told.lines(*SECTION * bool(task.helix))
+        yield from _distance(told)
     yield Heading(tr("Circles and teeth"), 3)
+    if task.kind == "rack":
+        yield from told.lines(*SECTION * bool(task.helix))
     yield from circles(told)
     for wheels in told.wheels:
         yield from teeth(wheels, helical=bool(task.helix))
@@ -104,10 +110,6 @@ def _data(told: Told, key: str) -> Iterator[Block]:
 def _distance(told: Told) -> Iterator[Block]:
     """The shifts with the pressure angle and the centre distance that belong to them."""
     found, task = told.found, told.found.task
-    if task.helix:
-        yield from told.lines(*SECTION)
-    if task.kind == "rack":
-        return
     yield from told.lines("a = m*<z>/(2*cos(beta))")
     if task.strategy == "given_aw":
         yield from told.lines(*BY_DISTANCE)
@@ -119,12 +121,12 @@ def _distance(told: Told) -> Iterator[Block]:
         )
         yield from told.lines(INVERSE, "a_w = a*cos(<t>)/cos(alpha_tw)")
     if abs(found.shift_sum) > NOISE:
-        yield from told.lines("y = (a_w - a)/m", "Deltay = x_Sigma <-> y")
+        yield from told.lines("y = (a_w - a)/m", *("Deltay = x_Sigma - y",) * (task.kind == "external"))
     else:
         yield Paragraph(
             tr(
                 "The sum of the shifts is nothing: the pitch circles are the reference circles, {relations}.",
-                relations=f"$a_w = a$, $alpha_tw = {told.words['t']}$, $y = 0$, $Deltay = 0$",
+                relations=f"$a_w = a$, $alpha_tw = {told.words['t']}$",
             )
         )
 
@@ -139,14 +141,17 @@ def _drawn(told: Told, key: str) -> Iterator[Block]:
             wheels=f"{{tab:{key}_wheels}}",
         )
     )
-    yield parameters(tr("Parameters of the pair"), COMMON, told.lexicon, f"{key}_common")
+    names = [*COMMON, *HELICAL * bool(task.helix), *WHEELED * (task.kind != "rack")]
+    names += ["Deltay"] * (task.kind == "external")
+    names += ["eps'_alpha"] * shortened(found)
+    yield parameters(tr("Parameters of the pair"), names, told.lexicon, f"{key}_common")
     yield of_wheels(
         tr("Parameters of the wheels"), WHEELS, _wheels(told), task.wheels[: len(found.sizes)], f"{key}_wheels"
     )
     if all(fault_of(member) is None for member in both(found)):
         yield Paragraph(
             tr(
-                "The mesh is shown in figure {mesh}, sliding and pressure along the line of action in figure {sliding}.",
+                "Figure {mesh} shows the mesh, figure {sliding} sliding and pressure along the line of action.",
                 mesh=f"{{fig:{key}_mesh}}",
                 sliding=f"{{fig:{key}_sliding}}",
             )

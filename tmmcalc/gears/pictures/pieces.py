@@ -7,7 +7,7 @@ from functools import partial
 
 from tmmcalc.gears.chosen.motion import Moving, written
 from tmmcalc.gears.details import trains_in_motion
-from tmmcalc.gears.meshing.booktables import book_tables
+from tmmcalc.gears.meshing.booktables import BookTables, book_tables
 from tmmcalc.gears.meshing.contours import PairContour
 from tmmcalc.gears.meshing.halftooth import fault_of
 from tmmcalc.gears.meshing.members import both, members
@@ -81,15 +81,25 @@ def profile(order: Order) -> Iterator[Piece]:
     for member in members(order.results["pair"]):
         tables = None if fault_of(member) is not None else book_tables(member, "tooth", INTERVALS)
         if tables is not None:
-            heading = tr("Tooth of wheel {wheel} by points", wheel=plain(member.name))
-            yield Piece(SHEET, heading, partial(draw_tooth_points, tables=tables), (200, 100), (260, 140))
+            yield tooth_of(tables)
+
+
+def tooth_of(tables: BookTables) -> Piece:
+    """The tooth of a wheel by the textbook's points."""
+    heading = tr("Tooth of wheel {wheel} by points", wheel=plain(tables.member.name))
+    return Piece(SHEET, heading, partial(draw_tooth_points, tables=tables), (200, 100), (260, 140))
 
 
 def blocking(order: Order) -> Iterator[Piece]:
     """The contours of all pairs with the points that were chosen."""
     for found in order.results["blocking"].pairs:
-        heading = tr("Blocking contour {pair}", pair=plain(found.name))
-        yield Piece(SHEET, heading, partial(_contour, found=found), (290, 185), (310, 195))
+        yield contour_of(found)
+
+
+def contour_of(found: PairContour) -> Piece:
+    """A contour with its lines and points."""
+    heading = tr("Blocking contour {pair}", pair=plain(found.name))
+    return Piece(SHEET, heading, partial(_contour, found=found), (290, 185), (310, 195))
 
 
 def _moving(found: Moving) -> Piece:

@@ -14,7 +14,7 @@ from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Call, Number, names
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Lexicon, Paragraph, Table
-from tmmcalc.report.telling import filled
+from tmmcalc.report.telling import filled, number_of
 
 FIGURES = 5  # digits of a side
 NOTHING = 1e-9  # that rounding leaves of a side
@@ -44,7 +44,8 @@ SIDES = {
     "fillet 2 interference": Sides("rho_p2", "rho_F2", "mm"),
     "trochoid interference": Sides("Gamma", unit="mm"),
 }
-MARGIN = Sides("<value>*m", "<limit>*m")
+MARGIN = Sides("<value>", "<least>", "mm")  # of what has no letters
+RACK = Sides("rho_a1", "rho_R", "mm")  # interference with the fillet of a rack
 AT_MOST = ("fillet 2 interference",)  # whose check knows no more than the margin
 
 
@@ -82,12 +83,20 @@ def _concluded(shown: Sequence[Check], wheels: Sequence[str]) -> str:
 
 
 def _relation(check: Check, lexicon: Lexicon, words: Mapping[str, str]) -> str:
-    """Both sides of a condition with their numbers; what has no letters stands in modules as the check has it."""
+    """Both sides of a condition with their numbers; of what has no letters the numbers alone."""
     sides = SIDES.get(check.name, MARGIN)
+    if check.name == "interference" and check.wheel == 2 and "rho_R" in lexicon:
+        sides = RACK
     index = str(check.wheel) if check.wheel and "i" not in words else ""
     limit = check.limit or 0.0
     shown = _number(degrees(limit) if sides.unit == "deg" else limit, sides.unit)
-    own = {"value": significant(check.value, FIGURES), "limit": shown, "end": words.get(f"end{index}", "")}
+    m = number_of(lexicon, "m")
+    own = {
+        "value": _number(m * check.value, "mm"),
+        "least": _number(m * limit, "mm"),
+        "limit": shown,
+        "end": words.get(f"end{index}", ""),
+    }
     own |= {**words, **of_index(index, words)}
     least = check.name not in AT_MOST and isclose(check.margin, check.value - limit, abs_tol=1e-12)
     kept, broken = (">=", "<") if least else ("<=", ">")

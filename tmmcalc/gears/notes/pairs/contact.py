@@ -11,6 +11,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Paragraph
 
 TIP, PITCH_POINT = "rho_a<i> = r_b<i>*tan(alpha_a<i>)", "rho_w<i> = r_w<i>*sin(alpha_tw)"
+RACK_PITCH_POINT = "rho_w<i> = r<_i>*sin(<t>)"
 BASE_PITCH = "p_b = pi*m*cos(<t>)/cos(beta)"
 ENDS = {  # where the active flanks end, and how long the active part of the line of action is
     "external": ("rho_p1 = g - rho_a2", "rho_p2 = g - rho_a1", "g_alpha = rho_a1 + rho_a2 - g"),
@@ -18,7 +19,7 @@ ENDS = {  # where the active flanks end, and how long the active part of the lin
     "rack": ("rho_p1 = r_1*sin(<t>) - m*(<hr> - x_1)/sin(<t>)", "g_alpha = rho_a1 - rho_p1"),
 }
 RATIO = "eps_alpha = g_alpha/p_b"
-BY_ANGLES = "eps_alpha = (z_1*tan(alpha_a1) <+> z_2*tan(alpha_a2) - (z_1 <+> z_2)*tan(alpha_tw))/(2*pi)"
+BY_ANGLES = "eps_alpha = (z_1*tan(alpha_a1) <+> z_2*tan(alpha_a2) <-> <z>*tan(alpha_tw))/(2*pi)"
 OVERLAP = ("eps_beta = b*sin(beta)/(pi*m)", "eps_gamma = eps_alpha + eps_beta")
 LEFT = {  # the contact that undercut and fillets leave
     "external": (
@@ -40,6 +41,10 @@ PRESSURE = (
     "lambda_e = m*(1/<e1> <+> 1/<e2>)",
 )
 RACK_PRESSURE = ("lambda_s = m/<s1>", "lambda_P = m/rho_w1", "lambda_e = m/<e1>")
+RACK_LIMITS = (
+    "rho_R = rho_w1 + m*(<hl> + x_1)/sin(<t>)",
+    "<sna2> = m*(pi/2 - 2*<hr>*tan(alpha))",
+)
 CLEARANCES = {
     "external": ("c_1 = a_w - r_a2 - r_f1", "c_2 = a_w - r_a1 - r_f2"),
     "internal": ("c_1 = r_a2 - a_w - r_f1", "c_2 = r_f2 - a_w - r_a1"),
@@ -72,11 +77,13 @@ def quality(told: Told) -> Iterator[Block]:
     """Sliding and specific pressure at the ends of the contact and at the pitch point."""
     rack = told.found.task.kind == "rack"
     for wheels in told.wheels:
-        yield from wheels.lines(PITCH_POINT)
+        yield from wheels.lines(RACK_PITCH_POINT if rack else PITCH_POINT)
     if not rack:
         yield from told.lines("u = z_2/z_1")
     yield from told.lines(*(RACK_SLIDING if rack else SLIDING))
     yield from told.lines(*(RACK_PRESSURE if rack else PRESSURE))
+    if rack:
+        yield from told.lines(*RACK_LIMITS)
 
 
 def interference(told: Told) -> Iterator[Block]:

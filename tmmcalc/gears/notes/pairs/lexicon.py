@@ -71,7 +71,10 @@ def worked_out(texts: Sequence[str], places: Sequence[Place], words: Mapping[str
 def told_of(found: MeshPair) -> Told:
     """A pair with its quantities; those of a wheel are explained where its own formulas stand."""
     angles, style = pair_angles(found), words_of(found.task)
-    own = tuple(of_wheel(size, size.teeth, size.shift) | of_flank(wheel) for size, wheel in zip(found.sizes, angles.wheels, strict=True))
+    own = tuple(
+        of_wheel(size, size.teeth, size.shift) | of_flank(wheel)
+        for size, wheel in zip(found.sizes, angles.wheels, strict=True)
+    )
     silent: dict[str, Given] = {}
     for k, quantities in enumerate(own, 1):
         for name, given in indexed(quantities, str(k), style).items():
@@ -91,6 +94,7 @@ def _of_contact(found: MeshPair) -> dict[str, str]:
         words[f"end{k}"] = f"rho_L{k}" if size.limit is not None and size.limit >= 0 else f"rho_F{k}"
     if found.task.kind == "rack":
         usual = abs(pinion_on_rack(found).addendum - found.task.rack.addendum) <= NOISE
+        words["sna2"] = "s_na2" if found.task.helix else "s_a2"
         words["hr"] = "h_a^{*}" if usual else "h_R^{*}"
     return words | (SHORT if shortened(found) else WHOLE)
 
@@ -117,7 +121,9 @@ def _wheels(found: MeshPair, own: Sequence[Lexicon], lexicon: Lexicon, style: Ma
 def alone(found: SingleWheel) -> Wheels:
     """A wheel without a mate, whose quantities have no index."""
     task, style = found.task, words_of(found.task)
-    quantities = of_rack(task.rack) | of_section(task, found.angle_t, found.base_helix) | of_wheel(found, task.teeth, task.shift)
+    quantities = (
+        of_rack(task.rack) | of_section(task, found.angle_t, found.base_helix) | of_wheel(found, task.teeth, task.shift)
+    )
     for row in found.measures.chords:
         if row.name == "tip":
             quantities |= of_tip(row.angle, row.helix, found.base)
@@ -199,11 +205,7 @@ def of_pair(found: MeshPair, angles: PairAngles) -> dict[str, Given]:
         "c_2": length(found.clearances[1], tr("clearance at the root of the wheel")),
     }
     if task.kind == "rack":
-        assert angles.rack_addendum is not None
-        return quantities | {
-            "H": length(found.distance, tr("distance of the datum line of the rack from the axis")),
-            "h_R^{*}": Given(angles.rack_addendum, "", tr("addendum of the rack in modules")),
-        }
+        return quantities | of_peaks(found) | _of_rack(found, angles)
     side = -1 if task.kind == "internal" else 1
     assert angles.ratio is not None
     return (
@@ -221,18 +223,33 @@ def of_pair(found: MeshPair, angles: PairAngles) -> dict[str, Given]:
     )
 
 
+def _of_rack(found: MeshPair, angles: PairAngles) -> dict[str, Given]:
+    """The rack of a pinion."""
+    assert angles.rack_addendum is not None
+    checks = {(check.name, check.wheel): check for check in found.checks}
+    deepest, m = checks["interference", 2].limit, found.task.module
+    assert deepest is not None
+    return {
+        "H": length(found.distance, tr("distance of the datum line of the rack from the axis")),
+        "h_R^{*}": Given(angles.rack_addendum, "", tr("addendum of the rack in modules")),
+        "rho_R": length(m * deepest, tr("radius of curvature at the end of the straight flank of the rack")),
+        "s_na2" if found.task.helix else "s_a2": length(
+            m * checks["tip thickness", 2].value, tr("tooth thickness of the rack at its tip")
+        ),
+    }
+
+
 def of_peaks(found: MeshPair) -> dict[str, Given]:
     """Sliding and pressure where the contact begins, at the pitch point and where it ends; none without contact."""
     peaks = found.peaks_left if shortened(found) else found.peaks
     if peaks is None:
         return {}
-    pressure = tr("coefficient of specific pressure")
     return {
         "theta_1": Given(peaks.theta1, "", tr("specific sliding of wheel 1 where the contact begins")),
         "theta_2": Given(peaks.theta2, "", tr("specific sliding of wheel 2 where the contact ends")),
-        "lambda_s": Given(peaks.pressure_start, "", pressure),
-        "lambda_P": Given(peaks.pressure_pitch, "", pressure),
-        "lambda_e": Given(peaks.pressure_end, "", pressure),
+        "lambda_s": Given(peaks.pressure_start, "", tr("coefficient of specific pressure where the contact begins")),
+        "lambda_P": Given(peaks.pressure_pitch, "", tr("coefficient of specific pressure at the pitch point")),
+        "lambda_e": Given(peaks.pressure_end, "", tr("coefficient of specific pressure where the contact ends")),
     }
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from tmmcalc.gears.meshing.results import BallsRow, Measures
+from tmmcalc.gears.meshing.results import Measures
 from tmmcalc.gears.meshing.task import WheelMeasuring
 from tmmcalc.gears.notes.pairs.lexicon import Wheels, angle, length, of_index
 from tmmcalc.report.formula.digits import Given, significant
@@ -13,7 +13,8 @@ from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Listing, Paragraph, Place
 from tmmcalc.report.telling import filled, named, number_of
 
-BASE = ("p_bn = pi*m*cos(alpha)", "s_bn<i> = m*cos(alpha)*(pi/2 + 2*x<_i>*tan(alpha) + z<_i>*inv(<t>))")
+BASE_PITCH = "p_bn = pi*m*cos(alpha)"
+BASE = "s_bn<i> = m*cos(alpha)*(pi/2 + 2*x<_i>*tan(alpha) + z<_i>*inv(<t>))"
 REACH = "W<_i>^{*} = 2*sqrt(r_a<i>**2 - r_b<i>**2)"
 WIDTH = {"book": "W^{**} = b/sin(beta)", "exact": "W^{**} = b/sin(beta_b)"}
 MOST = "z_w<i> <= (W<_i>^{*} - s_bn<i>)/p_bn + 1"
@@ -66,9 +67,7 @@ def measured(wheels: Wheels, found: Sequence[Measures], asked: Sequence[WheelMea
     yield from _spans(wheels, [row for row in rows if row[1].spans])
     ring = wheels.words["+"] == "-"
     yield from wheels.lines(CHORD, RING_HEIGHT if ring else HEIGHT)
-    for place, each, measuring in rows:
-        if each.balls is not None:
-            yield from _balls(wheels._replace(places=(place,)), each.balls, measuring)
+    yield from _balls(wheels, [row for row in rows if row[1].balls is not None])
 
 
 def _spans(wheels: Wheels, rows: Sequence[Row]) -> Iterator[Block]:
@@ -76,7 +75,8 @@ def _spans(wheels: Wheels, rows: Sequence[Row]) -> Iterator[Block]:
     if not rows:
         return
     wheels = wheels._replace(places=tuple(place for place, _, _ in rows))
-    yield from wheels.lines(*BASE, REACH)
+    yield from wheels._replace(places=wheels.places[:1]).lines(BASE_PITCH)
+    yield from wheels.lines(BASE, REACH)
     _, first, asked = rows[0]
     width = first.span_width if asked.rule == "book" else first.span_width_exact
     if width is not None:
@@ -116,11 +116,23 @@ def _own(wheels: Wheels, place: Place, name: str) -> str:
     return filled(name, of_index(index, wheels.words))
 
 
-def _balls(wheels: Wheels, found: BallsRow, asked: WheelMeasuring) -> Iterator[Block]:
-    """The size over two balls or pins, which stand opposite each other but for odd numbers of teeth."""
-    (place,), pins = wheels.places, asked.body == "pins"
-    said = tr("Pins") if pins else tr("Balls")
-    ring, odd = wheels.words["+"] == "-", number_of(place.lexicon, wheels.name("z<_i>")) % 2
-    opposite = pins and not ring and number_of(place.lexicon, "beta") > 0
-    yield Paragraph(said)
-    yield from wheels.lines(*BALLS, ODD if odd and not opposite else EVEN)
+def _balls(wheels: Wheels, rows: Sequence[Row]) -> Iterator[Block]:
+    """The size over two balls or pins, or between them in a ring."""
+    if not rows:
+        return
+    pins = rows[0][2].body == "pins"
+    text = (
+        tr("The size with two pins in opposite spaces:") if pins else tr("The size with two balls in opposite spaces:")
+    )
+    yield Paragraph(text)
+    yield from wheels._replace(places=tuple(place for place, _, _ in rows)).lines(*BALLS)
+    for formula in (EVEN, ODD):
+        places = tuple(place for place, _, _ in rows if _over(wheels, place, pins=pins) == formula)
+        if places:
+            yield from wheels._replace(places=places).lines(formula)
+
+
+def _over(wheels: Wheels, place: Place, *, pins: bool) -> str:
+    """The formula of the size: spaces of an odd number of teeth are not opposite, but for pins in a helical wheel."""
+    opposite = pins and wheels.words["+"] == "+" and number_of(place.lexicon, "beta") > 0
+    return ODD if number_of(place.lexicon, wheels.name("z<_i>")) % 2 and not opposite else EVEN

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import isclose
 
 from tmmcalc.gears.involute.internal.ring import Ring, cutting
 from tmmcalc.gears.involute.wheel import Wheel
 from tmmcalc.gears.notes.pairs.lexicon import Told, Wheels, angle, length
-from tmmcalc.report.formula.digits import Given, value_of
+from tmmcalc.report.formula.digits import Given, result_of, value_of
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
+from tmmcalc.report.formula.tree import Statement, names
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Paragraph
-from tmmcalc.report.telling import filled, named, number_of
+from tmmcalc.report.manuscript import Block, Paragraph, Place
+from tmmcalc.report.telling import filled, named
 
 SECTION = ("m_t = m/cos(beta)", "alpha_t = atan(tan(alpha)/cos(beta))", "beta_b = asin(sin(beta)*cos(alpha))")
 CIRCLES = ("r<_i> = m*z<_i>/(2*cos(beta))", "r_b<i> = r<_i>*cos(<t>)")
@@ -35,12 +37,10 @@ RING_FORM = "r_F<i> = r<_i> + m*(<hl> - x<_i>)"
 CUT_FORM = "rho_F<i> = a_w0*sin(alpha_tw0) + sqrt((r_a0 - rho_0)**2 - r_b0**2) + rho_0"
 CUT_RADIUS = "r_F<i> = sqrt(r_b<i>**2 + rho_F<i>**2)"
 HEIGHT, RING_HEIGHT = "h<_i> = r_a<i> - r_f<i>", "h<_i> = r_f<i> - r_a<i>"
-TIPS = (  # by the rule; of a pinion at the root that a cutter leaves its ring; of a ring clear of its pinion's fillet
-    "r_a<i> = r<_i> + m*(h_a^{*} + x<_i> - Deltay)",
-    "r_a<i> = r<_i> <+> m*(h_a^{*} + x<_i>)",
-    "r_a1 = r_f2 - a_w - m*c^{*}",
-    "r_a2 = sqrt(r_b2**2 + (g + <end1>)**2)",
-)
+SHORTENED_TIP = "r_a<i> = r<_i> + m*(h_a^{*} + x<_i> - Deltay)"
+PLAIN_TIP = "r_a<i> = r<_i> <+> m*(h_a^{*} + x<_i>)"
+KEPT_TIP = "r_a1 = r_f2 - a_w - m*c^{*}"  # of a pinion in a ring with a shallow root
+CLEAR_TIP = "r_a2 = sqrt(r_b2**2 + (g + <end1>)**2)"  # of a ring that would reach into the fillet of its pinion
 THICKNESS = "<sn> = m*(pi/2 + 2*x<_i>*tan(alpha))"
 TRANSVERSE = "<st> = <sn>/cos(beta)"
 TIP_ANGLE = "alpha_a<i> = acos(r_b<i>/r_a<i>)"
@@ -118,22 +118,33 @@ def ring_root(wheels: Wheels, ring: Ring, module: float) -> Iterator[Block]:
 
 
 def _tips(told: Told, wheels: Wheels) -> Iterator[Block]:
-    """The tip circle by the rule that gives it; one that is given or that no rule gives stands in the table."""
-    for rule in TIPS:
-        text = filled(rule, {**wheels.words, "end1": told.words.get("end1", "")})
-        try:
-            (line,) = wheels.lines(text)
-            _, right = line.formula.sides
-            apart = [
-                abs(value_of(right, place.lexicon, "") / number_of(place.lexicon, wheels.name("r_a<i>")) - 1)
-                for place in line.places
-            ]
-        except (KeyError, ValueError):
+    """The tip circle by the rule that gives it, and why it is another than the usual; else it is given."""
+    own = [read(wheels.name("r_a<i>")).sides[0]]
+    for rule, why in (
+        (SHORTENED_TIP, ""),
+        (PLAIN_TIP, ""),
+        (KEPT_TIP, tr("The tip of the pinion keeps the clearance at the root that the cutter leaves the ring.")),
+        (CLEAR_TIP, tr("The tip of the ring ends where it clears the fillet of the pinion.")),
+    ):
+        formula = read(filled(rule, {**wheels.words, "end1": told.words["end1"]}))
+        if [formula.sides[0]] != own or not set(names(formula)) <= set(wheels.places[0].lexicon):
             continue
-        if max(apart) < SAME and line.formula.sides[0] == read(wheels.name("r_a<i>")).sides[0]:
-            yield line
+        if all(_gives(formula, place) for place in wheels.places):
+            yield from [Paragraph(why)] * bool(why)
+            yield from wheels.lines(filled(rule, {"end1": told.words["end1"]}))
             return
-    yield Paragraph(tr("The radii of the tip circles are given."))
+    yield Paragraph(tr("The tip circle is given."))
+
+
+def _gives(formula: Statement, place: Place) -> bool:
+    """Whether a formula gives what the program has."""
+    left, right = formula.sides
+    result = result_of(left, place.lexicon).value
+    assert isinstance(result, float)
+    try:
+        return isclose(value_of(right, place.lexicon, ""), result, rel_tol=SAME)
+    except ValueError:
+        return False
 
 
 def teeth(wheels: Wheels, helical: bool) -> Iterator[Block]:
