@@ -40,6 +40,8 @@ upright("2")), 2)'
         case Digits(text):
             number = spelt(text)
             return f'"{number}"' if "," in number else number
+        case Sign("−", leads=True):
+            return 'class("unary", −)'
         case Sign(text):
             return OPERATORS.get(text, text)
         case Gap():
