@@ -172,7 +172,9 @@ def _shaft_lines(balance: EngineBalance, shaft: ShaftWeights, lexicon: Lexicon) 
     said = {"order": signed(k)}
     force, couple = balance.force.coefficient(k), balance.couple.coefficient(k)
     found = {
-        **vector(f"F_{{{k},%}}", _clean(force, balance.scales[0]), "N", tr("force that turns with order {order}", **said)),
+        **vector(
+            f"F_{{{k},%}}", _clean(force, balance.scales[0]), "N", tr("force that turns with order {order}", **said)
+        ),
         **vector(
             f"C_{{{k},%}}", _clean(couple, balance.scales[1]), "N*m", tr("couple that turns with order {order}", **said)
         ),

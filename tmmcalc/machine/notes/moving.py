@@ -93,9 +93,7 @@ class Moving(NamedTuple):
         motion, result = self.configuration.motions[link], self.kinematics
         omega, eps = (np.broadcast_to(each, len(self.rows)) for each in result.in_time(motion.omega, motion.eps))
         for lexicon, first, second in zip(self.lexicons, omega, eps, strict=True):
-            lexicon[f"omega_{link}"] = Given(
-                float(first), "rad/s", tr("angular velocity of link {link}", link=link)
-            )
+            lexicon[f"omega_{link}"] = Given(float(first), "rad/s", tr("angular velocity of link {link}", link=link))
             lexicon[f"eps_{link}"] = Given(
                 float(second), "rad/s^2", tr("angular acceleration of link {link}", link=link)
             )

@@ -29,7 +29,11 @@ WORKING, ENGINE = "eta = A_c/(A_c + A_F)", "eta = (A_d + A_F)/A_d"  # (3.36), (3
 RATED = ("omega_N = pi*n_N/30", "M_N = P_N/omega_N")
 FORMS = {  # of a characteristic: lines of its constants, and itself
     "parabolic": (
-        ("omega_c = pi*n_c/30", "A_m = M_N*omega_c**2/(omega_c**2 - omega_N**2)", "B_m = M_N/(omega_c**2 - omega_N**2)"),
+        (
+            "omega_c = pi*n_c/30",
+            "A_m = M_N*omega_c**2/(omega_c**2 - omega_N**2)",
+            "B_m = M_N/(omega_c**2 - omega_N**2)",
+        ),
         "M_m = A_m - B_m*omega_m**2",
     ),
     "linear": (("omega_c = pi*n_c/30", "b_m = M_N/(omega_c - omega_N)"), "M_m = b_m*(omega_c - omega_m)"),

@@ -10,8 +10,8 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tmmcalc.core.plane import Real
 from tmmcalc.core.numerics.simpson import simpson_weights
+from tmmcalc.core.plane import Real
 from tmmcalc.machine.notes.reducing import Names, inertia_lines, moment_lines, reducing
 from tmmcalc.machine.pictures.pieces import of_reduction
 from tmmcalc.machine.pictures.words import cause_name

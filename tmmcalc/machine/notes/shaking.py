@@ -32,7 +32,7 @@ from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Lexicon, Paragraph, Place, Table
 from tmmcalc.report.numbers import NOISE
-from tmmcalc.report.telling import STILL, WIDE, lines, named, number_of, tabulated, vector
+from tmmcalc.report.telling import WIDE, lines, named, number_of, tabulated, vector
 
 ON_LINE = 1e-12  # of a rod: a centre of mass so near to its line lies on it
 MARKS = {"least squares": "1", "minimax": "m", "lanchester": "L", "lanchester 2": "LL", "given": "z"}
@@ -149,7 +149,9 @@ def _moment_lines(moving: Moving, chain: Chain, result: Balancing, bodies: Seque
                 f"y_{pole}": Given(found.about.imag, "m", tr("coordinate of point {point}", point=pole)),
             }
         )
-    yield Paragraph(tr("The shaking moment is the sum of the moments of inertia forces and couples about {point}:", point=pole))
+    yield Paragraph(
+        tr("The shaking moment is the sum of the moments of inertia forces and couples about {point}:", point=pole)
+    )
     texts, names = [], []
     for mass in masses_of(moving, bodies):
         link, name, centre = mass.body.link, f"M_{{R{mass.body.link}}}", mass.centre
@@ -176,9 +178,7 @@ def _crank_lines(moving: Moving, result: Balancing) -> Iterator[Block]:
     found = result.shaking
     angle = f"phi_{moving.link}" if np.array_equal(found.x, found.phi) else "phi_c"
     whose = tr("angle of link {link}", link=moving.link) if angle != "phi_c" else tr("angle of the line of the crank")
-    for lexicon, turned, phi in zip(
-        moving.lexicons, found.turned[moving.rows], found.phi[moving.rows], strict=True
-    ):
+    for lexicon, turned, phi in zip(moving.lexicons, found.turned[moving.rows], found.phi[moving.rows], strict=True):
         said = tr("projection of the shaking force on the axes of the crank")
         lexicon |= named(vector("R_{%1}", complex(turned), "N", said))
         lexicon[angle] = Given(math.degrees(float(phi)), "deg", whose)
@@ -377,7 +377,9 @@ def _side_words(order: int, *, opposite: bool) -> str:
     """Where a weight stands that lies on the line of the crank."""
     if order == 1:
         return (
-            tr("The weight is opposite to the crank pin.") if opposite else tr("The weight is on the side of the crank pin.")
+            tr("The weight is opposite to the crank pin.")
+            if opposite
+            else tr("The weight is on the side of the crank pin.")
         )
     if opposite:
         return tr("When the crank lies along the x axis, the weight is opposite to it.")
