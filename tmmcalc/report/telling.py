@@ -102,12 +102,15 @@ def tabulated(
 
     ``columns`` are headed by what they are, ``"$phi_3$, deg"`` with the unit of the values after the comma.
     """
-    found = {head: list(labels)}
-    for name, values in columns.items():
-        what, comma, own = name.partition(", ")
-        unit, factor = printed_as(own)
-        found[headed(f"{what}{comma}{unit}")] = column_of(np.asarray(values, dtype=float) * factor)
+    found = {head: list(labels), **dict(column(name, values) for name, values in columns.items())}
     return Table(caption, tuple(found), tuple(zip(*found.values(), strict=True)), key)
+
+
+def column(name: str, values: ArrayLike, digits: int = DIGITS) -> tuple[str, list[str]]:
+    """The head and the cells of a column ``"$phi_3$, deg"`` in the unit in which it is printed."""
+    what, comma, own = name.partition(", ")
+    unit, factor = printed_as(own)
+    return headed(f"{what}{comma}{unit}"), column_of(np.asarray(values, dtype=float) * factor, digits)
 
 
 def headed(head: str) -> str:

@@ -114,7 +114,7 @@ class Reducing(NamedTuple):
 
     def lines(self, *texts: str) -> Iterator[Line]:
         """The formulas worked out at the positions; ``<w>`` is the speed of the input."""
-        return lines(texts, self.moving.places, {"w": self.moving.rate, "eps": f"eps_{self.moving.link}"})
+        return lines(texts, self.moving.places, {"w": self.moving.rate, "eps": self.moving.acceleration})
 
 
 def reducing(order: Order) -> Reducing:
