@@ -51,15 +51,15 @@ def _groups(order: Order, result: Structure) -> Iterator[Block]:
     count = tr_count(len(result.groups), "Assur group", "Assur groups")
     if result.driven is None:
         said = tr(
-            "With the input link {link} on the frame as the mechanism of class I, the other links form {count}: table "
-            "{tab:groups}, figure {fig:groups}.",
+            "With the input link {link} on the frame as the mechanism of class I, the other links form {count} "
+            "(table {tab:groups}, figure {fig:groups}).",
             link=result.input_link,
             count=count,
         )
     else:
         said = tr(
-            "The drive acts between two moving links, so the group {group} holds it; the links form {count}: "
-            "table {tab:groups}, figure {fig:groups}.",
+            "The drive acts between two moving links, so the group {group} holds it; the links form {count} "
+            "(table {tab:groups}, figure {fig:groups}).",
             group=result.driven.name,
             count=count,
         )
