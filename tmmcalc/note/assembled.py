@@ -170,6 +170,7 @@ def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
 def _converted(given: Given) -> tuple[Row, ...]:
     """The result in the unit that is asked for in place of its own."""
     unit, factor = printed_as(given.unit)
+    assert isinstance(given.value, float)
     return (with_unit(significant(given.value * factor, RESULT), unit),) if unit != given.unit else ()
 
 

@@ -39,10 +39,20 @@ from tmmcalc.report.formula.tree import (
 from tmmcalc.report.language import spoken, tr_number
 
 RELATIONS = {"=": "=", "<": "<", "<=": "≤", ">": ">", ">=": "≥", "~": "≈"}
+ROUNDED = {"floor": "⌊⌋", "ceil": "⌈⌉"}
 POWERED = ("sin", "cos", "tan")  # functions whose power stands before the argument
 PRINTED = {
     "en": {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "ln": "ln", "lg": "lg"},
-    "uk": {"tan": "tg", "asin": "arcsin", "acos": "arccos", "atan": "arctg", "atan2": "arctg2", "ln": "ln", "lg": "lg"},
+    "uk": {
+        "gcd": "НСД",
+        "tan": "tg",
+        "asin": "arcsin",
+        "acos": "arccos",
+        "atan": "arctg",
+        "atan2": "arctg2",
+        "ln": "ln",
+        "lg": "lg",
+    },
 }
 
 
@@ -209,6 +219,9 @@ def _open_function(box: Box) -> bool:
 
 
 def _power(base: Node, exponent: Node, values: Values) -> Box:
+    if isinstance(exponent, Quotient) and exponent.over == Number("1"):
+        degree = None if exponent.under == Number("2") else _box(exponent.under, values)
+        return Root(_bare(base, values), degree)
     raised = _bare(exponent, values)
     if isinstance(base, Call) and base.function in POWERED and isinstance(exponent, Number):
         return _call(base.function, base.arguments, values, raised)
@@ -225,6 +238,8 @@ def _call(function: str, arguments: Sequence[Node], values: Values, power: Box |
     first = arguments[0]
     if function == "sqrt":
         return Root(_bare(first, values))
+    if function in ROUNDED:
+        return Fenced(_bare(first, values), *ROUNDED[function])
     if function == "abs":
         return Fenced(_bare(first, values), "|", "|")
     if function == "rad":
@@ -256,7 +271,7 @@ def _signed(box: Box) -> bool:
             return text.startswith(("-", "−"))
         case Sign(text):
             return text == "−"
-        case Marked(inner):
+        case Marked(inner) | Fraction(inner):
             return _signed(inner)
         case Row(boxes):
             return bool(boxes) and _signed(boxes[0])
