@@ -68,7 +68,7 @@ def _groups(order: Order, result: Structure) -> Iterator[Block]:
     yield Table(tr("Assur groups"), heads, tuple(map(_described, result.groups)), key="groups")
     kinematics = order.solved("kinematics")
     cycle = whole_cycle(chain_of(to_linkage(order.spec.linkage), kinematics), kinematics)
-    row = at_parts(cycle, kinematics, (1 / 2,))[0]
+    row = at_parts(cycle.chain, kinematics, (1 / 2,))[0]
     yield pictured(of_groups(result, cycle, float(kinematics.x[row])), key="groups")
 
 

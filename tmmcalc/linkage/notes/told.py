@@ -104,7 +104,13 @@ def told_of(order: Order) -> Told:
     """What is told of the linkage of a run, at the positions that are asked for, or one of each stroke."""
     mechanism, result = to_linkage(order.spec.linkage), order.results["kinematics"]
     cycle = whole_cycle(chain_of(mechanism, result), result)
-    return _gathered(cycle, result, order.rows(POSITIONS, result.labels) or at_parts(cycle, result, *SHOWN))
+    return _gathered(cycle, result, rows_shown(order, cycle.chain))
+
+
+def rows_shown(order: Order, chain: Chain) -> list[int]:
+    """Rows of the kinematics that are asked for, or one of each stroke."""
+    result = order.results["kinematics"]
+    return order.rows(POSITIONS, result.labels) or at_parts(chain, result, *SHOWN)
 
 
 def _gathered(cycle: LinkageMotion, result: Kinematics, rows: Sequence[int]) -> Told:

@@ -43,7 +43,7 @@ def of_kinematics(order: Order) -> Iterator[Piece]:
 
     result, mechanism = order.results["kinematics"], to_linkage(order.spec.linkage)
     cycle = whole_cycle(chain_of(mechanism, result), result)
-    rows = positions_of(order, result.labels) or at_parts(cycle, result, PARTS)
+    rows = positions_of(order, result.labels) or at_parts(cycle.chain, result, PARTS)
     plans, count = plans_of(mechanism, result, rows), len(rows)
     yield _on_sheet(of_scheme(result, cycle, rows[0]))
     for letter, heading in (("v", tr("Velocity polygons")), ("a", tr("Acceleration polygons"))):
@@ -87,7 +87,7 @@ def of_forces(order: Order) -> Iterator[Piece]:
     wished = positions_of(order, result.labels)
     statics = statics_of(mechanism, to_loading(order.spec), kinematics)
     cycle = whole_cycle(statics.scene.chain, kinematics)
-    row = wished[0] if wished else result.labels.index(kinematics.labels[at_parts(cycle, kinematics, PARTS)[0]])
+    row = wished[0] if wished else result.labels.index(kinematics.labels[at_parts(cycle.chain, kinematics, PARTS)[0]])
     bodies = cleared(free_bodies(statics, float(result.theta[row]), side_of(result, row)), SEEN)
     chain = statics.scene.chain
     motion = motion_at(chain, statics.scene.travel.x(result.theta[[row]]))
