@@ -81,15 +81,15 @@ def _extremes(told: Told, summary: OutputSummary) -> Iterator[Block]:
         names = _names(result, name)
         lexicon |= named(_angles(told, summary, names))
         ends = f"phi_{index}^{{II}} - phi_{index}^I" if result.speed > 0 else f"phi_{index}^I - phi_{index}^{{II}}"
-        texts = (f"{names[0]} = {ends}", f"{names[1]} = deg(360) - {names[0]}", f"{names[2]} = {names[0]}/{names[1]}")
+        texts = (f"{names[0]} = {ends}", f"{names[1]} = {names[0]}/(deg(360) - {names[0]})")
         yield from lines(texts, place)
 
 
-def _names(result: Kinematics, name: str) -> tuple[str, str, str]:
-    """The angle from the first extreme position to the second one, that back, the time ratio."""
+def _names(result: Kinematics, name: str) -> tuple[str, str]:
+    """The angle from the first extreme position to the second one, and the time ratio."""
     if len(result.summaries) == 1:
-        return "phi_{I,II}", "phi_{II,I}", "K"
-    return f"phi_{{I,II}}^{{{name}}}", f"phi_{{II,I}}^{{{name}}}", f"K_{{{name}}}"
+        return "phi_{I,II}", "K"
+    return f"phi_{{I,II}}^{{{name}}}", f"K_{{{name}}}"
 
 
 def _values(summary: OutputSummary) -> np.ndarray:
@@ -115,10 +115,9 @@ def _stroke(summary: OutputSummary, name: str, values: np.ndarray) -> Lexicon:
     return {f"H_{{{name}}}": length(summary.stroke, tr("stroke of {output}", output=name)), **ends}
 
 
-def _angles(told: Told, summary: OutputSummary, names: tuple[str, str, str]) -> Lexicon:
+def _angles(told: Told, summary: OutputSummary, names: tuple[str, str]) -> Lexicon:
     """The angles of the crank over the strokes, the second extreme position after the first."""
     assert summary.working_angle is not None
-    assert summary.idle_angle is not None
     assert summary.time_ratio is not None
     index, first = told.result.structure.input_link, summary.dead_centres[0].x
     second = first + math.copysign(summary.working_angle, told.result.speed)
@@ -126,7 +125,6 @@ def _angles(told: Told, summary: OutputSummary, names: tuple[str, str, str]) -> 
     return {
         f"phi_{index}^I": Given(math.degrees(first), "deg", said),
         f"phi_{index}^{{II}}": Given(math.degrees(second), "deg", said),
-        names[0]: Given(math.degrees(summary.working_angle), "deg", tr("angle of the working stroke")),
-        names[1]: Given(math.degrees(summary.idle_angle), "deg", tr("angle of the idle stroke")),
-        names[2]: Given(summary.time_ratio, "", tr("time ratio")),
+        names[0]: Given(math.degrees(summary.working_angle), "deg", tr("angle of the crank over the working stroke")),
+        names[1]: Given(summary.time_ratio, "", tr("time ratio, working stroke over idle stroke")),
     }
