@@ -13,7 +13,7 @@ from tmmcalc.linkage.notes.group import plain_name
 from tmmcalc.linkage.notes.told import Told
 from tmmcalc.linkage.outputs import default_outputs
 from tmmcalc.linkage.pictures.plans import SENSES, draw_plans_of_kind, plans_of
-from tmmcalc.linkage.pictures.vectors import SUPERSCRIPTS, drawn_vectors
+from tmmcalc.linkage.pictures.vectors import SPECIAL, SUPERSCRIPTS, drawn_vectors
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.turning import turnings
 from tmmcalc.linkage.vectors import Polygon, Vector, VectorPolygons
@@ -123,12 +123,17 @@ def designation(vector: Vector, letter: str) -> str:
     'a_{B2A}^n'
     """
     above = SUPERSCRIPTS.get(vector.kind, "r" if vector.kind == "sliding" and letter == "a" else "").replace("k", "K")
-    return f"{letter}_{{{vector.point}{vector.base}}}" + (f"^{above}" if above else "")
+    return f"{letter}_{{{_told(vector.point + vector.base)}}}" + (f"^{above}" if above else "")
 
 
 def ends(vector: Vector) -> str:
     """The vertices of a segment."""
-    return f"{vector.tail}{vector.head}".replace("pi", "π")
+    return _told(f"{vector.tail}{vector.head}").replace("pi", "π")
+
+
+def _told(name: str) -> str:
+    """A name of points, a special point with its legs in brackets."""
+    return SPECIAL.sub(r"\1\2(\3,\4)", name)
 
 
 def _compared(told: Told, found: Sequence[VectorPolygons], plans: Sequence[Plan]) -> Iterator[Block]:
