@@ -10,7 +10,9 @@ import pytest
 
 from note.scenes import blocks, told
 from tmmcalc.note.assembled import Assembler, Equation, Text
+from tmmcalc.note.tree import Reference
 from tmmcalc.report.formula.plain import plain
+from tmmcalc.report.formula.tree import Name, Statement
 from tmmcalc.report.manuscript import Block, Table
 
 CHAPTERS = ("structure", "kinematics")
@@ -25,7 +27,13 @@ def values(name: str) -> dict[str, float]:
     """The results of the lines by what stands before them: a place, and the left side."""
     assembler = Assembler()
     assembler.written(told(name, "6,18" if name == "shaper" else None, only=CHAPTERS))
-    return {f"{line.place} {line.formula.sides[0].key}".strip(): float(line.found.result) for line in assembler.lines}
+    return {f"{line.place} {_left(line.formula)}".strip(): float(line.found.result) for line in assembler.lines}
+
+
+def _left(formula: Statement) -> str:
+    left = formula.sides[0]
+    assert isinstance(left, Name)
+    return left.key
 
 
 def tables(name: str, key: str) -> Table:
@@ -103,8 +111,8 @@ def test_a_driven_length_turns_the_boom_as_its_triangle_does() -> None:
 
 def test_projections_of_a_vector_are_explained_together_and_once() -> None:
     written = Assembler().written(told("shaper", only=CHAPTERS))
-    texts = (each.parts for each in written if isinstance(each, Text) and not any(isinstance(p, Link) for p in each.parts))
-    said = " ".join("".join(p if isinstance(p, str) else plain(p) for p in parts) for parts in texts)
+    parts = [part for each in written if isinstance(each, Text) for part in (*each.parts, " ")]
+    said = "".join(p if isinstance(p, str) else plain(p) for p in parts if not isinstance(p, Reference))
     assert "v_Dx, v_Dy – projections of the velocity of D, m/s" in said
     explained = re.findall(r"(\w+), \w+ – projections", said)
     assert len(explained) == len(set(explained)) > 4
