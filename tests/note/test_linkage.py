@@ -9,8 +9,8 @@ from functools import cache
 import pytest
 
 from note.scenes import blocks, told
-from tmmcalc.note.assembled import Assembler, Equation, Text
-from tmmcalc.note.tree import Reference
+from tmmcalc.note.assembled import Assembler
+from tmmcalc.note.tree import Equation, Reference, Text
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.tree import Name, Statement
 from tmmcalc.report.manuscript import Block, Table

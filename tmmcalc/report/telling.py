@@ -126,12 +126,6 @@ def pictured(piece: Piece, *, key: str = "", wide: float = WIDE) -> Figure:
     return Figure(message(piece.heading), piece.draw, (wide, min(factor * good[1], HIGH)), key)
 
 
-def headed(head: str) -> str:
-    """The head of a column with its unit in the language in force."""
-    name, comma, unit = head.partition(", ")
-    return name + (comma and f", {tr_unit(unit)}")
-
-
 def column_of(values: ArrayLike, digits: int = DIGITS) -> list[str]:
     """Numbers of a column as they are printed: all to one last digit, zero without a sign; a dash where one is nan.
 
