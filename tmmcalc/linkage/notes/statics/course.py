@@ -46,6 +46,13 @@ def over_the_motion(loaded: Loaded, groups: Mapping[str, Sequence[ToldPair]]) ->
     yield Heading(tr("Results at all positions"), 2)
     result, statics = loaded.result, loaded.statics
     jump = next((label for label in result.labels if label.endswith("-")), None)
+    if jump is not None:
+        said = tr(
+            "Where friction jumps, as at position {label}, the limit just before stands in the row {before}.",
+            label=jump.removesuffix("-"),
+            before=jump.replace("-", "−"),
+        )
+        yield Paragraph(said)
     own = Values(result.reaction, result.normal, result.couple, result.friction, result.drive)
     if statics.scales:
         bare = statics.scene._replace(loading=replace(statics.scene.loading, pairs=()))
@@ -66,13 +73,6 @@ def over_the_motion(loaded: Loaded, groups: Mapping[str, Sequence[ToldPair]]) ->
         tables = [*_tables(loaded, groups, own, tr("Reactions, {group}", group="{group}"), "all")]
         yield Paragraph(tr("The reactions at all positions: tab. {tables}.", tables=_span(tables)))
         yield from tables
-    if jump is not None:
-        said = tr(
-            "Where friction jumps, as at position {label}, the limit just before stands in the row {before}.",
-            label=jump.removesuffix("-"),
-            before=jump.replace("-", "−"),
-        )
-        yield Paragraph(said)
     yield Paragraph(_balance(loaded))
     yield from _pictures(loaded)
 

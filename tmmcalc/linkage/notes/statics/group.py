@@ -8,14 +8,14 @@ from typing import NamedTuple
 from tmmcalc.core.plane import cross
 from tmmcalc.linkage.forces.wrench import Plan
 from tmmcalc.linkage.model import Joint
-from tmmcalc.linkage.notes.statics.loaded import Loaded, moments, point_of, put_reaction, sums
+from tmmcalc.linkage.notes.statics.loaded import Loaded, moments, point_of, printed_head, put_reaction, sums
 from tmmcalc.linkage.notes.statics.pairs import ToldPair, arms, friction
 from tmmcalc.linkage.notes.statics.slides import put_slide
 from tmmcalc.report.formula.digits import Given, significant, value_of
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Paragraph, Table
-from tmmcalc.report.telling import headed, named, number_of
+from tmmcalc.report.telling import named, number_of
 
 DIGITS = 5  # of the numbers in the tables
 SUMS = ("x", "y", "M")  # the equations of a link
@@ -161,12 +161,14 @@ def _system(loaded: Loaded, name: str, equations: list[Equations], unknowns: lis
     )
     for each in equations:
         yield _coefficients(loaded, each, [u for u in unknowns if _in(each, u)], keys[each.link])
-    values = [[_cell(number_of(lexicon, u)) for lexicon in loaded.told.lexicons] for u in unknowns]
-    heads = [headed(f"${u}$, {'N*m' if u.startswith('M_') else 'N'}") for u in unknowns]
+    rows = []
+    for unknown in unknowns:
+        head, factor = printed_head(unknown, "N*m" if unknown.startswith("M_") else "N")
+        rows.append((head, *(_cell(factor * number_of(lexicon, unknown)) for lexicon in loaded.told.lexicons)))
     yield Table(
         tr("Reactions of group {name} at the positions", name=name),
         (tr("Unknown"), *loaded.labels),
-        tuple((head, *row) for head, row in zip(heads, values, strict=True)),
+        tuple(rows),
         solution,
     )
 

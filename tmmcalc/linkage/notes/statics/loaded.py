@@ -26,8 +26,9 @@ from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Lexicon
+from tmmcalc.report.printing import printed_as
 from tmmcalc.report.telling import named, number_of, vector
 
 NOTHING = 1e-12  # of the largest force, or couple: less is not told
@@ -186,6 +187,12 @@ def put_reaction(loaded: Loaded, joint: Joint, link: int, bodies: Bodies, lexico
     lexicon |= named(vector(f"R_{{{link}{other}%}}", value, "N", meaning))
     lexicon[canonical(f"R_{{{link}{other}}}")] = Given(abs(value), "N", meaning)
     return value
+
+
+def printed_head(name: str, unit: str) -> tuple[str, float]:
+    """A quantity with the unit in which it is printed, as the head of a row or a column; the factor of its values."""
+    shown, factor = printed_as(unit)
+    return f"${name}$, {tr_unit(shown)}", factor
 
 
 def point_of(loaded: Loaded, joint: str) -> str:
