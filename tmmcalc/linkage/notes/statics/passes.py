@@ -9,15 +9,14 @@ import numpy as np
 from tmmcalc.linkage.forces.iteration import Iteration, textbook_iteration
 from tmmcalc.linkage.forces.results import side_of
 from tmmcalc.linkage.forces.wrench import Plan
-from tmmcalc.linkage.notes.statics.loaded import Loaded, printed_head
+from tmmcalc.linkage.notes.statics.loaded import Loaded, number_cell, printed_head
 from tmmcalc.linkage.notes.statics.pairs import ToldPair, along
-from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.language import tr, tr_number
 from tmmcalc.report.manuscript import Block, Paragraph, Table
 from tmmcalc.report.telling import column_of
 
 STOP = 1e-3  # relative change at which the passes end
-FIRST, LAST = 4, 3  # passes that a long table shows
+FIRST, LAST = 3, 3  # passes that a long table shows
 MOST = 50
 LEAST = 1e-9  # of an unknown [N, mm]: less is rounding
 
@@ -48,7 +47,7 @@ def passes(loaded: Loaded, plan: Plan, pairs: Sequence[ToldPair]) -> Iterator[Bl
 def _table(found: Iteration, pairs: Mapping[str, ToldPair], loaded: Loaded, caption: str, key: str) -> Table:
     """The friction that each pass is solved with, the unknowns that it gives, the largest change."""
     shown = [*range(found.passes)]
-    if found.passes > FIRST + LAST + 1:
+    if found.passes > FIRST + LAST:
         shown = [*shown[:FIRST], *shown[-LAST:]]
     slot = next((pair for pair in [*pairs.values()][1:2] if pair.joint.kind == "prismatic"), None)
     rows = []
@@ -66,7 +65,7 @@ def _table(found: Iteration, pairs: Mapping[str, ToldPair], loaded: Loaded, capt
         if np.nanmax(np.abs(values)) > LEAST:
             head, factor = printed_head(symbol, unit)
             rows.append((head, *column_of(factor * values)))
-    change = [f"${significant(100 * each, 2)}$" for each in found.change]
+    change = [number_cell(100 * each, 2) for each in found.change]
     rows.append((tr("largest change, %"), *("–" if k == 0 else change[k] for k in shown), "–"))
     return Table(caption, (tr("Pass"), *(str(k + 1) for k in shown), tr("solution")), tuple(rows), key)
 
