@@ -26,7 +26,8 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Paragraph, Table
 from tmmcalc.report.telling import named, number_of
 
-DIGITS = 5  # of the numbers in the tables
+DIGITS = 5  # of the unknowns and right sides in tables
+COEFFICIENTS = 4  # digits of coefficients
 STILL = 1e-12  # of a coefficient: less is rounding
 SUMS = ("x", "y", "M")  # the equations of a link
 
@@ -162,7 +163,8 @@ def _system(loaded: Loaded, name: str, equations: list[Equations], unknowns: lis
         tr(
             "Each link of group {name} is in equilibrium: its projections on both axes and its moments make three "
             "equations, together {count} equations with {count} unknowns. Their coefficients, those of moments in m, "
-            "and their right sides: tab. {tables}; the unknowns that solve them: tab. {solution}.",
+            "and their right sides $b$: tab. {tables}, the positions in brackets; the unknowns that solve them: tab. "
+            "{solution}.",
             name=name,
             count=len(unknowns),
             tables=tables,
@@ -200,9 +202,9 @@ def _coefficients(loaded: Loaded, each: Equations, unknowns: list[str], key: str
             for unknown in unknowns:
                 own = [term for term in each.terms[which] if term.unknown == unknown]
                 found = sum(term.sign * value_of(read(term.factor).sides[0], place.lexicon, "") for term in own)
-                cells.append(number_cell(found if abs(found) > STILL else 0.0, DIGITS))
-            rows.append((label, f"${each.left(which)}$", *cells, number_cell(_clean(loaded, right), DIGITS)))
-    head = (tr("Position"), tr("Equation"), *(f"${unknown}$" for unknown in unknowns), tr("Right side"))
+                cells.append(number_cell(found if abs(found) > STILL else 0.0, COEFFICIENTS))
+            rows.append((f"${each.left(which)}$ ({label})", *cells, number_cell(_clean(loaded, right), DIGITS)))
+    head = (tr("Equation"), *(f"${unknown}$" for unknown in unknowns), "$b$")
     return Table(tr("Coefficients of the equations of link {link}", link=each.link), head, tuple(rows), key)
 
 

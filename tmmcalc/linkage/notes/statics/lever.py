@@ -12,18 +12,18 @@ from tmmcalc.linkage.forces.results import side_of
 from tmmcalc.linkage.freebody import Acting, Couple
 from tmmcalc.linkage.lever import LEAST_ARM, Lever, LeverForce, levers, replaced_at, working
 from tmmcalc.linkage.notes.group import plain_name
-from tmmcalc.linkage.notes.statics.loaded import Loaded, printed_head, said
+from tmmcalc.linkage.notes.statics.loaded import Loaded, number_cell, printed_head, said
 from tmmcalc.linkage.pictures.lever import draw_lever, lever_scale
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
-from tmmcalc.report.telling import WIDE, column_of, named
+from tmmcalc.report.telling import WIDE, named
 
 SIZE = (WIDE, 125.0)  # of the picture [mm]
 KEY = "forces_lever"
-DIGITS = 6  # of the largest number of a column
+DIGITS = 5  # of a number in the table
 
 
 def lever(loaded: Loaded) -> Iterator[Block]:
@@ -99,15 +99,16 @@ def _table(loaded: Loaded, found: Lever, k: int) -> Table:
     """The forces of a lever."""
     forces = working(found.forces)
     columns = {tr("Force"): [_name(loaded, force) for force in forces]}
-    for symbol, unit, part, digits in (
-        ("F_i", "N", "force", 5),
-        ("h_i", "mm", "arm", 5),
-        ("F_i*h_i", "N*mm", "moment", 6),
-    ):
+    for symbol, unit, part in (("F_i", "N", "force"), ("h_i", "mm", "arm"), ("F_i*h_i", "N*mm", "moment")):
         head, factor = printed_head(symbol, unit)
-        columns[head] = column_of([factor * getattr(force, part) for force in forces], digits)
+        columns[head] = [number_cell(factor * _seen(getattr(force, part)), DIGITS) for force in forces]
     caption = tr("Moments on the lever {place}", place=loaded.told.places[k].name)
     return Table(caption, tuple(columns), tuple(zip(*columns.values(), strict=True)), f"{KEY}_{loaded.rows[k]}")
+
+
+def _seen(value: float) -> float:
+    """An arm, or a moment, without what is rounding."""
+    return value if abs(value) > LEAST_ARM else 0.0
 
 
 def _drive(loaded: Loaded, found: Sequence[Lever]) -> Iterator[Block]:
