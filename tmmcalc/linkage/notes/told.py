@@ -21,7 +21,7 @@ from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Paragraph, Place
+from tmmcalc.report.manuscript import Block, Place
 from tmmcalc.report.telling import STILL, filled, lines, named
 
 SHOWN = ((1 / 2,), (1 / 2,))  # parts of the working and of the idle stroke whose positions are worked out
@@ -89,15 +89,6 @@ class Told(NamedTuple):
         """Whether these quantities are zero in all shown positions."""
         values = (lexicon[canonical(name)].value for lexicon in self.lexicons for name in names)
         return all(isinstance(value, float) and abs(value) <= STILL for value in values)
-
-    def beyond(self) -> Iterator[Block]:
-        """A sentence on the groups that are no dyads, where there are some."""
-        names = ", ".join(group.step.group.name for group in self.groups if not isinstance(group, Dyad))
-        if names:
-            said = tr(
-                "The program solves these groups, and their lines are not written out here: {groups}.", groups=names
-            )
-            yield Paragraph(said)
 
 
 def told_of(order: Order) -> Told:
