@@ -26,9 +26,10 @@ from tmmcalc.linkage.loads.sources import Place, same_place
 from tmmcalc.linkage.model import FRAME, Joint
 from tmmcalc.linkage.notes.group import plain_name
 from tmmcalc.linkage.notes.statics.loaded import force_key
+from tmmcalc.linkage.notes.told import told_of
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.machine.attached import Attached
-from tmmcalc.machine.notes.moving import Mass, Moving, masses_of, moving, point_name, rows_shown
+from tmmcalc.machine.notes.moving import Mass, Moving, masses_of, moving, point_name
 from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.reduction.causes import Causes, causes_of
 from tmmcalc.machine.reduction.inertia import lumped
@@ -121,7 +122,7 @@ def reducing(order: Order) -> Reducing:
     """What is told of the reduction of a linkage, its results put into the lexicons."""
     result, kinematics = order.results["reduction"], order.results["kinematics"]
     mechanism, loading, _ = inputs(order.spec)
-    rows = rows_shown(order, mechanism)
+    rows = told_of(order).rows
     if order.flags[POSITIONS] is None:
         rows = _with_loads(rows, result, kinematics)
     if result.rods == "lumped":
