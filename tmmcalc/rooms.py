@@ -17,6 +17,7 @@ from tmmcalc.manipulators.room import ROOM as MANIPULATORS
 from tmmcalc.vibration.room import ROOM as VIBRATION
 
 if TYPE_CHECKING:
+    from tmmcalc.report.tables.note import NoteTable
     from tmmcalc.report.tables.sheets import SheetsTable
 
 __all__ = ["CHAPTERS", "ROOMS", "STAGES", "TABLES", "Shared"]
@@ -25,9 +26,10 @@ ROOMS = (LINKAGE, MACHINE, GEARS, CAMS, VIBRATION, MANIPULATORS, EXTRAS, FEASIBI
 
 
 class Shared:
-    """The table that belongs to no room."""
+    """The tables that belong to no room."""
 
     sheets: SheetsTable | None = table("The drawings that are handed in.")
+    note: NoteTable | None = table("The explanatory note that is handed in.")
 
 
 TABLES |= merged([*(room.tables for room in ROOMS), entries("tmmcalc.report", Shared)])

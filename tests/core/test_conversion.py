@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ import pytest
 import tmmcalc
 from tmmcalc import NoSolutionError, UsageError
 from tmmcalc.core.conversion import from_record, to_record
+from tmmcalc.core.notes import Note, Phrase
 from tmmcalc.core.records import record
 from tmmcalc.project import parse_spec
 from tmmcalc.project.templates import folder
@@ -46,6 +48,25 @@ def test_there_and_back() -> None:
     back = from_record(Found, to_record(found()))
     assert (back.labels, back.parts, back.counters) == (found().labels, found().parts, {"rows": 2})
     assert back.drive.tolist() == [1.0, 2.0]
+
+
+@record
+class Told:
+    said: tuple[Note | str, ...]
+    reason: Phrase | str
+
+
+def test_notes_and_phrases_come_back_with_what_they_hold() -> None:
+    long = Note("warning", "12 mm is long", "link 2", 0.012, 0.01, "m", "l")
+    outside = Phrase("{x} lies outside: {lines}", x="0.5", lines=["tip", "root"])
+    told = Told((long, "note: plain"), outside)
+    for copy in (from_record(Told, to_record(told)), pickle.loads(pickle.dumps(told))):
+        assert copy.reason == "0.5 lies outside: tip, root"
+        assert isinstance(copy.reason, Phrase)
+        assert copy.reason.stored() == outside.stored()
+        assert isinstance(copy.said[0], Note)
+        assert copy.said[0].stored() == long.stored()
+    assert from_record(Told, to_record(Told((), "plain"))) == Told((), "plain")
 
 
 @record

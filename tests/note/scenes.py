@@ -6,13 +6,18 @@ import tomllib
 from functools import cache
 from pathlib import Path
 
-from tmmcalc.note.assembled import Assembler, Checked, Written
-from tmmcalc.pipeline.chapters import chapters_of, stages_of
+from tmmcalc.note.assembled import Assembler, Checked
+from tmmcalc.note.tree import Written
+from tmmcalc.note.whole import Work, whole
+from tmmcalc.pipeline.chapters import chapters_of, errors_of, stages_of, warnings_of
 from tmmcalc.pipeline.picturing import NONE
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
+from tmmcalc.project.found import text_of
 from tmmcalc.report.drawing.order import POSITIONS
 from tmmcalc.report.manuscript import Block, Chapter
+from tmmcalc.report.printing import FULL
+from tmmcalc.report.tables.note import AuthorTable
 from tmmcalc.rooms import CHAPTERS
 
 CONFIGS = Path(__file__).parent.parent.parent / "configs"
@@ -50,6 +55,10 @@ def lines(name: str) -> list[Checked]:
     return assembler.lines
 
 
-def written(name: str, only: tuple[str, ...] = tuple(CHAPTERS)) -> list[Written]:
-    """The note in the language in force."""
-    return Assembler().written(told(name, only=only))
+def written(name: str, only: tuple[str, ...] = tuple(CHAPTERS), depth: str = FULL) -> list[Written]:
+    """The whole note in the language in force."""
+    done = run(load_spec(CONFIGS / f"{name}.toml"), target=stages_of(only))
+    stages, titles = stages_of(only), {chapter: CHAPTERS[chapter] for chapter in only}
+    chapters = chapters_of(titles, done.spec, done.results)
+    work = Work(name, AuthorTable(), {}, warnings_of(done, stages), errors_of(done, stages), text_of(done.spec))
+    return whole(work, chapters, depth)

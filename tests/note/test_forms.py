@@ -13,9 +13,9 @@ from xml.etree import ElementTree
 import pytest
 
 from note.scenes import CONFIGS, SPECS, written
-from tmmcalc.note.assembled import Equation, Grid, Image, Points, Text, Title, Written
 from tmmcalc.note.docx import document
 from tmmcalc.note.html import page
+from tmmcalc.note.tree import Contents, Cover, Equation, Grid, Image, Points, Text, Title, Written
 from tmmcalc.note.typst import pdf, source
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.language import speaking
@@ -35,7 +35,7 @@ def spoken(request: pytest.FixtureRequest) -> Any:
 def test_a_pdf_keeps_its_margins_and_can_be_searched(spoken: Any) -> None:
     language, note = spoken
     reader = pytest.importorskip("pypdfium2")
-    read = reader.PdfDocument(pdf(source(note, language)))
+    read = reader.PdfDocument(pdf(source(note, language, "Shaper")))
     assert 10 <= len(read) <= 20
     whole = ""
     for sheet in read:
@@ -67,8 +67,12 @@ def words(note: list[Written]) -> Iterator[str]:
     """The words of a note without its formulas."""
     for each in note:
         match each:
-            case Title(_, said) | Image(said):
+            case Title(_, said) | Contents(said):
                 yield said
+            case Cover(head, kind, _, people, foot):
+                yield from (*head, *kind, foot, *(each for pair in people for each in pair))
+            case Image(caption):
+                yield str(caption)
             case Equation(_, _, lead):
                 yield lead
             case Text():
@@ -76,7 +80,7 @@ def words(note: list[Written]) -> Iterator[str]:
             case Points(items):
                 yield from (part for item in items for part in said_in(item))
             case Grid(caption, head, rows):
-                yield caption
+                yield str(caption)
                 yield from (part for row in (head, *rows) for cell in row for part in said_in(cell))
 
 

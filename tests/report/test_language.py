@@ -12,14 +12,29 @@ import pytest
 
 import tmmcalc
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.report.drawing.lettering import pieces
-from tmmcalc.report.language import LANGUAGES, PLACE, catalogue, files_of, speaking, spoken, tr, tr_count, tr_unit
+from tmmcalc.report.language import (
+    LANGUAGES,
+    PLACE,
+    catalogue,
+    files_of,
+    speaking,
+    spoken,
+    tr,
+    tr_count,
+    tr_name,
+    tr_unit,
+)
 
 ROOT = Path(tmmcalc.__file__).parent
+CONFIGS = Path(__file__).parents[2] / "configs"
 OTHERS = [language for language in LANGUAGES if language != "en"]
 APOSTROPHE = re.compile(r"[А-Яа-яЄІЇҐєіїґ]['`][А-Яа-яЄІЇҐєіїґ]")
 POINT = re.compile(r"\d\.\d")
 FORMULA_NUMBER = re.compile(r"\(\d+\.\d+[^)]*\)")
+NAME = re.compile(r'^name = "(.+)"', re.MULTILINE)
+SHORT = 5  # letters of an f-string that could be of any text
 RUSSIAN = re.compile("[ыэъё]", re.IGNORECASE)
 
 
@@ -34,8 +49,8 @@ def said() -> dict[str, dict[str, str]]:
         for node in ast.walk(ast.parse(text)):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in found:
                 argument = node.args[1 if node.func.id == "tr_count" else 0]
-                if isinstance(argument, ast.Constant):
-                    found[node.func.id][str(argument.value)] = str(file.relative_to(ROOT))
+                assert isinstance(argument, ast.Constant), f"{file}: {ast.unparse(node)} is no literal"
+                found[node.func.id][str(argument.value)] = str(file.relative_to(ROOT))
     return found
 
 
@@ -53,18 +68,53 @@ def test_every_translation_is_of_a_text_that_is_said(language: str) -> None:
 
 @pytest.mark.parametrize("language", OTHERS)
 def test_a_text_is_translated_once(language: str) -> None:
-    seen: dict[str, tuple[Path, str]] = {}
+    seen: dict[str, Path] = {}
     for file in files_of(language):
         words = tomllib.loads(file.read_text(encoding="utf-8"))
-        for text, found in words.items():
-            if isinstance(found, str):
-                assert text not in seen, f"{text!r} stands in {seen[text][0]} and {file}"
-                seen[text] = file, found
+        names = words.pop("names", {})
+        for text in [*(text for text, found in words.items() if isinstance(found, str)), *names]:
+            assert text not in seen, f"{text!r} stands in {seen[text]} and {file}"
+            seen[text] = file
+
+
+@cache
+def given() -> tuple[frozenset[str], re.Pattern[str]]:
+    """What theory, manifests and ready specs may say: constants, names of results in words; and forms of f-strings."""
+    forms: set[str] = set()
+    constants = {name for file in CONFIGS.glob("*.toml") for name in NAME.findall(file.read_text(encoding="utf-8"))}
+    for file in ROOT.rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                key = node.value.partition("[")[0].replace("_", " ")
+                constants |= {node.value, node.value.partition(":")[0], key, f"{key} max", f"{key} rms"}
+            elif isinstance(node, ast.JoinedStr):
+                parts = [str(part.value) if isinstance(part, ast.Constant) else "" for part in node.values]
+                if len("".join(parts)) > SHORT:
+                    forms.add("".join(re.escape(part) or ".+" for part in parts))
+    return frozenset(constants), re.compile("|".join(sorted(forms)))
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_every_name_is_one_that_the_program_gives(language: str) -> None:
+    constants, forms = given()
+    names = catalogue(language).names
+    assert [name for name in names if name not in constants and not forms.fullmatch(name)] == []
+
+
+def test_no_text_is_said_twice_for_its_translation() -> None:
+    """No text stands beside itself as in ``{"crank": tr("crank")}``: what the theory says goes through `tr_name`."""
+    for file in ROOT.rglob("*.py"):
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Dict):
+                for key, value in zip(node.keys, node.values, strict=True):
+                    twice = isinstance(key, ast.Constant) and ast.unparse(value) == f"tr({key.value!r})"
+                    assert not twice, f"{file}: {ast.unparse(value)}"
 
 
 @pytest.mark.parametrize("language", OTHERS)
 def test_translations_hold_the_same_values_and_letters_of_the_font(language: str) -> None:
-    for text, found in catalogue(language).texts.items():
+    words = catalogue(language)
+    for text, found in {**words.texts, **words.names}.items():
         assert sorted(PLACE.findall(text)) == sorted(PLACE.findall(found)), text
         for line in found.split("\n"):
             pieces(line)
@@ -72,7 +122,8 @@ def test_translations_hold_the_same_values_and_letters_of_the_font(language: str
 
 
 def test_ukrainian_is_spelt_as_it_should_be() -> None:
-    for found in catalogue("uk").texts.values():
+    words = catalogue("uk")
+    for found in (*words.texts.values(), *words.names.values()):
         assert not APOSTROPHE.search(found), f"{found!r}: the apostrophe is ’"
         assert not RUSSIAN.search(found), f"{found!r} has a letter of another language"
         assert '"' not in found, f"{found!r}: quotes are «»"
@@ -86,6 +137,15 @@ def test_a_language_holds_within_its_block() -> None:
             assert tr_unit("N*m") == "N·m"
         assert tr("a text that nobody translates") == "a text that nobody translates"
     assert spoken() == "en"
+
+
+def test_a_phrase_is_translated_with_its_values() -> None:
+    reason = Phrase("no shifts of z = {teeth} give a mesh {kind}", teeth="14/17", kind="without undercut")
+    outside = Phrase("equal specific sliding at the contact ratio {ratio}", ratio="1.25")
+    assert tr_name(reason) == "no shifts of z = 14/17 give a mesh without undercut"
+    with speaking("uk"):
+        assert tr_name(reason) == "жодні зміщення коліс z = 14/17 не дають зачеплення без підрізання"
+        assert tr_name(outside).endswith("за коефіцієнта перекриття 1,25")
 
 
 def test_an_unknown_language_is_refused() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -16,9 +16,9 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.report.drawing.order import POSITIONS
 
 if TYPE_CHECKING:
-    from tmmcalc.pipeline.outcome import RunResult
+    from tmmcalc.project import Spec
+    from tmmcalc.report.tables.note import AuthorTable, NoteTable
 
-FORMS = {"pdf": "typst", "docx": "docx", "html": "", "typ": "", "txt": ""}  # and the package that each needs
 STDOUT = Path("-")
 
 
@@ -47,6 +47,15 @@ def command(
             show_default=False,
         ),
     ] = None,
+    depth: Annotated[
+        str | None,
+        typer.Option(
+            "--depth",
+            metavar="DEPTH",
+            help="full, short (each formula with one set of numbers) or answers (tables of results); default: full.",
+            show_default=False,
+        ),
+    ] = None,
     language: Language = None,
     store: Store = True,
     fresh: Fresh = False,
@@ -56,21 +65,44 @@ def command(
     """Write the note: every formula in letters, then with the numbers of the chosen positions, and its value.
 
     Each line is worked out again with its printed numbers; one that does not give its printed result is an error of the
-    program.
+    program. What [note] in the spec says holds unless a flag says otherwise; texts of your own stand in a folder note
+    beside it: introduction.md, conclusions.md, kinematics.md and so on.
 
     Example: tmmcalc note my.toml -o my.pdf --positions 3,9 --language uk
     """
-    from tmmcalc.pipeline.chapters import stages_of
+    from tmmcalc.note.assembled import Assembler
+    from tmmcalc.note.forms import check_form, formed
+    from tmmcalc.note.own import own_texts
+    from tmmcalc.note.whole import Work, whole
+    from tmmcalc.pipeline.chapters import chapters_of, errors_of, stages_of, warnings_of
+    from tmmcalc.project.found import text_of
     from tmmcalc.report.language import speaking
+    from tmmcalc.report.printing import printing
+    from tmmcalc.report.tables.note import NoteTable
 
     file = out or Path(f"{spec.stem}.pdf")
-    form = "txt" if file == STDOUT else _form(file)
-    titles = _chosen(only)
+    form = "txt" if file == STDOUT else file.suffix.lower().removeprefix(".")
+    check_form(form)
     job = Job(spec, store=store, fresh=fresh, quiet=quiet, overrides=overrides or (), csv=False)
     scene = job.spec()
-    with speaking(language_of(scene, language)):
-        run = job.run(scene, stages_of([*titles]))
-        written = _written(run, titles, positions, form)
+    said = scene.note or NoteTable()
+    titles = _chosen(only.split(",") if only is not None else said.chapters)
+    stages = stages_of([*titles])
+    with speaking(language or said.language or language_of(scene, None)), printing(said.units):
+        own = own_texts(spec.parent / said.texts, titles)
+        run = job.run(scene, stages)
+        with run.believed():
+            chapters = chapters_of(titles, run.spec, run.results, _flags(positions, said))
+            if not chapters:
+                nothing = f"the scene has nothing for these chapters: {', '.join(titles)}"
+                raise UsageError(nothing, where="note", remedy="see tmmcalc plan")
+            if only is not None:
+                note = Assembler(depth or said.depth).written(chapters)
+            else:
+                warnings, errors = warnings_of(run, stages), errors_of(run, stages)
+                work = Work(scene.project.title, _who(scene, said), own, warnings, errors, text_of(scene))
+                note = whole(work, chapters, depth or said.depth)
+        written = formed(note, form, scene.project.title)
     if file == STDOUT:
         sys.stdout.buffer.write(written)
         return
@@ -81,62 +113,29 @@ def command(
         note_written(file)
 
 
-def _form(file: Path) -> str:
-    """The form that the suffix names; raises `UsageError` for another, and for a missing package."""
-    form = file.suffix.lower().removeprefix(".")
-    if form not in FORMS:
-        remedy = f"forms: {', '.join(FORMS)}"
-        raise UsageError(f"no form of a note for the suffix {file.suffix!r} of {file.name}", where="-o", remedy=remedy)
-    package = FORMS[form]
-    if package:
-        from importlib.util import find_spec
-
-        if find_spec(package) is None:
-            from tmmcalc.core.installation import install
-
-            said = f"a note as {form} needs {package}, which is not installed"
-            raise UsageError(said, where="-o", remedy=f"{install('note')}; html and txt need nothing")
-    return form
-
-
-def _chosen(only: str | None) -> dict[str, str]:
-    """The titles of all chapters, or of those that are asked for; raises `UsageError` for others."""
+def _chosen(names: Sequence[str]) -> dict[str, str]:
+    """The titles of these chapters, of all without a name; raises `UsageError` for others."""
     from tmmcalc.rooms import CHAPTERS
 
-    if only is None:
-        return CHAPTERS
-    asked = [each.strip() for each in only.split(",")]
+    asked = [each.strip() for each in names]
     for name in asked:
         if name not in CHAPTERS:
             raise UsageError(f"there is no chapter {name!r}", where="--only", remedy=f"chapters: {', '.join(CHAPTERS)}")
-    return {name: title for name, title in CHAPTERS.items() if name in asked}
+    return {name: title for name, title in CHAPTERS.items() if name in asked} if asked else CHAPTERS
 
 
-def _written(run: RunResult, titles: Mapping[str, str], positions: str | None, form: str) -> bytes:
-    from tmmcalc.note.assembled import Assembler
-    from tmmcalc.pipeline.chapters import chapters_of
+def _flags(positions: str | None, said: NoteTable) -> dict[str, str | None]:
+    """What the chapters are asked for: the positions of the flag, else those of the spec."""
     from tmmcalc.pipeline.picturing import NONE
-    from tmmcalc.report.language import spoken
 
-    chapters = chapters_of(titles, run.spec, run.results, {**NONE, POSITIONS: positions})
-    if not chapters:
-        said = f"the scene has nothing for these chapters: {', '.join(titles)}"
-        raise UsageError(said, where="note", remedy="see tmmcalc plan")
-    note = Assembler().written(chapters)
-    if form == "txt":
-        from tmmcalc.note.plaintext import text
+    return {**NONE, POSITIONS: positions or ",".join(said.positions) or None}
 
-        return text(note).encode()
-    title = run.spec.project.title
-    if form == "html":
-        from tmmcalc.note.html import page
 
-        return page(note, title, spoken()).encode()
-    if form == "docx":
-        from tmmcalc.note.docx import document
-
-        return document(note, title)
-    from tmmcalc.note.typst import pdf, source
-
-    typed = source(note, spoken())
-    return typed.encode() if form == "typ" else pdf(typed)
+def _who(scene: Spec, said: NoteTable) -> AuthorTable:
+    """Who stands on the title page: by [note.who], else by [sheets.who]."""
+    if scene.sheets is None:
+        return said.who
+    block = scene.sheets.who
+    usual = {"organisation": [block.organisation] if block.organisation else [], "done_by": block.drawn_by}
+    usual |= {"checked_by": block.checked_by}
+    return said.who.model_copy(update={key: value for key, value in usual.items() if not getattr(said.who, key)})

@@ -14,7 +14,7 @@ from typing import Any, Union, get_args, get_origin
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.core.notes import Note, restored
+from tmmcalc.core.notes import Note, Phrase, restored
 from tmmcalc.core.plain import plain_array, plain_table, plain_value
 from tmmcalc.core.records import names_of
 from tmmcalc.core.stored import Record
@@ -113,7 +113,7 @@ def plain(value: Any, arrays: dict[str, np.ndarray] | None = None, path: str = "
         return [{} if v is None else plain(v, arrays, f"{path}.{k}") for k, v in enumerate(value)]
     if isinstance(value, Fraction):
         return str(value)
-    if isinstance(value, Note):
+    if isinstance(value, Note | Phrase):
         return value.stored()
     return [float(value.real), float(value.imag)] if isinstance(value, complex) else plain_value(value, path)
 
@@ -159,8 +159,8 @@ def _reader(kind: Any) -> Reader | None:
         return partial(_tuple, args)
     if origin is dict:
         return partial(_dict, args[1])
-    if kind is Note:
-        return lambda data, arrays, path: restored(data)
+    if kind in (Note, Phrase):
+        return lambda data, arrays, path: restored(kind, data)
     if kind is Fraction:
         return lambda data, arrays, path: Fraction(data)
     return (lambda data, arrays, path: complex(*data)) if kind is complex else None

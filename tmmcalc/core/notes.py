@@ -1,7 +1,8 @@
-"""Notes and warnings of documents: sentences for people, which hold apart what programs ask for."""
+"""Sentences of results for people, which hold apart what programs ask for: notes and warnings, texts with values."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from math import pi
 from typing import Any
 
@@ -69,13 +70,39 @@ class Note(str):
 Said = Note | str  # in a result: a sentence, with its numbers or without
 
 
-def restored(data: str | dict[str, Any]) -> Said:
-    """The note that `Note.stored` gave; a sentence is what it was.
+class Phrase(str):
+    """A text with ``{name}`` for each of its values, by which another language says it; several are parted by commas.
 
-    >>> restored(Note("note", "two", value=2.0).stored())
+    >>> Phrase("no mesh has {ratio}: {lines}", ratio="1.2", lines=("tip", "root"))
+    'no mesh has 1.2: tip, root'
+    """
+
+    def __new__(cls, template: str, **values: str | Sequence[str]) -> Phrase:
+        """Make the text."""
+        texts = {name: each if isinstance(each, str) else ", ".join(each) for name, each in values.items()}
+        made = super().__new__(cls, template.format(**texts))
+        made.template, made.values = template, values
+        return made
+
+    template: str
+    values: Mapping[str, str | Sequence[str]]
+
+    def __getnewargs_ex__(self) -> tuple[tuple[str], Mapping[str, str | Sequence[str]]]:
+        """What it is made of, for other processes."""
+        return (self.template,), self.values
+
+    def stored(self) -> dict[str, Any]:
+        """What it is made of, by name."""
+        return {"template": self.template, **self.values}
+
+
+def restored(kind: type[Note] | type[Phrase], data: str | dict[str, Any]) -> Note | Phrase | str:
+    """The note or phrase that its ``stored`` gave; a sentence is what it was.
+
+    >>> restored(Note, Note("note", "two", value=2.0).stored())
     'note: two'
     """
-    return Note(**data) if isinstance(data, dict) else data
+    return kind(**data) if isinstance(data, dict) else data
 
 
 def held(

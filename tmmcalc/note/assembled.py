@@ -3,67 +3,37 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from tmmcalc.note.tree import Caption, Equation, Grid, Image, Points, Reference, Source, Text, Title, Written
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula import setting
-from tmmcalc.report.formula.digits import Worked, worked
+from tmmcalc.report.formula.digits import RESULT, Given, Worked, significant, worked
 from tmmcalc.report.formula.layout import Box, Gap, Row, Word
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
 from tmmcalc.report.formula.tree import Name, Statement, names
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Chapter, Display, Figure, Heading, Line, Listing, Paragraph, Table
+from tmmcalc.report.manuscript import (
+    Block,
+    Chapter,
+    Display,
+    Figure,
+    Heading,
+    Line,
+    Listing,
+    Paragraph,
+    Place,
+    Result,
+    Table,
+    Verbatim,
+)
+from tmmcalc.report.printing import ANSWERS, FULL, SHORT, printed_as
 
 REFERENCE = re.compile(r"\{((?:tab|eq|fig):\w+)\}")
-
-
-class Title(NamedTuple):
-    """A heading with its number: ``2.3`` of level 2."""
-
-    number: str
-    text: str
-    level: int
-
-
-class Text(NamedTuple):
-    """A paragraph: texts and formulas in turn."""
-
-    parts: tuple[str | Box, ...]
-
-
-class Equation(NamedTuple):
-    """A formula on lines of its own: parts that equality joins; a number, or none."""
-
-    parts: tuple[Row, ...]
-    number: str = ""
-    lead: str = ""  # words before it: ``in position 3``
-
-
-class Grid(NamedTuple):
-    """A table; its number stands in the caption."""
-
-    caption: str
-    head: tuple[Text, ...]
-    rows: tuple[tuple[Text, ...], ...]
-
-
-class Image(NamedTuple):
-    """A picture; its number stands in the caption."""
-
-    caption: str
-    drawing: Drawing
-
-
-class Points(NamedTuple):
-    """A list."""
-
-    items: tuple[Text, ...]
-
-
-Written = Title | Text | Equation | Grid | Image | Points
 
 
 class Checked(NamedTuple):
@@ -75,21 +45,33 @@ class Checked(NamedTuple):
 
 
 class Assembler:
-    """Numbers and explains what comes, in its order."""
+    """Numbers and explains what comes, in its order.
 
-    def __init__(self) -> None:
+    ``depth`` is ``full``; ``short``, each formula at the first of its places alone; or ``answers``, no formulas, what
+    they give in tables.
+    """
+
+    def __init__(self, depth: str = FULL) -> None:
+        self.depth = depth
         self.lines: list[Checked] = []
-        self.numbers: dict[str, str] = {}  # of tables, figures and formulas, by their keys
-        self._sections = [0, 0, 0]
-        self._equations = self._tables = self._figures = 0
+        self._numbers: dict[str, str] = {}  # of tables, figures and formulas, by their keys
+        self._chapters = 0
+        self._prefix = ""  # of numbers in this chapter
+        self._parts = [0, 0]  # how many of levels 2 and 3 there were
+        self._counts: Counter[str] = Counter()  # of tables, figures and formulas in a chapter
         self._explained: set[str] = set()
 
     def written(self, chapters: Iterable[Chapter]) -> list[Written]:
-        """What is written of these chapters, references in their texts replaced by numbers."""
+        """What is written of these chapters, references in their texts replaced by numbers.
+
+        Raises `KeyError` for a reference to nothing.
+        """
         found: list[Written] = []
         for chapter in chapters:
-            found += [self._title(chapter.title, 1), *self._written(chapter.blocks)]
-        return [_referred(each, self.numbers) for each in found]
+            blocks = chapter.blocks if self.depth != ANSWERS else tuple(answers(chapter.blocks))
+            if blocks:
+                found += [self._chapter(chapter), *self._written(blocks)]
+        return [_referred(each, self._numbers) for each in found]
 
     def _written(self, blocks: Iterable[Block]) -> Iterator[Written]:
         for block in blocks:
@@ -99,50 +81,61 @@ class Assembler:
                 case Paragraph(text):
                     yield inline(text)
                 case Display(formula, key):
-                    yield Equation((setting.statement(formula),), self._numbered(key))
+                    yield Equation((setting.statement(formula),), self._numbered("eq", key), key=key)
                 case Line():
                     yield from self._line(block)
                 case Listing(items):
                     yield Points(tuple(inline(item) for item in items))
+                case Result():
+                    continue
+                case Verbatim(text):
+                    yield Source(text)
                 case Table(caption, head, rows, key):
-                    self._tables += 1
-                    number = f"{self._sections[0]}.{self._tables}"
-                    self.numbers[f"tab:{key}"] = number
-                    cells = tuple(tuple(map(inline, row)) for row in rows)
-                    said = tr("Table {number} – {caption}", number=number, caption=caption)
-                    yield Grid(said, tuple(map(inline, head)), cells)
+                    said = Caption(tr("Table"), self._numbered("tab", key), caption, key)
+                    yield Grid(said, tuple(map(inline, head)), tuple(tuple(map(inline, row)) for row in rows))
                 case Figure(caption, _, _, key):
-                    self._figures += 1
-                    number = f"{self._sections[0]}.{self._figures}"
-                    self.numbers[f"fig:{key}"] = number
-                    yield Image(tr("Figure {number} – {caption}", number=number, caption=caption), drawn(block))
+                    yield Image(Caption(tr("Figure"), self._numbered("fig", key), caption, key), drawn(block))
+
+    def _chapter(self, chapter: Chapter) -> Title:
+        """Its title; what stands in it is numbered by the chapter."""
+        self._counts.clear()
+        self._parts = [0, 0]
+        if chapter.number is not None:
+            self._prefix = chapter.number
+            return Title("", chapter.title, 1)
+        self._chapters += 1
+        self._prefix = str(self._chapters)
+        return Title(self._prefix, chapter.title, 1)
 
     def _title(self, text: str, level: int) -> Title:
-        self._sections[level - 1] += 1
-        self._sections[level:] = [0] * (3 - level)
-        if level == 1:
-            self._equations = self._tables = self._figures = 0
-        return Title(".".join(map(str, self._sections[:level])), text, level)
+        if not self._prefix:
+            return Title("", text, level)
+        self._parts[level - 2] += 1
+        self._parts[level - 1 :] = [0] * (3 - level)
+        return Title(".".join([self._prefix, *map(str, self._parts[: level - 1])]), text, level)
 
-    def _numbered(self, key: str) -> str:
-        self._equations += 1
-        number = self.numbers[f"eq:{key}"] = f"{self._sections[0]}.{self._equations}"
+    def _numbered(self, kind: str, key: str) -> str:
+        self._counts[kind] += 1
+        number = f"{self._prefix}.{self._counts[kind]}".removeprefix(".")
+        if key:
+            self._numbers[f"{kind}:{key}"] = number
         return number
 
     def _line(self, line: Line) -> Iterator[Written]:
         left, right = line.formula.sides
         assert isinstance(left, Name)
-        yield Equation((setting.side(left), setting.side(right)), self._numbered(line.key))
+        yield Equation((setting.side(left), setting.side(right)), self._numbered("eq", line.key), key=line.key)
         yield from self._where(line)
-        for place in line.places:
+        for place in line.places[: 1 if self.depth == SHORT else None]:
             given = place.lexicon[left.key]
             assert isinstance(given.value, float)
             found = worked(right, place.lexicon, given.value, unit=given.unit, digits=line.digits)
             self.lines.append(Checked(line.formula, place.name, found))
             numbers = setting.side(found.tree, found.shown)
-            parts = (setting.side(left), numbers, with_unit(found.result, given.unit))
-            same = not found.shown or plain(numbers) == plain(parts[2].boxes[0])
-            yield Equation((parts[0], parts[2]) if same else parts, lead=place.name)
+            result = with_unit(found.result, given.unit)
+            same = not found.shown or plain(numbers) == plain(result.boxes[0])
+            parts = (setting.side(left), *(() if same else (numbers,)), result, *_converted(given))
+            yield Equation(parts, lead=place.name)
 
     def _where(self, line: Line) -> Iterator[Written]:
         """The names that stand for the first time, with meaning and unit."""
@@ -162,18 +155,78 @@ class Assembler:
             yield Text((*parts, "."))
 
 
+def _converted(given: Given) -> tuple[Row, ...]:
+    """The result in the unit that is asked for in place of its own."""
+    unit, factor = printed_as(given.unit)
+    return (with_unit(significant(given.value * factor, RESULT), unit),) if unit != given.unit else ()
+
+
+def answers(blocks: Iterable[Block]) -> Iterator[Block]:
+    """What formulas give, in a table a part of the chapter; its own tables stay, all else goes."""
+    waiting: list[Line] = []
+    title: list[Block] = []
+    for block in [*blocks, Heading("")]:
+        match block:
+            case Heading(_, level):
+                if waiting:
+                    yield from (*title, _answered(waiting))
+                    waiting, title = [], []
+                title = [*(each for each in title if isinstance(each, Heading) and each.level < level), block]
+            case Line():
+                waiting.append(block)
+            case Table():
+                yield from title
+                title = []
+                yield block
+
+
+def _answered(lines: Sequence[Line]) -> Table:
+    """The values of formulas at their places."""
+    names = dict.fromkeys(place.name for line in lines for place in line.places)
+    rows = []
+    for line in lines:
+        left = line.formula.sides[0]
+        assert isinstance(left, Name)
+        given = line.places[0].lexicon[left.key]
+        found = {place.name: f"${_result(line, place)}$" for place in line.places}
+        unit = shown_unit(printed_as(given.unit)[0])
+        rows.append((f"${left.key}$", given.meaning, unit, *(found.get(name, "") for name in names)))
+    values = [name or tr("Value") for name in names]
+    return Table(tr("Results"), (tr("Designation"), tr("Quantity"), tr("Unit"), *values), tuple(rows))
+
+
+def _result(line: Line, place: Place) -> str:
+    """What a line gives at a place, as it is printed in its unit."""
+    left, right = line.formula.sides
+    assert isinstance(left, Name)
+    given = place.lexicon[left.key]
+    assert isinstance(given.value, float)
+    found = worked(right, place.lexicon, given.value, unit=given.unit, digits=line.digits)
+    unit, factor = printed_as(given.unit)
+    return found.result if unit == given.unit or not float(found.result) else significant(given.value * factor, RESULT)
+
+
 def _referred(block: Written, numbers: Mapping[str, str]) -> Written:
     """The block with references in its texts as numbers."""
-    if isinstance(block, Points):
-        return Points(tuple(_referring(item, numbers) for item in block.items))
-    return _referring(block, numbers) if isinstance(block, Text) else block
+    match block:
+        case Points(items):
+            return Points(tuple(_referring(item, numbers) for item in items))
+        case Grid(caption, head, rows):
+            return Grid(caption, head, tuple(tuple(_referring(cell, numbers) for cell in row) for row in rows))
+        case Text():
+            return _referring(block, numbers)
+    return block
 
 
 def _referring(text: Text, numbers: Mapping[str, str]) -> Text:
-    def number(found: re.Match[str]) -> str:
-        return numbers[found[1]]
-
-    return Text(tuple(REFERENCE.sub(number, part) if isinstance(part, str) else part for part in text.parts))
+    parts: list[str | Box | Reference] = []
+    for part in text.parts:
+        if not isinstance(part, str):
+            parts.append(part)
+            continue
+        for k, piece in enumerate(REFERENCE.split(part)):
+            parts += [Reference(piece, numbers[piece]) if k % 2 else piece] if piece else []
+    return Text(tuple(parts))
 
 
 def drawn(figure: Figure) -> Drawing:

@@ -1,49 +1,80 @@
-"""The note as a document of Word, whose formulas are equations that can be edited."""
+"""The note as a document of Word: formulas are equations that can be edited, numbers and contents are fields."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import re
+from collections.abc import Sequence
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
+from xml.sax.saxutils import escape, quoteattr
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from tmmcalc.note.assembled import Equation, Grid, Image, Points, Text, Title, Written
+from tmmcalc.note.tree import (
+    Caption,
+    Contents,
+    Cover,
+    Equation,
+    Grid,
+    Image,
+    Points,
+    Reference,
+    Source,
+    Text,
+    Title,
+    Written,
+    letters_wide,
+)
 from tmmcalc.report.drawing.pdf import png
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.drawing.svg import svg
 from tmmcalc.report.formula.breaking import broken
-from tmmcalc.report.formula.layout import Box
+from tmmcalc.report.formula.layout import Sign
 from tmmcalc.report.formula.omml import omml
 
 if TYPE_CHECKING:
     from docx.document import Document
+    from docx.text.paragraph import Paragraph
 
 WIDE = 34.0  # of a formula before it is broken [em]
 MARGINS = {"left": 25, "right": 10, "top": 20, "bottom": 20}  # [mm]
-FONT, SIZE = "Times New Roman", 14  # [pt]
-MATH = "http://schemas.openxmlformats.org/officeDocument/2006/math"
-PARTS = (30, 125, 15)  # widths of the words before a formula, of itself and of its number [mm]
-HEADER = '<w:tblHeader xmlns:w="http://schemas.openxmlformats.org/wordprocessingml/2006/main"/>'
+FONT, SIZE, SMALL = "Times New Roman", 14.0, 12.0  # of text and of tables [pt]
+CODE, CODED = "Courier New", 8.0  # font and size of lines as they are
+INDENT = 12.5  # of the first line of a paragraph [mm]
+PARTS = (36, 121, 18)  # widths of the words before a formula, of itself and of its number [mm]
+TURNED = 92  # letters in a row from which on a table stands turned
+SPACES = {
+    "w": "http://schemas.openxmlformats.org/wordprocessingml/2006/main",
+    "m": "http://schemas.openxmlformats.org/officeDocument/2006/math",
+    "a": "http://schemas.openxmlformats.org/drawingml/2006/main",
+    "r": "http://schemas.openxmlformats.org/officeDocument/2006/relationships",
+    "asvg": "http://schemas.microsoft.com/office/drawing/2016/SVG/main",
+}
+SVG = "{96DAC541-7B7A-43D3-8B79-37D633B846F1}"  # the extension of a picture that is beside it as SVG
+LEVELS = "".join(
+    f'<w:lvl w:ilvl="{k}"><w:start w:val="1"/><w:numFmt w:val="decimal"/><w:pStyle w:val="Heading{k + 1}"/>'
+    f'<w:suff w:val="space"/><w:lvlText w:val="{".".join(f"%{j}" for j in range(1, k + 2))}"/><w:lvlJc w:val="left"/>'
+    '<w:pPr><w:ind w:left="0" w:firstLine="0"/></w:pPr></w:lvl>'
+    for k in range(3)
+)
+OPENING = '<m:r><m:rPr><m:nor/></m:rPr><m:t xml:space="preserve"> </m:t></m:r>'  # before a sign that goes on
+NUMBERED = 77  # the list of headings among the lists of the document
 
 
-def document(blocks: Iterable[Written], title: str) -> bytes:
+def document(blocks: Sequence[Written], title: str) -> bytes:
     """The bytes of the file."""
     from datetime import UTC, datetime
 
     import docx
-    from docx.shared import Mm, Pt
 
     found = docx.Document()
     found.core_properties.title = title
     found.core_properties.author = ""
     found.core_properties.created = found.core_properties.modified = datetime(2000, 1, 1, tzinfo=UTC)
-    section = found.sections[0]
-    section.page_width, section.page_height = Mm(210), Mm(297)
-    for side, size in MARGINS.items():
-        setattr(section, f"{side}_margin", Mm(size))
-    style: Any = found.styles["Normal"]
-    style.font.name, style.font.size = FONT, Pt(SIZE)
+    _styled(found)
+    found.settings.element.append(_xml('<w:updateFields w:val="true"/>'))
+    writer = _Writer(found, [block for block in blocks if isinstance(block, Title) and block.level < 3])
     for block in blocks:
-        _block(found, block)
+        writer.block(block)
     buffer = BytesIO()
     found.save(buffer)
     return _undated(buffer)
@@ -58,72 +89,321 @@ def _undated(buffer: BytesIO) -> bytes:
     return found.getvalue()
 
 
-def _block(found: Document, block: Written) -> None:
-    match block:
-        case Title(number, words, level):
-            found.add_heading(f"{number} {words}", level)
-        case Text():
-            _fill(found.add_paragraph(), block)
-        case Equation(parts, number, lead):
-            _equation(found, broken(parts, WIDE), number, lead)
-        case Grid(caption, head, rows):
-            found.add_paragraph(caption)
-            _grid(found, [head, *rows])
-        case Image(caption, drawing):
-            _image(found, caption, drawing)
-        case Points(items):
-            for item in items:
-                _fill(found.add_paragraph(style="List Bullet"), item)
-
-
-def _fill(paragraph: Any, words: Text) -> None:
-    for part in words.parts:
-        if isinstance(part, str):
-            paragraph.add_run(part)
-        else:
-            paragraph._p.append(_math(part))
-
-
-def _math(box: Box) -> Any:
+def _xml(text: str) -> Any:
+    """An element with the name spaces that it needs."""
     from docx.oxml import parse_xml
 
-    return parse_xml(f'<m:oMath xmlns:m="{MATH}">{omml(box)}</m:oMath>')
+    name, end = text[1 : text.index(":")], min(text.index(sign) for sign in " />" if sign in text)
+    spaces = " ".join(f'xmlns:{key}="{space}"' for key, space in SPACES.items() if f"{key}:" in text or key == name)
+    return parse_xml(f"{text[:end]} {spaces}{text[end:]}")
 
 
-def _equation(found: Document, rows: Sequence[Box], number: str, lead: str) -> None:
-    """A formula in the middle, its place before it and its number at the right margin, in a table without lines."""
-    from docx.enum.table import WD_CELL_VERTICAL_ALIGNMENT as ALIGNED
+def _styled(found: Document) -> None:
+    """Page, fonts and paragraphs of all styles, the numbers of headings."""
     from docx.enum.text import WD_PARAGRAPH_ALIGNMENT as TO
-    from docx.shared import Mm
+    from docx.shared import Mm, Pt, RGBColor
 
-    table = found.add_table(rows=1, cols=3)
-    table.autofit = False
-    cells = table.rows[0].cells
-    for cell, size, to in zip(cells, PARTS, (TO.LEFT, TO.CENTER, TO.RIGHT), strict=True):
-        cell.width, cell.vertical_alignment = Mm(size), ALIGNED.CENTER
-        cell.paragraphs[0].alignment = to
-    cells[0].paragraphs[0].add_run(lead)
-    cells[2].paragraphs[0].add_run(f"({number})" if number else "")
-    for k, row in enumerate(rows):
-        paragraph = cells[1].paragraphs[0] if not k else cells[1].add_paragraph()
+    section = found.sections[0]
+    section.page_width, section.page_height = Mm(210), Mm(297)
+    for side, size in MARGINS.items():
+        setattr(section, f"{side}_margin", Mm(size))
+    section.different_first_page_header_footer = True
+    foot = section.footer.paragraphs[0]
+    foot.alignment = TO.CENTER
+    _field(foot, "PAGE", "2")
+    styles: Any = found.styles
+    for name, size in (
+        ("Normal", SIZE),
+        ("Heading 1", 16.0),
+        ("Heading 2", SIZE),
+        ("Heading 3", SIZE),
+        ("Caption", SMALL),
+    ):
+        style = styles[name]
+        style.font.name, style.font.size, style.font.color.rgb = FONT, Pt(size), RGBColor(0, 0, 0)
+        fonts = style.element.get_or_add_rPr().get_or_add_rFonts()
+        for script in ("asciiTheme", "hAnsiTheme", "eastAsiaTheme", "cstheme"):
+            fonts.attrib.pop(f"{{{SPACES['w']}}}{script}", None)
+        for script in ("eastAsia", "cs"):
+            fonts.set(f"{{{SPACES['w']}}}{script}", FONT)
+    normal = styles["Normal"].paragraph_format
+    normal.space_after, normal.line_spacing = Pt(0), 1.5
+    for level in (1, 2, 3):
+        heading = styles[f"Heading {level}"]
+        heading.paragraph_format.space_before, heading.paragraph_format.space_after = Pt(12), Pt(6)
+        heading.element.get_or_add_pPr().append(
+            _xml(f'<w:numPr><w:ilvl w:val="{level - 1}"/><w:numId w:val="{NUMBERED}"/></w:numPr>')
+        )
+    styles["Heading 1"].paragraph_format.page_break_before = True
+    styles["Caption"].font.bold = False
+    styles["Caption"].paragraph_format.keep_with_next = True
+    numbering = found.part.numbering_part.element
+    lists = _xml(
+        f'<w:abstractNum w:abstractNumId="{NUMBERED}"><w:multiLevelType w:val="multilevel"/>{LEVELS}</w:abstractNum>'
+    )
+    numbering.insert(0, lists)
+    numbering.append(_xml(f'<w:num w:numId="{NUMBERED}"><w:abstractNumId w:val="{NUMBERED}"/></w:num>'))
+
+
+def _field(paragraph: Paragraph, code: str, shown: str) -> None:
+    """A field with what it shows until it is brought up to date."""
+    for part in (
+        '<w:fldChar w:fldCharType="begin"/>',
+        f'<w:instrText xml:space="preserve"> {escape(code)} </w:instrText>',
+        '<w:fldChar w:fldCharType="separate"/>',
+        f"<w:t>{escape(shown)}</w:t>",
+        '<w:fldChar w:fldCharType="end"/>',
+    ):
+        paragraph._p.append(_xml(f"<w:r>{part}</w:r>"))
+
+
+class _Writer:
+    """Puts one block after another into the document."""
+
+    def __init__(self, found: Document, titles: Sequence[Title]) -> None:
+        self.found = found
+        self.titles = titles
+        self.marks = 0  # bookmarks so far
+
+    def block(self, block: Written) -> None:
+        match block:
+            case Cover():
+                self.cover(block)
+            case Contents(title):
+                self.contents(title)
+            case Title():
+                self.title(block)
+            case Text():
+                self.paragraph(block)
+            case Equation():
+                self.equation(block)
+            case Grid():
+                self.grid(block)
+            case Image(caption, drawing):
+                self.image(caption, drawing)
+            case Points(items):
+                for item in items:
+                    self.fill(self.found.add_paragraph(style="List Bullet"), item)
+            case Source(text):
+                self.source(text)
+
+    def cover(self, cover: Cover) -> None:
+        """The title page; the next part begins a page by itself."""
+        from docx.enum.text import WD_PARAGRAPH_ALIGNMENT as TO
+        from docx.shared import Mm, Pt
+
+        def lines(said: Sequence[str], above: float, size: float = SIZE) -> None:
+            for k, line in enumerate(each for each in said if each):
+                paragraph = self.found.add_paragraph()
+                paragraph.alignment = TO.CENTER
+                paragraph.paragraph_format.space_before = Mm(0 if k else above)
+                paragraph.add_run(line).font.size = Pt(size)
+
+        lines(cover.head, 0)
+        lines(cover.kind[:1], 60, 20)
+        lines(cover.kind[1:], 0)
+        lines([cover.title], 6, 16)
+        lines([cover.designation], 4)
+        for k, (what, name) in enumerate(cover.people):
+            paragraph = self.found.add_paragraph(f"{what}: {name}")
+            paragraph.paragraph_format.left_indent = Mm(100)
+            paragraph.paragraph_format.space_before = Mm(0 if k else 40)
+        lines([cover.foot], 40)
+
+    def contents(self, title: str) -> None:
+        """A field of contents, which holds the titles until Word finds their pages."""
+        from docx.enum.text import WD_TAB_ALIGNMENT, WD_TAB_LEADER
+        from docx.shared import Mm
+
+        head = self.found.add_paragraph()
+        head.paragraph_format.page_break_before = True
+        head.add_run(title).bold = True
+        first = self.found.add_paragraph()
+        for part in (
+            '<w:fldChar w:fldCharType="begin" w:dirty="true"/>',
+            '<w:instrText xml:space="preserve"> TOC \\o "1-2" \\h \\z \\u </w:instrText>',
+            '<w:fldChar w:fldCharType="separate"/>',
+        ):
+            first._p.append(_xml(f"<w:r>{part}</w:r>"))
+        paragraph = first
+        for k, each in enumerate(self.titles):
+            paragraph = self.found.add_paragraph() if k else first
+            paragraph.paragraph_format.left_indent = Mm(6 * (each.level - 1))
+            paragraph.paragraph_format.tab_stops.add_tab_stop(
+                Mm(sum(PARTS)), WD_TAB_ALIGNMENT.RIGHT, WD_TAB_LEADER.DOTS
+            )
+            paragraph.add_run(f"{each.number} {each.text}\t".strip(" "))
+            _field(paragraph, f"PAGEREF {_bookmark(_heading(each))} \\h", "")
+        paragraph._p.append(_xml('<w:r><w:fldChar w:fldCharType="end"/></w:r>'))
+
+    def title(self, title: Title) -> None:
+        """A heading that Word numbers; one without a number, or of an appendix, as it is."""
+        counted = title.number[:1].isdigit()
+        heading = self.found.add_heading(title.text if counted else f"{title.number} {title.text}".strip(), title.level)
+        heading._p.extend(self.marked(_heading(title)))
+        if not counted:
+            heading._p.get_or_add_pPr().append(_xml('<w:numPr><w:numId w:val="0"/></w:numPr>'))
+
+    def paragraph(self, text: Text) -> None:
+        """A paragraph of the text."""
+        from docx.enum.text import WD_PARAGRAPH_ALIGNMENT as TO
+        from docx.shared import Mm
+
+        paragraph = self.found.add_paragraph()
+        paragraph.alignment = TO.JUSTIFY
+        paragraph.paragraph_format.first_line_indent = Mm(INDENT)
+        self.fill(paragraph, text)
+
+    def fill(self, paragraph: Paragraph, text: Text) -> None:
+        """Words, equations, references."""
+        for part in text.parts:
+            match part:
+                case str():
+                    paragraph.add_run(part)
+                case Reference(key, number):
+                    _field(paragraph, f"REF {_bookmark(key)} \\h", number)
+                case _:
+                    paragraph._p.append(_xml(f"<m:oMath>{omml(part)}</m:oMath>"))
+
+    def equation(self, equation: Equation) -> None:
+        """A formula in the middle, its place before it and its number at the right margin, in a table without lines."""
+        from docx.enum.table import WD_CELL_VERTICAL_ALIGNMENT as ALIGNED
+        from docx.enum.text import WD_PARAGRAPH_ALIGNMENT as TO
+        from docx.shared import Mm, Pt
+
+        table = self.found.add_table(rows=1, cols=3)
+        table.autofit = False
+        table.rows[0]._tr.get_or_add_trPr().append(_xml("<w:cantSplit/>"))
+        cells = table.rows[0].cells
+        for column, size in zip(table.columns, PARTS, strict=True):
+            column.width = Mm(size)
+        for cell, size, to in zip(cells, PARTS, (TO.LEFT, TO.CENTER, TO.RIGHT), strict=True):
+            cell.width, cell.vertical_alignment = Mm(size), ALIGNED.CENTER
+            cell.paragraphs[0].alignment = to
+            cell.paragraphs[0].paragraph_format.line_spacing = 1.0
+        cells[0].paragraphs[0].add_run(equation.lead).font.size = Pt(SMALL)
+        if equation.number:
+            number = cells[2].paragraphs[0]
+            number.add_run("(")
+            self.number(number, "Formula", equation.number, f"eq:{equation.key}" if equation.key else "")
+            number.add_run(")")
+        for k, row in enumerate(broken(equation.parts, WIDE)):
+            paragraph = cells[1].paragraphs[0] if not k else cells[1].add_paragraph()
+            paragraph.alignment = TO.CENTER
+            paragraph.paragraph_format.line_spacing = 1.0
+            lead = OPENING if isinstance(row.boxes[0], Sign) and not row.boxes[0].leads else ""
+            paragraph._p.append(_xml(f"<m:oMathPara><m:oMath>{lead}{omml(row)}</m:oMath></m:oMathPara>"))
+
+    def number(self, paragraph: Paragraph, sequence: str, number: str, key: str) -> None:
+        """A number such as 2.3 as fields, with a bookmark for references to it."""
+        chapter, dot, own = number.rpartition(".")
+        mark = self.marked(key)
+        paragraph._p.extend(mark[:1])
+        if chapter.isdigit():
+            _field(paragraph, "STYLEREF 1 \\s", chapter)
+        else:
+            paragraph.add_run(chapter)
+        paragraph.add_run(dot)
+        _field(paragraph, f"SEQ {sequence} \\* ARABIC \\s 1" + (" \\r 1" if own == "1" else ""), own)
+        paragraph._p.extend(mark[1:])
+
+    def marked(self, key: str) -> list[Any]:
+        """The two ends of a bookmark of what texts refer to; nothing without a key."""
+        if not key:
+            return []
+        self.marks += 1
+        name = quoteattr(_bookmark(key))
+        return [
+            _xml(f'<w:bookmarkStart w:id="{self.marks}" w:name={name}/>'),
+            _xml(f'<w:bookmarkEnd w:id="{self.marks}"/>'),
+        ]
+
+    def caption(self, caption: Caption, sequence: str, kind: str) -> Paragraph:
+        """The line over a table or under a figure."""
+        paragraph = self.found.add_paragraph(f"{caption.word} ", style="Caption")
+        self.number(paragraph, sequence, caption.number, f"{kind}:{caption.key}" if caption.key else "")
+        paragraph.add_run(f" – {caption.text}" if caption.text else "")
+        return paragraph
+
+    def grid(self, grid: Grid) -> None:
+        """A table with lines, whose head is repeated on every page; a wide one on a page of its own, turned."""
+        from docx.shared import Pt
+
+        turned = letters_wide(grid) > TURNED
+        if turned:
+            self.turn()
+        self.caption(grid.caption, "Table", "tab")
+        rows = (grid.head, *grid.rows)
+        table = self.found.add_table(rows=len(rows), cols=len(grid.head), style="Table Grid")
+        for row, texts in zip(table.rows, rows, strict=True):
+            row._tr.get_or_add_trPr().append(_xml("<w:cantSplit/>"))
+            for cell, text in zip(row._tr.tc_lst, texts, strict=True):
+                paragraph = _in_cell(cell)
+                paragraph.paragraph_format.line_spacing = 1.0
+                self.fill(paragraph, text)
+                for run in paragraph.runs:
+                    run.font.size = Pt(SMALL)
+        table.rows[0]._tr.get_or_add_trPr().append(_xml("<w:tblHeader/>"))
+        if turned:
+            self.turn()
+        else:
+            self.found.add_paragraph()
+
+    def turn(self) -> None:
+        """A new section, of pages that are turned against those before."""
+        from docx.enum.section import WD_ORIENTATION, WD_SECTION
+
+        section = self.found.add_section(WD_SECTION.NEW_PAGE)
+        section.page_width, section.page_height = section.page_height, section.page_width
+        lying = section.page_width > section.page_height
+        section.orientation = WD_ORIENTATION.LANDSCAPE if lying else WD_ORIENTATION.PORTRAIT
+        section.different_first_page_header_footer = False
+
+    def image(self, caption: Caption, drawing: Drawing) -> None:
+        """A picture as SVG with a PNG beside it, for programs that read no SVG."""
+        from docx.enum.text import WD_PARAGRAPH_ALIGNMENT as TO
+        from docx.opc.packuri import PackURI
+        from docx.opc.part import Part
+        from docx.shared import Mm
+
+        self.found.add_picture(BytesIO(png(drawing)), width=Mm(drawing.width))
+        paragraph = self.found.paragraphs[-1]
         paragraph.alignment = TO.CENTER
-        paragraph._p.append(_math(row))
+        paragraph.paragraph_format.keep_with_next = True
+        main = self.found.part
+        count = sum(1 for part in main.package.iter_parts() if part.content_type == "image/svg+xml")
+        part = Part(PackURI(f"/word/media/figure{count + 1}.svg"), "image/svg+xml", svg(drawing), main.package)
+        related = main.relate_to(part, f"{SPACES['r']}/image")
+        blip = paragraph._p.find(f".//{{{SPACES['a']}}}blip")
+        held = f'<asvg:svgBlip r:embed="{related}"/>'
+        blip.append(_xml(f'<a:extLst><a:ext uri="{SVG}">{held}</a:ext></a:extLst>'))
+        for told in paragraph._p.iter("{http://schemas.openxmlformats.org/drawingml/2006/wordprocessingDrawing}docPr"):
+            told.set("descr", drawing.title)
+        self.caption(caption, "Figure", "fig").alignment = TO.CENTER
+
+    def source(self, text: str) -> None:
+        """Lines as they are."""
+        from docx.shared import Pt
+
+        for line in text.splitlines():
+            paragraph = self.found.add_paragraph()
+            paragraph.paragraph_format.line_spacing = 1.0
+            run = paragraph.add_run(line)
+            run.font.name, run.font.size = CODE, Pt(CODED)
 
 
-def _image(found: Document, caption: str, drawing: Drawing) -> None:
-    from docx.shared import Mm
+def _in_cell(cell: Any) -> Paragraph:
+    """The paragraph of a cell."""
+    from docx.text.paragraph import Paragraph
 
-    found.add_picture(BytesIO(png(drawing)), width=Mm(drawing.width))
-    found.add_paragraph(caption)
+    return Paragraph(cell.p_lst[0], cell)
 
 
-def _grid(found: Document, rows: Sequence[Sequence[Text]]) -> None:
-    """A table with lines, whose head is repeated on every page."""
-    from docx.oxml import parse_xml
+def _bookmark(key: str) -> str:
+    """The name of what texts refer to."""
+    return "_" + re.sub(r"\W", "_", key)[:39]
 
-    table = found.add_table(rows=0, cols=len(rows[0]), style="Table Grid")
-    for row in rows:
-        for cell, text in zip(table.add_row().cells, row, strict=True):
-            _fill(cell.paragraphs[0], text)
-    table.rows[0]._tr.get_or_add_trPr().append(parse_xml(HEADER))
-    found.add_paragraph()
+
+def _heading(title: Title) -> str:
+    """What the contents refer to a heading by."""
+    return f"part:{title.number or title.text}"

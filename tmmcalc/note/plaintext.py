@@ -4,7 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from tmmcalc.note.assembled import Equation, Grid, Image, Points, Text, Title, Written
+from tmmcalc.note.tree import (
+    Contents,
+    Cover,
+    Equation,
+    Grid,
+    Image,
+    Points,
+    Source,
+    Text,
+    Title,
+    Written,
+    plain_text,
+)
 from tmmcalc.report.formula.plain import plain
 
 INDENT = "    "
@@ -12,31 +24,34 @@ UNDER = {1: "=", 2: "-"}
 
 
 def text(blocks: Iterable[Written]) -> str:
-    """The note, a formula a line."""
-    return "\n".join(_block(block) for block in blocks) + "\n"
+    """The note, a formula a line; without contents."""
+    return "\n".join(_block(block) for block in blocks if not isinstance(block, Contents)) + "\n"
 
 
 def _block(block: Written) -> str:
     match block:
+        case Cover(head, kind, title, people, foot, designation):
+            told = [*head, *kind, title, designation, *(f"{what}: {name}" for what, name in people), foot]
+            return "\n".join(line for line in told if line)
         case Title(number, words, level):
-            line = f"{number} {words}"
+            line = f"{number} {words}".strip()
             return f"\n{line}\n{UNDER[level] * len(line)}" if level in UNDER else f"\n{line}"
         case Text():
-            return _words(block)
+            return plain_text(block)
         case Equation(parts, number, lead):
             formula = " = ".join(plain(part) for part in parts)
             said = f"{lead}: " if lead else ""
             return f"{INDENT}{said}{formula}{f'    ({number})' if number else ''}"
         case Grid(caption, head, rows):
-            return f"{caption}\n{_grid([[_words(cell) for cell in row] for row in (head, *rows)])}"
+            return f"{caption}\n{_grid([[plain_text(cell) for cell in row] for row in (head, *rows)])}"
         case Image(caption):
-            return caption
+            return str(caption)
         case Points(items):
-            return "\n".join(f"- {_words(item)}" for item in items)
-
-
-def _words(words: Text) -> str:
-    return "".join(part if isinstance(part, str) else plain(part) for part in words.parts)
+            return "\n".join(f"- {plain_text(item)}" for item in items)
+        case Source(lines):
+            return "\n".join(INDENT + line if line else "" for line in lines.splitlines())
+        case Contents(title):
+            return title
 
 
 def _grid(rows: Sequence[Sequence[str]]) -> str:

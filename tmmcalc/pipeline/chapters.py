@@ -1,14 +1,18 @@
-"""The chapters of the note from the results of a run."""
+"""What the note takes from a run: chapters, warnings, estimates of errors."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.stage import STAGES, resolve
 from tmmcalc.pipeline.picturing import NONE, order_of
 from tmmcalc.report.language import tr_name
 from tmmcalc.report.manuscript import Block, Chapter
+
+if TYPE_CHECKING:
+    from tmmcalc.pipeline.outcome import RunResult
+    from tmmcalc.report.document import Document
 
 
 def chapters_of(
@@ -30,3 +34,26 @@ def chapters_of(
 def stages_of(chapters: Sequence[str]) -> list[str]:
     """The stages that these chapters tell of, in the order of the pipeline."""
     return [name for name, stage in STAGES.items() if stage.chapter in chapters]
+
+
+def warnings_of(run: RunResult, stages: Sequence[str]) -> list[str]:
+    """What the program warns of in these stages, each once."""
+    documents = [run.outcomes[name].stage.summary(run.results[name], "") for name in stages if name in run.outcomes]
+    return list(dict.fromkeys(warning for document in documents for warning in _warnings(document)))
+
+
+def _warnings(document: Document) -> Iterator[str]:
+    yield from (note for note in document.notes if note.startswith("warning"))
+    for part in document.parts:
+        yield from _warnings(part)
+
+
+def errors_of(run: RunResult, stages: Sequence[str]) -> dict[str, dict[str, float]]:
+    """The relative errors that these stages estimate, by their titles."""
+    found = {}
+    for name in stages:
+        if name in run.outcomes:
+            told = run.outcomes[name].record.error
+            if numbers := {key: float(each) for key, each in told.items() if isinstance(each, float) and each}:
+                found[STAGES[name].title] = numbers
+    return found

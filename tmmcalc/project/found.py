@@ -28,6 +28,13 @@ class Settled:
     of: str  # the text that it was made of
 
 
+def text_of(spec: Spec) -> str:
+    """The text that a spec was read from, with its overrides."""
+    written = spec._written
+    assert written is not None
+    return rewritten(written.text, [Change(path, value_at(written.document, path)) for path in written.changed], "")
+
+
 def settled_text(spec: Spec, target: FilePath, found: Found) -> Settled:
     """The text that a spec was read from, with its overrides and with what was found, to be written to ``target``.
 

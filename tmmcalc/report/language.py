@@ -1,8 +1,8 @@
 """The language that drawings and notes are in: English, or a translation of it.
 
 A text stands in the program in English, ``tr("in position {label}", label="7")``. Files ``uk.toml`` beside what says it
-hold its translation, "English" = "Ukrainian", in which the same values stand; ``[names]`` texts that the theory and
-manifests say, ``[units]`` in one of them the units, ``[counts]`` words that follow a number, in the forms for 1, for 2
+hold its translation, "English" = "Ukrainian", in which the same values stand; ``[names]`` texts that theory, manifests
+and specs say, ``[units]`` in one of them the units, ``[counts]`` words that follow a number, in the forms for 1, for 2
 to 4 and for 5. ``with speaking("uk"):`` holds for all that is drawn within.
 A text without a translation stays English; `tests/report/test_language.py` finds it.
 """
@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Phrase
 
 LANGUAGES = {"en": "English", "uk": "Ukrainian"}
 PLACE = re.compile(r"\{(\w+)\}")
@@ -70,9 +71,23 @@ def tr(text: str, **values: Any) -> str:
 
 
 def tr_name(text: str) -> str:
-    """A text that the theory or a manifest says, as the name of a law or a method; itself where it has no other."""
+    """A text that the theory, a manifest or the spec says, as the name of a law or a link; itself without another.
+
+    The values of a `Phrase` are translated too.
+
+    >>> with speaking("uk"):
+    ...     tr_name("slider-crank"), tr_name("Q5")
+    ('кривошипно-повзунний механізм', 'Q5')
+    """
     language = _spoken.get()
-    return text if language == "en" else catalogue(language).names.get(text, text)
+    if language == "en":
+        return text
+    if isinstance(text, Phrase):
+        values = {name: [each] if isinstance(each, str) else each for name, each in text.values.items()}
+        said = {name: tr_number(", ".join(map(tr_name, each))) for name, each in values.items()}
+        return PLACE.sub(lambda name: said[name[1]], tr_name(text.template))
+    words = catalogue(language)
+    return words.names.get(text) or words.texts.get(text, text)
 
 
 def tr_unit(unit: str) -> str:

@@ -82,7 +82,23 @@ class Figure(NamedTuple):
     key: str = ""
 
 
-Block = Heading | Paragraph | Display | Line | Listing | Table | Figure
+class Result(NamedTuple):
+    """A main result, which stands in the table of the conclusions: a quantity with what it is held against."""
+
+    key: str  # its name in formulas
+    given: Given
+    limit: float | None = None  # in the unit of the quantity
+    sense: str = ""  # ``<=`` or ``>=``: how it stands to the limit where that is kept
+    place: str = ""  # what it is of, where several have one: ``wheel 1``
+
+
+class Verbatim(NamedTuple):
+    """Lines as they are."""
+
+    text: str
+
+
+Block = Heading | Paragraph | Display | Line | Listing | Table | Figure | Result | Verbatim
 
 
 class Chapter(NamedTuple):
@@ -91,3 +107,4 @@ class Chapter(NamedTuple):
     name: str  # by which it is asked for
     title: str
     blocks: tuple[Block, ...]
+    number: str | None = None  # that of the chapters that are counted; of others a letter, or nothing

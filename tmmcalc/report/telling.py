@@ -20,6 +20,7 @@ from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Name
 from tmmcalc.report.language import tr_unit
 from tmmcalc.report.manuscript import Figure, Lexicon, Line, Place, Table
+from tmmcalc.report.printing import printed_as
 from tmmcalc.report.sheets.piece import Piece
 
 STILL = 1e-12  # a value this small in every shown place is nothing
@@ -98,11 +99,14 @@ def tabulated(
 ) -> Table:
     """A table of columns over labelled rows; the numbers of a column have one last digit.
 
-    ``columns`` are headed by what they are, ``"$phi_3$, deg"`` with a unit as `tr_unit` reads it after the comma.
+    ``columns`` are headed by what they are, ``"$phi_3$, deg"`` with the unit of the values after the comma.
     """
-    cells = [list(labels), *(column_of(values) for values in columns.values())]
-    heads = (head, *map(headed, columns))
-    return Table(caption, heads, tuple(zip(*cells, strict=True)), key)
+    found = {head: list(labels)}
+    for name, values in columns.items():
+        what, comma, own = name.partition(", ")
+        unit, factor = printed_as(own)
+        found[what + (comma and f", {tr_unit(unit)}")] = column_of(np.asarray(values, dtype=float) * factor)
+    return Table(caption, tuple(found), tuple(zip(*found.values(), strict=True)), key)
 
 
 def pictured(piece: Piece, *, key: str = "", wide: float = WIDE) -> Figure:
@@ -110,12 +114,6 @@ def pictured(piece: Piece, *, key: str = "", wide: float = WIDE) -> Figure:
     least, good = piece.least, piece.good
     factor = max(wide / good[0], least[1] / good[1])
     return Figure(piece.heading, piece.draw, (wide, min(factor * good[1], HIGH)), key)
-
-
-def headed(head: str) -> str:
-    """The head of a column with its unit in the language in force."""
-    name, comma, unit = head.partition(", ")
-    return name + (comma and f", {tr_unit(unit)}")
 
 
 def column_of(values: ArrayLike, digits: int = DIGITS) -> list[str]:

@@ -90,6 +90,25 @@ def unit_of(value: object) -> str:
     return reading.unit if reading is not None and reading.unit in _DIMENSION_OF else ""
 
 
+def kind_of(unit: str) -> str | None:
+    """The dimension of a unit; None of what is no unit.
+
+    >>> kind_of("rpm"), kind_of("mesh")
+    ('angular speed', None)
+    """
+    return _DIMENSION_OF.get(unit)
+
+
+def conversion(unit: str, other: str) -> float:
+    """What a value in one unit is multiplied by for another of its dimension.
+
+    >>> conversion("m", "mm"), conversion("Pa", "MPa")
+    (1000.0, 1e-06)
+    """
+    dimension = _DIMENSION_OF[unit]
+    return parse(f"1 {unit}", dimension) / parse(f"1 {other}", dimension)
+
+
 def written(value: float, unit: str) -> str:
     """Return the shortest string of a number and this unit that is read as exactly ``value`` [SI].
 

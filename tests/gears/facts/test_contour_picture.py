@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -20,7 +21,7 @@ from tmmcalc.gears.involute.quality.verdicts import QualityLimits
 from tmmcalc.gears.involute.rack import Rack
 from tmmcalc.gears.meshing.blocking import solve_blocking
 from tmmcalc.gears.meshing.choice import contour_task
-from tmmcalc.gears.meshing.contours import Blocking, ContourLine, PairContour
+from tmmcalc.gears.meshing.contours import Blocking, ContourLine, MissingPoints, PairContour
 from tmmcalc.gears.meshing.results import Pairs
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
@@ -34,6 +35,7 @@ from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.pens import MARK, Pen
 from tmmcalc.report.drawing.shapes import Arc, Area, Drawing, Hatching, Stroke, hatch_lines
 from tmmcalc.report.drawing.wording import corners
+from tmmcalc.report.language import speaking
 
 PAIRS: dict[str, dict[str, Any]] = {
     "14/17": {"teeth": (14, 17), "shifts": (0.6, 0.5222)},
@@ -391,11 +393,24 @@ class TestEmpty:
         assert not any(isinstance(shape, Hatching) for shape in drawing.shapes)
         assert {"2", "4a", "4b", "4c", "5", "9", "10"} <= set(plane("empty"))
 
+    def test_in_ukrainian_no_english_word_is_left(self) -> None:
+        """Of reasons with their values: nothing admissible, no point D at all, and one outside."""
+        task = replace(task_of("14/17"), limits=QualityLimits(contact_ratio=1.25))
+        (outside,) = solve_blocking(Pairs((solve_pair(task),), "", ())).pairs
+        for pair, words in ((pair_of("empty"), "без підрізання"), (pair_of("5/200"), "D:"), (outside, "x₁ = 0,")):
+            assert pair.missing
+            with speaking("uk"):
+                said = written(blocking_drawing(Blocking((pair,), ())))
+            assert any(words in text for text in said), words
+            assert [text for text in said if re.search("[a-z]{3}", re.sub(r"\$[^$]*\$", "", text))] == []
+
 
 class TestKey:
     @pytest.mark.slow
     def test_much_text_shrinks(self) -> None:
-        pair = replace(pair_of("empty"), missing=tuple(f"D{k}: lies outside of the contour" for k in range(40)))
+        pair = replace(
+            pair_of("empty"), missing=tuple(MissingPoints((f"D{k}",), "outside of the contour") for k in range(40))
+        )
         drawing = blocking_drawing(Blocking((pair,), ()))
         right = drawing.fields[0].box.right
         shown = [words for words in of_words(drawing) if words.at.real > right]

@@ -23,7 +23,7 @@ from tmmcalc.gears.facts.pair import chosen_pairs
 from tmmcalc.gears.facts.pair import document as pair_document
 from tmmcalc.gears.facts.pair import summary as pair_summary
 from tmmcalc.gears.meshing.blocking import solve_blocking
-from tmmcalc.gears.meshing.contours import Area, Blocking, ContourPoint
+from tmmcalc.gears.meshing.contours import Area, Blocking, ContourPoint, MissingPoints
 from tmmcalc.gears.meshing.remeasure import remeasured
 from tmmcalc.gears.meshing.results import Pairs
 from tmmcalc.gears.meshing.solve import solve_pairs
@@ -347,7 +347,7 @@ def scene() -> Scene:
             spur,
             name="1-2",
             points=(point("chosen", 0.6, 0.522), point("equal strength", 0.5, 0.7)),
-            missing=("no point D: equal sliding needs a smaller contact ratio",),
+            missing=(MissingPoints(("D",), "equal sliding needs a smaller contact ratio"),),
             margins={"undercut1": 0.418844, "contact_ratio": 0.143934, "interference1": 0.65, "tolerated1": 0.66},
             low=0.18116,
             high=0.81149,
@@ -409,7 +409,7 @@ class TestBlocking:
         ]
         assert document.notes == (
             "note: pair 2-3 is internal: it has none",
-            "note: no point D: equal sliding needs a smaller contact ratio",
+            "note: D: equal sliding needs a smaller contact ratio",
         )
 
     def test_outside(self, scene: Scene) -> None:

@@ -9,7 +9,6 @@ import numpy as np
 from tmmcalc.cams.elastic import ElasticResult
 from tmmcalc.cams.pictures.cam_forces import LOST
 from tmmcalc.cams.pictures.ordered import cam_of
-from tmmcalc.cams.pictures.wording import law_name, phase_name
 from tmmcalc.cams.separation import Contact
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.box import Box
@@ -20,7 +19,7 @@ from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.panels import Panel, panels
 from tmmcalc.report.drawing.pens import INK, OTHER, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
 
 WALL = "#e4e4e4"
@@ -79,12 +78,12 @@ def _shaded(contact: Contact) -> str:
 def _spectra(drawing: Drawing, box: Box, result: ElasticResult) -> None:
     """Amplitude over the stroke by the ratio of phase time and natural period; the cam's own ratio is marked."""
     along = Axis(tr("time of the phase over the natural period"), 0.0, float(result.ratios[-1]))
-    lines = tuple((law_name(each.law), each.residual) for each in result.spectra)
+    lines = tuple((tr_name(each.law), each.residual) for each in result.spectra)
     row = Panel(tr("amplitude over the stroke"), lines, log=True, ends=(LOWEST, 2.0))
     (diagram,) = panels(drawing, box, result.ratios, along, [row])
     for phase in result.phases:
         if phase.ratio < result.ratios[-1]:
             diagram.vertical(phase.ratio, OWN)
             at = diagram.place(complex(phase.ratio, 1.6 if phase.kind == "rise" else 1.2))
-            words = f"{phase_name(phase.kind)}: {number(phase.ratio, 4)}"
+            words = f"{tr_name(phase.kind)}: {number(phase.ratio, 4)}"
             drawing.add(Words(at + 1.5, words, 2.5, -1, colour=INK, clear=True), level=20)

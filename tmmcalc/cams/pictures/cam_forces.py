@@ -14,7 +14,6 @@ from tmmcalc.cams.forces.turn import at_angles, loads_of
 from tmmcalc.cams.forces.turnforces import TurnForces, turn_forces
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.ordered import cam_of
-from tmmcalc.cams.pictures.wording import phase_name
 from tmmcalc.cams.pressure.angle import on_phase
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.report.drawing.box import Box
@@ -129,7 +128,7 @@ def _draw_spring(drawing: Drawing, box: Box, task: CamTask, loads: Loads, result
     turns = result.follower.kind == "oscillating"
     factor = degrees(1.0) if turns else 1e3
     spring, letter, end = result.spring, "M" if turns else "P", factor * result.stroke
-    names = f"${letter}$, {phase_name('rise')}", f"${letter}$, {phase_name('return')}"
+    names = f"${letter}$, {tr('rise')}", f"${letter}$, {tr('return')}"
     curves = [(name, *_over_lift(task, loads, kind, factor), CURVES[k])
               for k, (name, kind) in enumerate(zip(names, ("rise", "return"), strict=True))]  # fmt: skip
     lines = [(tr("spring"), 1.0, SPRING)] if spring.stiffness or spring.preload else []

@@ -22,7 +22,7 @@ from tmmcalc.cams.pictures.lawdiagrams import (
     symbol,
 )
 from tmmcalc.cams.pictures.ordered import cam_of
-from tmmcalc.cams.pictures.wording import law_name, mm
+from tmmcalc.cams.pictures.wording import mm
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import DOTTED
@@ -32,7 +32,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import headed, sheets
 from tmmcalc.report.drawing.pens import CURVES, INK, MIDDLE, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
 
 HEIGHTS = (1.3, 1.0, 1.0, 0.9)  # of the diagrams of S, S', S'', S'''
@@ -59,7 +59,7 @@ def _heading(result: LawResult) -> str:
     parts = []
     for each in result.phases:
         if each.constants is not None:
-            law = law_name(each.constants.name)
+            law = tr_name(each.constants.name)
             parts.append(tr("rise: {law}", law=law) if each.kind == "rise" else tr("return: {law}", law=law))
     size = f"$ψ_m$ = {number(degrees(result.stroke), 5)}°"
     if not result.turns:

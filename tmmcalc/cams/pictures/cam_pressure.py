@@ -9,7 +9,7 @@ import numpy as np
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.ordered import cam_of
 from tmmcalc.cams.pictures.toscale import ends_to_scale, turn_to_scale
-from tmmcalc.cams.pictures.wording import deg, phase_name
+from tmmcalc.cams.pictures.wording import deg
 from tmmcalc.cams.pictures.zone import LIMIT
 from tmmcalc.cams.pressure.angle import Reached, pressure_angle
 from tmmcalc.cams.pressure.solve import Pressure
@@ -22,7 +22,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.pens import CURVES, OTHER
 from tmmcalc.report.drawing.shapes import Drawing
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
 
 EXCEEDED = "#f3c3a3"  # what is beyond a limit
@@ -125,4 +125,4 @@ def name_phases(diagram: Diagram, task: CamTask) -> None:
     for phase, a, b in zip(task.program.phases, starts[:-1], starts[1:], strict=True):
         if b > a:
             at = diagram.paper([complex((a + b) / 2, part * diagram.y.high) for part in (0.93, 0.8, 0.5)])
-            diagram.labels.put(phase_name(phase.kind), at, height=2.2, prefer=-1j, gaps=(0.0, 0.9, 1.7, 2.8))
+            diagram.labels.put(tr_name(phase.kind), at, height=2.2, prefer=-1j, gaps=(0.0, 0.9, 1.7, 2.8))

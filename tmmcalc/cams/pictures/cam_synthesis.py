@@ -7,7 +7,7 @@ from tmmcalc.cams.pictures.flatregion import draw_flat_region
 from tmmcalc.cams.pictures.ordered import cam_of
 from tmmcalc.cams.pictures.phaseplane import plane_board
 from tmmcalc.cams.pictures.rockers import rocker_board
-from tmmcalc.cams.pictures.wording import deg, design_name, mm, phase_name
+from tmmcalc.cams.pictures.wording import deg, design_name, mm
 from tmmcalc.cams.pictures.zone import BASE, LIMIT, OTHER, PASSING, ZONE
 from tmmcalc.cams.synthesis.results import Design, Synthesis
 from tmmcalc.cams.task import CamTask
@@ -68,7 +68,7 @@ def _parts(result: Synthesis, mu: float) -> list[Part]:
     for size in result.sizes:
         sign = f"${SYMBOLS[size.symbol]}$"
         sizes.append((tr("{sign} (given)", sign=sign) if size.given else sign, _shown(size.symbol, size.value)))
-    phases = [(word, on) for word, on in ((_rise(), result.rise), (_return(), result.back)) if on is not None]
+    phases = [(word, on) for word, on in ((tr("rise"), result.rise), (tr("return"), result.back)) if on is not None]
     limits = [(f"[$θ$], {word}", tr("not limited") if on.limit is None else deg(on.limit)) for word, on in phases]
     reached = []
     for word, on in phases:
@@ -83,14 +83,6 @@ def _parts(result: Synthesis, mu: float) -> list[Part]:
     return [*parts, Part(tr("Lines (1 mm of paper: {step})", step=step), samples=samples_of(result))]
 
 
-def _rise() -> str:
-    return phase_name("rise")
-
-
-def _return() -> str:
-    return phase_name("return")
-
-
 def _largest(word: str) -> str:
     """The largest pressure angle of a phase."""
     return tr("$|θ|$ max, {phase}", phase=word)
@@ -101,7 +93,7 @@ def _design_part(result: Synthesis, design: Design) -> Part:
     if result.kind == "oscillating":
         sizes = {"l0": design.centres, "psi0": design.start, "R0": design.base}
     names = ", ".join(f"${SYMBOLS[name]}$" for name in sizes)
-    ends = ((_rise(), design.rise, result.rise), (_return(), design.back, result.back))
+    ends = ((tr("rise"), design.rise, result.rise), (tr("return"), design.back, result.back))
     angles = []
     for word, own, on in ends:
         angle = deg(max(map(abs, own)))

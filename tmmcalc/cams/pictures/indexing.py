@@ -9,7 +9,7 @@ from tmmcalc.cams.pictures.indexingscheme import content_of, draw_scheme, parts_
 from tmmcalc.cams.pictures.indexingstep import draw_step
 from tmmcalc.cams.pictures.indexingstudy import draw_study
 from tmmcalc.cams.pictures.toscale import lengths_text
-from tmmcalc.cams.pictures.wording import law_name, mm
+from tmmcalc.cams.pictures.wording import mm
 from tmmcalc.core.errors import UsageError
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board
@@ -18,7 +18,7 @@ from tmmcalc.report.drawing.order import PHASE, Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.scales import length_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import round_scale
 
 MARGIN = 8.0  # [mm]
@@ -82,4 +82,4 @@ def _heading(result: Indexing) -> str:
         f"$l_k$ = {mm(result.wheel)} {tr_unit('mm')}",
         f"$r_r$ = {'; '.join(map(mm, _radii(result)))} {tr_unit('mm')}",
     )
-    return tr("Indexing drive: {sizes}, law {law}", sizes=", ".join(sizes), law=law_name(result.law))
+    return tr("Indexing drive: {sizes}, law {law}", sizes=", ".join(sizes), law=tr_name(result.law))

@@ -10,7 +10,6 @@ import numpy as np
 from tmmcalc.cams.lawresult import POINTS, LawResult
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.toscale import FACTORS, ends_to_scale, heights_to_scale, turn_to_scale, write_factors
-from tmmcalc.cams.pictures.wording import phase_name
 from tmmcalc.cams.program import Program
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import DOTTED, input_axis, stacked
@@ -18,7 +17,7 @@ from tmmcalc.report.drawing.diagram import Axis, Diagram, room
 from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.pens import CURVES, MARK, MIDDLE, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words, arrowhead
-from tmmcalc.report.language import tr_unit
+from tmmcalc.report.language import tr_name, tr_unit
 from tmmcalc.report.numbers import number
 
 DENSE = 120  # points of a piece of the motion
@@ -192,7 +191,7 @@ def _points(result: LawResult) -> dict[str, str]:
 
 def _name_phases(diagram: Diagram, result: LawResult) -> None:
     """The names of the phases with their angles in a row along the top of the diagram."""
-    texts = [f"{phase_name(phase.kind)}\n{number(degrees(phase.end - phase.begin), 5)}°" for phase in result.phases]
+    texts = [f"{tr_name(phase.kind)}\n{number(degrees(phase.end - phase.begin), 5)}°" for phase in result.phases]
     halves = [width(text, NAME_SIZE) / 2 for text in texts]
     box = diagram.box
     middles = [diagram.place(complex(degrees(phase.begin + phase.end) / 2)).real - box.left for phase in result.phases]

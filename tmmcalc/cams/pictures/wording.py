@@ -1,4 +1,4 @@
-"""Words of the cams' pictures in the language in force: phases, laws, senses, walls."""
+"""Words of the cams' pictures in the language in force: senses, walls, sizes, designs, constraints."""
 
 from __future__ import annotations
 
@@ -10,29 +10,6 @@ from tmmcalc.cams.synthesis.results import Design
 from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
-
-
-def phase_name(kind: str) -> str:
-    """A phase of the turn."""
-    names = {"rise": tr("rise"), "high dwell": tr("high dwell"), "return": tr("return"), "low dwell": tr("low dwell")}
-    return names[kind]
-
-
-def law_name(name: str) -> str:
-    """A law of the catalogue; any other has the name that it was given."""
-    names = {
-        "sine": tr("sine"),
-        "cosine": tr("cosine"),
-        "linear": tr("linear"),
-        "parab2": tr("parab2"),
-        "const": tr("const"),
-        "shun": tr("shun"),
-        "poly5": tr("poly5"),
-        "poly4567": tr("poly4567"),
-        "modified_sine": tr("modified_sine"),
-        "modified_trapezoid": tr("modified_trapezoid"),
-    }
-    return names.get(name, name)
 
 
 def sense_of(follower: Follower) -> str:

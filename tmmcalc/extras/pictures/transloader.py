@@ -14,7 +14,7 @@ from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.panels import Panel, panels
 from tmmcalc.report.drawing.pens import CURVES, GRID, MARK, PLATE, THIN, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing, Words
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
 
 ALLOWED = Pen("ALLOWED", 0.7, colour=MARK.colour)
@@ -119,15 +119,13 @@ def _stresses(drawing: Drawing, box: Box, result: Transloader) -> None:
 
 def _meaning(load: str) -> str:
     """What a load is."""
-    return {
+    names = {
         "dead_weight": tr("dead weight"),
         "rated_load": tr("rated load"),
         "inertia": tr("inertia in normal operation"),
-        "wind": tr("wind"),
         "equivalent_wind": tr("equivalent wind"),
         "track": tr("track gradient, rocking of the crane"),
         "drive": tr("largest moments of drives, skidding, their inertia"),
-        "shock": tr("shock"),
         "hurricane": tr("hurricane wind"),
-        "seismic": tr("seismic"),
-    }[load]
+    }
+    return names.get(load) or tr_name(load)

@@ -18,7 +18,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.pens import INK, MIDDLE, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing, Hatching, Words
-from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_number, tr_unit
 from tmmcalc.report.numbers import number
 
 HOLDS, FAILS, IDLE = "#009e73", "#d55e00", "#9a9a9a"
@@ -80,10 +80,7 @@ def _measured(verdict: Verdict) -> str:
     """The quantity with its value."""
     if verdict.quantity == TRUTH:
         return tr("given as true") if verdict.value > 0 else tr("given as false")
-    name = {"given value": tr("given value"), "given function": tr("given function")}.get(
-        verdict.quantity, verdict.quantity
-    )
-    return f"{name} = {_told(verdict.value, verdict)}"
+    return f"{tr_name(verdict.quantity)} = {_told(verdict.value, verdict)}"
 
 
 def _told(value: float, verdict: Verdict) -> str:

@@ -172,7 +172,7 @@ def _notes(pair: PairContour) -> Iterator[str]:
     elif pair.points and not pair.points[0].strict and pair.strict.main is not None:
         yield "note: the chosen shifts lie outside the strict contour: a wheel is undercut"
     for missing in pair.missing:
-        yield f"note: {missing}"
+        yield f"note: {missing.text}"
     for kind, area in _areas(pair):
         if area.untraced:
             tips = " or ".join(str(3 - wheel) for wheel in reversed(area.untraced))

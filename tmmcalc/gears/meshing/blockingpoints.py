@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.involute.contour.contour import Contour
 from tmmcalc.gears.involute.contour.margins import margins, sliding_at_start
 from tmmcalc.gears.involute.contour.points import (
@@ -19,14 +20,17 @@ from tmmcalc.gears.involute.formfactor import tooth_form
 from tmmcalc.gears.involute.pair import pair_of_shifts
 from tmmcalc.gears.involute.shifts import ROUNDING
 from tmmcalc.gears.meshing.choice import contour_task
-from tmmcalc.gears.meshing.contours import ContourPoint
+from tmmcalc.gears.meshing.contours import ContourPoint, MissingPoints
 from tmmcalc.gears.meshing.geometry import external_pair
 from tmmcalc.gears.meshing.results import MeshPair
 
 Place = tuple[float, float]
+Named = tuple[str, Phrase | str, Place | None]  # a point by its name, with what is special about it
 
 
-def contour_points(pair: MeshPair, both: tuple[Contour, Contour]) -> tuple[tuple[ContourPoint, ...], tuple[str, ...]]:
+def contour_points(
+    pair: MeshPair, both: tuple[Contour, Contour]
+) -> tuple[tuple[ContourPoint, ...], tuple[MissingPoints, ...]]:
     """The chosen shifts first, then the points that exist, and why the others do not.
 
     The values of the chosen shifts are those of the pair itself, whatever its tips; the others have tips by the rule.
@@ -35,17 +39,17 @@ def contour_points(pair: MeshPair, both: tuple[Contour, Contour]) -> tuple[tuple
     task, asked = pair.task, contour_task(pair.task)
     areas = both if task.strict else both[1:]
     area = next((area for area in areas if area.main is not None), None)
-    places: list[tuple[str, str, Place | None]] = [("chosen", f"by the strategy {task.strategy}", pair.shifts)]
-    missing: list[str] = []
+    places: list[Named] = [("chosen", f"by the strategy {task.strategy}", pair.shifts)]
+    missing: list[MissingPoints] = []
     if area is None:
-        missing.append(f"C, D, E, balanced, equal strength: {areas[-1].reason}")
+        missing.append(MissingPoints(("C", "D", "E", "balanced", "equal strength"), areas[-1].reason))
     else:
         kind = "strict" if area.strict else "tolerated"
         places += [
             ("C", f"largest x1 + x2 of the {kind} contour", largest_sum(area)),
             (
                 "D",
-                f"equal specific sliding at the contact ratio {task.desired:g}",
+                Phrase("equal specific sliding at the contact ratio {ratio}", ratio=f"{task.desired:g}"),
                 _sliding(area, task.desired, missing),
             ),
             ("E", f"largest contact ratio of the {kind} contour", area.best[:2]),
@@ -77,25 +81,32 @@ def _own(pair: MeshPair, point: ContourPoint) -> ContourPoint:
     )
 
 
-def _sliding(area: Contour, desired: float, missing: list[str]) -> Place | None:
+def _sliding(area: Contour, desired: float, missing: list[MissingPoints]) -> Place | None:
     """Point D, if the contour holds it."""
     found = equal_sliding(area.frame, desired)
     if found is None:
-        missing.append(f"D: no mesh has the contact ratio {desired:g} and equal specific sliding")
+        reason = Phrase("no mesh has the contact ratio {ratio} and equal specific sliding", ratio=f"{desired:g}")
+        missing.append(MissingPoints(("D",), reason))
         return None
     there = margins(area.task, *found)
     if float(there.least(area.strict)) >= -ROUNDING:
         return found
-    broken = ", ".join(LINES[key][1] for key in there.broken(area.strict))
-    place = f"x1 = {found[0]:.4f}, x2 = {found[1]:.4f}"
-    missing.append(f"D: equal sliding at the contact ratio {desired:g}, {place}, lies outside the contour: {broken}")
+    reason = Phrase(
+        "equal sliding at the contact ratio {ratio}, x1 = {x1}, x2 = {x2}, lies outside the contour: {lines}",
+        ratio=f"{desired:g}",
+        x1=f"{found[0]:.4f}",
+        x2=f"{found[1]:.4f}",
+        lines=[LINES[key][1] for key in there.broken(area.strict)],
+    )
+    missing.append(MissingPoints(("D",), reason))
     return None
 
 
-def _strength(area: Contour, missing: list[str]) -> Place | None:
+def _strength(area: Contour, missing: list[MissingPoints]) -> Place | None:
     found = largest_equal_strength(area)
     if found is None:
-        missing.append("equal strength: no admissible shifts give both wheels the same tooth form factor")
+        reason = "no admissible shifts give both wheels the same tooth form factor"
+        missing.append(MissingPoints(("equal strength",), reason))
     return found
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.results import ContourError
@@ -41,7 +42,7 @@ class Area:
 
     strict: bool  # no undercut at all
     main: Outline | None  # None: nothing is admissible; then ``reason`` says why
-    reason: str
+    reason: Phrase | str
     pieces: tuple[Outline, ...]  # beyond a pinch point, or apart, mostly with a tip inside its reference circle
     untraced: tuple[int, ...]  # wheels on whose side there are pieces whose outline is not found
     best_contact_ratio: float  # largest that the other conditions leave
@@ -72,7 +73,7 @@ class ContourPoint:
     """
 
     name: str  # C, D, E, "balanced", "equal strength", "chosen"
-    title: str  # what is special about it
+    title: Phrase | str  # what is special about it
     x1: float = quantity("x_1", "profile shift of wheel 1")
     x2: float = quantity("x_2", "profile shift of wheel 2")
     contact_ratio: float = quantity("eps_alpha", "transverse contact ratio")
@@ -82,6 +83,23 @@ class ContourPoint:
     distance: float = quantity("a_w[m]", "operating centre distance")
     strict: bool = quantity("in_strict", "whether the strict contour holds it")
     tolerated: bool = quantity("in_tolerated", "whether the tolerated contour holds it")
+
+
+@record
+class MissingPoints:
+    """Points of interest that do not exist."""
+
+    names: tuple[str, ...]
+    reason: Phrase | str
+
+    @property
+    def text(self) -> str:
+        """Which, and why.
+
+        >>> MissingPoints(("C", "D"), "no shifts give a mesh").text
+        'C, D: no shifts give a mesh'
+        """
+        return f"{', '.join(self.names)}: {self.reason}"
 
 
 @record
@@ -99,7 +117,7 @@ class PairContour:
     tolerated: Area
     lines: tuple[ContourLine, ...]
     points: tuple[ContourPoint, ...]  # the chosen one first; what does not exist is left out
-    missing: tuple[str, ...]  # the points that do not exist, with the reason
+    missing: tuple[MissingPoints, ...]
     margins: dict[str, float]  # of the chosen shifts, by the keys of the lines; modules
     # the admissible interval of x1 at the chosen sum of shifts that holds the chosen x1, or else is nearest to it
     low: float | None

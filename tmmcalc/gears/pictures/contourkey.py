@@ -12,14 +12,13 @@ import numpy as np
 from tmmcalc.core.records import record
 from tmmcalc.gears.meshing.contours import UNBOUNDED, Area, ContourPoint, PairContour
 from tmmcalc.gears.pictures.contourlines import Stroke, chosen, indexed, number_of
-from tmmcalc.gears.pictures.contourlook import BELT, HATCHED, PALE, RING, STRICT, Look, marker, point_called, ring
-from tmmcalc.gears.pictures.contourreasons import reason_of
+from tmmcalc.gears.pictures.contourlook import BELT, HATCHED, PALE, RING, STRICT, Look, marker, ring
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import extent, minus, wrapped
 from tmmcalc.report.drawing.pens import INK, MARK
 from tmmcalc.report.drawing.shapes import Area as Patch
 from tmmcalc.report.drawing.shapes import Drawing, Hatching, Words
-from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_number, tr_unit
 
 SIZE = 2.0  # height of the text [mm]
 HEADING = 2.5  # and of headings
@@ -158,11 +157,9 @@ class _Key:
                     texts[k] = "\N{EN DASH}"
                 elif abs(theta) > UNBOUNDED:  # it begins on the base circle
                     texts[k] = f"{MINUS}\N{INFINITY}"
-            yield self._cells(texts, point_called(point.name), point)
+            yield self._cells(texts, tr_name(point.name), point)
         said = [
-            f"{point_called(point.name)}: {indexed(_point_title(point))}"
-            for point in pair.points
-            if point.name != "chosen"
+            f"{tr_name(point.name)}: {indexed(tr_name(point.title))}" for point in pair.points if point.name != "chosen"
         ]
         if said:
             yield self.worded("; ".join(said))
@@ -223,7 +220,8 @@ class _Key:
         found = [tr("strict contour: {reason}", reason=text) for text in strict if text not in tolerated]
         found += [tr("both contours: {reason}", reason=text) for text in both]
         found += [tr("tolerated contour: {reason}", reason=text) for text in tolerated if text not in strict]
-        found += map(reason_of, pair.missing)
+        for points in pair.missing:
+            found.append(f"{', '.join(map(tr_name, points.names))}: {tr_name(points.reason)}")
         for text in found:
             yield self.worded(indexed(f"{text[:1].upper()}{text[1:]}"))
 
@@ -233,26 +231,8 @@ def _fixed(value: float, decimals: int) -> str:
     return tr_number(minus(text.lstrip("-") if not float(text) else text))
 
 
-def _point_title(point: ContourPoint) -> str:
-    """What a point is, in the language in force."""
-    ratio = "equal specific sliding at the contact ratio "
-    if point.title.startswith(ratio):
-        value = tr_number(point.title.removeprefix(ratio))
-        return tr("equal specific sliding at the contact ratio {value}", value=value)
-    titles = {
-        "largest x1 + x2 of the strict contour": tr("largest x1 + x2 of the strict contour"),
-        "largest x1 + x2 of the tolerated contour": tr("largest x1 + x2 of the tolerated contour"),
-        "largest contact ratio of the strict contour": tr("largest contact ratio of the strict contour"),
-        "largest contact ratio of the tolerated contour": tr("largest contact ratio of the tolerated contour"),
-        "farthest from all lines of the strict contour": tr("farthest from all lines of the strict contour"),
-        "farthest from all lines of the tolerated contour": tr("farthest from all lines of the tolerated contour"),
-        "equal tooth form factors at the largest x1 + x2": tr("equal tooth form factors at the largest x1 + x2"),
-    }
-    return titles.get(point.title, point.title)
-
-
 def _reasons(area: Area) -> Iterator[str]:
     if area.main is None:
-        yield reason_of(area.reason)
+        yield tr_name(area.reason)
     for wheel in area.untraced:
         yield tr("pieces with the tip of wheel {wheel} inside its reference circle are not drawn", wheel=3 - wheel)

@@ -20,7 +20,7 @@ from tmmcalc.gears.meshing.contours import ContourPoint, PairContour
 from tmmcalc.gears.pictures.contourpaths import outlines, paths_of
 from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.pens import INK, MARK, Pen
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr_name
 from tmmcalc.report.numbers import number as digits
 
 RATIO, TIP, FILLET = "#0072b2", "#8f6b00", "#00795a"
@@ -80,7 +80,7 @@ class Stroke:
         >>> Stroke("4", "contact ratio", 1.2, ()).text
         'contact ratio: 1.2'
         """
-        title = indexed(line_title(self.title))
+        title = indexed(tr_name(self.title))
         if self.value is None:
             return title
         value = minus(digits(self.value, 5))
@@ -89,32 +89,6 @@ class Stroke:
         if self.value and self.number.startswith(THICKNESS) and "modules" not in self.title:
             value += " $m$"
         return f"{title}: {value}"
-
-
-def line_title(title: str) -> str:
-    """The words of a line in the language in force."""
-    titles = {
-        "limit of undercut of wheel 1": tr("limit of undercut of wheel 1"),
-        "limit of undercut of wheel 2": tr("limit of undercut of wheel 2"),
-        "undercut of wheel 1 reaches the active flank": tr("undercut of wheel 1 reaches the active flank"),
-        "undercut of wheel 2 reaches the active flank": tr("undercut of wheel 2 reaches the active flank"),
-        "tip of the mate cuts into the fillet": tr("tip of the mate cuts into the fillet"),
-        "least contact ratio": tr("least contact ratio"),
-        "contact ratio": tr("contact ratio"),
-        "least tip thickness of wheel 1": tr("least tip thickness of wheel 1"),
-        "least tip thickness of wheel 2": tr("least tip thickness of wheel 2"),
-        "tip thickness of wheel 1, modules": tr("tip thickness of wheel 1, modules"),
-        "tip thickness of wheel 2, modules": tr("tip thickness of wheel 2, modules"),
-        "tip circle of wheel 1 is its reference circle": tr("tip circle of wheel 1 is its reference circle"),
-        "tip circle of wheel 2 is its reference circle": tr("tip circle of wheel 2 is its reference circle"),
-        "equal specific sliding of both wheels": tr("equal specific sliding of both wheels"),
-        "equal tooth form factors, whichever wheel drives": tr("equal tooth form factors, whichever wheel drives"),
-        "x1 + x2 of the chosen shifts": tr("x1 + x2 of the chosen shifts"),
-        "x1 + x2 = 0: reference and pitch circles coincide": tr("x1 + x2 = 0: reference and pitch circles coincide"),
-        "largest x1 + x2 of the strict contour": tr("largest x1 + x2 of the strict contour"),
-        "largest x1 + x2 of the tolerated contour": tr("largest x1 + x2 of the tolerated contour"),
-    }
-    return titles.get(title, title)
 
 
 def indexed(text: str) -> str:

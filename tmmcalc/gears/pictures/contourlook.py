@@ -10,7 +10,7 @@ from tmmcalc.core.records import record
 from tmmcalc.gears.meshing.contours import ContourPoint
 from tmmcalc.report.drawing.pens import INK, MARK, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Arc, Area, Shape, Words
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr_name
 
 RING = 1.9  # radius of the circle around a number [mm]
 NUMBER = 1.8  # height of the number
@@ -49,20 +49,14 @@ def marker(point: ContourPoint, at: complex) -> Shape:
     return Area(at + DOTS["other"] * np.array([1, 1j, -1, -1j]), WHITE, OUTLINE)
 
 
-def point_called(name: str) -> str:
-    """The name of a point in the language in force."""
-    names = {"chosen": tr("chosen"), "balanced": tr("balanced"), "equal strength": tr("equal strength")}
-    return names.get(name, name)
-
-
 def together(points: Sequence[ContourPoint], near: float) -> list[tuple[ContourPoint, str]]:
     """Points with their names; those that lie on an earlier one only add their name to its."""
     found: list[tuple[ContourPoint, str]] = []
     for point in points:
         for k, (other, name) in enumerate(found):
             if abs(complex(point.x1 - other.x1, point.x2 - other.x2)) < near:
-                found[k] = other, f"{name}{JOINT}{point_called(point.name)}"
+                found[k] = other, f"{name}{JOINT}{tr_name(point.name)}"
                 break
         else:
-            found.append((point, point_called(point.name)))
+            found.append((point, tr_name(point.name)))
     return found

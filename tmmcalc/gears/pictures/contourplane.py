@@ -12,7 +12,6 @@ from tmmcalc.gears.pictures.contourlines import Stroke, strokes
 from tmmcalc.gears.pictures.contourlook import BELT, HATCHED, PALE, STRICT, marker, together
 from tmmcalc.gears.pictures.contournumbers import EDGE, number_stroke, seen
 from tmmcalc.gears.pictures.contourpaths import outlines, smooth
-from tmmcalc.gears.pictures.contourreasons import reason_of
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.diagram import Axis, written
 from tmmcalc.report.drawing.diagram import ticks as ticks_of
@@ -22,7 +21,7 @@ from tmmcalc.report.drawing.pens import GRID, MIDDLE, THIN, WHITE
 from tmmcalc.report.drawing.regions import cut_to, parted
 from tmmcalc.report.drawing.shapes import Area, Drawing, Hatching, Words
 from tmmcalc.report.drawing.wording import corners
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_name
 
 MARGIN = 13.0  # about the contour [mm]
 EMPTY = np.array([-1.2 - 1.2j, 2.2 + 2.2j])  # what is shown of a pair without a contour
@@ -185,7 +184,7 @@ def _say_empty(board: Board, pair: PairContour) -> None:
     """The reason in a corner of the picture if nothing at all is admissible; numbers keep clear of it."""
     if pair.strict.main is None and pair.tolerated.main is None:
         box = board.box
-        said = wrapped(reason_of(pair.tolerated.reason or pair.strict.reason), WIDE, SAID)
+        said = wrapped(tr_name(pair.tolerated.reason or pair.strict.reason), WIDE, SAID)
         wide = max(width(line, SAID) for line in said)
         words = Words(complex(box.right - 2 * PAD - wide, box.bottom + 2 * PAD), "\n".join(said), SAID, -1 - 1j)
         low, _, high, _ = corners(words).tolist()

@@ -20,7 +20,6 @@ from tmmcalc.gears.kinds import from_tooth_ratio
 from tmmcalc.gears.network.curves import Curve, efficiency_over_ratio, efficiency_over_reduction, ratio_over_inverted
 from tmmcalc.gears.network.types import efficiency
 from tmmcalc.gears.pictures.cloud import Mark, draw_marks, write_key
-from tmmcalc.gears.pictures.words import brief_layout
 from tmmcalc.gears.proportion import RANGE, RANGE_INTERNAL, curve, equal_strength
 from tmmcalc.gears.radial import ratio_limits
 from tmmcalc.gears.scheme import Layout
@@ -30,7 +29,7 @@ from tmmcalc.report.drawing.diagram import Axis, Diagram
 from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.pens import CURVES, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing, Words
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.numbers import number
 
 PLANETS = range(3, 9)
@@ -208,7 +207,7 @@ def _limits(drawing: Drawing, box: Box, request: Request) -> Diagram:
     across = Axis(tr("number of planets $K$"), known[0] - 0.7, known[-1] + 0.7, whole=True)
     up = Axis(f"${symbol}$", 0.0, ROOM * max(*tops, value))
     field = _graph(
-        drawing, box, tr("{layout}: neighbours clear each other", layout=brief_layout(task.layout)), across, up, key
+        drawing, box, tr("{layout}: neighbours clear each other", layout=tr_name(task.layout)), across, up, key
     )
     half = BROAD / 2
     for starts, ends, colour in bars:
@@ -245,6 +244,6 @@ def _graph(
     draw_marks(field, np.array([at for at, *_ in tasks]), POINT, 2.0)
     # layouts of one ratio share their point
     for at, said in dict.fromkeys((at, said) for at, _, said in tasks):
-        keys = ", ".join(brief_layout(key) for other, key, same in tasks if (other, same) == (at, said))
+        keys = ", ".join(tr_name(key) for other, key, same in tasks if (other, same) == (at, said))
         field.labels.put(f"{keys}: {said}", [field.place(at)], height=2.3, gaps=(1.9, 2.8, 4.0, 5.5))
     return field

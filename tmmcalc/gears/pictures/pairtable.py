@@ -17,7 +17,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import minus, plain
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.drawing.tables import draw_table
-from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_number, tr_unit
 from tmmcalc.report.numbers import number
 
 APART = 5.0  # between two tables [mm]
@@ -176,29 +176,13 @@ def _whose(found: MeshPair, wheel: int) -> str:
 def _called(check: Check) -> str:
     """The name of a figure in the language in force."""
     names = {
-        "contact ratio": tr("contact ratio"),
-        "shortened contact ratio": tr("shortened contact ratio"),
-        "overlap ratio": tr("overlap ratio"),
-        "total contact ratio": tr("total contact ratio"),
-        "pressure angle": tr("pressure angle"),
-        "interference": tr("interference"),
-        "undercut": tr("undercut"),
-        "tip thickness": tr("tip thickness"),
-        "clearance": tr("clearance"),
-        "sliding": tr("sliding"),
         "pressure": tr("specific pressure"),
-        "tip circle": tr("tip circle"),
-        "cutter tip": tr("cutter tip"),
-        "cutter depth": tr("cutter depth"),
-        "cutter interference": tr("cutter interference"),
-        "cutter feed": tr("cutter feed"),
-        "involute interference": tr("involute interference"),
         "fillet 1 interference": tr("interference with the fillet of the pinion"),
         "fillet 2 interference": tr("interference with the fillet of the ring"),
         "trochoid interference": tr("tips outside the line of action"),
         "trimming interference": tr("radial assembly"),
     }
-    return names.get(check.name, check.name)
+    return names.get(check.name) or tr_name(check.name)
 
 
 def _figure(check: Check, value: float, *, short: bool = False) -> str:

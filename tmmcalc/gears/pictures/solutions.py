@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.core.plane import Plane
-from tmmcalc.gears.advice import removals
+from tmmcalc.gears.advice import called, removals
 from tmmcalc.gears.columns import ratios
 from tmmcalc.gears.pictures.cloud import Mark, draw_marks, evenly, fitted, write_key
-from tmmcalc.gears.pictures.words import KINDS, constraint_name, layout_name, of_many, teeth_text
+from tmmcalc.gears.pictures.words import KINDS, layout_name, of_many, teeth_text
 from tmmcalc.gears.search.measures import coprime_meshes
 from tmmcalc.gears.trains import Request, Variant
 from tmmcalc.report.drawing.box import Box
@@ -17,7 +17,7 @@ from tmmcalc.report.drawing.lettering import minus, width
 from tmmcalc.report.drawing.page import headed
 from tmmcalc.report.drawing.pens import Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing, Words
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_name
 
 COPRIME = Mark("o", Pen("SETS_COPRIME", 0.13, (), "#0072b2"), 1.2, "#0072b2")
 OTHER = Mark("^", Pen("SETS_NOT_COPRIME", 0.2, (), "#d55e00"), 1.3)
@@ -102,7 +102,7 @@ def _draw_removals(drawing: Drawing, box: Box, variant: Variant) -> None:
     """Candidates, what each constraint removed of them, what is left."""
     synthesis = variant.synthesis
     rows = [(tr("candidates"), synthesis.candidates, "candidates")]
-    rows += [(constraint_name(name), removed, "removed") for name, removed, _ in removals(variant)]
+    rows += [(tr_name(called(name)), removed, "removed") for name, removed, _ in removals(variant)]
     rows.append((tr("tooth sets"), synthesis.count, "left"))
     numbers = [_counted(count, kind) for _, count, kind in rows]
     drawing.add(Words(complex(box.left, box.top), tr("What the constraints removed, in their order"), 2.6, -1 + 1j))

@@ -6,12 +6,11 @@ from collections.abc import Iterable
 from fractions import Fraction
 from unicodedata import normalize
 
-from tmmcalc.gears.advice import called
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.scheme import Layout
 from tmmcalc.report.drawing.lettering import minus, plain
-from tmmcalc.report.language import tr, tr_count, tr_unit
+from tmmcalc.report.language import tr, tr_count, tr_name, tr_unit
 from tmmcalc.report.numbers import number
 
 KINDS = {"u": "U", "i_1H": "i_{1H}", "i_H1": "i_{H1}", "i_14": "i_{14}"}
@@ -34,48 +33,18 @@ def axis_name(key: str) -> str:
         "mass": tr("mass of moving wheels $M$"),
         "inertia": tr("reduced inertia $J$"),
         "size": tr("size $D$"),
-        "envelope": tr("envelope"),
         "efficiency": tr("efficiency $η$"),
         "error": tr("error of the ratio"),
         "width_deviation": tr("$b/m$ beyond the usual"),
     }
     _, unit = CRITERIA[key]
-    return f"{names[key]}, {tr_unit(unit)}" if unit else names[key]
+    name = names.get(key) or tr_name(key)
+    return f"{name}, {tr_unit(unit)}" if unit else name
 
 
 def short_name(key: str) -> str:
     """A criterion in a word."""
-    names = {
-        "mass": tr("mass"),
-        "inertia": tr("inertia"),
-        "size": tr("size"),
-        "envelope": tr("envelope"),
-        "efficiency": tr("efficiency"),
-        "error": tr("error"),
-        "width_deviation": tr("width deviation"),
-    }
-    return names.get(key, key.replace("_", " "))
-
-
-def constraint_name(key: str) -> str:
-    """A constraint of the search; one of the user's own is called as it is."""
-    names = {
-        "largest_sum": tr("sum of teeth"),
-        "coaxiality": tr("common axis"),
-        "ratio": tr("ratio"),
-        "mesh_angles": tr("pressure angles"),
-        "undercut": tr("undercut"),
-        "interference": tr("ring difference"),
-        "stage_ratio": tr("ratio of one stage"),
-        "diameter_band": tr("diameters alike"),
-        "equal_pinions": tr("equal pinions"),
-        "assembly": tr("assembly"),
-        "adjacency": tr("neighbours' gap"),
-        "coprime": tr("coprime meshes"),
-        "centre_distance": tr("centre distance"),
-        "envelope": tr("envelope"),
-    }
-    return names.get(key) or called(key)
+    return tr_name(key.replace("_", " "))
 
 
 def of_many(text: str, drawn: int, thinned: bool) -> str:
@@ -94,26 +63,10 @@ def counted(scheme: Layout, planets: int) -> str:
 
 def layout_name(scheme: Layout, planets: int) -> str:
     """The layout in a sentence with its designation and the number of planets."""
-    titles = {
-        "coaxial": tr("Two stages in coaxial layout"),
-        "AI": tr("Double planets, external and internal mesh"),
-        "AA": tr("Double planets, two external meshes"),
-        "II": tr("Double planets, two internal meshes"),
-        "AIbar": tr("Single planets between sun and ring"),
-        "AII": tr("Double planets, a sun and two rings"),
-        "2A-AA": tr("Pairs of meshing planets between two suns"),
-        "unfolded2": tr("Two stages in unfolded layout"),
-        "unfolded3": tr("Three stages in unfolded layout"),
-    }
-    title = titles.get(scheme.key) or scheme.title[0].upper() + scheme.title[1:]
+    title = tr_name(scheme.title)
+    title = title[0].upper() + title[1:]
     name = title + (f" ({normalize('NFC', scheme.designation)})" if scheme.planetary else "")
     return f"{name}, {counted(scheme, planets)}" if scheme.branched else name
-
-
-def brief_layout(key: str) -> str:
-    """The word of a layout; designations of planetary trains are the same in all languages."""
-    names = {"coaxial": tr("coaxial"), "unfolded2": tr("unfolded2"), "unfolded3": tr("unfolded3")}
-    return names.get(key, key)
 
 
 def train_name(sets: ToothSets) -> str:

@@ -16,7 +16,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
+from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import column_of, lines, named, pictured, tabulated
 
 ACCELERATED, UNIFORM, SLOWED = 1, 2, 3  # numbers of the phases
@@ -77,7 +77,9 @@ def _law(result: Unsteady, task: UnsteadyTask) -> Iterator[Block]:
             "with the largest deceleration."
         )
     )
-    yield from lines(_texts(law, task), [Place("", _quantities(result, task))])
+    known = _quantities(result, task)
+    yield from lines(_texts(law, task), [Place("", known)])
+    yield Result("T", known["T"])
     if not law.uniform:
         yield Paragraph(tr("There is no uniform motion: the allowed speed is not reached."))
 

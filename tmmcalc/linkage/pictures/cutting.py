@@ -23,7 +23,7 @@ from tmmcalc.report.drawing.pens import FORCES
 from tmmcalc.report.drawing.scales import scale_text
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.drawing.tables import draw_table
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
 
 BODIES = 2  # on a sheet
@@ -161,16 +161,7 @@ def _value(part: Part) -> tuple[str, str]:
 def _draw_legend(drawing: Drawing, box: Box, bodies: Sequence[FreeBody]) -> None:
     """What the kinds of lines are, and how to read the names."""
     used = {part.kind for body in bodies for part in _parts(body)}
-    names = {
-        "load": tr("load"),
-        "weight": tr("weight"),
-        "inertia": tr("inertia force"),
-        "spring": tr("spring"),
-        "damper": tr("damper"),
-        "drive": tr("drive"),
-        "reaction": tr("reaction"),
-        "friction": tr("friction"),
-    }
+    names = {kind: tr("inertia force") if kind == "inertia" else tr_name(kind) for kind in used}
     samples_in_rows(drawing, box, [(names[kind], pen) for kind, pen in FORCES.items() if kind in used])
     text = tr(
         "First index: the link acted on, second: the link it comes from. Arrows of load diagrams are not to scale. "

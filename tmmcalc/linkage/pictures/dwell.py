@@ -10,7 +10,6 @@ from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.pictures.cycle import whole_cycle
-from tmmcalc.linkage.pictures.found import told
 from tmmcalc.linkage.pictures.scheme import draw_scheme
 from tmmcalc.linkage.synthesis.dwell.results import Dwell
 from tmmcalc.linkage.synthesis.results import Design
@@ -21,7 +20,7 @@ from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import CURVES
 from tmmcalc.report.drawing.shapes import Drawing, Words
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
 
 DEGREE = math.degrees(1.0)
@@ -34,7 +33,7 @@ def dwell_drawing(mechanism: Mechanism, design: Design, dwell: Dwell) -> Drawing
     motion = solve_kinematics(mechanism)
     drawing, (first, second) = sheets(2)
     angle = minus(number(DEGREE * dwell.dwell_angle, 5))
-    title = tr("{name}, dwell of {angle}°", name=told(design.name), angle=angle)
+    title = tr("{name}, dwell of {angle}°", name=tr_name(design.name), angle=angle)
     drawing.add(Words(complex(first.middle.real, first.top), title, 3.5, 1j))
     scheme, key = first.inset(0, 0, 0, 7).split(2.4, 1.0, gap=4, across=True)
     cycle = whole_cycle(chain_of(mechanism, motion), motion)
@@ -53,7 +52,9 @@ def _key(design: Design, dwell: Dwell) -> list[Part]:
     sizes = [
         (_formula(size.symbol), _shown(size.value, size.unit)) for size in design.sizes if size.symbol not in SKIPPED
     ]
-    checks = [(told(check.name), _shown(check.achieved, check.unit)) for check in design.checks]
+    checks = [
+        (tr_name(check.name).replace("|S|", "$|S|$"), _shown(check.achieved, check.unit)) for check in design.checks
+    ]
     samples = [
         Sample(tr("slot $Γ$ of the crank pin $A$ in link 5"), OWN),
         Sample(tr("its other branch"), OTHER),

@@ -22,7 +22,7 @@ from tmmcalc.report.drawing.pens import VECTORS
 from tmmcalc.report.drawing.scales import factor_text, standard_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.drawing.tables import draw_table
-from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_number, tr_unit
 from tmmcalc.report.numbers import number
 
 HEADING, TITLE, FOOT = 7.0, 6.0, 5.0  # room of the heading, of the name of a plan, of the kinds of lines [mm]
@@ -206,7 +206,6 @@ def _size(rate: float, largest: float) -> str:
 def _draw_kinds(drawing: Drawing, box: Box, plan: VectorPolygons) -> None:
     """What the lines of the vectors are."""
     names = {
-        "absolute": tr("absolute"),
         "relative": tr("relative, of two points of a link"),
         "normal": tr("normal part"),
         "tangential": tr("tangential part"),
@@ -215,4 +214,6 @@ def _draw_kinds(drawing: Drawing, box: Box, plan: VectorPolygons) -> None:
         "special": tr("of a special point"),
     }
     used = {vector.kind for polygon in (plan.velocity, plan.acceleration) for vector in drawn_vectors(polygon)}
-    samples_in_rows(drawing, box, [(names[kind], pen) for kind, pen in VECTORS.items() if kind in used], 2.2)
+    samples_in_rows(
+        drawing, box, [(names.get(kind) or tr_name(kind), pen) for kind, pen in VECTORS.items() if kind in used], 2.2
+    )

@@ -14,7 +14,6 @@ from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.pictures.cycle import whole_cycle
-from tmmcalc.linkage.pictures.found import told
 from tmmcalc.linkage.pictures.scheme import draw_scheme
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.synthesis.results import Design, Precision, Synthesis
@@ -27,7 +26,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import CURVES, MARK, Pen
 from tmmcalc.report.drawing.shapes import Dimension, Drawing, Words
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
 from tmmcalc.report.rows import check_choice
 
@@ -70,7 +69,7 @@ def synthesis_drawing(mechanism: Mechanism, result: Synthesis, choose: int = 1) 
     """One sheet: the scheme to scale, beside it sizes and figures of merit, or the function."""
     design, motion = result.designs[choose - 1], solve_kinematics(mechanism)
     drawing, (box,) = sheets(1)
-    title = tr("Synthesis: {name}", name=told(design.name))
+    title = tr("Synthesis: {name}", name=tr_name(design.name))
     drawing.add(Words(complex(box.middle.real, box.top), title, 3.5, 1j))
     scheme, beside = box.inset(0, 0, 0, 7).split(2.1, 1.0, gap=5, across=True)
     precision = design.precision
@@ -168,22 +167,22 @@ def _function(drawing: Drawing, box: Box, found: Precision) -> None:
 
 def _parts(design: Design) -> list[Part]:
     sizes = [
-        (f"${_symbol(size.symbol)}$, {told(size.meaning)}", _shown(size.value, size.unit)) for size in design.sizes
+        (f"${_symbol(size.symbol)}$, {tr_name(size.meaning)}", _shown(size.value, size.unit)) for size in design.sizes
     ]
     merits = []
     for name, value in design.merits.items():
         label, unit = name.rstrip("]").partition("[")[::2]
         shown, unit = (1e3 * value, "mm") if unit == "m" else (value, unit.replace("deg", "°"))
-        merits.append((told(label.replace("_", " ")), f"{minus(number(shown, 5))} {tr_unit(unit)}".strip()))
+        merits.append((tr_name(label.replace("_", " ")), f"{minus(number(shown, 5))} {tr_unit(unit)}".strip()))
     checks = [
-        (told(check.name), f"{_shown(check.achieved, check.unit)}" + ("" if check.target is None else "  ✓"))
+        (tr_name(check.name), f"{_shown(check.achieved, check.unit)}" + ("" if check.target is None else "  ✓"))
         for check in design.checks
     ]
     parts = [Part(tr("Sizes"), sizes), Part(tr("By simulation"), checks), Part(tr("Figures of merit"), merits)]
     return [
         *parts,
         *(
-            [Part(tr("Defects"), [(told(words.split(":")[0]), "") for words in design.defects])]
+            [Part(tr("Defects"), [(tr_name(words.split(":")[0]), "") for words in design.defects])]
             if design.defects
             else []
         ),

@@ -96,7 +96,7 @@ def _closed(task: SynthesisTask, asked: SlottedTask, phi: float, lengths: Length
     )
     merits = {PRESSURE.key: math.degrees(found.pressure), "r/L": crank / centres}
     made, notes = tuple(checks(asked, found)), tuple(_notes(crank, centres, arm, guide))
-    return ClosedForm("slotted link", sizes, made, merits, found.mechanism, found.simulation, notes)
+    return ClosedForm("oscillating slotted link", sizes, made, merits, found.mechanism, found.simulation, notes)
 
 
 def _notes(crank: float, centres: float, arm: float, guide: float) -> Iterator[Said]:

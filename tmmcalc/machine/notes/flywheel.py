@@ -25,12 +25,11 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
-from tmmcalc.report.telling import DIGITS, column_of, headed, lines, named, tabulated
+from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
+from tmmcalc.report.telling import lines, named, tabulated
 
 SAME = 1e-4  # of the inertia: trials nearer than this are one
 AROUND, ORDINATES = 60.0, 130.0  # above and below the energy-mass curve; height of the ordinates [mm]
-PERCENT = 3  # digits of a difference
 DIVISOR = "(delta_0*omega_m**2)"
 
 
@@ -176,11 +175,11 @@ def _curve(told: Told) -> Iterator[Block]:
 def _lexicon(told: Told, found: Worked, index: str) -> Lexicon:
     """The numbers of a method, its own ones with an upper index."""
     mark = f"^{{({index})}}" if index else ""
-    work, links, cut, needed = ("",) * 4  # told once
+    cut = tr("what the tangent cuts off on the axis of energies")
+    needed = tr("constant moment of inertia that is needed, reduced to the input link")
+    work = links = ""  # told once
     if not index:
         work, links = tr("excess work where the tangent touches"), tr("reduced moment of inertia of the links there")
-        cut = tr("what the tangent cuts off on the axis of energies")
-        needed = tr("constant moment of inertia that is needed, reduced to the input link")
     return named(
         {
             "delta_0": Given(told.result.delta, "", tr("allowed coefficient of speed fluctuation")),
@@ -277,10 +276,8 @@ def _compared(told: Told) -> Iterator[Block]:
         said += " " + tr("The same by the positions alone misses the extremes between them.")
     yield Paragraph(said)
     shown = {head: [math.nan if each is None else each for each in cells] for head, cells in columns.items()}
-    cells = [column_of(values, PERCENT if "%" in head else DIGITS) for head, values in shown.items()]
-    head = (tr("Method"), *map(headed, shown))
-    rows = tuple(zip(map(_named, names), *cells, strict=True))
-    yield Table(tr("Constant moment of inertia by all methods"), head, rows, "flywheel_methods")
+    caption = tr("Constant moment of inertia by all methods")
+    yield tabulated(caption, shown, list(map(_named, names)), head=tr("Method"), key="flywheel_methods")
 
 
 def _named(name: str) -> str:
@@ -305,6 +302,7 @@ def _inertia(told: Told, order: Order) -> Iterator[Block]:
     yield from lines(("J_0 = J_R*u**2 + J_g + J_e",), place)
     if result.addition > 0:
         yield from lines(("J_M = J_F - J_0",), place)
+        yield Result("J_M", lexicon["J_M"])
     elif result.required is not None:
         delta = result.required.delta
         yield held("delta <= delta_0", (delta, result.delta), "", holds=True)

@@ -17,17 +17,19 @@ from tmmcalc.machine.pictures.motion import draw_speed
 from tmmcalc.machine.reduction.results import Reduction
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.stepwise import Run, idle_run_of, run_of
+from tmmcalc.machine.verdicts import SLACK
 from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place
+from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
 from tmmcalc.report.telling import lines, named, tabulated
 
 SPEED = 95.0  # height of the picture [mm]
 TURNS = 6  # of the iteration that are shown in the table of turns
 NOTHING = 1e-6  # of a deviation after a cycle: less is nothing
 EVEN = 1e-9  # coefficient of speed fluctuation below which the speed is constant
+REACHED = 1e-6  # of the allowed coefficient: what it may be above
 SOUND = 1.0  # B dphi/J up to which the recurrence does not swing
 
 
@@ -44,6 +46,18 @@ def blocks(order: Order) -> Iterator[Block]:
     else:
         yield from _even(result)
     yield from _regulation(result, order)
+    yield from _results(result, order)
+
+
+def _results(result: Motion, order: Order) -> Iterator[Block]:
+    """The coefficient of speed fluctuation against what is allowed."""
+    table, found = order.spec.flywheel, result.regime.delta
+    given = Given(found, "", tr("coefficient of speed fluctuation"))
+    if table is None or table.delta is None:
+        yield Result("delta", given)
+    else:
+        limit = max(table.delta, found) if found <= table.delta * (1 + REACHED) else table.delta
+        yield Result("delta", given, limit, "<=")
 
 
 def _machine(result: Motion, order: Order) -> Iterator[Block]:
@@ -202,7 +216,7 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
     rows = _shown(result, order)
     places = []
     for row in rows:
-        excess, energy = tr("excess work"), tr("kinetic energy of the machine")
+        excess, energy = tr("excess work from position 0"), tr("kinetic energy of the machine")
         lexicon = {
             "T_0": Given(found.energy, "J", energy),
             "J_{(0)}": Given(float(inertia[0]), "kg*m^2", tr("moment of inertia of the machine in position 0")),
@@ -325,7 +339,8 @@ def _against(result: Motion, order: Order) -> Iterator[Block]:
     table = order.spec.flywheel
     if table is not None and table.delta is not None:
         delta = result.regime.delta
-        yield held("delta <= delta_0", (delta, table.delta), "", holds=delta <= table.delta * (1 + 1e-6))
+        kept = delta <= table.delta * (1 + REACHED)
+        yield held("delta <= delta_0", (delta, table.delta), "", holds=kept)
 
 
 def _regulation(result: Motion, order: Order) -> Iterator[Block]:
@@ -381,4 +396,5 @@ def _heating(result: Motion) -> Iterator[Block]:
     }
     yield Paragraph(tr("The motor warms with the mean square of its moment over the time:"))
     yield from lines(("k_q = M_q/M_Nd",), [Place("", named(lexicon))])
-    yield held("k_q <= 1", (motor.heating, 1.0), "", holds=motor.heating <= 1 + 1e-9)
+    yield held("k_q <= 1", (motor.heating, 1.0), "", holds=motor.heating <= 1 + SLACK)
+    yield Result("k_q", lexicon["k_q"], 1.0, "<=")

@@ -12,7 +12,7 @@ from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.facts.timed import equal_times, within
 from tmmcalc.machine.model import TransientTask
 from tmmcalc.machine.notes.motors import driven, of_braking, of_form, of_motor
-from tmmcalc.machine.notes.told import degrees, drawn, numeral, plainly
+from tmmcalc.machine.notes.told import degrees, drawn, numeral, plainly, row_of
 from tmmcalc.machine.pictures.transient import draw_course
 from tmmcalc.machine.pictures.words import end_text, event_text, mass_name
 from tmmcalc.machine.stages.transient import inputs, machine_of
@@ -22,9 +22,10 @@ from tmmcalc.machine.transient.timed import TURN, TimedMotion
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Display, Heading, Paragraph, Place, Table
-from tmmcalc.report.telling import column_of, headed, lines, named, tabulated
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.manuscript import Block, Display, Heading, Paragraph, Place, Result, Table
+from tmmcalc.report.printing import printed_as
+from tmmcalc.report.telling import column_of, lines, named, tabulated
 
 PANEL = 60.0  # height of a diagram [mm]
 NOTHING = 1e-10  # of the largest energy: less is none
@@ -84,8 +85,8 @@ def _equations(motion: TimedMotion, machine: Machine) -> Iterator[Block]:
     drive, names = drive_of(machine)
     yield Paragraph(
         tr(
-            "Table {tab:transient_masses} has the masses and shafts as they are, and the speeds $u_i$ of the masses over "
-            "that of the crank."
+            "Table {tab:transient_masses} has the masses and shafts as they are, and the speeds $u_i$ of the masses "
+            "over that of the crank."
         )
     )
     columns = {
@@ -110,6 +111,7 @@ def _motion(motion: TimedMotion, task: TransientTask, machine: Machine, key: str
         why=end_text(motion.end),
     )
     yield Paragraph(f"{method} {ended}")
+    yield Result("t", Given(motion.end_time, "s", tr("time of the motion")), place=motion.name)
     if len(motion.masses) == 1:
         yield from _row(motion, task, machine.cycle, machine.inertia.total)
     yield from _course(motion, key)
@@ -200,14 +202,15 @@ def _events(motion: TimedMotion, key: str) -> Block:
     """What happened, by the numbers that stand in the figure."""
     events = motion.events
     began = float(motion.theta[-1, 0])
+    unit, factor = printed_as("rad/s")
     cells = (
         [str(k) for k in range(1, len(events) + 1)],
         column_of([event.time for event in events]),
         column_of([(event.angle - began) / TURN for event in events]),
-        column_of([event.speed for event in events]),
+        column_of([factor * event.speed for event in events]),
         [event_text(event) for event in events],
     )
-    head = (tr("Event"), headed("$t$, s"), tr("Turns"), headed("$omega$, rad/s"), tr("What happens"))
+    head = (tr("Event"), f"$t$, {tr_unit('s')}", tr("Turns"), f"$omega$, {tr_unit(unit)}", tr("What happens"))
     return Table(tr("Events: {name}", name=motion.name), head, tuple(zip(*cells, strict=True)), f"{key}_events")
 
 
@@ -264,9 +267,9 @@ def _energy(motion: TimedMotion) -> Iterator[Block]:
         part=plainly(100 * motion.imbalance, 2),
     )
     yield Paragraph(open_part)
-    values = {f"${key}$, J": given.value for key, given in lexicon.items() if given.value}
-    rows = tuple((headed(name), *column_of([value])) for name, value in values.items() if isinstance(value, float))
-    yield Table(tr("Energy and works: {name}", name=motion.name), (tr("Quantity"), tr("Value")), rows)
+    rows = [row_of(f"${key}$", "J", [given.value]) for key, given in lexicon.items() if isinstance(given.value, float)]
+    head = (tr("Quantity"), tr("Value"))
+    yield Table(tr("Energy and works: {name}", name=motion.name), head, tuple(rows))
 
 
 def _nothing(given: Given, peak: float) -> bool:

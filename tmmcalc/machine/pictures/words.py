@@ -8,7 +8,7 @@ import re
 from tmmcalc.machine.flywheel.results import Flywheel
 from tmmcalc.machine.transient.results import End, Event
 from tmmcalc.report.drawing.lettering import minus
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.numbers import number
 
 BEHIND = "behind "  # how the name of a mass after a shaft begins
@@ -42,58 +42,54 @@ def under(result: Flywheel) -> str:
 
 def method_name(method: str) -> str:
     """A method for the flywheel."""
-    return {
-        "exact": tr("exact"),
+    names = {
         "book": tr("textbook"),
         "wittenbauer": tr("Wittenbauer"),
         "mertsalov": tr("Mertsalov"),
         "artobolevsky": tr("Artobolevsky"),
-        "excess work": tr("excess work"),
-    }[method]
+    }
+    return names.get(method) or tr_name(method)
 
 
 def scheme_name(scheme: str) -> str:
     """A scheme of balancing, or the weights that the spec gives."""
-    return {
-        "least squares": tr("least squares"),
+    names = {
         "minimax": tr("least maximum"),
         "lanchester": tr("Lanchester's pair"),
         "lanchester 2": tr("Lanchester's pairs, 1st and 2nd order"),
         "given": tr("weights given"),
-    }[scheme]
+    }
+    return names.get(scheme) or tr_name(scheme)
 
 
 def cause_name(name: str) -> str:
     """A cause of reduced moment: one of the program's own, or as the spec calls it."""
     own = {
         "weight": tr("weights"),
-        "friction": tr("friction"),
         "cam force": tr("force on the cam"),
         "cam weight": tr("weight on the cam"),
         "cam spring": tr("spring of the cam"),
         "cam friction": tr("friction of the cam"),
     }
-    return own.get(name, name)
+    return own.get(name) or tr_name(name)
 
 
 def mass_name(name: str) -> str:
-    """A mass of the drive: its ends, or by the shaft before it, as the spec calls it."""
+    """A mass of the drive: one of its ends, or by the shaft before it, as the spec calls it."""
     if name.startswith(BEHIND):
         return tr("behind {shaft}", shaft=name.removeprefix(BEHIND))
-    return {"rotor": tr("rotor"), "crank": tr("crank")}.get(name, name)
+    return tr_name(name)
 
 
 def form_name(kind: str) -> str:
     """A form of a motor's characteristic."""
-    return {
+    names = {
         "parabolic": tr("parabola"),
         "linear": tr("line"),
         "kloss": tr("Kloss"),
-        "shunt": tr("shunt"),
-        "series": tr("series"),
         "table": tr("by points"),
-        "constant": tr("constant"),
-    }[kind]
+    }
+    return names.get(kind) or tr_name(kind)
 
 
 def end_text(end: End) -> str:

@@ -23,6 +23,7 @@ from tmmcalc.report.formula.layout import (
 from tmmcalc.report.formula.setting import spelt
 
 UPRIGHT = '<m:rPr><m:sty m:val="p"/></m:rPr>'
+TEXT = "<m:rPr><m:nor/></m:rPr>"
 
 
 def omml(box: Box) -> str:
@@ -38,7 +39,7 @@ def omml(box: Box) -> str:
         case Letter(text):
             return _run(text, "")
         case Word(text):
-            return _run(text, UPRIGHT)
+            return _run(text, TEXT)
         case Digits(text):
             return _run(spelt(text), UPRIGHT)
         case Sign(text):
@@ -49,6 +50,8 @@ def omml(box: Box) -> str:
             return "".join(map(omml, boxes))
         case Fraction(over, under):
             return f"<m:f><m:num>{omml(over)}</m:num><m:den>{omml(under)}</m:den></m:f>"
+        case Marked(Digits(text), mark):
+            return _run(spelt(text) + mark, UPRIGHT)
         case Marked(inner, mark):
             return omml(inner) + _run(mark, UPRIGHT)
         case Root(inner):

@@ -116,7 +116,7 @@ def _term(node: Node, values: Values, *, leads: bool) -> Box:
 def _box(node: Node, values: Values) -> Box:
     match node:
         case Number(text):
-            return Digits(text)
+            return printed(Shown(text))
         case Name(key):
             return quantity(key) if values is None or key in CONSTANTS else printed(values[key])
         case Sum():

@@ -40,12 +40,14 @@ upright("2")), 2)'
         case Digits(text):
             number = spelt(text)
             return f'"{number}"' if "," in number else number
+        case Sign("−", leads=True):
+            return 'class("unary", −)'
         case Sign(text):
             return OPERATORS.get(text, text)
         case Gap():
             return "thin"
         case Row(boxes):
-            return "".join(typst(box) + ("" if _leads(box) else " ") for box in boxes).rstrip()
+            return " ".join(map(typst, boxes))
         case Fraction(over, under):
             return f"frac({typst(over)}, {typst(under)})"
         case Marked(inner, mark):
@@ -67,8 +69,3 @@ upright("2")), 2)'
             return f"sum_({typst(lower)}) {typst(body)}"
         case Arrowed(inner):
             return f"arrow({typst(inner)})"
-
-
-def _leads(box: Box) -> bool:
-    """A minus that stands right before what follows: after a space it would stand as between two terms."""
-    return isinstance(box, Sign) and box.leads

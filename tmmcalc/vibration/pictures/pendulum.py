@@ -15,7 +15,7 @@ from tmmcalc.report.drawing.panels import PLACE, Panel, panels
 from tmmcalc.report.drawing.pens import CURVES, INK, MARK, PATH, Pen
 from tmmcalc.report.drawing.polar import AROUND, name_axes
 from tmmcalc.report.drawing.shapes import Drawing, Words
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
 from tmmcalc.vibration.pendulum.results import Campbell, PendulumResult
 from tmmcalc.vibration.pendulum.swing import SwingCourse
@@ -100,10 +100,4 @@ def _swing(drawing: Drawing, box: Box, swing: SwingCourse) -> None:
 
 def _plane(name: str) -> str:
     """Where a mode is: a plane of the joint, or a sense of the whirl."""
-    return {
-        "plane xz": tr("plane $xz$"),
-        "plane yz": tr("plane $yz$"),
-        "both planes": tr("both planes"),
-        "forward": tr("forward"),
-        "backward": tr("backward"),
-    }[name]
+    return {"plane xz": tr("plane $xz$"), "plane yz": tr("plane $yz$")}.get(name) or tr_name(name)

@@ -9,6 +9,7 @@ from itertools import zip_longest
 import numpy as np
 
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import Cuts, cuts
 from tmmcalc.gears.involute.contour.equalstrength import strength_ends
@@ -82,15 +83,19 @@ class Contour:
         return self.best[2]
 
     @property
-    def reason(self) -> str:
+    def reason(self) -> Phrase:
         """Why there is no main region, with the best contact ratio."""
         kind = "without undercut" if self.strict else "even with tolerated undercut"
-        pair = f"z = {self.task.first.teeth}/{self.task.second.teeth}"
+        teeth = f"{self.task.first.teeth}/{self.task.second.teeth}"
         if not self.best_contact_ratio:
-            return f"no shifts of {pair} give a mesh {kind}"
-        return (
-            f"no shifts of {pair} reach the contact ratio {self.task.contact_ratio:g} {kind}; "
-            f"the best within the other conditions is {self.best_contact_ratio:.4f}"
+            return Phrase("no shifts of z = {teeth} give a mesh {kind}", teeth=teeth, kind=kind)
+        return Phrase(
+            "no shifts of z = {teeth} reach the contact ratio {ratio} {kind}; "
+            "the best within the other conditions is {best}",
+            teeth=teeth,
+            ratio=f"{self.task.contact_ratio:g}",
+            kind=kind,
+            best=f"{self.best_contact_ratio:.4f}",
         )
 
     @property

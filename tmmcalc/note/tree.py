@@ -1,0 +1,118 @@
+"""The note before it has a format: numbered, explained, in the order in which it is read. Writers know nothing else."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.formula.layout import Box, Row
+from tmmcalc.report.formula.plain import plain
+
+
+class Cover(NamedTuple):
+    """The title page: lines from top to bottom in groups that stand apart."""
+
+    head: tuple[str, ...]  # who gives it out
+    kind: tuple[str, ...]  # what it is
+    title: str
+    people: tuple[tuple[str, str], ...]  # what each did, and the name
+    foot: str  # place and year
+    designation: str
+
+
+class Contents(NamedTuple):
+    """The list of titles with their pages."""
+
+    title: str
+
+
+class Title(NamedTuple):
+    """A heading with its number: ``2.3`` of level 2; introduction and conclusions have none."""
+
+    number: str
+    text: str
+    level: int
+
+
+class Reference(NamedTuple):
+    """The number of a table, a figure or a formula within a text."""
+
+    key: str  # ``tab:links``
+    number: str
+
+
+class Text(NamedTuple):
+    """A paragraph: words, formulas and references in turn."""
+
+    parts: tuple[str | Box | Reference, ...]
+
+
+class Equation(NamedTuple):
+    """A formula on lines of its own: parts that equality joins; a number, or none."""
+
+    parts: tuple[Row, ...]
+    number: str = ""
+    lead: str = ""  # words before it: ``in position 3``
+    key: str = ""
+
+
+class Caption(NamedTuple):
+    """What stands over a table or under a figure: ``Table``, ``2.1``, ``Links``."""
+
+    word: str
+    number: str
+    text: str
+    key: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.word} {self.number} – {self.text}"
+
+
+class Grid(NamedTuple):
+    """A table."""
+
+    caption: Caption
+    head: tuple[Text, ...]
+    rows: tuple[tuple[Text, ...], ...]
+
+
+class Image(NamedTuple):
+    """A picture."""
+
+    caption: Caption
+    drawing: Drawing
+
+
+class Points(NamedTuple):
+    """A list."""
+
+    items: tuple[Text, ...]
+
+
+class Source(NamedTuple):
+    """Lines as they are, as those of a file."""
+
+    text: str
+
+
+Written = Cover | Contents | Title | Text | Equation | Grid | Image | Points | Source
+
+
+def plain_text(text: Text) -> str:
+    """A paragraph as it is read in a terminal."""
+    return "".join(
+        part if isinstance(part, str) else part.number if isinstance(part, Reference) else plain(part)
+        for part in text.parts
+    )
+
+
+def letters_wide(grid: Grid) -> int:
+    """How many letters a row of a table takes at least, its longest words one beside another."""
+    columns = zip(grid.head, *grid.rows, strict=True)
+    return sum(2 + max(map(_longest, column)) for column in columns)
+
+
+def _longest(cell: Text) -> int:
+    """The length of the longest word, a formula being one."""
+    words = plain_text(cell).split() if all(isinstance(part, str) for part in cell.parts) else [plain_text(cell)]
+    return max(map(len, words), default=0)
