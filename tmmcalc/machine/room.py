@@ -93,6 +93,7 @@ ROOM = Room(
             uses=("kinematics",),
             wanted="reduction",
             after="cam_load",
+            chapter="reduction",
             picture=Picture("reduced moments and inertia", pieces="tmmcalc.machine.pictures.pieces:of_reduction"),
             studied=True,
         ),
@@ -101,6 +102,7 @@ ROOM = Room(
             "the ratio that motor and crank give the train; a motor to choose is settled with it",
             uses=("reduction",),
             reads="read_by_drive",
+            chapter="reduction",
             wanted="drive",
         ),
         Stage(
@@ -109,6 +111,7 @@ ROOM = Room(
             needs=("reduction",),
             uses=("criteria", "drive"),
             reads="read_by_power",
+            chapter="reduction",
             wanted="power",
             after="profile",
             studied=True,
@@ -158,6 +161,7 @@ ROOM = Room(
             "shaking forces of linkage, engine, rotor; counterweights",
             uses=("kinematics",),
             wanted="balance",
+            chapter="balance",
             after="manipulator",
             picture=Picture(
                 "hodographs of the shaking force, what the schemes leave of it, an engine's force and couple",
@@ -176,6 +180,8 @@ ROOM = Room(
     ),
     section="Machines",
     chapters={
+        "reduction": "Reduction of forces and masses",
         "motion": "Motion of the machine and flywheel",
+        "balance": "Balancing",
     },
 )

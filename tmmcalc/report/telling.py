@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.formula.digits import PLAIN, Given, rounded, value_of
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.simplify import ZERO, simplified
@@ -113,14 +114,14 @@ def pictured(piece: Piece, *, key: str = "", wide: float = WIDE) -> Figure:
     """A picture of a sheet at the width of the note, as high as its proportions want."""
     least, good = piece.least, piece.good
     factor = max(wide / good[0], least[1] / good[1])
-    return Figure(piece.heading, piece.draw, (wide, min(factor * good[1], HIGH)), key)
+    return Figure(message(piece.heading), piece.draw, (wide, min(factor * good[1], HIGH)), key)
 
 
 def column_of(values: ArrayLike, digits: int = DIGITS) -> list[str]:
     """Numbers of a column as they are printed: all to one last digit, zero without a sign; a dash where one is nan.
 
-    >>> column_of([1.0, -0.00001, 123.456])
-    ['1.00', '0.00', '123.46']
+    >>> column_of([1.0, -0.00001, -123.456])
+    ['1.00', '0.00', '−123.46']
     """
     numbers = np.asarray(values, dtype=float)
     largest = np.max(np.abs(numbers[np.isfinite(numbers)]), initial=0.0)

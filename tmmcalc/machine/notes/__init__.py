@@ -1,1 +1,1 @@
-"""What the note says of machines: reduction, motion, flywheel, balance."""
+"""What the note says of machines: reduction of forces and masses, motion and flywheel, balance."""
