@@ -12,7 +12,7 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.nodes import nodal_tables, nodal_work
 from tmmcalc.machine.notes.motors import driven, of_motor
-from tmmcalc.machine.notes.told import degrees, drawn, held, inertias, numeral, plainly
+from tmmcalc.machine.notes.told import degrees, drawn, held, inertias, numeral, plainly, reduced
 from tmmcalc.machine.pictures.motion import draw_speed
 from tmmcalc.machine.reduction.results import Reduction
 from tmmcalc.machine.regime import Regime
@@ -23,7 +23,7 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import lines, named, tabulated
+from tmmcalc.report.telling import filled, lines, named, tabulated
 
 SPEED = 95.0  # height of the picture [mm]
 TURNS = 6  # of the iteration that are shown in the table of turns
@@ -78,11 +78,12 @@ def _machine(result: Motion, order: Order) -> Iterator[Block]:
         yield Paragraph(
             tr("The steady motion repeats itself from cycle to cycle. With the kinetic energy $T$ of the machine")
         )
-    yield Display(read("T = (J_c + J_v)*omega**2/2 = T_0 + A"), key="motion_energy")
+    yield Display(read(filled("T = (J_c + <J>)*omega**2/2 = T_0 + A", reduced())), key="motion_energy")
     yield Paragraph(
         tr(
-            "where $A$ is the work of all moments from position 0, $J_v$ the reduced moment of inertia of the links "
-            "and $J_c$ the constant moment of inertia:"
+            "where $A$ is the work of all moments from position 0, ${J}$ the reduced moment of inertia of the links "
+            "and $J_c$ the constant moment of inertia:",
+            J=reduced()["J"],
         )
     )
     lexicon = {
@@ -121,17 +122,20 @@ def _recurrence(result: Motion, order: Order) -> Iterator[Block]:
     yield Heading(tr("Angular velocity by the recurrence"), 3)
     yield Paragraph(
         tr(
-            "The moment $M_c$ of the loads and $J = J_c + J_v$ are known at the positions, with the step $Deltaphi$. "
+            "The moment $M_c$ of the loads and $J = J_c + {J}$ are known at the positions, with the step $Deltaphi$. "
             "The trapezoid rule for the work of the motor and of the loads gives the angular velocity in a position "
-            "from that in the one before:"
+            "from that in the one before:",
+            J=reduced()["J"],
         )
     )
     rows = _shown(result, order)
     places = [Place(tr("in position {label}", label=result.labels[row]), _step(run, row)) for row in rows]
-    before, gained = "(J_{i−1} - B_M*Deltaphi)*omega_{i−1}**2", "(M_{c,i−1} + M_{c,i} + 2*A_M)*Deltaphi"
-    yield Display(read(f"omega_i**2 = ({before} + {gained})/(J_i + B_M*Deltaphi)"), key="motion_recurrence")
+    before, gained = "(J_{i−1} - B_m1*Deltaphi)*omega_{i−1}**2", "(M_{c,i−1} + M_{c,i} + 2*A_m1)*Deltaphi"
+    yield Display(read(f"omega_i**2 = ({before} + {gained})/(J_i + B_m1*Deltaphi)"), key="motion_recurrence")
     yield Paragraph(tr("Part by part:"))
-    yield from lines((f"E_i = {before}", f"W_i = {gained}", "omega_i = sqrt((E_i + W_i)/(J_i + B_M*Deltaphi))"), places)
+    yield from lines(
+        (f"E_i = {before}", f"W_i = {gained}", "omega_i = sqrt((E_i + W_i)/(J_i + B_m1*Deltaphi))"), places
+    )
     yield from _turns(result, run, idle_run_of(result, reduction))
     lexicon = {
         "omega_max^r": Given(float(np.max(run.regime.omega)), "rad/s", tr("largest angular velocity")),
@@ -147,7 +151,7 @@ def _recurrence(result: Motion, order: Order) -> Iterator[Block]:
     least = Given(float(np.min(run.nodes.inertia)), "kg*m^2", tr("least moment of inertia of the machine"))
     known = {**places[0].lexicon, **named({"q": widest, "J_min": least})}
     yield Paragraph(tr("The step is small enough where the recurrence does not swing from position to position:"))
-    yield from lines(("q = B_M*Deltaphi/J_min",), [Place("", known)])
+    yield from lines(("q = B_m1*Deltaphi/J_min",), [Place("", known)])
     yield held("q < 1", (run.regime.warning, SOUND), "", holds=run.regime.warning < SOUND)
 
 
@@ -156,7 +160,7 @@ def _step(run: Run, row: int) -> Lexicon:
     nodes, omega = run.nodes, run.regime.omega
     moment, inertia = tr("reduced moment of the loads"), tr("moment of inertia of the machine")
     speed = tr("angular velocity of the input link")
-    parabola = tr("coefficient of the parabola")
+    parabola = tr("constant of the parabola")
     return named(
         {
             "omega_i": Given(float(omega[row]), "rad/s", speed),
@@ -165,8 +169,8 @@ def _step(run: Run, row: int) -> Lexicon:
             "J_{i−1}": Given(float(nodes.inertia[row - 1]), "kg*m^2", inertia),
             "M_{c,i}": Given(float(nodes.moment[row]), "N*m", moment),
             "M_{c,i−1}": Given(float(nodes.moment[row - 1]), "N*m", moment),
-            "A_M": Given(nodes.a, "N*m", parabola),
-            "B_M": Given(nodes.b, "N*m*s^2/rad^2", parabola),
+            "A_m1": Given(nodes.a, "N*m", parabola),
+            "B_m1": Given(nodes.b, "N*m*s^2/rad^2", parabola),
             "E_i": Given(float(run.kept[row]), "J", tr("what is kept of the position before, doubled")),
             "W_i": Given(float(run.gained[row]), "J", tr("what the moments add on the step, doubled")),
             "Deltaphi": Given(nodes.step, "rad", tr("step of the positions")),
@@ -225,7 +229,7 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
             "A_{i−1}": Given(float(work[row - 1]), "J", excess),
             "M_{c,i}": Given(float(moment[row]), "N*m", tr("reduced moment of the loads")),
             "M_{c,i−1}": Given(float(moment[row - 1]), "N*m", tr("reduced moment of the loads")),
-            "M_m": Given(drive, "N*m", tr("constant moment that makes the work of the cycle zero")),
+            "M_dm": Given(drive, "N*m", tr("mean driving moment on the input link")),
             "Deltaphi": Given(reduction.cycle.period / n, "rad", tr("step of the positions")),
             "T_i": Given(found.energy + float(work[row]), "J", energy),
             "J_i": Given(float(inertia[row]), "kg*m^2", tr("moment of inertia of the machine")),
@@ -233,7 +237,11 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
         }
         places.append(Place(tr("in position {label}", label=result.labels[row]), named(lexicon)))
     yield from lines(("T_0 = J_{(0)}*omega_m**2/2",), [Place("", places[0].lexicon)])
-    texts = ("A_i = A_{i−1} + (M_{c,i−1} + M_{c,i} + 2*M_m)*Deltaphi/2", "T_i = T_0 + A_i", "omega_i = sqrt(2*T_i/J_i)")
+    texts = (
+        "A_i = A_{i−1} + (M_{c,i−1} + M_{c,i} + 2*M_dm)*Deltaphi/2",
+        "T_i = T_0 + A_i",
+        "omega_i = sqrt(2*T_i/J_i)",
+    )
     yield from lines(texts, places)
     columns = {
         "$M_c$, N*m": moment,
@@ -259,7 +267,7 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
     cycle = reduction.cycle
     theta = np.clip(result.theta, 0.0, cycle.period)
     links, slopes = cycle.panels.at(np.stack((cycle.inertia, cycle.slope)), theta)
-    places = []
+    places, letters = [], reduced()
     for row in _shown(result, order):
         lexicon = {
             "eps": Given(float(result.eps[row]), "rad/s^2", tr("angular acceleration of the input link")),
@@ -267,13 +275,13 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
             "M_d": Given(float(result.driving[row]), "N*m", tr("moment of the drive")),
             "M_c": Given(float(result.load[row]), "N*m", tr("reduced moment of the loads")),
             "J_c": Given(result.inertia.total, "kg*m^2", tr("constant moment of inertia of the machine")),
-            "J_v": Given(float(links[row]), "kg*m^2", tr("reduced moment of inertia of the links")),
-            "J'_v": Given(
+            letters["J"]: Given(float(links[row]), "kg*m^2", tr("reduced moment of inertia of the links")),
+            letters["dJ"]: Given(
                 float(slopes[row]), "kg*m^2/rad", tr("derivative of the reduced moment of inertia by the angle")
             ),
         }
         places.append(Place(tr("in position {label}", label=result.labels[row]), named(lexicon)))
-    yield from lines(("eps = (M_d + M_c - 0.5*J'_v*omega**2)/(J_c + J_v)",), places)
+    yield from lines(("eps = (M_d + M_c - 0.5*<dJ>*omega**2)/(J_c + <J>)",), places, letters)
     columns: dict[str, Values] = {
         "$phi$, deg": np.degrees(result.phi),
         "$omega$, rad/s": result.omega,
@@ -361,7 +369,7 @@ def _regulation(result: Motion, order: Order) -> Iterator[Block]:
     power = order.results["power"]
     rated = found[1].speed / power.duty.ratio
     yield Paragraph(tr("The least angular velocity against the rated one:"))
-    yield held("omega_min >= omega_N", (regime.omega_min, rated), "rad/s", holds=regime.omega_min >= rated)
+    yield held("omega_min >= omega_N1", (regime.omega_min, rated), "rad/s", holds=regime.omega_min >= rated)
     yield from _heating(result)
 
 

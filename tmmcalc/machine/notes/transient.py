@@ -12,7 +12,7 @@ from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.facts.timed import equal_times, within
 from tmmcalc.machine.model import TransientTask
 from tmmcalc.machine.notes.motors import driven, of_braking, of_form, of_motor
-from tmmcalc.machine.notes.told import degrees, drawn, numeral, plainly, row_of
+from tmmcalc.machine.notes.told import degrees, drawn, numeral, plainly, reduced, row_of
 from tmmcalc.machine.pictures.transient import draw_course
 from tmmcalc.machine.pictures.words import end_text, event_text, mass_name
 from tmmcalc.machine.stages.transient import inputs, machine_of
@@ -25,8 +25,9 @@ from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Paragraph, Place, Result, Table
 from tmmcalc.report.printing import printed_as
-from tmmcalc.report.telling import column_of, lines, named, tabulated
+from tmmcalc.report.telling import column_of, filled, lines, named, tabulated
 
+EQUATION = "eps = (M_d + M_c - M_b - 0.5*<dJ>*omega**2)/(J_c + <J>)"
 PANEL = 60.0  # height of a diagram [mm]
 NOTHING = 1e-10  # of the largest energy: less is none
 CLOSED = 5e-10  # of the balance of energy: what a line of it may leave open
@@ -68,7 +69,7 @@ def _equations(motion: TimedMotion, machine: Machine) -> Iterator[Block]:
                 "integrated in time by steps:"
             )
         )
-        yield Display(read("eps = (M_d + M_c - M_b - 0.5*J'_v*omega**2)/(J_c + J_v)"), key="transient_equation")
+        yield Display(read(filled(EQUATION, reduced())), key="transient_equation")
         return
     yield Paragraph(
         tr(
@@ -78,7 +79,7 @@ def _equations(motion: TimedMotion, machine: Machine) -> Iterator[Block]:
     )
     yield Display(read("J_i*eps_i = M_{i−1,i} - M_{i,i+1}"))
     yield Display(read("M_{i,i+1} = c_i*(phi_i - phi_{i+1}) + d_i*(omega_i - omega_{i+1})"))
-    yield Display(read("(J_n + J_v)*eps_n = M_{n−1,n} + M_c - M_b - 0.5*J'_v*omega_n**2"))
+    yield Display(read(filled("(J_n + <J>)*eps_n = M_{n−1,n} + M_c - M_b - 0.5*<dJ>*omega_n**2", reduced())))
     yield Paragraph(
         tr("where $M_{i,i+1}$ is the moment of the shaft between two masses; on the first one acts the motor.")
     )
@@ -143,6 +144,7 @@ def _row(motion: TimedMotion, task: TransientTask, cycle: Cycle, constant: float
     braked = 0.0
     if brake is not None and task.scenario.brake_on(time):
         braked = math.copysign(brake.moment, omega) + brake.viscous * omega
+    letters = reduced()
     lexicon = {
         "eps": Given(float(motion.alpha[-1, chosen]), "rad/s^2", tr("angular acceleration of the input link")),
         "omega": Given(omega, "rad/s", tr("angular velocity of the input link")),
@@ -150,8 +152,8 @@ def _row(motion: TimedMotion, task: TransientTask, cycle: Cycle, constant: float
         "M_c": Given(float(motion.load_moment[chosen]), "N*m", tr("reduced moment of the loads")),
         "M_b": Given(braked, "N*m", tr("moment of the brake")),
         "J_c": Given(constant, "kg*m^2", tr("constant moment of inertia of the machine")),
-        "J_v": Given(links, "kg*m^2", tr("reduced moment of inertia of the links")),
-        "J'_v": Given(slope, "kg*m^2/rad", tr("derivative of the reduced moment of inertia by the angle")),
+        letters["J"]: Given(links, "kg*m^2", tr("reduced moment of inertia of the links")),
+        letters["dJ"]: Given(slope, "kg*m^2/rad", tr("derivative of the reduced moment of inertia by the angle")),
     }
     said = tr(
         "At $t = {time}$ s, at the angle $phi = {angle}$ of the turn,",
@@ -159,7 +161,7 @@ def _row(motion: TimedMotion, task: TransientTask, cycle: Cycle, constant: float
         angle=degrees(math.radians(within(theta))),
     )
     yield Paragraph(said)
-    yield from lines(("eps = (M_d + M_c - M_b - 0.5*J'_v*omega**2)/(J_c + J_v)",), [Place("", named(lexicon))])
+    yield from lines((EQUATION,), [Place("", named(lexicon))], letters)
 
 
 def _worked_row(motion: TimedMotion) -> int | None:
