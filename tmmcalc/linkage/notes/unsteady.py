@@ -139,19 +139,25 @@ def _moved(result: Unsteady) -> Iterator[Block]:
     )
     yield Display(read("v_S = S'*v"))
     yield Display(read("a_S = S''*v**2 + S'*a"))
-    columns: dict[str, Real] = {"$t$, s": result.t, **_triple(("x", "v", "a"), result.turns, result.drive)}
+    yield Paragraph(
+        tr(
+            "Table {tab:unsteady_rows} and figure {fig:unsteady} have the input coordinate $x$, its speed and "
+            "acceleration, and those of the outputs; a minus after the number of a row marks the limit before a jump of "
+            "the acceleration."
+        )
+    )
+    columns = {"$t$, s": result.t, **_triple(("x", "v", "a"), result.turns, result.drive)}
+    caption, key = tr("Unsteady motion of the input"), "unsteady_rows"
     for k, (name, angular) in enumerate(zip(result.outputs, result.angular, strict=True)):
         first, second, third = ("phi", "omega", "eps") if angular else ("S", "v", "a")
         letters = f"{first}_{{{name}}}", f"{second}_{{{name}}}", f"{third}_{{{name}}}"
-        columns |= _triple(letters, angular, result.coordinate[:, k])
-    yield Paragraph(
-        tr(
-            "Table {tab:unsteady_rows} has the input coordinate $x$, its speed and acceleration, and those of the "
-            "outputs; a minus after the number of a row marks the limit before a jump of the acceleration."
-        )
-    )
-    caption = tr("Unsteady motion of the input and of the outputs")
-    yield tabulated(caption, columns, result.labels, head=tr("Row"), key="unsteady_rows")
+        moved = _triple(letters, angular, result.coordinate[:, k])
+        if k:
+            yield tabulated(caption, columns, result.labels, head=tr("Row"), key=key)
+            columns, caption, key = {"$t$, s": result.t, **moved}, tr("Motion of output {name}", name=name), ""
+        else:
+            columns, caption = {**columns, **moved}, tr("Unsteady motion of the input and of output {name}", name=name)
+    yield tabulated(caption, columns, result.labels, head=tr("Row"), key=key)
     yield from _extremes(result)
 
 
