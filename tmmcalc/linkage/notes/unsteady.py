@@ -142,8 +142,8 @@ def _moved(result: Unsteady) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "Table {tab:unsteady_rows} and figure {fig:unsteady} have the input coordinate $x$, its speed and "
-            "acceleration, and those of the outputs; a minus after the number of a row marks the limit before a jump of "
-            "the acceleration."
+            "acceleration, and those of the outputs; a minus after the number of a row marks the limit before a jump "
+            "of the acceleration."
         )
     )
     columns = {"$t$, s": result.t, **_triple(("x", "v", "a"), result.turns, result.drive)}
