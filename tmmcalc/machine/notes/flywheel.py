@@ -299,7 +299,7 @@ def _inertia(told: Told, order: Order) -> Iterator[Block]:
         **inertias(result.at_hand, order),
         "J_0": Given(result.without, "kg*m^2", tr("constant moment of inertia at hand without a flywheel")),
         "J_F": Given(needed, "kg*m^2", tr("constant moment of inertia that is needed, reduced to the input link")),
-        "J_M": Given(result.addition, "kg*m^2", tr("moment of inertia of the flywheel reduced to the input link")),
+        "J_M": Given(result.addition, "kg*m^2", tr("moment of inertia of the flywheel, reduced to the input link")),
     }
     place = [Place("", named(lexicon))]
     yield from lines(("J_0 = J_R*u**2 + J_g + J_e",), place)

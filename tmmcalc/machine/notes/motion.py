@@ -130,12 +130,10 @@ def _recurrence(result: Motion, order: Order) -> Iterator[Block]:
     )
     rows = _shown(result, order)
     places = [Place(tr("in position {label}", label=result.labels[row]), _step(run, row)) for row in rows]
-    before, gained = "(J_{i−1} - B_m1*Deltaphi)*omega_{i−1}**2", "(M_{c,i−1} + M_{c,i} + 2*A_m1)*Deltaphi"
-    yield Display(read(f"omega_i**2 = ({before} + {gained})/(J_i + B_m1*Deltaphi)"), key="motion_recurrence")
+    before, gained = "(J_{i−1} - B_M*Deltaphi)*omega_{i−1}**2", "(M_{c,i−1} + M_{c,i} + 2*A_M)*Deltaphi"
+    yield Display(read(f"omega_i**2 = ({before} + {gained})/(J_i + B_M*Deltaphi)"), key="motion_recurrence")
     yield Paragraph(tr("Part by part:"))
-    yield from lines(
-        (f"E_i = {before}", f"W_i = {gained}", "omega_i = sqrt((E_i + W_i)/(J_i + B_m1*Deltaphi))"), places
-    )
+    yield from lines((f"E_i = {before}", f"W_i = {gained}", "omega_i = sqrt((E_i + W_i)/(J_i + B_M*Deltaphi))"), places)
     yield from _turns(result, run, idle_run_of(result, reduction))
     lexicon = {
         "omega_max^r": Given(float(np.max(run.regime.omega)), "rad/s", tr("largest angular velocity")),
@@ -151,7 +149,7 @@ def _recurrence(result: Motion, order: Order) -> Iterator[Block]:
     least = Given(float(np.min(run.nodes.inertia)), "kg*m^2", tr("least moment of inertia of the machine"))
     known = {**places[0].lexicon, **named({"q": widest, "J_min": least})}
     yield Paragraph(tr("The step is small enough where the recurrence does not swing from position to position:"))
-    yield from lines(("q = B_m1*Deltaphi/J_min",), [Place("", known)])
+    yield from lines(("q = B_M*Deltaphi/J_min",), [Place("", known)])
     yield held("q < 1", (run.regime.warning, SOUND), "", holds=run.regime.warning < SOUND)
 
 
@@ -160,7 +158,7 @@ def _step(run: Run, row: int) -> Lexicon:
     nodes, omega = run.nodes, run.regime.omega
     moment, inertia = tr("reduced moment of the loads"), tr("moment of inertia of the machine")
     speed = tr("angular velocity of the input link")
-    parabola = tr("constant of the parabola")
+    parabola = tr("coefficient of the parabola")
     return named(
         {
             "omega_i": Given(float(omega[row]), "rad/s", speed),
@@ -169,8 +167,8 @@ def _step(run: Run, row: int) -> Lexicon:
             "J_{i−1}": Given(float(nodes.inertia[row - 1]), "kg*m^2", inertia),
             "M_{c,i}": Given(float(nodes.moment[row]), "N*m", moment),
             "M_{c,i−1}": Given(float(nodes.moment[row - 1]), "N*m", moment),
-            "A_m1": Given(nodes.a, "N*m", parabola),
-            "B_m1": Given(nodes.b, "N*m*s^2/rad^2", parabola),
+            "A_M": Given(nodes.a, "N*m", parabola),
+            "B_M": Given(nodes.b, "N*m*s^2/rad^2", parabola),
             "E_i": Given(float(run.kept[row]), "J", tr("what is kept of the position before, doubled")),
             "W_i": Given(float(run.gained[row]), "J", tr("what the moments add on the step, doubled")),
             "Deltaphi": Given(nodes.step, "rad", tr("step of the positions")),
@@ -369,7 +367,7 @@ def _regulation(result: Motion, order: Order) -> Iterator[Block]:
     power = order.results["power"]
     rated = found[1].speed / power.duty.ratio
     yield Paragraph(tr("The least angular velocity against the rated one:"))
-    yield held("omega_min >= omega_N1", (regime.omega_min, rated), "rad/s", holds=regime.omega_min >= rated)
+    yield held("omega_min >= omega_N", (regime.omega_min, rated), "rad/s", holds=regime.omega_min >= rated)
     yield from _heating(result)
 
 

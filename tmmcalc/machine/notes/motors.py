@@ -30,39 +30,39 @@ NEAR, WHOLE = 80.0, 75.0  # heights of the diagrams of the working part and of t
 NAMELESS = "motor"  # what a motor without a name is called
 FREQUENCY = 50.0  # of the mains, by which a lag follows from the critical slip [Hz]
 
-RATED = ("omega_N1 = pi*n_N/(30*u)", "M_N1 = P_N<eta>/omega_N1")
-INDUCTION = (*RATED, "omega_c1 = pi*n_c/(30*u)")
+RATED = ("omega_N = pi*n_N/(30*u)", "M_N = P_N<eta>/omega_N")
+INDUCTION = (*RATED, "omega_c = pi*n_c/(30*u)")
 LAWS = {
     "parabolic": (
-        (*INDUCTION, "A_m1 = M_N1*omega_c1**2/(omega_c1**2 - omega_N1**2)", "B_m1 = M_N1/(omega_c1**2 - omega_N1**2)"),
-        ("M_d = A_m1 - B_m1*omega**2",),
+        (*INDUCTION, "A_M = M_N*omega_c**2/(omega_c**2 - omega_N**2)", "B_M = M_N/(omega_c**2 - omega_N**2)"),
+        ("M_d = A_M - B_M*omega**2",),
     ),
-    "linear": ((*INDUCTION, "b_m1 = M_N1/(omega_c1 - omega_N1)"), ("M_d = b_m1*(omega_c1 - omega)",)),
+    "linear": ((*INDUCTION, "b_M = M_N/(omega_c - omega_N)"), ("M_d = b_M*(omega_c - omega)",)),
     "kloss": (
         (
             *INDUCTION,
-            "M_K1 = K*M_N1",
+            "M_K = K*M_N",
             "s_N = (n_c - n_N)/n_c",
             "s_K = s_N*(K + sqrt(K**2 - 1))",
-            "omega_K1 = omega_c1*(1 - s_K)",
-            "M_s1 = 2*M_K1*s_K/(1 + s_K**2)",
+            "omega_K = omega_c*(1 - s_K)",
+            "M_p = 2*M_K*s_K/(1 + s_K**2)",
         ),
-        ("M_d = 2*M_K1*s*s_K/(s**2 + s_K**2)", "s = 1 - omega/omega_c1"),
+        ("M_d = 2*M_K*s*s_K/(s**2 + s_K**2)", "s = 1 - omega/omega_c"),
     ),
     "shunt": (
-        (*RATED, "omega_c1 = U/(k*u)", "b_m1 = k**2*u**2<eta>/R"),
-        ("M_d = b_m1*(omega_c1 - omega)",),
+        (*RATED, "omega_c = U/(k*u)", "b_M = k**2*u**2<eta>/R"),
+        ("M_d = b_M*(omega_c - omega)",),
     ),
-    "shunt by speeds": ((*INDUCTION, "b_m1 = M_N1/(omega_c1 - omega_N1)"), ("M_d = b_m1*(omega_c1 - omega)",)),
+    "shunt by speeds": ((*INDUCTION, "b_M = M_N/(omega_c - omega_N)"), ("M_d = b_M*(omega_c - omega)",)),
     "series": (
-        (*RATED, "r = (1 - sqrt(1 - 4*R*P_N/U**2))/2", "beta = c_s/(1 - c_s)", "kappa = (1 - r)*(1 + beta)/omega_N1"),
-        ("r*j*(1 + beta*j) + kappa*omega*j = 1 + beta*j", "M_d = M_N1*(1 + beta)*j**2/(1 + beta*j)"),
+        (*RATED, "r = (1 - sqrt(1 - 4*R*P_N/U**2))/2", "beta = c_s/(1 - c_s)", "kappa = (1 - r)*(1 + beta)/omega_N"),
+        ("r*j*(1 + beta*j) + kappa*omega*j = 1 + beta*j", "M_d = M_N*(1 + beta)*j**2/(1 + beta*j)"),
     ),
     "series by efficiency": (
-        (*RATED, "r = 1 - eta_M", "beta = c_s/(1 - c_s)", "kappa = (1 - r)*(1 + beta)/omega_N1"),
-        ("r*j*(1 + beta*j) + kappa*omega*j = 1 + beta*j", "M_d = M_N1*(1 + beta)*j**2/(1 + beta*j)"),
+        (*RATED, "r = 1 - eta_M", "beta = c_s/(1 - c_s)", "kappa = (1 - r)*(1 + beta)/omega_N"),
+        ("r*j*(1 + beta*j) + kappa*omega*j = 1 + beta*j", "M_d = M_N*(1 + beta)*j**2/(1 + beta*j)"),
     ),
-    "constant": (RATED, ("M_d = M_N1",)),
+    "constant": (RATED, ("M_d = M_N",)),
     "table": ((), ()),
 }
 """By the form of the characteristic: the lines of its coefficients, ``<eta>`` for the gears, and the law itself."""
@@ -105,8 +105,8 @@ def of_form(kind: CharacteristicKind, motor: Motor, power: Power) -> Iterator[Bl
     curve = driver_of(motor, kind, power.duty.ratio, power.line.efficiency).characteristic
     yield Paragraph(_said(kind, motor))
     texts, laws = LAWS[_form(kind, motor)]
-    lexicon = named({**_given(motor, power), **_coefficients(kind, motor, curve, power)})
-    eta = "*eta_g" if power.line.efficiency < 1 else ""
+    lexicon = named({**motor_data(motor, power), **_coefficients(kind, motor, curve, power)})
+    eta = "*eta_u" if power.line.efficiency < 1 else ""
     yield from lines(texts, [Place("", lexicon)], {"eta": eta})
     if kind == "table":
         speeds = np.array([speed for speed, _ in motor.points]) / power.duty.ratio
@@ -120,7 +120,7 @@ def of_form(kind: CharacteristicKind, motor: Motor, power: Power) -> Iterator[Bl
         if kind == "series" and not k:
             yield Paragraph(tr("where $j$ is the current in parts of the rated one; whence the moment"))
     if power.line.efficiency < 1 and kind not in ("constant", "table"):
-        yield Paragraph(tr("Where the motor brakes, $eta_g$ divides its moment."))
+        yield Paragraph(tr("Where the motor brakes, $eta_u$ divides its moment."))
     if motor.time_constant:
         yield from _lag(motor)
 
@@ -165,28 +165,29 @@ def _said(kind: CharacteristicKind, motor: Motor) -> str:
     }[kind]
 
 
-def _given(motor: Motor, power: Power) -> Lexicon:
+def motor_data(motor: Motor, power: Power) -> Lexicon:
     """What is known of the motor and of the gears."""
     assert power.duty is not None
-    no_load = _no_load(motor, tr("synchronous speed"), tr("speed of the motor without load"))
+    no_load = _no_load(motor, tr("synchronous speed of the motor"), tr("speed of the motor without load"))
     known: dict[str, tuple[float | None, str, str]] = {
         "P_N": (motor.power, "W", tr("rated power of the motor")),
         "n_N": (motor.rated_rpm, "rpm", tr("rated speed of the motor")),
         "n_c": (motor.synchronous_rpm, "rpm", no_load),
-        "u": (power.duty.ratio, "", tr("ratio of the drive")),
-        "K": (motor.overload, "", tr("overload factor")),
-        "U": (motor.voltage, "V", tr("voltage")),
+        "u": (power.duty.ratio, "", tr("speed ratio of the motor and the input shaft")),
+        "K": (motor.overload, "", tr("overload factor of the motor")),
+        "U": (motor.voltage, "V", tr("voltage of the motor")),
         "R": (motor.resistance, "Ohm", tr("resistance of the armature circuit")),
         "k": (motor.constant, "V*s/rad", tr("constant of the motor")),
         "c_s": (motor.saturation, "", tr("part of the flux that saturation takes at the rated current")),
         "eta_M": (motor.efficiency, "", tr("efficiency of the motor")),
     }
     found = {key: Given(value, *told) for key, (value, *told) in known.items() if value is not None}
-    return {**found, "eta_g": _losses(power)}
+    return {**found, "eta_u": losses(power)}
 
 
-def _losses(power: Power) -> Given:
-    return Given(power.line.efficiency, "", tr("efficiency of the gears"))
+def losses(power: Power) -> Given:
+    """The efficiency of the gears."""
+    return Given(power.line.efficiency, "", tr("efficiency of the gears between the motor and the input shaft"))
 
 
 def _no_load(motor: Motor, synchronous: str, without_load: str) -> str:
@@ -199,34 +200,30 @@ def _coefficients(kind: CharacteristicKind, motor: Motor, curve: Characteristic,
     assert power.rated_moment is not None
     rated = motor.speed / power.duty.ratio
     found = {
-        "omega_N1": Given(rated, "rad/s", tr("rated angular velocity reduced to the input link")),
-        "M_N1": Given(power.rated_moment, "N*m", tr("rated moment reduced to the input link")),
+        "omega_N": Given(rated, "rad/s", tr("rated angular velocity, reduced to the input shaft")),
+        "M_N": Given(power.rated_moment, "N*m", tr("rated moment, reduced to the input shaft")),
     }
     if curve.synchronous is not None:
         said = _no_load(
             motor,
-            tr("synchronous angular velocity reduced to the input link"),
-            tr("angular velocity without load reduced to the input link"),
+            tr("synchronous angular velocity, reduced to the input shaft"),
+            tr("angular velocity without load, reduced to the input shaft"),
         )
-        found["omega_c1"] = Given(curve.synchronous, "rad/s", said)
+        found["omega_c"] = Given(curve.synchronous, "rad/s", said)
     if kind == "parabolic":
-        said = tr("constant of the parabola")
-        found["A_m1"] = Given(curve.moment(0.0), "N*m", said)
-        found["B_m1"] = Given(-curve.slope(rated) / (2 * rated), "N*m*s^2/rad^2", said)
+        said = tr("coefficient of the parabola")
+        found["A_M"] = Given(curve.moment(0.0), "N*m", said)
+        found["B_M"] = Given(-curve.slope(rated) / (2 * rated), "N*m*s^2/rad^2", said)
     if kind in ("linear", "shunt"):
-        found["b_m1"] = Given(-curve.slope(rated), "N*m*s/rad", tr("stiffness of the characteristic"))
+        found["b_M"] = Given(-curve.slope(rated), "N*m*s/rad", tr("stiffness of the characteristic"))
     if kind == "kloss":
         assert curve.critical is not None
         found |= {
-            "M_K1": Given(
-                curve.moment(curve.critical), "N*m", tr("largest moment of the motor reduced to the input link")
-            ),
+            "M_K": Given(curve.moment(curve.critical), "N*m", tr("largest moment, reduced to the input shaft")),
             "s_N": Given(motor.nominal_slip, "", tr("rated slip")),
             "s_K": Given(motor.critical_slip, "", tr("critical slip")),
-            "omega_K1": Given(
-                curve.critical, "rad/s", tr("angular velocity of the largest moment reduced to the input link")
-            ),
-            "M_s1": Given(curve.moment(0.0), "N*m", tr("starting moment reduced to the input link")),
+            "omega_K": Given(curve.critical, "rad/s", tr("angular velocity of the largest moment")),
+            "M_p": Given(curve.moment(0.0), "N*m", tr("starting moment, reduced to the input shaft")),
         }
     base = curve.base if isinstance(curve, Reduced) else curve
     if isinstance(base, Series):
@@ -256,7 +253,7 @@ def of_braking(motor: Motor, how: Braking) -> Iterator[Block]:
     """The characteristic of a motor that brakes, on its own shaft."""
     curve = braking(motor, how)
     lexicon = {
-        "U": Given(motor.voltage or 0.0, "V", tr("voltage")),
+        "U": Given(motor.voltage or 0.0, "V", tr("voltage of the motor")),
         "R": Given(motor.resistance or 0.0, "Ohm", tr("resistance of the armature circuit")),
         "R_a": Given(how.resistance, "Ohm", tr("resistance added to the armature circuit")),
     }
@@ -284,7 +281,7 @@ def of_braking(motor: Motor, how: Braking) -> Iterator[Block]:
     yield from lines(texts, [Place("", named(lexicon))])
     given = "1 + beta*j" if plugged else "0"
     yield Display(read(f"r_a*j*(1 + beta*j) - kappa*omega*j = {given}"))
-    yield Display(read("M_d = -M_N1*(1 + beta)*j**2/(1 + beta*j)"))
+    yield Display(read("M_d = -M_N*(1 + beta)*j**2/(1 + beta*j)"))
 
 
 def _straight(motor: Motor, how: Braking, curve: Straight, lexicon: Lexicon) -> Iterator[Block]:

@@ -81,8 +81,8 @@ def inertias(parts: ConstantInertia, order: Order) -> Lexicon:
     rotor = (duty.motor.inertia or 0.0) if duty is not None else 0.0
     return {
         "J_R": Given(rotor, "kg*m^2", tr("moment of inertia of the rotor")),
-        "u": Given(duty.ratio if duty is not None else 1.0, "", tr("ratio of the drive")),
-        "J_g": Given(parts.gears, "kg*m^2", tr("moment of inertia of the gears reduced to the input link")),
+        "u": Given(duty.ratio if duty is not None else 1.0, "", tr("speed ratio of the motor and the input shaft")),
+        "J_g": Given(parts.gears, "kg*m^2", tr("moment of inertia of the gears, reduced to the input link")),
         "J_e": Given(parts.further, "kg*m^2", tr("further constant moment of inertia of the input link")),
     }
 

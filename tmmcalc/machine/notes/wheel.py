@@ -50,7 +50,7 @@ def _shaft(result: Flywheel) -> Iterator[Block]:
     )
     lexicon = {
         "J_M1": Given(wheel.inertia, "kg*m^2", tr("moment of inertia of the flywheel on its own shaft")),
-        "J_M": Given(result.addition, "kg*m^2", tr("moment of inertia of the flywheel reduced to the input link")),
+        "J_M": Given(result.addition, "kg*m^2", tr("moment of inertia of the flywheel, reduced to the input link")),
         "u_M": Given(wheel.ratio, "", tr("speed of the flywheel over the speed of the input link")),
     }
     yield from lines(("J_M1 = J_M/u_M**2",), [Place("", named(lexicon))])
