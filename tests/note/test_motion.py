@@ -92,7 +92,7 @@ def test_the_parabola_of_the_shaper_is_that_of_the_textbook() -> None:
 
 
 def test_the_recurrence_gives_the_squares_of_the_textbook() -> None:
-    """(3.57) worked out anew from the columns of the table of turns."""
+    """(3.57) worked out anew from the table of turns, whose last digits let it be off by 1.5e-4."""
     told_of = blocks(told("shaper", only=("motion",)))
     (turns,) = (block for block in told_of if isinstance(block, Table) and block.key == "motion_turns")
     moments, inertias, last = ([float(row[k].replace("−", "-")) for row in turns.rows] for k in (1, 2, 4))
@@ -100,7 +100,7 @@ def test_the_recurrence_gives_the_squares_of_the_textbook() -> None:
     for i in range(1, 25):
         kept = (inertias[i - 1] - b * step) * last[i - 1] ** 2
         gained = (moments[i - 1] + moments[i] + 2 * a) * step
-        assert math.sqrt((kept + gained) / (inertias[i] + b * step)) == pytest.approx(last[i], abs=3e-4)
+        assert math.sqrt((kept + gained) / (inertias[i] + b * step)) == pytest.approx(last[i], abs=2e-4)
 
 
 def test_kloss_is_that_of_the_textbook(tmp_path: Path) -> None:
