@@ -44,7 +44,7 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from _curve(order)
     yield from _equations(motions[0], machine)
     for k, (motion, task) in enumerate(zip(motions, tasks, strict=True)):
-        yield Heading(motion.name[:1].upper() + motion.name[1:], 3)
+        yield Heading(tr("Motion “{name}”", name=motion.name), 3)
         if task.braking is not None and machine.data is not None:
             yield from of_braking(machine.data, task.braking)
         yield from _motion(motion, task, machine, f"transient_{k}")
