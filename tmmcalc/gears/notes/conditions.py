@@ -202,15 +202,14 @@ def _meaning(name: str, chosen: Chosen) -> str:
 
 def _table(found: tuple[Condition, ...], key: str) -> Table:
     """All conditions with both sides and their verdicts; those that are good custom in brackets."""
-    head = (tr("Condition"), tr("Wheels"), tr("In letters"), tr("With numbers"), tr("Verdict"))
+    head = (tr("Condition"), tr("Wheels"), tr("With numbers"), tr("Verdict"))
     return Table(tr("Conditions on the numbers of teeth"), head, tuple(map(_row, found)), key)
 
 
 def _row(each: Condition) -> tuple[str, ...]:
-    left, right = _texts(each)
     numbers = [significant(value, SHOWN) for value in (each.left, each.right)]
     sides = f"{numbers[0]} {each.relation} {numbers[1]}" if each.kept else f"{numbers[0]}$; ${numbers[1]}"
     verdict = tr("kept") if each.kept else tr("not kept") if each.asked else tr("not recommended")
     name = tr("numbers of teeth") if each.name == "teeth" else tr_name(called(each.name))
     of = "" if each.name == "ratio" else each.of.removeprefix(PLANETS).replace("-", "–")
-    return name, of, f"${left} {each.relation} {right}$", f"${sides}$", verdict
+    return name, of, f"${sides}$", verdict

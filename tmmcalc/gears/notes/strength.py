@@ -11,7 +11,7 @@ import numpy as np
 
 from tmmcalc.gears.details import sized_train
 from tmmcalc.gears.letters import LETTER
-from tmmcalc.gears.notes.letters import letter, noted
+from tmmcalc.gears.notes.letters import letter, lowered, noted
 from tmmcalc.gears.pictures.words import train_name
 from tmmcalc.gears.scheme import Layout
 from tmmcalc.gears.sizing import GIVEN, REDUCTION, Sized, Torque, rows_of
@@ -51,7 +51,8 @@ def blocks(order: Order) -> Iterator[Block]:
     one = rows_of(sized.sets, np.array([at]))
     scheme = one.scheme
     told = strength_factors(sized.sets, sized.task, at)
-    yield Heading(tr("Strength: {train}", train=_lower(message(train_name(one)))), 2)
+    yield Heading(tr("Strength of the train"), 2)
+    yield Paragraph(tr("The strength of this train is calculated: {train}.", train=lowered(message(train_name(one)))))
     yield from _torque(sized.torque, one.planets, scheme)
     yield from _materials(sized)
     wheels, stages, meshes = (_of(told.factors, kind) for kind in ("wheel", "stage", "mesh"))
@@ -88,10 +89,6 @@ def _materials(sized: Sized) -> Iterator[Block]:
         key = steel_key(material.steel)
         told["steel"] = key if spoken() == "uk" else latin(key)
         yield Paragraph(tr("Wheels of steel {steel}, {treatment}, of hardness {hardness}.", **told))
-
-
-def _lower(text: str) -> str:
-    return text[0].lower() + text[1:]
 
 
 def _of(factors: Sequence[Factor], kind: str) -> dict[str, list[Factor]]:
