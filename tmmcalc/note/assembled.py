@@ -23,6 +23,7 @@ from tmmcalc.report.manuscript import (
     Display,
     Figure,
     Heading,
+    Lexicon,
     Line,
     Listing,
     Paragraph,
@@ -138,9 +139,10 @@ class Assembler:
             yield Equation(parts, lead=place.name)
 
     def _where(self, line: Line) -> Iterator[Written]:
-        """The names that stand for the first time, with meaning and unit."""
+        """The names that stand for the first time, with meaning and unit, both projections of a vector together."""
         lexicon = line.places[0].lexicon
-        new = [key for key in names(line.formula) if key not in self._explained and lexicon[key].meaning]
+        here = (key for key in names(line.formula) if key not in self._explained and lexicon[key].meaning)
+        new = list(dict.fromkeys(each for key in here for each in _both(key, lexicon)))
         self._explained |= set(new)
         groups: dict[tuple[str, str], list[str]] = {}
         for key in new:
@@ -155,9 +157,20 @@ class Assembler:
             yield Text((*parts, "."))
 
 
+def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
+    """A name; of a projection on x or y both, if the other one means the same."""
+    said = lexicon[key]
+    others = {
+        f"{key[:k]}{'y' if letter == 'x' else 'x'}{key[k + 1 :]}" for k, letter in enumerate(key) if letter in "xy"
+    }
+    same = (o for o in others if o in lexicon and (lexicon[o].meaning, lexicon[o].unit) == (said.meaning, said.unit))
+    yield from sorted((key, *same))
+
+
 def _converted(given: Given) -> tuple[Row, ...]:
     """The result in the unit that is asked for in place of its own."""
     unit, factor = printed_as(given.unit)
+    assert isinstance(given.value, float)
     return (with_unit(significant(given.value * factor, RESULT), unit),) if unit != given.unit else ()
 
 

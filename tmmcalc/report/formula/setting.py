@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
@@ -55,6 +56,11 @@ PRINTED = {
 }
 
 
+PARTS = re.compile(r"[a-zа-яіїєґ]{2,}|[A-Za-zα-ωΑ-Ω]|[^A-Za-zα-ωΑ-Ω]+")  # of an index
+ROMAN = re.compile(r"I|[IVX]{2,}")
+BELOW, ABOVE = "xyzijkn", "ijk"  # single letters of an index that are axes or counters
+
+
 class Shown(NamedTuple):
     """What is printed for a name: the digits of its value; a degree sign after an angle in deg."""
 
@@ -83,8 +89,8 @@ def side(node: Node, values: Values = None) -> Row:
 def letters(symbol: Symbol) -> Box:
     """A quantity as it is written."""
     base = _letter(symbol.base)
-    index = None if not symbol.lower else _index(symbol.lower)
-    upper = None if not symbol.upper else _index(symbol.upper)
+    index = None if not symbol.lower else _index(symbol.lower, BELOW)
+    upper = None if not symbol.upper else _index(symbol.upper, ABOVE)
     return base if index is upper is None and not symbol.primes else Script(base, index, upper, symbol.primes)
 
 
@@ -96,8 +102,15 @@ def _letter(base: str) -> Box:
     return Word(base)
 
 
-def _index(text: str) -> Box:
-    return Word(text)
+def _index(text: str, slanted: str) -> Box:
+    """An index: points and Greek letters, axes and counters are quantities; words, numbers and Roman ones are not."""
+    if ROMAN.fullmatch(text):
+        return Word(text)
+    boxes = [
+        Letter(part) if len(part) == 1 and (part.isupper() or part in slanted or part in GREEK.values()) else Word(part)
+        for part in PARTS.findall(text)
+    ]
+    return boxes[0] if len(boxes) == 1 else Row(tuple(boxes))
 
 
 def quantity(key: str) -> Box:
@@ -258,7 +271,7 @@ def _signed(box: Box) -> bool:
             return text.startswith(("-", "−"))
         case Sign(text):
             return text == "−"
-        case Marked(inner):
+        case Marked(inner) | Fraction(inner):
             return _signed(inner)
         case Row(boxes):
             return bool(boxes) and _signed(boxes[0])
