@@ -290,6 +290,8 @@ def _source(factor: Factor) -> str:
 
 def _words(cell: str) -> str:
     """One cell of a table in the language in force: as a whole, or word by word of those between commas."""
+    if cell.startswith("wear "):
+        return tr("no abrasive wear") if cell == "wear none" else tr("abrasive wear")
     whole = tr_name(cell)
     if whole == cell and ", " in cell:
         whole = ", ".join(map(tr_name, cell.split(", ")))

@@ -17,7 +17,7 @@ from tmmcalc.gears.notes.inorder import Equation, Together, in_order
 from tmmcalc.gears.notes.letters import speed_of, teeth_of
 from tmmcalc.gears.notes.speeds import Told
 from tmmcalc.report.formula.digits import Given, significant
-from tmmcalc.report.language import tr, tr_number
+from tmmcalc.report.language import tr, tr_name, tr_number
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Table
 from tmmcalc.report.telling import named
 
@@ -251,7 +251,7 @@ def _powers(told: Told, marks: list[Mark], found: Gearing, flow: PowerFlow, outs
         )
     if flow.efficiency is None:
         return
-    said = tr("efficiency")
+    said = tr_name("efficiency")
     told.lexicon.update(named({"eta": Given(flow.efficiency, "", said)}))
     put_in = [_power(name) for name in outside if flow.power(name) > 0]
     taken = [_power(name) for name in outside if flow.power(name) < 0]

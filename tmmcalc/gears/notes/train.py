@@ -306,7 +306,7 @@ def _efficiency(told: Told, found: Gearing, chosen: Chosen) -> Iterator[Block]:
         product.append(name)
     way, basic = found.ways[0], found.basic
     if basic is None or way.formula is None:
-        told.lexicon.update(named({"eta": Given(way.efficiency, "", tr("efficiency"))}))
+        told.lexicon.update(named({"eta": Given(way.efficiency, "", tr_name("efficiency"))}))
         yield from told.lines(f"eta = {'*'.join(product)}")
         return
     i = letter("i_1H")
@@ -315,7 +315,7 @@ def _efficiency(told: Told, found: Gearing, chosen: Chosen) -> Iterator[Block]:
         named(
             {
                 "eta_0": Given(basic.efficiency, "", tr("efficiency of the train with the carrier stopped")),
-                "eta": Given(way.formula, "", tr("efficiency")),
+                "eta": Given(way.formula, "", tr_name("efficiency")),
                 i: Given(float(exact), "", tr("ratio of the train")),
             }
         )
