@@ -110,6 +110,7 @@ ROOM = Room(
                 ("--choose", "--phase"),
                 pieces="tmmcalc.gears.pictures.pieces:pair",
             ),
+            chapter="gears",
             studied=True,
         ),
         Stage(
@@ -119,6 +120,7 @@ ROOM = Room(
             uses=("reduction",),
             reads="read_by_open_pair",
             wanted="open_pair",
+            chapter="gears",
         ),
         Stage(
             "blocking",
@@ -130,6 +132,7 @@ ROOM = Room(
                 ("--choose",),
                 pieces="tmmcalc.gears.pictures.pieces:blocking",
             ),
+            chapter="gears",
             studied=True,
         ),
         Stage(
@@ -142,6 +145,7 @@ ROOM = Room(
                 ("--choose",),
                 pieces="tmmcalc.gears.pictures.pieces:profile",
             ),
+            chapter="gears",
             studied=True,
         ),
         Stage(
@@ -149,6 +153,7 @@ ROOM = Room(
             "a wheel without a mate: circles, limits, measures, profile",
             asked=("wheel", "no wheel by itself"),
             picture=Picture("how the tool cuts the teeth, half a tooth enlarged"),
+            chapter="gears",
         ),
     ),
     (

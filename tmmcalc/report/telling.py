@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tmmcalc.report.drawing.lettering import message
-from tmmcalc.report.formula.digits import PLAIN, Given, rounded, value_of
+from tmmcalc.report.formula.digits import PLAIN, Given, result_of, rounded, value_of
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.simplify import ZERO, simplified
 from tmmcalc.report.formula.symbols import canonical
@@ -63,18 +63,18 @@ def number_of(lexicon: Lexicon, key: str) -> float:
 def lines(texts: Sequence[str], places: Sequence[Place], words: Mapping[str, str] | None = None) -> Iterator[Line]:
     """The formulas worked out at these places, without terms and factors that are nothing in all of them.
 
-    The left side of each is a quantity of the lexicons, whose value the line gives; one that is nothing is left out.
+    The left side of each is a quantity of the lexicons, or a number that is a function of some, as ``inv(alpha)``. The
+    line gives its value by the program; one that is nothing is left out.
     An angle has from then on as many whole turns as its formula gives.
     """
     for text in texts:
         formula = simplified(read(filled(text, words or {})), _zeros(places))
         left, right = formula.sides
-        assert isinstance(left, Name)
         if right in (ZERO, left):
             continue
         for place in places:
-            given = place.lexicon[left.key]
-            if given.unit == "deg":
+            given = result_of(left, place.lexicon)
+            if given.unit == "deg" and isinstance(left, Name):
                 place.lexicon[left.key] = _turned(given, value_of(right, place.lexicon, "deg"))
         yield Line(formula, tuple(places))
 
@@ -102,12 +102,21 @@ def tabulated(
 
     ``columns`` are headed by what they are, ``"$phi_3$, deg"`` with the unit of the values after the comma.
     """
-    found = {head: list(labels)}
-    for name, values in columns.items():
-        what, comma, own = name.partition(", ")
-        unit, factor = printed_as(own)
-        found[what + (comma and f", {tr_unit(unit)}")] = column_of(np.asarray(values, dtype=float) * factor)
+    found = {head: list(labels), **dict(column(name, values) for name, values in columns.items())}
     return Table(caption, tuple(found), tuple(zip(*found.values(), strict=True)), key)
+
+
+def column(name: str, values: ArrayLike, digits: int = DIGITS) -> tuple[str, list[str]]:
+    """The head and the cells of a column ``"$phi_3$, deg"`` in the unit in which it is printed."""
+    what, comma, own = name.partition(", ")
+    unit, factor = printed_as(own)
+    return headed(f"{what}{comma}{unit}"), column_of(np.asarray(values, dtype=float) * factor, digits)
+
+
+def headed(head: str) -> str:
+    """The head of a column with its unit, after a comma, in the language in force."""
+    name, comma, unit = head.partition(", ")
+    return name + (comma and f", {tr_unit(unit)}")
 
 
 def pictured(piece: Piece, *, key: str = "", wide: float = WIDE) -> Figure:

@@ -10,26 +10,31 @@ from collections.abc import Iterator
 from typing import Any
 
 from tmmcalc.machine.driveline import DriveLine
-from tmmcalc.machine.judged import TEXTBOOK, Judged, rules
+from tmmcalc.machine.judged import START, TEXTBOOK, Judged, rules
 from tmmcalc.machine.motors.model import Motor, characteristic
 from tmmcalc.machine.notes.reducing import index_of
 from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.power import LOSSES, MotorDuty, Power
-from tmmcalc.machine.reduction.results import Reduction
+from tmmcalc.machine.reduction.results import Contribution, Reduction
 from tmmcalc.machine.stages.power import inputs
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
-from tmmcalc.report.telling import column_of, headed, lines, named
+from tmmcalc.report.language import tr, tr_name, tr_unit
+from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result, Table
+from tmmcalc.report.printing import printed_as
+from tmmcalc.report.telling import column, lines, named
 
 RPM = 30 / math.pi
 WORKING, ENGINE = "eta = A_c/(A_c + A_F)", "eta = (A_d + A_F)/A_d"  # (3.36), (3.37)
 RATED = ("omega_N = pi*n_N/30", "M_N = P_N/omega_N")
 FORMS = {  # of a characteristic: lines of its constants, and itself
     "parabolic": (
-        ("omega_c = pi*n_c/30", "A_m = M_N*omega_c**2/(omega_c**2 - omega_N**2)", "B_m = M_N/(omega_c**2 - omega_N**2)"),
+        (
+            "omega_c = pi*n_c/30",
+            "A_m = M_N*omega_c**2/(omega_c**2 - omega_N**2)",
+            "B_m = M_N/(omega_c**2 - omega_N**2)",
+        ),
         "M_m = A_m - B_m*omega_m**2",
     ),
     "linear": (("omega_c = pi*n_c/30", "b_m = M_N/(omega_c - omega_N)"), "M_m = b_m*(omega_c - omega_m)"),
@@ -40,6 +45,14 @@ FORMS = {  # of a characteristic: lines of its constants, and itself
     "shunt": (("omega_c = U/k_m", "b_m = k_m**2/R_m"), "M_m = b_m*(omega_c - omega_m)"),
 }
 DIGITS = 4  # of the table of motors
+COLUMNS = {
+    "$P_N$, W": "power",
+    "$n_N$, rpm": "rated_rpm",
+    "$u$": "ratio",
+    "$P_m/P_N$": "load",
+    "$M_{rms}/M_N$": "heating",
+    "$M_{max}/M_K$": "largest",
+}
 NEAR = 0.01  # synchronous speeds that differ less are one
 
 
@@ -54,6 +67,7 @@ def blocks(order: Order) -> Iterator[Block]:
     rate = f"omega_{1 if kinematics is None else kinematics.structure.input_link}"
     lexicon = named({**_works(power, reduction), **_powers(power, reduction, rate)})
     yield from lines([*_work_texts(reduction), *_power_texts(power, reduction, rate)], [Place("", lexicon)])
+    yield from (Result(key, lexicon[key]) for key in ("eta", "P") if lexicon[key].value)
     if power.duty is not None:
         yield from _motor(power, power.duty, order, lexicon, rate)
 
@@ -70,8 +84,10 @@ def _works(power: Power, reduction: Reduction) -> Lexicon:
     }
 
 
-def _work(contribution: Any) -> str:
-    return f"A_{{{index_of(contribution)}}}"
+def _work(contribution: Contribution) -> str:
+    """The work of a cause; that of friction in the linkage has a name beside that of all friction."""
+    index = index_of(contribution)
+    return f"A_{{{'Fl' if index == 'F' else index}}}"
 
 
 def _work_texts(reduction: Reduction) -> Iterator[str]:
@@ -83,7 +99,7 @@ def _work_texts(reduction: Reduction) -> Iterator[str]:
         ("A_c", [each for each in loads if each.work < 0]),
         ("A_F", lost),
     ):
-        if parts and [_work(each) for each in parts] != [name]:
+        if len(parts) > 1 or (parts and name != "A_F"):
             yield f"{name} = {' + '.join(map(_work, parts))}"
 
 
@@ -133,6 +149,7 @@ def _motor(power: Power, duty: MotorDuty, order: Order, lexicon: Lexicon, rate: 
     yield Paragraph(_taken(order, duty))
     if power.motor_power:
         yield Paragraph(_condition(motor.power, power.motor_power))
+        yield Result("P_N", lexicon["P_N"], power.motor_power, ">=")
     yield from _tried(duty, wish.reserve)
     place = [Place("", lexicon)]
     if duty.ratio_of:
@@ -169,11 +186,16 @@ def _taken(order: Order, duty: MotorDuty) -> str:
 
 def _condition(rated: float, required: float) -> str:
     """Whether the rated power covers the required one, with both sides."""
-    relation = ">=" if rated >= required else "<"
-    sides = {"rated": significant(rated, 5), "required": significant(required, 5), "relation": relation}
+    unit, factor = printed_as("W")
+    values = {
+        "rated": significant(rated * factor, 5),
+        "required": significant(required * factor, 5),
+        "relation": ">=" if rated >= required else "<",
+        "unit": tr_unit(unit),
+    }
     if rated >= required:
-        return tr("$P_N >= P_m$: ${rated} {relation} {required}$ W. The condition holds.", **sides)
-    return tr("$P_N >= P_m$: ${rated} {relation} {required}$ W. The condition fails.", **sides)
+        return tr("$P_N >= P_m$: ${rated} {relation} {required}$ {unit}. The condition holds.", **values)
+    return tr("$P_N >= P_m$: ${rated} {relation} {required}$ {unit}. The condition fails.", **values)
 
 
 def _plate(motor: Motor, duty: MotorDuty, power: Power, rate: str) -> Lexicon:
@@ -254,16 +276,19 @@ def _tried(duty: MotorDuty, reserve: float) -> Iterator[Block]:
         "steady motion."
     )
     yield Paragraph(said)
-    head = (tr("Motor"), "$P_N$, W", "$n_N$, rpm", "$u$", "$P_m/P_N$", "$M_{rms}/M_N$", "$M_{max}/M_K$")
-    keys = ("power", "rated_rpm", "ratio", "load", "heating", "largest")
-    numbers = [column_of([_known(getattr(each, key)) for each in shown], DIGITS) for key in keys]
-    verdicts = [_verdict(each, each.motor == duty.motor, reserve) for each in shown]
-    cells = zip([each.name for each in shown], *numbers, verdicts, strict=True)
-    yield Table(tr("Motors considered"), (*map(headed, head), tr("Verdict")), tuple(cells), "power_motors")
+    found = {tr("Motor"): [each.name for each in shown]}
+    for name, key in COLUMNS.items():
+        head, cells = column(name, [_known(getattr(each, key)) for each in shown], DIGITS)
+        found[head] = cells
+    found[tr("Verdict")] = [_verdict(each, each.motor == duty.motor, reserve) for each in shown]
+    yield Table(tr("Motors considered"), tuple(found), tuple(zip(*found.values(), strict=True)), "power_motors")
     if duty.taken:
         yield Paragraph(tr("Each rule of choice alone would take:"))
-        rows = tuple((tr_name(each.rule), each.motor, column_of([each.power], DIGITS)[0]) for each in duty.taken)
-        yield Table(tr("Rules of choice"), (tr("Rule"), tr("Motor"), headed("$P_N$, W")), rows, "power_rules")
+        head, powers = column("$P_N$, W", [each.power for each in duty.taken], DIGITS)
+        rows = zip(
+            (_rule_words(each.rule) for each in duty.taken), (each.motor for each in duty.taken), powers, strict=True
+        )
+        yield Table(tr("Rules of choice"), (tr("Rule"), tr("Motor"), head), tuple(rows), "power_rules")
 
 
 def _known(value: float | None) -> float:
@@ -276,6 +301,10 @@ def _verdict(each: Judged, taken: bool, reserve: float) -> str:
         return tr("taken")
     broken = [rule for rule, keeps in rules(reserve).items() if keeps(each) is False and rule != TEXTBOOK]
     if broken:
-        return tr("fails: {rule}", rule=tr_name(broken[0]))
+        return tr("fails: {rule}", rule=_rule_words(broken[0]))
     unknown = each.heating is None
     return tr("its data are incomplete") if unknown else tr("suffices too")
+
+
+def _rule_words(rule: str) -> str:
+    return tr("a start") if rule == START else tr_name(rule)

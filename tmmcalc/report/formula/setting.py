@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
@@ -243,7 +244,7 @@ def _call(function: str, arguments: Sequence[Node], values: Values, power: Box |
     if function == "abs":
         return Fenced(_bare(first, values), "|", "|")
     if function == "rad":
-        return _box(first, values)
+        return _box(first, values and {key: _in_rad(shown) for key, shown in values.items()})
     if function == "deg":
         return Marked(_box(first, values), "°")
     if function == "vec":
@@ -262,6 +263,14 @@ def _call(function: str, arguments: Sequence[Node], values: Values, power: Box |
         isinstance(first, Call) and first.function == "deg"
     )
     return Row((named, Gap(), inner)) if bare else Row((named, Fenced(inner)))
+
+
+def _in_rad(shown: Shown) -> Shown:
+    """An angle in rad, with one digit more than in degrees."""
+    if not shown.degrees:
+        return shown
+    figures = sum(map(str.isdigit, shown.digits))
+    return Shown(f"{math.radians(float(shown.digits)):.{figures + 1}g}")
 
 
 def _signed(box: Box) -> bool:
