@@ -117,7 +117,7 @@ def _listed(told: Told, members: list[str]) -> str:
 
 def ratio_name(each: Willis) -> str:
     """The ratio of the train with the carrier stopped."""
-    upper = "" if each.carrier == FRAME else f"^{{({each.carrier})}}"
+    upper = "" if each.carrier == FRAME else f"^{{{each.carrier}}}"
     return f"i_{{{joined((each.first, each.last))}}}{upper}"
 
 
@@ -176,7 +176,7 @@ def _planets(told: Told) -> Iterator[Block]:
         carrier = told.network.bearer(name)
         if carrier == FRAME or told.network.tilted(name) or not motion.speed(carrier):
             continue
-        symbol = f"omega_{{{name}}}^{{({carrier})}}"
+        symbol = f"omega_{{{name}}}^{{{carrier}}}"
         said = tr("angular velocity of link {link} against its carrier", link=name)
         told.lexicon.update(named({symbol: Given(speed, "rad/s", said)}))
         yield from told.lines(f"{symbol} = {speed_of(name)} - {speed_of(carrier)}")

@@ -114,10 +114,10 @@ def _torque(torque: Torque, planets: int, scheme: Layout) -> Iterator[Block]:
             {
                 "T_1": Given(torque.value, "N*m", tr("torque on wheel 1")),
                 "M_{max}": Given(torque.moment, "N*m", said),
-                "u_1": Given(torque.ratio, "", tr("speed of wheel 1 over that of the shaft of this moment")),
+                "u_Σ": Given(torque.ratio, "", tr("speed of wheel 1 over that of the shaft of this moment")),
             }
         )
-        yield from lines(["T_1 = M_{max}/u_1"], [Place("", lexicon)])
+        yield from lines(["T_1 = M_{max}/u_Σ"], [Place("", lexicon)])
     if planets > 1 and scheme.branched:
         yield Paragraph(tr("The power is shared evenly; the number of branches is $K$ = {count}.", count=planets))
 

@@ -170,7 +170,13 @@ def _known(told: Told, found: Gearing, outside: list[str]) -> Iterator[Block]:
     for name, torque in task.torques.items():
         if torque and name in outside:
             value = tr_number(significant(torque, DIGITS))
-            yield Paragraph(tr("${torque}$ = {value} N·m is given.", torque=_from_outside(name), value=value))
+            yield Paragraph(
+                tr(
+                    "The torque from outside is known: ${torque}$ = {value} N·m.",
+                    torque=_from_outside(name),
+                    value=value,
+                )
+            )
     for name, load in task.loads.items():
         if load:
             sign = "-" if flow is not None and flow.torque(name) < 0 else ""
