@@ -133,7 +133,7 @@ def test_mutants_are_caught() -> None:
     """A wrong formula gives another number, in a scene whose factors are not one: less than 1 in 100 are missed."""
     text = (CONFIGS / "gears-double-planets.toml").read_text(encoding="utf-8")
     text = text.replace('load = "one-sided"', 'load = "two-sided"\nblank = "rolled"')
-    text = text.replace("planets = 3", 'planets = 3\ninput_speed = "1450 rpm"\naddendum = 0.9')
+    text = text.replace('ratio = "31.29"', 'input_speed = "1450 rpm"\noutput_speed = "46.34 rpm"\naddendum = 0.9')
     done = run(parse_spec(text), target=stages_of(["gears"]))
     caught = missed = 0
     for chapter in chapters_of({"gears": "Gears"}, done.spec, done.results):
