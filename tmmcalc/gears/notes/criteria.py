@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import partial
+from unicodedata import normalize
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.notes.letters import joined, lowered, noted, teeth
 from tmmcalc.gears.pictures.front import draw_pareto
 from tmmcalc.gears.pictures.words import CRITERIA, short_name, teeth_text, train_name
-from tmmcalc.gears.scheme import CARRIER, Mesh
+from tmmcalc.gears.scheme import CARRIER, Mesh, known_layouts
 from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.selection.solve import assumptions_of
 from tmmcalc.gears.selection.task import WEIGHTED
@@ -201,6 +202,12 @@ def _distance(mesh: Mesh) -> str:
     return f"a_{{{joined((mesh.first, mesh.second))}}}"
 
 
+def _layout(key: str) -> str:
+    """A layout in a word, a planetary one by its designation; a number of planets as it is."""
+    scheme = known_layouts().get(key)
+    return normalize("NFC", scheme.designation) if scheme is not None and scheme.planetary else tr_name(key)
+
+
 def _shown(key: str, value: float) -> str:
     """A criterion with its unit."""
     factor, unit = CRITERIA[key]
@@ -255,7 +262,7 @@ def _sizes(selection: Selection, row: int) -> tuple[str, ...]:
         for values in (of.module, of.width)
     ]
     mark = "*" if row == selection.winner.place else ""
-    return f"{row + 1}{mark}", f"{tr_name(of.sets.layout)} {name}" if several else name, *sizes
+    return f"{row + 1}{mark}", f"{_layout(of.sets.layout)} {name}" if several else name, *sizes
 
 
 def _criteria(selection: Selection, row: int) -> tuple[str, ...]:
@@ -298,7 +305,7 @@ def _options(key: str, found: Sequence[Comparison]) -> Iterator[Block]:
             _shown(each.criterion, each.options[k].values[each.criterion]) if each.options[k].values else "–"
             for each in found
         ]
-        rows.append((" + ".join(tr_name(part) for part in str(option.option).split(" + ")), str(option.count), *values))
+        rows.append((" + ".join(_layout(part) for part in str(option.option).split(" + ")), str(option.count), *values))
     tab = f"{{tab:criteria_{key}}}"
     yield Paragraph(tr("The best values by option are in table {tab}.", tab=tab))
     head = (tr("Option"), tr("Trains"), *(short_name(each.criterion) for each in found))
@@ -326,7 +333,7 @@ def _series(selection: Selection) -> Iterator[Block]:
 def _why(selection: Selection) -> Iterator[Block]:
     """What decided."""
     winner, reason = selection.winner, selection.reason
-    name = f"{tr_name(winner.layout)} {teeth_text(winner.teeth)}"
+    name = f"{_layout(winner.layout)} {teeth_text(winner.teeth)}"
     sizes = [
         tr_number("; ".join(significant(MM * value, RESULT) for value in each))
         for each in (winner.modules, winner.widths)
