@@ -134,7 +134,8 @@ class Assembler:
             numbers = setting.side(found.tree, found.shown)
             result = with_unit(found.result, given.unit)
             same = not found.shown or plain(numbers) == plain(result.boxes[0])
-            parts = (setting.side(_indexed(left, place.index)), *(() if same else (numbers,)), result, *_converted(given))
+            own = setting.side(_indexed(left, place.index))
+            parts = (own, *(() if same else (numbers,)), result, *_converted(given))
             yield Equation(parts, lead=place.name)
 
     def _where(self, line: Line) -> Iterator[Written]:
@@ -208,7 +209,8 @@ def _answered(lines: Sequence[Line]) -> Table:
             given = places[0].lexicon[left.key]
             found = {place.name: f"${_result(line, place)}$" for place in places}
             unit = shown_unit(printed_as(given.unit)[0])
-            rows.append((f"${indexed(left.key, index)}$", given.meaning, unit, *(found.get(name, "") for name in names)))
+            cells = (found.get(name, "") for name in names)
+            rows.append((f"${indexed(left.key, index)}$", given.meaning, unit, *cells))
     values = [name or tr("Value") for name in names]
     return Table(tr("Results"), (tr("Designation"), tr("Quantity"), tr("Unit"), *values), tuple(rows))
 

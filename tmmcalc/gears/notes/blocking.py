@@ -1,13 +1,104 @@
-"""x."""
+"""The blocking contours: where the chosen shifts stand in them, how far they are from every line, points of note."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import nan
 
+from tmmcalc.gears.involute.contour.task import LINES
+from tmmcalc.gears.meshing.contours import UNBOUNDED, ContourPoint, PairContour
+from tmmcalc.gears.notes.pairs.tables import decimals
+from tmmcalc.gears.pictures.contourlines import chosen
+from tmmcalc.gears.pictures.pieces import contour_of
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.manuscript import Block
+from tmmcalc.report.formula.digits import significant
+from tmmcalc.report.language import tr, tr_name
+from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
+from tmmcalc.report.numbers import number
+from tmmcalc.report.telling import pictured
+
+HEADS = "$x_1$", "$x_2$", "$eps_alpha$", "$s_a1/m$", "$s_a2/m$", "$theta_1$", "$theta_2$"
+PLACES = 4  # decimals of shifts and distances
 
 
 def blocks(order: Order) -> Iterator[Block]:
-    """x."""
-    yield from ()
+    """Every external pair that has a contour."""
+    for k, found in enumerate(order.results["blocking"].pairs, 1):
+        yield from _contour(found, f"contour{k}")
+
+
+def _contour(found: PairContour, key: str) -> Iterator[Block]:
+    title = tr("Blocking contour of the pair {teeth}", teeth="/".join(map(str, found.teeth)))
+    yield Heading(f"{title} ({found.name})" if found.name else title)
+    limits = f"$eps_alpha >= {number(found.contact_ratio)}$, $s_a >= {number(found.thickness)}*m$"
+    if not found.thickness:
+        limits = f"$eps_alpha >= {number(found.contact_ratio)}$, $s_a >= 0$"
+    said = tr(
+        "The contour in figure {figure} bounds the shifts at which the pair works without interference, {limits}."
+    )
+    yield Paragraph(said.replace("{figure}", f"{{fig:{key}}}").replace("{limits}", limits))
+    yield _drawn(found, key)
+    if (point := chosen(found)) is not None:
+        yield Paragraph(_standing(point))
+        yield from _distances(found, point, key)
+    yield from _points(found, key)
+
+
+def _drawn(found: PairContour, key: str) -> Figure:
+    """The contour with its key."""
+    return pictured(contour_of(found), key=key)._replace(caption=tr("Blocking contour"))
+
+
+def _standing(point: ContourPoint) -> str:
+    """Whether the contour holds the chosen shifts."""
+    place = f"$x_1 = {_text(point.x1)}$, $x_2 = {_text(point.x2)}$"
+    if point.strict:
+        said = tr("The chosen shifts {place} lie within the contour without undercut.")
+    elif point.tolerated:
+        said = tr("The chosen shifts {place} lie where undercut leaves the active flanks whole.")
+    else:
+        said = tr("The chosen shifts {place} lie outside the contour.")
+    return said.replace("{place}", place)
+
+
+def _text(value: float) -> str:
+    return significant(round(value, PLACES) + 0.0, PLACES + 2)
+
+
+def _distances(found: PairContour, point: ContourPoint, key: str) -> Iterator[Block]:
+    """How far the chosen shifts are from every line that bounds them, and how far x1 may go at their sum."""
+    cut = {k for k in ("1", "2") if found.margins[f"undercut{k}"] < 0}
+    rows = []
+    for name, margin in found.margins.items():
+        # where a wheel is undercut its flank ends at the fillet, else at the limit point
+        if (name.startswith("tolerated") and name[-1] not in cut) or (name.startswith("interference") and name[-1] in cut):
+            continue
+        line, what = LINES[name]
+        rows.append((line, tr_name(what), decimals(margin, PLACES)))
+    said = tr("The distances of the chosen shifts from the lines of the contour are in table {table}.")
+    yield Paragraph(said.replace("{table}", f"{{tab:{key}_lines}}"))
+    head = tr("Line"), tr("What it is"), tr("Distance")
+    yield Table(tr("Distances from the lines of the blocking contour"), head, tuple(rows), f"{key}_lines")
+    if found.low is not None and found.high is not None:
+        span = f"${_text(found.low)} <= x_1 <= {_text(found.high)}$"
+        text = tr("At the sum of shifts {total} the contour admits {span}.")
+        total = f"$x_Sigma = {_text(point.x1 + point.x2)}$"
+        yield Paragraph(text.replace("{total}", total).replace("{span}", span))
+
+
+def _points(found: PairContour, key: str) -> Iterator[Block]:
+    """The points of note beside the chosen one."""
+    if not found.points:
+        return
+    rows = []
+    for point in found.points:
+        values = point.x1, point.x2, point.contact_ratio, *point.tip_thickness, *map(_sliding, point.sliding)
+        name = tr_name(point.name) if point.name == "chosen" else f"{tr_name(point.name)}: {tr_name(point.title)}"
+        rows.append((name, *(decimals(value, PLACES - 1) for value in values)))
+    yield Paragraph(tr("Points of the contour are in table {table}.", table=f"{{tab:{key}_points}}"))
+    yield Table(tr("Points of the blocking contour"), (tr("Point"), *HEADS), tuple(rows), f"{key}_points")
+
+
+def _sliding(theta: float) -> float:
+    """Specific sliding; nan of a flank that would have to begin at its base circle or within it."""
+    return nan if not theta or abs(theta) > UNBOUNDED else theta

@@ -17,6 +17,9 @@ def blocks(order: Order) -> Iterator[Block]:
     shown = [each for each in members(order.results["pair"]) if each.shape != "rack" and fault_of(each) is None]
     if shown:
         yield Heading(tr("Tooth profiles"))
+    told: set[str] = set()
     for k, member in enumerate(shown, 1):
-        yield Heading(tr("Wheel {wheel}", wheel=member.label), 3)
-        yield from tooth(member, f"tooth{k}")
+        name = tr("Wheel {wheel}", wheel=member.name)
+        yield Heading(f"{name} ({member.pair})" if member.pair else name, 3)
+        yield from tooth(member, f"tooth{k}", alike=member.shape in told)
+        told.add(member.shape)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import isfinite
 
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.symbols import canonical
@@ -54,3 +55,10 @@ def shown(given: Given) -> str:
 def shown_unit(unit: str) -> str:
     """A unit as it stands in a cell."""
     return "°" if unit == "deg" else tr_unit(unit)
+
+
+def decimals(value: float, places: int) -> str:
+    """A number with so many decimals; a dash where there is none."""
+    if not isfinite(value):
+        return "–"
+    return tr_number(f"{round(value, places) + 0.0:.{places}f}".replace("-", "−"))

@@ -56,11 +56,24 @@ FILLET = (
 )
 
 
-def tooth(member: Toothed, key: str) -> Iterator[Block]:
-    """The tooth of a wheel that has a profile; nothing of a rack, whose flanks are straight."""
+def tooth(member: Toothed, key: str, *, alike: bool = False) -> Iterator[Block]:
+    """The tooth of a wheel that has a profile; nothing of a rack, whose flanks are straight.
+
+    The formulas are left out where they are ``alike`` to those of a wheel before.
+    """
     tables = None if fault_of(member) is not None else book_tables(member, "tooth", INTERVALS)
     if tables is None:
         return
+    if alike:
+        yield Paragraph(tr("The points are found by the same formulas as those of the wheel before."))
+    else:
+        yield from _formulas(tables)
+    yield from _points(tables, key)
+
+
+def _formulas(tables: BookTables) -> Iterator[Block]:
+    """The ends of the flank, a point of the involute and one of the fillet that a rounding cuts."""
+    member = tables.member
     lexicon, words = named(_quantities(member) | _involute_point(tables)), _words(member)
     places = (Place("", lexicon),)
     yield Paragraph(
@@ -83,7 +96,6 @@ def tooth(member: Toothed, key: str) -> Iterator[Block]:
             lexicon |= named(found)
             yield Paragraph(tr("A point of the fillet:"))
             yield from worked_out(FILLET, places, words)
-    yield from _points(tables, key)
 
 
 def _words(member: Toothed) -> dict[str, str]:
