@@ -67,14 +67,14 @@ def _text(value: float) -> str:
 
 def _distances(found: PairContour, point: ContourPoint, key: str) -> Iterator[Block]:
     """How far the chosen shifts are from every line that bounds them, and how far x1 may go at their sum."""
-    cut = {k for k in ("1", "2") if found.margins[f"undercut{k}"] < 0}
     rows = []
     for name, margin in found.margins.items():
+        kind, wheel = name[:-1], name[-1]
+        cut = found.margins.get(f"undercut{wheel}", 0.0) < 0
         # where a wheel is undercut its flank ends at the fillet, else at the limit point
-        if (name.startswith("tolerated") and name[-1] not in cut) or (name.startswith("interference") and name[-1] in cut):
-            continue
-        line, what = LINES[name]
-        rows.append((line, tr_name(what), decimals(margin, PLACES)))
+        if kind != ("interference" if cut else "tolerated"):
+            line, what = LINES[name]
+            rows.append((line, tr_name(what), decimals(margin, PLACES)))
     said = tr("The distances of the chosen shifts from the lines of the contour are in table {table}.")
     yield Paragraph(said.replace("{table}", f"{{tab:{key}_lines}}"))
     head = tr("Line"), tr("What it is"), tr("Distance")

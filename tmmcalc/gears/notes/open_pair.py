@@ -85,7 +85,9 @@ def _quantities(found: OpenLoad, pair: MeshPair) -> Lexicon:
     }
     if found.torque is None or found.pinion_torque is None or found.tangential is None:
         return quantities
-    assert found.radial is not None and found.axial is not None and found.across is not None
+    assert found.radial is not None
+    assert found.axial is not None
+    assert found.across is not None
     return quantities | {
         "T_b": Given(found.torque, "N*m", tr("largest torque on gear b")),
         "T_a": Given(found.pinion_torque, "N*m", tr("largest torque on pinion a")),
