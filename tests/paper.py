@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
+from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.diagram import Diagram
 from tmmcalc.report.drawing.field import Field
@@ -24,13 +24,13 @@ def diagram(drawing: Drawing, name: str) -> Diagram:
     return found
 
 
-def inside(z: NDArray[np.complex128], box: Box) -> bool:
+def inside(z: Plane, box: Box) -> bool:
     """Whether places on paper lie in a rectangle."""
     wide = (z.real > box.left - NEAR) & (z.real < box.right + NEAR)
     return bool(np.all(wide & (z.imag > box.bottom - NEAR) & (z.imag < box.top + NEAR)))
 
 
-def curves(field: Field, pen: Pen | None = None) -> list[NDArray[np.complex128]]:
+def curves(field: Field, pen: Pen | None = None) -> list[Plane]:
     """Polylines in a field as data (n,), of a pen, or all but frame and grid, in the order in which they are drawn."""
     strokes = [shape for shape in field.drawing.shapes if isinstance(shape, Stroke) and inside(shape.points, field.box)]
     seen = [each for each in strokes if each.pen == pen or (pen is None and each.pen not in OF_THE_FRAME)]
@@ -61,7 +61,7 @@ def frames(drawing: Drawing) -> list[Field]:
     return drawing.fields
 
 
-def data(field: Field, places: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def data(field: Field, places: Plane) -> Plane:
     """Places on paper as data."""
     return np.array([field.data(complex(at)) for at in places])
 

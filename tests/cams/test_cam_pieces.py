@@ -18,6 +18,7 @@ from tmmcalc.core.stage import STAGES, resolve
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec, parse_spec
 from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.field import Field
 from tmmcalc.report.drawing.order import CHOOSE, PHASE, POLYGONS, POSITIONS, Order
 from tmmcalc.report.drawing.pens import DIMENSION, OTHER
 from tmmcalc.report.drawing.scales import ENLARGEMENTS, REDUCTIONS
@@ -113,8 +114,8 @@ def test_the_diagrams_of_the_law_have_their_scale_factors(name: str) -> None:
         assert peak * factor == pytest.approx(exact, rel=1e-3)
 
 
-def _on_paper(drawing: Drawing, field: object) -> list[np.ndarray]:
-    return [s.points for s in drawing.shapes if isinstance(s, Stroke) and inside(s.points, field.box)]  # type: ignore[attr-defined]
+def _on_paper(drawing: Drawing, field: Field) -> list[np.ndarray]:
+    return [s.points for s in drawing.shapes if isinstance(s, Stroke) and inside(s.points, field.box)]
 
 
 def wall_of(drawing: Drawing) -> np.ndarray:

@@ -147,8 +147,8 @@ def test_a_picture_of_a_size_keeps_its_scale(cli: Cli) -> None:
     data = Path("small.pdf").read_bytes()
     assert size(data) == pytest.approx((180, 120), abs=0.01)
     assert cli("plot", "my.toml", "kinematics", "-o", "small.dxf", *flags).code == 0
-    factor = float(re.search(r"= ([0-9.]+) m/mm", dxf_words(Path("small.dxf").read_bytes()))[1])  # type: ignore[index]
-    crank = 0.2 / factor
+    (factor,) = re.findall(r"= ([0-9.]+) m/mm", dxf_words(Path("small.dxf").read_bytes()))
+    crank = 0.2 / float(factor)
     for lines_of in (lines(data), dxf_lines(Path("small.dxf").read_bytes())):
         assert any(abs(abs(line.end - line.start) - crank) < 0.01 for line in lines_of if line.width > 0.3)
 

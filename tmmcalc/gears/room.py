@@ -67,6 +67,7 @@ ROOM = Room(
                 pieces="tmmcalc.gears.pictures.pieces:train",
             ),
             studied=True,
+            chapter="gears",
         ),
         Stage(
             "gearing",
@@ -76,6 +77,7 @@ ROOM = Room(
                 "the scheme to scale, the plan of velocities and the plan of speeds",
                 pieces="tmmcalc.gears.pictures.pieces:gearing",
             ),
+            chapter="gears",
         ),
         Stage(
             "strength",
@@ -84,6 +86,7 @@ ROOM = Room(
             uses=("reduction",),
             reads="read_by_strength",
             wanted="strength",
+            chapter="gears",
         ),
         Stage(
             "criteria",
@@ -94,6 +97,7 @@ ROOM = Room(
                 "inertia against mass with the Pareto front, pairs of criteria, the chosen train to scale",
                 ("--choose",),
             ),
+            chapter="gears",
         ),
         Stage(
             "pair",

@@ -23,6 +23,7 @@ from tmmcalc.report.manuscript import (
     Display,
     Figure,
     Heading,
+    Lexicon,
     Line,
     Listing,
     Paragraph,
@@ -139,10 +140,11 @@ class Assembler:
             yield Equation(parts, lead=place.name)
 
     def _where(self, line: Line) -> Iterator[Written]:
-        """The names that stand for the first time, or for something else than before, with meaning and unit."""
+        """The names that are new, or stand for something else than before; both projections of a vector together."""
+        lexicon = line.places[0].lexicon
         groups: dict[tuple[str, str], list[str]] = {}
-        for key in names(line.formula):
-            _, unit, meaning = line.places[0].lexicon[key]
+        for key in (each for name in names(line.formula) for each in _both(name, lexicon)):
+            _, unit, meaning = lexicon[key]
             if meaning and self._explained.get(key) != (meaning, unit):
                 self._explained[key] = meaning, unit
                 groups.setdefault((meaning, unit), []).append(key)
@@ -172,9 +174,20 @@ def indexed(key: str, index: str) -> str:
     return COUNTER.sub(lambda found: (found[1] or "") + index, key) if index else key
 
 
+def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
+    """A name; of a projection on x or y both, if the other one means the same."""
+    said = lexicon[key]
+    others = {
+        f"{key[:k]}{'y' if letter == 'x' else 'x'}{key[k + 1 :]}" for k, letter in enumerate(key) if letter in "xy"
+    }
+    same = (o for o in others if o in lexicon and (lexicon[o].meaning, lexicon[o].unit) == (said.meaning, said.unit))
+    yield from sorted((key, *same))
+
+
 def _converted(given: Given) -> tuple[Row, ...]:
     """The result in the unit that is asked for in place of its own."""
     unit, factor = printed_as(given.unit)
+    assert isinstance(given.value, float)
     return (with_unit(significant(given.value * factor, RESULT), unit),) if unit != given.unit else ()
 
 

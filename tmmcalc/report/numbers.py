@@ -98,16 +98,17 @@ def scientific(values: Sequence[float], digits: int = 3) -> list[str]:
     return [tr_number(f"{v:.{digits - 1}e}") if v else "0" for v in values]
 
 
-def round_scale(value: float) -> float:
-    """The next scale above, out of a series of round numbers.
+def round_scale(least: float, steps: Sequence[float] = ROUND) -> float:
+    """The next scale above, out of a series of round numbers from 1 to 10.
 
-    >>> round_scale(0.0173), round_scale(0.0)
-    (0.02, 1.0)
+    >>> round_scale(0.0173), round_scale(0.0173, (1, 2.5, 5, 10)), round_scale(0.0)
+    (0.02, 0.025, 1.0)
     """
-    if value <= 0:
+    if least <= 0:
         return 1.0
-    power = 10.0 ** math.floor(math.log10(value))
-    return next(m * power for m in ROUND if m * power >= value * (1 - 1e-9))
+    power = 10.0 ** math.floor(math.log10(least))
+    found = next(step for step in steps if step * power >= least * (1 - 1e-9)) * power
+    return float(f"{found:.3g}")
 
 
 def _exponent(size: float) -> int:

@@ -12,12 +12,14 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.formula.digits import PLAIN, Given, result_of, rounded, value_of
+from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.simplify import ZERO, simplified
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Name
-from tmmcalc.report.language import tr_number, tr_unit
+from tmmcalc.report.language import tr_unit
 from tmmcalc.report.manuscript import Figure, Lexicon, Line, Place, Table
 from tmmcalc.report.printing import printed_as
 from tmmcalc.report.sheets.piece import Piece
@@ -112,21 +114,21 @@ def pictured(piece: Piece, *, key: str = "", wide: float = WIDE) -> Figure:
     """A picture of a sheet at the width of the note, as high as its proportions want."""
     least, good = piece.least, piece.good
     factor = max(wide / good[0], least[1] / good[1])
-    return Figure(piece.heading, piece.draw, (wide, min(factor * good[1], HIGH)), key)
+    return Figure(message(piece.heading), piece.draw, (wide, min(factor * good[1], HIGH)), key)
 
 
 def column_of(values: ArrayLike, digits: int = DIGITS) -> list[str]:
     """Numbers of a column as they are printed: all to one last digit, zero without a sign; a dash where one is nan.
 
-    >>> column_of([1.0, -0.00001, 123.456])
-    ['1.00', '0.00', '123.46']
+    >>> column_of([1.0, -0.00001, -123.456])
+    ['1.00', '0.00', '−123.46']
     """
     numbers = np.asarray(values, dtype=float)
     largest = np.max(np.abs(numbers[np.isfinite(numbers)]), initial=0.0)
     exponent = math.floor(math.log10(largest)) if largest > 0 else 0
     last = exponent - digits + 1
     if PLAIN[0] < exponent < PLAIN[1]:
-        texts = [tr_number(f"{round(each, -last) + 0.0:.{max(0, -last)}f}") for each in numbers]
+        texts = [spelt(f"{round(each, -last) + 0.0:.{max(0, -last)}f}") for each in numbers]
     else:
         texts = [f"${rounded(each, 10.0**last)}$" if math.isfinite(each) else "" for each in numbers]
     return [text if math.isfinite(each) else "–" for text, each in zip(texts, numbers, strict=True)]

@@ -117,7 +117,7 @@ def of_wheels(found: MeshPair) -> list[Parameter]:
     rows += [
         lengths(tr("end of involute"), "$r_F$", [one.form for one in sizes]),
         lengths(tr("active to"), "$r_p$", [one.active for one in sizes]),
-        lengths(tr("thickness"), "$s_n$", [one.thickness for one in sizes]),
+        lengths(tr("tooth thickness"), "$s_n$", [one.thickness for one in sizes]),
         lengths(tr("at the tip"), "$s_{na}$", [one.tip_thickness for one in sizes]),
         lengths(tr("clearance at the root"), "", found.clearances[: len(sizes)]),
     ]

@@ -43,12 +43,12 @@ BEYOND = 0.04  # of the curves of sliding beyond the outermost points, in parts 
 def train(order: Order) -> Iterator[Piece]:
     """The train that was chosen, in motion; without criteria the first set of every variant."""
     for _, found in trains_in_motion(order.spec, order.results, order.choice or 1):
-        yield _moving(found)
+        yield motion_piece(found)
 
 
 def gearing(order: Order) -> Iterator[Piece]:
     """The train that is written out, in motion."""
-    yield _moving(written(order.results["gearing"]))
+    yield motion_piece(written(order.results["gearing"]))
 
 
 def pair(order: Order) -> Iterator[Piece]:
@@ -102,7 +102,8 @@ def contour_of(found: PairContour) -> Piece:
     return Piece(SHEET, heading, partial(_contour, found=found), (290, 185), (310, 195))
 
 
-def _moving(found: Moving) -> Piece:
+def motion_piece(found: Moving) -> Piece:
+    """A train in motion: its scheme, its plans of velocities and of speeds."""
     heading = tr("Gear train") if found.chosen is None else train_name(found.chosen.sets)
     return Piece(SHEET, heading, partial(draw_motion, found=found), (290, 160), (340, 200))
 

@@ -11,6 +11,7 @@ from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.numbers import number
 
+BEHIND = "behind "  # how the name of a mass after a shaft begins
 LEVEL = re.compile(r"-?\d[\d.e+-]*")  # a number of a message
 
 
@@ -69,8 +70,16 @@ def cause_name(name: str) -> str:
         "cam weight": tr("weight on the cam"),
         "cam spring": tr("spring of the cam"),
         "cam friction": tr("friction of the cam"),
+        "balancing moment": tr("balancing moment"),
     }
     return own.get(name) or tr_name(name)
+
+
+def mass_name(name: str) -> str:
+    """A mass of the drive: its ends, or by the shaft before it, as the spec calls it."""
+    if name.startswith(BEHIND):
+        return tr("behind {shaft}", shaft=name.removeprefix(BEHIND))
+    return {"rotor": tr("rotor"), "crank": tr("crank")}.get(name, name)
 
 
 def form_name(kind: str) -> str:

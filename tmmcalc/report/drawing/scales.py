@@ -14,6 +14,7 @@ from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import needed
 from tmmcalc.report.language import tr_number, tr_unit
+from tmmcalc.report.numbers import round_scale
 
 STEPS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0)
 REDUCTIONS = (1.0, 2.0, 2.5, 4.0, 5.0, 10.0, 15.0, 20.0, 25.0, 40.0, 50.0, 75.0, 100.0, 200.0, 400.0, 500.0, 800.0, 1e3)
@@ -29,11 +30,7 @@ def standard_scale(least: float) -> float:
     >>> standard_scale(0.0173), standard_scale(30.0), standard_scale(0.0)
     (0.02, 40.0, 1.0)
     """
-    if least <= 0:
-        return 1.0
-    power = 10.0 ** floor(log10(least))
-    found = next(step for step in STEPS if step * power >= least * (1 - CLOSE)) * power
-    return float(f"{found:.3g}")
+    return round_scale(least, STEPS)
 
 
 def length_scale(least: float) -> float:

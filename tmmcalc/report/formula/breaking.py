@@ -4,22 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tmmcalc.report.formula.layout import (
-    Arrowed,
-    Big,
-    Box,
-    Digits,
-    Fenced,
-    Fraction,
-    Gap,
-    Letter,
-    Marked,
-    Root,
-    Row,
-    Script,
-    Sign,
-    Word,
-)
+from tmmcalc.report.formula import layout
 
 SMALL = 0.7  # size of an index against its letter
 GAP, SPACE = 0.17, 0.56  # a thin space, a relation with its spaces, and such [em]
@@ -27,82 +12,81 @@ WIDE = {"m": 0.88, "w": 0.72, "M": 0.92, "W": 1.03, "i": 0.28, "l": 0.3, "·": 0
 LETTER = 0.57
 
 
-def width(box: Box) -> float:
+def width(box: layout.Box) -> float:
     """About how wide it is [em], rather more than less."""
     match box:
-        case Letter(text) | Word(text) | Digits(text):
+        case layout.Letter(text) | layout.Word(text) | layout.Digits(text):
             return sum(WIDE.get(letter, LETTER) for letter in text)
-        case Sign(text):
+        case layout.Sign(text):
             return {"·": 0.5, ";": 0.5}.get(text, 0.78 + SPACE)
-        case Gap():
+        case layout.Gap():
             return GAP
-        case Row(boxes):
+        case layout.Row(boxes):
             return sum(map(width, boxes))
-        case Fraction(over, under):
+        case layout.Fraction(over, under):
             return max(width(over), width(under)) + 0.2
-        case Marked(inner, mark):
+        case layout.Marked(inner, mark):
             return width(inner) + 0.4 * len(mark)
-        case Root(inner):
+        case layout.Root(inner):
             return width(inner) + 1.0
-        case Script(base, lower, upper, primes):
+        case layout.Script(base, lower, upper, primes):
             below = 0.0 if lower is None else width(lower)
             above = 0.3 * primes + (0.0 if upper is None else width(upper))
             return width(base) + SMALL * max(below, above)
-        case Fenced(inner):
+        case layout.Fenced(inner):
             return width(inner) + 0.9
-        case Big(_, lower, body):
+        case layout.Big(_, lower, body):
             return max(1.5, SMALL * width(lower)) + width(body)
-        case Arrowed(inner):
+        case layout.Arrowed(inner):
             return width(inner) + 0.2
 
 
-def broken(parts: Sequence[Row], wide: float) -> list[Row]:
+def broken(parts: Sequence[layout.Row], wide: float) -> list[layout.Row]:
     """The parts of a line, joined by equality, as rows no wider than ``wide`` [em] as far as they can be broken.
 
-    A row that goes on begins with the sign at which it was broken.
+    A row that goes on begins with the sign at which it was broken; the first part has at least one piece beside it.
     """
-    rows: list[list[Box]] = []
-    free = 0.0
+    rows: list[list[layout.Box]] = []
+    free = wide
     for k, part in enumerate(parts):
-        lead: list[Box] = [Sign("=", main=True)] if k else []
-        for piece in _pieces(Row((*lead, *_flat(part))), wide):
+        lead: list[layout.Box] = [layout.Sign("=", main=True)] if k else []
+        for j, piece in enumerate(_pieces(layout.Row((*lead, *_flat(part))), free if k == 1 else wide)):
             size = sum(map(width, piece))
-            starts = bool(piece) and isinstance(piece[0], Sign) and piece[0].text == "="
-            if rows and size <= free and (not starts or size <= free):
+            if rows and (size <= free or (k == 1 and not j)):
                 rows[-1] += piece
                 free -= size
             else:
                 rows.append(piece)
                 free = wide - size
-    return [Row(tuple(row)) for row in rows]
+    return [layout.Row(tuple(row)) for row in rows]
 
 
-def _flat(part: Row) -> tuple[Box, ...]:
+def _flat(part: layout.Row) -> tuple[layout.Box, ...]:
     """The boxes of a row, those of a single row within it where it is all there is."""
-    while len(part.boxes) == 1 and isinstance(part.boxes[0], Row):
+    while len(part.boxes) == 1 and isinstance(part.boxes[0], layout.Row):
         part = part.boxes[0]
     return part.boxes
 
 
-def _pieces(row: Row, wide: float) -> list[list[Box]]:
+def _pieces(row: layout.Row, wide: float) -> list[list[layout.Box]]:
     """The row whole where it fits; else cut before its main signs, and before the points between factors."""
     if width(row) <= wide:
         return [list(row.boxes)]
-    found: list[list[Box]] = [[]]
+    found: list[list[layout.Box]] = [[]]
     for box in row.boxes:
-        if isinstance(box, Sign) and box.main and found[-1]:
+        if isinstance(box, layout.Sign) and box.main and found[-1]:
             found.append([])
         found[-1].append(box)
     return [part for piece in found for part in _by_factors(piece, wide)]
 
 
-def _by_factors(piece: list[Box], wide: float) -> list[list[Box]]:
+def _by_factors(piece: list[layout.Box], wide: float) -> list[list[layout.Box]]:
     if sum(map(width, piece)) <= wide:
         return [piece]
-    boxes = [each for box in piece for each in (box.boxes if isinstance(box, Row) else (box,))]
-    found: list[list[Box]] = [[]]
+    boxes = [each for box in piece for each in (box.boxes if isinstance(box, layout.Row) else (box,))]
+    found: list[list[layout.Box]] = [[]]
     for box in boxes:
-        if isinstance(box, Sign) and box.text == "·" and sum(map(width, found[-1])) > wide / 2:
+        if isinstance(box, layout.Sign) and box.text == "·" and sum(map(width, found[-1])) > wide / 2:
             found.append([])
         found[-1].append(box)
     return found

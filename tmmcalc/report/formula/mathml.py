@@ -4,26 +4,11 @@ from __future__ import annotations
 
 from xml.sax.saxutils import escape
 
-from tmmcalc.report.formula.layout import (
-    Arrowed,
-    Big,
-    Box,
-    Digits,
-    Fenced,
-    Fraction,
-    Gap,
-    Letter,
-    Marked,
-    Root,
-    Row,
-    Script,
-    Sign,
-    Word,
-)
+from tmmcalc.report.formula import layout
 from tmmcalc.report.formula.setting import spelt
 
 
-def mathml(box: Box) -> str:
+def mathml(box: layout.Box) -> str:
     """Elements for within ``<math>``.
 
     >>> from tmmcalc.report.formula.setting import statement
@@ -33,25 +18,27 @@ def mathml(box: Box) -> str:
 <msub><mi>z</mi><mi mathvariant="normal">1</mi></msub></mrow></mfrac></mrow>'
     """
     match box:
-        case Letter(text):
+        case layout.Letter(text):
             return f"<mi>{escape(text)}</mi>"
-        case Word(text):
+        case layout.Word(text):
             return f'<mi mathvariant="normal">{escape(text)}</mi>'
-        case Digits(text):
+        case layout.Digits(text):
             return f"<mn>{escape(spelt(text))}</mn>"
-        case Sign(text):
+        case layout.Sign(text):
             return f"<mo>{escape(text)}</mo>"
-        case Gap():
+        case layout.Gap():
             return '<mspace width="0.167em"/>'
-        case Row(boxes):
+        case layout.Row(boxes):
             return f"<mrow>{''.join(map(mathml, boxes))}</mrow>"
-        case Fraction(over, under):
+        case layout.Fraction(over, under):
             return f"<mfrac>{mathml(over)}{mathml(under)}</mfrac>"
-        case Marked(inner, mark):
+        case layout.Marked(inner, mark):
             return f"<mrow>{mathml(inner)}<mo lspace='0' rspace='0'>{mark}</mo></mrow>"
-        case Root(inner):
-            return f"<msqrt>{mathml(inner)}</msqrt>"
-        case Script(base, lower, upper, primes):
+        case layout.Root(inner, degree):
+            if degree is None:
+                return f"<msqrt>{mathml(inner)}</msqrt>"
+            return f"<mroot>{mathml(inner)}{mathml(degree)}</mroot>"
+        case layout.Script(base, lower, upper, primes):
             marks = "<mo>" + "′" * primes + "</mo>" if primes else ""
             above = f"<mrow>{marks}{'' if upper is None else mathml(upper)}</mrow>"
             if lower is None:
@@ -59,9 +46,9 @@ def mathml(box: Box) -> str:
             if upper is None and not primes:
                 return f"<msub>{mathml(base)}{mathml(lower)}</msub>"
             return f"<msubsup>{mathml(base)}{mathml(lower)}{above}</msubsup>"
-        case Fenced(inner, opening, closing):
+        case layout.Fenced(inner, opening, closing):
             return f"<mrow><mo>{opening}</mo>{mathml(inner)}<mo>{closing}</mo></mrow>"
-        case Big(sign, lower, body):
+        case layout.Big(sign, lower, body):
             return f"<mrow><munder><mo>{sign}</mo>{mathml(lower)}</munder>{mathml(body)}</mrow>"
-        case Arrowed(inner):
+        case layout.Arrowed(inner):
             return f"<mover>{mathml(inner)}<mo>→</mo></mover>"

@@ -4,29 +4,14 @@ from __future__ import annotations
 
 from xml.sax.saxutils import escape, quoteattr
 
-from tmmcalc.report.formula.layout import (
-    Arrowed,
-    Big,
-    Box,
-    Digits,
-    Fenced,
-    Fraction,
-    Gap,
-    Letter,
-    Marked,
-    Root,
-    Row,
-    Script,
-    Sign,
-    Word,
-)
+from tmmcalc.report.formula import layout
 from tmmcalc.report.formula.setting import spelt
 
 UPRIGHT = '<m:rPr><m:sty m:val="p"/></m:rPr>'
 TEXT = "<m:rPr><m:nor/></m:rPr>"
 
 
-def omml(box: Box) -> str:
+def omml(box: layout.Box) -> str:
     """Elements for within ``<m:oMath>``.
 
     >>> from tmmcalc.report.formula.setting import statement
@@ -36,28 +21,29 @@ def omml(box: Box) -> str:
 </m:num><m:den><m:r><m:rPr><m:sty m:val="p"/></m:rPr><m:t>2</m:t></m:r></m:den></m:f>'
     """
     match box:
-        case Letter(text):
+        case layout.Letter(text):
             return _run(text, "")
-        case Word(text):
+        case layout.Word(text):
             return _run(text, TEXT)
-        case Digits(text):
+        case layout.Digits(text):
             return _run(spelt(text), UPRIGHT)
-        case Sign(text):
+        case layout.Sign(text):
             return _run(text, UPRIGHT)
-        case Gap():
+        case layout.Gap():
             return _run("\u2009", UPRIGHT)
-        case Row(boxes):
+        case layout.Row(boxes):
             return "".join(map(omml, boxes))
-        case Fraction(over, under):
+        case layout.Fraction(over, under):
             return f"<m:f><m:num>{omml(over)}</m:num><m:den>{omml(under)}</m:den></m:f>"
-        case Marked(Digits(text), mark):
+        case layout.Marked(layout.Digits(text), mark):
             return _run(spelt(text) + mark, UPRIGHT)
-        case Marked(inner, mark):
+        case layout.Marked(inner, mark):
             return omml(inner) + _run(mark, UPRIGHT)
-        case Root(inner):
+        case layout.Root(inner, degree):
             hidden = '<m:radPr><m:degHide m:val="1"/></m:radPr><m:deg/>'
-            return f"<m:rad>{hidden}<m:e>{omml(inner)}</m:e></m:rad>"
-        case Script(base, lower, upper, primes):
+            above = hidden if degree is None else f"<m:deg>{omml(degree)}</m:deg>"
+            return f"<m:rad>{above}<m:e>{omml(inner)}</m:e></m:rad>"
+        case layout.Script(base, lower, upper, primes):
             body = f"<m:e>{omml(base)}</m:e>"
             above = _run("′" * primes, UPRIGHT) * bool(primes) + ("" if upper is None else omml(upper))
             if lower is None:
@@ -66,13 +52,13 @@ def omml(box: Box) -> str:
             if not above:
                 return f"<m:sSub>{body}{below}</m:sSub>"
             return f"<m:sSubSup>{body}{below}<m:sup>{above}</m:sup></m:sSubSup>"
-        case Fenced(inner, opening, closing):
+        case layout.Fenced(inner, opening, closing):
             ends = f"<m:begChr m:val={quoteattr(opening)}/><m:endChr m:val={quoteattr(closing)}/>"
             return f"<m:d><m:dPr>{ends}</m:dPr><m:e>{omml(inner)}</m:e></m:d>"
-        case Big(sign, lower, body):
+        case layout.Big(sign, lower, body):
             kind = f'<m:naryPr><m:chr m:val={quoteattr(sign)}/><m:supHide m:val="1"/></m:naryPr>'
             return f"<m:nary>{kind}<m:sub>{omml(lower)}</m:sub><m:sup/><m:e>{omml(body)}</m:e></m:nary>"
-        case Arrowed(inner):
+        case layout.Arrowed(inner):
             return f'<m:acc><m:accPr><m:chr m:val="⃗"/></m:accPr><m:e>{omml(inner)}</m:e></m:acc>'
 
 
