@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 from math import nan
 
 from tmmcalc.gears.involute.contour.task import LINES
 from tmmcalc.gears.meshing.contours import UNBOUNDED, ContourPoint, PairContour
 from tmmcalc.gears.notes.pairs.tables import decimals
-from tmmcalc.gears.pictures.contourlines import chosen
-from tmmcalc.gears.pictures.pieces import contour_of
+from tmmcalc.gears.pictures.contourlines import Stroke, chosen, number_of
+from tmmcalc.gears.pictures.contourplane import draw_plane
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
 from tmmcalc.report.numbers import number
-from tmmcalc.report.telling import pictured
+from tmmcalc.report.telling import WIDE
 
 HEADS = "$x_1$", "$x_2$", "$eps_alpha$", "$s_a1/m$", "$s_a2/m$", "$theta_1$", "$theta_2$"
+SIZE = WIDE, 150.0  # of the picture [mm]
 PLACES = 4  # decimals of shifts and distances
 
 
@@ -29,36 +33,45 @@ def blocks(order: Order) -> Iterator[Block]:
 
 def _contour(found: PairContour, key: str) -> Iterator[Block]:
     title = tr("Blocking contour of the pair {teeth}", teeth="/".join(map(str, found.teeth)))
-    yield Heading(f"{title} ({found.name})" if found.name else title)
+    yield Heading(f"{title} ({tr_name(found.name)})" if found.name else title)
     limits = f"$eps_alpha >= {number(found.contact_ratio)}$, $s_a >= {number(found.thickness)}*m$"
     if not found.thickness:
         limits = f"$eps_alpha >= {number(found.contact_ratio)}$, $s_a >= 0$"
     said = tr(
-        "The contour in figure {figure} bounds the shifts at which the pair works without interference, {limits}."
+        "The contour in figure {figure} bounds the shifts at which the pair works without interference, {limits}; "
+        "table {table} says what its lines are.",
+        figure=f"{{fig:{key}}}",
+        limits=limits,
+        table=f"{{tab:{key}_numbers}}",
     )
-    yield Paragraph(said.replace("{figure}", f"{{fig:{key}}}").replace("{limits}", limits))
-    yield _drawn(found, key)
+    yield Paragraph(said)
+    yield from _drawn(found, key)
     if (point := chosen(found)) is not None:
         yield Paragraph(_standing(point))
         yield from _distances(found, point, key)
     yield from _points(found, key)
 
 
-def _drawn(found: PairContour, key: str) -> Figure:
-    """The contour with its key."""
-    return pictured(contour_of(found), key=key)._replace(caption=tr("Blocking contour"))
+def _drawn(found: PairContour, key: str) -> Iterator[Block]:
+    """The contour, and the lines that are seen in it by their numbers."""
+    yield Figure(tr("Blocking contour"), partial(draw_plane, pair=found), SIZE, key)
+    rows = tuple((stroke.number, stroke.text) for stroke in _seen(found) if stroke.number)
+    yield Table(tr("Lines of the blocking contour"), (tr("Line"), tr("What it is")), rows, f"{key}_numbers")
+
+
+def _seen(found: PairContour) -> Sequence[Stroke]:
+    """The lines that the picture shows."""
+    return draw_plane(Drawing(*SIZE, ""), Box(0.0, 0.0, *SIZE), found)
 
 
 def _standing(point: ContourPoint) -> str:
     """Whether the contour holds the chosen shifts."""
     place = f"$x_1 = {_text(point.x1)}$, $x_2 = {_text(point.x2)}$"
     if point.strict:
-        said = tr("The chosen shifts {place} lie within the contour without undercut.")
-    elif point.tolerated:
-        said = tr("The chosen shifts {place} lie where undercut leaves the active flanks whole.")
-    else:
-        said = tr("The chosen shifts {place} lie outside the contour.")
-    return said.replace("{place}", place)
+        return tr("The chosen shifts {place} lie within the contour without undercut.", place=place)
+    if point.tolerated:
+        return tr("The chosen shifts {place} lie where undercut leaves the active flanks whole.", place=place)
+    return tr("The chosen shifts {place} lie outside the contour.", place=place)
 
 
 def _text(value: float) -> str:
@@ -67,23 +80,24 @@ def _text(value: float) -> str:
 
 def _distances(found: PairContour, point: ContourPoint, key: str) -> Iterator[Block]:
     """How far the chosen shifts are from every line that bounds them, and how far x1 may go at their sum."""
-    rows = []
+    rows, seen = [], _seen(found)
     for name, margin in found.margins.items():
         kind, wheel = name[:-1], name[-1]
         cut = found.margins.get(f"undercut{wheel}", 0.0) < 0
         # where a wheel is undercut its flank ends at the fillet, else at the limit point
         if kind != ("interference" if cut else "tolerated"):
-            line, what = LINES[name]
-            rows.append((line, tr_name(what), decimals(margin, PLACES)))
-    said = tr("The distances of the chosen shifts from the lines of the contour are in table {table}.")
-    yield Paragraph(said.replace("{table}", f"{{tab:{key}_lines}}"))
+            rows.append((number_of(found, name, seen), tr_name(LINES[name][1]), decimals(margin, PLACES)))
+    said = tr(
+        "The distances of the chosen shifts from the lines of the contour are in table {table}.",
+        table=f"{{tab:{key}_lines}}",
+    )
+    yield Paragraph(said)
     head = tr("Line"), tr("What it is"), tr("Distance")
     yield Table(tr("Distances from the lines of the blocking contour"), head, tuple(rows), f"{key}_lines")
     if found.low is not None and found.high is not None:
         span = f"${_text(found.low)} <= x_1 <= {_text(found.high)}$"
-        text = tr("At the sum of shifts {total} the contour admits {span}.")
         total = f"$x_Sigma = {_text(point.x1 + point.x2)}$"
-        yield Paragraph(text.replace("{total}", total).replace("{span}", span))
+        yield Paragraph(tr("At the sum of shifts {total} the contour admits {span}.", total=total, span=span))
 
 
 def _points(found: PairContour, key: str) -> Iterator[Block]:

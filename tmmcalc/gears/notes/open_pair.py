@@ -37,14 +37,16 @@ def blocks(order: Order) -> Iterator[Block]:
     yield Heading(tr("Open pair on the crank"))
     yield Paragraph(tr("Pinion a stands on the output shaft of the reducer, gear b on the crank."))
     yield from lines((RATIO,), (place,))
-    said = tr("The efficiency of the pair is {efficiency} ({origin}).", origin=tr_name(found.efficiency_of))
-    yield Paragraph(said.replace("{efficiency}", f"$eta = {number(found.efficiency)}$"))
+    efficiency, origin = f"$eta = {number(found.efficiency)}$", tr_name(found.efficiency_of)
+    yield Paragraph(tr("The efficiency of the pair is {efficiency} ({origin}).", efficiency=efficiency, origin=origin))
     if found.inertia_of == BY_SIZES:
         yield Paragraph(tr("The moments of inertia of the wheels are those of their sizes; reduced to the crank"))
         yield from lines((INERTIA,), (place,))
     else:
-        said = tr("The moment of inertia of the pair reduced to the crank is given, {inertia}.")
-        yield Paragraph(said.replace("{inertia}", f"$J_ab = {number(found.inertia)}$ {tr_unit('kg*m^2')}"))
+        given = f"$J_ab = {number(found.inertia)}$ {tr_unit('kg*m^2')}"
+        yield Paragraph(
+            tr("The moment of inertia of the pair reduced to the crank is given, {inertia}.", inertia=given)
+        )
     if found.torque is None:
         yield Paragraph(tr("Nothing loads the crank: the forces in the mesh are not known."))
         return

@@ -8,7 +8,7 @@ from tmmcalc.gears.meshing.halftooth import fault_of
 from tmmcalc.gears.meshing.members import members
 from tmmcalc.gears.notes.pairs.tooth import tooth
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Heading
 
 
@@ -20,6 +20,6 @@ def blocks(order: Order) -> Iterator[Block]:
     told: set[str] = set()
     for k, member in enumerate(shown, 1):
         name = tr("Wheel {wheel}", wheel=member.name)
-        yield Heading(f"{name} ({member.pair})" if member.pair else name, 3)
+        yield Heading(f"{name} ({tr_name(member.pair)})" if member.pair else name, 3)
         yield from tooth(member, f"tooth{k}", alike=member.shape in told)
         told.add(member.shape)

@@ -16,7 +16,7 @@ from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Lexicon, Paragraph, Table
 from tmmcalc.report.telling import filled, number_of
 
-FIGURES = 5  # digits of a side
+FIGURES = 4  # digits of a side
 NOTHING = 1e-9  # that rounding leaves of a side
 
 
