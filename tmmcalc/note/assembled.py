@@ -135,19 +135,27 @@ class Assembler:
             numbers = setting.side(found.tree, found.shown)
             result = with_unit(found.result, given.unit)
             same = not found.shown or plain(numbers) == plain(result.boxes[0])
-            own = setting.side(_indexed(left, place.index))
-            parts = (own, *(() if same else (numbers,)), result, *_converted(given))
+            parts = (
+                setting.side(_indexed(left, place.index)),
+                *(() if same else (numbers,)),
+                result,
+                *_converted(given),
+            )
             yield Equation(parts, lead=place.name)
 
     def _where(self, line: Line) -> Iterator[Written]:
-        """The names that are new, or stand for something else than before; both projections of a vector together."""
+        """The names that stand for the first time, or for something else than before, with meaning and unit.
+
+        Both projections of a vector stand together.
+        """
         lexicon = line.places[0].lexicon
         groups: dict[tuple[str, str], list[str]] = {}
-        for key in (each for name in names(line.formula) for each in _both(name, lexicon)):
+        for key in names(line.formula):
             _, unit, meaning = lexicon[key]
             if meaning and self._explained.get(key) != (meaning, unit):
-                self._explained[key] = meaning, unit
-                groups.setdefault((meaning, unit), []).append(key)
+                for each in _both(key, lexicon):
+                    self._explained[each] = meaning, unit
+                    groups.setdefault((meaning, unit), []).append(each)
         parts: list[str | Box] = []
         for k, ((meaning, unit), keys) in enumerate(groups.items()):
             parts.append("; " if k else tr("where") + " ")
@@ -156,6 +164,16 @@ class Assembler:
             parts.append(f" – {meaning}" + (f", {shown_unit(unit)}" if unit else ""))
         if parts:
             yield Text((*parts, "."))
+
+
+def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
+    """A name; of a projection on x or y both, if the other one means the same."""
+    said = lexicon[key]
+    others = {
+        f"{key[:k]}{'y' if letter == 'x' else 'x'}{key[k + 1 :]}" for k, letter in enumerate(key) if letter in "xy"
+    }
+    same = (o for o in others if o in lexicon and (lexicon[o].meaning, lexicon[o].unit) == (said.meaning, said.unit))
+    yield from sorted((key, *same))
 
 
 def _indexed(node: Node, index: str) -> Node:
@@ -172,16 +190,6 @@ def indexed(key: str, index: str) -> str:
     ('r_a2', 'W_1^{*}', 'x_{min,2}', 'phi')
     """
     return COUNTER.sub(lambda found: (found[1] or "") + index, key) if index else key
-
-
-def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
-    """A name; of a projection on x or y both, if the other one means the same."""
-    said = lexicon[key]
-    others = {
-        f"{key[:k]}{'y' if letter == 'x' else 'x'}{key[k + 1 :]}" for k, letter in enumerate(key) if letter in "xy"
-    }
-    same = (o for o in others if o in lexicon and (lexicon[o].meaning, lexicon[o].unit) == (said.meaning, said.unit))
-    yield from sorted((key, *same))
 
 
 def _converted(given: Given) -> tuple[Row, ...]:
@@ -222,8 +230,9 @@ def _answered(lines: Sequence[Line]) -> Table:
             given = places[0].lexicon[left.key]
             found = {place.name: f"${_result(line, place)}$" for place in places}
             unit = shown_unit(printed_as(given.unit)[0])
-            cells = (found.get(name, "") for name in names)
-            rows.append((f"${indexed(left.key, index)}$", given.meaning, unit, *cells))
+            rows.append(
+                (f"${indexed(left.key, index)}$", given.meaning, unit, *(found.get(name, "") for name in names))
+            )
     values = [name or tr("Value") for name in names]
     return Table(tr("Results"), (tr("Designation"), tr("Quantity"), tr("Unit"), *values), tuple(rows))
 

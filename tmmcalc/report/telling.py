@@ -102,12 +102,21 @@ def tabulated(
 
     ``columns`` are headed by what they are, ``"$phi_3$, deg"`` with the unit of the values after the comma.
     """
-    found = {head: list(labels)}
-    for name, values in columns.items():
-        what, comma, own = name.partition(", ")
-        unit, factor = printed_as(own)
-        found[what + (comma and f", {tr_unit(unit)}")] = column_of(np.asarray(values, dtype=float) * factor)
+    found = {head: list(labels), **dict(column(name, values) for name, values in columns.items())}
     return Table(caption, tuple(found), tuple(zip(*found.values(), strict=True)), key)
+
+
+def column(name: str, values: ArrayLike, digits: int = DIGITS) -> tuple[str, list[str]]:
+    """The head and the cells of a column ``"$phi_3$, deg"`` in the unit in which it is printed."""
+    what, comma, own = name.partition(", ")
+    unit, factor = printed_as(own)
+    return headed(f"{what}{comma}{unit}"), column_of(np.asarray(values, dtype=float) * factor, digits)
+
+
+def headed(head: str) -> str:
+    """The head of a column with its unit, after a comma, in the language in force."""
+    name, comma, unit = head.partition(", ")
+    return name + (comma and f", {tr_unit(unit)}")
 
 
 def pictured(piece: Piece, *, key: str = "", wide: float = WIDE) -> Figure:

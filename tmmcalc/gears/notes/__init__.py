@@ -1,1 +1,1 @@
-"""What the note tells of gears: a module for each stage, and what several of them share."""
+"""What the note says of gears: trains with their strength and choice, pairs, contours, profiles, wheels alone."""

@@ -27,7 +27,7 @@ def blocks(order: Order) -> Iterator[Block]:
     )
     columns = {
         "$u$": [each.ratio for each in rounds],
-        "$eta_g$": [each.efficiency for each in rounds],
+        "$eta_u$": [each.efficiency for each in rounds],
         "$J_g$, kg*m^2": [each.inertia for each in rounds],
     }
     labels = [f"{each.motor}, {each.train}" if each.train else each.motor for each in rounds]

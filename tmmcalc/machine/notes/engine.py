@@ -20,10 +20,9 @@ from tmmcalc.report.numbers import NOISE
 from tmmcalc.report.telling import WIDE, lines, named, tabulated, vector
 
 HIGH = 130.0  # of the picture [mm]
-PLANE = (  # of a shaft: the weight in one plane, by the other
-    "U_{<k>,<p>x} = -((z_<q> - z_0)*F_{<k>,x} - C_{<k>,x})/((z_<q> - z_<p>)*<rate>**2)",
-    "U_{<k>,<p>y} = -((z_<q> - z_0)*F_{<k>,y} - C_{<k>,y})/((z_<q> - z_<p>)*<rate>**2)",
-    "U_{<k>,<p>} = sqrt(U_{<k>,<p>x}**2 + U_{<k>,<p>y}**2)",
+PLANES = (  # of a shaft: the projections of its weights
+    "U_{<k>,I%} = -((z_II - z_0)*F_{<k>,%} - C_{<k>,%})/((z_II - z_I)*<rate>**2)",
+    "U_{<k>,II%} = -((z_0 - z_I)*F_{<k>,%} + C_{<k>,%})/((z_II - z_I)*<rate>**2)",
 )
 
 
@@ -56,7 +55,7 @@ def _cylinders_table(cylinders: Sequence[Cylinder]) -> Block:
     columns = {
         "$z_j$, m": [each.position_along_shaft for each in cylinders],
         "$gamma_j$, deg": [math.degrees(each.axis_angle) for each in cylinders],
-        "$psi_j$, deg": [math.degrees(each.crank_angle) for each in cylinders],
+        "$psi_j$, deg": [_within_turn(each.crank_angle) for each in cylinders],
         "$r$, m": [each.crank_radius for each in cylinders],
         "$l$, m": [each.rod_length for each in cylinders],
         "$m_r$, kg": [each.reciprocating_mass for each in cylinders],
@@ -65,6 +64,11 @@ def _cylinders_table(cylinders: Sequence[Cylinder]) -> Block:
     labels = [str(k) for k in range(1, len(cylinders) + 1)]
     caption = tr("Cylinders: place, angles of axis and crank, sizes, reciprocating and rotating masses")
     return tabulated(caption, columns, labels, head="$j$", key="engine_cylinders")
+
+
+def _within_turn(angle: float) -> float:
+    """An angle [rad] in degrees from -180 to 180, but for whole turns."""
+    return round(math.degrees(math.remainder(angle, 2 * math.pi)), 9)
 
 
 def _orders_table(balance: EngineBalance) -> Block:
@@ -103,7 +107,7 @@ def _alike(cylinders: Sequence[Cylinder]) -> bool:
 def _quantities(cylinders: Sequence[Cylinder], balance: EngineBalance) -> Lexicon:
     return named(
         {
-            "psi_j": Given([math.degrees(each.crank_angle) for each in cylinders], "deg", tr("angle of the crank")),
+            "psi_j": Given([_within_turn(each.crank_angle) for each in cylinders], "deg", tr("angle of the crank")),
             "z_j": Given([each.position_along_shaft for each in cylinders], "m", tr("place of the cylinder")),
             "z_0": Given(balance.reference, "m", tr("middle of the engine")),
             "n_c": Given(float(len(cylinders)), "", tr("number of cylinders")),
@@ -172,7 +176,9 @@ def _shaft_lines(balance: EngineBalance, shaft: ShaftWeights, lexicon: Lexicon) 
     said = {"order": signed(k)}
     force, couple = balance.force.coefficient(k), balance.couple.coefficient(k)
     found = {
-        **vector(f"F_{{{k},%}}", _clean(force, balance.scales[0]), "N", tr("force that turns with order {order}", **said)),
+        **vector(
+            f"F_{{{k},%}}", _clean(force, balance.scales[0]), "N", tr("force that turns with order {order}", **said)
+        ),
         **vector(
             f"C_{{{k},%}}", _clean(couple, balance.scales[1]), "N*m", tr("couple that turns with order {order}", **said)
         ),
@@ -181,12 +187,13 @@ def _shaft_lines(balance: EngineBalance, shaft: ShaftWeights, lexicon: Lexicon) 
     for p, plane, moment in zip(("I", "II"), shaft.planes, shaft.moments, strict=True):
         of = tr("static moment of the weight in plane {plane}", plane=p)
         found[f"z_{p}"] = Given(plane, "m", tr("place of the plane"))
-        found |= vector(f"U_{{{k},{p}%}}", _clean(moment, peak), "kg*m", of)
+        found |= vector(f"U_{{{k},{p}%}}", _clean(moment, peak), "kg*m", tr("projection of this static moment"))
         found[f"U_{{{k},{p}}}"] = Given(abs(moment), "kg*m", of)
     lexicon |= named(found)
-    rate = "omega" if abs(k) == 1 else f"({abs(k)}*omega)"
-    for p, q in (("I", "II"), ("II", "I")):
-        yield from lines(PLANE, [Place("", lexicon)], {"k": str(k), "p": p, "q": q, "rate": rate})
+    words = {"k": str(k), "rate": "omega" if abs(k) == 1 else f"({abs(k)}*omega)"}
+    for text, p in zip(PLANES, ("I", "II"), strict=True):
+        size = f"U_{{<k>,{p}}} = sqrt(U_{{<k>,{p}x}}**2 + U_{{<k>,{p}y}}**2)"
+        yield from lines([text.replace("%", "x"), text.replace("%", "y"), size], [Place("", lexicon)], words)
 
 
 def _clean(value: complex, peak: float) -> complex:

@@ -105,7 +105,7 @@ def of_form(kind: CharacteristicKind, motor: Motor, power: Power) -> Iterator[Bl
     curve = driver_of(motor, kind, power.duty.ratio, power.line.efficiency).characteristic
     yield Paragraph(_said(kind, motor))
     texts, laws = LAWS[_form(kind, motor)]
-    lexicon = named({**_given(motor, power), **_coefficients(kind, motor, curve, power)})
+    lexicon = named({**motor_data(motor, power), **_coefficients(kind, motor, curve, power)})
     yield from lines(texts, [Place("", lexicon)])
     if kind == "table":
         speeds = np.array([speed for speed, _ in motor.points]) / power.duty.ratio
@@ -164,7 +164,7 @@ def _said(kind: CharacteristicKind, motor: Motor) -> str:
     }[kind]
 
 
-def _given(motor: Motor, power: Power) -> Lexicon:
+def motor_data(motor: Motor, power: Power) -> Lexicon:
     """What is known of the motor and of the gears."""
     assert power.duty is not None
     no_load = _no_load(motor, tr("synchronous speed of the motor"), tr("speed of the motor without load"))
@@ -181,10 +181,11 @@ def _given(motor: Motor, power: Power) -> Lexicon:
         "eta_M": (motor.efficiency, "", tr("efficiency of the motor")),
     }
     found = {key: Given(value, *told) for key, (value, *told) in known.items() if value is not None}
-    return {**found, "eta_u": _losses(power)}
+    return {**found, "eta_u": losses(power)}
 
 
-def _losses(power: Power) -> Given:
+def losses(power: Power) -> Given:
+    """The efficiency of the gears."""
     return Given(power.line.efficiency, "", tr("efficiency of the gears between the motor and the input shaft"))
 
 

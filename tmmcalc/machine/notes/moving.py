@@ -20,7 +20,7 @@ from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Lexicon, Place
-from tmmcalc.report.telling import named, vector
+from tmmcalc.report.telling import STILL, named, vector
 
 
 class Mass(NamedTuple):
@@ -61,10 +61,17 @@ class Moving(NamedTuple):
         return f"{'omega' if self.kinematics.turns else 'v'}_{self.link}"
 
     @property
+    def acceleration(self) -> str:
+        """The name of its acceleration."""
+        return f"{'eps' if self.kinematics.turns else 'a'}_{self.link}"
+
+    @property
     def places(self) -> list[Place]:
         """The positions as places of lines."""
         labels = (self.kinematics.labels[row] for row in self.rows)
-        return [Place(tr("in position {label}", label=label), own) for label, own in zip(labels, self.lexicons)]
+        return [
+            Place(tr("in position {label}", label=label), own) for label, own in zip(labels, self.lexicons, strict=True)
+        ]
 
     def timed(self, at: Point) -> tuple[Plane, Plane, Plane]:
         """A point (n,) in time: place [m], velocity [m/s], acceleration [m/s^2]."""
@@ -83,7 +90,8 @@ class Moving(NamedTuple):
                 ("a", "m/s^2", second, tr("projection of the acceleration of {point}", point=name)),
             ):
                 key = f"{letter}_{{{name}%}}" if letter else f"%_{{{name}}}"
-                lexicon |= named(vector(key, complex(value), unit, meaning))
+                parts = complex(cleaned(value.real), cleaned(value.imag))
+                lexicon |= named(vector(key, parts, unit, meaning))
 
     def turning(self, link: int) -> None:
         """Put angular velocity and acceleration of a link into the lexicons."""
@@ -91,19 +99,19 @@ class Moving(NamedTuple):
             self.give("omega_0", 0.0, "rad/s")
             return
         motion, result = self.configuration.motions[link], self.kinematics
-        omega, eps = (np.broadcast_to(each, len(self.rows)) for each in result.in_time(motion.omega, motion.eps))
-        for lexicon, first, second in zip(self.lexicons, omega, eps, strict=True):
-            lexicon[f"omega_{link}"] = Given(
-                float(first), "rad/s", tr("angular velocity of link {link}", link=link)
-            )
-            lexicon[f"eps_{link}"] = Given(
-                float(second), "rad/s^2", tr("angular acceleration of link {link}", link=link)
-            )
+        omega, eps = result.in_time(motion.omega, motion.eps)
+        self.give(f"omega_{link}", omega, "rad/s", tr("angular velocity of link {link}", link=link))
+        self.give(f"eps_{link}", eps, "rad/s^2", tr("angular acceleration of link {link}", link=link))
 
     def give(self, key: str, values: Real | float, unit: str, meaning: str = "") -> None:
         """Put a quantity (n,) into the lexicons."""
         for lexicon, value in zip(self.lexicons, np.broadcast_to(values, len(self.rows)), strict=True):
-            lexicon |= named({key: Given(float(value), unit, meaning)})
+            lexicon |= named({key: Given(cleaned(value), unit, meaning)})
+
+
+def cleaned(value: float) -> float:
+    """A value, zero where it is nothing."""
+    return float(value) if abs(value) > STILL else 0.0
 
 
 def rows_shown(order: Order, mechanism: Mechanism) -> Sequence[int]:
@@ -119,7 +127,7 @@ def moving(scene: Scene, kinematics: Kinematics, rows: Sequence[int], configurat
         found.turning(found.link)
     else:
         found.give(found.rate, kinematics.speed, "m/s", tr("velocity of the input link"))
-        found.give(f"eps_{found.link}", kinematics.acceleration, "m/s^2", tr("acceleration of the input link"))
+        found.give(found.acceleration, kinematics.acceleration, "m/s^2", tr("acceleration of the input link"))
     return found
 
 

@@ -20,20 +20,19 @@ from tmmcalc.linkage.forces.friction import size_of
 from tmmcalc.linkage.forces.further import FRICTION_REDUCED
 from tmmcalc.linkage.forces.kinetostatics import Reaction
 from tmmcalc.linkage.forces.wrench import Slideway, sliding
-from tmmcalc.linkage.freebody import Acting
 from tmmcalc.linkage.loading import Load, Loading, Pair
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.loads.sources import Place, same_place
 from tmmcalc.linkage.model import FRAME, Joint
-from tmmcalc.linkage.notes.forces import key_of, part_of
 from tmmcalc.linkage.notes.group import plain_name
+from tmmcalc.linkage.notes.statics.loaded import force_key
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.machine.attached import Attached
 from tmmcalc.machine.notes.moving import Mass, Moving, masses_of, moving, point_name, rows_shown
+from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.reduction.causes import Causes, causes_of
 from tmmcalc.machine.reduction.inertia import lumped
 from tmmcalc.machine.reduction.results import Contribution, Reduction
-from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.stages.reduction import further, inputs
 from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.language import tr, tr_name
@@ -49,6 +48,8 @@ OWN = {  # indices of the causes that the program names
     "cam spring": "cs",
     "cam friction": "cF",
 }
+
+
 class Names(NamedTuple):
     """What reduced quantities are called in formulas."""
 
@@ -90,11 +91,6 @@ def index_of(contribution: Contribution) -> str:
     return f"{found},d" if contribution.kind == "damper" else found
 
 
-def load_key(name: str) -> str:
-    """The name of a load in formulas: ``Q_5`` of ``Q5``."""
-    return key_of(Acting(name, "", "load", 0, 0j, 0j))
-
-
 class Reducing(NamedTuple):
     """A linkage at the chosen positions with everything that is reduced there."""
 
@@ -118,7 +114,7 @@ class Reducing(NamedTuple):
 
     def lines(self, *texts: str) -> Iterator[Line]:
         """The formulas worked out at the positions; ``<w>`` is the speed of the input."""
-        return lines(texts, self.moving.places, {"w": self.moving.rate, "eps": f"eps_{self.moving.link}"})
+        return lines(texts, self.moving.places, {"w": self.moving.rate, "eps": self.moving.acceleration})
 
 
 def reducing(order: Order) -> Reducing:
@@ -194,7 +190,7 @@ def moment_lines(told: Reducing) -> Iterator[Block]:
 
 def _load_line(told: Reducing, load: Load) -> str:
     """A load by its projections and the velocity of its point, a moment by the angular velocity of its link."""
-    moving, key = told.moving, load_key(load.name)
+    moving, key = told.moving, force_key(load.name)
     motions, value = moving.configuration.motions, told.columns[f"load_{load.name}"][told.rows]
     left = f"{told.names.moment}_{{{plain_name(load.name)}}}"
     if load.kind == "moment":
@@ -206,14 +202,14 @@ def _load_line(told: Reducing, load: Load) -> str:
     point = point_name(moving.mechanism, load.link, load.point, plain_name(load.name))
     moving.point(point, at)
     force = value * load.direction * motions[load.follows].u
-    moving.give(part_of(key, "x"), force.real, "N", tr("given load"))
-    moving.give(part_of(key, "y"), force.imag, "N", tr("given load"))
+    moving.give(force_key(load.name, "x"), force.real, "N", tr("given load"))
+    moving.give(force_key(load.name, "y"), force.imag, "N", tr("given load"))
     rates = {axis: f"v_{{{point}{axis}}}" for axis in "xy"}
     if load.against != FRAME:
         other = f"{point}{load.against}"
         moving.point(other, same_place(motions[load.against], at))
         rates = {axis: f"({rate} - v_{{{other}{axis}}})" for axis, rate in rates.items()}
-    return f"{left} = ({' + '.join(f'{part_of(key, axis)}*{rate}' for axis, rate in rates.items())})/<w>"
+    return f"{left} = ({' + '.join(f'{force_key(load.name, axis)}*{rate}' for axis, rate in rates.items())})/<w>"
 
 
 def _weight_line(told: Reducing) -> str:

@@ -10,8 +10,8 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tmmcalc.core.plane import Real
 from tmmcalc.core.numerics.simpson import simpson_weights
+from tmmcalc.core.plane import Real
 from tmmcalc.machine.notes.reducing import Names, inertia_lines, moment_lines, reducing
 from tmmcalc.machine.pictures.pieces import of_reduction
 from tmmcalc.machine.pictures.words import cause_name
@@ -24,10 +24,11 @@ from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
 from tmmcalc.report.numbers import NOISE
-from tmmcalc.report.telling import column_of, headed, lines, named, pictured, tabulated
+from tmmcalc.report.telling import column, lines, named, pictured, tabulated
 
 POWER = "<M>*<w> = sum(F_i*v_i*cos(alpha_i), i) + sum(M_i*omega_i, i)"
 ENERGY = "<J>*<w>**2/2 = sum(m_i*v_{Si}**2/2 + J_{Si}*omega_i**2/2, i)"
+CANCELLED = 1e-5  # of the largest sum of ordinates: a work that is nothing but what Simpson's rule leaves
 SIMPSON = "A^S = h/3*(Y_0 + 4*Y_1 + 2*Y_2)"
 
 
@@ -130,17 +131,34 @@ def _by_simpson(result: Reduction, names: Names) -> Iterator[Block]:
         )
     )
     weights = simpson_weights(len(result.phi))
-    columns = [column_of(np.append(each, each.sum())) for each in weights * result.moment]
-    cells = zip([*result.labels, tr("Sum")], [*map(str, weights.astype(int)), "–"], *columns, strict=True)
-    head = (tr("Position"), "$k_i$", *(headed(f"$k_i*{key}$, {names.unit}") for key in keys.values()))
+    columns = [
+        column(f"$k_i*{key}$, {names.unit}", np.append(each, each.sum()))
+        for key, each in zip(keys.values(), weights * result.moment, strict=True)
+    ]
+    cells = zip(
+        [*result.labels, tr("Sum")], [*map(str, weights.astype(int)), "–"], *(each for _, each in columns), strict=True
+    )
+    head = (tr("Position"), "$k_i$", *(each for each, _ in columns))
     yield Table(tr("Ordinates of Simpson's rule"), head, tuple(cells), "reduction_simpson")
-    places = [Place(cause_name(each.name), _sums(found[key])) for key, each in zip(keys, result.contributions)]
-    yield from lines([SIMPSON], places)
+    some = {
+        key: cause_name(each.name)
+        for key, each in zip(keys, result.contributions, strict=True)
+        if abs(found[key].work) > CANCELLED * found[key].step * _largest(found[key])
+    }
+    if some:
+        yield from lines([SIMPSON], [Place(name, _sums(found[key])) for key, name in some.items()])
+    if len(some) < len(keys):
+        left = ", ".join(f"${name}$" for key, name in keys.items() if key not in some)
+        yield Paragraph(tr("The ordinates of {names} cancel: their work is zero.", names=left))
+
+
+def _largest(found: Ordinates) -> float:
+    return max(abs(found.ends), abs(found.odd), abs(found.even))
 
 
 def _sums(found: Ordinates) -> Lexicon:
     """The sums of one cause; what is rounding of its ordinates is nothing."""
-    noise = NOISE * max(abs(found.ends), abs(found.odd), abs(found.even))
+    noise = NOISE * _largest(found)
     ends, odd, even = (each if abs(each) > noise else 0.0 for each in (found.ends, found.odd, found.even))
     return named(
         {

@@ -184,12 +184,14 @@ def _grade(rotor: Rotor, grades: Sequence[RotorVerdict], place: Place) -> Iterat
     speed = "omega" if rotor.speed > 0 else "abs(omega)"
     yield from lines([f"U_p = G*m/(1000*{speed})", *_shares(rotor)], [place])
     yield Paragraph(tr("The unbalance in the plane of a bearing is its load over $omega**2$; table {tab:rotor_grade}."))
-    states = (tr("as it is"), tr("one plane"), tr("two planes"))
-    parts = ([_told(each.part_a, 100.0) for each in grades], [_told(each.part_b, 100.0) for each in grades])
-    verdicts = [tr("holds") if each.passed else tr("fails") for each in grades]
-    head = (tr("State"), "$U_A/U_{pA}$, %", "$U_B/U_{pB}$, %", tr("Condition"))
-    cells = tuple(zip(states, *map(column_of, parts), verdicts, strict=True))
-    yield Table(tr("Unbalance against the permissible one"), head, cells, "rotor_grade")
+    found = {
+        tr("State"): [tr("as it is"), tr("one plane"), tr("two planes")],
+        "$U_A/U_{pA}$, %": column_of([_told(each.part_a, 100.0) for each in grades]),
+        "$U_B/U_{pB}$, %": column_of([_told(each.part_b, 100.0) for each in grades]),
+        tr("Condition"): [tr("holds") if each.passed else tr("fails") for each in grades],
+    }
+    cells = tuple(zip(*found.values(), strict=True))
+    yield Table(tr("Unbalance against the permissible one"), tuple(found), cells, "rotor_grade")
 
 
 def _in_plane(bearing: str) -> str:

@@ -29,10 +29,11 @@ from tmmcalc.machine.reduction.inertia import lumped, rods_of
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Lexicon, Paragraph, Place, Table
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.numbers import NOISE
-from tmmcalc.report.telling import STILL, WIDE, lines, named, number_of, tabulated, vector
+from tmmcalc.report.printing import printed_as
+from tmmcalc.report.telling import WIDE, lines, named, number_of, tabulated, vector
 
 ON_LINE = 1e-12  # of a rod: a centre of mass so near to its line lies on it
 MARKS = {"least squares": "1", "minimax": "m", "lanchester": "L", "lanchester 2": "LL", "given": "z"}
@@ -149,7 +150,9 @@ def _moment_lines(moving: Moving, chain: Chain, result: Balancing, bodies: Seque
                 f"y_{pole}": Given(found.about.imag, "m", tr("coordinate of point {point}", point=pole)),
             }
         )
-    yield Paragraph(tr("The shaking moment is the sum of the moments of inertia forces and couples about {point}:", point=pole))
+    yield Paragraph(
+        tr("The shaking moment is the sum of the moments of inertia forces and couples about {point}:", point=pole)
+    )
     texts, names = [], []
     for mass in masses_of(moving, bodies):
         link, name, centre = mass.body.link, f"M_{{R{mass.body.link}}}", mass.centre
@@ -176,9 +179,7 @@ def _crank_lines(moving: Moving, result: Balancing) -> Iterator[Block]:
     found = result.shaking
     angle = f"phi_{moving.link}" if np.array_equal(found.x, found.phi) else "phi_c"
     whose = tr("angle of link {link}", link=moving.link) if angle != "phi_c" else tr("angle of the line of the crank")
-    for lexicon, turned, phi in zip(
-        moving.lexicons, found.turned[moving.rows], found.phi[moving.rows], strict=True
-    ):
+    for lexicon, turned, phi in zip(moving.lexicons, found.turned[moving.rows], found.phi[moving.rows], strict=True):
         said = tr("projection of the shaking force on the axes of the crank")
         lexicon |= named(vector("R_{%1}", complex(turned), "N", said))
         lexicon[angle] = Given(math.degrees(float(phi)), "deg", whose)
@@ -212,8 +213,8 @@ def _harmonics(found: Shaking) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "The shaking force is a sum of vectors that turn $k$ times as fast as the crank, with it ($k > 0$) and "
-            "against it ($k < 0$); their sizes $C_k$ are in table {tab:balance_harmonics}, with their parts of the mean "
-            "square $R_q**2$."
+            "against it ($k < 0$); their sizes $C_k$ are in table {tab:balance_harmonics}, with their parts of the "
+            "mean square $R_q**2$."
         )
     )
     orders = [k for k in range(-HIGHEST, HIGHEST + 1) if abs(series.coefficient(k)) > NOISE * found.scale]
@@ -235,6 +236,7 @@ def _balanced(result: Balancing, link: int) -> Iterator[Block]:
         return
     yield Heading(tr("Balancing of the shaking force"))
     place, told = Place("", _means(result, link)), set[str]()
+    yield Result("R_q", place.lexicon["R_q"])
     for scheme in result.schemes:
         name = scheme_name(scheme.name)
         yield Heading(name[0].upper() + name[1:], 3)
@@ -301,6 +303,7 @@ def _scheme(result: Balancing, scheme: Scheme, place: Place, rate: str, told: se
         said = tr("root mean square of what is left of it")
         place.lexicon.update(named({f"D_{mark}": Given(balance.after.rms, "N", said)}))
         yield from lines([f"D_{mark} = sqrt({_left_terms(scheme)})"], [place])
+        yield Result(f"D_{mark}", place.lexicon[f"D_{mark}"], place=scheme_name(scheme.name))
 
 
 def _goal(name: str) -> str:
@@ -326,14 +329,14 @@ def _goal(name: str) -> str:
 
 
 def _mean_words(result: Balancing) -> str:
-    """The means over the positions beside those over the whole turn."""
-    turned = result.shaking.turned[:-1]
-    mean = complex(np.mean(turned))
-    numbers = {
-        "x": significant(mean.real, 5) if abs(mean.real) > NOISE * result.shaking.scale else "0",
-        "y": significant(mean.imag, 5) if abs(mean.imag) > NOISE * result.shaking.scale else "0",
-    }
-    return tr("The positions give $X_0 = {x}$ N, $Y_0 = {y}$ N; the means over the whole turn are used.", **numbers)
+    """The means over the positions."""
+    unit, factor = printed_as("N")
+    mean = complex(np.mean(result.shaking.turned[:-1]))
+    x, y = (part * factor if abs(part) > NOISE * result.shaking.scale else 0.0 for part in (mean.real, mean.imag))
+    numbers = {"x": significant(x, 5), "y": significant(y, 5), "unit": tr_unit(unit)}
+    return tr(
+        "The positions give $X_0 = {x}$ {unit}, $Y_0 = {y}$ {unit}; the means over the whole turn are used.", **numbers
+    )
 
 
 def _weight_lines(
@@ -377,7 +380,9 @@ def _side_words(order: int, *, opposite: bool) -> str:
     """Where a weight stands that lies on the line of the crank."""
     if order == 1:
         return (
-            tr("The weight is opposite to the crank pin.") if opposite else tr("The weight is on the side of the crank pin.")
+            tr("The weight is opposite to the crank pin.")
+            if opposite
+            else tr("The weight is on the side of the crank pin.")
         )
     if opposite:
         return tr("When the crank lies along the x axis, the weight is opposite to it.")

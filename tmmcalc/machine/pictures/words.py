@@ -70,7 +70,6 @@ def cause_name(name: str) -> str:
         "cam weight": tr("weight on the cam"),
         "cam spring": tr("spring of the cam"),
         "cam friction": tr("friction of the cam"),
-        "balancing moment": tr("balancing moment"),
     }
     return own.get(name) or tr_name(name)
 

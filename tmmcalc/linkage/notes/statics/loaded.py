@@ -61,10 +61,7 @@ class Loaded(NamedTuple):
         """The name of a force in formulas, or that of its projection: ``Q_{5}``, ``Q_{5x}``."""
         own = f"{acting.letter}{acting.index}"
         name = self.names.get((acting.link, own, acting.kind), own).replace(",", "")
-        found = re.fullmatch(r"([A-Za-z]+)_?(\w*)", name)
-        letters, index = (found[1], found[2]) if found else ("Q", plain_name(name))
-        index = index.replace("_", ",") + part
-        return f"{letters}_{{{index}}}" if index else letters
+        return force_key(name, part)
 
     def pair(self, joint: str) -> Pair:
         """Friction and size of a pair."""
@@ -73,6 +70,18 @@ class Loaded(NamedTuple):
     def row_of(self, joint: str) -> int:
         """The row of a joint in the result."""
         return next(j for j, pair in enumerate(self.result.pairs) if pair.joint == joint)
+
+
+def force_key(name: str, part: str = "") -> str:
+    """The name of a force in formulas: a letter with an index.
+
+    >>> force_key("Q5"), force_key("Q5", "x"), force_key("P_z", "y"), force_key("gas")
+    ('Q_{5}', 'Q_{5x}', 'P_{zy}', 'Q_{gas}')
+    """
+    found = re.fullmatch(r"([A-Za-z])(?:_(\w+)|(\d*))", name)
+    letter, index = (found[1], found[2] or found[3] or "") if found else ("Q", plain_name(name))
+    index = index.replace("_", ",") + part
+    return f"{letter}_{{{index}}}" if index else letter
 
 
 def loaded_of(order: Order) -> Loaded:
