@@ -162,7 +162,7 @@ def _pictures(found: MeshPair, key: str) -> Iterator[Block]:
                 sliding=f"{{fig:{key}_sliding}}",
             )
         )
-        yield Figure(tr("Mesh"), partial(draw_to_scale, found=found), MESH, f"{key}_mesh")
+        yield Figure(tr("Mesh of the pair"), partial(draw_to_scale, found=found), MESH, f"{key}_mesh")
         caption = tr("Specific sliding and specific pressure")
         yield Figure(caption, partial(draw_curves, placed=placed_pair(found)), CURVES, f"{key}_sliding")
 
