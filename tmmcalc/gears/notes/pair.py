@@ -20,7 +20,7 @@ from tmmcalc.gears.pictures.pieces import draw_curves, draw_to_scale
 from tmmcalc.gears.pictures.placedpair import placed_pair
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph
+from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Result
 from tmmcalc.report.telling import WIDE, named
 
 GIVEN = ("z_1", "z_2", "m", "alpha", "h_a^{*}", "c^{*}", "beta", "b")
@@ -32,7 +32,7 @@ BY_DISTANCE = (
 INVERSE = "inv(alpha_tw) = tan(alpha_tw) - rad(alpha_tw)"
 COMMON = (
     *("m", "alpha", "h_a^{*}", "c^{*}", "beta", "b", "alpha_tw", "H", "p_b", "g_alpha"),
-    *("eps_alpha", "eps_beta", "eps_gamma"),
+    "eps_alpha",
 )
 WHEELED = "a", "a_w", "x_Sigma", "y", "u", "g"  # not of a rack
 HELICAL = "m_t", "alpha_t", "beta_b"
@@ -75,6 +75,10 @@ def _pair(told: Told, key: str) -> Iterator[Block]:
         numbers = wheels.numbers
         yield from measured(wheels, [found.measures[k] for k in numbers], [task.measuring_of(k + 1) for k in numbers])
     yield from _parameters(told, key)
+    place = "/".join(str(teeth) for teeth in task.teeth if teeth)
+    if "a_w" in told.lexicon:
+        yield Result("a_w", told.lexicon["a_w"], place=place)
+    yield Result("eps_alpha", told.lexicon["eps_alpha"], task.limits.contact_ratio, ">=", place)
 
 
 def title_of(found: MeshPair) -> str:
@@ -145,7 +149,7 @@ def _parameters(told: Told, key: str) -> Iterator[Block]:
     )
     names = [*COMMON, *HELICAL * bool(task.helix), *WHEELED * (task.kind != "rack")]
     names += ["Deltay"] * (task.kind == "external")
-    names += ["eps'_alpha"] * shortened(found)
+    names += [*["eps_beta", "eps_gamma"] * bool(found.overlap), *["eps'_alpha"] * shortened(found)]
     yield parameters(tr("Parameters of the pair"), names, told.lexicon, f"{key}_common")
     yield of_wheels(
         tr("Parameters of the wheels"), WHEELS, _wheels(told), task.wheels[: len(found.sizes)], f"{key}_wheels"
