@@ -17,7 +17,6 @@ from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
-from tmmcalc.report.numbers import number
 from tmmcalc.report.telling import WIDE
 
 HEADS = "$x_1$", "$x_2$", "$eps_alpha$", "$s_a1/m$", "$s_a2/m$", "$theta_1$", "$theta_2$"
@@ -34,9 +33,8 @@ def blocks(order: Order) -> Iterator[Block]:
 def _contour(found: PairContour, key: str) -> Iterator[Block]:
     title = tr("Blocking contour of the pair {teeth}", teeth="/".join(map(str, found.teeth)))
     yield Heading(f"{title} ({tr_name(found.name)})" if found.name else title)
-    limits = f"$eps_alpha >= {number(found.contact_ratio)}$, $s_a >= {number(found.thickness)}*m$"
-    if not found.thickness:
-        limits = f"$eps_alpha >= {number(found.contact_ratio)}$, $s_a >= 0$"
+    thickness = f"{_text(found.thickness)}*m" if found.thickness else "0"
+    limits = f"$eps_alpha >= {_text(found.contact_ratio)}$, $s_a >= {thickness}$"
     said = tr(
         "The contour in figure {figure} bounds the shifts at which the pair works without interference, {limits}; "
         "table {table} says what its lines are.",

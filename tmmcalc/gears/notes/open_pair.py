@@ -13,7 +13,6 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import RESULT, Given, significant
 from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Listing, Paragraph, Place
-from tmmcalc.report.numbers import number
 from tmmcalc.report.telling import lines, named
 
 RATIO = "u = z_2/z_1"
@@ -37,13 +36,13 @@ def blocks(order: Order) -> Iterator[Block]:
     yield Heading(tr("Open pair on the crank"))
     yield Paragraph(tr("Pinion a stands on the output shaft of the reducer, gear b on the crank."))
     yield from lines((RATIO,), (place,))
-    efficiency, origin = f"$eta = {number(found.efficiency)}$", tr_name(found.efficiency_of)
+    efficiency, origin = f"$eta = {significant(found.efficiency, RESULT)}$", tr_name(found.efficiency_of)
     yield Paragraph(tr("The efficiency of the pair is {efficiency} ({origin}).", efficiency=efficiency, origin=origin))
     if found.inertia_of == BY_SIZES:
         yield Paragraph(tr("The moments of inertia of the wheels are those of their sizes; reduced to the crank"))
         yield from lines((INERTIA,), (place,))
     else:
-        given = f"$J_ab = {number(found.inertia)}$ {tr_unit('kg*m^2')}"
+        given = f"$J_ab = {significant(found.inertia, RESULT)}$ {tr_unit('kg*m^2')}"
         yield Paragraph(
             tr("The moment of inertia of the pair reduced to the crank is given, {inertia}.", inertia=given)
         )

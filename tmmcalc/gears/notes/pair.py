@@ -12,7 +12,7 @@ from tmmcalc.gears.meshing.results import NOISE, MeshPair
 from tmmcalc.gears.notes.pairs.choice import chosen
 from tmmcalc.gears.notes.pairs.conditions import judged
 from tmmcalc.gears.notes.pairs.contact import contact, interference, quality
-from tmmcalc.gears.notes.pairs.lexicon import Told, indexed, shortened, told_of
+from tmmcalc.gears.notes.pairs.lexicon import CUTTER, Told, indexed, shortened, told_of
 from tmmcalc.gears.notes.pairs.measured import measured, quantities
 from tmmcalc.gears.notes.pairs.sizes import SECTION, circles, teeth
 from tmmcalc.gears.notes.pairs.tables import of_wheels, parameters
@@ -23,7 +23,7 @@ from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Result
 from tmmcalc.report.telling import WIDE, named
 
-GIVEN = ("z_1", "z_2", "m", "alpha", "h_a^{*}", "c^{*}", "beta", "b")
+GIVEN = ("z_1", "z_2", "m", "alpha", "h_a^{*}", "c^{*}", "beta", "b", *CUTTER)
 BY_SHIFTS = "inv(alpha_tw) = inv(<t>) <+> 2*x_Sigma*tan(alpha)/<z>"
 BY_DISTANCE = (
     "alpha_tw = acos(a*cos(<t>)/a_w)",

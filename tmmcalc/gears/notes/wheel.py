@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from tmmcalc.gears.notes.pairs.conditions import judged
-from tmmcalc.gears.notes.pairs.lexicon import alone
+from tmmcalc.gears.notes.pairs.lexicon import CUTTER, alone
 from tmmcalc.gears.notes.pairs.measured import measured
 from tmmcalc.gears.notes.pairs.sizes import (
     CIRCLES,
@@ -27,7 +27,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Paragraph
 from tmmcalc.report.telling import tabulated
 
-GIVEN = ("z", "m", "alpha", "h_a^{*}", "c^{*}", "beta", "b", "x")
+GIVEN = ("z", "m", "alpha", "h_a^{*}", "c^{*}", "beta", "b", "x", *CUTTER)
 SIZES = (
     *("r", "r_a", "r_f", "r_b", "r_F", "d", "d_a", "d_f", "d_b", "h", "s_n", "s", "s_t", "s_na", "s_a"),
     *("x_min", "alpha_a", "z_w", "W", "s_c", "h_c", "D", "M"),
@@ -46,7 +46,7 @@ def blocks(order: Order) -> Iterator[Block]:
     yield parameters(tr("Given data of the wheel"), names, lexicon, "wheel_data")
     yield from wheel.lines(*SECTION * bool(task.helix), *CIRCLES)
     if ring:
-        yield from ring_root(wheel, task.ring, task.module)
+        yield from ring_root(wheel, task.cutter)
     else:
         yield from wheel.lines(ROOT)
         yield from limits(wheel, [found.limit or 0.0])

@@ -15,7 +15,7 @@ PLACES = 4  # its decimals at most
 
 
 def parameters(caption: str, names: Sequence[str], lexicon: Lexicon, key: str) -> Table:
-    """The quantities of a lexicon that are there and are something."""
+    """The quantities of a lexicon that are there and are something; shifts that are nothing too."""
     rows = [
         (given.meaning, f"${name}$", shown_unit(given.unit), shown(given)) for name, given in _known(names, lexicon)
     ]
@@ -41,7 +41,7 @@ def of_wheels(
 def _known(names: Sequence[str], lexicon: Lexicon) -> Iterator[tuple[str, Given]]:
     for name in names:
         given = lexicon.get(canonical(name))
-        if given is not None and given.value:
+        if given is not None and (given.value or name[0] == "x"):
             yield name, given
 
 
