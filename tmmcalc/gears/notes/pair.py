@@ -69,7 +69,8 @@ def _pair(told: Told, key: str) -> Iterator[Block]:
     yield from interference(told)
     yield from _pictures(found, key)
     yield Heading(tr("Conditions"), 3)
-    yield from judged(found.checks, told.lexicon, told.words, task.wheels, f"{key}_quality")
+    names = (task.wheels[0], tr("rack") if task.kind == "rack" else task.wheels[1])
+    yield from judged(found.checks, told.lexicon, told.words, names, f"{key}_quality")
     yield Heading(tr("Measures"), 3)
     for wheels in told.wheels:
         numbers = wheels.numbers

@@ -30,7 +30,7 @@ from tmmcalc.report.telling import tabulated
 GIVEN = ("z", "m", "alpha", "h_a^{*}", "c^{*}", "beta", "b", "x", *CUTTER)
 SIZES = (
     *("r", "r_a", "r_f", "r_b", "r_F", "d", "d_a", "d_f", "d_b", "h", "s_n", "s", "s_t", "s_na", "s_a"),
-    *("x_min", "alpha_a", "z_w", "W", "s_c", "h_c", "D", "M"),
+    *("x_min", "x_max", "alpha_a", "z_w", "W", "s_c", "h_c", "D", "M"),
 )
 
 

@@ -132,6 +132,8 @@ def alone(found: SingleWheel) -> Wheels:
         **of_tip(pressure_at(found.tip, found.base), helix, found.base),
         **(of_cutter(task.ring, task.module) if task.kind == "internal" else {}),
     }
+    if task.kind == "external" and found.pointed_shift is not None:
+        quantities["x_max"] = Given(found.pointed_shift, "", tr("shift coefficient at which whole teeth are pointed"))
     words = {**of_index("", style), **(MINUS if task.kind == "internal" else PLUS)}
     return Wheels((0,), (Place("", named(indexed(quantities, "", style))),), words)
 
