@@ -51,10 +51,10 @@ def _contour(found: PairContour, key: str) -> Iterator[Block]:
 
 
 def _drawn(found: PairContour, key: str) -> Iterator[Block]:
-    """The contour, and the lines that are seen in it by their numbers."""
-    yield Figure(tr("Blocking contour"), partial(draw_plane, pair=found), SIZE, key)
+    """The lines that are seen in the contour by their numbers, and the contour."""
     rows = tuple((stroke.number, stroke.text) for stroke in _seen(found) if stroke.number)
     yield Table(tr("Lines of the blocking contour"), (tr("Line"), tr("What it is")), rows, f"{key}_numbers")
+    yield Figure(tr("Blocking contour"), partial(draw_plane, pair=found), SIZE, key)
 
 
 def _seen(found: PairContour) -> Sequence[Stroke]:
