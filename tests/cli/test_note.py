@@ -38,7 +38,7 @@ def test_a_note_is_written_the_same_every_time(cli: Cli, tmp_path: Path, form: s
 @pytest.mark.parametrize(
     ("args", "said"),
     [
-        (("shaper.toml", "-o", "a.doc"), "no form of a note for the suffix '.doc'"),
+        (("shaper.toml", "-o", "a.doc"), "a note has no form 'doc'"),
         (("shaper.toml", "--only", "gears"), "there is no chapter 'gears'"),
         (("shaper.toml", "--language", "de"), "there is no language 'de'"),
         (("shaper.toml", "--positions", "77"), "no position is called '77'"),

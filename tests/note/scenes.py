@@ -57,8 +57,9 @@ def lines(name: str) -> list[Checked]:
 
 def written(name: str, only: tuple[str, ...] = tuple(CHAPTERS), depth: str = FULL) -> list[Written]:
     """The whole note in the language in force."""
-    done = run(load_spec(CONFIGS / f"{name}.toml"), target=stages_of(only))
+    spec = load_spec(CONFIGS / f"{name}.toml")
+    done = run(spec, target=stages_of(only))
     stages, titles = stages_of(only), {chapter: CHAPTERS[chapter] for chapter in only}
     chapters = chapters_of(titles, done.spec, done.results)
-    work = Work(name, AuthorTable(), {}, warnings_of(done, stages), errors_of(done, stages), text_of(done.spec))
+    work = Work(name, AuthorTable(), {}, warnings_of(done, stages), errors_of(done, stages), text_of(spec))
     return whole(work, chapters, depth)

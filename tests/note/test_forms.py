@@ -36,7 +36,7 @@ def test_a_pdf_keeps_its_margins_and_can_be_searched(spoken: Any) -> None:
     language, note = spoken
     reader = pytest.importorskip("pypdfium2")
     read = reader.PdfDocument(pdf(source(note, language, "Shaper")))
-    assert 10 <= len(read) <= 20
+    assert 10 <= len(read) <= 50
     whole = ""
     for sheet in read:
         found = sheet.get_textpage()
@@ -97,7 +97,7 @@ def test_a_document_of_word_has_every_formula_as_an_equation(spoken: Any) -> Non
     equations = [each for each in note if isinstance(each, Equation)]
     assert len(root.findall(f".//{math}oMath")) >= len(equations)
     assert all(len(each) for each in root.iter(f"{math}num"))
-    said = "".join(root.itertext())
+    said = "".join(each.text or "" for each in root.iter() if each.tag.endswith("}t"))
     assert all(f"({each.number})" in said for each in equations if each.number)
     assert all(part in said for part in words(note))
 
@@ -111,7 +111,9 @@ class Balance(HTMLParser):
         self.links: list[str] = []
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.links += [str(value) for name, value in attrs if name in ("src", "href")]
+        self.links += [
+            str(value) for name, value in attrs if name in ("src", "href") and not str(value).startswith("#")
+        ]
         if tag not in ("meta", "mspace"):
             self.open.append(tag)
 

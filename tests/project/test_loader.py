@@ -232,6 +232,7 @@ def test_late_tables_are_those_of_the_root() -> None:
         "constraints",
         "feasibility",
         "sheets",
+        "note",
     }
     assert {*Spec.model_fields} - root == {*LATE} | further
     assert root < {*Spec.model_fields}

@@ -17,6 +17,7 @@ from tmmcalc.report.drawing.order import POSITIONS
 
 if TYPE_CHECKING:
     from tmmcalc.project import Spec
+    from tmmcalc.report.sheets.gosttext import TextTitles
     from tmmcalc.report.tables.note import AuthorTable, NoteTable
 
 STDOUT = Path("-")
@@ -102,7 +103,7 @@ def command(
                 warnings, errors = warnings_of(run, stages), errors_of(run, stages)
                 work = Work(scene.project.title, _who(scene, said), own, warnings, errors, text_of(scene))
                 note = whole(work, chapters, depth or said.depth)
-        written = formed(note, form, scene.project.title)
+        written = formed(note, form, scene.project.title, _frame(scene, said))
     if file == STDOUT:
         sys.stdout.buffer.write(written)
         return
@@ -139,3 +140,14 @@ def _who(scene: Spec, said: NoteTable) -> AuthorTable:
     usual = {"organisation": [block.organisation] if block.organisation else [], "done_by": block.drawn_by}
     usual |= {"checked_by": block.checked_by}
     return said.who.model_copy(update={key: value for key, value in usual.items() if not getattr(said.who, key)})
+
+
+def _frame(scene: Spec, said: NoteTable) -> TextTitles | None:
+    """What stands in the frames of the pages; None without frames."""
+    if said.frame == "none":
+        return None
+    from tmmcalc.report.sheets.gosttext import TextTitles
+
+    who = _who(scene, said)
+    at = ", ".join([*who.organisation[-1:], *([who.group] if who.group else [])])
+    return TextTitles(scene.project.title, who.designation, who.done_by, who.checked_by, at)

@@ -17,9 +17,17 @@ from numpy.typing import NDArray
 # double precision, or extended where the rounding error is measured
 Real = NDArray[np.floating[Any]]
 Plane = NDArray[np.complexfloating[Any, Any]]
+PLANE = {np.dtype(real): np.dtype(plane) for real, plane in ((float, complex), (np.longdouble, np.clongdouble))}
 
 
-def cross(a: Plane | complex, b: Plane | complex) -> Real:
+class Parts(NamedTuple):
+    """A plane vector of which only the two parts are asked for; each real (n,)."""
+
+    real: Real | float
+    imag: Real
+
+
+def cross(a: Plane | Parts | complex, b: Plane | Parts | complex) -> Real:
     """Scalar cross product a x b = a_x b_y - a_y b_x."""
     return a.real * b.imag - a.imag * b.real  # type: ignore[return-value]  # scalars count as 0-d arrays
 
@@ -27,6 +35,14 @@ def cross(a: Plane | complex, b: Plane | complex) -> Real:
 def square(a: Plane) -> Real:
     """Squared length |a|^2, without the root and the overflow guard of ``abs``."""
     return a.real * a.real + a.imag * a.imag
+
+
+def vector(x: Real | float, y: Real) -> Plane:
+    """The vectors x + iy (n,), put together without a product; of the shape of y, to which x is broadcast."""
+    found: Plane = np.empty(y.shape, PLANE[y.dtype])
+    found.real = x
+    found.imag = y
+    return found
 
 
 class Point(NamedTuple):
@@ -55,9 +71,14 @@ class Guide(NamedTuple):
         """The line through a moving point at the angle gamma [rad] that turns with omega and eps."""
         return cls(*point, np.exp(1j * np.asarray(gamma)), np.asarray(omega), np.asarray(eps))
 
+    @property
+    def turns(self) -> bool:
+        """Whether its direction turns; else it stands, or slides."""
+        return bool(self.omega.ndim or self.omega or self.eps)
+
     def transport(self, offset: Plane) -> tuple[Plane, Plane]:
         """First and second derivative of the point that the guide carries along at ``offset`` [m] from its own."""
-        if not self.omega.ndim and not self.omega and not self.eps:  # it stands, or slides without turning
+        if not self.turns:
             return self.v, self.a
         return self.v + 1j * self.omega * offset, self.a + (1j * self.eps - self.omega**2) * offset
 
@@ -84,6 +105,8 @@ class LinkMotion(NamedTuple):
         d = p - self.base
         if d == 0:
             return Point(self.r, self.v, self.a)
+        if not (self.v.ndim or self.v or self.a):  # it turns about a pin of the frame
+            return Point(self.r + d * self.u, d * self.u1, d * self.u2)
         return Point(self.r + d * self.u, self.v + d * self.u1, self.a + d * self.u2)
 
     def guide(self, p: complex, direction: complex) -> Guide:
@@ -94,9 +117,7 @@ class LinkMotion(NamedTuple):
 
 def rotated(base: complex, at: Point, u: Plane, omega: Real, eps: Real) -> LinkMotion:
     """Motion of a link whose base point moves as ``at`` and whose x axis is u, turning with omega, eps."""
-    i_omega = 1j * omega
-    u1 = i_omega * u
-    return LinkMotion(base, *at, u, u1, 1j * eps * u + i_omega * u1, omega, eps)
+    return LinkMotion(base, *at, u, vector(0, omega) * u, vector(-omega * omega, eps) * u, omega, eps)
 
 
 @cache

@@ -16,7 +16,7 @@ def of_train(spec: GearTables, results: Mapping[str, Any]) -> Mapping[str, Any]:
     from tmmcalc.gears.chosen.conditions import conditions
     from tmmcalc.gears.chosen.motion import equations, plans_of
 
-    found = next(found for _, found in _of_search(spec, results, 1))
+    found = next(found for _, found in searched_trains(spec, results, 1))
     assert found.chosen is not None
     return {"conditions": conditions(found.chosen), "willis": equations(found), "plans": plans_of(found)}
 
@@ -36,13 +36,14 @@ def trains_in_motion(spec: GearTables, results: Mapping[str, Any], number: int) 
     from tmmcalc.gears.chosen.motion import written
 
     if spec.gearing is None:
-        yield from _of_search(spec, results, number)
+        yield from searched_trains(spec, results, number)
         return
     found = written(results["gearing"])
     yield "written train" if found.chosen is None else found.chosen.title, found
 
 
-def _of_search(spec: GearTables, results: Mapping[str, Any], number: int) -> Iterator[tuple[str, Moving]]:
+def searched_trains(spec: GearTables, results: Mapping[str, Any], number: int) -> Iterator[tuple[str, Moving]]:
+    """The train that criteria chose, without them set ``number`` of every variant, at the speed of its driver."""
     from tmmcalc.gears.chosen.choice import chosen_sets
     from tmmcalc.gears.chosen.motion import moving
 

@@ -67,6 +67,7 @@ ROOM = Room(
                 pieces="tmmcalc.gears.pictures.pieces:train",
             ),
             studied=True,
+            chapter="gears",
         ),
         Stage(
             "gearing",
@@ -76,6 +77,7 @@ ROOM = Room(
                 "the scheme to scale, the plan of velocities and the plan of speeds",
                 pieces="tmmcalc.gears.pictures.pieces:gearing",
             ),
+            chapter="gears",
         ),
         Stage(
             "strength",
@@ -84,6 +86,7 @@ ROOM = Room(
             uses=("reduction",),
             reads="read_by_strength",
             wanted="strength",
+            chapter="gears",
         ),
         Stage(
             "criteria",
@@ -94,6 +97,7 @@ ROOM = Room(
                 "inertia against mass with the Pareto front, pairs of criteria, the chosen train to scale",
                 ("--choose",),
             ),
+            chapter="gears",
         ),
         Stage(
             "pair",
@@ -106,6 +110,7 @@ ROOM = Room(
                 ("--choose", "--phase"),
                 pieces="tmmcalc.gears.pictures.pieces:pair",
             ),
+            chapter="gears",
             studied=True,
         ),
         Stage(
@@ -115,6 +120,7 @@ ROOM = Room(
             uses=("reduction",),
             reads="read_by_open_pair",
             wanted="open_pair",
+            chapter="gears",
         ),
         Stage(
             "blocking",
@@ -126,6 +132,7 @@ ROOM = Room(
                 ("--choose",),
                 pieces="tmmcalc.gears.pictures.pieces:blocking",
             ),
+            chapter="gears",
             studied=True,
         ),
         Stage(
@@ -138,6 +145,7 @@ ROOM = Room(
                 ("--choose",),
                 pieces="tmmcalc.gears.pictures.pieces:profile",
             ),
+            chapter="gears",
             studied=True,
         ),
         Stage(
@@ -145,6 +153,7 @@ ROOM = Room(
             "a wheel without a mate: circles, limits, measures, profile",
             asked=("wheel", "no wheel by itself"),
             picture=Picture("how the tool cuts the teeth, half a tooth enlarged"),
+            chapter="gears",
         ),
     ),
     (
@@ -165,4 +174,5 @@ ROOM = Room(
         "Gears: tooth numbers of trains within all constraints, strength, pairs, contours, tooth profiles, measures.",
         "tmmcalc gears synth my.toml",
     ),
+    chapters={"gears": "Gears"},
 )

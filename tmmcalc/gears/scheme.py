@@ -95,6 +95,8 @@ class Layout:
     # twice the reference centre distances of the axes that must coincide, in one length; None: those of the meshes
     axes: Callable[[Teeth], list[Any]] | None = None
     size: Callable[[Teeth, Lengths, Lengths, int], Any] = around_planets  # D [m], see `around_planets`
+    size_letters: str = "2*a_12 + m_1*Z2"  # ``size`` as a formula with the centre distances a of the meshes
+    lone_size_letters: str = ""  # the same of one branch, where it is another
     arrangements: tuple[int, ...] = ()  # rows of Table D.4.1 of the stages; none: overhung wheels
     stepped: bool = False  # the textbook steps through e, and gives the module ratio of equal strength
     usual_planets: int = 3

@@ -39,11 +39,12 @@ class Step(NamedTuple):
     port1: Element
     port2: Element
     mount: Mount
+    fixed: tuple[Any, Any]  # states of the ports on the frame, which never change; None of those on other links
 
     def ports(self, motions: Motions) -> tuple[Any, Any]:
         """States of the two ports on the links solved before."""
-        kind = self.group.kind
-        return self.port1.port(kind[0], motions), self.port2.port(kind[2], motions)
+        kind, (port1, port2) = self.group.kind, self.fixed
+        return port1 or self.port1.port(kind[0], motions), port2 or self.port2.port(kind[2], motions)
 
     def advance(
         self, motions: Motions, slides: Slides, x: Real, order: int, method: solvers.Method
@@ -91,6 +92,10 @@ class Chain:
         """The joint of the input link with the frame."""
         return self.mechanism.joint(self.mechanism.input.joint)
 
+    @cached_property
+    def _input_elements(self) -> tuple[Element, Element]:
+        return element(self.input_joint, self.structure.input_link), element(self.input_joint, FRAME)
+
     @property
     def turns(self) -> bool:
         """Whether the input link is a crank (revolute) and not a driven slider."""
@@ -98,7 +103,10 @@ class Chain:
 
     @cached_property
     def layout(self) -> Layout:
-        """All named points of moving links that are not pins of the frame, each once; links and joints in order."""
+        """All named points of moving links that are not pins of the frame, each once; links and joints in order.
+
+        A point belongs to the first of its links, but an outer pin of a dyad to the dyad's, whose base point it is.
+        """
         owners: dict[str, tuple[int, complex]] = {}
         links = (self.structure.input_link, *(k for group in self.structure.groups for k in group.links))
         order = tuple(dict.fromkeys(links))
@@ -107,6 +115,10 @@ class Chain:
             for name, p in points[k].items():
                 if name not in fixed:
                     owners.setdefault(name, (k, p))
+        for step in self.steps:
+            for name, k in zip(step.group.outer, step.group.links, strict=True) if isinstance(step, Step) else ():
+                if name in owners and name in points[k]:
+                    owners[name] = (k, points[k][name])
         return Layout(
             tuple((name, *owners[name]) for name in sorted(owners, key=_natural)),
             tuple(sorted(order)),
@@ -150,15 +162,13 @@ class Chain:
         return Configuration(motions, slides, ports_of, placed_of)
 
     def _input_motion(self, x: Real, slides: Slides, order: int) -> LinkMotion:
-        joint = self.input_joint
-        own, at = element(joint, self.structure.input_link), element(joint, FRAME)
-        still, zero = np.zeros(()), np.zeros((), np.complex128)
+        joint, (own, at) = self.input_joint, self._input_elements
+        one, still, zero = np.ones(()), np.zeros(()), np.zeros((), np.complex128)
         if joint.kind == "prismatic":
             sense = at.direction if own.slider else -at.direction
-            one = np.ones_like(x)
-            slides[joint.name] = Slide(x, one, np.zeros_like(x))
+            slides[joint.name] = Slide(x, one, still)
             u = np.asarray(at.direction / own.direction)
-            velocity: Plane = sense * one if order else zero
+            velocity: Plane = np.asarray(sense + 0j) if order else zero
             return LinkMotion(own.point, at.point + x * sense, velocity, zero, u, zero, zero, still, still)
         u = np.empty(x.shape, np.result_type(x.dtype, np.complex64))
         np.cos(x, out=u.real)
@@ -166,7 +176,7 @@ class Chain:
         pivot = np.asarray(at.point + 0j)
         if not order:
             return LinkMotion(own.point, pivot, zero, zero, u, zero, zero, still, still)
-        return LinkMotion(own.point, pivot, zero, zero, u, 1j * u, -u, np.ones_like(x), np.zeros_like(x))
+        return LinkMotion(own.point, pivot, zero, zero, u, 1j * u, -u, one, still)
 
     def margins(self, x: Real, step: int) -> Real:
         """Assembly margin of a dyad at the coordinates ``x``; the groups before it must assemble there."""
@@ -217,7 +227,11 @@ def step_of(mechanism: Mechanism, group: Group, variant: int) -> Step:
         inner_b=element(inner, b),
     )
     dyad, mount = KINDS[group.kind].read(elements, group, variant)
-    return Step(group, variant, dyad, elements.port1, elements.port2, mount)
+    ports, letters, rest = elements[:2], (group.kind[0], group.kind[2]), {FRAME: frame()}
+    fixed = [
+        port.port(letter, rest) if port.link == FRAME else None for port, letter in zip(ports, letters, strict=True)
+    ]
+    return Step(group, variant, dyad, *ports, mount, (fixed[0], fixed[1]))
 
 
 def _on_branch(mechanism: Mechanism, group: Group, variant: int, branch: Branch) -> LoopStep:

@@ -13,7 +13,7 @@ it. Velocities are those of the plans.
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import degrees
 
 import numpy as np
@@ -31,6 +31,7 @@ from tmmcalc.report.numbers import round_scale
 REACH = 100.0  # longest velocity of a pin on the lever [mm]
 UNGIVEN = ("reaction", "drive")  # what is not applied to the lever
 LEAST = 1e-12  # of an end of a vector from an axis [mm]: nearer is on it
+LEAST_ARM = 1e-10  # [mm]: a shorter one is none
 NOTHING = 1e-14  # of the largest force or couple: less is not told
 
 
@@ -65,6 +66,12 @@ class Lever:
     def difference(self) -> float:
         """Drive of the lever less that of the force analysis."""
         return self.drive - self.kinetostatic
+
+
+def working(forces: Sequence[LeverForce]) -> list[LeverForce]:
+    """The forces of a lever without the pairs that stand for couples on links that do not turn."""
+    turning = {(f.link, f.name, f.kind) for f in forces if f.point and abs(f.arm) > LEAST_ARM}
+    return [f for f in forces if not f.point or (f.link, f.name, f.kind) in turning]
 
 
 def levers(statics: Statics, kinematics: Kinematics, theta: Real, side: Real, mu: float) -> tuple[Lever, ...]:

@@ -128,6 +128,7 @@ ROOM = Room(
             wanted="unsteady",
             after="transient",
             picture=Picture("input, outputs and links over the time"),
+            chapter="unsteady",
         ),
         Stage(
             "dyad",
@@ -149,5 +150,6 @@ ROOM = Room(
         "structure": "Structural analysis",
         "kinematics": "Kinematic analysis",
         "forces": "Force analysis",
+        "unsteady": "Unsteady motion of the mechanism",
     },
 )

@@ -7,11 +7,10 @@ continuous against the survey of the range, whose steps are short enough that no
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import accumulate, pairwise
 
 import numpy as np
 
-from tmmcalc.core.plane import Plane, Real
+from tmmcalc.core.plane import PLANE, Plane, Real
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.chain import Chain, Configuration, Layout
 from tmmcalc.linkage.results import Trace
@@ -46,11 +45,11 @@ def _stacks(what: Layout, x: Real, make: Callable[..., Real]) -> tuple[Plane, Re
 
     One large piece gets huge pages from the system, many smaller ones are paid for page by page.
     """
-    n, counts = len(x), (2 * len(what.points), len(what.links), len(what.joints))
-    memory = make((3 * sum(counts), n), x.dtype)
-    ends = [3 * k for k in accumulate(counts, initial=0)]
-    r, angle, s = (memory[a:b].reshape(3, k, n) for (a, b), k in zip(pairwise(ends), counts, strict=True))
-    return r.reshape(3, len(what.points), 2 * n).view(np.result_type(x.dtype, np.complex64)), angle, s
+    n, points, links, joints = len(x), len(what.points), len(what.links), len(what.joints)
+    first, last = 6 * points, 6 * points + 3 * links
+    memory = make((last + 3 * joints, n), x.dtype)
+    r, angle, s = memory[:first], memory[first:last], memory[last:]
+    return r.reshape(3, points, 2 * n).view(PLANE[x.dtype]), angle.reshape(3, links, n), s.reshape(3, joints, n)
 
 
 def _store(
@@ -61,12 +60,13 @@ def _store(
         motion = motions[link]
         d = p - motion.base
         states = ((motion.r, motion.u), (motion.v, motion.u1), (motion.a, motion.u2))
-        for k, (at, turn) in enumerate(states if order else states[:1]):  # as `LinkMotion.point`, written in place
-            if d == 0:
-                r[k, row] = at
+        for place, (at, turn) in zip(r[:, row], states if order else states[:1], strict=False):
+            if d == 0:  # as `LinkMotion.point`, written in place
+                place[...] = at
             else:
-                np.multiply(d, turn, out=r[k, row])
-                r[k, row] += at
+                np.multiply(d, turn, out=place)
+                if at.ndim or at:
+                    np.add(place, at, out=place)
     _store_angles(configuration, what, angle, order, crank)
     for row, joint in enumerate(what.joints):
         slide = configuration.slides[joint]
@@ -85,11 +85,13 @@ def _store_angles(configuration: Configuration, what: Layout, angle: Real, order
         if row == crank:
             continue
         leader = leaders.setdefault(id(motion.omega), row) if order else row
+        first = configuration.motions[what.links[leader]].u
         if leader == row:
             np.arctan2(motion.u.imag, motion.u.real, out=angle[0, row])
+        elif motion.u is first:
+            angle[0, row] = angle[0, leader]
         else:
-            between = motion.u.flat[0] / configuration.motions[what.links[leader]].u.flat[0]
-            np.add(angle[0, leader], np.angle(between), out=angle[0, row])
+            np.add(angle[0, leader], np.angle(motion.u.flat[0] / first.flat[0]), out=angle[0, row])
 
 
 def unwrapped(angle: Real) -> Real:

@@ -15,6 +15,7 @@ from tmmcalc.core.records import record
 from tmmcalc.machine.motors.model import Motor
 
 START = "start"
+TEXTBOOK = "never above the rated moment (textbook: w_min >= w_N)"  # told, not asked for
 SLACK = 1e-9  # relative: a limit that is met exactly counts as kept
 
 
@@ -70,7 +71,7 @@ def rules(reserve: float) -> Mapping[str, Callable[[Judged], bool | None]]:
         "rms moment": lambda each: kept(each.heating, reserve),
         "break-down moment": lambda each: kept(each.largest),
         START: lambda each: each.starts,
-        "never above the rated moment (textbook: w_min >= w_N)": lambda each: kept(each.peak),
+        TEXTBOOK: lambda each: kept(each.peak),
     }
 
 

@@ -93,6 +93,7 @@ ROOM = Room(
             uses=("kinematics",),
             wanted="reduction",
             after="cam_load",
+            chapter="reduction",
             picture=Picture("reduced moments and inertia", pieces="tmmcalc.machine.pictures.pieces:of_reduction"),
             studied=True,
         ),
@@ -101,6 +102,7 @@ ROOM = Room(
             "the ratio that motor and crank give the train; a motor to choose is settled with it",
             uses=("reduction",),
             reads="read_by_drive",
+            chapter="reduction",
             wanted="drive",
         ),
         Stage(
@@ -109,6 +111,7 @@ ROOM = Room(
             needs=("reduction",),
             uses=("criteria", "drive"),
             reads="read_by_power",
+            chapter="reduction",
             wanted="power",
             after="profile",
             studied=True,
@@ -124,6 +127,7 @@ ROOM = Room(
                 pieces="tmmcalc.machine.pictures.pieces:of_flywheel",
             ),
             studied=True,
+            chapter="motion",
         ),
         Stage(
             "motion",
@@ -138,6 +142,7 @@ ROOM = Room(
                 pieces="tmmcalc.machine.pictures.pieces:of_motion",
             ),
             studied=True,
+            chapter="motion",
         ),
         Stage(
             "transient",
@@ -149,12 +154,14 @@ ROOM = Room(
             settings=TOLERANCE,
             picture=Picture("speeds and moments over the time"),
             studied=True,
+            chapter="motion",
         ),
         Stage(
             "balance",
             "shaking forces of linkage, engine, rotor; counterweights",
             uses=("kinematics",),
             wanted="balance",
+            chapter="balance",
             after="manipulator",
             picture=Picture(
                 "hodographs of the shaking force, what the schemes leave of it, an engine's force and couple",
@@ -172,4 +179,9 @@ ROOM = Room(
         Command("balance", "Shaking forces of linkage, engine, rotor; counterweights."),
     ),
     section="Machines",
+    chapters={
+        "reduction": "Reduction of forces and masses",
+        "motion": "Motion of the machine and flywheel",
+        "balance": "Balancing",
+    },
 )

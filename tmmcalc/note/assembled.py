@@ -11,11 +11,11 @@ from tmmcalc.note.tree import Caption, Equation, Grid, Image, Points, Reference,
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula import setting
-from tmmcalc.report.formula.digits import RESULT, Given, Worked, significant, worked
+from tmmcalc.report.formula.digits import RESULT, Given, Worked, result_of, significant, worked
 from tmmcalc.report.formula.layout import Box, Gap, Row, Word
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
-from tmmcalc.report.formula.tree import Name, Statement, names
+from tmmcalc.report.formula.tree import Name, Node, Statement, mapped, names
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import (
     Block,
@@ -23,6 +23,7 @@ from tmmcalc.report.manuscript import (
     Display,
     Figure,
     Heading,
+    Lexicon,
     Line,
     Listing,
     Paragraph,
@@ -34,6 +35,7 @@ from tmmcalc.report.manuscript import (
 from tmmcalc.report.printing import ANSWERS, FULL, SHORT, printed_as
 
 REFERENCE = re.compile(r"\{((?:tab|eq|fig):\w+)\}")
+COUNTER = re.compile(r"(?<=_)(\w*)i(?=\^|$)|(?<=,)i(?=\})")
 
 
 class Checked(NamedTuple):
@@ -59,7 +61,7 @@ class Assembler:
         self._prefix = ""  # of numbers in this chapter
         self._parts = [0, 0]  # how many of levels 2 and 3 there were
         self._counts: Counter[str] = Counter()  # of tables, figures and formulas in a chapter
-        self._explained: set[str] = set()
+        self._explained: dict[str, tuple[str, str]] = {}  # meaning and unit of a name
 
     def written(self, chapters: Iterable[Chapter]) -> list[Written]:
         """What is written of these chapters, references in their texts replaced by numbers.
@@ -123,28 +125,37 @@ class Assembler:
 
     def _line(self, line: Line) -> Iterator[Written]:
         left, right = line.formula.sides
-        assert isinstance(left, Name)
         yield Equation((setting.side(left), setting.side(right)), self._numbered("eq", line.key), key=line.key)
         yield from self._where(line)
         for place in line.places[: 1 if self.depth == SHORT else None]:
-            given = place.lexicon[left.key]
+            given = result_of(left, place.lexicon)
             assert isinstance(given.value, float)
             found = worked(right, place.lexicon, given.value, unit=given.unit, digits=line.digits)
             self.lines.append(Checked(line.formula, place.name, found))
             numbers = setting.side(found.tree, found.shown)
             result = with_unit(found.result, given.unit)
             same = not found.shown or plain(numbers) == plain(result.boxes[0])
-            parts = (setting.side(left), *(() if same else (numbers,)), result, *_converted(given))
+            parts = (
+                setting.side(_indexed(left, place.index)),
+                *(() if same else (numbers,)),
+                result,
+                *_converted(given),
+            )
             yield Equation(parts, lead=place.name)
 
     def _where(self, line: Line) -> Iterator[Written]:
-        """The names that stand for the first time, with meaning and unit."""
+        """The names that stand for the first time, or for something else than before, with meaning and unit.
+
+        Both projections of a vector stand together.
+        """
         lexicon = line.places[0].lexicon
-        new = [key for key in names(line.formula) if key not in self._explained and lexicon[key].meaning]
-        self._explained |= set(new)
         groups: dict[tuple[str, str], list[str]] = {}
-        for key in new:
-            groups.setdefault((lexicon[key].meaning, lexicon[key].unit), []).append(key)
+        for key in names(line.formula):
+            _, unit, meaning = lexicon[key]
+            if meaning and self._explained.get(key) != (meaning, unit):
+                for each in _both(key, lexicon):
+                    self._explained[each] = meaning, unit
+                    groups.setdefault((meaning, unit), []).append(each)
         parts: list[str | Box] = []
         for k, ((meaning, unit), keys) in enumerate(groups.items()):
             parts.append("; " if k else tr("where") + " ")
@@ -155,9 +166,36 @@ class Assembler:
             yield Text((*parts, "."))
 
 
+def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
+    """A name; of a projection on x or y both, if the other one means the same."""
+    said = lexicon[key]
+    others = {
+        f"{key[:k]}{'y' if letter == 'x' else 'x'}{key[k + 1 :]}" for k, letter in enumerate(key) if letter in "xy"
+    }
+    same = (o for o in others if o in lexicon and (lexicon[o].meaning, lexicon[o].unit) == (said.meaning, said.unit))
+    yield from sorted((key, *same))
+
+
+def _indexed(node: Node, index: str) -> Node:
+    """The node with this index in place of the i at the end of indices; without one as it is."""
+    if isinstance(node, Name):
+        return Name(indexed(node.key, index))
+    return mapped(node, lambda part: _indexed(part, index))
+
+
+def indexed(key: str, index: str) -> str:
+    """A name with this index in place of the i at its end; without one as it is.
+
+    >>> indexed("r_ai", "2"), indexed("W_i^{*}", "1"), indexed("x_{min,i}", "2"), indexed("phi", "1")
+    ('r_a2', 'W_1^{*}', 'x_{min,2}', 'phi')
+    """
+    return COUNTER.sub(lambda found: (found[1] or "") + index, key) if index else key
+
+
 def _converted(given: Given) -> tuple[Row, ...]:
     """The result in the unit that is asked for in place of its own."""
     unit, factor = printed_as(given.unit)
+    assert isinstance(given.value, float)
     return (with_unit(significant(given.value * factor, RESULT), unit),) if unit != given.unit else ()
 
 
@@ -172,7 +210,7 @@ def answers(blocks: Iterable[Block]) -> Iterator[Block]:
                     yield from (*title, _answered(waiting))
                     waiting, title = [], []
                 title = [*(each for each in title if isinstance(each, Heading) and each.level < level), block]
-            case Line():
+            case Line() if isinstance(block.formula.sides[0], Name):
                 waiting.append(block)
             case Table():
                 yield from title
@@ -181,16 +219,20 @@ def answers(blocks: Iterable[Block]) -> Iterator[Block]:
 
 
 def _answered(lines: Sequence[Line]) -> Table:
-    """The values of formulas at their places."""
+    """The values of formulas at their places; places with an index are rows of their own."""
     names = dict.fromkeys(place.name for line in lines for place in line.places)
     rows = []
     for line in lines:
-        left = line.formula.sides[0]
-        assert isinstance(left, Name)
-        given = line.places[0].lexicon[left.key]
-        found = {place.name: f"${_result(line, place)}$" for place in line.places}
-        unit = shown_unit(printed_as(given.unit)[0])
-        rows.append((f"${left.key}$", given.meaning, unit, *(found.get(name, "") for name in names)))
+        for index in dict.fromkeys(place.index for place in line.places):
+            places = [place for place in line.places if place.index == index]
+            left = line.formula.sides[0]
+            assert isinstance(left, Name)
+            given = places[0].lexicon[left.key]
+            found = {place.name: f"${_result(line, place)}$" for place in places}
+            unit = shown_unit(printed_as(given.unit)[0])
+            rows.append(
+                (f"${indexed(left.key, index)}$", given.meaning, unit, *(found.get(name, "") for name in names))
+            )
     values = [name or tr("Value") for name in names]
     return Table(tr("Results"), (tr("Designation"), tr("Quantity"), tr("Unit"), *values), tuple(rows))
 
@@ -198,8 +240,7 @@ def _answered(lines: Sequence[Line]) -> Table:
 def _result(line: Line, place: Place) -> str:
     """What a line gives at a place, as it is printed in its unit."""
     left, right = line.formula.sides
-    assert isinstance(left, Name)
-    given = place.lexicon[left.key]
+    given = result_of(left, place.lexicon)
     assert isinstance(given.value, float)
     found = worked(right, place.lexicon, given.value, unit=given.unit, digits=line.digits)
     unit, factor = printed_as(given.unit)

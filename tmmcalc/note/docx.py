@@ -105,8 +105,8 @@ def _styled(found: Document) -> None:
 
     section = found.sections[0]
     section.page_width, section.page_height = Mm(210), Mm(297)
-    for side, size in MARGINS.items():
-        setattr(section, f"{side}_margin", Mm(size))
+    for side, free in MARGINS.items():
+        setattr(section, f"{side}_margin", Mm(free))
     section.different_first_page_header_footer = True
     foot = section.footer.paragraphs[0]
     foot.alignment = TO.CENTER

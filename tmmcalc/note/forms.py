@@ -8,6 +8,7 @@ from importlib.util import find_spec
 from tmmcalc.core.errors import UsageError
 from tmmcalc.note.tree import Written
 from tmmcalc.report.language import spoken
+from tmmcalc.report.sheets.gosttext import TextTitles
 
 FORMS = {  # and the packages that each needs, with their extra
     "pdf": (("typst",), "note"),
@@ -31,8 +32,8 @@ def check_form(form: str) -> None:
         raise UsageError(said, where="-o", remedy=f"{install(extra)}; html and txt need nothing")
 
 
-def formed(note: Sequence[Written], form: str, title: str) -> bytes:
-    """The note in a form, in the language in force."""
+def formed(note: Sequence[Written], form: str, title: str, frame: TextTitles | None = None) -> bytes:
+    """The note in a form, in the language in force; for print in frames with these titles."""
     if form == "txt":
         from tmmcalc.note.plaintext import text
 
@@ -47,5 +48,5 @@ def formed(note: Sequence[Written], form: str, title: str) -> bytes:
         return document(note, title)
     from tmmcalc.note.typst import pdf, source
 
-    typed = source(note, spoken(), title)
+    typed = source(note, spoken(), title, frame)
     return typed.encode() if form == "typ" else pdf(typed)

@@ -21,6 +21,7 @@ from tmmcalc.note.tree import (
 )
 from tmmcalc.report.drawing.svg import svg
 from tmmcalc.report.formula.breaking import broken
+from tmmcalc.report.formula.layout import Box
 from tmmcalc.report.formula.mathml import mathml
 
 WIDE = 52.0  # of a formula before it is broken [em]
@@ -91,7 +92,7 @@ def _words(words: Text) -> str:
     return "".join(map(_part, words.parts))
 
 
-def _part(part: object) -> str:
+def _part(part: str | Box | Reference) -> str:
     match part:
         case str():
             return escape(part)

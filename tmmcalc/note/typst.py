@@ -19,12 +19,15 @@ from tmmcalc.note.tree import (
     Written,
     letters_wide,
 )
+from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.lettering import FONTS
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.drawing.svg import svg
 from tmmcalc.report.formula.breaking import broken
+from tmmcalc.report.formula.layout import Box
 from tmmcalc.report.formula.typst import typst as formula
 from tmmcalc.report.language import tr
+from tmmcalc.report.sheets.gosttext import FIRST, OTHERS, PAGE, TextTitles, text_frame
 
 SIZE = 12.0  # of letters [pt]
 WIDE = 158.0  # that a formula may have, of 165 of the text [mm]
@@ -49,15 +52,45 @@ HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 20mm, top: 20mm, bo
   #table(columns: columns, table.header(table.cell(colspan: columns, stroke: none, inset: (x: 0pt), align: left,
     context { if here().page() == query(label(key)).first().location().page() { caption } else { continued } }),
     ..heads), ..cells)]
+#let turned(body) = page(flipped: true, body)
 #let pictured(key, body, caption) = [#block(breakable: false, width: 100%, above: 1.2em, below: 1.2em,
   align(center)[#body #v(2mm, weak: true) #caption]) #label(key)]
 """
 
 
-def source(blocks: Iterable[Written], language: str, title: str) -> str:
-    """The text of the note."""
+def source(blocks: Iterable[Written], language: str, title: str, frame: TextTitles | None = None) -> str:
+    """The text of the note, its pages after the title page in frames with these titles."""
     head = HEAD.replace("LANGUAGE", language).replace("TITLE", _quoted(title))
-    return head + "\n".join(_block(block) for block in blocks) + "\n"
+    found = [head]
+    for block in blocks:
+        if isinstance(block, Contents) and frame is not None:
+            found += [_framed(frame, first=True), _block(block), "#pagebreak(weak: true)", _framed(frame, first=False)]
+        else:
+            found.append(_block(block))
+    return "\n".join(found) + "\n"
+
+
+def _framed(titles: TextTitles, *, first: bool) -> str:
+    """Pages from here on have this frame, with their numbers in it."""
+    drawing, number, total = text_frame(titles, first)
+    numbers = _placed(number, "counter(page).display()")
+    if total is not None:
+        numbers += _placed(total, "counter(page).final().first()")
+    margins = f"(left: 25mm, right: 10mm, top: 12mm, bottom: {(FIRST if first else OTHERS) + 12:g}mm)"
+    lying = f"(top: 25mm, right: 12mm, bottom: 10mm, left: {OTHERS + 12:g}mm)"
+    return f"""#let framed() = {{ {_image(drawing)}; {numbers} }}
+#set page(numbering: none, margin: {margins},
+  background: context if page.width > page.height {{ rotate(90deg, reflow: true, framed()) }} else {{ framed() }})
+#let turned(body) = page(flipped: true, margin: {lying}, body)"""
+
+
+def _placed(cell: Rectangle, body: str) -> str:
+    """Something in the middle of a cell of the page."""
+    left, top = cell.left, PAGE[1] - cell.top
+    return (
+        f"place(top + left, dx: {left:g}mm, dy: {top:g}mm, "
+        f"box(width: {cell.width:g}mm, height: {cell.height:g}mm, align(center + horizon, [#{body}])));"
+    )
 
 
 def pdf(text: str) -> bytes:
@@ -105,6 +138,7 @@ def _cover(cover: Cover) -> str:
         _lines(cover.kind[1:]),
         "v(4mm)",
         _lines([cover.title], "size: 16pt"),
+        "parbreak()",
         _lines([cover.designation]),
         "v(1fr)",
         f"align(right, grid(columns: 2, align: left, gutter: 4mm, {people}))" if people else "",
@@ -127,7 +161,7 @@ def _text(text: Text) -> str:
     return "".join(map(_part, text.parts))
 
 
-def _part(part: object) -> str:
+def _part(part: str | Box | Reference) -> str:
     match part:
         case str():
             return _escaped(part)
@@ -151,7 +185,7 @@ def _grid(grid: Grid) -> str:
     continued = tr("Continuation of table {number}", number=caption.number)
     said = f"[{_escaped(str(caption))}], [{_escaped(continued)}]"
     table = f"#listed({_label('tab', caption)}, {said}, {len(grid.head)}, ({heads}), ({cells}))"
-    return f"#page(flipped: true)[{table}]" if letters_wide(grid) > TURNED else table
+    return f"#turned[{table}]" if letters_wide(grid) > TURNED else table
 
 
 def _image(drawing: Drawing) -> str:

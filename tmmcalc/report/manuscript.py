@@ -40,16 +40,21 @@ class Display(NamedTuple):
 
 
 class Place(NamedTuple):
-    """A place at which a formula is worked out: what is said of it, ``in position 3``, and its quantities."""
+    """A place at which a formula is worked out: what is said of it, ``in position 3``, and its quantities.
+
+    With an ``index`` the left side of a formula of ``r_ai`` has it in place of i: ``r_a2``.
+    """
 
     name: str
     lexicon: Lexicon
+    index: str = ""
 
 
 class Line(NamedTuple):
     """A formula in letters, then with the numbers of each place: its left side is a name whose value is the program's.
 
-    Names that stand for the first time are explained by their meaning.
+    It may be a function of names too: ``inv(alpha)``, a number. Names that stand for the first time, or for something
+    else than before, are explained by their meaning.
     """
 
     formula: Statement

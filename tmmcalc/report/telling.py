@@ -12,12 +12,14 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tmmcalc.report.formula.digits import PLAIN, Given, rounded, value_of
+from tmmcalc.report.drawing.lettering import message
+from tmmcalc.report.formula.digits import PLAIN, Given, result_of, rounded, value_of
+from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.simplify import ZERO, simplified
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Name
-from tmmcalc.report.language import tr_number, tr_unit
+from tmmcalc.report.language import tr_unit
 from tmmcalc.report.manuscript import Figure, Lexicon, Line, Place, Table
 from tmmcalc.report.printing import printed_as
 from tmmcalc.report.sheets.piece import Piece
@@ -61,18 +63,18 @@ def number_of(lexicon: Lexicon, key: str) -> float:
 def lines(texts: Sequence[str], places: Sequence[Place], words: Mapping[str, str] | None = None) -> Iterator[Line]:
     """The formulas worked out at these places, without terms and factors that are nothing in all of them.
 
-    The left side of each is a quantity of the lexicons, whose value the line gives; one that is nothing is left out.
+    The left side of each is a quantity of the lexicons, or a number that is a function of some, as ``inv(alpha)``. The
+    line gives its value by the program; one that is nothing is left out.
     An angle has from then on as many whole turns as its formula gives.
     """
     for text in texts:
         formula = simplified(read(filled(text, words or {})), _zeros(places))
         left, right = formula.sides
-        assert isinstance(left, Name)
         if right in (ZERO, left):
             continue
         for place in places:
-            given = place.lexicon[left.key]
-            if given.unit == "deg":
+            given = result_of(left, place.lexicon)
+            if given.unit == "deg" and isinstance(left, Name):
                 place.lexicon[left.key] = _turned(given, value_of(right, place.lexicon, "deg"))
         yield Line(formula, tuple(places))
 
@@ -100,33 +102,42 @@ def tabulated(
 
     ``columns`` are headed by what they are, ``"$phi_3$, deg"`` with the unit of the values after the comma.
     """
-    found = {head: list(labels)}
-    for name, values in columns.items():
-        what, comma, own = name.partition(", ")
-        unit, factor = printed_as(own)
-        found[what + (comma and f", {tr_unit(unit)}")] = column_of(np.asarray(values, dtype=float) * factor)
+    found = {head: list(labels), **dict(column(name, values) for name, values in columns.items())}
     return Table(caption, tuple(found), tuple(zip(*found.values(), strict=True)), key)
+
+
+def column(name: str, values: ArrayLike, digits: int = DIGITS) -> tuple[str, list[str]]:
+    """The head and the cells of a column ``"$phi_3$, deg"`` in the unit in which it is printed."""
+    what, comma, own = name.partition(", ")
+    unit, factor = printed_as(own)
+    return headed(f"{what}{comma}{unit}"), column_of(np.asarray(values, dtype=float) * factor, digits)
+
+
+def headed(head: str) -> str:
+    """The head of a column with its unit, after a comma, in the language in force."""
+    name, comma, unit = head.partition(", ")
+    return name + (comma and f", {tr_unit(unit)}")
 
 
 def pictured(piece: Piece, *, key: str = "", wide: float = WIDE) -> Figure:
     """A picture of a sheet at the width of the note, as high as its proportions want."""
     least, good = piece.least, piece.good
     factor = max(wide / good[0], least[1] / good[1])
-    return Figure(piece.heading, piece.draw, (wide, min(factor * good[1], HIGH)), key)
+    return Figure(message(piece.heading), piece.draw, (wide, min(factor * good[1], HIGH)), key)
 
 
 def column_of(values: ArrayLike, digits: int = DIGITS) -> list[str]:
     """Numbers of a column as they are printed: all to one last digit, zero without a sign; a dash where one is nan.
 
-    >>> column_of([1.0, -0.00001, 123.456])
-    ['1.00', '0.00', '123.46']
+    >>> column_of([1.0, -0.00001, -123.456])
+    ['1.00', '0.00', '−123.46']
     """
     numbers = np.asarray(values, dtype=float)
     largest = np.max(np.abs(numbers[np.isfinite(numbers)]), initial=0.0)
     exponent = math.floor(math.log10(largest)) if largest > 0 else 0
     last = exponent - digits + 1
     if PLAIN[0] < exponent < PLAIN[1]:
-        texts = [tr_number(f"{round(each, -last) + 0.0:.{max(0, -last)}f}") for each in numbers]
+        texts = [spelt(f"{round(each, -last) + 0.0:.{max(0, -last)}f}") for each in numbers]
     else:
         texts = [f"${rounded(each, 10.0**last)}$" if math.isfinite(each) else "" for each in numbers]
     return [text if math.isfinite(each) else "–" for text, each in zip(texts, numbers, strict=True)]

@@ -35,6 +35,9 @@ VALUES = {"a": 3.0, "b": -2.0, "c": 0.5, "phi_3": 0.7}
         ("abs(b) + sqrt(a**2)", 5.0),
         ("min(a, b, c) + max(a, b)", 1.0),
         ("2*pi", 2 * math.pi),
+        ("(9*a)**(1/3)", 3.0),
+        ("floor(b/3) + ceil(c)", 0.0),
+        ("gcd(18, 6*a + 9)", 9.0),
     ],
 )
 def test_a_formula_has_the_value_of_its_arithmetic(text: str, expected: float) -> None:

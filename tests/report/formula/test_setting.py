@@ -43,6 +43,10 @@ OMML = "http://schemas.openxmlformats.org/officeDocument/2006/math"
         ("l_1 + abs(e) <= l_2", "l_1 + |e| ≤ l_2"),
         ("A = sum(P_i*v_i, i)", "A = ∑_i P_i v_i"),
         ("x = sqrt(a**2 + b**2)", "x = √(a^2 + b^2)"),
+        ("x = (a + b)**(1/3)", "x = ³√(a + b)"),
+        ("x = a**(1/2)", "x = √(a)"),
+        ("x = floor(a/b) + ceil(c)", "x = ⌊a/b⌋ + ⌈c⌉"),
+        ("x = a/gcd(b, c)", "x = a/(gcd(b; c))"),
         ("Deltaphi = deg(360)/n", "Δφ = 360°/n"),
         ("x = 2*3", "x = 2·3"),
     ],
@@ -59,6 +63,7 @@ def test_numbers_have_points_between_and_brackets_about_negative_ones() -> None:
     assert plain(side(read("a**2").sides[0], shown)) == "(−2.5)^2"
     with speaking("uk"):
         assert plain(side(read("a*tan(phi)").sides[0], shown)) == "−2,5·tg(−30°)"
+        assert plain(side(read("gcd(x, y)").sides[0])) == "НСД(x; y)"
 
 
 def test_a_power_of_ten_stands_beside_its_number() -> None:
@@ -75,7 +80,16 @@ def formulas() -> list[Any]:
             return draw.choice(atoms)
         x, y = some(depth - 1), some(depth - 1)
         form = draw.choice(
-            ["({}) + ({})", "({}) - ({})", "({})*({})", "({})/({})", "sin({}) + {}", "sqrt({}) - {}", "-({})*{}"]
+            [
+                "({}) + ({})",
+                "({}) - ({})",
+                "({})*({})",
+                "({})/({})",
+                "sin({}) + {}",
+                "sqrt({}) - {}",
+                "-({})*{}",
+                "({})**(1/3) + {}",
+            ]
         )
         return form.format(x, y)
 

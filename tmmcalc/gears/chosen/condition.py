@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import field
 from fractions import Fraction
 
 from tmmcalc.core.quantity import derived, quantity
@@ -27,6 +28,7 @@ class Condition:
     kept: bool = quantity("kept", "whether {formula} is kept")
     asked: bool = quantity("asked", "whether it was asked for; else it is custom")
     source: str = quantity("source", "formula of the textbook")
+    letters: Mapping[str, float] = field(default_factory=dict)  # numbers of the letters; angles [rad]
 
 
 @record
@@ -65,7 +67,9 @@ def condition(
     """
     formula, kept = f"{left[0]} {relation} {right[0]}", _holds(left[1], relation, right[1])
     numbers = filled(formula, letters)
-    return Condition(name, of, formula, numbers, float(left[1]), relation, float(right[1]), kept, asked, source)
+    return Condition(
+        name, of, formula, numbers, float(left[1]), relation, float(right[1]), kept, asked, source, dict(letters)
+    )
 
 
 def _holds(left: float | Fraction, relation: str, right: float | Fraction) -> bool:

@@ -123,6 +123,7 @@ COAXIAL = Layout(
     assembly=external_assembly,
     assembly_letters=EXTERNAL_LETTERS,
     size=across_layshafts,
+    lone_size_letters="a_12 + (m_1*Z2 + m_2*Z3)/2",
     arrangements=(5, 4),
     stepped=True,
     usual_planets=1,
@@ -175,4 +176,5 @@ II = Layout(
     assembly=external_assembly,
     assembly_letters=EXTERNAL_LETTERS,
     size=larger_ring,
+    size_letters="max(m_1*Z1, m_2*Z3)",
 )

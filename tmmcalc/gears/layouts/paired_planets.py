@@ -84,6 +84,7 @@ PAIRED = Layout(
     assembly_letters=("(Z1 + Z4)/K",),
     axes=axes,
     size=around_outer,
+    size_letters="2*a_34 + m_1*Z3",
     raised=math.radians(26),
     carrier="left",
 )

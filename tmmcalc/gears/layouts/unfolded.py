@@ -40,6 +40,7 @@ TWO = Layout(
     {"1": PINION, "2": WHEEL, "2'": PINION, "3": WHEEL},
     planetary=False,
     size=length,
+    size_letters="a_12 + a_2'3 + (m_1*Z1 + m_2*Z3)/2",
     arrangements=(3, 5),
     usual_ratio=20,
 )
@@ -53,6 +54,7 @@ THREE = Layout(
     {"1": PINION, "2": WHEEL, "2'": PINION, "3": WHEEL, "3'": PINION, "4": WHEEL},
     planetary=False,
     size=length,
+    size_letters="a_12 + a_2'3 + a_3'4 + (m_1*Z1 + m_3*Z4)/2",
     arrangements=(3, 3, 5),
     usual_ratio=45,
 )

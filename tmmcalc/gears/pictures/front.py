@@ -44,6 +44,11 @@ CLOUD = Mark("o", Pen("TRAINS", 0.1, (), WHITE), 0.9, "#7d9cb5")
 
 
 def pareto_sheet(drawing: Drawing, box: Box, result: Selection, place: int, heading: str) -> Diagram:
+    """Inertia against mass under a heading, see `draw_pareto`."""
+    return draw_pareto(drawing, headed(drawing, box, heading), result, place)
+
+
+def draw_pareto(drawing: Drawing, free: Box, result: Selection, place: int) -> Diagram:
     """Inertia against mass, the size as a shade; ``place`` is the row that is marked."""
     pool, near = result.pool, np.flatnonzero(_near(result, place))
     clouds = [near[pool.variant[near] == k] for k in range(len(result.variants))]
@@ -53,7 +58,6 @@ def pareto_sheet(drawing: Drawing, box: Box, result: Selection, place: int, head
     ]
     size = CRITERIA["size"][0] * pool.size
     borders = _borders(size[near])
-    free = headed(drawing, box, heading)
     top = write_key(drawing, free, _names(result, place, clouds, shown))
     if len(near) < len(pool):
         beyond = len(pool) - len(near)

@@ -160,7 +160,7 @@ def draw_quality(drawing: Drawing, box: Box, found: MeshPair) -> None:
         judged = check.limit is not None or check.verdict != "ok"
         whose = _whose(found, check.wheel)
         verdict = verdicts[check.verdict] if judged else ""
-        rows.append((_called(check), whose, _figure(check, check.value), limit, verdict))
+        rows.append((check_called(check), whose, _figure(check, check.value), limit, verdict))
     head = tr("Figure of quality"), tr("wheel"), tr("Value"), tr("Limit"), tr("Condition")
     below = box.top - draw_table(drawing, box.inset(0, 3 * NOTE, 0, 0), head, rows, LETTERS)
     said = tr("lengths in modules: interference, undercut, tip thickness, clearance")
@@ -173,7 +173,7 @@ def _whose(found: MeshPair, wheel: int) -> str:
     return plain(found.task.wheels[wheel - 1]) if wheel else ""
 
 
-def _called(check: Check) -> str:
+def check_called(check: Check) -> str:
     """The name of a figure in the language in force."""
     names = {
         "pressure": tr("specific pressure"),

@@ -7,7 +7,7 @@ from functools import partial
 
 from tmmcalc.gears.chosen.motion import Moving, written
 from tmmcalc.gears.details import trains_in_motion
-from tmmcalc.gears.meshing.booktables import book_tables
+from tmmcalc.gears.meshing.booktables import BookTables, book_tables
 from tmmcalc.gears.meshing.contours import PairContour
 from tmmcalc.gears.meshing.halftooth import fault_of
 from tmmcalc.gears.meshing.members import both, members
@@ -43,12 +43,12 @@ BEYOND = 0.04  # of the curves of sliding beyond the outermost points, in parts 
 def train(order: Order) -> Iterator[Piece]:
     """The train that was chosen, in motion; without criteria the first set of every variant."""
     for _, found in trains_in_motion(order.spec, order.results, order.choice or 1):
-        yield _moving(found)
+        yield motion_piece(found)
 
 
 def gearing(order: Order) -> Iterator[Piece]:
     """The train that is written out, in motion."""
-    yield _moving(written(order.results["gearing"]))
+    yield motion_piece(written(order.results["gearing"]))
 
 
 def pair(order: Order) -> Iterator[Piece]:
@@ -56,13 +56,24 @@ def pair(order: Order) -> Iterator[Piece]:
     for found in order.results["pair"].pairs:
         name = pair_title(found.task)
         if all(fault_of(member) is None for member in both(found)):
-            yield Piece(SHEET, tr("Mesh {pair}", pair=name), partial(_mesh, found=found), (260, 190), (340, 250))
-            heading = tr("Specific sliding and specific pressure {pair}", pair=name)
-            yield Piece(SHEET, heading, partial(_course, found=found), (230, 130), (300, 170))
+            yield mesh_of(found)
+            yield sliding_of(found)
         table = partial(draw_parameters, found=found)
         yield Piece(SHEET, tr("Parameters of the pair {pair}", pair=name), table, (120, 150), (150, 240))
         quality = partial(draw_quality, found=found)
         yield Piece(SHEET, tr("Figures of quality {pair}", pair=name), quality, (140, 100), (180, 120))
+
+
+def mesh_of(found: MeshPair) -> Piece:
+    """The mesh of a pair whose wheels have profiles."""
+    heading = tr("Mesh {pair}", pair=pair_title(found.task))
+    return Piece(SHEET, heading, partial(_mesh, found=found), (260, 190), (340, 250))
+
+
+def sliding_of(found: MeshPair) -> Piece:
+    """Sliding and pressure of such a pair along its line of action."""
+    heading = tr("Specific sliding and specific pressure {pair}", pair=pair_title(found.task))
+    return Piece(SHEET, heading, partial(_course, found=found), (230, 130), (300, 170))
 
 
 def profile(order: Order) -> Iterator[Piece]:
@@ -70,18 +81,29 @@ def profile(order: Order) -> Iterator[Piece]:
     for member in members(order.results["pair"]):
         tables = None if fault_of(member) is not None else book_tables(member, "tooth", INTERVALS)
         if tables is not None:
-            heading = tr("Tooth of wheel {wheel} by points", wheel=plain(member.name))
-            yield Piece(SHEET, heading, partial(draw_tooth_points, tables=tables), (200, 100), (260, 140))
+            yield tooth_of(tables)
+
+
+def tooth_of(tables: BookTables) -> Piece:
+    """The tooth of a wheel by the textbook's points."""
+    heading = tr("Tooth of wheel {wheel} by points", wheel=plain(tables.member.name))
+    return Piece(SHEET, heading, partial(draw_tooth_points, tables=tables), (200, 100), (260, 140))
 
 
 def blocking(order: Order) -> Iterator[Piece]:
     """The contours of all pairs with the points that were chosen."""
     for found in order.results["blocking"].pairs:
-        heading = tr("Blocking contour {pair}", pair=plain(found.name))
-        yield Piece(SHEET, heading, partial(_contour, found=found), (290, 185), (310, 195))
+        yield contour_of(found)
 
 
-def _moving(found: Moving) -> Piece:
+def contour_of(found: PairContour) -> Piece:
+    """A contour with its lines and points."""
+    heading = tr("Blocking contour {pair}", pair=plain(found.name))
+    return Piece(SHEET, heading, partial(_contour, found=found), (290, 185), (310, 195))
+
+
+def motion_piece(found: Moving) -> Piece:
+    """A train in motion: its scheme, its plans of velocities and of speeds."""
     heading = tr("Gear train") if found.chosen is None else train_name(found.chosen.sets)
     return Piece(SHEET, heading, partial(draw_motion, found=found), (290, 160), (340, 200))
 

@@ -34,8 +34,12 @@ ALIKE = 1e-9  # relative: pressure angles that are one
 
 
 def scheme_sheet(drawing: Drawing, box: Box, train: PlacedTrain, heading: str) -> Board:
-    """Fill a sheet with a train; the board of the views."""
-    free = headed(drawing, box, heading)
+    """Fill a sheet with a train under a heading; the board of the views."""
+    return draw_scheme(drawing, headed(drawing, box, heading), train)
+
+
+def draw_scheme(drawing: Drawing, free: Box, train: PlacedTrain) -> Board:
+    """A train from two sides with the table of its wheels; the board of the views."""
     views = free.inset(0, 0, TABLE + 4, 0)
     table = Box(free.right - TABLE, free.bottom, free.right, free.top)
     below = _tabulate(drawing, table, train)

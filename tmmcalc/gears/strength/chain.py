@@ -130,7 +130,7 @@ class _Chain:
             m_H = letters["A_H"] * np.cbrt(float(self.loads.factor[0, k]) * letters["q"] / (volume * letters["Z"]))
             m_F = letters["A_F"] * np.cbrt(form * letters["q"] / volume)
             told = Coefficient(of, "m_H", MM * float(m_H), "m", "(4.38), (4.39): module by contact")
-            yield made(told, f"A_H*((u {self._sign(k)} 1)/u*q/(Z_1*Z**2))**(1/3)", letters, "mm")
+            yield made(told, f"A_H*((u {self._sign(k)} 1)*q/(u*Z_1*Z**2))**(1/3)", letters, "mm")
             told = Coefficient(of, "m_F", MM * float(m_F), "m", f"(4.41): module by bending of wheel {name}")
             yield made(told, "A_F*(Y_F*q/(Z_1*Z))**(1/3)", letters, "mm")
 
@@ -168,7 +168,7 @@ class _Chain:
             force = K_D**3 * letters["T"] * letters["K_Hbeta"] * f
             sigma_H = float(np.sqrt(force / (letters["b"] * letters["d"] ** 2)))
             told = Coefficient(of, "sigma_H", MPA * sigma_H, "Pa", f"contact stress{at}")
-            formula = f"(K_d**3*T*K_Hbeta*(u {self._sign(k)} 1)/u/(b*d**2))**(1/2)"
+            formula = f"(K_d**3*T*K_Hbeta*(u {self._sign(k)} 1)/(u*b*d**2))**(1/2)"
             yield made(told, formula, letters, "MPa")
             limit = min(each for _, _, each, _ in self._wheels(k))
             yield Factor(Coefficient(of, "sigma_HP", MPA * limit, "Pa", "the smaller one of both wheels"))

@@ -10,11 +10,12 @@ import numpy as np
 
 from tmmcalc.core.notes import Note
 from tmmcalc.core.records import record
+from tmmcalc.gears.letters import teeth_of
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.strength.basis import Basis, basis_of
 from tmmcalc.gears.strength.demand import K_D, K_M, LEAST_TEETH, form_factors
 from tmmcalc.gears.strength.endurance import Coefficient, Factor, made
-from tmmcalc.gears.strength.loads import MeshLoads, mesh_loads
+from tmmcalc.gears.strength.loads import MeshLoads, mesh_loads, torque_letters
 from tmmcalc.gears.strength.results import Strength
 from tmmcalc.gears.strength.series import Outcome
 from tmmcalc.gears.strength.solve import NARROWEST, PER_MM, SLACK, WIDEST, solve_strength
@@ -100,7 +101,7 @@ def _mesh(one: ToothSets, task: StrengthTask, basis: Basis, loads: MeshLoads, k:
     yield Factor(Coefficient(of, "Z", Z, "-", f"teeth of the pinion, wheel {name}"))
     yield by("u", u, "-", "teeth of the larger wheel over those of the smaller", "Z_w/Z")
     yield by(f"(u {sign} 1)/u", float(loads.factor[0, k]), "-", "(4.38), (4.39)", f"(u {sign} 1)/u")
-    yield Factor(Coefficient(of, "q", q, "-", "torque on the pinion over T1"))
+    yield _torque(one, loads, k, Coefficient(of, "q", q, "-", "torque on the pinion over T1"))
     yield by("T", task.torque * q / one.planets, "N*m", f"on wheel {name} in one branch", "T1*q/K", "N*m")
     text = f"(4.40): K_d cbrt(T1 K_Hbeta/(K psi_bd sigma_HP^2)){at_psi}"
     yield by("A_H", float(A_H), "m", text, "K_d*(T1*K_Hbeta/(K*psi_bd*sigma_HP**2))**(1/3)", "mm")
@@ -120,6 +121,20 @@ def _mesh(one: ToothSets, task: StrengthTask, basis: Basis, loads: MeshLoads, k:
         told = Coefficient(of, f"A_F{symbol}", float(A_F), "m", text)
         bending = {**letters, "sigma_FP": limits[own] / 1e6}
         yield made(told, "K_m*(T1*K_Fbeta/(K*psi_bd*sigma_FP))**(1/3)", bending, "mm")
+
+
+def _torque(one: ToothSets, loads: MeshLoads, k: int, told: Coefficient) -> Factor:
+    """The factor q with its formula; it is 1 where the pinion stands on the shaft of wheel 1."""
+    scheme = one.scheme
+    pinions = [scheme.wheels[int(column)] for column in loads.pinion[0]]
+    formula = torque_letters(scheme, pinions)[k]
+    if formula == "1":
+        return Factor(told)
+    letters = {teeth_of(wheel): float(z[0]) for wheel, z in one.by_wheel.items()}
+    if scheme.three_centrals:
+        numerator, denominator = scheme.tooth_ratio(one.by_wheel)
+        letters["i_14"] = float(numerator[0] / denominator[0])
+    return made(told, formula, letters)
 
 
 @record

@@ -14,10 +14,13 @@ Losses are neglected.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
+from tmmcalc.gears.letters import teeth_of
 from tmmcalc.gears.model import Integers, ToothSets, Values
 from tmmcalc.gears.scheme import Layout
 
@@ -99,6 +102,29 @@ def _on_first(sets: ToothSets, layout: Layout) -> Values:
         torques.append(torque)
         on_shaft[_shaft(mesh.second)] = torque * sets.of(mesh.second) / sets.of(mesh.first)
     return np.stack(torques, axis=1)
+
+
+def torque_letters(layout: Layout, pinions: Sequence[str]) -> list[str]:
+    """The factor q of every mesh as a formula; ``pinions`` are the smaller wheels of the meshes.
+
+    >>> from tmmcalc.gears.scheme import layout_of
+    >>> torque_letters(layout_of("AI"), ("1", "2'")), torque_letters(layout_of("AII"), ("1", "2", "2'"))
+    (['1', 'Z2/Z1'], ['1', 'abs(i_14 - 1)*Z2/Z3', "abs(i_14)*Z2'/Z4"])
+    """
+    if layout.three_centrals:
+        first, second, third = (
+            "" if pinion == mesh.first else f"*{teeth_of(mesh.second)}/{teeth_of(mesh.first)}"
+            for mesh, pinion in zip(layout.meshes, pinions, strict=True)
+        )
+        return [f"1{first}", f"abs(i_14 - 1)*Z2/Z3{second}", f"abs(i_14)*Z2'/Z4{third}"]
+    on_shaft: dict[str, list[str]] = {_shaft(layout.wheels[0]): []}
+    letters = []
+    for mesh, pinion in zip(layout.meshes, pinions, strict=True):
+        passed = on_shaft[_shaft(mesh.first)]
+        own = f"{teeth_of(mesh.second)}/{teeth_of(mesh.first)}"
+        on_shaft[_shaft(mesh.second)] = [*passed, own]
+        letters.append("*".join([*passed, own] if pinion == mesh.second else passed) or "1")
+    return letters
 
 
 def _on_first_of_three(sets: ToothSets) -> Values:

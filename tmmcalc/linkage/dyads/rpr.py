@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.plane import Plane, Point, Real, rotated, square
+from tmmcalc.core.plane import Parts, Plane, Point, Real, rotated, square
 from tmmcalc.linkage.dyads.base import Elements, Motions, Rates, Sites, Slides, carried, mm, signed
 from tmmcalc.linkage.solvers import Method
 from tmmcalc.linkage.structure import Group
@@ -87,10 +87,11 @@ class RPR(NamedTuple):
         return RPRPlaced(q, q * (s - 1j * self.h) / q2, s)
 
     def rates(self, port1: Point, port2: Point, placed: RPRPlaced, method: Method) -> Rates:
-        """v1 = v2 + i omega q + ds e."""
-        solve = method(1j * placed.q, placed.e)
-        x, y = solve(port1.v - port2.v)
-        return Rates(x, y, *solve(port1.a - port2.a + x**2 * placed.q - 2j * (x * y) * placed.e))
+        """i omega (s + i h) e + ds e = v1 - v2, divided by e; accelerations have Coriolis and the normal part."""
+        solve, back = method(Parts(-self.h, placed.s), 1), np.conj(placed.e)
+        x, y = solve((port1.v - port2.v) * back)
+        w = (port1.a - port2.a) * back
+        return Rates(x, y, *solve(Parts(w.real + x * x * placed.s, w.imag + x * (x * self.h - 2 * y))))
 
     def regularity(self, placed: RPRPlaced) -> Real:
         """|s| over the largest distance of the pivots: the pin on the pivot is singular."""

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.plane import Guide, Plane, Point, Real, rotated
+from tmmcalc.core.plane import Guide, Parts, Plane, Point, Real, rotated, vector
 from tmmcalc.linkage.dyads.base import Elements, Motions, Rates, Sites, Slides, carried, length_of, mm, signed
 from tmmcalc.linkage.solvers import Method
 from tmmcalc.linkage.structure import Group
@@ -90,18 +90,19 @@ class RRP(NamedTuple):
         across = self.h - z.imag
         along = np.sqrt((self.l - across) * (self.l + across)) * self.variant
         s = z.real + along
-        local = np.empty(across.shape, z.dtype)
-        local.real, local.imag = along, across
-        a = local * port2.e
+        a = vector(along, across) * port2.e
         return RRPPlaced(a, along, across, s, port1.r + a - port2.r)
 
     def rates(self, port1: Point, port2: Guide, placed: RRPPlaced, method: Method) -> Rates:
-        """v1 + i omega_a a = transport + ds e, divided by e; accelerations have Coriolis and the rod's normal part."""
-        solve = method(1j * placed.along - placed.across, np.array(-1 + 0j))
-        v, a = port2.transport(placed.offset)
-        x, y = solve((v - port1.v) * np.conj(port2.e))
-        relative = x**2 * placed.along + 1j * (x**2 * placed.across + 2 * port2.omega * y)
-        return Rates(x, y, *solve((a - port1.a) * np.conj(port2.e) + relative))
+        """ds e - i omega_a a = v1 - transport, divided by e; accelerations have Coriolis and the rod's normal part."""
+        solve = method(Parts(placed.across, -placed.along), 1)
+        (v, a), back = port2.transport(placed.offset), np.conj(port2.e)
+        x, y = solve((port1.v - v) * back)
+        w, turning = (port1.a - a) * back, x * x
+        across = w.imag - turning * placed.across
+        if port2.turns:
+            across = across - 2 * port2.omega * y
+        return Rates(x, y, *solve(Parts(w.real - turning * placed.along, across)))
 
     def regularity(self, placed: RRPPlaced) -> Real:
         """|cos| of the angle between rod and guide."""

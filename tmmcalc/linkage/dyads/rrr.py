@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.plane import Plane, Point, Real, cross, rotated, square
+from tmmcalc.core.plane import Plane, Point, Real, cross, rotated, square, vector
 from tmmcalc.linkage.dyads.base import Elements, Motions, Rates, Sites, Slides, length_of, mm
 from tmmcalc.linkage.solvers import Method
 from tmmcalc.linkage.structure import Group
@@ -73,10 +73,8 @@ class RRR(NamedTuple):
         """B = P1 + (d + i h) q/|q| with d along and h across the line of the pivots."""
         q = port2.r - port1.r
         q2 = square(q)
-        ratio = np.empty(q2.shape, q.dtype)
-        ratio.real = ((self.l_a**2 - self.l_b**2) + q2) / (2 * q2)
-        ratio.imag = np.sqrt(self._spread(q2)) * self.variant / (2 * q2)
-        a = ratio * q
+        along, across = (self.l_a**2 - self.l_b**2) + q2, np.sqrt(self._spread(q2)) * self.variant
+        a = vector(along / (2 * q2), across / (2 * q2)) * q
         return RRRPlaced(a, a - q)
 
     def rates(self, port1: Point, port2: Point, placed: RRRPlaced, method: Method) -> Rates:

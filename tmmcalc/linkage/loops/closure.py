@@ -98,15 +98,19 @@ class Loops(NamedTuple):
         size = self.size
         done = np.zeros(q.shape[1], bool)
         for _ in range(passes):
-            placed = self.place(q)
-            step = solve(placed.jacobian, -_real(placed.residual)) if q.shape[1] else q
-            relative = np.max(np.abs(step) / size[:, None], axis=0, initial=0.0)
-            with np.errstate(invalid="ignore", over="ignore"):
-                q = q + step * np.minimum(1.0, STRAY / np.maximum(relative, STRAY))
+            q, relative = self.corrected(self.place(q), size)
             if np.all(done | ~np.isfinite(relative)):
                 break
             done |= relative < limit
         return self.place(q), done
+
+    def corrected(self, placed: PlacedGroup, size: Real) -> tuple[Real, Real]:
+        """The unknowns after a step of Newton, cut where it strays, and what it is against their ``size``, (n,)."""
+        q = placed.q
+        step = solve(placed.jacobian, -_real(placed.residual)) if q.shape[1] else q
+        relative = np.max(np.abs(step) / size[:, None], axis=0, initial=0.0)
+        with np.errstate(invalid="ignore", over="ignore"):
+            return q + step * np.minimum(1.0, STRAY / np.maximum(relative, STRAY)), relative
 
     @property
     def size(self) -> Real:

@@ -119,8 +119,8 @@ def _tried(
     motions: Motions,
     theta: Real,
     order: int,
-    omega: Real | float = 0,
-    eps: Real | float = 0,
+    omega: Real | float = 0.0,
+    eps: Real | float = 0.0,
 ) -> Tried:
     """The dyads behind the trial link at the angles theta (n,), turning with omega, eps."""
     own, source = split.pivot

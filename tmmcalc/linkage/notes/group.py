@@ -88,9 +88,17 @@ def names_of(chain: Chain, step: Step) -> dict[str, str]:
 
 
 def _named(pins: tuple[Pin, ...], joint: Joint) -> str:
-    """The point of a revolute joint; of a prismatic one its own name."""
-    found = next((pin.name for pin in pins if joint.name in pin.joints), joint.name)
-    return plain_name(found)
+    """The point of a revolute joint; of a prismatic one that of its guide."""
+    found = next((plain_name(pin.name) for pin in pins if joint.name in pin.joints), "")
+    return found or guide_name(pins, joint)
+
+
+def guide_name(pins: tuple[Pin, ...], joint: Joint) -> str:
+    """The point of the guide of a prismatic joint: the name of the joint, with zeros where a pin has it."""
+    name, taken = plain_name(joint.name), {plain_name(pin.name) for pin in pins}
+    while name in taken:
+        name += "0"
+    return name
 
 
 def plain_name(name: str) -> str:
@@ -126,8 +134,8 @@ def guide_quantities(
     velocity = complex(guide.v) + 1j * omega * offset
     acceleration = complex(guide.a) + (1j * eps - omega**2) * offset
     number = places[slider[1:-1]]
-    carried = tr("projection of the velocity of the guide of link {link} at {point}", link=number, point=places["B"])
-    drawn = tr("projection of the acceleration of the guide of link {link} at {point}", link=number, point=places["B"])
+    carried = tr("projections of the velocity of the guide of link {link} at {point}", link=number, point=places["B"])
+    drawn = tr("projections of the acceleration of the guide of link {link} at {point}", link=number, point=places["B"])
     return {
         f"gamma_{slider}": angle(complex(guide.e), tr("angle of the guide of link {link}", link=number)),
         **vector(f"v_{{<B>%}}^{mark}", velocity, "m/s", carried),
@@ -136,10 +144,10 @@ def guide_quantities(
             f"%_{{{origin}}}",
             complex(guide.r),
             "m",
-            tr("coordinate of a point of the guide of link {link}", link=number),
+            tr("coordinates of a point of the guide of link {link}", link=number),
         ),
-        **vector(f"v_{{{origin}%}}", complex(guide.v), "m/s", tr("projection of the velocity of this point")),
-        **vector(f"a_{{{origin}%}}", complex(guide.a), "m/s^2", tr("projection of the acceleration of this point")),
+        **vector(f"v_{{{origin}%}}", complex(guide.v), "m/s", tr("projections of the velocity of this point")),
+        **vector(f"a_{{{origin}%}}", complex(guide.a), "m/s^2", tr("projections of the acceleration of this point")),
     }
 
 
@@ -158,9 +166,9 @@ def pin_quantities(chain: Chain, result: Kinematics, row: int) -> dict[str, Give
 def point_quantities(key: str, name: str, state: Point) -> dict[str, Given]:
     """A point: coordinates and the projections of its velocity and acceleration."""
     return {
-        **vector(f"%_{{{key}}}", complex(state.r), "m", tr("coordinate of point {point}", point=name)),
-        **vector(f"v_{{{key}%}}", complex(state.v), "m/s", tr("projection of the velocity of {point}", point=name)),
+        **vector(f"%_{{{key}}}", complex(state.r), "m", tr("coordinates of point {point}", point=name)),
+        **vector(f"v_{{{key}%}}", complex(state.v), "m/s", tr("projections of the velocity of {point}", point=name)),
         **vector(
-            f"a_{{{key}%}}", complex(state.a), "m/s^2", tr("projection of the acceleration of {point}", point=name)
+            f"a_{{{key}%}}", complex(state.a), "m/s^2", tr("projections of the acceleration of {point}", point=name)
         ),
     }

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from tmmcalc.linkage.chain import Chain
+from tmmcalc.linkage.model import FRAME
 from tmmcalc.linkage.notes.group import GroupAt, length, plain_name
 from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.linkage.structure import Group
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
+from tmmcalc.report.telling import named
 
 POSITION = (
     "x_{<D>} = x_{<O>} + l_{<O><D>}*cos(<angle> + alpha_{<D>})",
@@ -43,7 +45,7 @@ class Carried(NamedTuple):
     """A point of such a link: what stands in the formulas, and the quantities that are new."""
 
     places: Mapping[str, str]
-    quantities: Mapping[str, Given]
+    quantities: dict[str, Given]
 
 
 def carried(chain: Chain, carrier: Carrier, known: set[str]) -> Iterator[Carried]:
@@ -67,13 +69,26 @@ def carried(chain: Chain, carrier: Carrier, known: set[str]) -> Iterator[Carried
         yield Carried(places, quantities)
 
 
-def crank_carrier(chain: Chain) -> Carrier | None:
-    """The input crank about its pivot; None for a driven slider, or a drive within a group."""
-    if not chain.turns or chain.structure.driven is not None:
+def gathered(chain: Chain, carrier: Carrier, known: set[str], lexicons: Sequence[dict[str, Given]]) -> list[Carried]:
+    """The points of a link that are not known yet, with their quantities in the lexicons."""
+    found = [*carried(chain, carrier, known)]
+    for lexicon in lexicons:
+        for each in found:
+            lexicon |= named(each.quantities)
+    return found
+
+
+def input_carrier(chain: Chain) -> Carrier | None:
+    """The input crank about its pivot, or a driven slider along its guide; None: the drive is within a group."""
+    if chain.structure.driven is not None:
         return None
-    link = chain.structure.input_link
-    joint = chain.input_joint
-    pivot = next(pin for pin in find_pins(chain.mechanism) if joint.name in pin.joints)
+    link, joint = chain.structure.input_link, chain.input_joint
+    pins = find_pins(chain.mechanism)
+    if not chain.turns:
+        pin = next(pin for pin in pins if link in pin.at)
+        line = joint.directions[joint.links.index(link)]
+        return Carrier(link, plain_name(pin.name), pin.at[link], f"gamma_{link}", line, FRAME)
+    pivot = next(pin for pin in pins if joint.name in pin.joints)
     return Carrier(link, plain_name(pivot.name), pivot.at[link], f"phi_{link}", 1 + 0j, link)
 
 

@@ -4,21 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from tmmcalc.linkage.chain import chain_of
+from tmmcalc.linkage.instant import turning_links
 from tmmcalc.linkage.model import FRAME, Mechanism
+from tmmcalc.linkage.pictures.choice import at_parts
+from tmmcalc.linkage.pictures.cycle import whole_cycle
+from tmmcalc.linkage.pictures.pieces import of_groups
 from tmmcalc.linkage.structure import ROMAN, Group, Structure
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_count, tr_name
-from tmmcalc.report.manuscript import Block, Line, Listing, Paragraph, Place, Table
+from tmmcalc.report.manuscript import Block, Line, Paragraph, Place, Table
+from tmmcalc.report.telling import pictured
 
 
 def blocks(order: Order) -> Iterator[Block]:
-    """Tables of links and pairs, the mobility with numbers, the groups in the order of assembly."""
+    """Tables of links and pairs, the mobility with numbers, the groups in the order of assembly, drawn apart."""
     mechanism, result = to_linkage(order.spec.linkage), order.results["structure"]
     yield Paragraph(tr("The links are listed in table {tab:links}, the kinematic pairs in table {tab:pairs}."))
-    yield Table(tr("Links"), (tr("Number"), tr("Link"), tr("Pairs")), tuple(_links(mechanism, result)), key="links")
+    heads = (tr("Number"), tr("Link"), tr("Motion"), tr("Pairs"))
+    yield Table(tr("Links"), heads, tuple(_links(mechanism, result)), key="links")
     yield Table(
         tr("Kinematic pairs"),
         (tr("Kinematic pair"), tr("Links"), tr("Kind"), tr("Class")),
@@ -33,18 +40,53 @@ def blocks(order: Order) -> Iterator[Block]:
     }
     yield Line(read("W = 3*n - 2*p_5"), (Place("", lexicon),), key="mobility")
     if result.groups:
-        count = tr_count(len(result.groups), "Assur group", "Assur groups")
-        yield Paragraph(tr("Without the input link the mechanism falls into {count}:", count=count))
-        yield Listing(tuple(map(_described, result.groups)))
-    formula = result.formula.replace("->", "→")
-    told = {"formula": formula, "number": ROMAN.get(result.class_number, str(result.class_number))}
-    yield Paragraph(tr("The structural formula: {formula}. The class of the mechanism is {number}.", **told))
+        yield from _groups(order, result)
+    yield Paragraph(tr("The structural formula: {formula}.", formula=result.formula.replace("->", "→")))
+    number = _roman(result.class_number)
+    yield Paragraph(tr("The class of the mechanism is that of its highest group: class {number}.", number=number))
+
+
+def _groups(order: Order, result: Structure) -> Iterator[Block]:
+    """The groups as a table and as a picture."""
+    count = tr_count(len(result.groups), "Assur group", "Assur groups")
+    if result.driven is None:
+        said = tr(
+            "With the input link {link} on the frame as the mechanism of class I, the other links form {count}: table "
+            "{tab:groups}, figure {fig:groups}.",
+            link=result.input_link,
+            count=count,
+        )
+    else:
+        said = tr(
+            "The drive acts between two moving links, so the group {group} holds it; the links form {count}: "
+            "table {tab:groups}, figure {fig:groups}.",
+            group=result.driven.name,
+            count=count,
+        )
+    yield Paragraph(said)
+    heads = (tr("Group"), tr("Links"), tr("Class"), tr("Order"), tr("Kind"), tr("Outer pairs"), tr("Inner pairs"))
+    yield Table(tr("Assur groups"), heads, tuple(map(_described, result.groups)), key="groups")
+    kinematics = order.solved("kinematics")
+    cycle = whole_cycle(chain_of(to_linkage(order.spec.linkage), kinematics), kinematics)
+    row = at_parts(cycle, kinematics, (1 / 2,))[0]
+    yield pictured(of_groups(result, cycle, float(kinematics.x[row])), key="groups")
 
 
 def _links(mechanism: Mechanism, result: Structure) -> Iterator[tuple[str, ...]]:
     for link in (FRAME, *(each.id for each in mechanism.links)):
-        name = tr("frame") if link == FRAME else tr_name(result.names.get(str(link), ""))
-        yield str(link), name, ", ".join(joint.name for joint in mechanism.joints if link in joint.links)
+        name = tr("frame") if link == FRAME else tr_name(result.names.get(str(link), "")) or "–"
+        pairs = ", ".join(joint.name for joint in mechanism.joints if link in joint.links)
+        yield str(link), name, _motion(mechanism, link), pairs
+
+
+def _motion(mechanism: Mechanism, link: int) -> str:
+    """How a link can move, by its joints."""
+    if link == FRAME:
+        return tr("fixed")
+    if link not in turning_links(mechanism):
+        return tr("translation")
+    pivots = (joint for joint in mechanism.joints if joint.kind == "revolute" and set(joint.links) == {FRAME, link})
+    return tr("rotation") if next(pivots, None) else tr("plane motion")
 
 
 def _pair(links: tuple[int, int]) -> str:
@@ -55,19 +97,12 @@ def _kind(kind: str) -> str:
     return tr("revolute") if kind == "revolute" else tr("prismatic")
 
 
-def _described(group: Group) -> str:
+def _described(group: Group) -> tuple[str, ...]:
+    """A row of the table of groups."""
     links = ", ".join(map(str, group.links))
-    values = {
-        "links": links,
-        "number": ROMAN.get(group.class_number, str(group.class_number)),
-        "order": group.order,
-        "outer": ", ".join(group.outer),
-        "inner": ", ".join(group.inner),
-    }
-    if not group.kind:
-        return tr("links {links}: class {number}, order {order}, outer pairs {outer}, inner pairs {inner}", **values)
-    return tr(
-        "links {links}: class {number}, order {order}, kind {kind}, outer pairs {outer}, inner pair {inner}",
-        kind=group.kind,
-        **values,
-    )
+    pairs = ", ".join(group.outer), ", ".join(group.inner)
+    return group.name, links, _roman(group.class_number), str(group.order), group.kind or "–", *pairs
+
+
+def _roman(number: int) -> str:
+    return ROMAN.get(number, str(number))

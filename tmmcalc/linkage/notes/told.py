@@ -1,4 +1,4 @@
-"""What the chapters on a linkage are told from: its dyads at the chosen positions, all quantities by their names."""
+"""What the chapters on a linkage are told from: its groups at the chosen positions, all quantities by their names."""
 
 from __future__ import annotations
 
@@ -8,10 +8,12 @@ from importlib import import_module
 from typing import Any, NamedTuple
 
 from tmmcalc.linkage.chain import Chain, Step, chain_of
-from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.notes import points
+from tmmcalc.linkage.loops.step import LoopStep
+from tmmcalc.linkage.notes import driven, loops, points
 from tmmcalc.linkage.notes.group import GroupAt, group_at, pin_quantities, plain_name
-from tmmcalc.linkage.notes.positions import by_default
+from tmmcalc.linkage.notes.paths import Arm, Loop, loops_of
+from tmmcalc.linkage.pictures.choice import at_parts
+from tmmcalc.linkage.pictures.cycle import LinkageMotion, whole_cycle
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
@@ -20,8 +22,9 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Paragraph, Place
-from tmmcalc.report.telling import filled, lines, named
+from tmmcalc.report.telling import STILL, filled, lines, named
 
+SHOWN = ((1 / 2,), (1 / 2,))  # parts of the working and of the idle stroke whose positions are worked out
 DYADS = "tmmcalc.linkage.notes.dyads"
 
 
@@ -31,6 +34,7 @@ class Dyad(NamedTuple):
     step: Step
     kind: Any  # module of `tmmcalc.linkage.notes.dyads`
     states: Sequence[GroupAt]
+    loops: tuple[Loop, ...]
     carried: Sequence[points.Carried]
 
     @property
@@ -42,12 +46,23 @@ class Dyad(NamedTuple):
 class Told(NamedTuple):
     """A linkage at positions ``rows`` of the result, with the quantities of each."""
 
-    chain: Chain
+    cycle: LinkageMotion
     result: Kinematics
     rows: Sequence[int]
     lexicons: Sequence[dict[str, Given]]
-    crank: Sequence[points.Carried]  # points of the input crank
-    dyads: Sequence[Dyad]
+    slider: Arm | None  # the vector to a pin of a driven slider
+    crank: Sequence[points.Carried]  # points of the input link
+    groups: Sequence[Dyad | loops.Looped]  # in the order of assembly
+
+    @property
+    def chain(self) -> Chain:
+        """The linkage with its groups."""
+        return self.cycle.chain
+
+    @property
+    def dyads(self) -> list[Dyad]:
+        """The groups that are dyads."""
+        return [group for group in self.groups if isinstance(group, Dyad)]
 
     @property
     def places(self) -> list[Place]:
@@ -59,9 +74,24 @@ class Told(NamedTuple):
         """The formulas with their links and points, worked out at the positions."""
         return lines(texts, self.places, words)
 
+    @property
+    def turning(self) -> list[int]:
+        """Links that turn, but the crank and blocks that turn with a link on which they slide."""
+        joints = self.chain.mechanism.joints
+        blocks = {joint.links[0] for joint in joints if joint.kind == "prismatic" and joint.links[1]}
+        crank = {self.result.structure.input_link} if self.chain.turns else set()
+        links = self.result.trace.link_ids
+        moves = (link for link, rates in zip(links, self.result.trace.dangle, strict=True) if rates.any())
+        return [link for link in moves if link not in blocks | crank]
+
+    def nothing(self, *names: str) -> bool:
+        """Whether these quantities are zero in all shown positions."""
+        values = (lexicon[canonical(name)].value for lexicon in self.lexicons for name in names)
+        return all(isinstance(value, float) and abs(value) <= STILL for value in values)
+
     def beyond(self) -> Iterator[Block]:
         """A sentence on the groups that are no dyads, where there are some."""
-        names = ", ".join(step.group.name for step in self.chain.steps if not isinstance(step, Step))
+        names = ", ".join(group.step.group.name for group in self.groups if not isinstance(group, Dyad))
         if names:
             said = tr(
                 "The program solves these groups, and their lines are not written out here: {groups}.", groups=names
@@ -72,24 +102,31 @@ class Told(NamedTuple):
 def told_of(order: Order) -> Told:
     """What is told of the linkage of a run, at the positions that are asked for, or one of each stroke."""
     mechanism, result = to_linkage(order.spec.linkage), order.results["kinematics"]
-    return _gathered(mechanism, result, order.rows(POSITIONS, result.labels) or by_default(mechanism, result))
+    cycle = whole_cycle(chain_of(mechanism, result), result)
+    return _gathered(cycle, result, order.rows(POSITIONS, result.labels) or at_parts(cycle, result, *SHOWN))
 
 
-def _gathered(mechanism: Mechanism, result: Kinematics, rows: Sequence[int]) -> Told:
+def _gathered(cycle: LinkageMotion, result: Kinematics, rows: Sequence[int]) -> Told:
     """All quantities of the motion at these positions."""
-    chain = chain_of(mechanism, result)
-    lexicons = [named({**pin_quantities(chain, result, row), **_input_quantities(result, row)}) for row in rows]
+    chain = cycle.chain
+    lexicons = [named({**pin_quantities(chain, result, row), **_input_quantities(chain, result, row)}) for row in rows]
     for lexicon, row in zip(lexicons, rows, strict=True):
         lexicon |= _rotations(result, row)
-    known = {plain_name(pin.name) for pin in find_pins(mechanism) if pin.fixed}
-    crank = []
-    if (carrier := points.crank_carrier(chain)) is not None:
-        crank = _carried(chain, carrier, known, lexicons)
-    dyads = []
+    known = {plain_name(pin.name) for pin in find_pins(chain.mechanism) if pin.fixed}
+    slider = driven.driven_slider(chain)
+    if slider is not None:
+        known.add(slider.end)
+        for lexicon, row in zip(lexicons, rows, strict=True):
+            lexicon |= named(loops.vector_quantities(chain, result, row, [slider]))
+    carrier = points.input_carrier(chain)
+    crank = [] if carrier is None else points.gathered(chain, carrier, known, lexicons)
+    groups: list[Dyad | loops.Looped] = []
     for step in chain.steps:
-        if isinstance(step, Step):
-            dyads.append(_dyad(chain, step, result, rows, known, lexicons))
-    return Told(chain, result, rows, lexicons, crank, dyads)
+        if isinstance(step, LoopStep):
+            groups.append(loops.looped_of(chain, step, result, rows, known, lexicons))
+        else:
+            groups.append(_dyad(chain, step, result, rows, known, lexicons))
+    return Told(cycle, result, rows, lexicons, slider, crank, groups)
 
 
 def _rotations(result: Kinematics, row: int) -> dict[str, Given]:
@@ -103,10 +140,12 @@ def _rotations(result: Kinematics, row: int) -> dict[str, Given]:
     return found
 
 
-def _input_quantities(result: Kinematics, row: int) -> dict[str, Given]:
-    """The input crank: its angle, angular velocity and acceleration."""
-    link = result.structure.input_link
+def _input_quantities(chain: Chain, result: Kinematics, row: int) -> dict[str, Given]:
+    """The input coordinate: the angle of a crank, or the coordinate of a drive, with its law."""
     first = float(result.x[0])
+    if not chain.turns:
+        return driven.law_quantities(first, float(result.phi[row]))
+    link = result.structure.input_link
     return {
         f"phi_{link}": Given(math.degrees(float(result.x[row])), "deg", tr("angle of link {link}", link=link)),
         "phi_0": Given(math.degrees(first), "deg", tr("angle of the crank in the first position")),
@@ -131,16 +170,5 @@ def _dyad(
     known.add(states[0].places["B"])
     carried = []
     for carrier in points.carriers(chain, step.group, states[0]):
-        carried += _carried(chain, carrier, known, lexicons)
-    return Dyad(step, kind, states, carried)
-
-
-def _carried(
-    chain: Chain, carrier: points.Carrier, known: set[str], lexicons: Sequence[dict[str, Given]]
-) -> list[points.Carried]:
-    """The points of a link that are not known yet."""
-    found = [*points.carried(chain, carrier, known)]
-    for lexicon in lexicons:
-        for each in found:
-            lexicon |= named(each.quantities)
-    return found
+        carried += points.gathered(chain, carrier, known, lexicons)
+    return Dyad(step, kind, states, loops_of(chain, step.group), carried)

@@ -19,6 +19,7 @@ DRAWN = 24  # positions drawn by default
 NEAR = 8  # a clearer position is looked for within this part of the positions
 APART = 0.05  # pins closer than this part of the mechanism's reach cover each other
 BESIDE = 0.02  # and so do a pin and a link that it does not belong to
+WHOLE = (1 / 4, 3 / 4)  # of the motion, where it has no strokes
 
 
 def chosen(
@@ -35,6 +36,24 @@ def chosen(
     count = len(result.x)
     others = range(count) if count <= DRAWN + 1 else np.linspace(0, count - 1, DRAWN + 1).astype(int).tolist()
     return [main, *(k for k in others if k != main)]
+
+
+def at_parts(
+    cycle: LinkageMotion, result: Kinematics, working: Sequence[float], idle: Sequence[float] = ()
+) -> list[int]:
+    """The positions nearest to these parts of the working and of the idle stroke of the first output."""
+    first = result.summaries[0] if result.summaries else None
+    if first is None or first.working_angle is None or first.idle_angle is None:
+        places = float(result.phi[-1]) * np.array(WHOLE)
+    else:
+        angles = [part * first.working_angle for part in working]
+        angles += [first.working_angle + part * first.idle_angle for part in idle]
+        start = along(result, first.dead_centres[0].x, closed(cycle.chain))
+        places = start + math.copysign(1.0, result.speed) * np.array(angles)
+    apart = np.abs(result.phi - places[:, None])
+    if result.turns:
+        apart = np.abs(np.angle(np.exp(1j * apart)))
+    return list(dict.fromkeys(np.argmin(apart, axis=1).tolist()))
 
 
 def _telling(result: Kinematics, full: bool) -> int:

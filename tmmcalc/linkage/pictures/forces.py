@@ -69,8 +69,8 @@ def _over_the_cycle(drawing: Drawing, box: Box, statics: Statics, result: Forces
     left, right = box.inset(0, 0, 0, HEADING).split(1.0, 1.15, gap=4.0, across=True)
     shown = hodographs_of(chain.mechanism, result)
     upper, lower = right.split(1.25, 1.0, gap=2.0) if shown else (None, right)
-    column(drawing, left, _reaction_graphs(statics, result, course))
-    column(drawing, lower, _drive_graphs(result, course))
+    column(drawing, left, reaction_graphs(statics, result, course))
+    column(drawing, lower, drive_graphs(result, course))
     if upper is not None:
         for part, each in zip(upper.split(*(1.0 for _ in shown), gap=3.0, across=True), shown, strict=True):
             draw_hodograph(drawing, part, result, course, each, chain.structure.input_link)
@@ -94,7 +94,7 @@ def _speed(result: Forces) -> str:
     return f"{minus(number(result.speed))} {tr_unit('rad/s')} ({minus(number(rpm))} {tr_unit('rpm')})"
 
 
-def _reaction_graphs(statics: Statics, result: Forces, course: DiagramCourse) -> list[Graph]:
+def reaction_graphs(statics: Statics, result: Forces, course: DiagramCourse) -> list[Graph]:
     """Sizes of the reactions, one diagram a group; the input joint stands with the first."""
     rows = {pair.joint: j for j, pair in enumerate(result.pairs)}
     structure, first = statics.scene.chain.structure, statics.scene.chain.input_joint.name
@@ -117,7 +117,7 @@ def _size(result: Forces, course: DiagramCourse, j: int, pen: Pen) -> Line:
     return Line(label, np.abs(course.reaction[j]), np.abs(result.reaction[j]), pen, marks)
 
 
-def _drive_graphs(result: Forces, course: DiagramCourse) -> list[Graph]:
+def drive_graphs(result: Forces, course: DiagramCourse) -> list[Graph]:
     """Moment (force) of the drive, and its power."""
     what = ("M_d", "N*m", result.drive, course.drive, result.drive_extremes)
     if not result.turns:

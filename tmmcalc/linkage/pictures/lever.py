@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import cmath
 import math
+from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.plane import Plane
 from tmmcalc.linkage.forces.kinetostatics import Statics
 from tmmcalc.linkage.forces.results import Forces, side_of
-from tmmcalc.linkage.lever import Lever, LeverForce, levers
+from tmmcalc.linkage.lever import Lever, LeverForce, levers, working
 from tmmcalc.linkage.pictures.loaddiagram import HEAD, arrow_length, free_arrow
 from tmmcalc.linkage.pictures.plans import scale_note
 from tmmcalc.linkage.pictures.scheme import position_text
@@ -45,39 +47,70 @@ CROSSING = 6.0  # what it costs to strike words, by mm
 LETTERS = 2.2  # height of the lengths of arms [mm]
 
 
-def draw_lever(
-    drawing: Drawing, box: Box, statics: Statics, kinematics: Kinematics, result: Forces, row: int
-) -> tuple[Board, Lever]:
-    """Draw the lever of a row of the forces in a rectangle: its board [m/s], and what is on it."""
+class _Laid(NamedTuple):
+    """The lever of a row in a rectangle: the turned plan with its fixed points, all that is drawn, what acts."""
+
+    position: int
+    turned: Polygon
+    fixed: tuple[str, ...]
+    content: Plane  # [m/s]
+    found: Lever
+
+
+def _laid(field: Box, statics: Statics, kinematics: Kinematics, result: Forces, row: int) -> _Laid:
+    """The lever to the standard scale at which it fills the rectangle."""
     position = kinematics.labels.index(result.labels[row].removesuffix("-"))
     plan = polygons(statics.scene.chain.mechanism, kinematics, position)
     turned = Polygon("p", {name: -1j * tip for name, tip in plan.velocity.vertices.items()}, plan.velocity.vectors)
-    larger = drawing.letters
-    field = box.inset(0, 0, TABLE * larger, TITLE * larger)
     at = np.array([result.theta[row]]), np.array([side_of(result, row)])
     shown = _shown(levers(statics, kinematics, *at, 1.0)[0])
     content = np.array([*turned.vertices.values(), *(complex(f.x, f.y) for f in shown), *map(_foot, shown)])
     mu = standard_scale(needed(content, field, MARGIN))
-    found = levers(statics, kinematics, *at, mu)[0]
-    shown = _shown(found)
+    return _Laid(position, turned, plan.fixed, content, levers(statics, kinematics, *at, mu)[0])
+
+
+def lever_scale(box: Box, statics: Statics, kinematics: Kinematics, result: Forces, row: int) -> float:
+    """The scale [(m/s)/mm] of the lever of a row that is drawn in a rectangle without its table."""
+    return _laid(box.inset(0, 0, 0, TITLE), statics, kinematics, result, row).found.mu
+
+
+def draw_lever(
+    drawing: Drawing,
+    box: Box,
+    statics: Statics,
+    kinematics: Kinematics,
+    result: Forces,
+    row: int,
+    *,
+    tabled: bool = True,
+) -> tuple[Board, Lever]:
+    """Draw the lever of a row of the forces in a rectangle, beside the table of its moments.
+
+    Its board [m/s], and what is on it.
+    """
+    larger = drawing.letters
+    field = box.inset(0, 0, TABLE * larger if tabled else 0.0, TITLE * larger)
+    position, turned, fixed, content, found = _laid(field, statics, kinematics, result, row)
+    mu, shown = found.mu, _shown(found)
     heading = tr("{position}: velocities turned by 90° clockwise", position=position_text(kinematics, position))
     half = width(heading, 2.5 * larger) / 2  # a long one stands over the table too
     title = complex(max(field.middle.real, box.left + half), box.top)
     drawing.add(Words(title, f"{heading}\n{scale_note('v', mu)}", 2.5 * larger, 1j))
     board = Board(drawing, field, content, MARGIN, mu)
-    drawn = _Lever(board, turned, plan.fixed)
+    drawn = _Lever(board, turned, fixed)
     drawn.lines()
     drawn.forces([force for force in shown if math.hypot(force.x, force.y) > LEAST])
     drawn.arms([force for force in shown if abs(force.arm) > LEAST])
     drawn.names()
-    table = Box(field.right + 3.0, box.bottom, box.right, field.top)
-    _draw_moments(drawing, table, found, shown, result.turns)
+    if tabled:
+        table = Box(field.right + 3.0, box.bottom, box.right, field.top)
+        _draw_moments(drawing, table, found, shown, result.turns)
     return board, found
 
 
 def _shown(found: Lever) -> list[LeverForce]:
     """The forces that are not left out."""
-    every = [*found.forces, *found.balancing]
+    every = working([*found.forces, *found.balancing])
     largest = max((force.force for force in every), default=0.0)
     return [force for force in every if force.force > SEEN * largest]
 

@@ -11,11 +11,10 @@ import numpy as np
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.forces.results import side_of
 from tmmcalc.linkage.freebody import FreeBody, cleared, free_bodies
-from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.pictures.choice import chosen
+from tmmcalc.linkage.pictures.choice import at_parts, chosen
 from tmmcalc.linkage.pictures.course import statics_of
 from tmmcalc.linkage.pictures.cutting import NAME, SEEN, body_scale, draw_body
-from tmmcalc.linkage.pictures.cycle import LinkageMotion, along, closed, motion_at, whole_cycle
+from tmmcalc.linkage.pictures.cycle import LinkageMotion, motion_at, whole_cycle
 from tmmcalc.linkage.pictures.diagrams import OutputCurve, columns_of, draw_diagrams
 from tmmcalc.linkage.pictures.forcepolygon import draw_force_polygon, polygon_scale
 from tmmcalc.linkage.pictures.groups import cells, draw_groups
@@ -24,6 +23,8 @@ from tmmcalc.linkage.pictures.plans import draw_plans_of_kind, plans_of
 from tmmcalc.linkage.pictures.scheme import draw_scheme
 from tmmcalc.linkage.pictures.vectors import drawn_vectors
 from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.structure import Structure
+from tmmcalc.linkage.vectors import VectorPolygons
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.shapes import Drawing, Words
@@ -35,7 +36,6 @@ LARGER = 1.4  # names on a sheet against those of a picture: 3.5 mm
 PARTS = (1 / 3, 2 / 3)  # of the working stroke, where plans are drawn by default
 NAMED = 32.0  # side of the room that a name of a plan has [mm]
 WIDE = 1.35  # of so many more pictures side by side than one under another
-WHOLE = (1 / 4, 3 / 4)  # of the motion, where it has no strokes
 
 
 def of_kinematics(order: Order) -> Iterator[Piece]:
@@ -43,26 +43,44 @@ def of_kinematics(order: Order) -> Iterator[Piece]:
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 
     result, mechanism = order.results["kinematics"], to_linkage(order.spec.linkage)
-    rows = positions_of(order, result.labels) or by_default(mechanism, result)
     cycle = whole_cycle(chain_of(mechanism, result), result)
-    positions = chosen(cycle, result, None, rows[:1])
-    scheme = partial(draw_scheme, result=result, cycle=cycle, positions=positions)
-    yield Piece("linkage", tr("Kinematic scheme in its positions"), _larger(scheme), (120, 110), (300, 250))
-    plans, count = plans_of(mechanism, result, rows), len(rows)
+    rows = positions_of(order, result.labels) or at_parts(cycle, result, PARTS)
+    yield of_scheme(result, cycle, rows[0])
+    yield from of_plans(result, plans_of(mechanism, result, rows))
+    yield from of_outputs(result, cycle, _wished(order, columns_of(result, cycle)))
+    yield of_groups(result.structure, cycle, float(result.x[rows[0]]))
+
+
+def of_scheme(result: Kinematics, cycle: LinkageMotion, row: int) -> Piece:
+    """The scheme in all positions, one of them with main lines."""
+    scheme = partial(draw_scheme, result=result, cycle=cycle, positions=chosen(cycle, result, None, [row]))
+    return Piece("linkage", tr("Kinematic scheme in its positions"), _larger(scheme), (120, 110), (300, 250))
+
+
+def of_plans(result: Kinematics, plans: Sequence[VectorPolygons]) -> Iterator[Piece]:
+    """The plans of velocities, and of accelerations, of some positions side by side."""
+    count = len(plans)
     for letter, heading in (("v", tr("Velocity polygons")), ("a", tr("Acceleration polygons"))):
         plan = partial(draw_plans_of_kind, result=result, plans=plans, letter=letter)
         drawn = drawn_vectors(plans[0].velocity if letter == "v" else plans[0].acceleration)
         side = NAMED * math.sqrt(len(drawn) + 1)
         yield Piece("linkage", heading, _larger(plan), (0.6 * side * count, 0.7 * side), (side * count, 1.2 * side))
-    for curves in _wished(order, columns_of(result, cycle)):
+
+
+def of_outputs(result: Kinematics, cycle: LinkageMotion, columns: list[list[OutputCurve]]) -> Iterator[Piece]:
+    """The diagrams of the outputs over the cycle, linear and angular ones apart."""
+    for curves in columns:
         diagram = partial(draw_diagrams, result=result, cycle=cycle, curves=curves, scaled=True)
         heading = tr("Diagrams of angles of links") if curves[0].angular else tr("Diagrams of the outputs")
         yield Piece("linkage", heading, _larger(diagram), (90, 110), (190, 200))
-    motion = motion_at(cycle.chain, result.x[rows[:1]])
-    columns, lines = _grid(len(result.structure.groups) + (result.structure.driven is None))
-    groups = partial(draw_groups, structure=result.structure, motion=motion, cycle=cycle)
+
+
+def of_groups(structure: Structure, cycle: LinkageMotion, x: float) -> Piece:
+    """The groups apart, as they stand at an input coordinate."""
+    columns, lines = _grid(len(structure.groups) + (structure.driven is None))
+    groups = partial(draw_groups, structure=structure, motion=motion_at(cycle.chain, np.array([x])), cycle=cycle)
     sizes = (60.0 * columns, 65.0 * lines), (90.0 * columns, 100.0 * lines)
-    yield Piece("linkage", tr("Assur groups"), _larger(groups), *sizes)
+    return Piece("linkage", tr("Assur groups"), _larger(groups), *sizes)
 
 
 def of_forces(order: Order) -> Iterator[Piece]:
@@ -73,14 +91,15 @@ def of_forces(order: Order) -> Iterator[Piece]:
     result, kinematics = order.results["forces"], order.results["kinematics"]
     mechanism = to_linkage(order.spec.linkage)
     wished = positions_of(order, result.labels)
-    row = wished[0] if wished else result.labels.index(kinematics.labels[by_default(mechanism, kinematics)[0]])
     statics = statics_of(mechanism, to_loading(order.spec), kinematics)
+    cycle = whole_cycle(statics.scene.chain, kinematics)
+    row = wished[0] if wished else result.labels.index(kinematics.labels[at_parts(cycle, kinematics, PARTS)[0]])
     bodies = cleared(free_bodies(statics, float(result.theta[row]), side_of(result, row)), SEEN)
     chain = statics.scene.chain
     motion = motion_at(chain, statics.scene.travel.x(result.theta[[row]]))
     label = result.labels[row].removesuffix("-")
     columns, lines = _grid(len(bodies))
-    draw = partial(_load_diagrams, bodies=bodies, motion=motion, cycle=whole_cycle(chain, kinematics))
+    draw = partial(_load_diagrams, bodies=bodies, motion=motion, cycle=cycle)
     sizes = (65.0 * columns, 75.0 * lines), (105.0 * columns, 105.0 * lines)
     heading = tr("Groups with their forces in position {label}", label=label)
     yield Piece("forces", heading, _larger(draw), *sizes)
@@ -88,22 +107,6 @@ def of_forces(order: Order) -> Iterator[Piece]:
     yield Piece("forces", heading, _larger(partial(_force_polygons, bodies=bodies)), *sizes)
     lever = partial(draw_lever, statics=statics, kinematics=kinematics, result=result, row=row)
     yield Piece("forces", tr("Lever of Zhukovsky"), _larger(lever), (190, 120), (320, 220))
-
-
-def by_default(mechanism: Mechanism, result: Kinematics) -> list[int]:
-    """Positions of plans: two on the working stroke of the first output, else evenly over the motion."""
-    first = result.summaries[0] if result.summaries else None
-    if first is None or first.working_angle is None:
-        span = float(result.phi[-1])
-        places = np.array([span * part for part in WHOLE])
-    else:
-        start = along(result, first.dead_centres[0].x, closed(chain_of(mechanism, result)))
-        turn = math.copysign(first.working_angle, result.speed)
-        places = np.array([start + part * turn for part in PARTS])
-    apart = np.abs(result.phi - places[:, None])
-    if result.turns:
-        apart = np.abs(np.angle(np.exp(1j * apart)))
-    return list(dict.fromkeys(np.argmin(apart, axis=1).tolist()))
 
 
 def _larger(draw: Callable[..., object]) -> Callable[[Drawing, Box], object]:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -22,6 +24,7 @@ from tmmcalc.report.drawing.pens import CURVES, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
+from tmmcalc.report.sheets.piece import Piece
 
 PHASE = Pen("PHASES", 0.2, colour="#b8b8b8")
 SMOOTH = 400  # steps of the curves
@@ -47,20 +50,43 @@ def figure(order: Order) -> Drawing:
 
 def unsteady_drawing(mechanism: Mechanism, task: UnsteadyTask, kinematics: Kinematics, result: Unsteady) -> Drawing:
     """A sheet for the input and the outputs, and one for the links."""
-    dense = solve_unsteady(mechanism, replace(task, steps=task.steps * -(-SMOOTH // task.steps)), kinematics)
+    dense = _dense(mechanism, task, kinematics)
     graphs = [_input(dense), *([_outputs(dense)] if result.outputs else []), *_links(dense)]
     drawing, boxes = sheets((len(graphs) + 1) // 2)
     heading = Words(complex(boxes[0].middle.real, boxes[0].top), _heading(result), 3.0, 1j)
     drawing.add(heading)
     for k, box in enumerate(boxes):
         pair = graphs[2 * k : 2 * k + 2]
-        free = box.inset(0, 0, 0, 7.0 if k == 0 else 0.0)
-        for part, graph in zip(free.split(*(1.0 for _ in pair), gap=4, across=True), pair, strict=True):
-            drawing.add(Words(complex(part.middle.real, part.top), graph[0].title.split("|")[0], 2.8, 1j))
-            frames = part.inset(0, BELOW, 0, 6.0).split(1, 1, 1)
-            for row, (frame, each) in enumerate(zip(frames, graph, strict=True)):
-                _draw(drawing, frame, each, dense, result, numbered=row == 2)
+        _draw_pair(drawing, box.inset(0, 0, 0, 7.0 if k == 0 else 0.0), pair, dense, result)
     return drawing
+
+
+def piece_of(order: Order) -> Piece:
+    """The input and the outputs, without them the links, side by side over the time."""
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+    from tmmcalc.linkage.tables.tasks.unsteady import to_unsteady
+
+    mechanism, task, result = to_linkage(order.spec.linkage), to_unsteady(order.spec), order.results["unsteady"]
+    dense = _dense(mechanism, task, order.results["kinematics"])
+    pair = [_input(dense), *([_outputs(dense)] if result.outputs else _links(dense))]
+    draw = partial(_draw_pair, pair=pair, dense=dense, result=result)
+    return Piece("linkage", tr("Unsteady motion by the time-optimal law"), draw, (150.0, 120.0), (160.0, 150.0))
+
+
+def _dense(mechanism: Mechanism, task: UnsteadyTask, kinematics: Kinematics) -> Unsteady:
+    """The motion at so many rows that curves through them are smooth."""
+    return solve_unsteady(mechanism, replace(task, steps=task.steps * -(-SMOOTH // task.steps)), kinematics)
+
+
+def _draw_pair(
+    drawing: Drawing, box: Box, pair: Sequence[tuple[Graph, ...]], dense: Unsteady, result: Unsteady
+) -> None:
+    """Coordinate, speed and acceleration one under another, of both side by side."""
+    for part, graph in zip(box.split(*(1.0 for _ in pair), gap=4, across=True), pair, strict=True):
+        drawing.add(Words(complex(part.middle.real, part.top), graph[0].title.split("|")[0], 2.8, 1j))
+        frames = part.inset(0, BELOW, 0, 6.0).split(1, 1, 1)
+        for row, (frame, each) in enumerate(zip(frames, graph, strict=True)):
+            _draw(drawing, frame, each, dense, result, numbered=row == 2)
 
 
 def _heading(result: Unsteady) -> str:

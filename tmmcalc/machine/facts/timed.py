@@ -51,7 +51,7 @@ def events_view(events: Sequence[Event]) -> View | None:
 
 def course(motion: TimedMotion, patterns: Sequence[str], where: str) -> Document:
     """The rows of a motion nearest to equal times."""
-    rows = _equal_times(motion.t)
+    rows = equal_times(motion.t)
     available = timed_columns(motion)
     chosen = select(available, patterns, "motion") if patterns else _first(motion, available)
     values = [column.make() for column in chosen]
@@ -81,7 +81,7 @@ def _legend_facts(motion: TimedMotion) -> Iterator[Fact]:
         yield Fact("moments", "M_motor on the crank, as M_load; positive ones drive")
 
 
-def _equal_times(t: Values) -> list[int]:
+def equal_times(t: Values) -> list[int]:
     """Indices of the rows nearest to equal times, each once; the first and the last are among them."""
     wanted = np.linspace(t[0], t[-1], SHOWN + 1)
     after = np.clip(np.searchsorted(t, wanted), 1, max(len(t) - 1, 1))

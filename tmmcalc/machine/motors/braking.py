@@ -65,7 +65,7 @@ def braking(motor: Motor, how: Braking) -> Characteristic:
     own = motor.known("voltage")
     source = own if how.voltage is None else how.voltage
     voltage = {"regenerative": source, "dynamic": 0.0, "plugging": -own}[how.kind]
-    k, resistance = _independent(motor, how)
+    k, resistance = independent(motor, how)
     return Straight(k * k / (resistance + how.resistance), voltage / k, name=how.kind)
 
 
@@ -76,7 +76,7 @@ def critical_speed(line: Characteristic) -> float | None:
     return line.drop / line.rate
 
 
-def _independent(motor: Motor, how: Braking) -> tuple[float, float]:
+def independent(motor: Motor, how: Braking) -> tuple[float, float]:
     """Constant k [V*s/rad] and resistance of the armature [ohm] while the field does not hang on its current."""
     if motor.kind != "series" or how.field is None:
         return motor.known("constant"), motor.known("resistance")

@@ -75,6 +75,12 @@ def draw_shaking(drawing: Drawing, box: Box, result: Balancing) -> list[Diagram]
     return draw_sizes(drawing, box, letters, [1.0] * len(letters))
 
 
+def draw_hodographs(drawing: Drawing, box: Box, result: Balancing) -> None:
+    """The hodographs in the fixed axes and in those of the crank, one under the other."""
+    for part, hodograph in zip(box.split(1.0, 1.0, gap=4), (_fixed(result), _turning(result)), strict=True):
+        hodograph.draw(drawing, part)
+
+
 def _heading(result: Balancing) -> str:
     found = result.shaking
     values = {

@@ -123,7 +123,7 @@ def _measure(diagram: Diagram, picture: EnergyMass, scales: tuple[float, float],
         diagram.labels.avoid(arc.tolist())
         text = f"$ψ_{{{word}}}$ = {number(math.degrees(angle), 4)}°"
         beside = [vertex + LEG * np.exp(0.5j * angle), vertex + 0.5 * LEG, vertex + LEG]
-        diagram.labels.put(text, beside, gaps=(0.8, 1.6, 2.6), prefer=1 - 1j, colour=pen.colour)
+        diagram.labels.put(text, beside, gaps=(0.8, 1.6, 2.6, 4.0), prefer=1 - 1j, colour=pen.colour)
 
 
 def _mark_tangents(diagram: Diagram, picture: EnergyMass, factor: float) -> None:

@@ -101,13 +101,19 @@ def transient_drawing(result: TimedMotions) -> Drawing:
 
 
 def _sheet(drawing: Drawing, box: Box, motion: TimedMotion) -> None:
-    """Speeds, the tail of the speed if it is flat, moments; events across them all."""
+    """The course under a heading that lists the events."""
     heading = _heading(motion)
     drawing.add(Words(complex(box.middle.real, box.top), heading, 2.6, 1j))
+    draw_course(drawing, box.inset(0, 0, 0, 3.0 + 4.6 * (heading.count("\n") + 1)), motion)
+
+
+def draw_course(drawing: Drawing, box: Box, motion: TimedMotion) -> None:
+    """Speeds, the tail of the speed if it is flat, moments; events across them all, by their numbers."""
     panels = [_speeds(motion), *_tail(motion), _moments(motion), *_shafts(motion)]
-    left, bottom, right, top = SIDES
-    free = box.inset(left, BELOW, right, 3.0 + 4.6 * (heading.count("\n") + 1))
-    heads = [top + ROW * len(key_rows(panel.named, free.width)) for panel in panels]
+    larger = drawing.letters
+    left, bottom, right, top = (side * larger for side in SIDES)
+    free = box.inset(left, BELOW * larger, right, 0)
+    heads = [top + ROW * larger * len(key_rows(panel.named, free.width / larger)) for panel in panels]
     height = (free.height - sum(heads) - bottom * len(panels)) / len(panels)
     y, first = free.top, True
     for k, (panel, head) in enumerate(zip(panels, heads, strict=True)):

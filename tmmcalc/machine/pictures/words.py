@@ -11,6 +11,7 @@ from tmmcalc.report.drawing.lettering import minus
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.numbers import number
 
+BEHIND = "behind "  # how the name of a mass after a shaft begins
 LEVEL = re.compile(r"-?\d[\d.e+-]*")  # a number of a message
 
 
@@ -71,6 +72,13 @@ def cause_name(name: str) -> str:
         "cam friction": tr("friction of the cam"),
     }
     return own.get(name) or tr_name(name)
+
+
+def mass_name(name: str) -> str:
+    """A mass of the drive: its ends, or by the shaft before it, as the spec calls it."""
+    if name.startswith(BEHIND):
+        return tr("behind {shaft}", shaft=name.removeprefix(BEHIND))
+    return {"rotor": tr("rotor"), "crank": tr("crank")}.get(name, name)
 
 
 def form_name(kind: str) -> str:

@@ -44,16 +44,15 @@ def width(box: layout.Box) -> float:
 def broken(parts: Sequence[layout.Row], wide: float) -> list[layout.Row]:
     """The parts of a line, joined by equality, as rows no wider than ``wide`` [em] as far as they can be broken.
 
-    A row that goes on begins with the sign at which it was broken.
+    A row that goes on begins with the sign at which it was broken; the first part has at least one piece beside it.
     """
     rows: list[list[layout.Box]] = []
-    free = 0.0
+    free = wide
     for k, part in enumerate(parts):
         lead: list[layout.Box] = [layout.Sign("=", main=True)] if k else []
-        for piece in _pieces(layout.Row((*lead, *_flat(part))), wide):
+        for j, piece in enumerate(_pieces(layout.Row((*lead, *_flat(part))), free if k == 1 else wide)):
             size = sum(map(width, piece))
-            starts = bool(piece) and isinstance(piece[0], layout.Sign) and piece[0].text == "="
-            if rows and size <= free and (not starts or size <= free):
+            if rows and (size <= free or (k == 1 and not j)):
                 rows[-1] += piece
                 free -= size
             else:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from tmmcalc.core.records import record
 from tmmcalc.report.formula.setting import Shown
-from tmmcalc.report.formula.tree import Node, Value, largest_term, names, value, written_out
+from tmmcalc.report.formula.tree import Name, Node, Value, largest_term, names, value, written_out
 
 RESULT = 5  # digits of a result
 FEWEST, MOST = 5, 13  # digits of operands that are tried
@@ -65,6 +65,11 @@ def worked(side: Node, given: Mapping[str, Given], result: float, *, unit: str =
     assert best is not None
     shown = {key: Shown(each, units[key] == "deg") for key, each in best[1].items()}
     return Worked(tree, shown, text, best[0], error)
+
+
+def result_of(left: Node, given: Mapping[str, Given]) -> Given:
+    """What stands on the left of a line, as the program has it: a quantity, or a number that is a function of some."""
+    return given[left.key] if isinstance(left, Name) else Given(value_of(left, given, ""))
 
 
 def value_of(side: Node, given: Mapping[str, Given], unit: str) -> float:

@@ -49,9 +49,10 @@ class Fraction(NamedTuple):
 
 
 class Root(NamedTuple):
-    """A square root."""
+    """A root: a square one, or of a degree."""
 
     inner: Box
+    degree: Box | None = None
 
 
 class Marked(NamedTuple):

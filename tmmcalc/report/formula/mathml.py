@@ -34,8 +34,10 @@ def mathml(box: layout.Box) -> str:
             return f"<mfrac>{mathml(over)}{mathml(under)}</mfrac>"
         case layout.Marked(inner, mark):
             return f"<mrow>{mathml(inner)}<mo lspace='0' rspace='0'>{mark}</mo></mrow>"
-        case layout.Root(inner):
-            return f"<msqrt>{mathml(inner)}</msqrt>"
+        case layout.Root(inner, degree):
+            if degree is None:
+                return f"<msqrt>{mathml(inner)}</msqrt>"
+            return f"<mroot>{mathml(inner)}{mathml(degree)}</mroot>"
         case layout.Script(base, lower, upper, primes):
             marks = "<mo>" + "′" * primes + "</mo>" if primes else ""
             above = f"<mrow>{marks}{'' if upper is None else mathml(upper)}</mrow>"

@@ -39,9 +39,10 @@ def omml(box: layout.Box) -> str:
             return _run(spelt(text) + mark, UPRIGHT)
         case layout.Marked(inner, mark):
             return omml(inner) + _run(mark, UPRIGHT)
-        case layout.Root(inner):
+        case layout.Root(inner, degree):
             hidden = '<m:radPr><m:degHide m:val="1"/></m:radPr><m:deg/>'
-            return f"<m:rad>{hidden}<m:e>{omml(inner)}</m:e></m:rad>"
+            above = hidden if degree is None else f"<m:deg>{omml(degree)}</m:deg>"
+            return f"<m:rad>{above}<m:e>{omml(inner)}</m:e></m:rad>"
         case layout.Script(base, lower, upper, primes):
             body = f"<m:e>{omml(base)}</m:e>"
             above = _run("′" * primes, UPRIGHT) * bool(primes) + ("" if upper is None else omml(upper))

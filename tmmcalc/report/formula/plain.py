@@ -5,6 +5,8 @@ from __future__ import annotations
 from tmmcalc.report.formula import layout
 from tmmcalc.report.formula.setting import spelt
 
+RAISED = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
+
 
 def plain(box: layout.Box) -> str:
     """The text.
@@ -26,11 +28,12 @@ def plain(box: layout.Box) -> str:
         case layout.Row(boxes):
             return "".join(map(plain, boxes))
         case layout.Fraction(over, under):
-            return f"{_grouped(over)}/{_grouped(under)}"
+            return f"{_signed(over)}/{_signed(under)}"
         case layout.Marked(inner, mark):
             return f"{plain(inner)}{mark}"
-        case layout.Root(inner):
-            return f"√({plain(inner)})"
+        case layout.Root(inner, degree):
+            raised = "" if degree is None else plain(degree).translate(RAISED)
+            return f"{raised}√({plain(inner)})"
         case layout.Script(base, lower, upper, primes):
             below = "" if lower is None else f"_{plain(lower)}"
             above = "" if upper is None else f"^{_grouped(upper)}"
@@ -41,6 +44,12 @@ def plain(box: layout.Box) -> str:
             return f"{sign}_{plain(lower)} {plain(body)}"
         case layout.Arrowed(inner):
             return f"vec({plain(inner)})"
+
+
+def _signed(box: layout.Box) -> str:
+    """A side of a fraction on one line, where a minus before it belongs in brackets."""
+    text = _grouped(box)
+    return f"({text})" if text.startswith("−") else text
 
 
 def _grouped(box: layout.Box) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
@@ -38,11 +40,26 @@ from tmmcalc.report.formula.tree import (
 from tmmcalc.report.language import spoken, tr_number
 
 RELATIONS = {"=": "=", "<": "<", "<=": "≤", ">": ">", ">=": "≥", "~": "≈"}
+ROUNDED = {"floor": "⌊⌋", "ceil": "⌈⌉"}
 POWERED = ("sin", "cos", "tan")  # functions whose power stands before the argument
 PRINTED = {
     "en": {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "ln": "ln", "lg": "lg"},
-    "uk": {"tan": "tg", "asin": "arcsin", "acos": "arccos", "atan": "arctg", "atan2": "arctg2", "ln": "ln", "lg": "lg"},
+    "uk": {
+        "gcd": "НСД",
+        "tan": "tg",
+        "asin": "arcsin",
+        "acos": "arccos",
+        "atan": "arctg",
+        "atan2": "arctg2",
+        "ln": "ln",
+        "lg": "lg",
+    },
 }
+
+
+PARTS = re.compile(r"[a-zа-яіїєґ]{2,}|[A-Za-zα-ωΑ-Ω]|[^A-Za-zα-ωΑ-Ω]+")  # of an index
+ROMAN = re.compile(r"I|[IVX]{2,}")
+BELOW, ABOVE = "xyzijkn", "ijk"  # single letters of an index that are axes or counters
 
 
 class Shown(NamedTuple):
@@ -73,8 +90,8 @@ def side(node: Node, values: Values = None) -> Row:
 def letters(symbol: Symbol) -> Box:
     """A quantity as it is written."""
     base = _letter(symbol.base)
-    index = None if not symbol.lower else _index(symbol.lower)
-    upper = None if not symbol.upper else _index(symbol.upper)
+    index = None if not symbol.lower else _index(symbol.lower, BELOW)
+    upper = None if not symbol.upper else _index(symbol.upper, ABOVE)
     return base if index is upper is None and not symbol.primes else Script(base, index, upper, symbol.primes)
 
 
@@ -86,8 +103,15 @@ def _letter(base: str) -> Box:
     return Word(base)
 
 
-def _index(text: str) -> Box:
-    return Word(text)
+def _index(text: str, slanted: str) -> Box:
+    """An index: points and Greek letters, axes and counters are quantities; words, numbers and Roman ones are not."""
+    if ROMAN.fullmatch(text):
+        return Word(text)
+    boxes = [
+        Letter(part) if len(part) == 1 and (part.isupper() or part in slanted or part in GREEK.values()) else Word(part)
+        for part in PARTS.findall(text)
+    ]
+    return boxes[0] if len(boxes) == 1 else Row(tuple(boxes))
 
 
 def quantity(key: str) -> Box:
@@ -196,6 +220,9 @@ def _open_function(box: Box) -> bool:
 
 
 def _power(base: Node, exponent: Node, values: Values) -> Box:
+    if isinstance(exponent, Quotient) and exponent.over == Number("1"):
+        degree = None if exponent.under == Number("2") else _box(exponent.under, values)
+        return Root(_bare(base, values), degree)
     raised = _bare(exponent, values)
     if isinstance(base, Call) and base.function in POWERED and isinstance(exponent, Number):
         return _call(base.function, base.arguments, values, raised)
@@ -212,10 +239,12 @@ def _call(function: str, arguments: Sequence[Node], values: Values, power: Box |
     first = arguments[0]
     if function == "sqrt":
         return Root(_bare(first, values))
+    if function in ROUNDED:
+        return Fenced(_bare(first, values), *ROUNDED[function])
     if function == "abs":
         return Fenced(_bare(first, values), "|", "|")
     if function == "rad":
-        return _box(first, values)
+        return _box(first, values and {key: _in_rad(shown) for key, shown in values.items()})
     if function == "deg":
         return Marked(_box(first, values), "°")
     if function == "vec":
@@ -236,6 +265,14 @@ def _call(function: str, arguments: Sequence[Node], values: Values, power: Box |
     return Row((named, Gap(), inner)) if bare else Row((named, Fenced(inner)))
 
 
+def _in_rad(shown: Shown) -> Shown:
+    """An angle in rad, with one digit more than in degrees."""
+    if not shown.degrees:
+        return shown
+    figures = sum(map(str.isdigit, shown.digits))
+    return Shown(f"{math.radians(float(shown.digits)):.{figures + 1}g}")
+
+
 def _signed(box: Box) -> bool:
     """Whether it begins with a minus."""
     match box:
@@ -243,7 +280,7 @@ def _signed(box: Box) -> bool:
             return text.startswith(("-", "−"))
         case Sign(text):
             return text == "−"
-        case Marked(inner):
+        case Marked(inner) | Fraction(inner):
             return _signed(inner)
         case Row(boxes):
             return bool(boxes) and _signed(boxes[0])

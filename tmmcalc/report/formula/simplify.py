@@ -40,6 +40,8 @@ def without(node: Node, zeros: Container[str]) -> Node:
             return base if base in (ZERO, ONE) else node
         case Call(function, (argument,)) if argument == ZERO:
             return AT_ZERO.get(function, node)
+        case Call("abs", (Sum(((_, term),)),)):
+            return Call("abs", (term,))
         case Call("atan2", (first, _)) if first == ZERO:
             return ZERO
     return node

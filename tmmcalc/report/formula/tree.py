@@ -95,6 +95,9 @@ FUNCTIONS: Mapping[str, Callable[..., float]] = {
     "inv": _involute,
     "min": min,
     "max": max,
+    "floor": math.floor,
+    "ceil": math.ceil,
+    "gcd": lambda a, b: math.gcd(round(a), round(b)),
     "sign": lambda x: math.copysign(1.0, x),
     "rad": lambda angle: angle,  # an angle that is printed in rad
     "deg": math.radians,  # a number of degrees

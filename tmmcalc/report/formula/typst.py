@@ -14,7 +14,7 @@ def typst(box: layout.Box) -> str:
     >>> from tmmcalc.report.formula.setting import statement
     >>> from tmmcalc.report.formula.syntax import read
     >>> typst(statement(read("a_{BA}^n = omega_2**2*l_2/2")))
-    'attach(a, b: upright("BA"), t: upright("n")) = frac(attach(ω, b: upright("2"), t: 2) thin attach(l, b: \
+    'attach(a, b: B A, t: upright("n")) = frac(attach(ω, b: upright("2"), t: 2) thin attach(l, b: \
 upright("2")), 2)'
     """
     match box:
@@ -41,8 +41,8 @@ upright("2")), 2)'
                 if not isinstance(inner, layout.Digits)
                 else f'"{spelt(inner.text)}{mark}"'
             )
-        case layout.Root(inner):
-            return f"sqrt({typst(inner)})"
+        case layout.Root(inner, degree):
+            return f"sqrt({typst(inner)})" if degree is None else f"root({typst(degree)}, {typst(inner)})"
         case layout.Script(base, lower, upper, primes):
             below = "" if lower is None else f", b: {typst(lower)}"
             above = "" if upper is None else f", t: {typst(upper)}"

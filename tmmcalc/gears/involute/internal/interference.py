@@ -84,11 +84,25 @@ def trochoid_margin(pair: InternalPair, corners: Sequence[Corner] = ()) -> float
 
 
 def _beside(pair: InternalPair, corner: Corner) -> float:
-    (tip1, inv1), tip2, a = corner, pair.tips[1], pair.distance
+    (tip1, inv1), tip2 = corner, pair.tips[1]
     inv2, inv = _ring_angles(pair)
-    delta1 = acos(max(-1.0, min(1.0, (tip2**2 - tip1**2 - a**2) / (2 * a * tip1))))
-    delta2 = acos(max(-1.0, min(1.0, (tip2**2 + a**2 - tip1**2) / (2 * a * tip2))))
+    delta1, delta2 = _crossing(pair, tip1)
     return tip2 * ((delta1 + inv1 - inv) / pair.ratio - (delta2 + inv2 - inv))
+
+
+def _crossing(pair: InternalPair, tip1: float) -> tuple[float, float]:
+    """Angles [rad] at both centres from their line to where the circle of a radius of the pinion crosses the ring's."""
+    tip2, a = pair.tips[1], pair.distance
+    return (
+        acos(max(-1.0, min(1.0, (tip2**2 - tip1**2 - a**2) / (2 * a * tip1)))),
+        acos(max(-1.0, min(1.0, (tip2**2 + a**2 - tip1**2) / (2 * a * tip2)))),
+    )
+
+
+def tip_crossing(pair: InternalPair) -> tuple[float, float] | None:
+    """The same of the tip circle of the pinion; None: it lies within the ring's."""
+    tip = pair.tips[0]
+    return _crossing(pair, tip) if tip + pair.distance > pair.tips[1] else None
 
 
 def trimming_margin(pair: InternalPair, corners: Sequence[Corner] = ()) -> float:

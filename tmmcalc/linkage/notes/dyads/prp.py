@@ -65,9 +65,9 @@ def quantities(at: GroupAt) -> dict[str, Given]:
     return {
         "h_<a>": length(dyad.h1, tr("offset of the pin from the line of link {link}", link=places["a"])),
         "h_<b>": length(dyad.h2, tr("offset of the pin from the line of link {link}", link=places["b"])),
-        **vector("w_{<a><b>%}", complex(gap), "m", tr("projection of the distance of the guides")),
+        **vector("w_{<a><b>%}", complex(gap), "m", tr("projections of the distance of the guides")),
         **vector(
-            "g_{<a><b>%}", complex(pull[1] - pull[0]), "m/s^2", tr("projection of the known part of the accelerations")
+            "g_{<a><b>%}", complex(pull[1] - pull[0]), "m/s^2", tr("projections of the known part of the accelerations")
         ),
         **along_guide("<a>", "<f>", places["a"], float(placed.s1), float(rates.x), float(rates.xx)),
         **along_guide("<b>", "<g>", places["b"], float(placed.s2), float(rates.y), float(rates.yy)),

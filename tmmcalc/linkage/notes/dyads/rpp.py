@@ -48,8 +48,8 @@ def quantities(at: GroupAt) -> dict[str, Given]:
     sliding = rates.x * placed.e1 + rates.y * placed.e2
     rising = rates.xx * placed.e1 + rates.yy * placed.e2
     offset = placed.offset - 1j * dyad.h1 * placed.e1 - 1j * dyad.h2 * placed.e2
-    against = tr("projection of the velocity of {point} against link {link}", point=places["P"], link=places["g"])
-    beyond = tr("projection of the acceleration of {point} against link {link}", point=places["P"], link=places["g"])
+    against = tr("projections of the velocity of {point} against link {link}", point=places["P"], link=places["g"])
+    beyond = tr("projections of the acceleration of {point} against link {link}", point=places["P"], link=places["g"])
     return {
         "h_<b>": length(dyad.h1, tr("offset of the line of link {link} from the guide", link=places["b"])),
         "h_<a>": length(
@@ -60,7 +60,7 @@ def quantities(at: GroupAt) -> dict[str, Given]:
             "w_{<a><b>%}",
             complex(offset),
             "m",
-            tr("projection of the way from the guide to the pin without the offsets"),
+            tr("projections of the way from the guide to the pin without the offsets"),
         ),
         **vector("v_{<P>%}^r", complex(sliding), "m/s", against),
         **vector("a_{<P>%}^r", complex(rising), "m/s^2", beyond),

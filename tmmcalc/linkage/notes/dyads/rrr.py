@@ -73,6 +73,6 @@ def quantities(at: GroupAt) -> dict[str, Given]:
         ),
         "phi_<a>": angle(a, tr("angle of link {link}", link=places["a"])),
         "phi_<b>": angle(b, tr("angle of link {link}", link=places["b"])),
-        "g_{<a><b>x}": Given(steady.real, "m/s^2", tr("projection of the known part of the accelerations")),
-        "g_{<a><b>y}": Given(steady.imag, "m/s^2", tr("projection of the known part of the accelerations")),
+        "g_{<a><b>x}": Given(steady.real, "m/s^2", tr("projections of the known part of the accelerations")),
+        "g_{<a><b>y}": Given(steady.imag, "m/s^2", tr("projections of the known part of the accelerations")),
     }

@@ -18,12 +18,13 @@ def check_chapters(outline: Outline) -> Iterator[Finding]:
     """The chapters that are listed are there, each once."""
     known = list(dict.fromkeys(stage.chapter for stage in STAGES.values() if stage.chapter))
     said = subtable(outline.document, "note").get("chapters")
-    for k, name in enumerate(said if isinstance(said, list) else []):
+    named = said if isinstance(said, list) else []
+    for k, name in enumerate(named):
         if name not in known:
             guess = did_you_mean(name, known) if isinstance(name, str) else ""
             remedy = f"{guess + ' ' if guess else ''}there are: {listing(known)}"
             yield Finding(("note", "chapters", k), f"{show(name)} is no chapter", remedy)
-        elif name in said[:k]:
+        elif name in named[:k]:
             yield Finding(("note", "chapters", k), f"{show(name)} is named twice", "remove one of them")
     if said == []:
         yield Finding(("note", "chapters"), "[] is an empty list", "name chapters, or remove it")

@@ -5,6 +5,6 @@ LISTS = {
     "chapters[]": ("the name of a chapter", '"forces"'),
     "units": ("units of results", 'units = ["mm", "MPa"]'),
     "units[]": ("a unit", '"mm"'),
-    "organisation": ("the lines at the top of the title page", 'organisation = ["University", "Department"]'),
-    "organisation[]": ("a line of the title page", '"Department"'),
+    "who.organisation": ("the lines at the top of the title page", 'organisation = ["University", "Department"]'),
+    "who.organisation[]": ("a line of the title page", '"Department"'),
 }

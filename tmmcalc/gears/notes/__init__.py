@@ -1,0 +1,1 @@
+"""What the note says of gears: trains with their strength and choice, pairs, contours, profiles, wheels alone."""

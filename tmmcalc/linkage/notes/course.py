@@ -1,0 +1,233 @@
+"""The motion over the cycle: tables of all positions, diagrams, and numerical differentiation beside the formulas."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from tmmcalc.core.plane import Real
+from tmmcalc.linkage.columns import units_of
+from tmmcalc.linkage.kinematics import default_step, solve_kinematics
+from tmmcalc.linkage.model import Output
+from tmmcalc.linkage.notes.group import plain_name
+from tmmcalc.linkage.notes.told import Told
+from tmmcalc.linkage.outputs import coordinate_of, default_outputs
+from tmmcalc.linkage.pictures.cycle import TURN
+from tmmcalc.linkage.pictures.diagrams import columns_of
+from tmmcalc.linkage.pictures.pieces import of_outputs
+from tmmcalc.linkage.results import Kinematics
+from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.setting import spelt
+from tmmcalc.report.formula.syntax import read
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
+from tmmcalc.report.numbers import number
+from tmmcalc.report.telling import column_of, filled, lines, named, pictured, tabulated
+
+COLUMNS = 7  # of a table beside the positions
+
+DIFFERENCES = (
+    "<S>'_{<D>} = (<S>_{<D>}^{+} - <S>_{<D>}^{−})/(2*theta)",
+    "<S>''_{<D>} = (<S>_{<D>}^{+} - 2*<S>_{<D>}^{0} + <S>_{<D>}^{−})/theta**2",
+)
+
+Columns = dict[str, Real]
+
+
+def blocks(told: Told) -> Iterator[Block]:
+    """Tables, diagrams, the comparison."""
+    yield Heading(tr("Motion over the cycle"), 2)
+    yield from _analogues(told)
+    yield from _tables(told)
+    figures = [
+        pictured(piece, key=f"course_{k}")
+        for k, piece in enumerate(of_outputs(told.result, told.cycle, columns_of(told.result, told.cycle)))
+    ]
+    yield from figures
+    if told.result.outputs:
+        yield Heading(tr("Numerical differentiation"), 2)
+        yield from _differences(told)
+
+
+def _analogues(told: Told) -> Iterator[Block]:
+    """What dimensionless velocities and accelerations are."""
+    if told.result.crank_length is None:
+        return
+    yield Paragraph(
+        tr(
+            "Of all positions tables {tab:course_position}, {tab:course_velocity} and {tab:course_acceleration} give "
+            "dimensionless values: lengths in units of the crank $l_1$, velocities in those of $l_1*omega_1$, "
+            "accelerations in those of $l_1*omega_1**2$. At constant speed these are the analogues of velocity and "
+            "acceleration, derivatives by the angle of the crank that do not depend on its speed:"
+        )
+    )
+    yield Display(read("v/(l_1*omega_1) = S'/l_1"))
+    yield Display(read("a/(l_1*omega_1**2) = S''/l_1"))
+
+
+def _tables(told: Told) -> Iterator[Block]:
+    """All positions, dimensionless where there is a crank, and with units."""
+    crank = told.result.crank_length is not None
+    if crank:
+        yield from _kinds(told, dimensionless=True)
+        yield Paragraph(tr("The same with units:"))
+    yield from _kinds(told, dimensionless=False)
+
+
+def _kinds(told: Told, *, dimensionless: bool) -> Iterator[Table]:
+    """A table of positions, one of velocities, one of accelerations."""
+    texts = (
+        ("position", tr("Coordinates and angles in all positions")),
+        ("velocity", tr("Velocities in all positions")),
+        ("acceleration", tr("Accelerations in all positions")),
+    )
+    for (kind, caption), columns in zip(texts, _columns(told, dimensionless), strict=True):
+        key = f"course_{kind}" if dimensionless or told.result.crank_length is None else f"course_{kind}_si"
+        said = f"{caption}, {tr('dimensionless')}" if dimensionless else caption
+        yield from _split(told, said, columns, key)
+
+
+def _split(told: Told, caption: str, columns: Mapping[str, Real], key: str) -> Iterator[Table]:
+    """The columns over the positions, in as many tables as keep them narrow."""
+    parts = math.ceil(len(columns) / COLUMNS)
+    for k, names in enumerate(np.array_split([*columns], parts)):
+        shown = {name: columns[name] for name in names.tolist()}
+        yield tabulated(caption, shown, told.result.labels, head=tr("Position"), key=key if not k else "")
+
+
+def _columns(told: Told, dimensionless: bool) -> tuple[Columns, Columns, Columns]:
+    """Coordinates, velocities and accelerations of the outputs, the links that turn, the sliders."""
+    result = told.result
+    units = units_of(result, dimensionless)
+    places: Columns = {}
+    places["$phi$, deg" if result.turns else "$Deltas$, m"] = np.degrees(result.phi) if result.turns else result.phi
+    rates: Columns = {}
+    rates2: Columns = {}
+    for k, output in enumerate(result.outputs):
+        if result.angular[k]:
+            continue
+        name = plain_name(output)
+        places[_headed(f"S_{{{name}}}", units.length[0])] = result.s[k] * units.length[1]
+        first, second = result.in_time(result.ds[k], result.dds[k])
+        rates[_headed(f"v_{{{name}}}", units.velocity[0])] = first * units.velocity[1]
+        rates2[_headed(f"a_{{{name}}}", units.acceleration[0])] = second * units.acceleration[1]
+    trace = result.trace
+    for k, link in enumerate(trace.link_ids):
+        if link in told.turning:
+            places[f"$phi_{link}$, deg"] = np.degrees(trace.angle[k]) + _line(told, k, link)
+            omega, eps = result.in_time(trace.dangle[k], trace.ddangle[k])
+            rates[_headed(f"omega_{link}", units.omega[0])] = omega * units.omega[1]
+            rates2[_headed(f"eps_{link}", units.eps[0])] = eps * units.eps[1]
+    for k, joint in enumerate(trace.joint_names):
+        slider, guide = told.chain.mechanism.joint(joint).links
+        if guide == 0 or joint == result.input_joint:
+            continue
+        places[_headed(f"s_{slider}", units.length[0])] = trace.s[k] * units.length[1]
+        first, second = result.in_time(trace.ds[k], trace.dds[k])
+        rates[_headed(f"v_{{{slider}{guide}}}", units.velocity[0])] = first * units.velocity[1]
+        rates2[_headed(f"a_{{{slider}{guide}}}", units.acceleration[0])] = second * units.acceleration[1]
+    return places, rates, rates2
+
+
+def _line(told: Told, k: int, link: int) -> float:
+    """The angle [deg] of the line of a link that the formulas use against its axis."""
+    given = told.lexicons[0].get(f"phi_{link}")
+    if given is None or not isinstance(given.value, float):
+        return 0.0
+    return math.remainder(given.value - math.degrees(told.result.trace.angle[k][told.rows[0]]), 360.0)
+
+
+def _headed(name: str, unit: str) -> str:
+    """A quantity with its unit, or over the one that is made of the crank."""
+    if unit.startswith(("l_1", "omega_1")):
+        under = unit.replace("^", "**")
+        return f"${name}/({under})$" if "*" in under else f"${name}/{under}$"
+    return f"${name}$, {unit}"
+
+
+def _differences(told: Told) -> Iterator[Block]:
+    """Central differences of the position function of every output, at the shown positions and in a table."""
+    result, step = told.result, default_step(told.chain)
+    found = solve_kinematics(told.chain.mechanism, result.structure, "differences", step)
+    written = f"{number(math.degrees(step), 4)}°" if result.turns else f"{number(step, 4)} {tr_unit('m')}"
+    yield Paragraph(
+        tr(
+            "As a check the position functions are differentiated numerically, with the step $theta$ = {step} to both "
+            "sides of a position:",
+            step=spelt(written),
+        )
+    )
+    for k, output in enumerate(default_outputs(told.chain)):
+        name = plain_name(result.outputs[k])
+        words = {"D": name, "S": "Deltaphi" if result.angular[k] else "S"}
+        places = []
+        for place, row in zip(told.places, told.rows, strict=True):
+            rates = float(found.ds[k][row]), float(found.dds[k][row])
+            values = _around(told, output, k, row, step)
+            places.append(Place(place.name, place.lexicon | named(_stencil(told, k, words, values, rates, step))))
+        yield from lines(DIFFERENCES, places, words)
+        yield from _compared(told, found, k, name)
+
+
+def _around(told: Told, output: Output, k: int, row: int, step: float) -> tuple[float, float, float]:
+    """The displacement of an output a step before a position, in it, and a step after it [m or rad]."""
+    x = float(told.result.x[row]) + step * np.array([-1.0, 0.0, 1.0])
+    start = told.chain.evaluate(told.result.x[:1], order=0)
+    first = np.ravel(coordinate_of(told.chain, output, start)[0])[0]
+    there = coordinate_of(told.chain, output, told.chain.evaluate(x, order=0))[0]
+    found = np.broadcast_to(there, x.shape) - first
+    if output.link is not None:
+        found = found + TURN * np.rint((told.result.s[k][row] - found) / TURN)
+    return float(found[0]), float(found[1]), float(found[2])
+
+
+def _stencil(
+    told: Told,
+    k: int,
+    words: Mapping[str, str],
+    values: tuple[float, float, float],
+    rates: tuple[float, float],
+    step: float,
+) -> Lexicon:
+    """The quantities of a central difference."""
+    angular, turns = told.result.angular[k], told.result.turns
+    unit = "rad" if angular else "m"
+    per = "rad" if turns else "m"
+    own, own2 = ("", "") if unit == per else (f"{unit}/{per}", f"{unit}/{per}^2")
+    said = tr("displacement of output {output} in the position and a step to both sides", output=words["D"])
+    found: Lexicon = {
+        f"<S>_{{<D>}}^{{{mark}}}": Given(value, unit, said) for mark, value in zip("−0+", values, strict=True)
+    }
+    found |= {
+        "<S>'_{<D>}": Given(rates[0], own, tr("analogue of the velocity by differences")),
+        "<S>''_{<D>}": Given(rates[1], own2, tr("analogue of the acceleration by differences")),
+        "theta": Given(step, "rad" if turns else "m", tr("step of differentiation")),
+    }
+    return {filled(key, words): given for key, given in found.items()}
+
+
+def _compared(told: Told, found: Kinematics, k: int, name: str) -> Iterator[Block]:
+    """Velocity and acceleration of an output by the formulas and by differences, in all positions."""
+    result = told.result
+    letters = (("omega", "rad/s"), ("eps", "rad/s^2")) if result.angular[k] else (("v", "m/s"), ("a", "m/s^2"))
+    exact = result.in_time(result.ds[k], result.dds[k])
+    near = found.in_time(found.ds[k], found.dds[k])
+    heads, columns, worst = [tr("Position")], [list(result.labels)], []
+    for (letter, unit), one, other in zip(letters, exact, near, strict=True):
+        share = 100 * np.abs(other - one) / (float(np.max(np.abs(one))) or 1.0)
+        worst.append(spelt(f"{np.max(share):.2g}"))
+        symbol = f"${letter}_{{{name}}}$"
+        by = tr("{quantity} by differences", quantity=symbol)
+        heads += [f"{symbol}, {tr_unit(unit)}", f"{by}, {tr_unit(unit)}", f"{tr('Difference')}, %"]
+        columns += [column_of(one), column_of(other), [spelt(f"{each:.2f}") for each in share]]
+    caption = tr("Numerical differentiation of output {output}", output=name)
+    yield Table(caption, tuple(heads), tuple(zip(*columns, strict=True)), f"differences_{k}")
+    yield Paragraph(
+        tr(
+            "The largest difference is {first} % of the largest velocity and {second} % of the largest acceleration.",
+            first=worst[0],
+            second=worst[1],
+        )
+    )

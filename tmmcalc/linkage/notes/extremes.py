@@ -1,0 +1,106 @@
+"""Where the extreme positions lie, for a dyad between the crank and the frame, textbook 2.5.1, 2.5.3, 2.5.4.
+
+Crank and connecting rod are in line, stretched or folded; a slotted link is a tangent of the circle of the crank's pin.
+The formulas are told where they give the extreme positions that the program found, whatever moves with the dyad.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from tmmcalc.linkage.notes.group import angle, length
+from tmmcalc.linkage.notes.told import Dyad, Told
+from tmmcalc.linkage.results import OutputSummary
+from tmmcalc.report.formula.digits import Given, value_of
+from tmmcalc.report.formula.syntax import read
+from tmmcalc.report.formula.tree import Statement
+from tmmcalc.report.language import tr
+from tmmcalc.report.manuscript import Block, Lexicon, Place
+from tmmcalc.report.telling import filled, lines, named, number_of
+
+NEAR = 1e-7  # [deg] of an angle that a formula gives
+OFFSET = "e_<b> = (y_{<Q>} - y_{<O>})*cos(gamma_<b>) - (x_{<Q>} - x_{<O>})*sin(gamma_<b>) + h_<b>"
+IN_LINE = {
+    "RRP": (
+        "gamma_<b> + asin(e_<b>/(l_{<O><P>} + l_<a>))",
+        "gamma_<b> + deg(180) - asin(e_<b>/(l_{<O><P>} + l_<a>))",
+        "gamma_<b> + deg(180) + asin(e_<b>/(l_<a> - l_{<O><P>}))",
+        "gamma_<b> - asin(e_<b>/(l_<a> - l_{<O><P>}))",
+    ),
+    "RRR": tuple(
+        f"phi_{{<O><Q>}} {turn} acos((l_{{<O><Q>}}**2 + ({reach})**2 - l_<b>**2)/(2*l_{{<O><Q>}}*({reach})))"
+        for turn, reach in (
+            ("+", "l_{<O><P>} + l_<a>"),
+            ("-", "l_{<O><P>} + l_<a>"),
+            ("+ deg(180) +", "l_<a> - l_{<O><P>}"),
+            ("+ deg(180) -", "l_<a> - l_{<O><P>}"),
+        )
+    ),
+    "RPR": (
+        "phi_{<Q><O>} - deg(180) + acos(l_{<O><P>}/l_{<Q><O>})",
+        "phi_{<Q><O>} + deg(180) - acos(l_{<O><P>}/l_{<Q><O>})",
+    ),
+}
+
+
+def lines_of(told: Told, summary: OutputSummary, lexicon: Lexicon) -> Iterator[Block]:
+    """The angles of the crank in the extreme positions of an output, which are put into the lexicon."""
+    found = _dyad_of(told)
+    if found is None:
+        return
+    dyad, words = found
+    lexicon |= named(_quantities(dyad, words, lexicon))
+    place = Place("", lexicon)
+    index = told.result.structure.input_link
+    chosen: list[str] = []
+    for mark, centre in zip(("I", "{II}"), summary.dead_centres, strict=False):
+        name = f"phi_{index}^{mark}"
+        lexicon |= named({name: Given(math.degrees(centre.x), "deg", tr("angle of the crank in an extreme position"))})
+        for text in IN_LINE[dyad.step.group.kind]:
+            formula = read(filled(f"{name} = {text}", words))
+            if _gives(formula, lexicon, math.degrees(centre.x)):
+                chosen.append(f"{name} = {text}")
+    if len(chosen) == len(summary.dead_centres) == 2:
+        if dyad.step.group.kind == "RRP":
+            yield from lines([OFFSET], [place], words)
+        yield from lines(chosen, [place], words)
+
+
+def _dyad_of(told: Told) -> tuple[Dyad, dict[str, str]] | None:
+    """The dyad that joins the crank's pin with the frame, and what stands in the formulas."""
+    for dyad in told.dyads:
+        places = dyad.places
+        crank = next((each.places for each in told.crank if each.places["D"] == places["P"]), None)
+        fixed = places["f"] == str(told.result.structure.input_link) and places["g"] == "0"
+        if crank is not None and fixed and dyad.step.group.kind in IN_LINE:
+            return dyad, {**places, "O": crank["O"]}
+    return None
+
+
+def _quantities(dyad: Dyad, words: dict[str, str], lexicon: Lexicon) -> Lexicon:
+    """The line of the pivots; the offset of the guide from the crank's pivot."""
+    pivot, other = (
+        complex(number_of(lexicon, f"x_{{{words[key]}}}"), number_of(lexicon, f"y_{{{words[key]}}}")) for key in "OQ"
+    )
+    if dyad.step.group.kind == "RRP":
+        guide = dyad.states[0].port2
+        offset = ((other - pivot) * complex(guide.e).conjugate()).imag + dyad.states[0].dyad.h
+        return {filled("e_<b>", words): length(offset, tr("offset of the guide from the pivot of the crank"))}
+    ends = "OQ" if dyad.step.group.kind == "RRR" else "QO"
+    way = other - pivot if ends == "OQ" else pivot - other
+    first, second = (words[key] for key in ends)
+    said = {"first": first, "second": second}
+    return {
+        f"l_{{{first}{second}}}": length(abs(way), tr("distance of points {first} and {second}", **said)),
+        f"phi_{{{first}{second}}}": angle(way, tr("angle of the line {first}{second}", **said)),
+    }
+
+
+def _gives(formula: Statement, lexicon: Lexicon, wanted: float) -> bool:
+    """Whether a formula gives this angle [deg]; not where it has no value."""
+    try:
+        found = value_of(formula.sides[1], lexicon, "deg")
+    except (ValueError, ArithmeticError):
+        return False
+    return abs(math.remainder(found - wanted, 360.0)) < NEAR

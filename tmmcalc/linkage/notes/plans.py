@@ -1,0 +1,203 @@
+"""The plans of velocities and accelerations: scale factors, the length of every segment, what follows from them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from tmmcalc.linkage.notes.group import plain_name
+from tmmcalc.linkage.notes.told import Told
+from tmmcalc.linkage.outputs import default_outputs
+from tmmcalc.linkage.pictures.pieces import of_plans
+from tmmcalc.linkage.pictures.plans import SENSES, plans_of
+from tmmcalc.linkage.pictures.vectors import SUPERSCRIPTS, drawn_vectors
+from tmmcalc.linkage.pins import find_pins
+from tmmcalc.linkage.turning import turnings
+from tmmcalc.linkage.vectors import Polygon, Vector, VectorPolygons
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.field import Board
+from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.formula.digits import significant
+from tmmcalc.report.formula.setting import spelt
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
+from tmmcalc.report.telling import number_of, pictured
+
+SIDE_BY_SIDE = 3  # positions whose segments stand in one table
+UNITS = {"v": "m/s", "a": "m/s^2"}
+TURNS = {"v": ("omega", "rad/s"), "a": ("eps", "rad/s^2")}
+READ = 0.1  # to which a segment is read off the plan [mm]
+
+
+class Plan(NamedTuple):
+    """The plans of one kind at all shown positions."""
+
+    letter: str  # ``v`` or ``a``
+    polygons: tuple[Polygon, ...]
+    figure: Figure
+    mu: float  # scale factor [(m/s)/mm] or [(m/s^2)/mm]
+
+
+def blocks(told: Told) -> Iterator[Block]:
+    """Both plans with their segments, then the angular velocities and accelerations, and the outputs by the plans."""
+    found = plans_of(told.chain.mechanism, told.result, told.rows)
+    yield Heading(tr("Plans of velocities and accelerations"), 2)
+    plans = [*_plans(told, found)]
+    words = {plan.letter: f"{spelt(significant(plan.mu, 5))} {tr_unit(f'({UNITS[plan.letter]})/mm')}" for plan in plans}
+    yield Paragraph(
+        tr(
+            "The vector equations of the groups are solved by plans to the scale factors $mu_v$ = {v}, $mu_a$ = {a}. "
+            "A vector is drawn as a segment of its size divided by the scale factor; tables {tab:plan_v} and "
+            "{tab:plan_a} give them, figures {fig:plan_v} and {fig:plan_a} show the plans.",
+            **words,
+        )
+    )
+    for plan in plans:
+        yield from _segments(told, plan)
+        yield plan.figure
+    yield from _compared(told, found, plans)
+
+
+def _plans(told: Told, found: Sequence[VectorPolygons]) -> Iterator[Plan]:
+    for letter, piece in zip("va", of_plans(told.result, found), strict=True):
+        figure = pictured(piece, key=f"plan_{letter}")
+        boards = figure.draw(Drawing(*figure.size, ""), Box(0.0, 0.0, *figure.size))
+        assert isinstance(boards, list)
+        assert isinstance(boards[0], Board)
+        polygons = tuple(plan.velocity if letter == "v" else plan.acceleration for plan in found)
+        yield Plan(letter, polygons, figure, boards[0].mu)
+
+
+def _segments(told: Told, plan: Plan) -> Iterator[Table]:
+    """Size and length of every segment."""
+    captions = {
+        "v": tr("Segments of the plans of velocities"),
+        "a": tr("Segments of the plans of accelerations"),
+    }
+    shown = [vector for polygon in plan.polygons for vector in drawn_vectors(polygon)]
+    vectors = list(dict.fromkeys(shown))
+    labels = [told.result.labels[row] for row in told.rows]
+    for start in range(0, len(labels), SIDE_BY_SIDE):
+        part = range(start, min(start + SIDE_BY_SIDE, len(labels)))
+        heads = [
+            text
+            for k in part
+            for text in (
+                f"{tr('Position {label}', label=labels[k])}, {tr_unit(UNITS[plan.letter])}",
+                f"{tr('Position {label}', label=labels[k])}, {tr_unit('mm')}",
+            )
+        ]
+        rows = []
+        for vector in vectors:
+            cells = []
+            for k in part:
+                size = abs(plan.polygons[k].value(vector))
+                cells += [spelt(significant(size, 5)), spelt(f"{size / plan.mu:.1f}")]
+            rows.append((f"${designation(vector, plan.letter)}$", ends(vector), *cells))
+        key = f"plan_{plan.letter}" if not start else ""
+        yield Table(captions[plan.letter], (tr("Vector"), tr("Segment"), *heads), tuple(rows), key)
+
+
+def designation(vector: Vector, letter: str) -> str:
+    """The name of a vector of a plan in formulas.
+
+    >>> designation(Vector("a", "n3", "normal", 3, "B2", "A"), "a")
+    'a_{B2A}^n'
+    """
+    above = SUPERSCRIPTS.get(vector.kind, "r" if vector.kind == "sliding" and letter == "a" else "").replace("k", "K")
+    return f"{letter}_{{{vector.point}{vector.base}}}" + (f"^{above}" if above else "")
+
+
+def ends(vector: Vector) -> str:
+    """The vertices of a segment."""
+    return f"{vector.tail}{vector.head}".replace("pi", "π")
+
+
+def _compared(told: Told, found: Sequence[VectorPolygons], plans: Sequence[Plan]) -> Iterator[Block]:
+    """What follows from the segments beside what the formulas give."""
+    rows = [
+        row
+        for k in range(len(found))
+        for plan in plans
+        for row in (*_turned(told, found[k], plan, k), *_moved(told, plan, k))
+    ]
+    if not rows:
+        return
+    yield Paragraph(
+        tr(
+            "With the length $z$ of a segment, read off the plan to {read} mm, a link turns with $omega = mu_v*z/l$ "
+            "and $eps = mu_a*z/l$, where $l$ is the distance of the two points; the sense (↺ counter-clockwise, "
+            "↻ clockwise) follows from the direction of the segment at its point. Table {tab:plan_compared} compares "
+            "the plan with the formulas.",
+            read=spelt(f"{READ}"),
+        )
+    )
+    heads = (
+        tr("Position"),
+        tr("Quantity"),
+        tr("Segment"),
+        f"$z$, {tr_unit('mm')}",
+        f"$l$, {tr_unit('m')}",
+        tr("By the plan"),
+        tr("By the formulas"),
+        tr("Difference") + ", %",
+    )
+    yield Table(tr("Comparison with the plans"), heads, tuple(rows), "plan_compared")
+
+
+def _turned(told: Told, found: VectorPolygons, plan: Plan, k: int) -> Iterator[tuple[str, ...]]:
+    """Angular velocities, or accelerations, of the links from the segments about their points."""
+    polygon = plan.polygons[k]
+    symbol, unit = TURNS[plan.letter]
+    mechanism, structure = told.chain.mechanism, told.result.structure
+    seen = {vector.link: vector for vector in found.acceleration.vectors if vector.kind == "tangential"}
+    tails = {vector.link: vector.tail for vector in found.acceleration.vectors if vector.kind == "normal"}
+    for turning in turnings(mechanism, structure, find_pins(mechanism)):
+        link = turning.link
+        if link not in seen or (link == structure.input_link and told.result.turns):
+            continue
+        vector = seen[link]
+        if plan.letter == "v":
+            tail = "p" if tails[link] == "pi" else tails[link]
+            vector = Vector(tail, vector.head, "relative", link, vector.point, vector.base)
+        size = round(abs(polygon.value(vector)) / plan.mu / READ) * READ
+        lexicon = told.lexicons[k]
+        base, head = plain_name(turning.base.name), plain_name(turning.head.name)
+        across, up = (
+            number_of(lexicon, f"{axis}_{{{head}}}") - number_of(lexicon, f"{axis}_{{{base}}}") for axis in "xy"
+        )
+        length = math.hypot(across, up)
+        exact = number_of(lexicon, f"{symbol}_{link}")
+        sense = SENSES[exact > 0] if size else ""
+        name = f"${symbol}_{link}$ {sense}, {tr_unit(unit)}"
+        yield _row(told, k, (name, ends(vector)), size, length, (plan.mu * size / length, abs(exact)))
+
+
+def _moved(told: Told, plan: Plan, k: int) -> Iterator[tuple[str, ...]]:
+    """The velocities, or accelerations, of the points of outputs."""
+    polygon = plan.polygons[k]
+    for output in default_outputs(told.chain):
+        rays = (vector for vector in polygon.vectors if vector.kind == "absolute")
+        vector = next((ray for ray in rays if ray.point in (output.point, f"{output.point}{ray.link}")), None)
+        if output.point is None or vector is None:
+            continue
+        exact = abs(polygon.value(vector))
+        size = round(exact / plan.mu / READ) * READ
+        name = f"${plan.letter}_{{{plain_name(output.point)}}}$, {tr_unit(UNITS[plan.letter])}"
+        yield _row(told, k, (name, ends(vector)), size, None, (plan.mu * size, exact))
+
+
+def _row(
+    told: Told, k: int, names: tuple[str, str], size: float, length: float | None, values: tuple[float, float]
+) -> tuple[str, ...]:
+    """A quantity with its segment [mm]: its value by the plan, and by the formulas."""
+    found, exact = values
+    lever = "–" if length is None else spelt(significant(length, 4))
+    apart = spelt(f"{100 * abs(found - exact) / exact:.1f}") if exact else "–"
+    label = told.result.labels[told.rows[k]]
+    return label, *names, spelt(f"{size:.1f}"), lever, _said(found), _said(exact), apart
+
+
+def _said(value: float) -> str:
+    return f"${significant(value, 4)}$"

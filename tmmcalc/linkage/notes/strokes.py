@@ -1,0 +1,126 @@
+"""The start of the count, the extreme positions of the outputs, their strokes and the time ratio."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from tmmcalc.linkage.notes import extremes
+from tmmcalc.linkage.notes.group import length, plain_name
+from tmmcalc.linkage.notes.told import Told
+from tmmcalc.linkage.pictures.cycle import TURN, along, closed
+from tmmcalc.linkage.pictures.pieces import of_scheme
+from tmmcalc.linkage.results import OutputSummary
+from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.setting import spelt
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.manuscript import Block, Lexicon, Paragraph, Place
+from tmmcalc.report.numbers import number
+from tmmcalc.report.telling import lines, named, pictured, tabulated
+
+ROMAN = ("I", "II", "III", "IV", "V", "VI", "VII", "VIII")
+ENDS = ("I", "{II}")
+SAME = 1e-9  # [rad or m] of an extreme position that is position 0
+
+
+def blocks(told: Told) -> Iterator[Block]:
+    """The scheme in its positions, then the extreme positions of every output."""
+    result = told.result
+    yield Paragraph(tr("The mechanism is drawn in its positions in figure {fig:linkage_scheme}."))
+    yield pictured(of_scheme(result, told.cycle, told.rows[0]), key="linkage_scheme")
+    yield Paragraph(_counted(told))
+    for summary in result.summaries:
+        if summary.dead_centres:
+            yield from _extremes(told, summary)
+
+
+def _counted(told: Told) -> str:
+    """Where the count of the positions begins, and their steps."""
+    result = told.result
+    first, name = float(result.x[0]), f"$phi_{result.structure.input_link}$" if result.turns else "$s_0$"
+    value = f"{number(math.degrees(first), 5)}°" if result.turns else f"{number(first, 5)} {tr_unit('m')}"
+    words = {"name": name, "value": spelt(value)}
+    centre = result.summaries[0].dead_centres if result.summaries else ()
+    if centre and abs(math.remainder(centre[0].x - first, TURN) if result.turns else centre[0].x - first) < SAME:
+        words["output"] = plain_name(result.summaries[0].name)
+        if result.summaries[0].angular:
+            return tr("Position 0 is the extreme position of link {output} at {name} = {value}.", **words)
+        return tr("Position 0 is the extreme position of {output} at {name} = {value}.", **words)
+    return tr("The positions are counted from that at {name} = {value}.", **words)
+
+
+def _extremes(told: Told, summary: OutputSummary) -> Iterator[Block]:
+    """The extreme positions of an output as a table, where they lie, the stroke, the angles of the strokes."""
+    result, centres = told.result, summary.dead_centres
+    full = closed(told.chain)
+    counted = np.array([along(result, centre.x, full) for centre in centres])
+    x, values = np.array([each.x for each in centres]), _values(summary)
+    name, index = plain_name(summary.name), result.structure.input_link
+    angles = np.degrees if result.turns else np.asarray
+    heads = (f"$phi_{index}$, deg", "$phi$, deg") if result.turns else ("$s$, m", "$Deltas$, m")
+    own = f"$phi_{{{name}}}$, deg" if summary.angular else f"$S_{{{name}}}$, m"
+    caption = (
+        tr("Extreme positions of link {output}", output=name)
+        if summary.angular
+        else tr("Extreme positions of {output}", output=name)
+    )
+    columns = dict(zip((*heads, own), (angles(x), angles(counted), values), strict=True))
+    yield tabulated(caption, columns, ROMAN[: len(centres)], head=tr("Extreme position"))
+    lexicon: Lexicon = dict(told.lexicons[0])
+    place = (Place("", lexicon),)
+    if result.turns and full:
+        yield from extremes.lines_of(told, summary, lexicon)
+    if len(centres) == 2 and summary.stroke is not None:
+        lexicon |= named(_stroke(summary, name, values))
+        left = f"psi_{{{name}}}" if summary.angular else f"H_{{{name}}}"
+        letter = "phi" if summary.angular else "S"
+        yield from lines([f"{left} = abs({letter}_{{{name}}}^{{II}} - {letter}_{{{name}}}^I)"], place)
+    if summary.working_angle is not None and summary.idle_angle is not None and summary.time_ratio is not None:
+        mark = f",{name}" if len(result.summaries) > 1 else ""
+        lexicon |= named(_angles(told, summary, mark))
+        pair = (f"phi_{{w{mark}}}", f"phi_{{x{mark}}}")
+        ends = f"phi_{index}^{{II}} - phi_{index}^I" if result.speed > 0 else f"phi_{index}^I - phi_{index}^{{II}}"
+        texts = (f"{pair[0]} = {ends}", f"{pair[1]} = deg(360) - {pair[0]}", f"K_{{{name}}} = {pair[0]}/{pair[1]}")
+        yield from lines(texts, place)
+
+
+def _values(summary: OutputSummary) -> np.ndarray:
+    """Coordinates [m] or angles [deg] of the output in its extreme positions, as far apart as the stroke."""
+    values = np.array([each.value for each in summary.dead_centres])
+    if not summary.angular:
+        return values
+    if len(values) == 2 and summary.stroke is not None:
+        far = values[0] + np.array([summary.stroke, -summary.stroke])
+        values[1] = min(far, key=lambda one: abs(math.remainder(one - values[1], TURN)))
+    return np.degrees(values)
+
+
+def _stroke(summary: OutputSummary, name: str, values: np.ndarray) -> Lexicon:
+    assert summary.stroke is not None
+    if summary.angular:
+        said = tr("angle of link {output} in an extreme position", output=name)
+        stroke = Given(math.degrees(summary.stroke), "deg", tr("swing of link {output}", output=name))
+        ends = {f"phi_{{{name}}}^{mark}": Given(float(v), "deg", said) for mark, v in zip(ENDS, values, strict=True)}
+        return {f"psi_{{{name}}}": stroke, **ends}
+    said = tr("coordinate of {output} in an extreme position", output=name)
+    ends = {f"S_{{{name}}}^{mark}": length(v, said) for mark, v in zip(ENDS, values, strict=True)}
+    return {f"H_{{{name}}}": length(summary.stroke, tr("stroke of {output}", output=name)), **ends}
+
+
+def _angles(told: Told, summary: OutputSummary, mark: str) -> Lexicon:
+    """The angles of the crank over the strokes, the second extreme position after the first."""
+    assert summary.working_angle is not None
+    assert summary.idle_angle is not None
+    assert summary.time_ratio is not None
+    index, first = told.result.structure.input_link, summary.dead_centres[0].x
+    second = first + math.copysign(summary.working_angle, told.result.speed)
+    said = tr("angle of the crank in an extreme position")
+    return {
+        f"phi_{index}^I": Given(math.degrees(first), "deg", said),
+        f"phi_{index}^{{II}}": Given(math.degrees(second), "deg", said),
+        f"phi_{{w{mark}}}": Given(math.degrees(summary.working_angle), "deg", tr("angle of the working stroke")),
+        f"phi_{{x{mark}}}": Given(math.degrees(summary.idle_angle), "deg", tr("angle of the idle stroke")),
+        f"K_{{{plain_name(summary.name)}}}": Given(summary.time_ratio, "", tr("time ratio")),
+    }

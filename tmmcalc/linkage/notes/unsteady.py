@@ -1,0 +1,176 @@
+"""The chapter on unsteady motion: the time-optimal law of the input by its phases, and what it moves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from tmmcalc.core.plane import Real
+from tmmcalc.core.timelaw import TimeLaw, phase_of
+from tmmcalc.linkage.pictures.unsteady import piece_of
+from tmmcalc.linkage.tables.tasks.unsteady import to_unsteady
+from tmmcalc.linkage.unsteady.results import Unsteady
+from tmmcalc.linkage.unsteady.task import UnsteadyTask
+from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.syntax import read
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
+from tmmcalc.report.telling import column_of, lines, named, pictured, tabulated
+
+ACCELERATED, UNIFORM, SLOWED = 1, 2, 3  # numbers of the phases
+LAWS = {
+    ACCELERATED: ("s = a_m*t**2/2", "v = a_m*t"),
+    UNIFORM: ("s = S_1 + v_p*(t - t_1)", "v = v_p"),
+    SLOWED: ("s = S_m - a_m*(T - t)**2/2", "v = a_m*(T - t)"),
+}
+
+
+def blocks(order: Order) -> Iterator[Block]:
+    """The largest speed and the times of the phases, the law in each, the table and the extremes."""
+    result: Unsteady = order.results["unsteady"]
+    law = result.law
+    if not law.speed:
+        yield Paragraph(tr("The input stays where it is."))
+        return
+    yield Heading(tr("Time-optimal law of the input"), 2)
+    yield from _law(result, to_unsteady(order.spec))
+    yield Heading(tr("Motion in the phases"), 2)
+    yield from _phases(result, order)
+    yield Heading(tr("Motion of the mechanism"), 2)
+    yield from _moved(result)
+    yield pictured(piece_of(order), key="unsteady")
+
+
+def _quantities(result: Unsteady, task: UnsteadyTask) -> Lexicon:
+    """The law, by its letters; of a motion to the negative side the sizes."""
+    law, unit = result.law, "rad" if result.turns else "m"
+    found = {
+        "S_m": Given(abs(law.travel), unit, tr("travel of the input")),
+        "v_p": Given(law.speed, f"{unit}/s", tr("largest speed of the input that is reached")),
+        "a_m": Given(law.acceleration, f"{unit}/s^2", tr("allowed acceleration of the input")),
+        "t_1": Given(law.ramp, "s", tr("time of the acceleration and of the deceleration")),
+        "t_2": Given(law.uniform, "s", tr("time of the uniform motion")),
+        "T": Given(law.duration, "s", tr("time of the whole motion")),
+        "S_1": Given(law.ramp_travel, unit, tr("travel during the acceleration and during the deceleration")),
+        "S_2": Given(law.uniform_travel, unit, tr("travel during the uniform motion")),
+        "x_0": Given(result.start, unit, tr("coordinate of the input at the beginning")),
+        "x_e": Given(result.end, unit, tr("coordinate of the input at the end")),
+    }
+    if task.speed is not None:
+        found["v_m"] = Given(task.speed, f"{unit}/s", tr("allowed speed of the input"))
+    return named(found)
+
+
+def _law(result: Unsteady, task: UnsteadyTask) -> Iterator[Block]:
+    """Speed and times, in the order in which what is given settles them."""
+    law = result.law
+    yield Paragraph(
+        tr(
+            "The input moves from rest to rest in the shortest time that the limits of its speed and acceleration "
+            "allow: with the largest acceleration, at constant speed, with the largest deceleration."
+        )
+        if task.duration is None
+        else tr(
+            "The input moves from rest to rest in the given time: with the largest acceleration, at constant speed, "
+            "with the largest deceleration."
+        )
+    )
+    yield from lines(_texts(law, task), [Place("", _quantities(result, task))])
+    if not law.uniform:
+        yield Paragraph(tr("There is no uniform motion: the allowed speed is not reached."))
+
+
+def _texts(law: TimeLaw, task: UnsteadyTask) -> tuple[str, ...]:
+    """The formulas of the law: by the time alone, by travel and time, by the travel alone."""
+    sign, way = ("+", "x_e - x_0") if law.sense > 0 else ("-", "x_0 - x_e")
+    settled, between = ("t_1 = v_p/a_m", "S_1 = a_m*t_1**2/2"), ("t_2 = T - 2*t_1", "S_2 = v_p*t_2")
+    if task.end is None and task.travel is None:
+        speed = ("v_p = v_m", *settled) if law.uniform else ("t_1 = T/2", "v_p = a_m*t_1", settled[1])
+        return (*speed, *between, "S_m = 2*S_1 + S_2", f"x_e = x_0 {sign} S_m")
+    if task.duration is not None:
+        return (f"S_m = {way}", "v_p = a_m*(T - sqrt(T**2 - 4*S_m/a_m))/2", *settled, *between)
+    if not law.uniform:
+        return (f"S_m = {way}", "v_p = sqrt(S_m*a_m)", *settled, "T = 2*t_1")
+    return (f"S_m = {way}", "v_p = v_m", *settled, "t_2 = (S_m - 2*S_1)/v_p", between[1], "T = 2*t_1 + t_2")
+
+
+def _phases(result: Unsteady, order: Order) -> Iterator[Block]:
+    """The law in every phase with one instant by the numbers."""
+    phases = phase_of(result.law, result.t, result.side)
+    names = {
+        ACCELERATED: tr("Acceleration:"),
+        UNIFORM: tr("Uniform motion:"),
+        SLOWED: tr("Deceleration:"),
+    }
+    task = to_unsteady(order.spec)
+    for phase, said in names.items():
+        rows = np.flatnonzero(phases == phase).tolist()
+        if rows:
+            middle = rows[len(rows) // 2]
+            place = Place(tr("in row {label}", label=result.labels[middle]), _at(result, task, middle))
+            yield Paragraph(said)
+            yield from lines(LAWS[phase], [place])
+
+
+def _at(result: Unsteady, task: UnsteadyTask, row: int) -> Lexicon:
+    """The law at a row: travel and speed of the input."""
+    unit = "rad" if result.turns else "m"
+    sense = result.law.sense
+    x, v, _ = result.drive[:, row].tolist()
+    moved = {
+        "t": Given(float(result.t[row]), "s", tr("time")),
+        "s": Given(sense * (x - result.start), unit, tr("travel of the input from its start")),
+        "v": Given(sense * v, f"{unit}/s", tr("speed of the input")),
+    }
+    return {**_quantities(result, task), **named(moved)}
+
+
+def _moved(result: Unsteady) -> Iterator[Block]:
+    """The transfer functions in time, the table, the extremes."""
+    yield Paragraph(
+        tr(
+            "What moves with the input has the velocity and the acceleration that follow from its first and second "
+            "transfer functions $S'$ and $S''$:"
+        )
+    )
+    yield Display(read("v_S = S'*v"))
+    yield Display(read("a_S = S''*v**2 + S'*a"))
+    columns: dict[str, Real] = {"$t$, s": result.t, **_triple(("x", "v", "a"), result.turns, result.drive)}
+    for k, (name, angular) in enumerate(zip(result.outputs, result.angular, strict=True)):
+        first, second, third = ("phi", "omega", "eps") if angular else ("S", "v", "a")
+        letters = f"{first}_{{{name}}}", f"{second}_{{{name}}}", f"{third}_{{{name}}}"
+        columns |= _triple(letters, angular, result.coordinate[:, k])
+    yield Paragraph(
+        tr(
+            "Table {tab:unsteady_rows} has the input coordinate $x$, its speed and acceleration, and those of the "
+            "outputs; a minus after the number of a row marks the limit before a jump of the acceleration."
+        )
+    )
+    caption = tr("Unsteady motion of the input and of the outputs")
+    yield tabulated(caption, columns, result.labels, head=tr("Row"), key="unsteady_rows")
+    yield from _extremes(result)
+
+
+def _triple(letters: tuple[str, str, str], angular: bool, rows: Real) -> dict[str, Real]:
+    """Heads and columns of a coordinate and its derivatives, rows (3, n)."""
+    units = ("deg", "rad/s", "rad/s^2") if angular else ("m", "m/s", "m/s^2")
+    values = (np.degrees(rows[0]) if angular else rows[0], rows[1], rows[2])
+    return {f"${letter}$, {unit}": row for letter, unit, row in zip(letters, units, values, strict=True)}
+
+
+def _extremes(result: Unsteady) -> Iterator[Block]:
+    """Extreme angular velocities and accelerations of the links."""
+    links = [
+        each for each in result.extremes if each.name.startswith(("omega_", "eps_")) and each.least != each.largest
+    ]
+    if not links:
+        return
+    yield Paragraph(tr("Table {tab:unsteady_extremes} has the extremes of the links, between the rows too."))
+    head = (tr("Quantity"), tr("least"), f"$t$, {tr_unit('s')}", tr("largest"), f"$t$, {tr_unit('s')}")
+    rows = []
+    for each in links:
+        numbers = (each.least, each.least_at, each.largest, each.largest_at)
+        rows.append((f"${each.name}$, {tr_unit(each.unit)}", *(column_of([number])[0] for number in numbers)))
+    yield Table(tr("Extremes of the motion of the links"), head, tuple(rows), "unsteady_extremes")

@@ -1,0 +1,1 @@
+"""What the note says of machines: reduction of forces and masses, motion and flywheel, balance."""

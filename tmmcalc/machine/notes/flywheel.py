@@ -1,0 +1,375 @@
+"""The chapter on motion, its part on the flywheel: excess work, energy-mass curve, all methods, the wheel."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from tmmcalc.machine.flywheel.materials import RECOMMENDED
+from tmmcalc.machine.flywheel.results import Flywheel, Trial
+from tmmcalc.machine.flywheel.worked import Paper, Worked, curve_columns, paper, round_scales
+from tmmcalc.machine.notes.motors import of_motor
+from tmmcalc.machine.notes.told import degrees, drawn, held, inertias, numeral
+from tmmcalc.machine.notes.wheel import of_wheel
+from tmmcalc.machine.pictures.constructions import draw_ordinates, machine_of
+from tmmcalc.machine.pictures.energymass import draw_energy_mass
+from tmmcalc.machine.pictures.words import method_name
+from tmmcalc.machine.power import moment_at
+from tmmcalc.machine.reduction.results import Reduction
+from tmmcalc.machine.stages.flywheel import mean, methods_of
+from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.syntax import read
+from tmmcalc.report.language import tr, tr_name
+from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
+from tmmcalc.report.telling import DIGITS, column_of, headed, lines, named, tabulated
+
+SAME = 1e-4  # of the inertia: trials nearer than this are one
+AROUND, ORDINATES = 60.0, 130.0  # above and below the energy-mass curve; height of the ordinates [mm]
+PERCENT = 3  # digits of a difference
+DIVISOR = "(delta_0*omega_m**2)"
+
+
+class Method(NamedTuple):
+    """One method by the numbers: its own letters have the upper index ``<i>``."""
+
+    title: str
+    said: str  # what it takes
+    lines: tuple[str, ...]
+
+
+class Told(NamedTuple):
+    """What the part tells from."""
+
+    result: Flywheel
+    reduction: Reduction
+    worked: Mapping[str, Worked]  # by their keys
+    speed: float  # mean [rad/s]
+    on_paper: Paper
+
+
+def blocks(order: Order) -> Iterator[Block]:
+    """The motor, the excess work, the curve with its tangents, the methods side by side, the flywheel and its rim."""
+    yield from of_motor(order, "flywheel")
+    result: Flywheel = order.results["flywheel"]
+    speed, picture = mean(order.spec, order.results), result.picture
+    every = {each.key: each for each in methods_of(order.spec, order.results)}
+    on_paper = paper(picture, round_scales(picture), result.sense)
+    told = Told(result, order.results["reduction"], every, speed, on_paper)
+    yield from _excess(told)
+    yield from _curve(told)
+    yield from _methods(told)
+    yield from _inertia(told, order)
+    yield from of_wheel(order)
+
+
+def _excess(told: Told) -> Iterator[Block]:
+    """The moment that closes the cycle, the excess work at the positions."""
+    cycle, result = told.reduction.cycle, told.result
+    yield Heading(tr("Excess work"), 2)
+    yield Paragraph(
+        tr(
+            "The flywheel has to keep the coefficient of speed fluctuation $delta_0 = {delta}$ at the mean angular "
+            "velocity $omega_m$. The methods take the drive as a constant moment that makes the work of the cycle "
+            "zero:",
+            delta=numeral(result.delta),
+        )
+    )
+    work = float(cycle.panels.total(moment_at(cycle, told.speed)))
+    lexicon = {
+        "M_m": Given(result.picture.drive, "N*m", tr("constant moment that makes the work of the cycle zero")),
+        "A_c": Given(work, "J", tr("work of the reduced moments of all forces over the cycle")),
+        "phi_c": Given(cycle.period, "rad", tr("angle of the cycle")),
+    }
+    yield from lines(("M_m = -A_c/phi_c",), [Place("", named(lexicon))])
+    yield Paragraph(tr("The excess work is the work of all moments from position 0, the change of the kinetic energy:"))
+    yield Display(read("A = DeltaT = T - T_0"))
+    reduction = told.reduction
+    theta = np.minimum(np.abs(reduction.phi - reduction.phi[0]), cycle.period)
+    found = {each.name: each.make() for each in curve_columns(result.picture, cycle, theta, told.speed, (1.0, 1.0))}
+    columns = {
+        "$phi$, deg": np.degrees(reduction.phi),
+        "$A$, J": found["A"],
+        "$J_v$, kg*m^2": found["J_red"],
+        "$T_II$, J": found["T_links"],
+        "$A - T_II$, J": found["T_rest"],
+    }
+    yield Paragraph(
+        tr(
+            "Table {tab:flywheel_work} has the excess work, the reduced moment of inertia $J_v$ of the links and their "
+            "kinetic energy at the mean angular velocity, $T_II = J_v*omega_m**2/2$."
+        )
+    )
+    extreme = told.worked["excess_work_by_cycle"]
+    values = {
+        "high": numeral(extreme.work_max),
+        "at_high": degrees(extreme.at_max),
+        "low": numeral(extreme.work_min),
+        "at_low": degrees(extreme.at_min),
+    }
+    yield Paragraph(
+        tr(
+            "Over the cycle the excess work is largest, $A = {high}$ J, at $phi = {at_high}$, and least, "
+            "$A = {low}$ J, at $phi = {at_low}$.",
+            **values,
+        )
+    )
+    caption = tr("Excess work and kinetic energy of the links")
+    yield tabulated(caption, columns, reduction.labels, head=tr("Position"), key="flywheel_work")
+
+
+def _curve(told: Told) -> Iterator[Block]:
+    """Wittenbauer's construction: angles of the tangents, the segment, the inertia; then the picture."""
+    exact, on_paper = told.worked["exact_by_cycle"], told.on_paper
+    yield Heading(tr("Energy-mass curve"), 2)
+    yield Paragraph(
+        tr(
+            "Eliminating the angle $phi$ from $A$ and $J_v$ gives the closed energy-mass curve, figure "
+            "{fig:flywheel_curve}. The angular velocity is largest and least where the tangents at the angles "
+            "$psi_1$ and $psi_2$ touch it, at $phi = {first}$ and $phi = {second}$:",
+            first=degrees(exact.at_max),
+            second=degrees(exact.at_min),
+        )
+    )
+    scales = {
+        "mu_A": Given(on_paper.energy_scale, "J/mm", tr("scale factor of the energies")),
+        "mu_J": Given(on_paper.inertia_scale, "kg*m^2/mm", tr("scale factor of the moments of inertia")),
+    }
+    angle = tr("angle of the tangent")
+    lexicon = _lexicon(told, exact, "") | named(
+        {
+            **scales,
+            "psi_1": Given(math.degrees(on_paper.angle_max), "deg", angle),
+            "psi_2": Given(math.degrees(on_paper.angle_min), "deg", angle),
+            "l_GH": Given(on_paper.segment, "mm", tr("segment between the tangents on the axis of energies")),
+        }
+    )
+    place = [Place("", lexicon)]
+    angles = (
+        "psi_1 = atan(mu_J*omega_m**2*(1 + delta_0/2)**2/(2*mu_A))",
+        "psi_2 = atan(mu_J*omega_m**2*(1 - delta_0/2)**2/(2*mu_A))",
+    )
+    yield from lines(angles, place)
+    yield Paragraph(tr("On the axis of energies the tangents cut off"))
+    segment = (
+        "G = A_1 - J_1*omega_m**2*(1 + delta_0/2)**2/2",
+        "H = A_2 - J_2*omega_m**2*(1 - delta_0/2)**2/2",
+        "l_GH = (G - H)/mu_A",
+    )
+    yield from lines(segment, place)
+    yield Paragraph(tr("The constant moment of inertia that the machine must have"))
+    yield from lines((f"J_F = mu_A*l_GH/{DIVISOR}",), place)
+    draw = partial(
+        draw_energy_mass,
+        picture=told.result.picture,
+        sense=told.result.sense,
+        scales=(on_paper.energy_scale, on_paper.inertia_scale),
+    )
+    high = float(np.ptp([*told.result.picture.work, *told.result.picture.intercepts])) / on_paper.energy_scale
+    yield drawn(tr("Energy-mass curve"), draw, high + AROUND, "flywheel_curve")
+
+
+def _lexicon(told: Told, found: Worked, index: str) -> Lexicon:
+    """The numbers of a method, its own ones with an upper index."""
+    mark = f"^{{({index})}}" if index else ""
+    work, links, cut, needed = ("",) * 4  # told once
+    if not index:
+        work, links = tr("excess work where the tangent touches"), tr("reduced moment of inertia of the links there")
+        cut = tr("what the tangent cuts off on the axis of energies")
+        needed = tr("constant moment of inertia that is needed, reduced to the input link")
+    return named(
+        {
+            "delta_0": Given(told.result.delta, "", tr("allowed coefficient of speed fluctuation")),
+            "omega_m": Given(told.speed, "rad/s", tr("mean angular velocity of the input link")),
+            f"A_1{mark}": Given(found.work_max, "J", work),
+            f"A_2{mark}": Given(found.work_min, "J", work),
+            f"J_1{mark}": Given(found.links_max, "kg*m^2", links),
+            f"J_2{mark}": Given(found.links_min, "kg*m^2", links),
+            f"G{mark}": Given(found.intercept_max, "J", cut),
+            f"H{mark}": Given(found.intercept_min, "J", cut),
+            f"J_F{mark}": Given(found.inertia, "kg*m^2", needed),
+        }
+    )
+
+
+def _methods(told: Told) -> Iterator[Block]:
+    """The approximate methods, each by its formulas, and all of them in a table."""
+    yield Heading(tr("Approximate methods"), 2)
+    names = ("book", "mertsalov", "artobolevsky", "excess work")
+    for k, name in enumerate(names, 2):
+        found = told.worked[f"{name.replace(' ', '_')}_by_cycle"]
+        method = _method(name)
+        yield Heading(method.title, 3)
+        at = {
+            "first": degrees(found.at_max),
+            "second": degrees(found.at_min),
+        }
+        where = tr("The extremes stand at $phi = {first}$ and $phi = {second}$.", **at)
+        yield Paragraph(f"{method.said} {where}")
+        place = [Place("", _lexicon(told, found, str(k)))]
+        yield from lines(method.lines, place, {"i": f"^{{({k})}}"})
+    picture, reduction = told.result.picture, told.reduction
+    machine = machine_of(picture, reduction.cycle, reduction.phi, told.result.delta)
+    draw = partial(draw_ordinates, machine=machine)
+    yield drawn(tr("Excess work by Mertsalov and Artobolevsky"), draw, ORDINATES, "flywheel_ordinates")
+    yield from _compared(told)
+
+
+def _method(name: str) -> Method:
+    """What a method takes, and its formulas."""
+
+    def three(more: str = "", less: str = "") -> tuple[str, ...]:
+        upper, lower = f"G<i> = A_1<i> - J_1<i>*omega_m**2{more}/2", f"H<i> = A_2<i> - J_2<i>*omega_m**2{less}/2"
+        return upper, lower, f"J_F<i> = (G<i> - H<i>)/{DIVISOR}"
+
+    slopes = three("*(1 + delta_0)", "*(1 - delta_0)")
+    return {
+        "book": Method(
+            tr("Tangents without the square of the coefficient"),
+            tr("The small square of $delta_0$ is dropped from the slopes of the tangents."),
+            slopes,
+        ),
+        "mertsalov": Method(
+            tr("Method of Mertsalov"),
+            tr(
+                "The kinetic energy of the links is taken at the mean angular velocity; what is left of the excess "
+                "work, $A - T_II$, falls to the flywheel, figure {fig:flywheel_ordinates}."
+            ),
+            three(),
+        ),
+        "artobolevsky": Method(
+            tr("Method of Artobolevsky"),
+            tr(
+                "The angular velocity is taken as extreme where the excess work is; the energy of the links counts "
+                "there with the extreme angular velocities."
+            ),
+            slopes,
+        ),
+        "excess work": Method(
+            tr("By the largest excess work"),
+            tr("The kinetic energy of the links is neglected."),
+            (f"J_F<i> = (A_1<i> - A_2<i>)/{DIVISOR}",),
+        ),
+    }[name]
+
+
+def _compared(told: Told) -> Iterator[Block]:
+    """All methods side by side: over the cycle, at the positions alone, and what each really leads to."""
+    result = told.result
+    names = [row.positional.method for row in result.rows]
+    columns: dict[str, list[float | None]] = {
+        "$J_F$, kg*m^2": [row.positional.inertia for row in result.rows],
+        tr("difference, %"): [100 * row.positional.error for row in result.rows],
+    }
+    nodal = [told.worked.get(f"{name.replace(' ', '_')}_by_positions") for name in names]
+    if all(nodal):
+        columns[tr("by positions $J_F$, kg*m^2")] = [each.inertia for each in nodal if each is not None]
+    if result.addition > 0:
+        columns[tr("$delta$ by positional forces")] = [row.positional.delta for row in result.rows]
+        if result.required is not None:
+            columns[tr("$delta$ under the motor")] = [row.delta for row in result.rows]
+    said = tr("Table {tab:flywheel_methods} compares the methods with the exact one.")
+    if all(nodal):
+        said += " " + tr("The same by the positions alone misses the extremes between them.")
+    yield Paragraph(said)
+    shown = {head: [math.nan if each is None else each for each in cells] for head, cells in columns.items()}
+    cells = [column_of(values, PERCENT if "%" in head else DIGITS) for head, values in shown.items()]
+    head = (tr("Method"), *map(headed, shown))
+    rows = tuple(zip(map(_named, names), *cells, strict=True))
+    yield Table(tr("Constant moment of inertia by all methods"), head, rows, "flywheel_methods")
+
+
+def _named(name: str) -> str:
+    return tr("without the square of $delta_0$") if name == "book" else method_name(name)
+
+
+def _inertia(told: Told, order: Order) -> Iterator[Block]:
+    """What of the inertia is at hand, and what the flywheel has to add."""
+    result = told.result
+    yield Heading(tr("Moment of inertia of the flywheel"), 2)
+    needed = result.rows[0].positional.inertia
+    if result.required is not None:
+        yield from _under_motor(result)
+        needed = result.required.inertia
+    lexicon = {
+        **inertias(result.at_hand, order),
+        "J_0": Given(result.without, "kg*m^2", tr("constant moment of inertia at hand without a flywheel")),
+        "J_F": Given(needed, "kg*m^2", tr("constant moment of inertia that is needed, reduced to the input link")),
+        "J_M": Given(result.addition, "kg*m^2", tr("moment of inertia of the flywheel, reduced to the input link")),
+    }
+    place = [Place("", named(lexicon))]
+    yield from lines(("J_0 = J_R*u**2 + J_g + J_e",), place)
+    if result.addition > 0:
+        yield from lines(("J_M = J_F - J_0",), place)
+    elif result.required is not None:
+        delta = result.required.delta
+        yield held("delta <= delta_0", (delta, result.delta), "", holds=True)
+        yield Paragraph(tr("What is at hand suffices: no flywheel is needed."))
+    else:
+        yield held("J_0 >= J_F", (result.without, needed), "kg*m^2", holds=True)
+        yield Paragraph(tr("What is at hand suffices: no flywheel is needed."))
+    yield from _customary(result.delta)
+
+
+def _under_motor(result: Flywheel) -> Iterator[Block]:
+    """The true inertia by trials of the motion, and the textbook's correction."""
+    required = result.required
+    assert required is not None
+    yield Paragraph(
+        tr(
+            "The motor gives way when it is loaded, and evens the speed by itself. So the constant moment of inertia "
+            "is sought for which the steady motion under the characteristic of the motor keeps $delta_0$; table "
+            "{tab:flywheel_trials} has the motions that were computed."
+        )
+        if not result.undriven
+        else tr(
+            "The loads set the speed. So the constant moment of inertia is sought for which the steady motion keeps "
+            "$delta_0$; table {tab:flywheel_trials} has the motions that were computed."
+        )
+    )
+    kept = [trial for k, trial in enumerate(required.trials) if k == 0 or _apart(trial, required.trials[k - 1])]
+    yield _trials(kept, tr("Trials of the constant moment of inertia"), "flywheel_trials")
+    if len(result.history) < 2:
+        return
+    first, second = result.history[:2]
+    assert first.delta is not None
+    yield Paragraph(
+        tr(
+            "The correction of the textbook multiplies the constant moment of inertia by the fluctuation over the "
+            "allowed one until it is reached, table {tab:flywheel_correction}; in the first step"
+        )
+    )
+    said = tr("constant moment of inertia in the step")
+    lexicon = {
+        "J^{(1)}": Given(second.inertia, "kg*m^2", said),
+        "J^{(0)}": Given(first.inertia, "kg*m^2", said),
+        "delta^{(0)}": Given(first.delta, "", tr("coefficient of speed fluctuation in the step")),
+        "delta_0": Given(result.delta, "", tr("allowed coefficient of speed fluctuation")),
+    }
+    yield from lines(("J^{(1)} = J^{(0)}*delta^{(0)}/delta_0",), [Place("", named(lexicon))])
+    yield _trials(result.history, tr("Correction of the constant moment of inertia"), "flywheel_correction")
+
+
+def _apart(trial: Trial, before: Trial) -> bool:
+    """Whether two trials differ as they are printed."""
+    return trial.inertia - before.inertia > SAME * trial.inertia
+
+
+def _trials(trials: Sequence[Trial], caption: str, key: str) -> Block:
+    columns = {
+        "$J$, kg*m^2": [trial.inertia for trial in trials],
+        "$delta$": [math.nan if trial.delta is None else trial.delta for trial in trials],
+    }
+    return tabulated(caption, columns, [str(k) for k in range(len(trials))], head=tr("Step"), key=key)
+
+
+def _customary(delta: float) -> Iterator[Block]:
+    """For which machines the coefficient is customary."""
+    machines = [tr_name(kind.machine) for kind in RECOMMENDED if kind.smallest * 0.999 <= delta <= kind.largest * 1.001]
+    if machines:
+        said = tr("This coefficient of speed fluctuation is customary for: {machines}.", machines="; ".join(machines))
+        yield Paragraph(said)

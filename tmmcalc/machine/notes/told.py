@@ -1,0 +1,81 @@
+"""What several parts of the chapter on motion say alike: conditions, numbers, constant inertias, pictures."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from tmmcalc.machine.driver import ConstantInertia
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.formula.digits import Given, significant
+from tmmcalc.report.formula.setting import spelt
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.manuscript import Figure, Lexicon, Paragraph
+from tmmcalc.report.telling import WIDE
+
+ANGLE = 6  # decimals of an angle that are no rounding [deg]
+DIGITS = 5  # of a number within a sentence
+LETTERED = 1.15  # words of a picture against those of a drawing on screen
+SIGNS = ("<=", ">=", "<", ">")
+
+
+def numeral(value: float, digits: int = DIGITS) -> str:
+    """A number within a formula of a sentence.
+
+    >>> numeral(0.0125), numeral(1 / 3), numeral(2.5e-7)
+    ('0.0125', '0.33333', '2.5*10**(-7)')
+    """
+    mantissa, _, exponent = significant(value, digits).partition("e")
+    return f"{mantissa}*10**({exponent})" if exponent else mantissa
+
+
+def degrees(angle: float) -> str:
+    """An angle [rad] within a formula of a sentence, in degrees.
+
+    >>> degrees(math.pi / 8), degrees(-math.pi / 2)
+    ('deg(22.5)', '-deg(90)')
+    """
+    value = round(math.degrees(angle), ANGLE) + 0.0
+    return f"{'-' if value < 0 else ''}deg({numeral(abs(value))})"
+
+
+def plainly(value: float, digits: int = DIGITS) -> str:
+    """A number of a sentence.
+
+    >>> plainly(-12.5)
+    '−12.5'
+    """
+    return spelt(f"{value:.{digits}g}")
+
+
+def held(condition: str, sides: tuple[float, float], unit: str, *, holds: bool) -> Paragraph:
+    """A condition ``a <= b`` with the numbers of both sides, and whether it holds."""
+    sign = next(each for each in SIGNS if each in condition)
+    first, second = map(numeral, sides)
+    told = f"${condition}$: ${first} {sign} {second}$" + (f" {tr_unit(unit)}" if unit else "")
+    said = tr("The condition holds.") if holds else tr("The condition fails.")
+    return Paragraph(f"{told}. {said}")
+
+
+def inertias(parts: ConstantInertia, order: Order) -> Lexicon:
+    """The parts of a constant inertia, by their letters."""
+    duty = order.results["power"].duty
+    rotor = (duty.motor.inertia or 0.0) if duty is not None else 0.0
+    return {
+        "J_R": Given(rotor, "kg*m^2", tr("moment of inertia of the rotor")),
+        "u": Given(duty.ratio if duty is not None else 1.0, "", tr("speed ratio of the motor and the input shaft")),
+        "J_g": Given(parts.gears, "kg*m^2", tr("moment of inertia of the gears, reduced to the input link")),
+        "J_e": Given(parts.further, "kg*m^2", tr("further constant moment of inertia of the input link")),
+    }
+
+
+def drawn(caption: str, draw: Callable[[Drawing, Box], object], high: float, key: str) -> Figure:
+    """A picture at the width of the note, ``high`` mm high, with words about as large as those of the text."""
+
+    def lettered(drawing: Drawing, box: Box) -> object:
+        with drawing.lettered(LETTERED):
+            return draw(drawing, box)
+
+    return Figure(caption, lettered, (WIDE, high), key)

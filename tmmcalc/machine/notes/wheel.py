@@ -1,0 +1,154 @@
+"""The flywheel itself: its shaft, its rim with sizes, mass, speed and stress, and what it would be elsewhere."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from tmmcalc.machine.flywheel.results import Flywheel
+from tmmcalc.machine.flywheel.rim import DEFAULT, POISSON, Rim
+from tmmcalc.machine.model import FlywheelTask
+from tmmcalc.machine.notes.told import held
+from tmmcalc.machine.tables.tasks.machine import to_flywheel
+from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.language import tr, tr_name
+from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Table
+from tmmcalc.report.telling import column_of, headed, lines, named
+
+MEGA = 1e6
+
+
+def of_wheel(order: Order) -> Iterator[Block]:
+    """Where the flywheel stands, its rim, the other shafts; and the flywheel that is there."""
+    result: Flywheel = order.results["flywheel"]
+    if result.addition > 0:
+        yield Heading(tr("Sizes of the flywheel"), 2)
+        yield from _shaft(result)
+        task = to_flywheel(order.spec)
+        assert task is not None
+        if result.rim is not None:
+            yield from _rim(result, result.rim, task)
+        if len(result.wheels) > 1:
+            yield from _elsewhere(result)
+        if result.existing:
+            yield Paragraph(tr("The flywheel that is there, $J_f$, against the needed one:"))
+            sides = (result.existing, result.addition)
+            yield held("J_f >= J_M", sides, "kg*m^2", holds=bool(result.sufficient))
+
+
+def _shaft(result: Flywheel) -> Iterator[Block]:
+    """The inertia on its own shaft, and how fast that turns."""
+    wheel = result.wheels[0]
+    if wheel.ratio == 1:
+        yield Paragraph(tr("The flywheel stands on the input shaft."))
+        return
+    yield Paragraph(
+        tr("The flywheel stands on the shaft of the motor.")
+        if wheel.shaft == "motor"
+        else tr("The flywheel stands on a shaft of its own.")
+    )
+    lexicon = {
+        "J_M1": Given(wheel.inertia, "kg*m^2", tr("moment of inertia of the flywheel on its own shaft")),
+        "J_M": Given(result.addition, "kg*m^2", tr("moment of inertia of the flywheel, reduced to the input link")),
+        "u_M": Given(wheel.ratio, "", tr("speed of the flywheel over the speed of the input link")),
+    }
+    yield from lines(("J_M1 = J_M/u_M**2",), [Place("", named(lexicon))])
+
+
+def _rim(result: Flywheel, rim: Rim, task: FlywheelTask) -> Iterator[Block]:
+    """Its sizes, mass, speed and stresses."""
+    material, own = rim.material, "J_M" if result.ratio == 1 else "J_M1"
+    lexicon = named(_of_rim(result, rim, own))
+    place = [Place("", lexicon)]
+    yield Paragraph(
+        tr("The rim is of {material}; it carries this part of the moment of inertia:", material=tr_name(material.name))
+    )
+    yield from lines((f"J_r = c_J*{own}",), place)
+    yield Paragraph(_sizes_said(task))
+    fixed = () if task.width is not None or task.thickness is not None else ("b = c_b*h",)
+    yield from lines((*fixed, "J_r = pi*rho*b*h*D*(D**2 + h**2)/4", "D_o = D + h", "D_i = D - h"), place)
+    yield Paragraph(tr("Mass of the rim, and of the whole flywheel with hub and arms:"))
+    yield from lines(("m_r = pi*rho*b*h*D", "m_M = m_r/c_m"), place)
+    yield Paragraph(tr("A thin rim that carries the whole moment of inertia would have the mass"))
+    yield from lines((f"m_t = 4*{own}/D**2",), place)
+    yield Paragraph(tr("Speed of the edge of the rim, against the permissible speed $v_a$ of the material:"))
+    yield from lines(("v_o = omega_M*D_o/2",), place)
+    yield held("v_o <= v_a", (rim.speed, material.rim_speed), "m/s", holds=rim.allowed)
+    yield Paragraph(
+        tr("Stress in the rim as in a thin ring, the largest one in it as in a full ring, and the safety factor:")
+    )
+    texts = (
+        "sigma_t = rho*(omega_M*D/2)**2/10**6",
+        "sigma_r = rho*omega_M**2*((3 + nu)*D_o**2 + (1 - nu)*D_i**2)/(16*10**6)",
+        "n_s = sigma_B/sigma_r",
+    )
+    yield from lines(texts, place)
+
+
+def _sizes_said(task: FlywheelTask) -> str:
+    """Which sizes are given, and which follows."""
+    given = [
+        word for word, size in (("D", task.diameter), ("b", task.width), ("h", task.thickness)) if size is not None
+    ]
+    return {
+        "Db": tr("With the given mean diameter $D$ and width $b$ the thickness $h$ follows from the equation"),
+        "Dh": tr("With the given mean diameter $D$ and thickness $h$ the width $b$ follows from the equation"),
+        "bh": tr("With the given width $b$ and thickness $h$ the mean diameter $D$ follows from the equation"),
+        "D": tr("With the given mean diameter $D$ and the customary ratio of width and thickness these follow from"),
+        "": tr("With customary proportions of the rim its sizes follow from"),
+    }["".join(given)]
+
+
+def _of_rim(result: Flywheel, rim: Rim, own: str) -> Lexicon:
+    """The sizes of the rim and what it is loaded with, by their letters."""
+    material, wheel = rim.material, result.wheels[0]
+    share = tr("share of the rim in the moment of inertia")
+    return {
+        own: Given(wheel.inertia, "kg*m^2", tr("moment of inertia of the flywheel on its own shaft")),
+        "J_r": Given(rim.inertia, "kg*m^2", tr("moment of inertia of the rim")),
+        "c_J": Given(DEFAULT.rim_inertia, "", share),
+        "c_m": Given(DEFAULT.rim_mass, "", tr("share of the rim in the mass")),
+        "c_b": Given(DEFAULT.width_to_thickness, "", tr("ratio of width and thickness")),
+        "rho": Given(material.density, "kg/m^3", tr("density")),
+        "b": Given(rim.width, "m", tr("width of the rim")),
+        "h": Given(rim.thickness, "m", tr("thickness of the rim")),
+        "D": Given(rim.diameter, "m", tr("mean diameter of the rim")),
+        "D_o": Given(rim.outer, "m", tr("outer diameter of the rim")),
+        "D_i": Given(rim.inner, "m", tr("inner diameter of the rim")),
+        "m_r": Given(rim.mass, "kg", tr("mass of the rim")),
+        "m_M": Given(rim.total_mass, "kg", tr("mass of the flywheel")),
+        "m_t": Given(rim.thin_mass, "kg", tr("mass of a thin rim")),
+        "v_o": Given(rim.speed, "m/s", tr("speed of the edge of the rim")),
+        "omega_M": Given(wheel.speed, "rad/s", tr("largest angular velocity of the flywheel")),
+        "sigma_t": Given(rim.stress / MEGA, "MPa", tr("stress as in a thin ring")),
+        "sigma_r": Given(rim.peak_stress / MEGA, "MPa", tr("largest stress as in a full ring")),
+        "sigma_B": Given(material.strength / MEGA, "MPa", tr("tensile strength")),
+        "nu": Given(POISSON, "", tr("Poisson's ratio")),
+        "n_s": Given(rim.safety, "", tr("safety factor")),
+    }
+
+
+def _elsewhere(result: Flywheel) -> Iterator[Block]:
+    """The same flywheel on the other shafts."""
+    yield Paragraph(
+        tr(
+            "On another shaft the flywheel would have other sizes, because its moment of inertia falls with the "
+            "square of the speed ratio, table {tab:flywheel_shafts}."
+        )
+    )
+    names = {"input": tr("input shaft"), "motor": tr("shaft of the motor"), "other": tr("shaft of its own")}
+
+    def of_rims(what: str) -> list[float]:
+        return [math.nan if wheel.rim is None else getattr(wheel.rim, what) for wheel in result.wheels]
+
+    rows = {
+        "$u_M$": [wheel.ratio for wheel in result.wheels],
+        "$J_M1$, kg*m^2": [wheel.inertia for wheel in result.wheels],
+        "$D$, m": of_rims("diameter"),
+        "$m_r$, kg": of_rims("mass"),
+        "$v_o$, m/s": of_rims("speed"),
+    }
+    head = (tr("Quantity"), *(names[wheel.shaft] for wheel in result.wheels))
+    cells = tuple((headed(name), *(column_of([value])[0] for value in values)) for name, values in rows.items())
+    yield Table(tr("The flywheel on different shafts"), head, cells, "flywheel_shafts")
