@@ -21,7 +21,7 @@ from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.language import speaking
 
 LATIN = re.compile(r"[A-Za-z]{3,}")
-KINDS = {"RRR", "RRP", "RPR", "PRP", "RPP"}  # of dyads
+KINDS = {"RRR", "RRP", "RPR", "PRP", "RPP", "III"}  # of dyads, and a class
 MM = 72 / 25.4
 
 

@@ -143,7 +143,7 @@ def _headed(name: str, unit: str) -> str:
     """A quantity with its unit, or over the one that is made of the crank."""
     if unit.startswith(("l_1", "omega_1")):
         under = unit.replace("^", "**")
-        return f"${name}/({under})$" if "*" in under else f"${name}/{under}$"
+        return f"${name}$/($" + under + "$)" if "*" in under else f"${name}$/${under}$"
     return f"${name}$, {unit}"
 
 
@@ -222,12 +222,15 @@ def _compared(told: Told, found: Kinematics, k: int, name: str) -> Iterator[Bloc
         by = tr("{quantity} by differences", quantity=symbol)
         heads += [f"{symbol}, {tr_unit(unit)}", f"{by}, {tr_unit(unit)}", f"{tr('Difference')}, %"]
         columns += [column_of(one), column_of(other), [spelt(f"{each:.2f}") for each in share]]
-    caption = tr("Numerical differentiation of output {output}", output=name)
-    yield Table(caption, tuple(heads), tuple(zip(*columns, strict=True)), f"differences_{k}")
+    key = f"differences_{k}"
     yield Paragraph(
         tr(
-            "The largest difference is {first} % of the largest velocity and {second} % of the largest acceleration.",
+            "Table {table} compares all positions: the largest difference is {first} % of the largest velocity and "
+            "{second} % of the largest acceleration.",
+            table=f"{{tab:{key}}}",
             first=worst[0],
             second=worst[1],
         )
     )
+    caption = tr("Numerical differentiation of output {output}", output=name)
+    yield Table(caption, tuple(heads), tuple(zip(*columns, strict=True)), key)

@@ -242,7 +242,8 @@ def _right_sides(system: System) -> Lexicon:
 
 def _carriers(chain: Chain, looped: Looped, known: set[str]) -> Iterator[points.Carrier]:
     """The links of the group, each from a point of it that is known."""
-    pins = find_pins(chain.mechanism)
+    outer = set(looped.step.group.outer)
+    pins = sorted(find_pins(chain.mechanism), key=lambda pin: not outer & set(pin.joints))  # where lines begin first
     for link, (spin, line) in spins_of(chain, looped.step.group).items():
         own = next((pin for pin in pins if link in pin.at and plain_name(pin.name) in known), None)
         if own is not None:

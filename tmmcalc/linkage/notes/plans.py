@@ -4,27 +4,30 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
+
+import numpy as np
 
 from tmmcalc.linkage.notes.group import plain_name
 from tmmcalc.linkage.notes.told import Told
 from tmmcalc.linkage.outputs import default_outputs
-from tmmcalc.linkage.pictures.pieces import of_plans
-from tmmcalc.linkage.pictures.plans import SENSES, plans_of
-from tmmcalc.linkage.pictures.vectors import SUPERSCRIPTS, drawn_vectors
+from tmmcalc.linkage.pictures.plans import SENSES, draw_plans_of_kind, plans_of
+from tmmcalc.linkage.pictures.vectors import SPECIAL, SUPERSCRIPTS, drawn_vectors
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.turning import turnings
 from tmmcalc.linkage.vectors import Polygon, Vector, VectorPolygons
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
-from tmmcalc.report.telling import number_of, pictured
+from tmmcalc.report.telling import WIDE, number_of
 
 SIDE_BY_SIDE = 3  # positions whose segments stand in one table
+LEAST, MOST = 60.0, 130.0  # height of a plan [mm]
+TEXTS = 30.0  # of it that words take [mm]
 UNITS = {"v": "m/s", "a": "m/s^2"}
 TURNS = {"v": ("omega", "rad/s"), "a": ("eps", "rad/s^2")}
 READ = 0.1  # to which a segment is read off the plan [mm]
@@ -35,7 +38,7 @@ class Plan(NamedTuple):
 
     letter: str  # ``v`` or ``a``
     polygons: tuple[Polygon, ...]
-    figure: Figure
+    figures: tuple[Figure, ...]
     mu: float  # scale factor [(m/s)/mm] or [(m/s^2)/mm]
 
 
@@ -43,30 +46,44 @@ def blocks(told: Told) -> Iterator[Block]:
     """Both plans with their segments, then the angular velocities and accelerations, and the outputs by the plans."""
     found = plans_of(told.chain.mechanism, told.result, told.rows)
     yield Heading(tr("Plans of velocities and accelerations"), 2)
-    plans = [*_plans(told, found)]
+    plans = [_plan(told, found, letter) for letter in "va"]
     words = {plan.letter: f"{spelt(significant(plan.mu, 5))} {tr_unit(f'({UNITS[plan.letter]})/mm')}" for plan in plans}
     yield Paragraph(
         tr(
             "The vector equations of the groups are solved by plans to the scale factors $mu_v$ = {v}, $mu_a$ = {a}. "
             "A vector is drawn as a segment of its size divided by the scale factor; tables {tab:plan_v} and "
-            "{tab:plan_a} give them, figures {fig:plan_v} and {fig:plan_a} show the plans.",
+            "{tab:plan_a} give their lengths.",
             **words,
         )
     )
     for plan in plans:
         yield from _segments(told, plan)
-        yield plan.figure
+        yield from plan.figures
     yield from _compared(told, found, plans)
 
 
-def _plans(told: Told, found: Sequence[VectorPolygons]) -> Iterator[Plan]:
-    for letter, piece in zip("va", of_plans(told.result, found), strict=True):
-        figure = pictured(piece, key=f"plan_{letter}")
-        boards = figure.draw(Drawing(*figure.size, ""), Box(0.0, 0.0, *figure.size))
-        assert isinstance(boards, list)
-        assert isinstance(boards[0], Board)
-        polygons = tuple(plan.velocity if letter == "v" else plan.acceleration for plan in found)
-        yield Plan(letter, polygons, figure, boards[0].mu)
+def _plan(told: Told, found: Sequence[VectorPolygons], letter: str) -> Plan:
+    """The plans of a kind, each in a figure of its own, to one scale."""
+    polygons = tuple(plan.velocity if letter == "v" else plan.acceleration for plan in found)
+    size = WIDE, max(map(_height, polygons))
+    draws = [partial(draw_plans_of_kind, result=told.result, plans=[plan], letter=letter) for plan in found]
+    mu = max(draw(Drawing(*size, ""), Box(0.0, 0.0, *size))[0].mu for draw in draws)
+    figures = []
+    for k, draw in enumerate(draws):
+        label = told.result.labels[told.rows[k]]
+        captions = {
+            "v": tr("Plan of velocities in position {label}", label=label),
+            "a": tr("Plan of accelerations in position {label}", label=label),
+        }
+        figures.append(Figure(captions[letter], partial(draw, mu=mu), size, f"plan_{letter}{k}"))
+    return Plan(letter, polygons, tuple(figures), mu)
+
+
+def _height(polygon: Polygon) -> float:
+    """The height [mm] at which a plan fills the width of the note."""
+    tips = np.array([*polygon.vertices.values()])
+    wide, high = float(np.ptp(tips.real)), float(np.ptp(tips.imag))
+    return min(max(WIDE * high / wide + TEXTS, LEAST), MOST) if wide else MOST
 
 
 def _segments(told: Told, plan: Plan) -> Iterator[Table]:
@@ -106,12 +123,17 @@ def designation(vector: Vector, letter: str) -> str:
     'a_{B2A}^n'
     """
     above = SUPERSCRIPTS.get(vector.kind, "r" if vector.kind == "sliding" and letter == "a" else "").replace("k", "K")
-    return f"{letter}_{{{vector.point}{vector.base}}}" + (f"^{above}" if above else "")
+    return f"{letter}_{{{_told(vector.point + vector.base)}}}" + (f"^{above}" if above else "")
 
 
 def ends(vector: Vector) -> str:
     """The vertices of a segment."""
-    return f"{vector.tail}{vector.head}".replace("pi", "π")
+    return _told(f"{vector.tail}{vector.head}").replace("pi", "π")
+
+
+def _told(name: str) -> str:
+    """A name of points, a special point with its legs in brackets."""
+    return SPECIAL.sub(r"\1\2(\3,\4)", name)
 
 
 def _compared(told: Told, found: Sequence[VectorPolygons], plans: Sequence[Plan]) -> Iterator[Block]:
@@ -136,8 +158,7 @@ def _compared(told: Told, found: Sequence[VectorPolygons], plans: Sequence[Plan]
     heads = (
         tr("Position"),
         tr("Quantity"),
-        tr("Segment"),
-        f"$z$, {tr_unit('mm')}",
+        f"{tr('Segment')} $z$, {tr_unit('mm')}",
         f"$l$, {tr_unit('m')}",
         tr("By the plan"),
         tr("By the formulas"),
@@ -192,11 +213,11 @@ def _row(
     told: Told, k: int, names: tuple[str, str], size: float, length: float | None, values: tuple[float, float]
 ) -> tuple[str, ...]:
     """A quantity with its segment [mm]: its value by the plan, and by the formulas."""
-    found, exact = values
+    (name, segment), (found, exact) = names, values
     lever = "–" if length is None else spelt(significant(length, 4))
     apart = spelt(f"{100 * abs(found - exact) / exact:.1f}") if exact else "–"
     label = told.result.labels[told.rows[k]]
-    return label, *names, spelt(f"{size:.1f}"), lever, _said(found), _said(exact), apart
+    return label, name, f"{segment} = {spelt(f'{size:.1f}')}", lever, _said(found), _said(exact), apart
 
 
 def _said(value: float) -> str:

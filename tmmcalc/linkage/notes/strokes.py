@@ -12,7 +12,7 @@ from tmmcalc.linkage.notes.group import length, plain_name
 from tmmcalc.linkage.notes.told import Told
 from tmmcalc.linkage.pictures.cycle import TURN, along, closed
 from tmmcalc.linkage.pictures.pieces import of_scheme
-from tmmcalc.linkage.results import OutputSummary
+from tmmcalc.linkage.results import Kinematics, OutputSummary
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
@@ -78,12 +78,18 @@ def _extremes(told: Told, summary: OutputSummary) -> Iterator[Block]:
         letter = "phi" if summary.angular else "S"
         yield from lines([f"{left} = abs({letter}_{{{name}}}^{{II}} - {letter}_{{{name}}}^I)"], place)
     if summary.working_angle is not None and summary.idle_angle is not None and summary.time_ratio is not None:
-        mark = f",{name}" if len(result.summaries) > 1 else ""
-        lexicon |= named(_angles(told, summary, mark))
-        pair = (f"phi_{{w{mark}}}", f"phi_{{x{mark}}}")
+        names = _names(result, name)
+        lexicon |= named(_angles(told, summary, names))
         ends = f"phi_{index}^{{II}} - phi_{index}^I" if result.speed > 0 else f"phi_{index}^I - phi_{index}^{{II}}"
-        texts = (f"{pair[0]} = {ends}", f"{pair[1]} = deg(360) - {pair[0]}", f"K_{{{name}}} = {pair[0]}/{pair[1]}")
+        texts = (f"{names[0]} = {ends}", f"{names[1]} = {names[0]}/(deg(360) - {names[0]})")
         yield from lines(texts, place)
+
+
+def _names(result: Kinematics, name: str) -> tuple[str, str]:
+    """The angle from the first extreme position to the second one, and the time ratio."""
+    if len(result.summaries) == 1:
+        return "phi_{I,II}", "K"
+    return f"phi_{{I,II}}^{{{name}}}", f"K_{{{name}}}"
 
 
 def _values(summary: OutputSummary) -> np.ndarray:
@@ -109,10 +115,9 @@ def _stroke(summary: OutputSummary, name: str, values: np.ndarray) -> Lexicon:
     return {f"H_{{{name}}}": length(summary.stroke, tr("stroke of {output}", output=name)), **ends}
 
 
-def _angles(told: Told, summary: OutputSummary, mark: str) -> Lexicon:
+def _angles(told: Told, summary: OutputSummary, names: tuple[str, str]) -> Lexicon:
     """The angles of the crank over the strokes, the second extreme position after the first."""
     assert summary.working_angle is not None
-    assert summary.idle_angle is not None
     assert summary.time_ratio is not None
     index, first = told.result.structure.input_link, summary.dead_centres[0].x
     second = first + math.copysign(summary.working_angle, told.result.speed)
@@ -120,7 +125,6 @@ def _angles(told: Told, summary: OutputSummary, mark: str) -> Lexicon:
     return {
         f"phi_{index}^I": Given(math.degrees(first), "deg", said),
         f"phi_{index}^{{II}}": Given(math.degrees(second), "deg", said),
-        f"phi_{{w{mark}}}": Given(math.degrees(summary.working_angle), "deg", tr("angle of the working stroke")),
-        f"phi_{{x{mark}}}": Given(math.degrees(summary.idle_angle), "deg", tr("angle of the idle stroke")),
-        f"K_{{{plain_name(summary.name)}}}": Given(summary.time_ratio, "", tr("time ratio")),
+        names[0]: Given(math.degrees(summary.working_angle), "deg", tr("angle of the crank over the working stroke")),
+        names[1]: Given(summary.time_ratio, "", tr("time ratio, working stroke over idle stroke")),
     }

@@ -51,15 +51,15 @@ def _groups(order: Order, result: Structure) -> Iterator[Block]:
     count = tr_count(len(result.groups), "Assur group", "Assur groups")
     if result.driven is None:
         said = tr(
-            "With the input link {link} on the frame as the mechanism of class I, the other links form {count}: table "
-            "{tab:groups}, figure {fig:groups}.",
+            "With the input link {link} on the frame as the mechanism of class I, the other links form {count} "
+            "(table {tab:groups}, figure {fig:groups}).",
             link=result.input_link,
             count=count,
         )
     else:
         said = tr(
-            "The drive acts between two moving links, so the group {group} holds it; the links form {count}: "
-            "table {tab:groups}, figure {fig:groups}.",
+            "The drive acts between two moving links, so the group {group} holds it; the links form {count} "
+            "(table {tab:groups}, figure {fig:groups}).",
             group=result.driven.name,
             count=count,
         )
@@ -68,7 +68,7 @@ def _groups(order: Order, result: Structure) -> Iterator[Block]:
     yield Table(tr("Assur groups"), heads, tuple(map(_described, result.groups)), key="groups")
     kinematics = order.solved("kinematics")
     cycle = whole_cycle(chain_of(to_linkage(order.spec.linkage), kinematics), kinematics)
-    row = at_parts(cycle, kinematics, (1 / 2,))[0]
+    row = at_parts(cycle.chain, kinematics, (1 / 2,))[0]
     yield pictured(of_groups(result, cycle, float(kinematics.x[row])), key="groups")
 
 

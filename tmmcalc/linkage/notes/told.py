@@ -21,10 +21,11 @@ from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Paragraph, Place
+from tmmcalc.report.manuscript import Block, Place
 from tmmcalc.report.telling import STILL, filled, lines, named
 
 SHOWN = ((1 / 2,), (1 / 2,))  # parts of the working and of the idle stroke whose positions are worked out
+NOISE = 1e-15  # of quantities in SI
 DYADS = "tmmcalc.linkage.notes.dyads"
 
 
@@ -89,21 +90,18 @@ class Told(NamedTuple):
         values = (lexicon[canonical(name)].value for lexicon in self.lexicons for name in names)
         return all(isinstance(value, float) and abs(value) <= STILL for value in values)
 
-    def beyond(self) -> Iterator[Block]:
-        """A sentence on the groups that are no dyads, where there are some."""
-        names = ", ".join(group.step.group.name for group in self.groups if not isinstance(group, Dyad))
-        if names:
-            said = tr(
-                "The program solves these groups, and their lines are not written out here: {groups}.", groups=names
-            )
-            yield Paragraph(said)
-
 
 def told_of(order: Order) -> Told:
     """What is told of the linkage of a run, at the positions that are asked for, or one of each stroke."""
     mechanism, result = to_linkage(order.spec.linkage), order.results["kinematics"]
     cycle = whole_cycle(chain_of(mechanism, result), result)
-    return _gathered(cycle, result, order.rows(POSITIONS, result.labels) or at_parts(cycle, result, *SHOWN))
+    return _gathered(cycle, result, rows_shown(order, cycle.chain))
+
+
+def rows_shown(order: Order, chain: Chain) -> list[int]:
+    """Rows of the kinematics that are asked for, or one of each stroke."""
+    result = order.results["kinematics"]
+    return order.rows(POSITIONS, result.labels) or at_parts(chain, result, *SHOWN)
 
 
 def _gathered(cycle: LinkageMotion, result: Kinematics, rows: Sequence[int]) -> Told:
@@ -126,7 +124,14 @@ def _gathered(cycle: LinkageMotion, result: Kinematics, rows: Sequence[int]) -> 
             groups.append(loops.looped_of(chain, step, result, rows, known, lexicons))
         else:
             groups.append(_dyad(chain, step, result, rows, known, lexicons))
+    for lexicon in lexicons:
+        lexicon |= {key: given._replace(value=0.0) for key, given in lexicon.items() if _noise(given)}
     return Told(cycle, result, rows, lexicons, slider, crank, groups)
+
+
+def _noise(given: Given) -> bool:
+    """Whether a quantity in SI is rounding alone."""
+    return isinstance(given.value, float) and 0.0 < abs(given.value) < NOISE
 
 
 def _rotations(result: Kinematics, row: int) -> dict[str, Given]:

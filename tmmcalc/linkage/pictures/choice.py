@@ -9,6 +9,7 @@ from itertools import combinations
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.pictures.bodies import LinkOutline, bodies
 from tmmcalc.linkage.pictures.cycle import LinkageMotion, along, closed, motion_at
@@ -38,9 +39,7 @@ def chosen(
     return [main, *(k for k in others if k != main)]
 
 
-def at_parts(
-    cycle: LinkageMotion, result: Kinematics, working: Sequence[float], idle: Sequence[float] = ()
-) -> list[int]:
+def at_parts(chain: Chain, result: Kinematics, working: Sequence[float], idle: Sequence[float] = ()) -> list[int]:
     """The positions nearest to these parts of the working and of the idle stroke of the first output."""
     first = result.summaries[0] if result.summaries else None
     if first is None or first.working_angle is None or first.idle_angle is None:
@@ -48,7 +47,7 @@ def at_parts(
     else:
         angles = [part * first.working_angle for part in working]
         angles += [first.working_angle + part * first.idle_angle for part in idle]
-        start = along(result, first.dead_centres[0].x, closed(cycle.chain))
+        start = along(result, first.dead_centres[0].x, closed(chain))
         places = start + math.copysign(1.0, result.speed) * np.array(angles)
     apart = np.abs(result.phi - places[:, None])
     if result.turns:

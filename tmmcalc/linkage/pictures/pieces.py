@@ -24,7 +24,6 @@ from tmmcalc.linkage.pictures.scheme import draw_scheme
 from tmmcalc.linkage.pictures.vectors import drawn_vectors
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.structure import Structure
-from tmmcalc.linkage.vectors import VectorPolygons
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.shapes import Drawing, Words
@@ -44,27 +43,22 @@ def of_kinematics(order: Order) -> Iterator[Piece]:
 
     result, mechanism = order.results["kinematics"], to_linkage(order.spec.linkage)
     cycle = whole_cycle(chain_of(mechanism, result), result)
-    rows = positions_of(order, result.labels) or at_parts(cycle, result, PARTS)
-    yield of_scheme(result, cycle, rows[0])
-    yield from of_plans(result, plans_of(mechanism, result, rows))
-    yield from of_outputs(result, cycle, _wished(order, columns_of(result, cycle)))
-    yield of_groups(result.structure, cycle, float(result.x[rows[0]]))
-
-
-def of_scheme(result: Kinematics, cycle: LinkageMotion, row: int) -> Piece:
-    """The scheme in all positions, one of them with main lines."""
-    scheme = partial(draw_scheme, result=result, cycle=cycle, positions=chosen(cycle, result, None, [row]))
-    return Piece("linkage", tr("Kinematic scheme in its positions"), _larger(scheme), (120, 110), (300, 250))
-
-
-def of_plans(result: Kinematics, plans: Sequence[VectorPolygons]) -> Iterator[Piece]:
-    """The plans of velocities, and of accelerations, of some positions side by side."""
-    count = len(plans)
+    rows = positions_of(order, result.labels) or at_parts(cycle.chain, result, PARTS)
+    plans, count = plans_of(mechanism, result, rows), len(rows)
+    yield _on_sheet(of_scheme(result, cycle, rows[0]))
     for letter, heading in (("v", tr("Velocity polygons")), ("a", tr("Acceleration polygons"))):
         plan = partial(draw_plans_of_kind, result=result, plans=plans, letter=letter)
         drawn = drawn_vectors(plans[0].velocity if letter == "v" else plans[0].acceleration)
         side = NAMED * math.sqrt(len(drawn) + 1)
         yield Piece("linkage", heading, _larger(plan), (0.6 * side * count, 0.7 * side), (side * count, 1.2 * side))
+    yield from map(_on_sheet, of_outputs(result, cycle, _wished(order, columns_of(result, cycle))))
+    yield _on_sheet(of_groups(result.structure, cycle, float(result.x[rows[0]])))
+
+
+def of_scheme(result: Kinematics, cycle: LinkageMotion, row: int) -> Piece:
+    """The scheme in all positions, one of them with main lines."""
+    scheme = partial(draw_scheme, result=result, cycle=cycle, positions=chosen(cycle, result, None, [row]))
+    return Piece("linkage", tr("Kinematic scheme in its positions"), scheme, (120, 110), (300, 250))
 
 
 def of_outputs(result: Kinematics, cycle: LinkageMotion, columns: list[list[OutputCurve]]) -> Iterator[Piece]:
@@ -72,7 +66,7 @@ def of_outputs(result: Kinematics, cycle: LinkageMotion, columns: list[list[Outp
     for curves in columns:
         diagram = partial(draw_diagrams, result=result, cycle=cycle, curves=curves, scaled=True)
         heading = tr("Diagrams of angles of links") if curves[0].angular else tr("Diagrams of the outputs")
-        yield Piece("linkage", heading, _larger(diagram), (90, 110), (190, 200))
+        yield Piece("linkage", heading, diagram, (90, 110), (190, 200))
 
 
 def of_groups(structure: Structure, cycle: LinkageMotion, x: float) -> Piece:
@@ -80,7 +74,7 @@ def of_groups(structure: Structure, cycle: LinkageMotion, x: float) -> Piece:
     columns, lines = _grid(len(structure.groups) + (structure.driven is None))
     groups = partial(draw_groups, structure=structure, motion=motion_at(cycle.chain, np.array([x])), cycle=cycle)
     sizes = (60.0 * columns, 65.0 * lines), (90.0 * columns, 100.0 * lines)
-    return Piece("linkage", tr("Assur groups"), _larger(groups), *sizes)
+    return Piece("linkage", tr("Assur groups"), groups, *sizes)
 
 
 def of_forces(order: Order) -> Iterator[Piece]:
@@ -93,7 +87,7 @@ def of_forces(order: Order) -> Iterator[Piece]:
     wished = positions_of(order, result.labels)
     statics = statics_of(mechanism, to_loading(order.spec), kinematics)
     cycle = whole_cycle(statics.scene.chain, kinematics)
-    row = wished[0] if wished else result.labels.index(kinematics.labels[at_parts(cycle, kinematics, PARTS)[0]])
+    row = wished[0] if wished else result.labels.index(kinematics.labels[at_parts(cycle.chain, kinematics, PARTS)[0]])
     bodies = cleared(free_bodies(statics, float(result.theta[row]), side_of(result, row)), SEEN)
     chain = statics.scene.chain
     motion = motion_at(chain, statics.scene.travel.x(result.theta[[row]]))
@@ -107,6 +101,11 @@ def of_forces(order: Order) -> Iterator[Piece]:
     yield Piece("forces", heading, _larger(partial(_force_polygons, bodies=bodies)), *sizes)
     lever = partial(draw_lever, statics=statics, kinematics=kinematics, result=result, row=row)
     yield Piece("forces", tr("Lever of Zhukovsky"), _larger(lever), (190, 120), (320, 220))
+
+
+def _on_sheet(piece: Piece) -> Piece:
+    """A piece as it stands on a sheet."""
+    return piece._replace(draw=_larger(piece.draw))
 
 
 def _larger(draw: Callable[..., object]) -> Callable[[Drawing, Box], object]:

@@ -127,9 +127,12 @@ def _both(plan: VectorPolygons, scale: PlanScale) -> list[tuple[str, Polygon, fl
 
 
 def draw_plans_of_kind(
-    drawing: Drawing, box: Box, result: Kinematics, plans: Sequence[VectorPolygons], letter: str
+    drawing: Drawing, box: Box, result: Kinematics, plans: Sequence[VectorPolygons], letter: str, mu: float = 0.0
 ) -> list[Board]:
-    """The plans of velocities (``v``) or of accelerations (``a``) of some positions side by side, to one scale."""
+    """The plans of velocities (``v``) or of accelerations (``a``) of some positions side by side, to one scale, ``mu``.
+
+    Without it they are as large as a standard one allows.
+    """
     head, height = TITLE * drawing.letters, 2.5 * drawing.letters
     drawn = [plan.velocity if letter == "v" else plan.acceleration for plan in plans]
     tips = [np.array([*each.vertices.values()]) for each in drawn]
@@ -142,7 +145,7 @@ def draw_plans_of_kind(
     ]
     foot = LINE * small * max(map(len, turning))
     fields = [part.inset(0, foot, 0, head) for part in parts]
-    mu = standard_scale(
+    mu = mu or standard_scale(
         max(
             needed(np.array([*each.vertices.values()]), field, MARGIN)
             for each, field in zip(drawn, fields, strict=True)

@@ -13,10 +13,8 @@ from tmmcalc.linkage.loading import Body
 from tmmcalc.linkage.loads.scene import Scene
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.notes.group import plain_name
-from tmmcalc.linkage.notes.positions import by_default
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Lexicon, Place
@@ -112,12 +110,6 @@ class Moving(NamedTuple):
 def cleaned(value: float) -> float:
     """A value, zero where it is nothing."""
     return float(value) if abs(value) > STILL else 0.0
-
-
-def rows_shown(order: Order, mechanism: Mechanism) -> Sequence[int]:
-    """Rows of the kinematics that are asked for, or one of each stroke."""
-    result = order.results["kinematics"]
-    return order.rows(POSITIONS, result.labels) or by_default(mechanism, result)
 
 
 def moving(scene: Scene, kinematics: Kinematics, rows: Sequence[int], configuration: Configuration) -> Moving:

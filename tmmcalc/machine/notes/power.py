@@ -19,11 +19,9 @@ from tmmcalc.machine.power import LOSSES, MotorDuty, Power
 from tmmcalc.machine.reduction.results import Contribution, Reduction
 from tmmcalc.machine.stages.power import inputs
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.formula.digits import Given, significant
-from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr, tr_name, tr_unit
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.printing import printed_as
+from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.language import tr, tr_name
+from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import column, lines, named
 
 RPM = 30 / math.pi

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.plane import Real
+from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.forces.friction import size_of
 from tmmcalc.linkage.forces.further import FRICTION_REDUCED
 from tmmcalc.linkage.forces.kinetostatics import Reaction
@@ -26,9 +27,10 @@ from tmmcalc.linkage.loads.sources import Place, same_place
 from tmmcalc.linkage.model import FRAME, Joint
 from tmmcalc.linkage.notes.group import plain_name
 from tmmcalc.linkage.notes.statics.loaded import force_key
+from tmmcalc.linkage.notes.told import rows_shown
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.machine.attached import Attached
-from tmmcalc.machine.notes.moving import Mass, Moving, masses_of, moving, point_name, rows_shown
+from tmmcalc.machine.notes.moving import Mass, Moving, masses_of, moving, point_name
 from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.reduction.causes import Causes, causes_of
 from tmmcalc.machine.reduction.inertia import lumped
@@ -121,7 +123,7 @@ def reducing(order: Order) -> Reducing:
     """What is told of the reduction of a linkage, its results put into the lexicons."""
     result, kinematics = order.results["reduction"], order.results["kinematics"]
     mechanism, loading, _ = inputs(order.spec)
-    rows = rows_shown(order, mechanism)
+    rows: Sequence[int] = rows_shown(order, chain_of(mechanism, kinematics))
     if order.flags[POSITIONS] is None:
         rows = _with_loads(rows, result, kinematics)
     if result.rods == "lumped":

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.loading import Body, Loading
 from tmmcalc.linkage.model import Mechanism
+from tmmcalc.linkage.notes.told import rows_shown
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.machine.balance.redistribution import Redistribution
@@ -22,7 +23,7 @@ from tmmcalc.machine.balance.schemes import RotatingWeight
 from tmmcalc.machine.balance.shaking import Shaking, inertia_loads
 from tmmcalc.machine.balance.solve import Balancing, Scheme
 from tmmcalc.machine.balance.weights import Weight
-from tmmcalc.machine.notes.moving import Mass, Moving, masses_of, point_name, rows_shown
+from tmmcalc.machine.notes.moving import Mass, Moving, masses_of, point_name
 from tmmcalc.machine.pictures.balance import draw_hodographs, draw_shaking
 from tmmcalc.machine.pictures.words import scheme_name
 from tmmcalc.machine.reduction.inertia import lumped, rods_of
@@ -45,7 +46,8 @@ def linkage_blocks(order: Order, result: Balancing) -> Iterator[Block]:
     """Lumped masses, shaking force and moment, the hodograph, the schemes and what they leave."""
     mechanism, loading, found = to_linkage(order.spec.linkage), to_loading(order.spec), result.shaking
     kinematics = order.results["kinematics"]
-    chain, rows = chain_of(mechanism, kinematics), rows_shown(order, mechanism)
+    chain = chain_of(mechanism, kinematics)
+    rows = rows_shown(order, chain)
     moving = Moving(mechanism, kinematics, chain.evaluate(kinematics.x[rows]), rows, [{} for _ in rows])
     moving.turning(moving.link)
     bodies = _in_pins(mechanism, loading)

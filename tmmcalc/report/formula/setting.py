@@ -58,7 +58,7 @@ PRINTED = {
 
 
 PARTS = re.compile(r"[a-zа-яіїєґ]{2,}|[A-Za-zα-ωΑ-Ω]|[^A-Za-zα-ωΑ-Ω]+")  # of an index
-ROMAN = re.compile(r"I|[IVX]{2,}")
+ROMAN = re.compile(r"I|[IVX]{2,}|[IVX]+,[IVX]+")
 BELOW, ABOVE = "xyzijkn", "ijk"  # single letters of an index that are axes or counters
 
 

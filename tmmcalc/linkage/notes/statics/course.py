@@ -13,7 +13,7 @@ import numpy as np
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.forces.kinetostatics import compile_statics
 from tmmcalc.linkage.forces.stack import Stack, stacked
-from tmmcalc.linkage.notes.statics.loaded import Loaded
+from tmmcalc.linkage.notes.statics.loaded import Loaded, packed
 from tmmcalc.linkage.notes.statics.pairs import SMALL, ToldPair, along, rubs
 from tmmcalc.linkage.pictures.course import course_of
 from tmmcalc.linkage.pictures.forces import drive_graphs, reaction_graphs
@@ -21,11 +21,11 @@ from tmmcalc.linkage.pictures.hodographs import draw_hodograph, hodographs_of
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import Graph, column
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
+from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Result, Table
 from tmmcalc.report.telling import WIDE, tabulated
 
-COLUMNS = 8  # of numbers in a table
 GRAPH = 58.0  # height of a diagram [mm]
 SQUARE = 88.0  # height of a hodograph [mm]
 NOISE = 1e-12  # of the largest: less is nothing
@@ -46,6 +46,13 @@ def over_the_motion(loaded: Loaded, groups: Mapping[str, Sequence[ToldPair]]) ->
     yield Heading(tr("Results at all positions"), 2)
     result, statics = loaded.result, loaded.statics
     jump = next((label for label in result.labels if label.endswith("-")), None)
+    if jump is not None:
+        said = tr(
+            "Where friction jumps, as at position {label}, the limit just before stands in the row {before}.",
+            label=jump.removesuffix("-"),
+            before=jump.replace("-", "−"),
+        )
+        yield Paragraph(said)
     own = Values(result.reaction, result.normal, result.couple, result.friction, result.drive)
     if statics.scales:
         bare = statics.scene._replace(loading=replace(statics.scene.loading, pairs=()))
@@ -66,15 +73,9 @@ def over_the_motion(loaded: Loaded, groups: Mapping[str, Sequence[ToldPair]]) ->
         tables = [*_tables(loaded, groups, own, tr("Reactions, {group}", group="{group}"), "all")]
         yield Paragraph(tr("The reactions at all positions: tab. {tables}.", tables=_span(tables)))
         yield from tables
-    if jump is not None:
-        said = tr(
-            "Where friction jumps, as at position {label}, the limit just before stands in the row {before}.",
-            label=jump.removesuffix("-"),
-            before=jump.replace("-", "−"),
-        )
-        yield Paragraph(said)
     yield Paragraph(_balance(loaded))
     yield from _pictures(loaded)
+    yield from _results(loaded, groups)
 
 
 def _span(tables: Sequence[Table]) -> str:
@@ -92,20 +93,10 @@ def _tables(
         parts = [_columns(loaded, pair, values) for pair in pairs]
         if k == len(groups) - 1:
             parts.append({"$M_d$, N*m" if turns else "$F_d$, N": values.drive})
-        for i, part in enumerate(_packed(parts)):
+        for i, part in enumerate(packed(parts)):
             said = caption.replace("{group}", name)
             labels = [label.replace("-", "−") for label in loaded.result.labels]
             yield tabulated(said, part, labels, head=tr("Position"), key=f"forces_{key}_{k}_{i}")
-
-
-def _packed(parts: Sequence[Mapping[str, Real]]) -> list[dict[str, Real]]:
-    """Columns of pairs together in tables that are not too wide."""
-    found: list[dict[str, Real]] = [{}]
-    for part in parts:
-        if len(found[-1]) + len(part) > COLUMNS and found[-1]:
-            found.append({})
-        found[-1] |= part
-    return [part for part in found if part]
 
 
 def _columns(loaded: Loaded, pair: ToldPair, values: Values) -> dict[str, Real]:
@@ -175,6 +166,21 @@ def _pictures(loaded: Loaded) -> Iterator[Block]:
 
     if shown:
         yield Figure(tr("Hodographs of reactions"), hodographs, (WIDE, SQUARE), "forces_hodographs")
+
+
+def _results(loaded: Loaded, groups: Mapping[str, Sequence[ToldPair]]) -> Iterator[Block]:
+    """The largest reactions and what the drive must do, for the conclusions."""
+    result = loaded.result
+    largest = max(abs(extreme.value) for extreme in result.drive_extremes)
+    if result.turns:
+        yield Result("M_d", Given(largest, "N*m", tr("largest balancing moment")))
+    else:
+        yield Result("F_d", Given(largest, "N", tr("largest balancing force")))
+    yield Result("P_d", Given(result.power_mean.value, "W", tr("mean power of the drive")))
+    for pair in (pair for pairs in groups.values() for pair in pairs):
+        found = result.pairs[loaded.row_of(pair.joint.name)].force.value
+        where = tr("pair {joint}", joint=pair.joint.name)
+        yield Result(f"R_{{{pair.ij}}}", Given(found, "N", tr("largest reaction")), place=where)
 
 
 def _diagram(drawing: Drawing, box: Box, graph: Graph) -> None:

@@ -8,16 +8,27 @@ from typing import NamedTuple
 from tmmcalc.core.plane import cross
 from tmmcalc.linkage.forces.wrench import Plan
 from tmmcalc.linkage.model import Joint
-from tmmcalc.linkage.notes.statics.loaded import Loaded, moments, point_of, put_reaction, sums
+from tmmcalc.linkage.notes.statics.loaded import (
+    NOTHING,
+    Loaded,
+    moments,
+    number_cell,
+    point_of,
+    printed_head,
+    put_reaction,
+    sums,
+)
 from tmmcalc.linkage.notes.statics.pairs import ToldPair, arms, friction
 from tmmcalc.linkage.notes.statics.slides import put_slide
-from tmmcalc.report.formula.digits import Given, significant, value_of
+from tmmcalc.report.formula.digits import Given, value_of
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Paragraph, Table
-from tmmcalc.report.telling import headed, named, number_of
+from tmmcalc.report.telling import named, number_of
 
-DIGITS = 5  # of the numbers in the tables
+DIGITS = 5  # of the unknowns and right sides in tables
+COEFFICIENTS = 4  # digits of coefficients
+STILL = 1e-12  # of a coefficient: less is rounding
 SUMS = ("x", "y", "M")  # the equations of a link
 
 
@@ -152,7 +163,8 @@ def _system(loaded: Loaded, name: str, equations: list[Equations], unknowns: lis
         tr(
             "Each link of group {name} is in equilibrium: its projections on both axes and its moments make three "
             "equations, together {count} equations with {count} unknowns. Their coefficients, those of moments in m, "
-            "and their right sides: tab. {tables}; the unknowns that solve them: tab. {solution}.",
+            "and their right sides $b$: tab. {tables}, the positions in brackets; the unknowns that solve them: tab. "
+            "{solution}.",
             name=name,
             count=len(unknowns),
             tables=tables,
@@ -161,12 +173,16 @@ def _system(loaded: Loaded, name: str, equations: list[Equations], unknowns: lis
     )
     for each in equations:
         yield _coefficients(loaded, each, [u for u in unknowns if _in(each, u)], keys[each.link])
-    values = [[_cell(number_of(lexicon, u)) for lexicon in loaded.told.lexicons] for u in unknowns]
-    heads = [headed(f"${u}$, {'N*m' if u.startswith('M_') else 'N'}") for u in unknowns]
+    rows = []
+    for unknown in unknowns:
+        head, factor = printed_head(unknown, "N*m" if unknown.startswith("M_") else "N")
+        rows.append(
+            (head, *(number_cell(factor * number_of(lexicon, unknown), DIGITS) for lexicon in loaded.told.lexicons))
+        )
     yield Table(
         tr("Reactions of group {name} at the positions", name=name),
         (tr("Unknown"), *loaded.labels),
-        tuple((head, *row) for head, row in zip(heads, values, strict=True)),
+        tuple(rows),
         solution,
     )
 
@@ -182,23 +198,19 @@ def _coefficients(loaded: Loaded, each: Equations, unknowns: list[str], key: str
         for which in SUMS:
             known = each.known(which)
             right = -number_of(place.lexicon, known) if known else 0.0
-            cells = [
-                _cell(
-                    sum(
-                        term.sign * value_of(read(term.factor).sides[0], place.lexicon, "")
-                        for term in each.terms[which]
-                        if term.unknown == unknown
-                    )
-                )
-                for unknown in unknowns
-            ]
-            rows.append((label, f"${each.left(which)} = 0$", *cells, _cell(right)))
-    head = (tr("Position"), tr("Equation"), *(f"${unknown}$" for unknown in unknowns), tr("Right side"))
+            cells = []
+            for unknown in unknowns:
+                own = [term for term in each.terms[which] if term.unknown == unknown]
+                found = sum(term.sign * value_of(read(term.factor).sides[0], place.lexicon, "") for term in own)
+                cells.append(number_cell(found if abs(found) > STILL else 0.0, COEFFICIENTS))
+            rows.append((f"${each.left(which)}$ ({label})", *cells, number_cell(_clean(loaded, right), DIGITS)))
+    head = (tr("Equation"), *(f"${unknown}$" for unknown in unknowns), "$b$")
     return Table(tr("Coefficients of the equations of link {link}", link=each.link), head, tuple(rows), key)
 
 
-def _cell(value: float) -> str:
-    return f"${significant(value, DIGITS)}$" if abs(value) > 1e-12 else "0"
+def _clean(loaded: Loaded, value: float) -> float:
+    """A force or a moment without what is rounding."""
+    return value if abs(value) > NOTHING * max(loaded.largest) else 0.0
 
 
 def _checks(loaded: Loaded, equations: list[Equations]) -> Iterator[Block]:

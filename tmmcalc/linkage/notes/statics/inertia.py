@@ -5,20 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import ArrayLike
 
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.freebody import FreeBody
 from tmmcalc.linkage.loading import Body, Loading
 from tmmcalc.linkage.loads.sources import inertia_load
 from tmmcalc.linkage.notes.group import plain_name
-from tmmcalc.linkage.notes.statics.loaded import NOTHING, Loaded
+from tmmcalc.linkage.notes.statics.loaded import NOTHING, Loaded, packed
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Paragraph
 from tmmcalc.report.telling import named, tabulated, vector
-
-LINKS = 2  # in a table
 
 
 def inertia(loaded: Loaded) -> Iterator[Block]:
@@ -67,16 +65,14 @@ def _tables(loaded: Loaded) -> Iterator[Block]:
     labels = loaded.result.labels
     whole = [k for k, label in enumerate(labels) if not label.endswith("-")]  # inertia does not jump with friction
     columns = [each for body in loaded.loading.heavy if (each := _columns(loaded, body, whole))]
-    for k in range(0, len(columns), LINKS):
-        key = f"forces_inertia_{k}"
-        if k == 0:
-            yield Paragraph(tr("At all positions they are as follows."))
-        merged = {head: values for each in columns[k : k + LINKS] for head, values in each.items()}
+    if columns:
+        yield Paragraph(tr("At all positions they are as follows."))
+    for k, part in enumerate(packed(columns)):
         caption = tr("Inertia forces and couples of the links")
-        yield tabulated(caption, merged, [labels[k] for k in whole], head=tr("Position"), key=key)
+        yield tabulated(caption, part, [labels[row] for row in whole], head=tr("Position"), key=f"forces_inertia_{k}")
 
 
-def _columns(loaded: Loaded, body: Body, rows: list[int]) -> dict[str, ArrayLike]:
+def _columns(loaded: Loaded, body: Body, rows: list[int]) -> dict[str, Real]:
     """The columns of a link, without what is nothing."""
     place, travel = loaded.every.place, loaded.statics.scene.travel
     load = inertia_load(body, place.configuration.motions[body.link], travel.speed, travel.acceleration)

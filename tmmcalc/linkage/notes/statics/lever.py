@@ -12,17 +12,18 @@ from tmmcalc.linkage.forces.results import side_of
 from tmmcalc.linkage.freebody import Acting, Couple
 from tmmcalc.linkage.lever import LEAST_ARM, Lever, LeverForce, levers, replaced_at, working
 from tmmcalc.linkage.notes.group import plain_name
-from tmmcalc.linkage.notes.statics.loaded import Loaded, said
+from tmmcalc.linkage.notes.statics.loaded import Loaded, number_cell, printed_head, said
 from tmmcalc.linkage.pictures.lever import draw_lever, lever_scale
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
-from tmmcalc.report.telling import WIDE, column_of, headed, named
+from tmmcalc.report.telling import WIDE, named
 
 SIZE = (WIDE, 125.0)  # of the picture [mm]
 KEY = "forces_lever"
+DIGITS = 5  # of a number in the table
 
 
 def lever(loaded: Loaded) -> Iterator[Block]:
@@ -97,15 +98,17 @@ def _name(loaded: Loaded, force: LeverForce) -> str:
 def _table(loaded: Loaded, found: Lever, k: int) -> Table:
     """The forces of a lever."""
     forces = working(found.forces)
-    columns = [
-        [_name(loaded, force) for force in forces],
-        column_of([force.force for force in forces]),
-        column_of([force.arm for force in forces]),
-        column_of([force.moment for force in forces], 6),
-    ]
-    head = (tr("Force"), headed("$F_i$, N"), headed("$h_i$, mm"), headed("$F_i*h_i$, N*mm"))
+    columns = {tr("Force"): [_name(loaded, force) for force in forces]}
+    for symbol, unit, part in (("F_i", "N", "force"), ("h_i", "mm", "arm"), ("F_i*h_i", "N*mm", "moment")):
+        head, factor = printed_head(symbol, unit)
+        columns[head] = [number_cell(factor * _seen(getattr(force, part)), DIGITS) for force in forces]
     caption = tr("Moments on the lever {place}", place=loaded.told.places[k].name)
-    return Table(caption, head, tuple(zip(*columns, strict=True)), f"{KEY}_{loaded.rows[k]}")
+    return Table(caption, tuple(columns), tuple(zip(*columns.values(), strict=True)), f"{KEY}_{loaded.rows[k]}")
+
+
+def _seen(value: float) -> float:
+    """An arm, or a moment, without what is rounding."""
+    return value if abs(value) > LEAST_ARM else 0.0
 
 
 def _drive(loaded: Loaded, found: Sequence[Lever]) -> Iterator[Block]:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.plane import cross
+from tmmcalc.core.plane import Real, cross
 from tmmcalc.linkage.acting import Kind, acting_on, told_apart
 from tmmcalc.linkage.forces.kinetostatics import Statics, compile_statics
 from tmmcalc.linkage.forces.results import Forces, side_of
@@ -24,12 +24,14 @@ from tmmcalc.linkage.notes.told import Told, told_of
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.symbols import canonical
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_number, tr_unit
 from tmmcalc.report.manuscript import Block, Lexicon
+from tmmcalc.report.printing import printed_as
 from tmmcalc.report.telling import named, number_of, vector
 
+COLUMNS = 8  # of numbers in a table
 NOTHING = 1e-12  # of the largest force, or couple: less is not told
 
 Bodies = Mapping[int, FreeBody]  # every moving link by itself
@@ -195,6 +197,28 @@ def put_reaction(loaded: Loaded, joint: Joint, link: int, bodies: Bodies, lexico
     lexicon |= named(vector(f"R_{{{link}{other}%}}", value, "N", meaning))
     lexicon[canonical(f"R_{{{link}{other}}}")] = Given(abs(value), "N", meaning)
     return value
+
+
+def printed_head(name: str, unit: str) -> tuple[str, float]:
+    """A quantity with the unit in which it is printed, as the head of a row or a column; the factor of its values."""
+    shown, factor = printed_as(unit)
+    return f"${name}$, {tr_unit(shown)}", factor
+
+
+def packed(parts: Sequence[Mapping[str, Real]]) -> list[dict[str, Real]]:
+    """Columns of pairs together in tables that are not too wide."""
+    found: list[dict[str, Real]] = [{}]
+    for part in parts:
+        if len(found[-1]) + len(part) > COLUMNS and found[-1]:
+            found.append({})
+        found[-1] |= part
+    return [part for part in found if part]
+
+
+def number_cell(value: float, digits: int) -> str:
+    """A number with so many significant digits as the cell of a table."""
+    text = significant(value, digits)
+    return f"${text}$" if "e" in text else tr_number(text)
 
 
 def point_of(loaded: Loaded, joint: str) -> str:

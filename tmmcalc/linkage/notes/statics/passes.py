@@ -9,15 +9,14 @@ import numpy as np
 from tmmcalc.linkage.forces.iteration import Iteration, textbook_iteration
 from tmmcalc.linkage.forces.results import side_of
 from tmmcalc.linkage.forces.wrench import Plan
-from tmmcalc.linkage.notes.statics.loaded import Loaded
+from tmmcalc.linkage.notes.statics.loaded import Loaded, number_cell, printed_head
 from tmmcalc.linkage.notes.statics.pairs import ToldPair, along
-from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.language import tr, tr_number
 from tmmcalc.report.manuscript import Block, Paragraph, Table
-from tmmcalc.report.telling import column_of, headed
+from tmmcalc.report.telling import column_of
 
 STOP = 1e-3  # relative change at which the passes end
-FIRST, LAST = 4, 3  # passes that a long table shows
+FIRST, LAST = 3, 3  # passes that a long table shows
 MOST = 50
 LEAST = 1e-9  # of an unknown [N, mm]: less is rounding
 
@@ -48,7 +47,7 @@ def passes(loaded: Loaded, plan: Plan, pairs: Sequence[ToldPair]) -> Iterator[Bl
 def _table(found: Iteration, pairs: Mapping[str, ToldPair], loaded: Loaded, caption: str, key: str) -> Table:
     """The friction that each pass is solved with, the unknowns that it gives, the largest change."""
     shown = [*range(found.passes)]
-    if found.passes > FIRST + LAST + 1:
+    if found.passes > FIRST + LAST:
         shown = [*shown[:FIRST], *shown[-LAST:]]
     slot = next((pair for pair in [*pairs.values()][1:2] if pair.joint.kind == "prismatic"), None)
     rows = []
@@ -56,32 +55,33 @@ def _table(found: Iteration, pairs: Mapping[str, ToldPair], loaded: Loaded, capt
     for k, (joint, unit) in enumerate(zip(found.joints, found.units, strict=True)):
         pair = pairs[joint]
         letter, sense = ("M", 1.0) if unit == "N*m" else ("F", along(loaded, pair))
-        values = sense * np.append(found.friction[:-1, k][shown], exact[k])
-        rows.append((headed(f"${letter}_{{{pair.ij}}}$, {unit}"), *column_of(values)))
+        head, factor = printed_head(f"{letter}_{{{pair.ij}}}", unit)
+        rows.append((head, *column_of(sense * factor * np.append(found.friction[:-1, k][shown], exact[k]))))
     ends = [np.nan] * len(found.names) if found.exact is None else found.exact
     for k, name in enumerate(found.names):
         joint, _, part = name.rpartition(".")
-        head, factor = _unknown(loaded, pairs[joint], part, slot)
-        values = factor * np.append(found.unknowns[:, k][shown], ends[k])
-        if np.max(np.abs(values)) > LEAST:
-            rows.append((headed(head), *column_of(values)))
-    change = [f"${significant(100 * each, 2)}$" for each in found.change]
+        symbol, unit, sense = _unknown(loaded, pairs[joint], part, slot)
+        values = sense * np.append(found.unknowns[:, k][shown], ends[k])
+        if np.nanmax(np.abs(values)) > LEAST:
+            head, factor = printed_head(symbol, unit)
+            rows.append((head, *column_of(factor * values)))
+    change = [number_cell(100 * each, 2) for each in found.change]
     rows.append((tr("largest change, %"), *("–" if k == 0 else change[k] for k in shown), "–"))
     return Table(caption, (tr("Pass"), *(str(k + 1) for k in shown), tr("solution")), tuple(rows), key)
 
 
-def _unknown(loaded: Loaded, pair: ToldPair, part: str, slot: ToldPair | None) -> tuple[str, float]:
-    """The head of an unknown by its name in formulas, and its factor to the unit and the sense there.
+def _unknown(loaded: Loaded, pair: ToldPair, part: str, slot: ToldPair | None) -> tuple[str, str, float]:
+    """The symbol of an unknown, its unit, and its factor to this unit and to the sense of the formulas.
 
     With an inner prismatic pair, the ``slot``, the parts of an outer reaction are those along and across its line.
     """
     ij = pair.ij
     if pair.joint.kind == "prismatic":
         sense = along(loaded, pair)
-        return (f"$N_{{{ij}}}$, N", sense) if part == "N" else (f"$h_{{{ij}}}$, mm", 1e3 * sense)
+        return (f"N_{{{ij}}}", "N", sense) if part == "N" else (f"h_{{{ij}}}", "mm", 1e3 * sense)
     if part in "xy":
-        return f"$R_{{{ij}{part}}}$, N", 1.0
+        return f"R_{{{ij}{part}}}", "N", 1.0
     if slot is None:
-        return {"T": f"$R_{{{ij}}}^t$, N", "N": f"$R_{{{ij}}}^n$, N"}[part], 1.0
+        return {"T": f"R_{{{ij}}}^t", "N": f"R_{{{ij}}}^n"}[part], "N", 1.0
     sense = along(loaded, slot)
-    return (f"$R_{{{ij}}}^e$, N", -sense) if part == "T" else (f"$R_{{{ij}}}^n$, N", sense)
+    return (f"R_{{{ij}}}^e", "N", -sense) if part == "T" else (f"R_{{{ij}}}^n", "N", sense)

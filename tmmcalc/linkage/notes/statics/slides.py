@@ -34,7 +34,7 @@ def put_slide(loaded: Loaded, pair: ToldPair, turned: float = 1.0) -> str:
         normal = sign * (np.conj(1j * e) * loaded.result.reaction[j, row]).real
         reaction = tr("normal reaction of link {other} on link {link}", other=pair.other, link=pair.link)
         about = tr("moment of the normal reaction about {point}", point=name)
-        place = tr("coordinate of point {point}", point=name)
+        place = tr("coordinates of point {point}", point=name)
         for key, given in vector(f"%_{{{name}}}", complex(places[row]), "m", place).items():
             lexicon |= {k: g for k, g in named({key: given}).items() if k not in lexicon}
         lexicon |= named(

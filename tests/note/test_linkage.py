@@ -1,0 +1,119 @@
+"""What the note tells of the motion of linkages: strokes, loops, drives, plans, numerical differentiation."""
+
+from __future__ import annotations
+
+import math
+import re
+from functools import cache
+
+import pytest
+
+from note.scenes import blocks, told
+from tmmcalc.note.assembled import Assembler
+from tmmcalc.note.tree import Equation, Reference, Text
+from tmmcalc.report.formula.plain import plain
+from tmmcalc.report.formula.tree import Name, Statement
+from tmmcalc.report.manuscript import Block, Table
+
+CHAPTERS = ("structure", "kinematics")
+
+
+@cache
+def chapters(name: str) -> tuple[Block, ...]:
+    return tuple(blocks(told(name, "6,18" if name == "shaper" else None, only=CHAPTERS)))
+
+
+def values(name: str) -> dict[str, float]:
+    """The results of the lines by what stands before them: a place, and the left side."""
+    assembler = Assembler()
+    assembler.written(told(name, "6,18" if name == "shaper" else None, only=CHAPTERS))
+    return {f"{line.place} {_left(line.formula)}".strip(): float(line.found.result) for line in assembler.lines}
+
+
+def _left(formula: Statement) -> str:
+    left = formula.sides[0]
+    assert isinstance(left, Name)
+    return left.key
+
+
+def tables(name: str, key: str) -> Table:
+    return next(each for each in chapters(name) if isinstance(each, Table) and each.key == key)
+
+
+def number(cell: str) -> float:
+    return float(cell.strip("$").replace("−", "-"))
+
+
+def test_the_shaper_has_the_strokes_of_the_textbook() -> None:
+    found = values("shaper")
+    psi = math.degrees(math.acos(0.2 / 0.62))  # of the slotted link's tangent
+    assert found["phi_1^I"] == pytest.approx(-18.819, abs=5e-4)
+    assert found["phi_{I,II}"] == pytest.approx(2 * (180 - psi), rel=1e-4)
+    assert found["K"] == pytest.approx((180 - psi) / psi, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("key", "row", "wanted"),
+    [
+        ("course_position", 6, {1: 90.0, 2: -1.232, 3: 85.442, 4: -3.316}),
+        ("course_velocity", 6, {1: -1.219, 2: 0.2388, 3: -0.067, 4: 0.246}),
+        ("course_acceleration", 18, {1: 2.008, 2: -0.383, 3: 0.378, 4: 1.251}),
+    ],
+)
+def test_the_tables_of_the_shaper_are_those_of_the_textbook(key: str, row: int, wanted: dict[int, float]) -> None:
+    """Table D.2.1, recomputed: S_D, phi_3, phi_4; v_D, omega_3, omega_4, v_23; a_D, eps_3, eps_4, a_23."""
+    found = tables("shaper", key).rows[row]
+    assert found[0] == str(row)
+    assert {k: number(found[k]) for k in wanted} == pytest.approx(
+        wanted, abs=6e-3 if key == "course_position" else 6e-4
+    )
+
+
+def test_numerical_differentiation_is_as_near_as_the_textbook_says() -> None:
+    rows = tables("shaper", "differences_0").rows
+    assert len(rows) == 25
+    assert max(number(row[3]) for row in rows) <= 0.3
+    assert max(number(row[6]) for row in rows) <= 0.17
+
+
+def test_a_plan_differs_from_the_formulas_by_what_is_read_off_alone() -> None:
+    for row in tables("shaper", "plan_compared").rows:
+        length = number(row[2].partition(" = ")[2])
+        near = 0.0501 / length + 5e-4
+        assert abs(number(row[4]) / number(row[5]) - 1) <= near
+
+
+@pytest.mark.parametrize(("name", "loops"), [("class-three", 2), ("class-four", 2), ("class-three-slider", 2)])
+def test_newton_comes_to_the_assembly_and_its_system_holds(name: str, loops: int) -> None:
+    steps = [each for each in chapters(name) if isinstance(each, Table) and each.head[0] == "Step"]
+    assert len(steps) == 2
+    for table in steps:
+        residuals = [number(row[-1].replace("e", "E")) for row in table.rows]
+        assert residuals == sorted(residuals, reverse=True)
+        assert residuals[-1] < 1e-6
+    systems = [each for each in chapters(name) if isinstance(each, Table) and each.head[0] == "Equation"]
+    for table in systems:
+        *equations, solution = [[number(cell) for cell in row[1:] if cell] for row in table.rows]
+        assert len(equations) == 2 * loops
+        for row in equations:
+            sums = math.fsum(a * x for a, x in zip(row, solution, strict=False))
+            assert sums == pytest.approx(row[-1], abs=2e-3 * max(1.0, *map(abs, solution)))
+
+
+def test_a_driven_length_turns_the_boom_as_its_triangle_does() -> None:
+    """Law of cosines differentiated: omega = -s v / (l_OA l_OB sin theta) is the rate of the boom's angle."""
+    found = values("crane-luffing")
+    place = next(key for key in found if key.endswith(" omega_1")).removesuffix(" omega_1")
+    theta, s = math.radians(found[f"{place} theta_O"]), found[f"{place} s_2"]
+    rate = s * 0.2 / (6.103 * 7.0 * math.sin(theta))  # of the angle between mast and boom
+    assert found[f"{place} omega_1"] == pytest.approx(-rate, rel=2e-4)
+
+
+def test_projections_of_a_vector_are_explained_together_and_once() -> None:
+    written = Assembler().written(told("shaper", only=CHAPTERS))
+    parts = [part for each in written if isinstance(each, Text) for part in (*each.parts, " ")]
+    said = "".join(p if isinstance(p, str) else plain(p) for p in parts if not isinstance(p, Reference))
+    assert "v_Dx, v_Dy – projections of the velocity of D, m/s" in said
+    explained = re.findall(r"(\w+), \w+ – projections", said)
+    assert len(explained) == len(set(explained)) > 4
+    assert any(isinstance(each, Equation) and "vec" in plain(each.parts[0]) for each in written)
