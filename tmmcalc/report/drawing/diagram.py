@@ -212,7 +212,8 @@ def sign(drawing: Drawing, at: complex, kind: str, pen: Pen, size: float, *, fil
     """A sign at a place on paper; its corners."""
     corners = at + size / 2 * SIGNS[kind]
     fine = pen._replace(width=0.2, dashes=())
-    drawing.add(Area(corners, pen.colour if filled else WHITE, fine), level=6)
+    fill = pen.colour if filled else WHITE
+    drawing.add(Arc(at, size / 2, fine, fill=fill) if kind == "o" else Area(corners, fill, fine), level=6)
     return np.asarray(corners)
 
 
