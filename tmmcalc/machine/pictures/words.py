@@ -78,7 +78,7 @@ def mass_name(name: str) -> str:
     """A mass of the drive: its ends, or by the shaft before it, as the spec calls it."""
     if name.startswith(BEHIND):
         return tr("behind {shaft}", shaft=name.removeprefix(BEHIND))
-    return {"rotor": tr("rotor"), "crank": tr("crank")}.get(name, name)
+    return tr_name(name)
 
 
 def form_name(kind: str) -> str:
