@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import csv
 import re
 import tomllib
 from functools import cache
@@ -82,6 +83,9 @@ def given() -> tuple[frozenset[str], re.Pattern[str]]:
     """What theory, manifests and ready specs may say: constants, names of results in words; and forms of f-strings."""
     forms: set[str] = set()
     constants = {name for file in CONFIGS.glob("*.toml") for name in NAME.findall(file.read_text(encoding="utf-8"))}
+    for file in ROOT.rglob("*.csv"):
+        with file.open(encoding="utf-8", newline="") as rows:
+            constants |= {cell for row in csv.reader(rows) for cell in row}
     for file in ROOT.rglob("*.py"):
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):

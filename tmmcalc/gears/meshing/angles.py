@@ -218,10 +218,10 @@ def pair_angles(found: MeshPair) -> PairAngles:
 def _wheel(found: MeshPair, size: WheelSizes, turn: float, pitch: float) -> WheelAngles:
     sign = -1 if size.kind == "ring" else 1
     psi_w = size.half_angle - sign * turn
-    angles = {name: _angle(getattr(size, name), size.base) for name in ("tip", "form", "active")}
+    angles = {name: pressure_at(getattr(size, name), size.base) for name in ("tip", "form", "active")}
     tip, form, active = angles["tip"], angles["form"] or 0.0, angles["active"] or 0.0
     half = None if tip is None else size.half_angle + sign * (found.involute_t - float(involute(tip)))
-    tip_helix = atan(tan(found.task.helix) * size.tip / size.reference)
+    tip_helix = helix_at(size.tip, size.reference, found.task.helix)
     arc = None if half is None else 2 * size.tip * half
     start = tan(found.angle_t)
     return WheelAngles(
@@ -262,9 +262,14 @@ def _wheel(found: MeshPair, size: WheelSizes, turn: float, pitch: float) -> Whee
     )
 
 
-def _angle(radius: float, base: float) -> float | None:
+def pressure_at(radius: float, base: float) -> float | None:
     """The transverse pressure angle at a radius; None within the base circle."""
     return None if radius < base else atan2(sqrt((radius - base) * (radius + base)), base)
+
+
+def helix_at(radius: float, reference: float, helix: float) -> float:
+    """The helix angle [rad] at a radius, ``helix`` that at the reference cylinder."""
+    return atan(tan(helix) * radius / reference)
 
 
 def _points(found: MeshPair, side: int) -> tuple[ContactPoint, ...]:

@@ -149,7 +149,7 @@ def _right(each: Condition) -> Side | None:
         case "coaxiality":
             return Side(f"A_{{{_axes(of.split(', ')[-1:])}}}", _distance())
         case "adjacency":
-            said = tr("diameter of the tip circle of wheel {wheel} with the gap, in modules", wheel=of)
+            said = tr("room across that wheel {wheel} needs, in modules", wheel=of)
             return Side(f"G_{{{of}}}", said)
         case "undercut":
             return Side("z_{0}", tr("least number of teeth without undercut"))
@@ -166,12 +166,20 @@ def _distance() -> str:
 
 
 def _verdict(each: Condition) -> str:
-    left, right = (significant(value, SHOWN) for value in (each.left, each.right))
+    left, right = _values(each)
     if each.kept and each.name == "assembly":
         return tr("${left}$ is a whole number: the condition holds.", left=left)
     if each.kept:
         return tr("${sides}$: the condition holds.", sides=f"{left} {each.relation} {right}")
     return tr("The left side is ${left}$, the right one ${right}$: the condition fails.", left=left, right=right)
+
+
+def _values(each: Condition) -> tuple[str, str]:
+    """Both sides as they are printed, angles in degrees."""
+    if each.name == "mesh_angles":
+        left, right = (significant(math.degrees(value), SHOWN) for value in (each.left, each.right))
+        return f"deg({left})", f"deg({right})"
+    return significant(each.left, SHOWN), significant(each.right, SHOWN)
 
 
 def _letters(each: Condition, chosen: Chosen) -> Lexicon:
@@ -191,7 +199,8 @@ def _meaning(name: str, chosen: Chosen) -> str:
     if name.startswith("mu_"):
         return tr("proportion of the modules of the stages in lowest terms")
     if name.startswith("alpha_{w"):
-        return tr("operating pressure angle of the pair {pair}", pair=name[8:-1])
+        pairs = {f"{mesh.first}{mesh.second}": f"{mesh.first}–{mesh.second}" for mesh in chosen.sets.scheme.meshes}
+        return tr("operating pressure angle of the pair {pair}", pair=pairs[name[8:-1]])
     return {
         "alpha": tr("pressure angle of the basic rack"),
         "h_a^{*}": tr("addendum coefficient"),
@@ -202,15 +211,14 @@ def _meaning(name: str, chosen: Chosen) -> str:
 
 def _table(found: tuple[Condition, ...], key: str) -> Table:
     """All conditions with both sides and their verdicts; those that are good custom in brackets."""
-    head = (tr("Condition"), tr("Wheels"), tr("In letters"), tr("With numbers"), tr("Verdict"))
+    head = (tr("Condition"), tr("Wheels"), tr("With numbers"), tr("Verdict"))
     return Table(tr("Conditions on the numbers of teeth"), head, tuple(map(_row, found)), key)
 
 
 def _row(each: Condition) -> tuple[str, ...]:
-    left, right = _texts(each)
-    numbers = [significant(value, SHOWN) for value in (each.left, each.right)]
+    numbers = _values(each)
     sides = f"{numbers[0]} {each.relation} {numbers[1]}" if each.kept else f"{numbers[0]}$; ${numbers[1]}"
     verdict = tr("kept") if each.kept else tr("not kept") if each.asked else tr("not recommended")
     name = tr("numbers of teeth") if each.name == "teeth" else tr_name(called(each.name))
     of = "" if each.name == "ratio" else each.of.removeprefix(PLANETS).replace("-", "–")
-    return name, of, f"${left} {each.relation} {right}$", f"${sides}$", verdict
+    return name, of, f"${sides}$", verdict

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import partial
+from unicodedata import normalize
 
 import numpy as np
 
@@ -13,17 +14,19 @@ from tmmcalc.gears.criteria.size import orbits
 from tmmcalc.gears.criteria.speeds import speeds
 from tmmcalc.gears.criteria.wheels import Build, radii, stage_of, wheels
 from tmmcalc.gears.model import ToothSets
-from tmmcalc.gears.notes.letters import joined, noted, teeth
+from tmmcalc.gears.notes.letters import joined, lowered, noted, teeth
 from tmmcalc.gears.pictures.front import draw_pareto
 from tmmcalc.gears.pictures.words import CRITERIA, short_name, teeth_text, train_name
-from tmmcalc.gears.scheme import CARRIER, Mesh
+from tmmcalc.gears.scheme import CARRIER, Mesh, known_layouts
 from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.selection.solve import assumptions_of
 from tmmcalc.gears.selection.task import WEIGHTED
 from tmmcalc.gears.sizing import rows_of
 from tmmcalc.gears.tables.tasks.sizing import to_selection
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import RESULT, Given, significant
 from tmmcalc.report.language import tr, tr_name, tr_number, tr_unit
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Place, Result, Table
@@ -31,7 +34,7 @@ from tmmcalc.report.telling import lines, named
 
 MM = 1e3
 SHOWN = 12  # trains of the table
-PARETO = (160.0, 115.0)  # [mm]
+PARETO, UNDER = (160.0, 118.0), 3.0  # size of the picture, and room below its axis [mm]
 SHAPES = {  # mass [kg] and inertia [kg*m^2] of a wheel, lengths in mm (4.43), (4.44)
     "pinion": ("M = pi*rho*b*r**2/10**9", "J = M*r**2/(2*10**6)"),
     "wheel": ("M = alpha_1*pi*rho*b*r**2/10**9", "J = alpha_2*M*r**2/(2*10**6)"),
@@ -48,7 +51,8 @@ def blocks(order: Order) -> Iterator[Block]:
     one = rows_of(variant.sets, np.array([row]))
     to = assumptions_of(request, to_selection(order.spec)).reduced_to or one.scheme.output
     yield Heading(tr("Choice of the train by its criteria"), 2)
-    yield Heading(message(train_name(one)), 3)
+    yield Heading(tr("Masses, inertia, size"), 3)
+    yield Paragraph(tr("The chosen train: {train}.", train=lowered(message(train_name(one)))))
     chosen = _Chosen(selection, one, variant.criteria.centre_distances[row].tolist(), request.task.pressure_angle, to)
     yield from chosen.distances()
     yield from chosen.wheels()
@@ -111,6 +115,7 @@ class _Chosen:
         )
         made = self.made
         places: dict[str, list[Place]] = {}
+        every: list[Place] = []
         for wheel, part in self.scheme.moving.items():
             stage, column = stage_of(self.one, wheel), self.scheme.index(wheel)
             values = {
@@ -126,8 +131,9 @@ class _Chosen:
                 "J": (float(made.inertias[0, column]), "kg*m^2", tr("moment of inertia of the wheel about its axis")),
             }
             own = named({name: Given(*value) for name, value in values.items()})
-            places.setdefault(part.shape, []).append(Place(tr("for wheel {wheel}", wheel=wheel), own))
-        yield from lines(["r = m*z/2"], [place for each in places.values() for place in each])
+            every.append(Place(tr("for wheel {wheel}", wheel=wheel), own))
+            places.setdefault(part.shape, []).append(every[-1])
+        yield from lines(["r = m*z/2"], every)
         for shape, of_shape in places.items():
             yield from lines(SHAPES[shape], of_shape)
 
@@ -196,6 +202,12 @@ def _distance(mesh: Mesh) -> str:
     return f"a_{{{joined((mesh.first, mesh.second))}}}"
 
 
+def _layout(key: str) -> str:
+    """A layout in a word, a planetary one by its designation; a number of planets as it is."""
+    scheme = known_layouts().get(key)
+    return normalize("NFC", scheme.designation) if scheme is not None and scheme.planetary else tr_name(key)
+
+
 def _shown(key: str, value: float) -> str:
     """A criterion with its unit."""
     factor, unit = CRITERIA[key]
@@ -223,8 +235,7 @@ def _compared(selection: Selection) -> Iterator[Block]:
     )
     if weak:
         yield Paragraph(tr("Left out as too weak or self-locking: {count}.", count=weak))
-    draw = partial(draw_pareto, result=selection, place=selection.winner.place)
-    yield Figure(tr("Mass and inertia of the trains"), draw, PARETO, "criteria_front")
+    yield Figure(tr("Mass and inertia of the trains"), partial(_front, found=selection), PARETO, "criteria_front")
     rows = [row for row in selection.front.tolist() if row != selection.winner.place]
     shown = [selection.winner.place, *rows][:SHOWN]
     head = (tr("Row"), tr("Train"), "$m$, " + tr_unit("mm"), "$b$, " + tr_unit("mm"), *map(_head, objectives))
@@ -233,6 +244,10 @@ def _compared(selection: Selection) -> Iterator[Block]:
     for each in selection.minima:
         said = {"criterion": short_name(each.criterion), "value": _shown(each.criterion, each.value)}
         yield Paragraph(tr("The best {criterion}: {value}, train {row}.", row=each.winner + 1, **said))
+
+
+def _front(drawing: Drawing, box: Box, found: Selection) -> None:
+    draw_pareto(drawing, box.inset(0, UNDER, 0, 0), found, found.winner.place)
 
 
 def _sizes(selection: Selection, row: int) -> tuple[str, ...]:
@@ -247,7 +262,7 @@ def _sizes(selection: Selection, row: int) -> tuple[str, ...]:
         for values in (of.module, of.width)
     ]
     mark = "*" if row == selection.winner.place else ""
-    return f"{row + 1}{mark}", f"{tr_name(of.sets.layout)} {name}" if several else name, *sizes
+    return f"{row + 1}{mark}", f"{_layout(of.sets.layout)} {name}" if several else name, *sizes
 
 
 def _criteria(selection: Selection, row: int) -> tuple[str, ...]:
@@ -290,7 +305,7 @@ def _options(key: str, found: Sequence[Comparison]) -> Iterator[Block]:
             _shown(each.criterion, each.options[k].values[each.criterion]) if each.options[k].values else "–"
             for each in found
         ]
-        rows.append((" + ".join(tr_name(part) for part in str(option.option).split(" + ")), str(option.count), *values))
+        rows.append((" + ".join(_layout(part) for part in str(option.option).split(" + ")), str(option.count), *values))
     tab = f"{{tab:criteria_{key}}}"
     yield Paragraph(tr("The best values by option are in table {tab}.", tab=tab))
     head = (tr("Option"), tr("Trains"), *(short_name(each.criterion) for each in found))
@@ -318,7 +333,7 @@ def _series(selection: Selection) -> Iterator[Block]:
 def _why(selection: Selection) -> Iterator[Block]:
     """What decided."""
     winner, reason = selection.winner, selection.reason
-    name = f"{tr_name(winner.layout)} {teeth_text(winner.teeth)}"
+    name = f"{_layout(winner.layout)} {teeth_text(winner.teeth)}"
     sizes = [
         tr_number("; ".join(significant(MM * value, RESULT) for value in each))
         for each in (winner.modules, winner.widths)

@@ -79,6 +79,11 @@ def joined(names: Sequence[str]) -> str:
     return ("" if all(len(name.rstrip("'")) == 1 for name in names) else "–").join(names)
 
 
+def lowered(text: str) -> str:
+    """A title as it stands within a sentence."""
+    return text[0].lower() + text[1:]
+
+
 def teeth(numbers: Mapping[str, float]) -> Lexicon:
     """The numbers of teeth of wheels."""
     said = {wheel: tr("number of teeth of wheel {wheel}", wheel=wheel) for wheel in numbers}

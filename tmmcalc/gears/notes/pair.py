@@ -3,26 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 from tmmcalc.gears.facts.meshes import USUAL
-from tmmcalc.gears.layouts.open_pair import GEAR_NAME, PINION_NAME
 from tmmcalc.gears.meshing.halftooth import fault_of
 from tmmcalc.gears.meshing.members import both
 from tmmcalc.gears.meshing.results import NOISE, MeshPair
 from tmmcalc.gears.notes.pairs.choice import chosen
 from tmmcalc.gears.notes.pairs.conditions import judged
 from tmmcalc.gears.notes.pairs.contact import contact, interference, quality
-from tmmcalc.gears.notes.pairs.lexicon import Told, indexed, shortened, told_of
+from tmmcalc.gears.notes.pairs.lexicon import CUTTER, Told, indexed, shortened, told_of
 from tmmcalc.gears.notes.pairs.measured import measured, quantities
 from tmmcalc.gears.notes.pairs.sizes import SECTION, circles, teeth
 from tmmcalc.gears.notes.pairs.tables import of_wheels, parameters
-from tmmcalc.gears.pictures.pieces import mesh_of, sliding_of
+from tmmcalc.gears.pictures.pieces import draw_curves, draw_to_scale
+from tmmcalc.gears.pictures.placedpair import placed_pair
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph
-from tmmcalc.report.telling import named, pictured
+from tmmcalc.report.language import tr, tr_name
+from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Result
+from tmmcalc.report.telling import WIDE, named
 
-GIVEN = ("z_1", "z_2", "m", "alpha", "h_a^{*}", "c^{*}", "beta", "b")
+GIVEN = ("z_1", "z_2", "m", "alpha", "h_a^{*}", "c^{*}", "beta", "b", *CUTTER)
 BY_SHIFTS = "inv(alpha_tw) = inv(<t>) <+> 2*x_Sigma*tan(alpha)/<z>"
 BY_DISTANCE = (
     "alpha_tw = acos(a*cos(<t>)/a_w)",
@@ -31,7 +32,7 @@ BY_DISTANCE = (
 INVERSE = "inv(alpha_tw) = tan(alpha_tw) - rad(alpha_tw)"
 COMMON = (
     *("m", "alpha", "h_a^{*}", "c^{*}", "beta", "b", "alpha_tw", "H", "p_b", "g_alpha"),
-    *("eps_alpha", "eps_beta", "eps_gamma"),
+    "eps_alpha",
 )
 WHEELED = "a", "a_w", "x_Sigma", "y", "u", "g"  # not of a rack
 HELICAL = "m_t", "alpha_t", "beta_b"
@@ -39,7 +40,7 @@ WHEELS = (
     *("z", "x", "r", "r_w", "r_a", "r_f", "r_b", "r_F", "d", "d_w", "d_a", "d_f", "d_b", "h"),
     *("s_n", "s", "s_t", "s_na", "s_a", "x_min", "alpha_a", "z_w", "W", "s_c", "h_c", "D", "M"),
 )
-ON_CRANK = PINION_NAME, GEAR_NAME
+MESH, CURVES = (WIDE, 125.0), (WIDE, 105.0)  # sizes of the pictures [mm]
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -66,13 +67,19 @@ def _pair(told: Told, key: str) -> Iterator[Block]:
     yield from contact(told)
     yield from quality(told)
     yield from interference(told)
+    yield from _pictures(found, key)
     yield Heading(tr("Conditions"), 3)
-    yield from judged(found.checks, told.lexicon, told.words, task.wheels, f"{key}_quality")
+    names = (task.wheels[0], tr("rack") if task.kind == "rack" else task.wheels[1])
+    yield from judged(found.checks, told.lexicon, told.words, names, f"{key}_quality")
     yield Heading(tr("Measures"), 3)
     for wheels in told.wheels:
         numbers = wheels.numbers
         yield from measured(wheels, [found.measures[k] for k in numbers], [task.measuring_of(k + 1) for k in numbers])
-    yield from _drawn(told, key)
+    yield from _parameters(told, key)
+    place = "/".join(str(teeth) for teeth in task.teeth if teeth)
+    if "a_w" in told.lexicon:
+        yield Result("a_w", told.lexicon["a_w"], place=place)
+    yield Result("eps_alpha", told.lexicon["eps_alpha"], task.limits.contact_ratio, ">=", place)
 
 
 def title_of(found: MeshPair) -> str:
@@ -85,7 +92,7 @@ def title_of(found: MeshPair) -> str:
         said = tr("Internal pair {teeth}", teeth=f"{first}/{second}")
     else:
         said = tr("External pair {teeth}", teeth=f"{first}/{second}")
-    return f"{said} ({task.name})" if task.name and task.wheels != ON_CRANK else said
+    return f"{said} ({tr_name(task.name)})" if task.name else said
 
 
 def _data(told: Told, key: str) -> Iterator[Block]:
@@ -131,8 +138,8 @@ def _distance(told: Told) -> Iterator[Block]:
         )
 
 
-def _drawn(told: Told, key: str) -> Iterator[Block]:
-    """The tables of all parameters and the pictures, where both wheels have profiles."""
+def _parameters(told: Told, key: str) -> Iterator[Block]:
+    """The tables of all parameters."""
     found, task = told.found, told.found.task
     yield Paragraph(
         tr(
@@ -143,11 +150,15 @@ def _drawn(told: Told, key: str) -> Iterator[Block]:
     )
     names = [*COMMON, *HELICAL * bool(task.helix), *WHEELED * (task.kind != "rack")]
     names += ["Deltay"] * (task.kind == "external")
-    names += ["eps'_alpha"] * shortened(found)
+    names += [*["eps_beta", "eps_gamma"] * bool(found.overlap), *["eps'_alpha"] * shortened(found)]
     yield parameters(tr("Parameters of the pair"), names, told.lexicon, f"{key}_common")
     yield of_wheels(
         tr("Parameters of the wheels"), WHEELS, _wheels(told), task.wheels[: len(found.sizes)], f"{key}_wheels"
     )
+
+
+def _pictures(found: MeshPair, key: str) -> Iterator[Block]:
+    """The mesh and the course of sliding, where both wheels have profiles."""
     if all(fault_of(member) is None for member in both(found)):
         yield Paragraph(
             tr(
@@ -156,10 +167,9 @@ def _drawn(told: Told, key: str) -> Iterator[Block]:
                 sliding=f"{{fig:{key}_sliding}}",
             )
         )
-        yield pictured(mesh_of(found), key=f"{key}_mesh")._replace(caption=tr("Mesh"))
-        yield pictured(sliding_of(found), key=f"{key}_sliding")._replace(
-            caption=tr("Specific sliding and specific pressure")
-        )
+        yield Figure(tr("Mesh of the pair"), partial(draw_to_scale, found=found), MESH, f"{key}_mesh")
+        caption = tr("Specific sliding and specific pressure")
+        yield Figure(caption, partial(draw_curves, placed=placed_pair(found)), CURVES, f"{key}_sliding")
 
 
 def _wheels(told: Told) -> list[Lexicon]:

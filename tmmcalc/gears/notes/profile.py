@@ -8,7 +8,7 @@ from tmmcalc.gears.meshing.halftooth import fault_of
 from tmmcalc.gears.meshing.members import members
 from tmmcalc.gears.notes.pairs.tooth import tooth
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Heading
 
 
@@ -17,6 +17,9 @@ def blocks(order: Order) -> Iterator[Block]:
     shown = [each for each in members(order.results["pair"]) if each.shape != "rack" and fault_of(each) is None]
     if shown:
         yield Heading(tr("Tooth profiles"))
+    told: set[str] = set()
     for k, member in enumerate(shown, 1):
-        yield Heading(tr("Wheel {wheel}", wheel=member.label), 3)
-        yield from tooth(member, f"tooth{k}")
+        name = tr("Wheel {wheel}", wheel=member.name)
+        yield Heading(f"{name} ({tr_name(member.pair)})" if member.pair else name, 3)
+        yield from tooth(member, f"tooth{k}", alike=member.shape in told)
+        told.add(member.shape)

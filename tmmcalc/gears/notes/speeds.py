@@ -117,7 +117,7 @@ def _listed(told: Told, members: list[str]) -> str:
 
 def ratio_name(each: Willis) -> str:
     """The ratio of the train with the carrier stopped."""
-    upper = "" if each.carrier == FRAME else f"^{{({each.carrier})}}"
+    upper = "" if each.carrier == FRAME else f"^{{{each.carrier}}}"
     return f"i_{{{joined((each.first, each.last))}}}{upper}"
 
 
@@ -176,7 +176,7 @@ def _planets(told: Told) -> Iterator[Block]:
         carrier = told.network.bearer(name)
         if carrier == FRAME or told.network.tilted(name) or not motion.speed(carrier):
             continue
-        symbol = f"omega_{{{name}}}^{{({carrier})}}"
+        symbol = f"omega_{{{name}}}^{{{carrier}}}"
         said = tr("angular velocity of link {link} against its carrier", link=name)
         told.lexicon.update(named({symbol: Given(speed, "rad/s", said)}))
         yield from told.lines(f"{symbol} = {speed_of(name)} - {speed_of(carrier)}")
@@ -199,6 +199,8 @@ def _ratio(told: Told) -> Iterator[Block]:
     motion = told.moving.motion
     first, last = (motion.exact[told.network.place[name]] for name in pair)
     name = f"i_{{{joined(pair)}}}"
+    if canonical(name) in told.lexicon:  # of fixed axes it is one of the equations
+        return
     told.lexicon.update(named({name: Given(float(first / last), "", tr("ratio of the train"))}))
     yield from told.lines(f"{name} = {speed_of(pair[0])}/{speed_of(pair[1])}")
 
@@ -208,10 +210,10 @@ def _table(told: Told, key: str) -> Table:
     columns: dict[str, ArrayLike] = {
         "$omega$, rad/s": motion.speeds,
         "$n$, rpm": motion.turns,
-        f"{tr('against the carrier')}, rad/s": [
-            math.nan if told.network.bearer(name) == FRAME else speed
-            for name, speed in zip(motion.members, motion.relative.tolist(), strict=True)
-        ],
     }
+    borne = [told.network.bearer(name) != FRAME for name in motion.members]
+    if any(borne):
+        relative = zip(borne, motion.relative.tolist(), strict=True)
+        columns[f"{tr('against the carrier')}, rad/s"] = [speed if of else math.nan for of, speed in relative]
     labels = [member_name(told.network, name) for name in motion.members]
     return tabulated(tr("Angular velocities of the links"), columns, labels, head=tr("Link"), key=key)

@@ -11,7 +11,7 @@ import numpy as np
 
 from tmmcalc.gears.details import sized_train
 from tmmcalc.gears.letters import LETTER
-from tmmcalc.gears.notes.letters import letter, noted
+from tmmcalc.gears.notes.letters import letter, lowered, noted
 from tmmcalc.gears.pictures.words import train_name
 from tmmcalc.gears.scheme import Layout
 from tmmcalc.gears.sizing import GIVEN, REDUCTION, Sized, Torque, rows_of
@@ -51,7 +51,8 @@ def blocks(order: Order) -> Iterator[Block]:
     one = rows_of(sized.sets, np.array([at]))
     scheme = one.scheme
     told = strength_factors(sized.sets, sized.task, at)
-    yield Heading(tr("Strength: {train}", train=_lower(message(train_name(one)))), 2)
+    yield Heading(tr("Strength of the train"), 2)
+    yield Paragraph(tr("The strength of this train is calculated: {train}.", train=lowered(message(train_name(one)))))
     yield from _torque(sized.torque, one.planets, scheme)
     yield from _materials(sized)
     wheels, stages, meshes = (_of(told.factors, kind) for kind in ("wheel", "stage", "mesh"))
@@ -90,10 +91,6 @@ def _materials(sized: Sized) -> Iterator[Block]:
         yield Paragraph(tr("Wheels of steel {steel}, {treatment}, of hardness {hardness}.", **told))
 
 
-def _lower(text: str) -> str:
-    return text[0].lower() + text[1:]
-
-
 def _of(factors: Sequence[Factor], kind: str) -> dict[str, list[Factor]]:
     """The factors of wheels, stages or meshes by what they belong to, without the word for it."""
     found: dict[str, list[Factor]] = {}
@@ -117,10 +114,10 @@ def _torque(torque: Torque, planets: int, scheme: Layout) -> Iterator[Block]:
             {
                 "T_1": Given(torque.value, "N*m", tr("torque on wheel 1")),
                 "M_{max}": Given(torque.moment, "N*m", said),
-                "u_1": Given(torque.ratio, "", tr("speed of wheel 1 over that of the shaft of this moment")),
+                "u_Σ": Given(torque.ratio, "", tr("speed of wheel 1 over that of the shaft of this moment")),
             }
         )
-        yield from lines(["T_1 = M_{max}/u_1"], [Place("", lexicon)])
+        yield from lines(["T_1 = M_{max}/u_Σ"], [Place("", lexicon)])
     if planets > 1 and scheme.branched:
         yield Paragraph(tr("The power is shared evenly; the number of branches is $K$ = {count}.", count=planets))
 
@@ -293,6 +290,8 @@ def _source(factor: Factor) -> str:
 
 def _words(cell: str) -> str:
     """One cell of a table in the language in force: as a whole, or word by word of those between commas."""
+    if cell.startswith("wear "):
+        return tr("no abrasive wear") if cell == "wear none" else tr("abrasive wear")
     whole = tr_name(cell)
     if whole == cell and ", " in cell:
         whole = ", ".join(map(tr_name, cell.split(", ")))

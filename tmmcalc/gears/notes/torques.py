@@ -17,7 +17,7 @@ from tmmcalc.gears.notes.inorder import Equation, Together, in_order
 from tmmcalc.gears.notes.letters import speed_of, teeth_of
 from tmmcalc.gears.notes.speeds import Told
 from tmmcalc.report.formula.digits import Given, significant
-from tmmcalc.report.language import tr, tr_number
+from tmmcalc.report.language import tr, tr_name, tr_number
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Table
 from tmmcalc.report.telling import named
 
@@ -64,8 +64,8 @@ def told_torques(told: Told, found: Gearing, key: str) -> Iterator[Block]:
     yield Heading(tr("Torques, powers, efficiency"), 3)
     yield Paragraph(
         tr(
-            "The meshes are numbered as in table {tab}. The torque $T_j^k$ is that of the mesh $k$ on the member $j$, "
-            "$T_j$ that from outside; $eta_k$ is the efficiency of the mesh with its carrier stopped.",
+            "The meshes are numbered as in table {tab}. The torque $T_j^k$ is that of the mesh $k$ on the link $j$, "
+            "$T_j$ that from outside; $eta_k$ is the efficiency of the mesh.",
             tab=f"{{tab:{key}}}",
         )
     )
@@ -128,7 +128,9 @@ def _quantities(told: Told, marks: list[Mark], flow: PowerFlow, outside: list[st
                 found[mark.torque(member)] = Given(value, "N*m", said)
         said = tr("efficiency of the mesh {mesh}", mesh=mark.number)
         found[mark.eta] = Given(mark.mesh.efficiency, "", said)
-        said = tr("power that rolls through the mesh {mesh} with the carrier stopped", mesh=mark.number)
+        said = tr("power that passes through the mesh {mesh}", mesh=mark.number)
+        if mark.carrier != FRAME:
+            said = tr("power that rolls through the mesh {mesh} with the carrier stopped", mesh=mark.number)
         found[mark.power] = Given(abs(float(flow.rolling[k])), "W", said)
         said = tr("power lost in the mesh {mesh}", mesh=mark.number)
         found[mark.loss] = Given(float(flow.losses[k]), "W", said)
@@ -149,7 +151,8 @@ def _lock(one: str, other: str) -> str:
 
 def _table(told: Told, marks: list[Mark], key: str) -> Table:
     """The meshes with their numbers."""
-    head = (tr("Mesh"), tr("Wheels"), tr("Kind of mesh"), tr("Links"), tr("Carrier"), "$eta_k$")
+    moves = any(mark.carrier != FRAME for mark in marks)
+    head = (tr("Mesh"), tr("Wheels"), tr("Kind of mesh"), tr("Links"), *[tr("Carrier")] * moves, "$eta_k$")
     rows = []
     for mark in marks:
         kind = tr("internal") if mark.mesh.sign == INTERNAL else tr("external")
@@ -158,7 +161,7 @@ def _table(told: Told, marks: list[Mark], key: str) -> Table:
         carrier = tr("frame") if mark.carrier == FRAME else mark.carrier
         eta = tr_number(significant(mark.mesh.efficiency, DIGITS))
         links = f"{mark.mesh.first}, {mark.mesh.second}"
-        rows.append((mark.number, "–".join(mark.wheels), kind, links, carrier, eta))
+        rows.append((mark.number, "–".join(mark.wheels), kind, links, *[carrier] * moves, eta))
     return Table(tr("Meshes of the train"), head, tuple(rows), key)
 
 
@@ -170,7 +173,13 @@ def _known(told: Told, found: Gearing, outside: list[str]) -> Iterator[Block]:
     for name, torque in task.torques.items():
         if torque and name in outside:
             value = tr_number(significant(torque, DIGITS))
-            yield Paragraph(tr("${torque}$ = {value} N·m is given.", torque=_from_outside(name), value=value))
+            yield Paragraph(
+                tr(
+                    "The torque from outside is known: ${torque}$ = {value} N·m.",
+                    torque=_from_outside(name),
+                    value=value,
+                )
+            )
     for name, load in task.loads.items():
         if load:
             sign = "-" if flow is not None and flow.torque(name) < 0 else ""
@@ -251,7 +260,7 @@ def _powers(told: Told, marks: list[Mark], found: Gearing, flow: PowerFlow, outs
         )
     if flow.efficiency is None:
         return
-    said = tr("efficiency")
+    said = tr_name("efficiency")
     told.lexicon.update(named({"eta": Given(flow.efficiency, "", said)}))
     put_in = [_power(name) for name in outside if flow.power(name) > 0]
     taken = [_power(name) for name in outside if flow.power(name) < 0]

@@ -18,7 +18,7 @@ from tmmcalc.gears.details import searched_trains
 from tmmcalc.gears.gearing import Gearing, solve_gearing
 from tmmcalc.gears.gearingtask import layout_task
 from tmmcalc.gears.notes.conditions import told_conditions
-from tmmcalc.gears.notes.letters import joined, letter, teeth_of
+from tmmcalc.gears.notes.letters import joined, letter, lowered, teeth_of
 from tmmcalc.gears.notes.speeds import Told, ends_of, told_motion, told_speeds
 from tmmcalc.gears.notes.torques import told_torques
 from tmmcalc.gears.pictures.pieces import motion_piece
@@ -38,11 +38,12 @@ from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_name, tr_number
 from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Paragraph, Place, Table
-from tmmcalc.report.telling import lines, named, pictured, tabulated
+from tmmcalc.report.telling import lines, named, tabulated
 
 FIRST = 10  # sets of the table
 DIGITS = 6  # of numbers in sentences
-SCHEME = (160.0, 105.0)  # of the train from two sides [mm]
+SCHEME = (160.0, 130.0)  # of the train from two sides [mm]
+PLANS = (160.0, 190.0)  # of the scheme with its plans
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -69,7 +70,9 @@ def _of(found: Moving) -> Request | None:
 def _searched(variant: Variant, chosen: Chosen | None, selection: Selection | None, key: str) -> Iterator[Block]:
     """What is asked of a layout and what was found."""
     request, synthesis = variant.request, variant.synthesis
-    yield Heading(tr("Numbers of teeth: {layout}", layout=_lower(layout_name(request.scheme, request.task.planets))), 2)
+    yield Heading(
+        tr("Numbers of teeth: {layout}", layout=lowered(layout_name(request.scheme, request.task.planets))), 2
+    )
     yield from _asked(request)
     if not request.scheme.branched and not request.scheme.planetary:
         yield from _split(request, selection)
@@ -79,11 +82,6 @@ def _searched(variant: Variant, chosen: Chosen | None, selection: Selection | No
         yield from _removed(variant, key)
     if synthesis.count > 1:
         yield from _sets(variant, chosen, selection, key)
-
-
-def _lower(text: str) -> str:
-    """A title within a sentence."""
-    return text[0].lower() + text[1:]
 
 
 def _asked(request: Request) -> Iterator[Block]:
@@ -281,7 +279,8 @@ def told_plans(moving: Moving, key: str) -> Iterator[Block]:
             fig=f"{{fig:{key}}}",
         )
     )
-    yield pictured(motion_piece(moving), key=key)
+    caption = tr("Kinematic scheme, plans of velocities and of speeds")
+    yield Figure(caption, motion_piece(moving).draw, PLANS, key)
 
 
 def _scheme(chosen: Chosen, widths: tuple[float, ...], key: str) -> Figure:
@@ -290,7 +289,7 @@ def _scheme(chosen: Chosen, widths: tuple[float, ...], key: str) -> Figure:
     driver = CARRIER if chosen.request is not None and chosen.request.kind == "i_H1" else "1"
     rack, addendum = chosen.task.pressure_angle, float(chosen.task.addendum)
     train = placed(chosen.sets, 0, modules, width, rack=rack, addendum=addendum, driver=driver)
-    return Figure(message(train_name(chosen.sets)), partial(draw_scheme, train=train), SCHEME, key)
+    return Figure(tr("The train from two sides, to scale"), partial(draw_scheme, train=train), SCHEME, key)
 
 
 def _efficiency(told: Told, found: Gearing, chosen: Chosen) -> Iterator[Block]:
@@ -307,7 +306,7 @@ def _efficiency(told: Told, found: Gearing, chosen: Chosen) -> Iterator[Block]:
         product.append(name)
     way, basic = found.ways[0], found.basic
     if basic is None or way.formula is None:
-        told.lexicon.update(named({"eta": Given(way.efficiency, "", tr("efficiency"))}))
+        told.lexicon.update(named({"eta": Given(way.efficiency, "", tr_name("efficiency"))}))
         yield from told.lines(f"eta = {'*'.join(product)}")
         return
     i = letter("i_1H")
@@ -316,7 +315,7 @@ def _efficiency(told: Told, found: Gearing, chosen: Chosen) -> Iterator[Block]:
         named(
             {
                 "eta_0": Given(basic.efficiency, "", tr("efficiency of the train with the carrier stopped")),
-                "eta": Given(way.formula, "", tr("efficiency")),
+                "eta": Given(way.formula, "", tr_name("efficiency")),
                 i: Given(float(exact), "", tr("ratio of the train")),
             }
         )

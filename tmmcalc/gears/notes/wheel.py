@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from tmmcalc.gears.notes.pairs.conditions import judged
-from tmmcalc.gears.notes.pairs.lexicon import alone
+from tmmcalc.gears.notes.pairs.lexicon import CUTTER, alone
 from tmmcalc.gears.notes.pairs.measured import measured
 from tmmcalc.gears.notes.pairs.sizes import (
     CIRCLES,
@@ -27,10 +27,10 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Paragraph
 from tmmcalc.report.telling import tabulated
 
-GIVEN = ("z", "m", "alpha", "h_a^{*}", "c^{*}", "beta", "b", "x")
+GIVEN = ("z", "m", "alpha", "h_a^{*}", "c^{*}", "beta", "b", "x", *CUTTER)
 SIZES = (
     *("r", "r_a", "r_f", "r_b", "r_F", "d", "d_a", "d_f", "d_b", "h", "s_n", "s", "s_t", "s_na", "s_a"),
-    *("x_min", "alpha_a", "z_w", "W", "s_c", "h_c", "D", "M"),
+    *("x_min", "x_max", "alpha_a", "z_w", "W", "s_c", "h_c", "D", "M"),
 )
 
 
@@ -39,18 +39,18 @@ def blocks(order: Order) -> Iterator[Block]:
     found: SingleWheel = order.results["wheel"]
     wheel, task = alone(found), found.task
     lexicon = wheel.places[0].lexicon
-    title = tr("Ring, z = {teeth}") if task.kind == "internal" else tr("Wheel, z = {teeth}")
-    yield Heading(title.replace("{teeth}", str(task.teeth)))
+    ring = task.kind == "internal"
+    yield Heading(tr("Ring, z = {teeth}", teeth=task.teeth) if ring else tr("Wheel, z = {teeth}", teeth=task.teeth))
     yield Paragraph(tr("The given data of the wheel are in table {table}.", table="{tab:wheel_data}"))
     names = [*GIVEN, *["r_a"] * (task.tip is not None)]
     yield parameters(tr("Given data of the wheel"), names, lexicon, "wheel_data")
     yield from wheel.lines(*SECTION * bool(task.helix), *CIRCLES)
-    if task.kind == "internal":
-        yield from ring_root(wheel, task.ring, task.module)
+    if ring:
+        yield from ring_root(wheel, task.cutter)
     else:
         yield from wheel.lines(ROOT)
         yield from limits(wheel, [found.limit or 0.0])
-    yield from wheel.lines(*(PLAIN_TIP,) * (task.tip is None), RING_HEIGHT if task.kind == "internal" else HEIGHT)
+    yield from wheel.lines(*(PLAIN_TIP,) * (task.tip is None), RING_HEIGHT if ring else HEIGHT)
     yield from teeth(wheel, helical=bool(task.helix))
     yield from judged(found.checks, lexicon, wheel.words, (task.measuring.name,), "wheel_quality")
     yield Heading(tr("Measures"), 3)

@@ -31,7 +31,9 @@ from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 MARGIN, GAP = 4.0, 8.0  # free border of the scheme, and between the parts [mm]
-SCHEME = 0.46  # part of the width that the scheme takes at most
+SCHEME, ALONE = 0.46, 0.6  # part of the width that the scheme takes at most; where speeds stand below
+NARROW = 220.0  # width [mm] below which the plan of speeds stands under the others, not beside them
+LOWER = 52.0  # height of its room there [mm]
 ASIDE = 16.0  # room of names at both sides of the plan of velocities [mm]
 FOOT = 6.0  # room of the scale factors under a plan [mm]
 HEAD = 7.0  # room of the headings of the plans [mm]
@@ -54,18 +56,23 @@ class Drawn(NamedTuple):
 
 
 def draw_motion(drawing: Drawing, box: Box, found: Moving) -> Drawn:
-    """Scheme, plan of velocities, plan of speeds with the table of members, side by side."""
+    """Scheme, plan of velocities, plan of speeds with a table side by side; in a narrow box speeds stand below."""
     told, view = plans_of(found), view_of(found)
     part = min(LARGEST, max(1.0, box.width / USUAL))  # of letters
-    room = box.inset(0, part * FOOT, 0, part * HEAD)
+    narrow = box.width < NARROW
+    room = box.inset(0, part * FOOT + (LOWER + HEAD) * narrow, 0, part * HEAD)
+    share = ALONE if narrow else SCHEME
     size = complex(float(np.ptp(view.content.real)), float(np.ptp(view.content.imag)))
     reach = _heights(told)
     high = max(size.imag, float(np.ptp([*reach, *view.content.imag])))
-    mu = length_scale(max(high / (room.height - 2 * MARGIN), size.real / (SCHEME * box.width - 2 * MARGIN)))
+    mu = length_scale(max(high / (room.height - 2 * MARGIN), size.real / (share * box.width - 2 * MARGIN)))
     wide = size.real / mu + 2 * MARGIN
     board = Board(drawing, Box(box.left, room.bottom, box.left + wide, room.top), view.content, MARGIN, mu)
     view.draw(board, part)
     second, third = Box(board.box.right, room.bottom, box.right, room.top).split(1.0, 1.0, gap=GAP, across=True)
+    if narrow:
+        second = Box(board.box.right, room.bottom, box.right, room.top)
+        third = Box(box.left, box.bottom + part * FOOT, box.right, box.bottom + part * FOOT + LOWER)
     velocities = _Velocities(drawing, second, board, told, found.task.network, part)
     velocities.draw(float(view.content.real.max()))
     speeds, pole = _draw_speeds(drawing, third, told, mu, velocities.mu_v, found, part)
@@ -74,7 +81,7 @@ def draw_motion(drawing: Drawing, box: Box, found: Moving) -> Drawn:
         (tr("Plan of velocities"), second),
         (tr("Plan of speeds"), third),
     ):
-        drawing.add(Words(complex(place.left, box.top), text, part * TITLE, -1 + 1j))
+        drawing.add(Words(complex(place.left, place.top + part * HEAD), text, part * TITLE, -1 + 1j))
     said = f"{scale_text(mu)}, {factor_text('μ_v', velocities.mu_v, '(m/s)/mm')}"
     if told.assumed is not None:
         unknown = tr("no module is known: $m_1$ is {module} mm", module=number(1e3 * told.assumed))
@@ -193,15 +200,18 @@ def _draw_speeds(
     """The plan of speeds with its scale, under it the table of members and the ratio that the plan gives."""
     omegas = [line.speed for line in told.lines]
     low, high = min(0.0, *omegas), max(0.0, *omegas)
-    room = 0.45 * box.height
-    across = box.width - 2 * OVER
+    beside = box.width > 2 * box.height  # the table
+    left, right = box.split(1.25, 1.0, gap=GAP, across=True) if beside else (box, box)
+    room = box.height if beside else 0.45 * box.height
+    across = left.width - 2 * OVER
     fitting = [h for h in POLES if h < room - 2 * OVER and (high - low) * mu_l * h / mu_v <= across] or [POLES[-1]]
     standard = (h for h in fitting if math.isclose(standard_scale(mu_v / (mu_l * h)), mu_v / (mu_l * h)))
     pole = next(standard, fitting[0])  # under a scale such as 1:15 no factor of speeds is round
     mu = mu_v / (mu_l * pole)
     tall = pole + 2 * OVER + 6.0
-    frame = Box(box.left, box.top - tall, box.right, box.top)
-    origin = complex((low + high) / 2 - mu * box.width / 2, -OVER)
+    frame = Box(left.left, left.top - tall, left.right, left.top)
+    below = right if beside else Box(box.left, box.bottom, box.right, frame.bottom - part * 6.0)
+    origin = complex((low + high) / 2 - mu * frame.width / 2, -OVER)
     field = Field(drawing, frame, origin, (1 / mu, 1.0))
     over = 0.6 * OVER * mu
     field.curve(np.array([low - over, high + over]) + 1j * pole, THIN, weight=0.8, level=2)
@@ -216,8 +226,8 @@ def _draw_speeds(
     for text, at in _merged(told, mu):
         field.name(text, [complex(at, pole)], height=part * RING, prefer=0.2 + 1j)
     said = f"{factor_text('μ_ω', mu, '(rad/s)/mm')}, $h$ = {number(pole)} {tr_unit('mm')}"
-    _tell(drawing, complex(box.left, frame.bottom), said, part * NOTE, box.width, 1j)
-    _tabulate(drawing, Box(box.left, box.bottom, box.right, frame.bottom - part * 6.0), told, mu, found, part)
+    _tell(drawing, complex(frame.left, frame.bottom), said, part * NOTE, frame.width, 1j)
+    _tabulate(drawing, below, told, mu, found, part)
     return field, pole
 
 

@@ -19,7 +19,7 @@ from tmmcalc.gears.pictures.mesh import draw_mesh
 from tmmcalc.gears.pictures.motionplans import draw_motion
 from tmmcalc.gears.pictures.pair import draw_whole
 from tmmcalc.gears.pictures.pairtable import contact_values, draw_parameters, draw_quality
-from tmmcalc.gears.pictures.placedpair import placed_pair
+from tmmcalc.gears.pictures.placedpair import PlacedPair, placed_pair
 from tmmcalc.gears.pictures.sketch import COLUMN
 from tmmcalc.gears.pictures.slidingcurves import draw_course
 from tmmcalc.gears.pictures.toothpoints import INTERVALS, draw_tooth_points
@@ -67,7 +67,7 @@ def pair(order: Order) -> Iterator[Piece]:
 def mesh_of(found: MeshPair) -> Piece:
     """The mesh of a pair whose wheels have profiles."""
     heading = tr("Mesh {pair}", pair=pair_title(found.task))
-    return Piece(SHEET, heading, partial(_mesh, found=found), (260, 190), (340, 250))
+    return Piece(SHEET, heading, partial(draw_to_scale, found=found), (260, 190), (340, 250))
 
 
 def sliding_of(found: MeshPair) -> Piece:
@@ -108,7 +108,8 @@ def motion_piece(found: Moving) -> Piece:
     return Piece(SHEET, heading, partial(draw_motion, found=found), (290, 160), (340, 200))
 
 
-def _mesh(drawing: Drawing, box: Box, found: MeshPair) -> None:
+def draw_to_scale(drawing: Drawing, box: Box, found: MeshPair) -> None:
+    """The mesh of a pair whose wheels have profiles, with its scale."""
     frame = box.inset(COLUMN, 0, COLUMN, HEAD)
     board = draw_mesh(drawing, frame, placed_pair(found))
     drawing.add(Words(complex(box.left, box.top), scale_text(board.mu), TOLD, -1 + 1j))
@@ -117,13 +118,18 @@ def _mesh(drawing: Drawing, box: Box, found: MeshPair) -> None:
 def _course(drawing: Drawing, box: Box, found: MeshPair) -> None:
     """The curves over the whole line of action, at their right the values at its points and the pair, small."""
     placed = placed_pair(found)
-    marks = [mark.at.real for mark in placed.marks if mark.rho >= 0]
-    over = BEYOND * (max(marks) - min(marks))
-    theta, pressure = Box(box.left + 18, box.bottom + 13, box.right - VALUES - 6, box.top - 17).split(1.3, 1.0, gap=8)
-    draw_course(drawing, (theta, pressure), placed, (min(marks) - over, max(marks) + over))
+    draw_curves(drawing, Box(box.left, box.bottom, box.right - VALUES - 6, box.top), placed)
     upper, lower = Box(box.right - VALUES, box.bottom, box.right, box.top).split(1.4, 1.0, gap=4)
     draw_whole(drawing, upper, placed)
     list_rows(drawing, lower, contact_values(placed), tuple(part * VALUES for part in (0.34, 0.56, 0.78, 1.0)))
+
+
+def draw_curves(drawing: Drawing, box: Box, placed: PlacedPair) -> None:
+    """Sliding and pressure over the whole line of action."""
+    marks = [mark.at.real for mark in placed.marks if mark.rho >= 0]
+    over = BEYOND * (max(marks) - min(marks))
+    theta, pressure = Box(box.left + 18, box.bottom + 13, box.right, box.top - 17).split(1.3, 1.0, gap=8)
+    draw_course(drawing, (theta, pressure), placed, (min(marks) - over, max(marks) + over))
 
 
 def _contour(drawing: Drawing, box: Box, found: PairContour) -> None:

@@ -27,6 +27,7 @@ MARGIN = 5.0  # free border of the views [mm]
 APART = 0.11  # between the views, in parts of the height of the train
 NAMED = 0.06  # room for the name at the left end of a shaft that lies across, in the same parts
 TABLE = 52.0  # width of the table [mm]
+NARROW, UNDER = 220.0, 50.0  # width of a picture whose table stands under the views, and its height there [mm]
 FOOT = 6.0  # height of the row of samples under the views [mm]
 ROW, HEIGHT = 6.2, 2.5  # of the table: from row to row, and of its letters [mm]
 LINE, FACT = 5.0, 2.4  # the same of what is told below it
@@ -40,14 +41,18 @@ def scheme_sheet(drawing: Drawing, box: Box, train: PlacedTrain, heading: str) -
 
 def draw_scheme(drawing: Drawing, free: Box, train: PlacedTrain) -> Board:
     """A train from two sides with the table of its wheels; the board of the views."""
-    views = free.inset(0, 0, TABLE + 4, 0)
-    table = Box(free.right - TABLE, free.bottom, free.right, free.top)
-    below = _tabulate(drawing, table, train)
-    _tell(drawing, Box(table.left, table.bottom, table.right, below), train)
+    if free.width < NARROW:
+        views, lower = free.inset(0, UNDER, 0, 0), Box(free.left, free.bottom, free.right, free.bottom + UNDER)
+        table, told = lower.inset(0, 0, free.width - TABLE, 4), lower.inset(TABLE + 8, 0, 0, 4)
+        _tabulate(drawing, table, train)
+    else:
+        views, table = free.inset(0, 0, TABLE + 4, 0), Box(free.right - TABLE, free.bottom, free.right, free.top)
+        told = Box(table.left, table.bottom, table.right, _tabulate(drawing, table, train))
+    _tell(drawing, told, train)
     board = _views(drawing, views.inset(0, FOOT, 0, 0), train)
     foot = Box(views.left, views.bottom, views.right, views.bottom + FOOT - 2)
     samples_in_rows(drawing, foot, _samples(train))
-    drawing.add(Words(complex(table.right, table.bottom), _scale(train, board.mu), HEIGHT, 1 - 1j))
+    drawing.add(Words(complex(free.right, free.bottom), _scale(train, board.mu), HEIGHT, 1 - 1j))
     return board
 
 
@@ -130,7 +135,9 @@ def _tell(drawing: Drawing, box: Box, train: PlacedTrain) -> None:
     """What else is to be known, line by line."""
     for k, text in enumerate(_facts(train)):
         size = min(FACT, box.width / width(text))
-        drawing.add(Words(complex(box.left, box.top - (k + 1.2) * LINE), text, size, -1))
+        said = text.lstrip()
+        left = box.left + width(text, size) - width(said, size)
+        drawing.add(Words(complex(left, box.top - (k + 1.2) * LINE), said, size, -1))
 
 
 def _width(train: PlacedTrain, name: str) -> float:

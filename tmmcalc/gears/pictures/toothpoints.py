@@ -84,8 +84,8 @@ def _rows(table: BookTable, of: str, base: complex) -> Iterator[Row]:
 def draw_tooth_points(drawing: Drawing, box: Box, tables: BookTables) -> Board:
     """The tooth with its numbered points, at its right their table."""
     points = textbook_points(tables)
-    left = Box(box.left, box.bottom + FOOT, box.left + (1 - TABLE) * box.width, box.top)
-    picture = _Points(drawing, left, tables.member, points, tables)
+    left = Box(box.left, box.bottom, box.left + (1 - TABLE) * box.width, box.top)
+    board = draw_tooth(drawing, left, tables)
     base = abs(tables.member.wheel.base) * tables.member.module
     table = Box(left.right + MARGIN, box.bottom, box.right, box.top)
     head = tr("Point"), "$φ$, °", *(f"${name}$, {tr_unit('mm')}" for name in "XYR")
@@ -98,11 +98,18 @@ def draw_tooth_points(drawing: Drawing, box: Box, tables: BookTables) -> Board:
         for each in points
     ]
     below = table.top - draw_table(drawing, table.inset(0, 3 * NAME, 0, 0), head, rows, LETTERS)
-    drawing.add(Words(complex(table.left, below - 2.0), scale_text(picture.board.mu), NAME, -1 + 1j))
+    drawing.add(Words(complex(table.left, below - 2.0), scale_text(board.mu), NAME, -1 + 1j))
+    return board
+
+
+def draw_tooth(drawing: Drawing, box: Box, tables: BookTables) -> Board:
+    """The tooth with its numbered points, under it what the lines are."""
+    points = textbook_points(tables)
+    picture = _Points(drawing, box.inset(0, FOOT, 0, 0), tables.member, points, tables)
     samples = [(tr("exact outline"), OUTLINE), (tr("through the textbook's points"), THROUGH)]
     if any(each.centre is not None for each in points):
         samples.append((tr("rounding of the rack about $S$"), ROUNDING))
-    samples_in_rows(drawing, Box(box.left, box.bottom, left.right, box.bottom + FOOT - 2), samples)
+    samples_in_rows(drawing, Box(box.left, box.bottom, box.right, box.bottom + FOOT - 2), samples)
     return picture.board
 
 

@@ -16,7 +16,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
+from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import column_of, lines, named, pictured, tabulated
 
 ACCELERATED, UNIFORM, SLOWED = 1, 2, 3  # numbers of the phases
@@ -77,7 +77,9 @@ def _law(result: Unsteady, task: UnsteadyTask) -> Iterator[Block]:
             "with the largest deceleration."
         )
     )
-    yield from lines(_texts(law, task), [Place("", _quantities(result, task))])
+    known = _quantities(result, task)
+    yield from lines(_texts(law, task), [Place("", known)])
+    yield Result("T", known["T"])
     if not law.uniform:
         yield Paragraph(tr("There is no uniform motion: the allowed speed is not reached."))
 
@@ -137,19 +139,25 @@ def _moved(result: Unsteady) -> Iterator[Block]:
     )
     yield Display(read("v_S = S'*v"))
     yield Display(read("a_S = S''*v**2 + S'*a"))
-    columns: dict[str, Real] = {"$t$, s": result.t, **_triple(("x", "v", "a"), result.turns, result.drive)}
+    yield Paragraph(
+        tr(
+            "Table {tab:unsteady_rows} and figure {fig:unsteady} have the input coordinate $x$, its speed and "
+            "acceleration, and those of the outputs; a minus after the number of a row marks the limit before a jump "
+            "of the acceleration."
+        )
+    )
+    columns = {"$t$, s": result.t, **_triple(("x", "v", "a"), result.turns, result.drive)}
+    caption, key = tr("Unsteady motion of the input"), "unsteady_rows"
     for k, (name, angular) in enumerate(zip(result.outputs, result.angular, strict=True)):
         first, second, third = ("phi", "omega", "eps") if angular else ("S", "v", "a")
         letters = f"{first}_{{{name}}}", f"{second}_{{{name}}}", f"{third}_{{{name}}}"
-        columns |= _triple(letters, angular, result.coordinate[:, k])
-    yield Paragraph(
-        tr(
-            "Table {tab:unsteady_rows} has the input coordinate $x$, its speed and acceleration, and those of the "
-            "outputs; a minus after the number of a row marks the limit before a jump of the acceleration."
-        )
-    )
-    caption = tr("Unsteady motion of the input and of the outputs")
-    yield tabulated(caption, columns, result.labels, head=tr("Row"), key="unsteady_rows")
+        moved = _triple(letters, angular, result.coordinate[:, k])
+        if k:
+            yield tabulated(caption, columns, result.labels, head=tr("Row"), key=key)
+            columns, caption, key = {"$t$, s": result.t, **moved}, tr("Motion of output {name}", name=name), ""
+        else:
+            columns, caption = {**columns, **moved}, tr("Unsteady motion of the input and of output {name}", name=name)
+    yield tabulated(caption, columns, result.labels, head=tr("Row"), key=key)
     yield from _extremes(result)
 
 

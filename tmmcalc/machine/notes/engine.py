@@ -10,14 +10,15 @@ from tmmcalc.machine.balance.cylinders import Cylinder
 from tmmcalc.machine.balance.engines import EngineBalance, ShaftWeights
 from tmmcalc.machine.balance.enginetask import Engine
 from tmmcalc.machine.notes.shaking import signed
+from tmmcalc.machine.notes.told import drawn
 from tmmcalc.machine.pictures.engine import engine_sheet
 from tmmcalc.machine.tables.tasks.balance import to_engine
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Place
+from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place
 from tmmcalc.report.numbers import NOISE
-from tmmcalc.report.telling import WIDE, lines, named, tabulated, vector
+from tmmcalc.report.telling import lines, named, tabulated, vector
 
 HIGH = 130.0  # of the picture [mm]
 PLANES = (  # of a shaft: the projections of its weights
@@ -48,7 +49,7 @@ def engine_blocks(order: Order, result: Engine) -> Iterator[Block]:
     yield from _shafts(result, lexicon)
     sheet = partial(engine_sheet, result=result)
     yield Paragraph(tr("Forces and couples before and after balancing are shown in figure {fig:engine}."))
-    yield Figure(tr("Force and couple of the engine"), sheet, (WIDE, HIGH), "engine")
+    yield drawn(tr("Force and couple of the engine"), sheet, HIGH, "engine")
 
 
 def _cylinders_table(cylinders: Sequence[Cylinder]) -> Block:
@@ -187,7 +188,7 @@ def _shaft_lines(balance: EngineBalance, shaft: ShaftWeights, lexicon: Lexicon) 
     for p, plane, moment in zip(("I", "II"), shaft.planes, shaft.moments, strict=True):
         of = tr("static moment of the weight in plane {plane}", plane=p)
         found[f"z_{p}"] = Given(plane, "m", tr("place of the plane"))
-        found |= vector(f"U_{{{k},{p}%}}", _clean(moment, peak), "kg*m", tr("projection of this static moment"))
+        found |= vector(f"U_{{{k},{p}%}}", _clean(moment, peak), "kg*m", tr("projections of this static moment"))
         found[f"U_{{{k},{p}}}"] = Given(abs(moment), "kg*m", of)
     lexicon |= named(found)
     words = {"k": str(k), "rate": "omega" if abs(k) == 1 else f"({abs(k)}*omega)"}

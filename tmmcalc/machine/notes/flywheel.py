@@ -13,7 +13,7 @@ from tmmcalc.machine.flywheel.materials import RECOMMENDED
 from tmmcalc.machine.flywheel.results import Flywheel, Trial
 from tmmcalc.machine.flywheel.worked import Paper, Worked, curve_columns, paper, round_scales
 from tmmcalc.machine.notes.motors import of_motor
-from tmmcalc.machine.notes.told import degrees, drawn, held, inertias, numeral
+from tmmcalc.machine.notes.told import degrees, drawn, held, inertias, numeral, reduced
 from tmmcalc.machine.notes.wheel import of_wheel
 from tmmcalc.machine.pictures.constructions import draw_ordinates, machine_of
 from tmmcalc.machine.pictures.energymass import draw_energy_mass
@@ -25,12 +25,11 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
-from tmmcalc.report.telling import DIGITS, column_of, headed, lines, named, tabulated
+from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
+from tmmcalc.report.telling import lines, named, tabulated
 
 SAME = 1e-4  # of the inertia: trials nearer than this are one
 AROUND, ORDINATES = 60.0, 130.0  # above and below the energy-mass curve; height of the ordinates [mm]
-PERCENT = 3  # digits of a difference
 DIVISOR = "(delta_0*omega_m**2)"
 
 
@@ -81,27 +80,29 @@ def _excess(told: Told) -> Iterator[Block]:
     )
     work = float(cycle.panels.total(moment_at(cycle, told.speed)))
     lexicon = {
-        "M_m": Given(result.picture.drive, "N*m", tr("constant moment that makes the work of the cycle zero")),
-        "A_c": Given(work, "J", tr("work of the reduced moments of all forces over the cycle")),
+        "M_{dm}": Given(result.picture.drive, "N*m", tr("mean driving moment on the input link")),
+        "A_Sigma": Given(work, "J", tr("work of the reduced moments of all forces over the cycle")),
         "phi_c": Given(cycle.period, "rad", tr("angle of the cycle")),
     }
-    yield from lines(("M_m = -A_c/phi_c",), [Place("", named(lexicon))])
+    yield from lines(("M_{dm} = -A_Sigma/phi_c",), [Place("", named(lexicon))])
     yield Paragraph(tr("The excess work is the work of all moments from position 0, the change of the kinetic energy:"))
     yield Display(read("A = DeltaT = T - T_0"))
     reduction = told.reduction
     theta = np.minimum(np.abs(reduction.phi - reduction.phi[0]), cycle.period)
     found = {each.name: each.make() for each in curve_columns(result.picture, cycle, theta, told.speed, (1.0, 1.0))}
+    inertia = reduced()["J"]
     columns = {
         "$phi$, deg": np.degrees(reduction.phi),
         "$A$, J": found["A"],
-        "$J_v$, kg*m^2": found["J_red"],
+        f"${inertia}$, kg*m^2": found["J_red"],
         "$T_II$, J": found["T_links"],
         "$A - T_II$, J": found["T_rest"],
     }
     yield Paragraph(
         tr(
-            "Table {tab:flywheel_work} has the excess work, the reduced moment of inertia $J_v$ of the links and their "
-            "kinetic energy at the mean angular velocity, $T_II = J_v*omega_m**2/2$."
+            "Table {tab:flywheel_work} has the excess work, the reduced moment of inertia ${J}$ of the links and their "
+            "kinetic energy at the mean angular velocity, $T_II = {J}*omega_m**2/2$.",
+            J=inertia,
         )
     )
     extreme = told.worked["excess_work_by_cycle"]
@@ -128,9 +129,10 @@ def _curve(told: Told) -> Iterator[Block]:
     yield Heading(tr("Energy-mass curve"), 2)
     yield Paragraph(
         tr(
-            "Eliminating the angle $phi$ from $A$ and $J_v$ gives the closed energy-mass curve, figure "
+            "Eliminating the angle $phi$ from $A$ and ${J}$ gives the closed energy-mass curve, figure "
             "{fig:flywheel_curve}. The angular velocity is largest and least where the tangents at the angles "
             "$psi_1$ and $psi_2$ touch it, at $phi = {first}$ and $phi = {second}$:",
+            J=reduced()["J"],
             first=degrees(exact.at_max),
             second=degrees(exact.at_min),
         )
@@ -176,11 +178,11 @@ def _curve(told: Told) -> Iterator[Block]:
 def _lexicon(told: Told, found: Worked, index: str) -> Lexicon:
     """The numbers of a method, its own ones with an upper index."""
     mark = f"^{{({index})}}" if index else ""
-    work, links, cut, needed = ("",) * 4  # told once
+    cut = tr("what the tangent cuts off on the axis of energies")
+    needed = tr("constant moment of inertia that is needed, reduced to the input link")
+    work = links = ""  # told once
     if not index:
         work, links = tr("excess work where the tangent touches"), tr("reduced moment of inertia of the links there")
-        cut = tr("what the tangent cuts off on the axis of energies")
-        needed = tr("constant moment of inertia that is needed, reduced to the input link")
     return named(
         {
             "delta_0": Given(told.result.delta, "", tr("allowed coefficient of speed fluctuation")),
@@ -277,10 +279,8 @@ def _compared(told: Told) -> Iterator[Block]:
         said += " " + tr("The same by the positions alone misses the extremes between them.")
     yield Paragraph(said)
     shown = {head: [math.nan if each is None else each for each in cells] for head, cells in columns.items()}
-    cells = [column_of(values, PERCENT if "%" in head else DIGITS) for head, values in shown.items()]
-    head = (tr("Method"), *map(headed, shown))
-    rows = tuple(zip(map(_named, names), *cells, strict=True))
-    yield Table(tr("Constant moment of inertia by all methods"), head, rows, "flywheel_methods")
+    caption = tr("Constant moment of inertia by all methods")
+    yield tabulated(caption, shown, list(map(_named, names)), head=tr("Method"), key="flywheel_methods")
 
 
 def _named(name: str) -> str:
@@ -305,6 +305,7 @@ def _inertia(told: Told, order: Order) -> Iterator[Block]:
     yield from lines(("J_0 = J_R*u**2 + J_g + J_e",), place)
     if result.addition > 0:
         yield from lines(("J_M = J_F - J_0",), place)
+        yield Result("J_M", lexicon["J_M"])
     elif result.required is not None:
         delta = result.required.delta
         yield held("delta <= delta_0", (delta, result.delta), "", holds=True)

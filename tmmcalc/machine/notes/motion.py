@@ -12,22 +12,24 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.nodes import nodal_tables, nodal_work
 from tmmcalc.machine.notes.motors import driven, of_motor
-from tmmcalc.machine.notes.told import degrees, drawn, held, inertias, numeral, plainly
+from tmmcalc.machine.notes.told import degrees, drawn, held, inertias, numeral, plainly, reduced
 from tmmcalc.machine.pictures.motion import draw_speed
 from tmmcalc.machine.reduction.results import Reduction
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.stepwise import Run, idle_run_of, run_of
+from tmmcalc.machine.verdicts import SLACK
 from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place
-from tmmcalc.report.telling import lines, named, tabulated
+from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
+from tmmcalc.report.telling import filled, lines, named, tabulated
 
 SPEED = 95.0  # height of the picture [mm]
 TURNS = 6  # of the iteration that are shown in the table of turns
 NOTHING = 1e-6  # of a deviation after a cycle: less is nothing
 EVEN = 1e-9  # coefficient of speed fluctuation below which the speed is constant
+REACHED = 1e-6  # of the allowed coefficient: what it may be above
 SOUND = 1.0  # B dphi/J up to which the recurrence does not swing
 
 
@@ -44,6 +46,18 @@ def blocks(order: Order) -> Iterator[Block]:
     else:
         yield from _even(result)
     yield from _regulation(result, order)
+    yield from _results(result, order)
+
+
+def _results(result: Motion, order: Order) -> Iterator[Block]:
+    """The coefficient of speed fluctuation against what is allowed."""
+    table, found = order.spec.flywheel, result.regime.delta
+    given = Given(found, "", tr("coefficient of speed fluctuation"))
+    if table is None or table.delta is None:
+        yield Result("delta", given)
+    else:
+        limit = max(table.delta, found) if found <= table.delta * (1 + REACHED) else table.delta
+        yield Result("delta", given, limit, "<=")
 
 
 def _machine(result: Motion, order: Order) -> Iterator[Block]:
@@ -64,11 +78,12 @@ def _machine(result: Motion, order: Order) -> Iterator[Block]:
         yield Paragraph(
             tr("The steady motion repeats itself from cycle to cycle. With the kinetic energy $T$ of the machine")
         )
-    yield Display(read("T = (J_c + J_v)*omega**2/2 = T_0 + A"), key="motion_energy")
+    yield Display(read(filled("T = (J_c + <J>)*omega**2/2 = T_0 + A", reduced())), key="motion_energy")
     yield Paragraph(
         tr(
-            "where $A$ is the work of all moments from position 0, $J_v$ the reduced moment of inertia of the links "
-            "and $J_c$ the constant moment of inertia:"
+            "where $A$ is the work of all moments from position 0, ${J}$ the reduced moment of inertia of the links "
+            "and $J_c$ the constant moment of inertia:",
+            J=reduced()["J"],
         )
     )
     lexicon = {
@@ -107,9 +122,10 @@ def _recurrence(result: Motion, order: Order) -> Iterator[Block]:
     yield Heading(tr("Angular velocity by the recurrence"), 3)
     yield Paragraph(
         tr(
-            "The moment $M_c$ of the loads and $J = J_c + J_v$ are known at the positions, with the step $Deltaphi$. "
+            "The moment $M_c$ of the loads and $J = J_c + {J}$ are known at the positions, with the step $Deltaphi$. "
             "The trapezoid rule for the work of the motor and of the loads gives the angular velocity in a position "
-            "from that in the one before:"
+            "from that in the one before:",
+            J=reduced()["J"],
         )
     )
     rows = _shown(result, order)
@@ -202,7 +218,7 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
     rows = _shown(result, order)
     places = []
     for row in rows:
-        excess, energy = tr("excess work"), tr("kinetic energy of the machine")
+        excess, energy = tr("excess work from position 0"), tr("kinetic energy of the machine")
         lexicon = {
             "T_0": Given(found.energy, "J", energy),
             "J_{(0)}": Given(float(inertia[0]), "kg*m^2", tr("moment of inertia of the machine in position 0")),
@@ -211,7 +227,7 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
             "A_{i−1}": Given(float(work[row - 1]), "J", excess),
             "M_{c,i}": Given(float(moment[row]), "N*m", tr("reduced moment of the loads")),
             "M_{c,i−1}": Given(float(moment[row - 1]), "N*m", tr("reduced moment of the loads")),
-            "M_m": Given(drive, "N*m", tr("constant moment that makes the work of the cycle zero")),
+            "M_dm": Given(drive, "N*m", tr("mean driving moment on the input link")),
             "Deltaphi": Given(reduction.cycle.period / n, "rad", tr("step of the positions")),
             "T_i": Given(found.energy + float(work[row]), "J", energy),
             "J_i": Given(float(inertia[row]), "kg*m^2", tr("moment of inertia of the machine")),
@@ -219,7 +235,11 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
         }
         places.append(Place(tr("in position {label}", label=result.labels[row]), named(lexicon)))
     yield from lines(("T_0 = J_{(0)}*omega_m**2/2",), [Place("", places[0].lexicon)])
-    texts = ("A_i = A_{i−1} + (M_{c,i−1} + M_{c,i} + 2*M_m)*Deltaphi/2", "T_i = T_0 + A_i", "omega_i = sqrt(2*T_i/J_i)")
+    texts = (
+        "A_i = A_{i−1} + (M_{c,i−1} + M_{c,i} + 2*M_dm)*Deltaphi/2",
+        "T_i = T_0 + A_i",
+        "omega_i = sqrt(2*T_i/J_i)",
+    )
     yield from lines(texts, places)
     columns = {
         "$M_c$, N*m": moment,
@@ -245,7 +265,7 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
     cycle = reduction.cycle
     theta = np.clip(result.theta, 0.0, cycle.period)
     links, slopes = cycle.panels.at(np.stack((cycle.inertia, cycle.slope)), theta)
-    places = []
+    places, letters = [], reduced()
     for row in _shown(result, order):
         lexicon = {
             "eps": Given(float(result.eps[row]), "rad/s^2", tr("angular acceleration of the input link")),
@@ -253,13 +273,13 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
             "M_d": Given(float(result.driving[row]), "N*m", tr("moment of the drive")),
             "M_c": Given(float(result.load[row]), "N*m", tr("reduced moment of the loads")),
             "J_c": Given(result.inertia.total, "kg*m^2", tr("constant moment of inertia of the machine")),
-            "J_v": Given(float(links[row]), "kg*m^2", tr("reduced moment of inertia of the links")),
-            "J'_v": Given(
+            letters["J"]: Given(float(links[row]), "kg*m^2", tr("reduced moment of inertia of the links")),
+            letters["dJ"]: Given(
                 float(slopes[row]), "kg*m^2/rad", tr("derivative of the reduced moment of inertia by the angle")
             ),
         }
         places.append(Place(tr("in position {label}", label=result.labels[row]), named(lexicon)))
-    yield from lines(("eps = (M_d + M_c - 0.5*J'_v*omega**2)/(J_c + J_v)",), places)
+    yield from lines(("eps = (M_d + M_c - 0.5*<dJ>*omega**2)/(J_c + <J>)",), places, letters)
     columns: dict[str, Values] = {
         "$phi$, deg": np.degrees(result.phi),
         "$omega$, rad/s": result.omega,
@@ -325,7 +345,8 @@ def _against(result: Motion, order: Order) -> Iterator[Block]:
     table = order.spec.flywheel
     if table is not None and table.delta is not None:
         delta = result.regime.delta
-        yield held("delta <= delta_0", (delta, table.delta), "", holds=delta <= table.delta * (1 + 1e-6))
+        kept = delta <= table.delta * (1 + REACHED)
+        yield held("delta <= delta_0", (delta, table.delta), "", holds=kept)
 
 
 def _regulation(result: Motion, order: Order) -> Iterator[Block]:
@@ -381,4 +402,5 @@ def _heating(result: Motion) -> Iterator[Block]:
     }
     yield Paragraph(tr("The motor warms with the mean square of its moment over the time:"))
     yield from lines(("k_q = M_q/M_Nd",), [Place("", named(lexicon))])
-    yield held("k_q <= 1", (motor.heating, 1.0), "", holds=motor.heating <= 1 + 1e-9)
+    yield held("k_q <= 1", (motor.heating, 1.0), "", holds=motor.heating <= 1 + SLACK)
+    yield Result("k_q", lexicon["k_q"], 1.0, "<=")

@@ -30,7 +30,7 @@ NEAR, WHOLE = 80.0, 75.0  # heights of the diagrams of the working part and of t
 NAMELESS = "motor"  # what a motor without a name is called
 FREQUENCY = 50.0  # of the mains, by which a lag follows from the critical slip [Hz]
 
-RATED = ("omega_N = pi*n_N/(30*u)", "M_N = P_N*eta_u/omega_N")
+RATED = ("omega_N = pi*n_N/(30*u)", "M_N = P_N<eta>/omega_N")
 INDUCTION = (*RATED, "omega_c = pi*n_c/(30*u)")
 LAWS = {
     "parabolic": (
@@ -50,7 +50,7 @@ LAWS = {
         ("M_d = 2*M_K*s*s_K/(s**2 + s_K**2)", "s = 1 - omega/omega_c"),
     ),
     "shunt": (
-        (*RATED, "omega_c = U/(k*u)", "b_M = k**2*u**2*eta_u/R"),
+        (*RATED, "omega_c = U/(k*u)", "b_M = k**2*u**2<eta>/R"),
         ("M_d = b_M*(omega_c - omega)",),
     ),
     "shunt by speeds": ((*INDUCTION, "b_M = M_N/(omega_c - omega_N)"), ("M_d = b_M*(omega_c - omega)",)),
@@ -65,7 +65,7 @@ LAWS = {
     "constant": (RATED, ("M_d = M_N",)),
     "table": ((), ()),
 }
-"""By the form of the characteristic: the lines of its coefficients, and the law itself."""
+"""By the form of the characteristic: the lines of its coefficients, ``<eta>`` for the gears, and the law itself."""
 
 
 def driven(order: Order) -> tuple[MotorChoice, Motor] | None:
@@ -106,7 +106,8 @@ def of_form(kind: CharacteristicKind, motor: Motor, power: Power) -> Iterator[Bl
     yield Paragraph(_said(kind, motor))
     texts, laws = LAWS[_form(kind, motor)]
     lexicon = named({**motor_data(motor, power), **_coefficients(kind, motor, curve, power)})
-    yield from lines(texts, [Place("", lexicon)])
+    eta = "*eta_u" if power.line.efficiency < 1 else ""
+    yield from lines(texts, [Place("", lexicon)], {"eta": eta})
     if kind == "table":
         speeds = np.array([speed for speed, _ in motor.points]) / power.duty.ratio
         columns = {"$omega$, rad/s": speeds, "$M_d$, N*m": curve.moment(speeds)}

@@ -83,9 +83,9 @@ class Moving(NamedTuple):
         """Put coordinates, velocity and acceleration of a point into the lexicons, by its name."""
         for lexicon, place, velocity, second in zip(self.lexicons, *self.timed(at), strict=True):
             for letter, unit, value, meaning in (
-                ("", "m", place, tr("coordinate of point {point}", point=name)),
-                ("v", "m/s", velocity, tr("projection of the velocity of {point}", point=name)),
-                ("a", "m/s^2", second, tr("projection of the acceleration of {point}", point=name)),
+                ("", "m", place, tr("coordinates of point {point}", point=name)),
+                ("v", "m/s", velocity, tr("projections of the velocity of {point}", point=name)),
+                ("a", "m/s^2", second, tr("projections of the acceleration of {point}", point=name)),
             ):
                 key = f"{letter}_{{{name}%}}" if letter else f"%_{{{name}}}"
                 parts = complex(cleaned(value.real), cleaned(value.imag))

@@ -31,9 +31,9 @@ COLUMNS = {
     "$P_N$, W": "power",
     "$n_N$, rpm": "rated_rpm",
     "$u$": "ratio",
-    "$P_m/P_N$": "load",
-    "$M_{rms}/M_N$": "heating",
-    "$M_{max}/M_K$": "largest",
+    "$P_m$/$P_N$": "load",
+    "$M_{rms}$/$M_N$": "heating",
+    "$M_{max}$/$M_K$": "largest",
 }
 NEAR = 0.01  # synchronous speeds that differ less are one
 

@@ -6,6 +6,7 @@ A driven slider has forces and masses in place of moments and inertias.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,7 +14,8 @@ from numpy.typing import ArrayLike
 from tmmcalc.core.numerics.simpson import simpson_weights
 from tmmcalc.core.plane import Real
 from tmmcalc.machine.notes.reducing import Names, inertia_lines, moment_lines, reducing
-from tmmcalc.machine.pictures.pieces import of_reduction
+from tmmcalc.machine.notes.told import drawn
+from tmmcalc.machine.pictures.reduction import draw_course
 from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.reduction.columns import contribution_name
 from tmmcalc.machine.reduction.ordinates import Ordinates, ordinates
@@ -24,10 +26,11 @@ from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
 from tmmcalc.report.numbers import NOISE
-from tmmcalc.report.telling import column, lines, named, pictured, tabulated
+from tmmcalc.report.telling import column, lines, named, tabulated
 
 POWER = "<M>*<w> = sum(F_i*v_i*cos(alpha_i), i) + sum(M_i*omega_i, i)"
 ENERGY = "<J>*<w>**2/2 = sum(m_i*v_{Si}**2/2 + J_{Si}*omega_i**2/2, i)"
+HIGH = 200.0  # of the picture [mm]
 CANCELLED = 1e-5  # of the largest sum of ordinates: a work that is nothing but what Simpson's rule leaves
 SIMPSON = "A^S = h/3*(Y_0 + 4*Y_1 + 2*Y_2)"
 
@@ -54,9 +57,10 @@ def blocks(order: Order) -> Iterator[Block]:
             yield Display(read(energy), "reduction_energy")
             yield from inertia_lines(told)
         yield from _inertia_table(result, names, {} if told is None else told.columns)
-    for piece in of_reduction(order):
-        yield Paragraph(tr("Diagrams of the reduced values and of the works are in figure {fig:reduction_course}."))
-        yield pictured(piece, key="reduction_course")
+    yield Paragraph(tr("Diagrams of the reduced values and of the works are in figure {fig:reduction_course}."))
+    draw = partial(draw_course, result=result, flywheel=order.results.get("flywheel"))
+    caption = tr("Reduced moments, works, excess energy, reduced inertia")
+    yield drawn(caption, draw, HIGH if result.whole else HIGH / 2, "reduction_course")
 
 
 def _equal_powers(result: Reduction) -> str:

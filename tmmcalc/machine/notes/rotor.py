@@ -108,8 +108,8 @@ def _quantities(task: RotorTask, result: BalancedRotor) -> Lexicon:
 def _polar(name: str, value: complex, unit: str, meaning: str) -> Lexicon:
     """Projections and size of a vector."""
     return {
-        f"{name}_x": Given(value.real, unit, tr("projection on the axes of the rotor")),
-        f"{name}_y": Given(value.imag, unit, tr("projection on the axes of the rotor")),
+        f"{name}_x": Given(value.real, unit, tr("projections on the axes of the rotor")),
+        f"{name}_y": Given(value.imag, unit, tr("projections on the axes of the rotor")),
         name: Given(abs(value), unit, meaning),
     }
 
@@ -117,8 +117,8 @@ def _polar(name: str, value: complex, unit: str, meaning: str) -> Lexicon:
 def _correction(mark: str, moment: complex, weight: Weight | None) -> Lexicon:
     """A static moment of correction with its direction, and the mass that has it."""
     found = {
-        f"U_{{{mark}x}}": Given(moment.real, MOMENT, tr("projection on the axes of the rotor")),
-        f"U_{{{mark}y}}": Given(moment.imag, MOMENT, tr("projection on the axes of the rotor")),
+        f"U_{{{mark}x}}": Given(moment.real, MOMENT, tr("projections on the axes of the rotor")),
+        f"U_{{{mark}y}}": Given(moment.imag, MOMENT, tr("projections on the axes of the rotor")),
         f"U_{mark}": Given(abs(moment), MOMENT, tr("static moment of the correction")),
         f"psi_{mark}": Given(math.degrees(cmath.phase(moment)), "deg", tr("angle of the correction")),
     }
@@ -186,8 +186,8 @@ def _grade(rotor: Rotor, grades: Sequence[RotorVerdict], place: Place) -> Iterat
     yield Paragraph(tr("The unbalance in the plane of a bearing is its load over $omega**2$; table {tab:rotor_grade}."))
     found = {
         tr("State"): [tr("as it is"), tr("one plane"), tr("two planes")],
-        "$U_A/U_{pA}$, %": column_of([_told(each.part_a, 100.0) for each in grades]),
-        "$U_B/U_{pB}$, %": column_of([_told(each.part_b, 100.0) for each in grades]),
+        "$U_A$/$U_{pA}$, %": column_of([_told(each.part_a, 100.0) for each in grades]),
+        "$U_B$/$U_{pB}$, %": column_of([_told(each.part_b, 100.0) for each in grades]),
         tr("Condition"): [tr("holds") if each.passed else tr("fails") for each in grades],
     }
     cells = tuple(zip(*found.values(), strict=True))

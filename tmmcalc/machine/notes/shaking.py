@@ -24,6 +24,7 @@ from tmmcalc.machine.balance.shaking import Shaking, inertia_loads
 from tmmcalc.machine.balance.solve import Balancing, Scheme
 from tmmcalc.machine.balance.weights import Weight
 from tmmcalc.machine.notes.moving import Mass, Moving, masses_of, point_name
+from tmmcalc.machine.notes.told import drawn
 from tmmcalc.machine.pictures.balance import draw_hodographs, draw_shaking
 from tmmcalc.machine.pictures.words import scheme_name
 from tmmcalc.machine.reduction.inertia import lumped, rods_of
@@ -31,15 +32,15 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Lexicon, Paragraph, Place, Result, Table
+from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.numbers import NOISE
 from tmmcalc.report.printing import printed_as
-from tmmcalc.report.telling import WIDE, lines, named, number_of, tabulated, vector
+from tmmcalc.report.telling import lines, named, number_of, tabulated, vector
 
 ON_LINE = 1e-12  # of a rod: a centre of mass so near to its line lies on it
 MARKS = {"least squares": "1", "minimax": "m", "lanchester": "L", "lanchester 2": "LL", "given": "z"}
 HIGHEST = 4  # order of harmonics that are told
-HIGH = 110.0  # the diagram of what is left [mm]
+HODOGRAPHS, HIGH = 200.0, 120.0  # heights of the pictures [mm]
 
 
 def linkage_blocks(order: Order, result: Balancing) -> Iterator[Block]:
@@ -68,7 +69,7 @@ def linkage_blocks(order: Order, result: Balancing) -> Iterator[Block]:
     yield from _table(result)
     yield from _harmonics(found)
     hodographs = partial(draw_hodographs, result=result)
-    yield Figure(tr("Hodographs of the shaking force"), hodographs, (WIDE, 200.0), "balance_hodographs")
+    yield drawn(tr("Hodographs of the shaking force"), hodographs, HODOGRAPHS, "balance_hodographs")
     yield from _balanced(result, moving.link)
 
 
@@ -135,7 +136,7 @@ def _force_lines(moving: Moving, result: Balancing, bodies: Sequence[Body]) -> I
         terms.append(f"{f'({total})' if len(masses) > 1 else total}*a_{{{point}%}}")
     whole = tr("shaking force")
     for lexicon, force in zip(moving.lexicons, result.shaking.force[moving.rows], strict=True):
-        lexicon |= named(vector("R_%", complex(force), "N", tr("projection of the shaking force")))
+        lexicon |= named(vector("R_%", complex(force), "N", tr("projections of the shaking force")))
         lexicon["R"] = Given(abs(complex(force)), "N", whole)
     sums = [f"R_{axis} = -({' + '.join(terms)})".replace("%", axis) for axis in "xy"]
     yield from lines([*sums, "R = sqrt(R_x**2 + R_y**2)"], moving.places)
@@ -148,8 +149,8 @@ def _moment_lines(moving: Moving, chain: Chain, result: Balancing, bodies: Seque
     for lexicon in moving.lexicons:
         lexicon |= named(
             {
-                f"x_{pole}": Given(found.about.real, "m", tr("coordinate of point {point}", point=pole)),
-                f"y_{pole}": Given(found.about.imag, "m", tr("coordinate of point {point}", point=pole)),
+                f"x_{pole}": Given(found.about.real, "m", tr("coordinates of point {point}", point=pole)),
+                f"y_{pole}": Given(found.about.imag, "m", tr("coordinates of point {point}", point=pole)),
             }
         )
     yield Paragraph(
@@ -182,7 +183,7 @@ def _crank_lines(moving: Moving, result: Balancing) -> Iterator[Block]:
     angle = f"phi_{moving.link}" if np.array_equal(found.x, found.phi) else "phi_c"
     whose = tr("angle of link {link}", link=moving.link) if angle != "phi_c" else tr("angle of the line of the crank")
     for lexicon, turned, phi in zip(moving.lexicons, found.turned[moving.rows], found.phi[moving.rows], strict=True):
-        said = tr("projection of the shaking force on the axes of the crank")
+        said = tr("projections of the shaking force on the axes of the crank")
         lexicon |= named(vector("R_{%1}", complex(turned), "N", said))
         lexicon[angle] = Given(math.degrees(float(phi)), "deg", whose)
     texts = (
@@ -226,7 +227,7 @@ def _harmonics(found: Shaking) -> Iterator[Block]:
         "$C_k$, N": sizes,
         "$C_{kx}$, N": np.where(abs(parts.real) > NOISE * found.scale, parts.real, 0.0),
         "$C_{ky}$, N": np.where(abs(parts.imag) > NOISE * found.scale, parts.imag, 0.0),
-        "$C_k**2/R_q**2$, %": 100 * sizes**2 / series.rms**2,
+        "$C_k**2$/$R_q**2$, %": 100 * sizes**2 / series.rms**2,
     }
     labels = [str(k).replace("-", "−") for k in orders]
     yield tabulated(tr("Harmonics of the shaking force"), columns, labels, head="$k$", key="balance_harmonics")
@@ -247,13 +248,13 @@ def _balanced(result: Balancing, link: int) -> Iterator[Block]:
         yield from _on_links(result.redistribution)
     yield from _left_table(result)
     draw = partial(draw_shaking, result=result)
-    yield Figure(tr("Shaking force before and after balancing"), draw, (WIDE, HIGH), "balance_left")
+    yield drawn(tr("Shaking force before and after balancing"), draw, HIGH, "balance_left")
 
 
 def _means(result: Balancing, link: int) -> Lexicon:
     """Speed and acceleration of the crank, means and harmonics of the force, what is chosen of the weights."""
     found = result.shaking
-    mean = tr("mean projections of the shaking force on the axes of the crank")
+    mean = tr("mean projection of the shaking force on an axis of the crank")
     quantities = {
         f"omega_{link}": Given(found.speed, "rad/s", tr("angular velocity of link {link}", link=link)),
         f"eps_{link}": Given(found.acceleration, "rad/s^2", tr("angular acceleration of link {link}", link=link)),
@@ -262,7 +263,7 @@ def _means(result: Balancing, link: int) -> Lexicon:
         "Y_0": Given(found.mean_across, "N", mean),
     }
     for k in (-1, 2, -2):
-        said = tr("projections of the harmonic of the shaking force of order {order}", order=signed(k))
+        said = tr("projection of the harmonic of the shaking force of order {order}", order=signed(k))
         quantities |= vector(f"C_{{{k},%}}", found.series.coefficient(k), "N", said)
     if result.radius is not None:
         quantities["r_w"] = Given(result.radius, "m", tr("radius of the weights"))
@@ -455,9 +456,9 @@ def _left_table(result: Balancing) -> Iterator[Block]:
     most = np.array([size.largest * (size.largest > noise) for _, size, _ in rows])
     columns = {
         "$D_q$, N": rms,
-        "$D_q/R_q$, %": 100 * rms / (rms[0] or 1.0),
+        "$D_q$/$R_q$, %": 100 * rms / (rms[0] or 1.0),
         "$D_{max}$, N": most,
-        "$D_{max}/R_{max}$, %": 100 * most / (most[0] or 1.0),
+        "$D_{max}$/$R_{max}$, %": 100 * most / (most[0] or 1.0),
         "$M_q$, N*m": [size.rms * (size.largest > noise) for *_, size in rows],
     }
     yield Paragraph(

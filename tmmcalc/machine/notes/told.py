@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from tmmcalc.machine.driver import ConstantInertia
 from tmmcalc.report.drawing.box import Box
@@ -13,7 +13,8 @@ from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Figure, Lexicon, Paragraph
-from tmmcalc.report.telling import WIDE
+from tmmcalc.report.printing import printed_as
+from tmmcalc.report.telling import WIDE, column_of
 
 ANGLE = 6  # decimals of an angle that are no rounding [deg]
 DIGITS = 5  # of a number within a sentence
@@ -53,10 +54,25 @@ def plainly(value: float, digits: int = DIGITS) -> str:
 def held(condition: str, sides: tuple[float, float], unit: str, *, holds: bool) -> Paragraph:
     """A condition ``a <= b`` with the numbers of both sides, and whether it holds."""
     sign = next(each for each in SIGNS if each in condition)
-    first, second = map(numeral, sides)
+    unit, factor = printed_as(unit)
+    first, second = (numeral(factor * side) for side in sides)
     told = f"${condition}$: ${first} {sign} {second}$" + (f" {tr_unit(unit)}" if unit else "")
     said = tr("The condition holds.") if holds else tr("The condition fails.")
     return Paragraph(f"{told}. {said}")
+
+
+def row_of(name: str, unit: str, values: Sequence[float]) -> tuple[str, ...]:
+    """A row of a table: a quantity with its unit, then its values, each with its own digits."""
+    printed, factor = printed_as(unit)
+    head = f"{name}, {tr_unit(printed)}" if printed else name
+    return head, *(column_of([factor * value])[0] for value in values)
+
+
+def reduced() -> dict[str, str]:
+    """What the reduced inertia of the links and its derivative are called in formulas, for ``<J>`` and ``<dJ>``."""
+    inertia = tr("J_red")
+    letter, _, index = inertia.partition("_")
+    return {"J": inertia, "dJ": f"{letter}'_{{{index}}}"}
 
 
 def inertias(parts: ConstantInertia, order: Order) -> Lexicon:

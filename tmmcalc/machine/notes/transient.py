@@ -12,7 +12,7 @@ from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.facts.timed import equal_times, within
 from tmmcalc.machine.model import TransientTask
 from tmmcalc.machine.notes.motors import driven, of_braking, of_form, of_motor
-from tmmcalc.machine.notes.told import degrees, drawn, numeral, plainly
+from tmmcalc.machine.notes.told import degrees, drawn, numeral, plainly, reduced, row_of
 from tmmcalc.machine.pictures.transient import draw_course
 from tmmcalc.machine.pictures.words import end_text, event_text, mass_name
 from tmmcalc.machine.stages.transient import inputs, machine_of
@@ -22,10 +22,12 @@ from tmmcalc.machine.transient.timed import TURN, TimedMotion
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Display, Heading, Paragraph, Place, Table
-from tmmcalc.report.telling import column_of, headed, lines, named, tabulated
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.manuscript import Block, Display, Heading, Paragraph, Place, Result, Table
+from tmmcalc.report.printing import printed_as
+from tmmcalc.report.telling import column_of, filled, lines, named, tabulated
 
+EQUATION = "eps = (M_d + M_c - M_b - 0.5*<dJ>*omega**2)/(J_c + <J>)"
 PANEL = 60.0  # height of a diagram [mm]
 NOTHING = 1e-10  # of the largest energy: less is none
 CLOSED = 5e-10  # of the balance of energy: what a line of it may leave open
@@ -42,7 +44,7 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from _curve(order)
     yield from _equations(motions[0], machine)
     for k, (motion, task) in enumerate(zip(motions, tasks, strict=True)):
-        yield Heading(motion.name[:1].upper() + motion.name[1:], 3)
+        yield Heading(tr("Motion “{name}”", name=motion.name), 3)
         if task.braking is not None and machine.data is not None:
             yield from of_braking(machine.data, task.braking)
         yield from _motion(motion, task, machine, f"transient_{k}")
@@ -67,7 +69,7 @@ def _equations(motion: TimedMotion, machine: Machine) -> Iterator[Block]:
                 "integrated in time by steps:"
             )
         )
-        yield Display(read("eps = (M_d + M_c - M_b - 0.5*J'_v*omega**2)/(J_c + J_v)"), key="transient_equation")
+        yield Display(read(filled(EQUATION, reduced())), key="transient_equation")
         return
     yield Paragraph(
         tr(
@@ -77,15 +79,15 @@ def _equations(motion: TimedMotion, machine: Machine) -> Iterator[Block]:
     )
     yield Display(read("J_i*eps_i = M_{i−1,i} - M_{i,i+1}"))
     yield Display(read("M_{i,i+1} = c_i*(phi_i - phi_{i+1}) + d_i*(omega_i - omega_{i+1})"))
-    yield Display(read("(J_n + J_v)*eps_n = M_{n−1,n} + M_c - M_b - 0.5*J'_v*omega_n**2"))
+    yield Display(read(filled("(J_n + <J>)*eps_n = M_{n−1,n} + M_c - M_b - 0.5*<dJ>*omega_n**2", reduced())))
     yield Paragraph(
         tr("where $M_{i,i+1}$ is the moment of the shaft between two masses; on the first one acts the motor.")
     )
     drive, names = drive_of(machine)
     yield Paragraph(
         tr(
-            "Table {tab:transient_masses} has the masses and shafts as they are, and the speeds $u_i$ of the masses over "
-            "that of the crank."
+            "Table {tab:transient_masses} has the masses and shafts as they are, and the speeds $u_i$ of the masses "
+            "over that of the crank."
         )
     )
     columns = {
@@ -110,6 +112,7 @@ def _motion(motion: TimedMotion, task: TransientTask, machine: Machine, key: str
         why=end_text(motion.end),
     )
     yield Paragraph(f"{method} {ended}")
+    yield Result("t", Given(motion.end_time, "s", tr("time of the motion")), place=motion.name)
     if len(motion.masses) == 1:
         yield from _row(motion, task, machine.cycle, machine.inertia.total)
     yield from _course(motion, key)
@@ -141,6 +144,7 @@ def _row(motion: TimedMotion, task: TransientTask, cycle: Cycle, constant: float
     braked = 0.0
     if brake is not None and task.scenario.brake_on(time):
         braked = math.copysign(brake.moment, omega) + brake.viscous * omega
+    letters = reduced()
     lexicon = {
         "eps": Given(float(motion.alpha[-1, chosen]), "rad/s^2", tr("angular acceleration of the input link")),
         "omega": Given(omega, "rad/s", tr("angular velocity of the input link")),
@@ -148,8 +152,8 @@ def _row(motion: TimedMotion, task: TransientTask, cycle: Cycle, constant: float
         "M_c": Given(float(motion.load_moment[chosen]), "N*m", tr("reduced moment of the loads")),
         "M_b": Given(braked, "N*m", tr("moment of the brake")),
         "J_c": Given(constant, "kg*m^2", tr("constant moment of inertia of the machine")),
-        "J_v": Given(links, "kg*m^2", tr("reduced moment of inertia of the links")),
-        "J'_v": Given(slope, "kg*m^2/rad", tr("derivative of the reduced moment of inertia by the angle")),
+        letters["J"]: Given(links, "kg*m^2", tr("reduced moment of inertia of the links")),
+        letters["dJ"]: Given(slope, "kg*m^2/rad", tr("derivative of the reduced moment of inertia by the angle")),
     }
     said = tr(
         "At $t = {time}$ s, at the angle $phi = {angle}$ of the turn,",
@@ -157,7 +161,7 @@ def _row(motion: TimedMotion, task: TransientTask, cycle: Cycle, constant: float
         angle=degrees(math.radians(within(theta))),
     )
     yield Paragraph(said)
-    yield from lines(("eps = (M_d + M_c - M_b - 0.5*J'_v*omega**2)/(J_c + J_v)",), [Place("", named(lexicon))])
+    yield from lines((EQUATION,), [Place("", named(lexicon))], letters)
 
 
 def _worked_row(motion: TimedMotion) -> int | None:
@@ -200,14 +204,15 @@ def _events(motion: TimedMotion, key: str) -> Block:
     """What happened, by the numbers that stand in the figure."""
     events = motion.events
     began = float(motion.theta[-1, 0])
+    unit, factor = printed_as("rad/s")
     cells = (
         [str(k) for k in range(1, len(events) + 1)],
         column_of([event.time for event in events]),
         column_of([(event.angle - began) / TURN for event in events]),
-        column_of([event.speed for event in events]),
+        column_of([factor * event.speed for event in events]),
         [event_text(event) for event in events],
     )
-    head = (tr("Event"), headed("$t$, s"), tr("Turns"), headed("$omega$, rad/s"), tr("What happens"))
+    head = (tr("Event"), f"$t$, {tr_unit('s')}", tr("Turns"), f"$omega$, {tr_unit(unit)}", tr("What happens"))
     return Table(tr("Events: {name}", name=motion.name), head, tuple(zip(*cells, strict=True)), f"{key}_events")
 
 
@@ -264,9 +269,9 @@ def _energy(motion: TimedMotion) -> Iterator[Block]:
         part=plainly(100 * motion.imbalance, 2),
     )
     yield Paragraph(open_part)
-    values = {f"${key}$, J": given.value for key, given in lexicon.items() if given.value}
-    rows = tuple((headed(name), *column_of([value])) for name, value in values.items() if isinstance(value, float))
-    yield Table(tr("Energy and works: {name}", name=motion.name), (tr("Quantity"), tr("Value")), rows)
+    rows = [row_of(f"${key}$", "J", [given.value]) for key, given in lexicon.items() if isinstance(given.value, float)]
+    head = (tr("Quantity"), tr("Value"))
+    yield Table(tr("Energy and works: {name}", name=motion.name), head, tuple(rows))
 
 
 def _nothing(given: Given, peak: float) -> bool:

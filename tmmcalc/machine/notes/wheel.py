@@ -8,13 +8,13 @@ from collections.abc import Iterator
 from tmmcalc.machine.flywheel.results import Flywheel
 from tmmcalc.machine.flywheel.rim import DEFAULT, POISSON, Rim
 from tmmcalc.machine.model import FlywheelTask
-from tmmcalc.machine.notes.told import held
+from tmmcalc.machine.notes.told import held, row_of
 from tmmcalc.machine.tables.tasks.machine import to_flywheel
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Table
-from tmmcalc.report.telling import column_of, headed, lines, named
+from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
+from tmmcalc.report.telling import lines, named
 
 MEGA = 1e6
 
@@ -75,6 +75,9 @@ def _rim(result: Flywheel, rim: Rim, task: FlywheelTask) -> Iterator[Block]:
     yield Paragraph(tr("Speed of the edge of the rim, against the permissible speed $v_a$ of the material:"))
     yield from lines(("v_o = omega_M*D_o/2",), place)
     yield held("v_o <= v_a", (rim.speed, material.rim_speed), "m/s", holds=rim.allowed)
+    yield Result("m_M", lexicon["m_M"])
+    limit = max(material.rim_speed, rim.speed) if rim.allowed else material.rim_speed
+    yield Result("v_o", lexicon["v_o"], limit, "<=")
     yield Paragraph(
         tr("Stress in the rim as in a thin ring, the largest one in it as in a full ring, and the safety factor:")
     )
@@ -142,13 +145,12 @@ def _elsewhere(result: Flywheel) -> Iterator[Block]:
     def of_rims(what: str) -> list[float]:
         return [math.nan if wheel.rim is None else getattr(wheel.rim, what) for wheel in result.wheels]
 
-    rows = {
-        "$u_M$": [wheel.ratio for wheel in result.wheels],
-        "$J_M1$, kg*m^2": [wheel.inertia for wheel in result.wheels],
-        "$D$, m": of_rims("diameter"),
-        "$m_r$, kg": of_rims("mass"),
-        "$v_o$, m/s": of_rims("speed"),
-    }
+    rows = (
+        row_of("$u_M$", "", [wheel.ratio for wheel in result.wheels]),
+        row_of("$J_M1$", "kg*m^2", [wheel.inertia for wheel in result.wheels]),
+        row_of("$D$", "m", of_rims("diameter")),
+        row_of("$m_r$", "kg", of_rims("mass")),
+        row_of("$v_o$", "m/s", of_rims("speed")),
+    )
     head = (tr("Quantity"), *(names[wheel.shaft] for wheel in result.wheels))
-    cells = tuple((headed(name), *(column_of([value])[0] for value in values)) for name, values in rows.items())
-    yield Table(tr("The flywheel on different shafts"), head, cells, "flywheel_shafts")
+    yield Table(tr("The flywheel on different shafts"), head, rows, "flywheel_shafts")

@@ -78,7 +78,7 @@ def draw_course(drawing: Drawing, box: Box, result: Reduction, flywheel: Flywhee
     graphs = [
         _course(result, symbol, unit, [(loads, sense * moment, CURVES[0]), (name, sense * constant, CURVES[1])]),
         _course(result, "A", "J", [(tr("work of the loads"), done, CURVES[0]), (of_constant, given, CURVES[1])]),
-        _course(result, "ΔT", "J", [(tr("excess energy: the sum of both works"), left, CURVES[2])]),
+        _course(result, "ΔT", "J", [(tr("sum of both works"), left, CURVES[2])]),
         replace(_inertia(result), mu="J" if result.turns else "m", key=()),
     ]
     return column(drawing, box, graphs, (1.3, 1.3, 1.0, 1.0))

@@ -8,7 +8,7 @@ import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.records import record
-from tmmcalc.machine.pictures.words import end_text, event_text
+from tmmcalc.machine.pictures.words import end_text, event_text, mass_name
 from tmmcalc.machine.transient.results import Event
 from tmmcalc.machine.transient.timed import TimedMotion, TimedMotions
 from tmmcalc.report.drawing.box import Box
@@ -19,7 +19,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.pens import CURVES, MARK, Pen
 from tmmcalc.report.drawing.shapes import Drawing, Words
-from tmmcalc.report.language import tr, tr_name, tr_unit
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 LISTED = 8  # events whose names are written out
@@ -174,7 +174,7 @@ def _speeds(motion: TimedMotion) -> Panel:
 
 def _speed_name(motion: TimedMotion, k: int) -> str:
     ratio = motion.ratios[k]
-    name = tr_name(motion.masses[k])
+    name = mass_name(motion.masses[k])
     return name if ratio == 1 else tr("{name}, over {ratio}", name=name, ratio=number(ratio, 5))
 
 
@@ -204,7 +204,7 @@ def _shafts(motion: TimedMotion) -> list[Panel]:
     """Moments of the shafts, each on its own."""
     curves = [
         Curve(
-            tr("$M_{{shaft}}$: {a} to {b}, on its own shaft", shaft=f"{k + 1},{k + 2}", a=tr_name(a), b=tr_name(b)),
+            tr("$M_{{shaft}}$: {a} to {b}, on its own shaft", shaft=f"{k + 1},{k + 2}", a=mass_name(a), b=mass_name(b)),
             motion.shaft_moment[k],
             CURVES[k % len(CURVES)],
             True,

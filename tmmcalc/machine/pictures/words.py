@@ -75,7 +75,7 @@ def cause_name(name: str) -> str:
 
 
 def mass_name(name: str) -> str:
-    """A mass of the drive: its ends, or by the shaft before it, as the spec calls it."""
+    """A mass of the drive: one of its ends, or by the shaft before it, as the spec calls it."""
     if name.startswith(BEHIND):
         return tr("behind {shaft}", shaft=name.removeprefix(BEHIND))
     return tr_name(name)

@@ -107,10 +107,14 @@ def _index(text: str, slanted: str) -> Box:
     """An index: points and Greek letters, axes and counters are quantities; words, numbers and Roman ones are not."""
     if ROMAN.fullmatch(text):
         return Word(text)
-    boxes = [
-        Letter(part) if len(part) == 1 and (part.isupper() or part in slanted or part in GREEK.values()) else Word(part)
-        for part in PARTS.findall(text)
-    ]
+    boxes: list[Box] = []
+    for part in PARTS.findall(text):
+        if len(part) == 1 and (part.isupper() or part in slanted or part in GREEK.values()):
+            boxes.append(Letter(part))
+        elif boxes and isinstance(boxes[-1], Word):  # words beside each other are one, with no gap between them
+            boxes[-1] = Word(boxes[-1].text + part)
+        else:
+            boxes.append(Word(part))
     return boxes[0] if len(boxes) == 1 else Row(tuple(boxes))
 
 

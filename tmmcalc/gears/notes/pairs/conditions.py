@@ -16,7 +16,7 @@ from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Lexicon, Paragraph, Table
 from tmmcalc.report.telling import filled, number_of
 
-FIGURES = 5  # digits of a side
+FIGURES = 4  # digits of a side
 NOTHING = 1e-9  # that rounding leaves of a side
 
 
@@ -70,10 +70,11 @@ def _concluded(shown: Sequence[Check], wheels: Sequence[str]) -> str:
 
     def told(verdict: str) -> str:
         found = [check for check in shown if check.verdict == verdict]
-        return ", ".join(
-            check_called(check) + (f" ({tr('wheel {wheel}', wheel=wheels[check.wheel - 1])})" if check.wheel else "")
-            for check in found
-        )
+        return ", ".join(check_called(check) + (f" ({whose(check)})" if check.wheel else "") for check in found)
+
+    def whose(check: Check) -> str:
+        name = wheels[check.wheel - 1]
+        return name if name == tr("rack") else tr("wheel {wheel}", wheel=name)
 
     failed, beyond = told("fail"), told("warn")
     sentences = [tr("All conditions hold.")] if not failed else [tr("Conditions that fail: {names}.", names=failed)]

@@ -12,9 +12,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import degrees, tan
 from typing import NamedTuple
 
+from tmmcalc.gears.involute.internal.ring import Ring, cutting
 from tmmcalc.gears.involute.rack import Rack
-from tmmcalc.gears.meshing.angles import PairAngles, WheelAngles, pair_angles
-from tmmcalc.gears.meshing.geometry import pinion_on_rack
+from tmmcalc.gears.involute.wheel import Wheel
+from tmmcalc.gears.meshing.angles import PairAngles, WheelAngles, helix_at, pair_angles, pressure_at
+from tmmcalc.gears.meshing.geometry import pinion_on_rack, ring_of
 from tmmcalc.gears.meshing.results import NOISE, MeshPair, WheelSizes
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.single.results import SingleWheel
@@ -29,6 +31,7 @@ SPUR = {"t": "alpha", "sn": "s<_i>", "st": "s<_i>", "sta": "s_a<i>", "sna": "s_a
 HELICAL = {"t": "alpha_t", "sn": "s_n<i>", "st": "s_t<i>", "sta": "s_ta<i>", "sna": "s_na<i>"}
 WHOLE = {"s1": "rho_p1", "s2": "rho_a2", "e1": "rho_a1", "e2": "rho_p2"}  # radii of curvature at the ends of contact
 SHORT = {"s1": "rho_s1", "s2": "rho_s2", "e1": "rho_e1", "e2": "rho_e2"}
+CUTTER = "z_0", "x_0", "rho_0"  # what is given of one
 PLUS, MINUS = {"+": "+", "-": "-"}, {"+": "-", "-": "+"}
 
 
@@ -121,12 +124,16 @@ def _wheels(found: MeshPair, own: Sequence[Lexicon], lexicon: Lexicon, style: Ma
 def alone(found: SingleWheel) -> Wheels:
     """A wheel without a mate, whose quantities have no index."""
     task, style = found.task, words_of(found.task)
-    quantities = (
-        of_rack(task.rack) | of_section(task, found.angle_t, found.base_helix) | of_wheel(found, task.teeth, task.shift)
-    )
-    for row in found.measures.chords:
-        if row.name == "tip":
-            quantities |= of_tip(row.angle, row.helix, found.base)
+    helix = helix_at(found.tip, found.reference, task.helix)
+    quantities = {
+        **of_rack(task.rack),
+        **of_section(task, found.angle_t, found.base_helix),
+        **of_wheel(found, task.teeth, task.shift),
+        **of_tip(pressure_at(found.tip, found.base), helix, found.base),
+        **(of_cutter(task.ring, task.module) if task.kind == "internal" else {}),
+    }
+    if task.kind == "external" and found.pointed_shift is not None:
+        quantities["x_max"] = Given(found.pointed_shift, "", tr("shift coefficient at which whole teeth are pointed"))
     words = {**of_index("", style), **(MINUS if task.kind == "internal" else PLUS)}
     return Wheels((0,), (Place("", named(indexed(quantities, "", style))),), words)
 
@@ -170,6 +177,24 @@ def of_rack(rack: Rack) -> dict[str, Given]:
     }
 
 
+def of_cutter(ring: Ring, module: float) -> dict[str, Given]:
+    """The cutter of a ring and their mesh; ``module`` [m]."""
+    cutter = ring.cutter
+    if cutter is None:
+        return {}
+    generating, distance, tip = cutting(ring, cutter)
+    base = Wheel(cutter.teeth, 0.0, ring.helix, ring.rack).base
+    return {
+        "z_0": Given(float(cutter.teeth), "", tr("number of teeth of the cutter")),
+        "x_0": Given(cutter.shift, "", tr("shift coefficient of the cutter")),
+        "alpha_tw0": angle(generating, tr("pressure angle of the cutter in the ring")),
+        "a_w0": length(module * distance, tr("centre distance of the cutter and the ring")),
+        "r_a0": length(module * tip, tr("tip radius of the cutter")),
+        "r_b0": length(module * base, tr("base radius of the cutter")),
+        "rho_0": length(module * cutter.rounding, tr("radius of the rounding of the cutter’s tip")),
+    }
+
+
 def of_section(task: PairTask | WheelTask, transverse: float, base_helix: float) -> dict[str, Given]:
     """Module, helix, transverse section, face width."""
     width = {} if task.face_width is None else {"b": length(task.face_width, tr("face width"))}
@@ -207,6 +232,8 @@ def of_pair(found: MeshPair, angles: PairAngles) -> dict[str, Given]:
     if task.kind == "rack":
         return quantities | of_peaks(found) | _of_rack(found, angles)
     side = -1 if task.kind == "internal" else 1
+    if task.kind == "internal":
+        quantities |= of_cutter(ring_of(task, found.shifts[1]), task.module)
     assert angles.ratio is not None
     return (
         quantities
@@ -215,7 +242,9 @@ def of_pair(found: MeshPair, angles: PairAngles) -> dict[str, Given]:
             "a": length(found.reference_distance, tr("reference centre distance")),
             "a_w": length(found.distance, tr("operating centre distance")),
             "g": length(line.between, tr("length of the line of action between the base circles")),
-            "rho_p2": length(line.end_from_second, tr("radius of curvature where the active flank of wheel 2 ends")),
+            "rho_p2": length(
+                line.between - side * line.end, tr("radius of curvature where the active flank of wheel 2 ends")
+            ),
             "rho_s2": length(line.between - side * line.begins, begins),
             "rho_e2": length(line.between - side * line.ends, ends),
         }
@@ -256,6 +285,7 @@ def of_peaks(found: MeshPair) -> dict[str, Given]:
 def of_wheel(size: WheelSizes | SingleWheel, teeth: int, shift: float) -> dict[str, Given]:
     """The circles and the teeth of a wheel, with places for its index."""
     arc = tr("transverse tooth thickness on the reference circle")
+    end = size.base * tan(pressure_at(size.form, size.base) or 0.0)
     found = {
         "z<_i>": Given(float(teeth), "", tr("number of teeth")),
         "x<_i>": Given(float(shift), "", tr("shift coefficient")),
@@ -264,13 +294,14 @@ def of_wheel(size: WheelSizes | SingleWheel, teeth: int, shift: float) -> dict[s
         "r_a<i>": length(size.tip, tr("tip radius")),
         "r_f<i>": length(size.root, tr("root radius")),
         "r_F<i>": length(size.form, tr("radius where the involute ends")),
+        "rho_F<i>": length(end, tr("radius of curvature where the involute ends")),
         "h<_i>": length(abs(size.tip - size.root), tr("tooth height")),
         "d<_i>": length(2 * size.reference, tr("reference diameter")),
         "d_b<i>": length(2 * size.base, tr("base diameter")),
         "d_a<i>": length(2 * size.tip, tr("tip diameter")),
         "d_f<i>": length(2 * size.root, tr("root diameter")),
-        "<sn>": length(size.thickness, tr("tooth thickness on the reference circle")),
         "<st>": length(size.arc, arc),
+        "<sn>": length(size.thickness, tr("tooth thickness on the reference circle")),
         "<sta>": length(size.tip_arc, tr("transverse tooth thickness on the tip circle")),
         "<sna>": length(size.tip_thickness, tr("tooth thickness on the tip circle")),
         "psi<_i>": angle(size.half_angle, tr("half the angle of the tooth on the reference circle")),
@@ -288,7 +319,6 @@ def of_flank(wheel: WheelAngles) -> dict[str, Given]:
     """The flank of a wheel of a pair: where it ends at the tip and at the root, and its pitch point."""
     return of_tip(wheel.tip_angle, wheel.tip_helix, wheel.base) | {
         "rho_w<i>": length(wheel.pitch_curvature, tr("radius of curvature at the pitch point")),
-        "rho_F<i>": length(wheel.base * tan(wheel.form_angle), tr("radius of curvature where the involute ends")),
     }
 
 

@@ -8,6 +8,7 @@ from tmmcalc.gears.meshing.results import Measures
 from tmmcalc.gears.meshing.task import WheelMeasuring
 from tmmcalc.gears.notes.pairs.lexicon import Wheels, angle, length, of_index
 from tmmcalc.report.formula.digits import Given, significant
+from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Listing, Paragraph, Place
@@ -91,7 +92,14 @@ def _spans(wheels: Wheels, rows: Sequence[Row]) -> Iterator[Block]:
         yield Paragraph(tr("No number of teeth is admitted: the span cannot be measured."))
         return
     yield from wheels._replace(places=tuple(place for place, _, _ in chosen)).lines(*SPAN)
-    yield Listing(tuple(_touching(wheels, place, each) for place, each, _ in chosen))
+    touching = tuple(_touching(wheels, place, each) for place, each, _ in chosen if _tip(wheels) in place.lexicon)
+    if touching:
+        yield Listing(touching)
+
+
+def _tip(wheels: Wheels) -> str:
+    """The name of the radius of curvature at the tip, which a tip circle within the base circle has not."""
+    return canonical(wheels.name("rho_a<i>"))
 
 
 def _touching(wheels: Wheels, place: Place, found: Measures) -> str:
@@ -103,7 +111,7 @@ def _touching(wheels: Wheels, place: Place, found: Measures) -> str:
         significant(1e3 * found.span_lowest_active * ratio, FIGURES),
         significant(1e3 * found.span.curvature, FIGURES),
     )
-    high = significant(number_of(place.lexicon, wheels.name("rho_a<i>")), FIGURES)
+    high = significant(number_of(place.lexicon, _tip(wheels)), FIGURES)
     said = f"${low} < {touch} = {own}$, ${touch} < {tip} = {high}$ {tr_unit('mm')}"
     if found.span.valid:
         return tr("the plates touch the usable involute: {relation}", relation=said)

@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import isclose
 
-from tmmcalc.gears.involute.internal.ring import Ring, cutting
-from tmmcalc.gears.involute.wheel import Wheel
-from tmmcalc.gears.notes.pairs.lexicon import Told, Wheels, angle, length
-from tmmcalc.report.formula.digits import Given, result_of, value_of
+from tmmcalc.gears.involute.internal.ring import Cutter
+from tmmcalc.gears.notes.pairs.lexicon import Told, Wheels
+from tmmcalc.report.formula.digits import result_of, value_of
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Statement, names
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Paragraph, Place
-from tmmcalc.report.telling import filled, named
+from tmmcalc.report.telling import filled
 
 SECTION = ("m_t = m/cos(beta)", "alpha_t = atan(tan(alpha)/cos(beta))", "beta_b = asin(sin(beta)*cos(alpha))")
 CIRCLES = ("r<_i> = m*z<_i>/(2*cos(beta))", "r_b<i> = r<_i>*cos(<t>)")
@@ -72,8 +71,7 @@ def _root(told: Told, wheels: Wheels) -> Iterator[Block]:
     """The root circle, and where the involute ends above it."""
     task, sizes = told.found.task, [told.found.sizes[k] for k in wheels.numbers]
     if sizes[0].kind == "ring":
-        ring = Ring(task.teeth[1], told.found.shifts[1], abs(task.helix), task.rack, task.cutter)
-        yield from ring_root(wheels, ring, task.module)
+        yield from ring_root(wheels, task.cutter)
     else:
         yield from wheels.lines(ROOT)
         yield from limits(wheels, [size.limit or 0.0 for size in sizes])
@@ -90,27 +88,11 @@ def limits(wheels: Wheels, curvatures: Sequence[float]) -> Iterator[Block]:
         yield from wheels._replace(places=cut).lines(FORM)
 
 
-def ring_root(wheels: Wheels, ring: Ring, module: float) -> Iterator[Block]:
-    """The root circle of a ring and the end of its involute, by the rack or by its cutter; ``module`` [m]."""
-    cutter = ring.cutter
+def ring_root(wheels: Wheels, cutter: Cutter | None) -> Iterator[Block]:
+    """The root circle of a ring and the end of its involute, by the rack or by its cutter."""
     if cutter is None:
         yield from wheels.lines(ROOT, RING_FORM, FORM)
         return
-    generating, distance, tip = cutting(ring, cutter)
-    base = Wheel(cutter.teeth, 0.0, ring.helix, ring.rack).base
-    wheels.places[0].lexicon.update(
-        named(
-            {
-                "z_0": Given(float(cutter.teeth), "", tr("number of teeth of the cutter")),
-                "x_0": Given(cutter.shift, "", tr("shift coefficient of the cutter")),
-                "alpha_tw0": angle(generating, tr("pressure angle of the cutter in the ring")),
-                "a_w0": length(module * distance, tr("centre distance of the cutter and the ring")),
-                "r_a0": length(module * tip, tr("tip radius of the cutter")),
-                "r_b0": length(module * base, tr("base radius of the cutter")),
-                "rho_0": length(module * cutter.rounding, tr("radius of the rounding of the cutter’s tip")),
-            }
-        )
-    )
     yield from wheels.lines(*CUTTER)
     if cutter.tip is None:
         yield from wheels.lines(CUTTER_TIP)

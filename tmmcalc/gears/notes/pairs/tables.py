@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import isfinite
 
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.symbols import canonical
@@ -14,7 +15,7 @@ PLACES = 4  # its decimals at most
 
 
 def parameters(caption: str, names: Sequence[str], lexicon: Lexicon, key: str) -> Table:
-    """The quantities of a lexicon that are there and are something."""
+    """The quantities of a lexicon that are there and are something; shifts that are nothing too."""
     rows = [
         (given.meaning, f"${name}$", shown_unit(given.unit), shown(given)) for name, given in _known(names, lexicon)
     ]
@@ -40,7 +41,7 @@ def of_wheels(
 def _known(names: Sequence[str], lexicon: Lexicon) -> Iterator[tuple[str, Given]]:
     for name in names:
         given = lexicon.get(canonical(name))
-        if given is not None and given.value:
+        if given is not None and (given.value or name[0] == "x"):
             yield name, given
 
 
@@ -54,3 +55,10 @@ def shown(given: Given) -> str:
 def shown_unit(unit: str) -> str:
     """A unit as it stands in a cell."""
     return "°" if unit == "deg" else tr_unit(unit)
+
+
+def decimals(value: float, places: int) -> str:
+    """A number with so many decimals; a dash where there is none."""
+    if not isfinite(value):
+        return "–"
+    return tr_number(f"{round(value, places) + 0.0:.{places}f}".replace("-", "−"))

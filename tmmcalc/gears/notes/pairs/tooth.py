@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from math import atan, atan2, cos, hypot, nan, pi, sin, tan
 
 from tmmcalc.gears.involute.profile.rounding import rounding
@@ -11,13 +12,13 @@ from tmmcalc.gears.meshing.halftooth import fault_of, half_tooth
 from tmmcalc.gears.meshing.members import Toothed
 from tmmcalc.gears.meshing.results import NOISE
 from tmmcalc.gears.notes.pairs.lexicon import HELICAL, MINUS, PLUS, SPUR, angle, length, of_rack, worked_out
-from tmmcalc.gears.pictures.pieces import tooth_of
-from tmmcalc.gears.pictures.toothpoints import INTERVALS, textbook_points
+from tmmcalc.gears.pictures.toothpoints import INTERVALS, draw_tooth, textbook_points
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Lexicon, Paragraph, Place
-from tmmcalc.report.telling import named, pictured, tabulated
+from tmmcalc.report.manuscript import Block, Figure, Lexicon, Paragraph, Place
+from tmmcalc.report.telling import WIDE, named, tabulated
 
+SIZE = WIDE, 95.0  # of the picture of a tooth [mm]
 PSI = "psi = (pi/2 + 2*x*tan(alpha))/z"
 TIP = "phi_A = tan(alpha_a) - tan(<t>)"
 LIMIT = "phi_L = m*(x - <hl>)/(r*sin(<t>)*cos(<t>))"
@@ -56,11 +57,24 @@ FILLET = (
 )
 
 
-def tooth(member: Toothed, key: str) -> Iterator[Block]:
-    """The tooth of a wheel that has a profile; nothing of a rack, whose flanks are straight."""
+def tooth(member: Toothed, key: str, *, alike: bool = False) -> Iterator[Block]:
+    """The tooth of a wheel that has a profile; nothing of a rack, whose flanks are straight.
+
+    The formulas are left out where they are ``alike`` to those of a wheel before.
+    """
     tables = None if fault_of(member) is not None else book_tables(member, "tooth", INTERVALS)
     if tables is None:
         return
+    if alike:
+        yield Paragraph(tr("The points are found by the same formulas as those of the wheel before."))
+    else:
+        yield from _formulas(tables)
+    yield from _points(tables, key)
+
+
+def _formulas(tables: BookTables) -> Iterator[Block]:
+    """The ends of the flank, a point of the involute and one of the fillet that a rounding cuts."""
+    member = tables.member
     lexicon, words = named(_quantities(member) | _involute_point(tables)), _words(member)
     places = (Place("", lexicon),)
     yield Paragraph(
@@ -83,7 +97,6 @@ def tooth(member: Toothed, key: str) -> Iterator[Block]:
             lexicon |= named(found)
             yield Paragraph(tr("A point of the fillet:"))
             yield from worked_out(FILLET, places, words)
-    yield from _points(tables, key)
 
 
 def _words(member: Toothed) -> dict[str, str]:
@@ -197,9 +210,13 @@ def _points(tables: BookTables, key: str) -> Iterator[Block]:
         "$Y$, mm": [1e3 * (each.at.imag - base) for each in found],
         "$R$, mm": [1e3 * each.radius for each in found],
     }
-    said = tr("Table {table} holds points from the tip to the root, figure {figure} shows them.")
-    yield Paragraph(said.replace("{table}", f"{{tab:{key}}}").replace("{figure}", f"{{fig:{key}}}"))
+    said = tr(
+        "Table {table} holds points from the tip to the root, figure {figure} shows them.",
+        table=f"{{tab:{key}}}",
+        figure=f"{{fig:{key}}}",
+    )
+    yield Paragraph(said)
     labels = [each.number for each in found]
     yield tabulated(tr("Points of the tooth profile"), columns, labels, head=tr("Point"), key=key)
     caption = tr("Tooth of wheel {wheel} by points", wheel=tables.member.label)
-    yield pictured(tooth_of(tables), key=key)._replace(caption=caption)
+    yield Figure(caption, partial(draw_tooth, tables=tables), SIZE, key)

@@ -77,12 +77,12 @@ class Loaded(NamedTuple):
 def force_key(name: str, part: str = "") -> str:
     """The name of a force in formulas: a letter with an index.
 
-    >>> force_key("Q5"), force_key("Q5", "x"), force_key("P_z", "y"), force_key("gas")
-    ('Q_{5}', 'Q_{5x}', 'P_{zy}', 'Q_{gas}')
+    >>> force_key("Q5"), force_key("Q5", "x"), force_key("P_z", "y"), force_key("gas", "x")
+    ('Q_{5}', 'Q_{5x}', 'P_{zy}', 'Q_{gas,x}')
     """
     found = re.fullmatch(r"([A-Za-z])(?:_(\w+)|(\d*))", name)
     letter, index = (found[1], found[2] or found[3] or "") if found else ("Q", plain_name(name))
-    index = index.replace("_", ",") + part
+    index = index.replace("_", ",") + ("," if part and index.isalpha() and len(index) > 1 else "") + part
     return f"{letter}_{{{index}}}" if index else letter
 
 

@@ -1,0 +1,156 @@
+"""What the note tells of motors, flywheels, steady and unsteady motion, beside the textbook and closed forms."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from note.scenes import blocks, told, written
+from tmmcalc.note.assembled import Assembler
+from tmmcalc.note.plaintext import text
+from tmmcalc.pipeline.chapters import chapters_of, stages_of
+from tmmcalc.pipeline.picturing import NONE
+from tmmcalc.pipeline.runner import run
+from tmmcalc.project import load_spec
+from tmmcalc.report.drawing.order import POSITIONS
+from tmmcalc.report.formula.tree import Name
+from tmmcalc.report.manuscript import Chapter, Table
+from tmmcalc.rooms import CHAPTERS
+
+CASES = {
+    case["id"]: case["expected"]
+    for case in json.loads((Path(__file__).parent.parent / "cases/dynamics.json").read_text(encoding="utf-8"))
+}
+SINE = """
+[torque]
+name = "sine"
+speed = "20 rad/s"
+formula = "100*sin(theta)"
+[motion]
+drive = "positional"
+[flywheel]
+delta = 0.02
+"""
+PUMP = """
+[torque]
+name = "pump"
+speed = "10 rad/s"
+formula = "-60 - 20*cos(theta)"
+inertia = 2
+[motor]
+power = "1.1 kW"
+speed = "1400 rpm"
+synchronous_speed = "1500 rpm"
+overload = 2.2
+inertia = 0.002
+characteristic = "kloss"
+[transmission]
+ratio = 14.66
+"""
+
+
+def of_text(spec: str, tmp_path: Path) -> list[Chapter]:
+    """The chapter on motion of a spec."""
+    file = tmp_path / "spec.toml"
+    file.write_text(spec, encoding="utf-8")
+    done = run(load_spec(file), target=stages_of(["motion"]))
+    return chapters_of({"motion": CHAPTERS["motion"]}, done.spec, done.results, {**NONE, POSITIONS: None})
+
+
+def values(chapters: list[Chapter]) -> dict[str, float]:
+    """What the lines give, the first of each name."""
+    assembler = Assembler()
+    assembler.written(chapters)
+    found: dict[str, float] = {}
+    for line in assembler.lines:
+        left = line.formula.sides[0]
+        assert isinstance(left, Name)
+        found.setdefault(left.key, float(line.found.result))
+    return found
+
+
+def said(name: str) -> str:
+    """The chapters on motion of a ready spec as plain text."""
+    return text(written(name, only=("motion", "unsteady")))
+
+
+def test_the_parabola_of_the_shaper_is_that_of_the_textbook() -> None:
+    found, book = values(told("shaper", only=("motion",))), CASES["dyn-shaper-motion-idle"]
+    for name, key in (
+        ("A_M", "A"),
+        ("B_M", "B"),
+        ("omega_N", "omega_N"),
+        ("omega_c", "omega_sync"),
+        ("M_N", "M_N_Nm"),
+    ):
+        assert found[name] == pytest.approx(book[key], rel=5e-5)
+
+
+def test_the_recurrence_gives_the_squares_of_the_textbook() -> None:
+    """(3.57) worked out anew from the table of turns, whose last digits let it be off by 1.5e-4."""
+    told_of = blocks(told("shaper", only=("motion",)))
+    (turns,) = (block for block in told_of if isinstance(block, Table) and block.key == "motion_turns")
+    moments, inertias, last = ([float(row[k].replace("−", "-")) for row in turns.rows] for k in (1, 2, 4))
+    step, a, b = math.pi / 12, 20548.67, 619.4426
+    for i in range(1, 25):
+        kept = (inertias[i - 1] - b * step) * last[i - 1] ** 2
+        gained = (moments[i - 1] + moments[i] + 2 * a) * step
+        assert math.sqrt((kept + gained) / (inertias[i] + b * step)) == pytest.approx(last[i], abs=2e-4)
+
+
+def test_kloss_is_that_of_the_textbook(tmp_path: Path) -> None:
+    found, book = values(of_text(PUMP, tmp_path)), CASES["dyn-motor-kloss"]
+    assert found["s_N"] == pytest.approx(book["s_N"], rel=5e-5)
+    assert found["s_K"] == pytest.approx(book["s_K"], rel=5e-5)
+    ratios = dict(zip(book["M_over_MN"]["s"], book["M_over_MN"]["ratio"], strict=True))
+    assert found["M_p"] / found["M_N"] == pytest.approx(ratios[1.0], rel=1e-4)
+
+
+def test_all_methods_agree_on_a_sine(tmp_path: Path) -> None:
+    """J_F = 2 M_1/(delta omega^2) = 25 kg*m^2 where the links have no inertia."""
+    chapters = of_text(SINE, tmp_path)
+    found = values(chapters)
+    assert [found[f"J_F{mark}"] for mark in ("", "^{(2)}", "^{(3)}", "^{(4)}", "^{(5)}")] == pytest.approx([25.0] * 5)
+    assert found["J_M"] == pytest.approx(CASES["dyn-flywheel-sine"]["J_F"])
+    assert "touch it, at φ = 180° and φ = 0°" in text(Assembler().written(chapters))
+
+
+def test_the_rim_carries_its_share() -> None:
+    """m (D^2 + h^2)/4 = 0.9 J of the flywheel, and J u^2 of it at the crank."""
+    found = values(told("course-project", only=("motion",)))
+    diameter, thickness = (found["D_o"] + found["D_i"]) / 2, (found["D_o"] - found["D_i"]) / 2
+    assert found["m_r"] * (diameter**2 + thickness**2) / 4 == pytest.approx(0.9 * found["J_M1"], rel=2e-4)
+    assert found["J_M1"] * 17.6316**2 == pytest.approx(found["J_M"], rel=5e-5)
+
+
+def test_a_time_optimal_motion_is_that_of_the_textbook() -> None:
+    """Phases of 4 s each, a travel of 1.6 m (2.10.2.4)."""
+    found = values(told("crane-luffing", only=("unsteady",)))
+    assert [found[name] for name in ("t_1", "t_2", "S_1", "S_2", "S_m")] == pytest.approx([4.0, 4.0, 0.4, 0.8, 1.6])
+
+
+@pytest.mark.parametrize(
+    ("name", "there", "absent"),
+    [
+        ("shaper", "ω_min ≥ ω_N: 5.4789 ≥ 5.5676 rad/s. The condition fails.", "Sizes of the flywheel"),
+        ("press", "Angular velocity by the kinetic energy", "Characteristic of the motor"),
+        ("electric-braking", "do not change over the cycle", "Excess work"),
+        ("elastic-drive", "M_i,i+1 = c_i (φ_i − φ_i+1)", "Angular velocity by the recurrence"),
+    ],
+)
+def test_the_chapter_follows_its_scene(name: str, there: str, absent: str) -> None:
+    found = said(name)
+    assert there in found
+    assert absent not in found
+
+
+def test_every_motion_in_time_is_told() -> None:
+    found = said("series-braking")
+    titles: list[Any] = re.findall(r"^1\.\d\.\d Motion “(.*)”$", found, re.MULTILINE)
+    assert titles == ["run-down", "self-excited", "field apart", "plugging", "regenerative"]
+    assert "ω_e = r_a/κ" in found
