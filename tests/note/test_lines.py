@@ -19,7 +19,19 @@ from tmmcalc.report.formula.tree import Call, Name, Node, Product, Quotient, Sta
 from tmmcalc.report.manuscript import Lexicon, Line
 
 QUICK = ("shaper", "press", "scotch-yoke")
-MUTATED = ("shaper", "press", "class-three-slider", "class-four", "tipper", "course-project", "four-stroke-engine", "pair-helical", "pair-internal", "pair-rack", "wheel")
+MUTATED = (
+    "shaper",
+    "press",
+    "class-three-slider",
+    "class-four",
+    "tipper",
+    "course-project",
+    "four-stroke-engine",
+    "pair-helical",
+    "pair-internal",
+    "pair-rack",
+    "wheel",
+)
 SWAPPED = {"sin": "cos", "cos": "sin"}
 
 

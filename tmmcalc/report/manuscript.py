@@ -47,7 +47,7 @@ class Place(NamedTuple):
 
     name: str
     lexicon: Lexicon
-    index: str = ""
+    index: str = ""  # type: ignore[assignment]
 
 
 class Line(NamedTuple):

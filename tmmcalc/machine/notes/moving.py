@@ -25,7 +25,7 @@ class Mass(NamedTuple):
     """A body with its names in formulas."""
 
     body: Body
-    index: str  # ``3`` of m_3; of a rod lumped in its pins ``3A``
+    index: str  # type: ignore[assignment]  # ``3`` of m_3; of a rod lumped in its pins ``3A``
     centre: str  # ``S3``
 
     @property

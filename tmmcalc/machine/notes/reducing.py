@@ -122,7 +122,7 @@ class Reducing(NamedTuple):
 def reducing(order: Order) -> Reducing:
     """What is told of the reduction of a linkage, its results put into the lexicons."""
     result, kinematics = order.results["reduction"], order.results["kinematics"]
-    mechanism, loading, _ = inputs(order.spec)
+    mechanism, loading, _ = inputs(order.spec)  # type: ignore[misc]  # of a scene with a linkage
     rows: Sequence[int] = rows_shown(order, chain_of(mechanism, kinematics))
     if order.flags[POSITIONS] is None:
         rows = _with_loads(rows, result, kinematics)
