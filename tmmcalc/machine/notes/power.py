@@ -140,7 +140,8 @@ def _motor(power: Power, duty: MotorDuty, order: Order, lexicon: Lexicon, rate: 
     place = [Place("", lexicon)]
     if duty.ratio_of:
         yield Paragraph(tr("The ratio of the drive is that of the gear train {name}.", name=duty.ratio_of))
-    yield from lines([*RATED, *_ratio_texts(power.line, rate)], place)
+    losing = {"eta": "*eta_u" if power.line.efficiency < 1 else ""}
+    yield from lines([*RATED, *_ratio_texts(power.line, rate)], place, losing)
     peak = ["psi_p = M_{cmax}/M_N"] if power.peak_moment else []
     mean = ["psi_m = M_{dm}/M_N"] if power.mean_moment > 0 and not power.balancing else []
     yield from lines([*mean, *peak, "J_{R1} = J_R*u**2"], place)
