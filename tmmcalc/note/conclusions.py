@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import graded
 from tmmcalc.note.assembled import shown_unit
 from tmmcalc.report.formula.digits import RESULT, significant
 from tmmcalc.report.language import tr, tr_name
@@ -31,7 +31,7 @@ def _blocks(results: Sequence[Result], warnings: Sequence[str]) -> Iterator[Bloc
         yield Listing(tuple(_sentence(each) for each in failing))
     if warnings:
         yield Paragraph(tr("To be borne in mind:"))
-        yield Listing(tuple(map(_said, warnings)))
+        yield Listing(tuple(tr_name(graded(each)[1]) for each in warnings))
 
 
 def _row(result: Result) -> tuple[str, ...]:
@@ -63,10 +63,3 @@ def _sentence(result: Result) -> str:
     if result.sense == "<=":
         return tr("{what} {symbol} = {value} is above {limit}", **values)
     return tr("{what} {symbol} = {value} is below {limit}", **values)
-
-
-def _said(warning: str) -> str:
-    """A warning without its level."""
-    if isinstance(warning, Note):
-        return f"{tr_name(warning.place)}: {tr_name(warning.text)}" if warning.place else tr_name(warning.text)
-    return tr_name(warning.partition(": ")[2])

@@ -9,6 +9,7 @@ from math import cos, hypot, sin
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.involute.internal.contact import (
     InternalContact,
     internal_contact,
@@ -141,9 +142,8 @@ def _undercut(task: PairTask, shift: float) -> Check:
     if shift >= least - NOISE:
         return Check("undercut", 1, shift, least, shift - least, "ok", "")
     verdict: Verdict = "warn" if task.limits.undercut else "fail"
-    return Check(
-        "undercut", 1, shift, least, shift - least, verdict, f"gear 1 is undercut: x1 = {shift:.4g} below {least:.4g}"
-    )
+    text = Phrase("gear 1 is undercut: x1 = {shift:.4g} below {least:.4g}", shift=shift, least=least)
+    return Check("undercut", 1, shift, least, shift - least, verdict, text)
 
 
 def _remedy(task: PairTask, shifts: tuple[float, float], found: Sequence[Check]) -> str:
