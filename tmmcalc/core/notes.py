@@ -131,11 +131,13 @@ def _stored(value: str | Sequence[str]) -> Any:
 
 
 def listed(parts: Sequence[str], between: str) -> str:
-    """Several phrases as one, with what stands ``between`` two of them; a single one is itself.
+    """Several phrases as one, with what stands ``between`` two of them; a single one is itself, none is empty.
 
     >>> listed(("30 deg", "40 deg"), " to ").template, listed(("30 deg", "40 deg", "50 deg"), " or ")
     ('{one} to {other}', '30 deg or 40 deg or 50 deg')
     """
+    if not parts:
+        return ""
     *before, last = parts
     return Phrase(f"{{one}}{between}{{other}}", one=listed(before, between), other=last) if before else last
 

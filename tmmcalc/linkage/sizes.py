@@ -24,14 +24,14 @@ def size_grades(mechanism: Mechanism) -> tuple[Grade, ...]:
     if known[largest] <= APART * known[smallest]:
         return ()
     text = Phrase(
-        "{called} measures {known:.4g} m, {called2} {known2:.4g} m, {known3:.0f} times less (limit {apart:g}): a "
+        "{large} measures {size:.4g} m, {small} {least:.4g} m, {times:.0f} times less (limit {limit:g}): a "
         'bare number is in metres, is a unit missing? Write e.g. "320 mm"',
-        called=_called(largest),
-        known=known[largest],
-        called2=_called(smallest),
-        known2=known[smallest],
-        known3=known[largest] / known[smallest],
-        apart=APART,
+        large=_called(largest),
+        size=known[largest],
+        small=_called(smallest),
+        least=known[smallest],
+        times=known[largest] / known[smallest],
+        limit=APART,
     )
     return (Grade("warning", "mechanism", text),)
 

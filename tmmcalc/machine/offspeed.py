@@ -72,14 +72,19 @@ def off_rated(rated: float, ratio: float, asked: float, sense: float, key: str) 
     if abs(at_input / asked - 1) <= GRAVE:
         return None
     text = (
-        "at its rated speed the motor turns the input with {value:.6g} rpm through the ratio {ratio:.5g}, {off:.3g} % "
-        "{side} the {limit:.6g} rpm of the spec, at which all of this is computed: set transmission.ratio to "
-        '{fitting:.5g}, or {key} to "{speed:.6g} rpm"'
+        "at its rated speed the motor turns the input with {value:.6g} rpm through the ratio {ratio:.5g}, "
+        "{off:.3g} % below the {limit:.6g} rpm of the spec, at which all of this is computed: set transmission.ratio "
+        'to {fitting:.5g}, or {key} to "{speed:.6g} rpm"'
     )
+    if at_input > asked:
+        text = (
+            "at its rated speed the motor turns the input with {value:.6g} rpm through the ratio {ratio:.5g}, "
+            "{off:.3g} % above the {limit:.6g} rpm of the spec, at which all of this is computed: set "
+            'transmission.ratio to {fitting:.5g}, or {key} to "{speed:.6g} rpm"'
+        )
     words: dict[str, Any] = {
         "ratio": ratio,
         "off": 100 * abs(at_input / asked - 1),
-        "side": "above" if at_input > asked else "below",
         "fitting": rated / asked,
         "key": key,
         "speed": sense * at_input * RPM,

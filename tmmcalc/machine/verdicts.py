@@ -147,9 +147,9 @@ def _validity(regime: Regime, motor: Characteristic) -> Iterator[Verdict]:
         yield Verdict(
             "warning",
             Phrase(
-                "the {name} characteristic holds from {least:.6g} rad/s up, the speed falls to {omega_min:.6g} "
+                "the {characteristic} holds from {least:.6g} rad/s up, the speed falls to {omega_min:.6g} "
                 "rad/s: the whole curve of the motor (Kloss) tells more",
-                name=motor.name,
+                characteristic=f"{motor.name} characteristic",
                 least=motor.least,
                 omega_min=regime.omega_min,
             ),
@@ -159,8 +159,8 @@ def _validity(regime: Regime, motor: Characteristic) -> Iterator[Verdict]:
         yield Verdict(
             "note",
             Phrase(
-                "the {name} characteristic holds up to {most:.6g} rad/s, the speed rises to {omega_max:.6g} rad/s",
-                name=motor.name,
+                "the {characteristic} holds up to {most:.6g} rad/s, the speed rises to {omega_max:.6g} rad/s",
+                characteristic=f"{motor.name} characteristic",
                 most=motor.most,
                 omega_max=regime.omega_max,
             ),

@@ -69,7 +69,7 @@ def reworded(text: str, said: Callable[[int, str], tuple[str, dict[str, str]]]) 
         number = found[3] or given[found[2]]
         if number not in ("1", "2"):
             return found[0]
-        words, named = said(int(number), found[2] or f"wheel{number}")
+        words, named = said(int(number), found[2] or ("mate" if "wheel" in values else "wheel"))
         values.update(named)
         return words
 

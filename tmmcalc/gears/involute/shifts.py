@@ -153,7 +153,12 @@ def _on_sum(area: Contour, strategy: str, total: float, x1: float | None, x2: fl
     note = ""
     if one != wanted:
         limit = line.low_line if one == line.low else line.high_line
-        note = f"{split.replace('_', ' ')} would need x1 = {wanted:.4f}; stopped by: {LINES[limit][1]}"
+        note = Phrase(
+            "{split} would need x1 = {wanted:.4f}; stopped by: {limit}",
+            split=split.replace("_", " "),
+            wanted=wanted,
+            limit=LINES[limit][1],
+        )
     return _judged(area.task, strategy, area.strict, one, total - one, note)
 
 

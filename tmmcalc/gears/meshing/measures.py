@@ -153,28 +153,37 @@ def _better(text: str, found: Spans) -> str:
     )
 
 
+def _bodies(body: str, diameter: str) -> Phrase:
+    """Balls or pins with their diameter."""
+    return Phrase("balls of {diameter}" if body == "balls" else "pins of {diameter}", diameter=diameter)
+
+
 def _balls(asked: WheelMeasuring, gear: Gear) -> tuple[BallsRow | None, tuple[Note, ...]]:
     m, body = asked.module, asked.body
     try:
         diameter = usual_diameter(gear.wheel) if asked.ball is None else asked.ball / m
         if not diameter > LEAST_BALLS:
-            return None, (Note("warning", Phrase("no {body} stand in the space", body=body)),)
+            return None, (
+                Note("warning", "no balls stand in the space" if body == "balls" else "no pins stand in the space"),
+            )
         found = over_balls(gear.wheel, diameter, gear.tip, gear.active, gear.root, body)
     except NoSolutionError as error:
         limit, told = millimetres(m * (error.limit or 0.0)), millimetres(asked.ball or 0.0)
-        text = "{body} of {diameter} do not stand in the space: they have to be larger than {limit}"
+        text = "{body} do not stand in the space: they have to be larger than {limit}"
         if gear.wheel.teeth < 0:
-            text = "{body} of {diameter} do not stand in the space: they have to be smaller than {limit}"
-        said = Phrase(text, body=body, diameter=told, limit=limit)
+            text = "{body} do not stand in the space: they have to be smaller than {limit}"
+        said = Phrase(text, body=_bodies(body, told), limit=limit)
         numbers = asked.ball, m * (error.limit or 0.0), "m"
         return None, (Note("warning", said, "", *numbers, "D_M"),)
     if not (isfinite(found.size) and isfinite(found.curvature)):
-        return None, (Note("warning", Phrase("no {body} stand in the space", body=body)),)
-    remarks = []
+        return None, (
+            Note("warning", "no balls stand in the space" if body == "balls" else "no pins stand in the space"),
+        )
+    remarks: list[str] = []
     if not found.on_flank:
-        remarks.append("{body} of {diameter} do not touch the usable involute")
+        remarks.append("{body} do not touch the usable involute")
     if not found.clear:
-        remarks.append("{body} of {diameter} do not stand proud of the tip or meet the root circle")
+        remarks.append("{body} do not stand proud of the tip or meet the root circle")
     row = BallsRow(
         diameter=m * diameter,
         size=m * found.size,
@@ -186,7 +195,7 @@ def _balls(asked: WheelMeasuring, gear: Gear) -> tuple[BallsRow | None, tuple[No
         clear=found.clear,
     )
     told = millimetres(m * diameter)
-    return row, tuple(Note("warning", Phrase(remark, body=body, diameter=told)) for remark in remarks)
+    return row, tuple(Note("warning", Phrase(remark, body=_bodies(body, told))) for remark in remarks)
 
 
 def _chords(m: float, gear: Gear, asked: Sequence[float]) -> tuple[tuple[ChordRow, ...], tuple[Note, ...]]:

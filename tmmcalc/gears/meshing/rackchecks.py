@@ -28,10 +28,11 @@ def rack_checks(pair: RackPair, limits: QualityLimits) -> tuple[Check, ...]:
     found = [wanted_angle(pinion.transverse_angle, limits), *_ratios(pair, limits)]
     found += [_own_interference(pair), _rack_interference(pair), _undercut(pair, limits)]
     for i, (value, clearance) in enumerate(zip(thickness, pair.clearances, strict=True), 1):
-        whose = "the rack" if i == 2 else "gear 1"
-        found.append(at_least("tip thickness", i, value, tips, f"tip thickness of {whose}"))
+        text = "tip thickness of the rack" if i == 2 else "tip thickness of gear 1"
+        found.append(at_least("tip thickness", i, value, tips, text))
         bounds = 0.0, pinion.rack.clearance
-        found.append(at_least("clearance", i, clearance, bounds, f"radial clearance at the root of {whose}"))
+        text = "radial clearance at the root of the rack" if i == 2 else "radial clearance at the root of gear 1"
+        found.append(at_least("clearance", i, clearance, bounds, text))
     return (*found, *_sliding(pair, limits))
 
 

@@ -256,5 +256,7 @@ def _remarks(result: Strength, at: int) -> Iterator[Remark]:
         for what, margin in (("contact", result.contact_margin), ("bending", result.bending_margin)):
             if margin[at, k] < -1e-9:
                 over = -100 * float(margin[at, k])
-                text = Phrase("the {what} stress is {over:.2g} % above the permissible one", what=what, over=over)
-                yield Remark(of, text, over, 0.0, "%", f"{what} stress")
+                text = "the contact stress is {over:.2g} % above the permissible one"
+                if what == "bending":
+                    text = "the bending stress is {over:.2g} % above the permissible one"
+                yield Remark(of, Phrase(text, over=over), over, 0.0, "%", f"{what} stress")

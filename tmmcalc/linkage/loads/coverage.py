@@ -93,10 +93,10 @@ def _held(
     ends, held = [], []
     if passed[0] < first - SLACK * way and values[0]:
         ends.append(Phrase("begins at {named}", named=named(first)))
-        held.append(Phrase("before it the first value {values:.5g} {unit} is held", values=values[0], unit=unit))
+        held.append(Phrase("before it the first value {value:.5g} {unit} is held", value=values[0], unit=unit))
     if passed[1] > last + SLACK * way and values[-1]:
         ends.append(Phrase("ends at {named}", named=named(last)))
-        held.append(Phrase("beyond it the last value {values:.5g} {unit} is held", values=values[-1], unit=unit))
+        held.append(Phrase("beyond it the last value {value:.5g} {unit} is held", value=values[-1], unit=unit))
     if ends:
         text = Phrase(
             "its table {ends}, but {limit}: {held}; extend the table, end it with 0, or give the load a window",

@@ -46,10 +46,10 @@ def _grades(chain: Chain, k: int, x: Real, variant: np.ndarray) -> list[Grade]:
         at = _change(chain, k, float(x[i]), float(x[i + 1]))
         changed = [
             Phrase(
-                "{name} from {variant:+d} to {variant2:+d}",
+                "{name} from {before:+d} to {after:+d}",
                 name=one.group.name,
-                variant=one.variant,
-                variant2=other.variant,
+                before=one.variant,
+                after=other.variant,
             )
             for one, other in zip(split.variants[variant[i]], split.variants[variant[i + 1]], strict=True)
             if one.variant != other.variant

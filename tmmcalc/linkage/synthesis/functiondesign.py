@@ -142,6 +142,4 @@ def _defects(task: SynthesisTask, transmission: float, sizes: tuple[Size, ...], 
         )
     lengths = [abs(size.value) for size in sizes if size.symbol in "abcdrl"]
     if max(lengths) > LONG * min(lengths):
-        yield Phrase(
-            "sizes: the longest link has {lengths:.3g} times the shortest", lengths=max(lengths) / min(lengths)
-        )
+        yield Phrase("sizes: the longest link has {ratio:.3g} times the shortest", ratio=max(lengths) / min(lengths))

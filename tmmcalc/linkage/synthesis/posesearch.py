@@ -42,13 +42,14 @@ def search(task: SynthesisTask, kind: str, exact: Callable[[], Found] | None) ->
 
 
 _WHAT = {"path": "points", "motion": "poses"}
+_LINKAGE = {"four_bar": "four-bar", "slider_crank": "slider-crank"}
 
 
 def _nearest(task: SynthesisTask, kind: str, fits: list[Design], few: bool, counters: dict[str, int]) -> Synthesis:
     """The best fits; ``few`` where as many points can be met exactly by other ones."""
     asked: PoseTask = task.asked
     count, what = len(asked.points), _WHAT[kind]
-    linkage = asked.mechanism.replace("_", "-")
+    linkage = _LINKAGE[asked.mechanism]
     if not fits:
         raise NoSolutionError(
             f"no {linkage} was found that passes the {count} {what}",

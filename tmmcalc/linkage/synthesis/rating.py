@@ -51,9 +51,9 @@ class Rating(NamedTuple):
             ("rotatability: the crank does not turn fully", self.turns[k] or not asked.full),
             (
                 Phrase(
-                    "transmission: the least angle is {transmission:.4g} deg, below {transmission2:.4g} deg",
-                    transmission=np.degrees(self.transmission[k]),
-                    transmission2=np.degrees(transmission),
+                    "transmission: the least angle is {found:.4g} deg, below {limit:.4g} deg",
+                    found=np.degrees(self.transmission[k]),
+                    limit=np.degrees(transmission),
                 ),
                 self.transmission[k] >= transmission,
             ),

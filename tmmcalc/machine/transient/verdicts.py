@@ -275,20 +275,20 @@ def _extrapolated(scenario: Scenario, curves: Curves, drive: Drive, rated: float
     remedy = "give points for these speeds" if motor.name == "table" else whole
     if rated:
         text = (
-            "the {name} characteristic holds from {least:.6g} rad/s up, the speed is as low as {lowest:.6g} rad/s; "
+            "the {characteristic} holds from {least:.6g} rad/s up, the speed is as low as {lowest:.6g} rad/s; "
             "below, for {time:.4g} s, it is extrapolated to {largest:.5g} N*m, {times:.3g} times the rated: these "
             "times "
             "and moments are no prediction; {remedy}"
         )
     else:
         text = (
-            "the {name} characteristic holds from {least:.6g} rad/s up, the speed is as low as {lowest:.6g} rad/s; "
+            "the {characteristic} holds from {least:.6g} rad/s up, the speed is as low as {lowest:.6g} rad/s; "
             "below, for {time:.4g} s, it is extrapolated to {largest:.5g} N*m: these times and moments are no "
             "prediction; {remedy}"
         )
     said = Phrase(
         text,
-        name=motor.name,
+        characteristic=f"{motor.name} characteristic",
         least=motor.least,
         lowest=lowest,
         time=time,

@@ -228,6 +228,6 @@ def _undamped(task: VibratorTask, modes: Modes) -> Iterator[Said]:
     if len(bare):
         modes_without = bare.tolist()
         yield Phrase(
-            "warning: no damping in mode {listed}: at its resonance the curve has no bound, its peaks are arbitrary",
+            "warning: no damping in mode {modes}: at its resonance the curve has no bound, its peaks are arbitrary",
             modes=list(map(str, modes_without)),
         )

@@ -15,6 +15,7 @@ from typing import get_args
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.numerics.roots import Indices, bracketed
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.internal.line import InternalLine, Span, climb, internal_line, intervals, scan
@@ -129,8 +130,8 @@ def _split(line: InternalLine, split: str) -> InternalChoice:
         if split == "equal_strength":
             note = "a ring has no tooth form factor: the middle of the admissible shifts is taken"
     if float(line.at(x1).unequal[0]) < -STEEP:
-        note = f"{note}; " if note else ""
-        note += "the contact begins near the base circle of the pinion, where its specific sliding grows without bound"
+        steep = "the contact begins near the base circle of the pinion, where its specific sliding grows without bound"
+        note = listed([text for text in (note, steep) if text], "; ")
     return InternalChoice(x1, line.total - x1, True, (), note, low, high)
 
 
@@ -149,8 +150,8 @@ def _equal_sliding(line: InternalLine, low: float, high: float) -> tuple[float, 
     first, last = abs(values[[0, -1]])
     end, outside = (low, low - BESIDE) if not first > last else (high, high + BESIDE)
     limit = _first_broken(line, outside)
-    note = f"equal sliding is out of reach at this sum of shifts; x1 = {end:.4f} is nearest to it"
-    return end, f"{note}; beyond it {limit}" if limit else note
+    note = Phrase("equal sliding is out of reach at this sum of shifts; x1 = {end:.4f} is nearest to it", end=end)
+    return end, Phrase("{note}; beyond it {limit}", note=note, limit=limit) if limit else note
 
 
 def _first_broken(line: InternalLine, x1: float) -> str:

@@ -36,10 +36,12 @@ def internal_checks(
     thickness = float(pair.pinion.thickness_at(pair.tips[0])), pair.ring.thickness_at(pair.tips[1])
     tips = limits.tip_thickness, max(limits.tip_thickness, limits.tip_thickness_wanted)
     for i, (value, clearance) in enumerate(zip(thickness, pair.clearances, strict=True), 1):
-        found.append(at_least("tip thickness", i, value, tips, Phrase("tip thickness of gear {i}", i=i)))
+        found.append(at_least("tip thickness", i, value, tips, Phrase("tip thickness of gear {wheel}", wheel=i)))
         c = pair.pinion.rack.clearance
         found.append(
-            at_least("clearance", i, clearance, (0.0, c), Phrase("radial clearance at the root of gear {i}", i=i))
+            at_least(
+                "clearance", i, clearance, (0.0, c), Phrase("radial clearance at the root of gear {wheel}", wheel=i)
+            )
         )
     return (*found, *_sliding(pair, meeting.segment, limits))
 
@@ -49,7 +51,7 @@ def _above_base(pair: InternalPair) -> tuple[Check, ...]:
     found = []
     for i, (tip, base) in enumerate(zip(pair.tips, (pair.pinion.base, pair.ring.base), strict=True), 1):
         if tip < base:
-            text = Phrase("the tip circle of gear {i} lies within its base circle", i=i)
+            text = Phrase("the tip circle of gear {wheel} lies within its base circle", wheel=i)
             found.append(Check("tip circle", i, tip, base, tip - base, "fail", text))
     return tuple(found)
 

@@ -178,8 +178,8 @@ def _remarks(table: TrainTable, task: TrainTask, least: int) -> Iterator[str]:
         slight = table.z_min >= math.ceil(SLIGHT * least)
         degree = "slight undercut" if slight else "undercut"
         yield Phrase(
-            "{degree}: z_min = {z_min}, without a profile shift wheels of {least} teeth are free of it",
-            degree=degree,
+            "{cut}: z_min = {z_min}, without a profile shift wheels of {least} teeth are free of it",
+            cut=degree,
             z_min=table.z_min,
             least=least,
         )

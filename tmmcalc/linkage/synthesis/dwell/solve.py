@@ -187,9 +187,9 @@ def _defects(task: SynthesisTask, found: Figures) -> Iterator[str]:
     if math.pi / 2 - steepest < task.transmission:
         yield (
             Phrase(
-                "transmission: the least angle is {steepest:.4g} deg, below {transmission:.4g} deg",
-                steepest=90 - math.degrees(steepest),
-                transmission=math.degrees(task.transmission),
+                "transmission: the least angle is {found:.4g} deg, below {limit:.4g} deg",
+                found=90 - math.degrees(steepest),
+                limit=math.degrees(task.transmission),
             )
         )
 
