@@ -25,7 +25,7 @@ LANGUAGES = {"en": "English", "uk": "Ukrainian"}
 PLACE = re.compile(r"\{(\w+)\}")
 UNIT = re.compile(r"[A-Za-z°%]+")
 POINT = re.compile(r"(?<=\d)\.(?=\d)")
-MEASURED = re.compile(r"([-+]?\d[\d.]*(?:e[-+]?\d+)?) (%|°|[A-Za-z][\w*/^²³·]*)")  # a number with its unit
+MEASURED = re.compile(r"([-+−]?\d[\d.,]*(?:e[-+]?\d+)?) (%|°|[A-Za-z][\w*/^²³·]*)")  # a number with its unit
 
 _spoken: ContextVar[str] = ContextVar("language", default="en")
 
