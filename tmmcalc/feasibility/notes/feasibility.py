@@ -46,7 +46,12 @@ def _row(verdict: Verdict) -> tuple[str, ...]:
         return verdict.name, said, "", "", "", "", kept
     numbers = (_number(each, verdict.unit) for each in (verdict.value, verdict.at_least, verdict.at_most))
     left = f"${significant(100 * verdict.margin, MARGIN)}$"
-    return verdict.name, tr_name(verdict.quantity), *numbers, left, kept
+    return verdict.name, _broken(tr_name(verdict.quantity)), *numbers, left, kept
+
+
+def _broken(name: str) -> str:
+    """A name with places where a line of a narrow column may end."""
+    return name.replace("_", "_\u200b")
 
 
 def _number(value: float | None, unit: str) -> str:
@@ -77,7 +82,7 @@ def _concluded(result: Feasibility) -> Sequence[str]:
         said = [tr("The rule does not hold; at fault: {failing}.", failing=failing)]
     else:
         said = [tr("Constraints that are not kept: {failing}.", failing=failing)]
-    if result.candidates:
+    if len(result.candidates) > 1:
         values = {"good": sum(each.feasible for each in result.candidates), "count": len(result.candidates)}
         taken = tr(
             "Solutions that keep what is asked: {good} of {count}; number {n} is taken.", **values, n=result.chosen
