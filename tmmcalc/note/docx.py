@@ -179,7 +179,10 @@ def _paragraph(runs: str, to: str = "left") -> str:
 
 
 def _table(widths: Sequence[float], rows: Sequence[tuple[str, Sequence[str]]], style: str = "") -> str:
-    """A table of columns so wide [mm]; rows are what is said of them, and cells of paragraphs."""
+    """A table of columns so wide [mm]; rows are what is said of them, and cells of paragraphs.
+
+    Without a style there are no lines, and nothing is kept free beside the texts.
+    """
     dxa = [round(size * TWIPS) for size in widths]
     grid = "".join(f'<w:gridCol w:w="{size}"/>' for size in dxa)
     said = []
@@ -190,8 +193,9 @@ def _table(widths: Sequence[float], rows: Sequence[tuple[str, Sequence[str]]], s
         )
         said.append(f"<w:tr><w:trPr><w:cantSplit/>{properties}</w:trPr>{''.join(each)}</w:tr>")
     styled = f'<w:tblStyle w:val="{style}"/>' if style else ""
-    whole = f'<w:tblPr>{styled}<w:tblW w:w="{sum(dxa)}" w:type="dxa"/><w:tblLayout w:type="fixed"/></w:tblPr>'
-    return f"<w:tbl>{whole}<w:tblGrid>{grid}</w:tblGrid>{''.join(said)}</w:tbl>"
+    bare = '<w:tblCellMar><w:left w:w="0" w:type="dxa"/><w:right w:w="0" w:type="dxa"/></w:tblCellMar>' * (not style)
+    sized = f'<w:tblW w:w="{sum(dxa)}" w:type="dxa"/><w:tblLayout w:type="fixed"/>'
+    return f"<w:tbl><w:tblPr>{styled}{sized}{bare}</w:tblPr><w:tblGrid>{grid}</w:tblGrid>{''.join(said)}</w:tbl>"
 
 
 class _Writer:
