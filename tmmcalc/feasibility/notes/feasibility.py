@@ -14,7 +14,7 @@ from tmmcalc.report.manuscript import Block, Paragraph, Result, Table
 from tmmcalc.report.printing import printed_as
 
 MARGIN = 3  # digits of what is left [%]
-LOGIC = re.compile(r"\b(?:and|or|not)\b")
+CONNECTIVES = ("and", "or", "not")
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -70,7 +70,7 @@ def _is_combined(result: Feasibility) -> bool:
 
 def _spelt(rule: str) -> str:
     """The rule with its connectives in the language."""
-    return LOGIC.sub(lambda word: tr_name(word[0]), rule)
+    return re.sub(rf"\b(?:{'|'.join(CONNECTIVES)})\b", lambda word: tr_name(word[0]), rule)
 
 
 def _concluded(result: Feasibility) -> Sequence[str]:
