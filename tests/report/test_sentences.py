@@ -101,20 +101,19 @@ def test_a_stored_result_has_its_sentences_and_what_they_are_made_of() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("spec", SPECS, ids=lambda path: f"{path.parent.name}-{path.stem}")
 @pytest.mark.parametrize("language", OTHERS)
-def test_no_english_is_left_in_warnings(spec: Path, language: str, tmp_path: Path) -> None:
-    """Neither in those of a run nor in those of its files; Latin words are names that the spec gives."""
+def test_no_english_is_left_in_notes(spec: Path, language: str, tmp_path: Path) -> None:
+    """Neither in those of a run nor in those of its files; Latin words are names and keys of the spec."""
     try:
         scene = load_spec(spec)
-        runs = [tmmcalc.run(scene, out=tmp_path).results for _ in range(2)]
+        runs = [tmmcalc.run(scene, out=tmp_path) for _ in range(2)]
     except TmmError:
         return
     own = set(LATIN.findall(spec.read_text(encoding="utf-8"))) | SHARED
     told = []
     with speaking(language):
-        for results in runs:
-            shown = [STAGES[stage].summary(result, stage) for stage, result in results.items() if stage in STAGES]
-            notes = [note for document in shown for note in notes_of(document) if note.startswith("warning")]
-            told.append([tr_name(graded(note)[1]) for note in notes])
+        for run in runs:
+            shown = [STAGES[stage].summary(result, stage) for stage, result in run.results.items() if stage in STAGES]
+            told.append([tr_name(graded(note)[1]) for document in shown for note in notes_of(document)])
     assert told[0] == told[1]
     assert {text for text in told[0] if set(LATIN.findall(text)) - own} == set()
 

@@ -170,11 +170,18 @@ def _none(line: InternalLine) -> NoSolutionError:
     best = climb(line.least, float(x1[max(k - 1, 0)]), float(x1[min(k + 1, x1.size - 1)]))
     margin = float(line.least(np.array([best]))[0])
     sides = dict.fromkeys(filter(None, (_first_broken(line, best + step) for step in (-BESIDE, BESIDE))))
-    told = " and on the other side ".join(sides)
-    teeth = f"{line.pinion.teeth}/{line.ring.teeth} (ring)"
     return NoSolutionError(
-        f"no shifts of z = {teeth} with x1 + x2 = {line.total:.4f} are admissible; "
-        f"the least bad are x1 = {best:.4f}, x2 = {line.total - best:.4f} (margin {margin:.4g}): there {told}",
+        Phrase(
+            "no shifts of z = {pinion}/{ring} (ring) with x1 + x2 = {total:.4f} are admissible; the least bad are "
+            "x1 = {x1:.4f}, x2 = {x2:.4f} (margin {margin:.4g}): there {sides}",
+            pinion=line.pinion.teeth,
+            ring=line.ring.teeth,
+            total=line.total,
+            x1=best,
+            x2=line.total - best,
+            margin=margin,
+            sides=listed([*sides], " and on the other side "),
+        ),
         where=WHERE,
         value=margin,
         limit=0.0,
