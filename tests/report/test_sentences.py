@@ -17,6 +17,7 @@ from tmmcalc.core.errors import TmmError
 from tmmcalc.core.notes import Note, Phrase, graded, held, listed
 from tmmcalc.core.sentences import KEY, parted, rejoined
 from tmmcalc.core.stored import Record
+from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.project import load_spec
 from tmmcalc.report.document import Document
 from tmmcalc.report.language import LANGUAGES, catalogue, speaking, tr_name
@@ -26,7 +27,7 @@ OTHERS = [language for language in LANGUAGES if language != "en"]
 CONFIGS = Path(__file__).parents[2] / "configs"
 SPECS = [*sorted(CONFIGS.glob("*.toml")), *sorted((CONFIGS / "extreme").glob("*.toml"))]
 LATIN = re.compile(r"[A-Za-z]{3,}")
-SHARED = {"RRR", "RRP", "RPR", "PRP", "RPP", "III", "sin"}  # kinds of dyads, numerals, functions
+SHARED = {"RRR", "RRP", "RPR", "PRP", "RPP", "III", "sin", *LAYOUTS}  # kinds of dyads, numerals, functions, layouts
 
 
 @pytest.mark.parametrize("language", OTHERS)

@@ -76,7 +76,7 @@ def _design_notes(result: Feasibility, shown: Candidate) -> Iterator[str]:
             "warning: solution {number} cannot be judged: {refused}", number=shown.number, refused=shown.refused
         )
     else:
-        rest = Phrase("solution {chosen} is feasible", chosen=result.chosen)
+        rest: str = Phrase("solution {chosen} is feasible", chosen=result.chosen)
         if none:
             nearest = shown.number == result.chosen
             rest = "no solution is feasible, this one comes nearest" if nearest else "no solution is feasible"

@@ -50,9 +50,10 @@ def cut_short(pair: InternalPair, module: float) -> str:
     cut = float(pair.pinion.plain_tip) - pair.tips[0]
     if pair.ring.cutter is None or cut <= NOISE:
         return ""
-    return (
-        f"the teeth of the pinion are {millimetres(cut * module)} shorter than the rack's, to keep the clearance at "
-        "the root that the cutter leaves the ring"
+    return Phrase(
+        "the teeth of the pinion are {cut} shorter than the rack's, to keep the clearance at the root that the cutter "
+        "leaves the ring",
+        cut=millimetres(cut * module),
     )
 
 

@@ -241,8 +241,8 @@ def remarks(result: Strength, at: int) -> tuple[Remark, ...]:
 
 def _remarks(result: Strength, at: int) -> Iterator[Remark]:
     if result.few_teeth[at]:
-        text = Phrase("a wheel has fewer than {least_teeth} teeth, for which Y_F is not known", least_teeth=LEAST_TEETH)
-        yield Remark("train", text, int(result.least_teeth[at]), LEAST_TEETH, name="teeth")
+        few = Phrase("a wheel has fewer than {least_teeth} teeth, for which Y_F is not known", least_teeth=LEAST_TEETH)
+        yield Remark("train", few, int(result.least_teeth[at]), LEAST_TEETH, name="teeth")
     for k in range(result.module.shape[1]):
         of = Phrase("stage {k}", k=k + 1)
         if result.psi_unusual[at, k]:
