@@ -152,4 +152,5 @@ ROOM = Room(
         "Cams: laws of motion, sizes, profiles, forces, strength, the lowest mechanism.",
         "tmmcalc cam synth my.toml",
     ),
+    chapters={"cams": "Synthesis of the cam mechanism"},
 )
