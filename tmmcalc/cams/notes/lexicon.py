@@ -24,8 +24,9 @@ from tmmcalc.cams.program import PhaseKind
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.formula.digits import Given, significant
+from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.symbols import canonical
-from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Lexicon, Place, Table
 from tmmcalc.report.telling import filled, named
 
@@ -36,6 +37,7 @@ ANGLES: dict[PhaseKind, str] = {"rise": "phi_y", "high dwell": "phi_d", "return"
 THIRD = 0.3  # of a phase: where it is worked out, as near as the rows of the tables come
 FIGURES = 7  # digits of a value of a table
 PLACES = 6  # its decimals at most
+SHORT = 6  # digits of an angle within a sentence
 
 
 class Told(NamedTuple):
@@ -200,7 +202,12 @@ def number(given: Given) -> str:
     """A value as it is printed in a table."""
     assert isinstance(given.value, float)
     text = significant(round(given.value, PLACES) + 0.0, FIGURES)
-    return f"${text}$" if "e" in text else tr_number(text).replace("-", "−")
+    return f"${text}$" if "e" in text else spelt(text)
+
+
+def degrees_of(phi: float) -> str:
+    """An angle [rad] in degrees within a sentence, without the sign of degrees."""
+    return spelt(significant(degrees(phi) + 0.0, SHORT))
 
 
 def shown_unit(unit: str) -> str:
