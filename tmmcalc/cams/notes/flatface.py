@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.cams.notes.lexicon import Told, angle, degrees_of, mm, number, of_motion
+from tmmcalc.cams.notes.lexicon import Told, degrees_of, mm, number, of_motion
 from tmmcalc.cams.synthesis.results import Convexity, Synthesis
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.cams.notes.lexicon import Told, angle, degrees_of, mm, number
+from tmmcalc.cams.notes.lexicon import Told, angle, degrees_of, mm
 from tmmcalc.cams.pivot import highest
 from tmmcalc.cams.synthesis import oscillatingsizes
 from tmmcalc.cams.synthesis.bestplace import Best, best

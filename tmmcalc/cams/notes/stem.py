@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.cams.notes.lexicon import Told, angle, degrees_of, mm, number, of_motion
+from tmmcalc.cams.notes.lexicon import Told, degrees_of, mm, of_motion
 from tmmcalc.cams.pressure.angle import limited_phases
 from tmmcalc.cams.program import PhaseKind
 from tmmcalc.cams.synthesis import translatingsizes
@@ -89,18 +89,12 @@ def _height(told: Told, each: Bound, lexicon: Lexicon) -> Iterator[Block]:
     own = of_motion(told, 0)
     name = f"b_{each.number}"
     at = {"<dy>": mm(y, own["<dy>"].meaning), "<y>'": mm(first, own["<y>'"].meaning)}
-    lexicon |= named(
-        {
-            name: mm(
-                each.line.height,
-                tr("bound {number} of the start distance without offset", number=each.number),
-            )
-        }
-    )
+    said = tr("bound {number} of the start distance without offset", number=each.number)
+    lexicon |= named({name: mm(each.line.height, said)})
     place = Place(tr("at φ = {angle}°", angle=degrees_of(phi)), lexicon | told.named(at))
-    said = tr("On the rise:") if each.kind == "rise" else tr("On the return:")
-    yield Paragraph(said)
-    yield from lines((f"{name} = {sign}S'/tan({ANGLES[each.kind]}) - DeltaS",), [place])
+    yield Paragraph(tr("On the rise:") if each.kind == "rise" else tr("On the return:"))
+    if each.line.height:
+        yield from lines((f"{name} = {sign}S'/tan({ANGLES[each.kind]}) - DeltaS",), [place])
     yield Display(read(f"S_0 >= {_bound(told, each)}"))
 
 
