@@ -172,7 +172,7 @@ def _points(told: Told, result: Profile, places: list[Place]) -> Iterator[Block]
     """The coordinates at the shown positions."""
     words = _words(told)
     if result.flat:
-        yield Paragraph(tr("The profile is the envelope of the lines of the face; its points and radius of curvature:"))
+        yield Paragraph(tr("The profile is the envelope of the lines of the face; its points:"))
         yield from lines(("S = S_0 + DeltaS", *FLAT[:2]), places, words)
         if result.tool is not None:
             yield Paragraph(tr("The centre of the tool lies outside of the profile by its radius $r_t$."))
