@@ -43,7 +43,7 @@ PEAKS = {
 }
 ROWS = 40  # pieces of a law that are listed
 LIKE = 1e-9  # of the largest: a law that brakes as hard as it speeds up
-DIAGRAMS, CONSTRUCTION = (WIDE, 160.0), (WIDE, 175.0)  # sizes of the pictures [mm]
+DIAGRAMS, CONSTRUCTION = (WIDE, 125.0), (WIDE, 160.0)  # sizes of the pictures [mm]
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -54,7 +54,6 @@ def blocks(order: Order) -> Iterator[Block]:
     yield Heading(tr("Law of motion of the follower"))
     yield from _phases(told)
     yield from _course(told)
-    yield from _shocks(told)
 
 
 def _given(told: Told) -> Iterator[Block]:
@@ -281,7 +280,7 @@ def _extreme_word(word: str, order: int) -> str:
 def _course(told: Told) -> Iterator[Block]:
     """The table over the turn, the diagrams, their graphical integration."""
     law, task = told.law, told.task
-    rows = table_rows(told)
+    rows = table_rows(told, dwells=False)
     columns = {"$phi$, deg": np.degrees(law.positions.phi), "$k$": law.part}
     for k in range(3):
         unit = ("deg", "", "")[k] if told.turns else "mm"
@@ -299,6 +298,7 @@ def _course(told: Told) -> Iterator[Block]:
     shown = {head: values[rows] for head, values in columns.items()}
     labels = [law.labels[row] for row in rows]
     yield tabulated(tr("Motion of the follower"), shown, labels, head=tr("Position"), key="cam_motion")
+    yield from _shocks(told)
     yield Figure(
         message(tr("Diagrams of {names}", names=", ".join(f"${symbol(law, order)}$" for order in range(3)))),
         partial(draw_laws, program=task.program, result=law, orders=(0, 1, 2)),

@@ -43,7 +43,7 @@ def told_rocker(told: Told, result: Synthesis, lexicon: Lexicon) -> Iterator[Blo
     asked, minus = told.task.asked, told.words["d-"]
     yield Paragraph(tr("The pressure angle follows from the position and the analogue of velocity:"))
     yield Display(read(f"tan(theta) = (l_2*(1 {minus} psi') - l_0*cos(psi))/(l_0*sin(psi))"))
-    lexicon["psi_m"] = angle(told.law.stroke, tr("swing of the rocker"))
+    lexicon["psi_m"] = angle(told.law.stroke, tr("swing angle of the rocker"))
     yield from _textbook(told, lexicon)
     known = [name for name in ("rocker", "centres", "base", "start") if getattr(asked, name) is not None]
     if len(known) == 1 and asked.start is None:
