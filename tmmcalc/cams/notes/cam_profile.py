@@ -12,7 +12,6 @@ from tmmcalc.cams.follower import Complex, contact_path
 from tmmcalc.cams.further import of_profile
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.notes.cam_synthesis import of_limits
-from tmmcalc.cams.notes.hung import hung
 from tmmcalc.cams.notes.lexicon import (
     Told,
     angle,
@@ -24,7 +23,7 @@ from tmmcalc.cams.notes.lexicon import (
     table_rows,
     told_of,
 )
-from tmmcalc.cams.pictures.cam_profile import draw_cam
+from tmmcalc.cams.pictures.cam_profile import draw_cam, height_of
 from tmmcalc.cams.pictures.curvature import draw_bends, names_of
 from tmmcalc.cams.pictures.pieces import NAMES
 from tmmcalc.cams.pictures.wording import sense_of, wall_name
@@ -387,7 +386,8 @@ def _pictures(order: Order, told: Told, result: Profile) -> Iterator[Block]:
     """The cam to scale with its dimensions, its curvature over the turn."""
     yield Paragraph(tr("The cam is drawn to scale in figure {fig:cam_profile}."))
     caption = tr("Profile of the cam, which turns {sense}", sense=sense_of(told.follower))
-    yield hung(caption, partial(draw_cam, task=told.task, result=result, to_scale=True), HIGH, "cam_profile")
+    size = WIDE, height_of(told.task, result, Box(0.0, 0.0, WIDE, HIGH))
+    yield Figure(caption, partial(draw_cam, task=told.task, result=result, to_scale=True), size, "cam_profile")
     if not result.flat:
         draw = partial(_draw_bends, task=told.task, result=result)
         yield Figure(tr("Curvature of the cam"), draw, CURVATURE, "cam_curvature")
