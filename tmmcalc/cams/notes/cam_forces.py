@@ -58,7 +58,9 @@ def _given(of: Loaded) -> Lexicon:
     unit, letter = ("N*m", "M_Q") if of.turns else ("N", "Q_")
     if loads.force.phi is None:
         found[f"{letter}y"] = Given(loads.force.rise, unit, tr("technological load on the rise and in the far dwell"))
-        found[f"{letter}c"] = Given(loads.force.back, unit, tr("technological load on the return and in the near dwell"))
+        found[f"{letter}c"] = Given(
+            loads.force.back, unit, tr("technological load on the return and in the near dwell")
+        )
     if not of.turns:
         found["g"] = Given(loads.gravity, "m/s^2", tr("gravity along the lift"))
     if asked.method == "given":

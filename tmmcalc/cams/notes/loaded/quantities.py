@@ -30,7 +30,16 @@ from tmmcalc.report.telling import filled, lines, named
 
 STEM = {"P": "P", "Q": "Q", "O": "Q", "m": "m_2", "k": "/10**3"}
 ROCKER = {"P": "M", "Q": "M", "O": "M_Q", "m": "J_2", "k": ""}
-Pick = Callable[[Points, State], Values]
+
+
+class Found(NamedTuple):
+    """What acts at a place of the turn, or on both sides of it."""
+
+    points: Points
+    now: State
+
+
+Pick = Callable[[Found], Values]
 
 
 class Loaded(NamedTuple):
@@ -79,40 +88,55 @@ class Loaded(NamedTuple):
         }
         if result.pivot is not None:
             found |= {"pivot_x": float(result.pivot[0, row]), "pivot_y": float(result.pivot[1, row])}
-        return Place(self.told.labelled(row), self._named(self.points(row), 0, found))
+        return Place(self.told.labelled(row), self._named(self.points(row), found))
 
     def points(self, row: int) -> Points:
         """What acts in a row."""
         rows, one = self.result.positions, slice(row, row + 1)
         return at_rows(self.task, self.loads, Positions(rows.phi[one], rows.piece[one], rows.labels[one]))
 
-    def at(self, phi: float, value: float | None = None, pick: Pick | None = None) -> Lexicon:
-        """The quantities at an angle [rad]; of both sides of a jump that on which ``pick`` gives ``value``."""
+    def row(self, row: int) -> Found:
+        """What acts in a row, with the forces there."""
+        points = self.points(row)
+        return Found(points, state(self.carried, points))
+
+    def found(self, phi: float, value: float | None = None, pick: Pick | None = None) -> Found:
+        """What acts at an angle [rad]; of both sides of a jump that on which ``pick`` gives nearly ``value``."""
         points = at_rows(self.task, self.loads, sides(self.task.program, np.array([phi])))
         now = state(self.carried, points)
-        k = 1 if pick is None or value is None else int(np.argmin(np.abs(pick(points, now) - value)))
+        k = 1 if pick is None or value is None else int(np.argmin(np.abs(pick(Found(points, now)) - value)))
+        one = slice(k, k + 1)
+        there = Points(
+            points.phi[one], points.motion[:, one], points.sense[one], points.force[one], points.acceleration[one]
+        )
+        return Found(there, State(*(each[one] for each in now)))
+
+    def at(self, found: Found) -> Lexicon:
+        """The quantities of a place."""
+        points, now = found
         side, follower = float(self.result.follower.sense), self.result.follower
-        found = {
-            "inertia": -self.carried.inertia * float(points.acceleration[k]),
-            "elastic": -(float(self.carried.preload) + float(self.carried.stiffness) * float(points.motion[0, k])),
-            "load": float(now.load[k]),
-            "theta": atan2(now.sine[k], now.cosine[k]),
-            "ratio": float(now.ratio[k]),
-            "contact": float(now.contact[k]),
-            "torque": -float(now.torque[k]),
-            "driving": float(now.driving[k]),
+        lift, acceleration = float(points.motion[0, 0]), float(points.acceleration[0])
+        values = {
+            "inertia": -self.carried.inertia * acceleration,
+            "elastic": -(float(self.carried.preload) + float(self.carried.stiffness) * lift),
+            "load": float(now.load[0]),
+            "theta": atan2(now.sine[0], now.cosine[0]),
+            "ratio": float(now.ratio[0]),
+            "contact": float(now.contact[0]),
+            "torque": -float(now.torque[0]),
+            "driving": float(now.driving[0]),
         }
         if self.carried.guide is not None:
-            found |= {"lower": side * float(now.lower[k]), "upper": side * float(now.upper[k])}
-            found["protrusion"] = float(now.protrusion[k])
+            values |= {"lower": side * float(now.lower[0]), "upper": side * float(now.upper[0])}
+            values["protrusion"] = float(now.protrusion[0])
         if self.turns:
             pressed = pivot_force(follower, points.motion, now.contact, now.sine, now.cosine)
-            found |= {"pivot_x": float(pressed[0, k]), "pivot_y": float(pressed[1, k])}
-        return self._named(points, k, found)
+            values |= {"pivot_x": float(pressed[0, 0]), "pivot_y": float(pressed[1, 0])}
+        return self._named(points, values)
 
-    def _named(self, points: Points, k: int, found: Mapping[str, float]) -> Lexicon:
-        """Everything at one of some points, with the forces that were found there."""
-        own = _moved(self, points, k) | _forces(self, found, float(points.force[k]))
+    def _named(self, points: Points, found: Mapping[str, float]) -> Lexicon:
+        """Everything at a point with the forces that were found there."""
+        own = _moved(self, points) | _forces(self, found, float(points.force[0]))
         return self.named(of_scene(self) | own)
 
 
@@ -173,9 +197,9 @@ def of_rate(of: Loaded, stiffness: float) -> float:
     return stiffness if of.turns else 1e-3 * stiffness
 
 
-def _moved(of: Loaded, points: Points, k: int) -> Lexicon:
-    """Motion and speed; angles of a rocker by which the spring turns are in rad."""
-    phi, (y, y1, y2) = points.phi[k : k + 1], points.motion[:3, k].tolist()
+def _moved(of: Loaded, points: Points) -> Lexicon:
+    """Motion and speed at a point; angles of a rocker by which the spring turns are in rad."""
+    phi, (y, y1, y2) = points.phi, points.motion[:3, 0].tolist()
     speed, eps = of.loads.speed, 0.0
     if of.task.turning is not None:
         speed, eps = (float(each[0]) for each in of.task.turning.at(phi))
@@ -233,7 +257,7 @@ def _forces(of: Loaded, found: Mapping[str, float], given: float) -> Lexicon:
         quantities["q"] = mm(found["protrusion"], tr("length of the stem from the roller centre to the guide"))
     if "pivot_x" in found:
         x, y, meaning = found["pivot_x"], found["pivot_y"], tr("force of the frame on the rocker in its pivot")
-        quantities |= {f"R_Ax": Given(x, "N", meaning), "R_Ay": Given(y, "N", meaning)}
+        quantities |= {"R_Ax": Given(x, "N", meaning), "R_Ay": Given(y, "N", meaning)}
         quantities["R_A"] = Given(float(np.hypot(x, y)), "N", tr("size of this force"))
     return quantities
 

@@ -147,7 +147,7 @@ def _jamming(of: Loaded) -> Iterator[Block]:
     if not of.carried.rubs or not reserve.eaten:
         return
     said = tr("part of the useful component of R that friction takes")
-    lexicon = of.at(reserve.phi, reserve.useful, lambda _, now: now.cosine - now.ratio)
+    lexicon = of.at(of.found(reserve.phi, reserve.useful, lambda found: found.now.cosine - found.now.ratio))
     lexicon |= of.named({"chi": Given(reserve.eaten, "", said)})
     if reserve.critical is not None:
         lexicon["theta_cr"] = angle(reserve.critical, tr("pressure angle at which the follower would jam"))

@@ -1,7 +1,7 @@
 """The return spring: preload and stiffness by the way they are found, the safety that they reach, wire and coils.
 
-Indices: M the largest lifting force, G the phase that asks for a stiffer spring, E the angle that asks for the stiffness
-of an exact one, t the touching tangent, r the least safety.
+Indices: M the largest lifting force, G the phase that asks for a stiffer spring, E the angle that asks for an exact
+stiffness, t the touching tangent, r the least safety.
 """
 
 from __future__ import annotations
