@@ -49,6 +49,7 @@ ROOM = Room(
                 "displacement and its derivatives over the turn, their graphical integration",
                 pieces="tmmcalc.cams.pictures.pieces:law_pieces",
             ),
+            chapter="cams",
             studied=True,
         ),
         Stage(
@@ -58,6 +59,7 @@ ROOM = Room(
             picture=Picture(
                 "the admissible places of the cam's axis", pieces="tmmcalc.cams.pictures.pieces:synthesis_pieces"
             ),
+            chapter="cams",
             studied=True,
         ),
         Stage(
@@ -74,6 +76,7 @@ ROOM = Room(
             asked=CAM,
             after="balance",
             picture=Picture("the cam to scale, its curvature", pieces="tmmcalc.cams.pictures.pieces:profile_pieces"),
+            chapter="cams",
             studied=True,
         ),
         Stage(
@@ -82,6 +85,7 @@ ROOM = Room(
             needs=("cam_synthesis",),
             asked=CAM,
             picture=Picture("the pressure angle over the turn", pieces="tmmcalc.cams.pictures.pieces:pressure_pieces"),
+            chapter="cams",
             studied=True,
         ),
         Stage(

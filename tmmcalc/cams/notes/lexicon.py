@@ -24,8 +24,9 @@ from tmmcalc.cams.program import PhaseKind
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.formula.digits import Given, significant
+from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.symbols import canonical
-from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Lexicon, Place, Table
 from tmmcalc.report.telling import filled, named
 
@@ -34,8 +35,10 @@ ROCKER = {"dy": "Deltapsi", "y": "psi", "h": "psi_m", "y0": "psi_0", "v": "omega
 PLUS, MINUS = {"+": "+", "-": "-"}, {"+": "-", "-": "+"}
 ANGLES: dict[PhaseKind, str] = {"rise": "phi_y", "high dwell": "phi_d", "return": "phi_c", "low dwell": "phi_b"}
 THIRD = 0.3  # of a phase: where it is worked out, as near as the rows of the tables come
+NEAR = 1e-9
 FIGURES = 7  # digits of a value of a table
 PLACES = 6  # its decimals at most
+SHORT = 6  # digits of an angle within a sentence
 
 
 class Told(NamedTuple):
@@ -89,11 +92,16 @@ def _rows(order: Order, law: LawResult) -> Iterator[int]:
     listed = told_rows(np.degrees(law.positions.phi), phase_ends(law))
     found = list(asked or ())
     for number, phase in enumerate(law.phases):
-        own = [row for row in listed if law.phase[row] == number and 0 < law.part[row] < 1]
-        if phase.constants is not None and own and not any(law.phase[row] == number for row in found):
+        own = [int(row) for row in np.flatnonzero((law.phase == number) & (law.part > 0) & (law.part < 1))]
+        if phase.constants is not None and own and not set(own) & set(found):
             wanted = THIRD if phase.kind == "rise" else 1 - THIRD
-            found.append(min(own, key=lambda row: (abs(law.part[row] - wanted), row)))
+            found.append(min(own, key=lambda row: _fitness(law.part[row], wanted, row in listed)))
     yield from sorted(found)
+
+
+def _fitness(part: float, wanted: float, listed: bool) -> tuple[bool, bool, float]:
+    """How little a row fits: at an eighth of its phase functions of the law may be 0, 1 or alike."""
+    return abs(8 * part - round(8 * part)) < NEAR, not listed, abs(part - wanted)
 
 
 def phase_ends(law: LawResult) -> list[float]:
@@ -102,8 +110,8 @@ def phase_ends(law: LawResult) -> list[float]:
 
 
 def table_rows(told: Told) -> list[int]:
-    """The rows of the tables of the chapter: some forty at round angles and at the ends of phases."""
-    return told_rows(np.degrees(told.law.positions.phi), phase_ends(told.law))
+    """The rows of the tables of the chapter: some forty at round angles and at the ends of phases, and those shown."""
+    return sorted({*told_rows(np.degrees(told.law.positions.phi), phase_ends(told.law)), *told.rows})
 
 
 def of_task(told: Told) -> Lexicon:
@@ -144,10 +152,11 @@ def of_follower(follower: Follower) -> Lexicon:
 def of_motion(told: Told, row: int) -> Lexicon:
     """The motion in a row: angles in deg, derivatives by the angle of the cam, rates in time where there is a speed."""
     phi, motion = float(told.law.positions.phi[row]), told.law.motion[:, row]
-    return {"phi": angle(phi, tr("angle of the cam from the beginning of the rise")), **_moved(told, motion)}
+    return {"phi": angle(phi, tr("angle of the cam from the beginning of the rise")), **of_values(told, motion)}
 
 
-def _moved(told: Told, motion: Values) -> Lexicon:
+def of_values(told: Told, motion: Values) -> Lexicon:
+    """The displacement and its derivatives (4,) at one place."""
     y, y1, y2, y3 = map(float, motion)
     start, speed = told.follower.start, None if told.task.loads is None else told.task.loads.speed
     first = tr("first derivative of the displacement by the angle of the cam, the analogue of velocity")
@@ -200,7 +209,12 @@ def number(given: Given) -> str:
     """A value as it is printed in a table."""
     assert isinstance(given.value, float)
     text = significant(round(given.value, PLACES) + 0.0, FIGURES)
-    return f"${text}$" if "e" in text else tr_number(text).replace("-", "−")
+    return f"${text}$" if "e" in text else spelt(text)
+
+
+def degrees_of(phi: float) -> str:
+    """An angle [rad] in degrees within a sentence, without the sign of degrees."""
+    return spelt(significant(degrees(phi) + 0.0, SHORT))
 
 
 def shown_unit(unit: str) -> str:
