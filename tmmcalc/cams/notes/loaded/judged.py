@@ -128,9 +128,9 @@ def _shape(of: Judging, there: Found, curvature: float) -> Lexicon:
         return {"rho": mm(radius, tr("radius of curvature of the profile"))}
     speed = float(np.hypot(*tangent_terms(follower, motion, follower.start, follower.offset))[0])
     own = {
-        "v": mm(speed, tr("speed of the roller centre on the pitch curve, by the angle of the cam")),
+        "w": mm(speed, tr("derivative of the arc of the pitch curve by φ")),
         "kappa": Given(1e-3 * curvature, "1/mm", tr("curvature of the pitch curve, negative where it is concave")),
-        "A_0": mm(float(rolling(follower, motion)[1][0]), tr("derivative of this speed")),
+        "A_0": mm(float(rolling(follower, motion)[1][0]), tr("second derivative of this arc by φ")),
     }
     return own | _rates(of, there) if follower.kind == "oscillating" else own
 

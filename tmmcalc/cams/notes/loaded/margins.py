@@ -31,6 +31,7 @@ CONDITIONS = {  # of a requirement: its sides in letters, the sign between them
     "contact stress": ("sigma_H", "<=", "sigma_HP"),
 }
 SMOOTH = ("kappa", ">=", "0")  # where concave parts are not allowed
+SHAPE = ("no undercut", "convex profile", "concave parts", "outer wall")  # the profile is told of before
 PERCENT = 100
 
 
@@ -117,9 +118,9 @@ def _row(of: Judging, margin: Margin) -> tuple[str, ...]:
 
 
 def _results(of: Judging, shown: list[Margin]) -> Iterator[Block]:
-    """The requirements that decide, for the conclusions."""
+    """The requirements that decide, for the conclusions; those of the profile stand there with it."""
     for margin in shown:
-        if margin.advice:
+        if margin.advice or margin.name in SHAPE:
             continue
         left, sign, _ = condition_of(of, margin)
         unit, factor = UNITS[margin.unit]

@@ -17,13 +17,12 @@ from tmmcalc.cams.forces.results import CamForces
 from tmmcalc.cams.forces.state import Carried, State, carried, pivot_force, state
 from tmmcalc.cams.forces.turn import Points, at_rows, loads_of, weight
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.notes.lexicon import Told, angle, mm, of_follower, of_task, told_of
+from tmmcalc.cams.notes.lexicon import Told, angle, degrees_of, mm, of_follower, of_task, of_values, told_of
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.rounding import sides
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
-from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Lexicon, Place
 from tmmcalc.report.telling import filled, lines, named
@@ -198,26 +197,17 @@ def of_rate(of: Loaded, stiffness: float) -> float:
 
 
 def _moved(of: Loaded, points: Points) -> Lexicon:
-    """Motion and speed at a point; angles of a rocker by which the spring turns are in rad."""
-    phi, (y, y1, y2) = points.phi, points.motion[:3, 0].tolist()
+    """Motion and speed at a point; the angle of a rocker by which the spring turns is in rad."""
     speed, eps = of.loads.speed, 0.0
     if of.task.turning is not None:
-        speed, eps = (float(each[0]) for each in of.task.turning.at(phi))
-    start, unit = of.result.follower.start, "" if of.turns else "mm"
-    factor = 1.0 if of.turns else 1e3
-    found = {
-        "phi": angle(float(phi[0]), tr("angle of the cam from the beginning of the rise")),
+        speed, eps = (float(each[0]) for each in of.task.turning.at(points.phi))
+    found = of_values(of.told, points.motion[:, 0]) | {
+        "phi": angle(float(points.phi[0]), tr("angle of the cam from the beginning of the rise")),
         "omega": Given(speed, "rad/s", tr("angular velocity of the cam")),
         "eps": Given(eps, "rad/s^2", tr("angular acceleration of the cam")),
-        "<y>'": Given(factor * y1, unit, tr("first derivative of the displacement by the angle of the cam")),
-        "<y>''": Given(factor * y2, unit, tr("second derivative of the displacement by the angle of the cam")),
     }
     if of.turns:
-        found["<dy>"] = Given(y, "rad", tr("angle of the rocker from its lowest position"))
-        found["<y>"] = angle(start + y, tr("angle of the rocker from the line of centres"))
-    else:
-        found["<dy>"] = mm(y, tr("displacement of the follower from its lowest position"))
-        found["<y>"] = mm(start + y, tr("distance of the follower from the axis of the cam along its lift"))
+        found["<dy>"] = Given(float(points.motion[0, 0]), "rad", tr("angle of the rocker from its lowest position"))
     return found
 
 
@@ -263,12 +253,12 @@ def _forces(of: Loaded, found: Mapping[str, float], given: float) -> Lexicon:
 
 
 def shown_angle(phi: float) -> str:
-    """An angle of the cam [rad] in a sentence, in degrees.
+    """An angle of the cam [rad] in a sentence.
 
     >>> shown_angle(np.pi / 8)
     '22.5°'
     """
-    return spelt(f"{round(np.degrees(phi), 4) + 0.0:.6g}") + "°"
+    return f"{degrees_of(phi)}°"
 
 
 def listed(spans: Iterable[tuple[float, float]]) -> str:

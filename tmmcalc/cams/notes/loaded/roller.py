@@ -21,23 +21,23 @@ from tmmcalc.report.manuscript import Block, Heading, Paragraph, Place, Table
 from tmmcalc.report.telling import lines, number_of
 
 PITCH = {
-    "translating": ("v = sqrt(S**2 + (S' <+> e)**2)",),
+    "translating": ("w = sqrt(S**2 + (S' <+> e)**2)",),
     "oscillating": (
         "u_1 = <t>l_2*(1 <d-> psi')*sin(psi)",
         "h_1 = l_0 - l_2*(1 <d-> psi')*cos(psi)",
         "u_2 = l_2*((1 <d-> psi')**2*cos(psi) + psi''*sin(psi)) - l_0",
         "h_2 = <a>l_2*(psi''*cos(psi) - (1 <d-> psi')**2*sin(psi))",
-        "v = sqrt(u_1**2 + h_1**2)",
+        "w = sqrt(u_1**2 + h_1**2)",
     ),
 }
 ROLLING = {
-    "translating": "<A> = (S*S' + (S' <+> e)*S'')/v",
-    "oscillating": "<A> = (u_1*u_2 + h_1*h_2)/v",
+    "translating": "<A> = (S*S' + (S' <+> e)*S'')/w",
+    "oscillating": "<A> = (u_1*u_2 + h_1*h_2)/w",
 }
-TURNING = "A = (omega**2*A_0 + eps*(v <w> r_2))/omega_m**2"
+TURNING = "A = (omega**2*A_0 + eps*(w <g> r_2))/omega_m**2"
 CURVATURE = {
-    "translating": "kappa = (S**2 + (S' <+> e)*(2*S' <+> e) - S*S'')/v**3",
-    "oscillating": "kappa = (u_1*h_2 - h_1*u_2)/v**3",
+    "translating": "kappa = (S**2 + (S' <+> e)*(2*S' <+> e) - S*S'')/w**3",
+    "oscillating": "kappa = (u_1*h_2 - h_1*u_2)/w**3",
 }
 SLIP = "D = abs(C_1 + C_2*A/abs(R))"
 
@@ -72,14 +72,12 @@ def rolling_blocks(of: Judging) -> Iterator[Block]:
     texts = ("C_1 = (k_r + f_0*r_0)/(f_r*r_2)", "C_2 = 10**3*J_r*omega_m**2/(f_r*r_2**2)")
     yield from of.lines(texts, {})
     yield Paragraph(tr("The roller rolls where the slip function $D$ is at most 1:"))
-    rows = [row for row in of.of.told.rows if of.found.touching[row]]
-    places = [of.row(row) for row in rows]
-    yield from _slipped(of, places)
+    places = [of.row(row) for row in of.of.told.rows if of.found.touching[row]]
     worst = of.margin("no slip")
     if worst is not None and worst.phi is not None and worst.value is not None:
-        yield Paragraph(tr("It is largest at φ = {angle}:", angle=shown_angle(worst.phi)))
         there = of.of.found(worst.phi, worst.value, lambda found: _slip_at(of, found))
-        yield from _slipped(of, [Place("", of.at(there, slip=worst.value))])
+        places.append(Place(largest_at(worst.phi), of.at(there, slip=worst.value)))
+    yield from _slipped(of, places)
     if rolls.slipping:
         yield Paragraph(tr("The roller slips {where}.", where=listed(rolls.slipping)))
     elif worst is not None:
@@ -104,7 +102,7 @@ def _slipped(of: Judging, places: Sequence[Place]) -> Iterator[Block]:
     yield from lines([*PITCH[kind], ROLLING[kind]], places, words) if places else ()
     for sign in (1, -1) if turning else ():
         own = [place for place in places if (number_of(place.lexicon, "R") >= 0) == (sign > 0)]
-        yield from lines([TURNING], own, words | {"w": "-" if sign > 0 else "+"}) if own else ()
+        yield from lines([TURNING], own, words | {"g": "-" if sign > 0 else "+"}) if own else ()
     yield from lines([SLIP], places, words) if places else ()
 
 
@@ -122,13 +120,15 @@ def contact(of: Judging, steel: CamMaterialTable | None) -> Iterator[Block]:
     yield Heading(tr("Contact stress"), 3)
     if steel is not None:
         yield from _permissible(steel)
-    yield Paragraph(tr("The contact stress is largest at φ = {angle}:", angle=shown_angle(worst.phi)))
     there = of.of.found(worst.phi, worst.value, lambda found: _stress_at(of, found))
-    yield from _stressed(of, [Place("", of.at(there, stress=worst.value))])
-    rows = [of.row(row) for row in of.of.told.rows if of.found.touching[row]] if of.found.stress is not None else []
-    if rows:
-        yield Paragraph(tr("In the positions that are worked out:"))
-        yield from _stressed(of, rows)
+    rows = [] if of.found.stress is None else [row for row in of.of.told.rows if of.found.touching[row]]
+    places = [Place(largest_at(worst.phi), of.at(there, stress=worst.value))]
+    yield from _stressed(of, [*map(of.row, rows), *places])
+
+
+def largest_at(phi: float) -> str:
+    """The place of a line where its value is largest over the turn."""
+    return tr("largest, at φ = {angle}", angle=shown_angle(phi))
 
 
 def _stress_at(of: Judging, found: Found) -> np.ndarray:
@@ -142,12 +142,17 @@ def _stress_at(of: Judging, found: Found) -> np.ndarray:
 
 
 def _stressed(of: Judging, places: Sequence[Place]) -> Iterator[Block]:
-    """The curvature that is pressed, and the stress; on the outer wall of a groove it bulges the other way."""
+    """The curvature that is pressed, and the stress; on the outer wall of a groove it bulges the other way.
+
+    Where rolling is told of, the arc of the positions stands there.
+    """
     if of.of.kind == "flat":
         yield from lines(["rho = S + S''", f"sigma_H = {HERTZ:g}*sqrt(E_n*R/(b*rho))"], places)
         return
     words = _words(of)
-    yield from lines([*PITCH[of.of.kind], CURVATURE[of.of.kind]], places, words)
+    told = of.found.rolling is not None and of.found.slip is not None
+    yield from lines(PITCH[of.of.kind], places[-1:] if told else places, words)
+    yield from lines([CURVATURE[of.of.kind]], places, words)
     for sign in (1, -1):
         own = [place for place in places if (number_of(place.lexicon, "R") >= 0) == (sign > 0)]
         side = "-" if sign > 0 else "+"
