@@ -17,7 +17,7 @@ from tmmcalc.cams.pressure.angle import tangent_terms
 from tmmcalc.cams.strength.case import contact_curvature, roller_acceleration
 from tmmcalc.cams.strength.formulas import flat_radius, rolling, stem_moment
 from tmmcalc.cams.strength.results import CamStrength, Margin
-from tmmcalc.cams.task import Requirements
+from tmmcalc.cams.task import CamTask, Requirements
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Lexicon, Place
@@ -71,9 +71,9 @@ class Judging(NamedTuple):
         return self.scene | lexicon | self.of.named(own)
 
 
-def of_requirements(of: Judging) -> Lexicon:
-    """What is given of materials and sizes, and the constants of the roller and the shaft."""
-    needs, limits, guide, found = of.needs, of.of.task.limits, of.of.task.guide, of.found
+def of_needs(task: CamTask) -> Lexicon:
+    """What is given of materials and sizes."""
+    needs, limits, guide = task.requirements, task.limits, task.guide
     lengths = {
         "b": (needs.width, tr("length of the line of contact")),
         "k_r": (needs.rolling_arm, tr("arm of the rolling resistance")),
@@ -104,6 +104,12 @@ def of_requirements(of: Judging) -> Lexicon:
     }
     quantities |= {name: Given(v, "", said) for name, (v, said) in numbers.items() if v is not None}
     quantities["rho_s"] = Given(needs.roller_density, "kg/m^3", tr("density of the roller"))
+    return quantities
+
+
+def of_requirements(of: Judging) -> Lexicon:
+    """What is given, and the constants of the roller and the shaft."""
+    quantities, found = of_needs(of.of.task), of.found
     quantities["omega_m"] = Given(of.of.loads.speed, "rad/s", tr("mean angular velocity of the cam"))
     quantities["R_max"] = Given(of.of.result.extreme("R").size, "N", tr("largest force of the cam"))
     if found.unit is not None:
