@@ -79,7 +79,7 @@ def _worked(task: CamTask, follower: Follower, result: CamOptimum) -> Iterator[B
     """What follows from the sizes, in whole steps and of any sizes: the guide or the triangle, pin, shaft, pressure."""
     choices = (result.chosen, result.least)
     if result.kind == "flat":
-        own = [_flat_sizes(task, choice) for choice in choices]
+        own = [_flat_sizes(task, follower, choice) for choice in choices]
         texts: list[str] = ["l = H_2 - S_0 - h - Delta_g"]
     elif result.kind == "oscillating":
         of = rocker_scene(task, follower, result.phases)
@@ -145,10 +145,10 @@ def _loaded(task: CamTask, found: Judged, k: int) -> Lexicon:
     return own
 
 
-def _flat_sizes(task: CamTask, choice: Choice) -> Lexicon:
+def _flat_sizes(task: CamTask, follower: Follower, choice: Choice) -> Lexicon:
     return {
         "H_2": mm(choice.height, tr("height of the upper edge of the guide above the axis of the cam")),
-        "S_0": mm(choice.start, tr("start distance")),
+        "S_0": mm(choice.start, of_follower(follower)["S_0"].meaning),
         "l": mm(choice.length, tr("length of the guide")),
         "h": mm(task.program.highest, tr("stroke")),
         "Delta_g": mm(task.guide.gap, tr("gap between the roller at its highest and the guide")),
@@ -156,7 +156,7 @@ def _flat_sizes(task: CamTask, choice: Choice) -> Lexicon:
 
 
 def _stem_sizes(task: CamTask, follower: Follower, choice: Choice) -> Lexicon:
-    return _flat_sizes(task, choice) | {
+    return _flat_sizes(task, follower, choice) | {
         "r_2": mm(choice.roller, tr("radius of the roller")),
         "e": of_follower(follower)["e"],
         "R_0": mm(float(np.hypot(choice.start, follower.offset)), tr("radius of the base circle of the pitch curve")),
@@ -250,8 +250,8 @@ def _pictures(result: CamOptimum) -> Iterator[Block]:
     for k, contour in enumerate(result.contours, 1):
         yield Paragraph(
             tr(
-                "Figure {figure} shows the blocking contour: the region of the sizes that keep all constraints, each of "
-                "its borders with the number of its constraint.",
+                "Figure {figure} shows the blocking contour: the region of the sizes that keep all constraints, each "
+                "border with the number of its constraint.",
                 figure=f"{{fig:cam_contour{k}}}",
             )
         )

@@ -1,4 +1,4 @@
-"""The best sizes: what is sought, the constraints with both of their sides, which of them bind, what looser ones buy."""
+"""The best sizes: what is sought, the constraints with both sides, which of them bind, what looser ones buy."""
 
 from __future__ import annotations
 
@@ -7,12 +7,14 @@ from math import degrees
 from typing import NamedTuple
 
 from tmmcalc.cams.follower import Follower
-from tmmcalc.cams.optimum.results import CamOptimum, Check, Choice, Option, Relaxation
+from tmmcalc.cams.notes.laws import named_title
+from tmmcalc.cams.notes.lexicon import of_follower
+from tmmcalc.cams.optimum.results import CamOptimum, Check, Option, Relaxation
 from tmmcalc.cams.pictures.wording import constraint_name
 from tmmcalc.machine.notes.told import plainly
 from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.formula.setting import spelt
-from tmmcalc.report.language import tr, tr_name, tr_unit
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Listing, Paragraph, Table
 from tmmcalc.report.telling import column_of
 
@@ -91,7 +93,7 @@ def changed(options: Sequence[Option], changes: Sequence[str]) -> str:
 
 def law_name(name: str) -> str:
     """The law of rise and return, or both where they differ."""
-    return ", ".join(tr_name(each) for each in name.split(", "))
+    return ", ".join(map(named_title, name.split(", ")))
 
 
 def sizes_of(result: CamOptimum, follower: Follower, height: float | None, length: float | None) -> list[Size]:
@@ -105,7 +107,7 @@ def sizes_of(result: CamOptimum, follower: Follower, height: float | None, lengt
         ]
     else:
         said = tr("height of the upper edge of the guide above the axis of the cam")
-        start = tr("start distance")
+        start = of_follower(follower)["S_0"].meaning
         rows = [
             Size("H_2", said, height, chosen.height, least.height),
             Size("S_0", start, follower.start, chosen.start, least.start),
@@ -182,20 +184,12 @@ def _row(result: CamOptimum, each: Check, least: Check) -> tuple[str, ...]:
         numbers = tr("no limit")
     else:
         sides = [significant(factor * side, FIGURES) for side in (each.value, each.limit)]
-        numbers = f"${sides[0]} {each.relation} {sides[1]}$ {tr_unit(unit)}".rstrip()
+        broken = {"<=": ">", ">=": "<"}[each.relation]
+        sign = each.relation if each.margin >= -SAME else broken
+        gap = "" if unit in ("", "°") else " "
+        numbers = f"${sides[0]} {sign} {sides[1]}${gap}{tr_unit(unit)}"
     margins = (column_of([round(PERCENT * margin, 6)], 4)[0] for margin in (each.margin, least.margin))
     return str(each.number), constraint_name(each.number), f"${condition}$", numbers, *margins
-
-
-def choice_text(result: CamOptimum, choice: Choice) -> str:
-    """The sizes of a choice in a sentence."""
-    names = (*result.names.items(), ("roller", "r_2"))
-    found = []
-    for key, name in names:
-        value = getattr(choice, key)
-        if value:
-            found.append(f"${NAMES.get(name, name)}$ = {_mm(value)} {tr_unit('mm')}")
-    return ", ".join(found)
 
 
 def search(result: CamOptimum) -> Iterator[Block]:
