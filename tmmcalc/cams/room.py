@@ -95,6 +95,7 @@ ROOM = Room(
             uses=("motion",),
             reads="read_at_speed",
             wanted="forces",
+            chapter="cams",
             picture=Picture("spring, reactions, torque"),
             studied=True,
         ),
@@ -105,6 +106,7 @@ ROOM = Room(
             uses=("motion",),
             reads="read_at_speed",
             wanted="strength",
+            chapter="cams",
             picture=Picture("slip and contact stress"),
         ),
         Stage(
@@ -114,6 +116,7 @@ ROOM = Room(
             uses=("motion",),
             reads="read_at_speed",
             wanted="optimum",
+            chapter="cams",
             picture=Picture("the blocking contour"),
             studied=True,
         ),
@@ -124,6 +127,7 @@ ROOM = Room(
             uses=("motion",),
             reads="read_at_speed",
             wanted="elastic",
+            chapter="cams",
             picture=Picture("the follower's vibration over the turn, what the laws leave of it"),
             studied=True,
         ),
@@ -131,6 +135,7 @@ ROOM = Room(
             "indexing",
             "cam-lantern indexing drive: limits, profiles, pressure angles, efficiency",
             asked=("indexing", "no indexing drive is asked for"),
+            chapter="cams",
             picture=Picture(
                 "scheme at --phase of a step, pressure angles, tip of the lobe, efficiency, what lambda and the step "
                 "decide",

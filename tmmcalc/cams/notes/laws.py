@@ -80,13 +80,18 @@ BOOK: dict[str, tuple[tuple[str, str, str], ...]] = {
 
 def title(law: Law) -> str:
     """What the law is called."""
-    if law.name in NAMES:
-        return tr_name(title_of(law.name))
-    if law.name == "polynomial":
+    return named_title(law.name)
+
+
+def named_title(name: str) -> str:
+    """What the law of this name is called."""
+    if name in NAMES:
+        return tr_name(title_of(name))
+    if name == "polynomial":
         return tr("own polynomial")
-    if law.name == "acceleration":
+    if name == "acceleration":
         return tr("acceleration by points")
-    return tr("smooth curve through points") if law.name == "points" else tr("by the file {file}", file=law.name)
+    return tr("smooth curve through points") if name == "points" else tr("by the file {file}", file=name)
 
 
 def pieces_of(law: Law) -> tuple[Piece, ...]:

@@ -40,6 +40,15 @@ def elastic_drawing(task: CamTask, result: ElasticResult) -> Drawing:
     heading = tr("Elastic follower, natural frequency {multiple} times that of the cam", multiple=multiple)
     heading += _shaded(result.contact)
     drawing.add(Words(complex(first.middle.real, first.top), heading, 3.2, 1j))
+    draw_vibration(drawing, first.inset(3, 0, 0, HEAD), task, result)
+    text = tr("Residual vibration after a rise from rest")
+    drawing.add(Words(complex(second.middle.real, second.top), text, 3.2, 1j))
+    draw_spectra(drawing, second.inset(3, 0, 0, 6), result)
+    return drawing
+
+
+def draw_vibration(drawing: Drawing, box: Box, task: CamTask, result: ElasticResult) -> None:
+    """Accelerations and load over the turn; where the follower leaves the cam is shaded."""
     phi = np.degrees(result.phi)
     unit, force = (tr_unit(each) for each in (("rad/s²", "N*m") if result.turns else ("m/s²", "N")))
     rows = [
@@ -52,18 +61,13 @@ def elastic_drawing(task: CamTask, result: ElasticResult) -> Drawing:
             ((tr("elastic train"), result.load), (tr("rigid train"), result.rigid)),
         ),
     ]
-    upper, lower = panels(drawing, first.inset(3, 0, 0, HEAD), phi, input_axis(True, phi), rows)
+    upper, lower = panels(drawing, box, phi, input_axis(True, phi), rows)
     colour = LOST if result.contact.closure == "force" else WALL
     for begin, end in result.contact.beyond if result.contact.judged else ():
         lower.band(degrees(begin), degrees(end), colour)
     for diagram in (upper, lower):
         for start in np.degrees(task.program.starts[1:-1]).tolist():
             diagram.vertical(start, OTHER)
-    drawing.add(
-        Words(complex(second.middle.real, second.top), tr("Residual vibration after a rise from rest"), 3.2, 1j)
-    )
-    _spectra(drawing, second.inset(3, 0, 0, 6), result)
-    return drawing
 
 
 def _shaded(contact: Contact) -> str:
@@ -75,7 +79,7 @@ def _shaded(contact: Contact) -> str:
     return "\n" + tr("shaded: the outer wall of the groove presses")
 
 
-def _spectra(drawing: Drawing, box: Box, result: ElasticResult) -> None:
+def draw_spectra(drawing: Drawing, box: Box, result: ElasticResult) -> None:
     """Amplitude over the stroke by the ratio of phase time and natural period; the cam's own ratio is marked."""
     along = Axis(tr("time of the phase over the natural period"), 0.0, float(result.ratios[-1]))
     lines = tuple((tr_name(each.law), each.residual) for each in result.spectra)
