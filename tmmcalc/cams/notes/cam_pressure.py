@@ -69,7 +69,7 @@ def blocks(order: Order) -> Iterator[Block]:
 def _draw(drawing: Drawing, box: Box, task: CamTask, result: Pressure) -> None:
     """The diagram over the turn."""
     (frame,) = stacked(box.inset(*NAMES), [0])
-    name_phases(draw_angle(drawing, frame, task, result), task)
+    name_phases(draw_angle(drawing, frame, task, result, numbered=True), task)
 
 
 def _said(told: Told) -> str:

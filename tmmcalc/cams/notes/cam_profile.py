@@ -68,8 +68,9 @@ WALLS = {  # curves by the index of their points
     "tool": ("x_t = x <+> (r_t - r_2)*y'/w", "y_t = y <-> (r_t - r_2)*x'/w"),
     "outer tool": ("x_{to} = x <-> (r_t - r_2)*y'/w", "y_{to} = y <+> (r_t - r_2)*x'/w"),
 }
-BENT = "rho = w**3/(<s>(x'*y'' - x''*y'))"
-STEM_ARC, STEM_BENT = "w = sqrt(S**2 + (S' <+> e)**2)", "rho = w**3/(w**2 + S'*(S' <+> e) - S*S'')"
+BENT = "D = <s>(x'*y'' - x''*y')", "rho = w**3/D"
+STEM_ARC = "w = sqrt(S**2 + (S' <+> e)**2)"
+STEM_BENT = "D = w**2 + S'*(S' <+> e) - S*S''", "rho = w**3/D"
 DIGITS = 7  # of a coordinate: tenths of a micrometre
 STRAIGHT = 1e-9  # of 1/R0: the curvature of a straight place
 KEPT = 1e-9  # relative: a limit that is just reached is kept
@@ -164,10 +165,19 @@ def _of_bends(told: Told, result: Profile, row: int) -> Lexicon:
     found = {}
     pitch = None if result.pitch_curvature is None else float(result.pitch_curvature[row])
     if pitch is not None and abs(pitch) * told.follower.base > STRAIGHT:
-        found["rho"] = mm(1 / pitch, tr("radius of curvature of the pitch curve, positive where it is convex"))
+        found |= _of_radius(told, told.law.positions.phi[row : row + 1], told.law.motion[:, row : row + 1], pitch)
     if abs(result.curvature[row]) * told.follower.base > STRAIGHT:
         found["rho_w"] = mm(1 / float(result.curvature[row]), tr("radius of curvature of the working profile"))
     return found
+
+
+def _of_radius(told: Told, phi: Values, motion: Values, bend: float) -> Lexicon:
+    """A radius of curvature of the pitch curve with its denominator."""
+    arc = 1e3 * float(np.abs(contact_path(told.follower, phi, motion)[1, 0]))
+    return {
+        "rho": mm(1 / bend, tr("radius of curvature of the pitch curve, positive where it is convex")),
+        "D": Given(1e-3 * bend * arc**3, "mm^2", tr("denominator of the radius of curvature")),
+    }
 
 
 def _points(told: Told, result: Profile, places: list[Place]) -> Iterator[Block]:
@@ -236,7 +246,7 @@ def _curvature(told: Told, result: Profile, places: list[Place], lexicon: Lexico
     yield Paragraph(
         tr("The radius of curvature of the pitch curve is positive where the curve is convex, negative where concave:")
     )
-    yield from lines((*ROCKER_BENDS, BENT) if told.turns else (STEM_BENT,), bent, words)
+    yield from lines((*ROCKER_BENDS, *BENT) if told.turns else STEM_BENT, bent, words)
     yield from lines(("rho_w = rho - r_2",), [place for place in bent if "rho_w" in place.lexicon], words)
     yield Paragraph(
         tr("The radius of convex and of concave parts is least in size at these places:")
@@ -244,7 +254,7 @@ def _curvature(told: Told, result: Profile, places: list[Place], lexicon: Lexico
         else tr("The radius is least at this place:")
     )
     found = [_bent(told, lexicon, bend) for bend in (result.sharpest, result.hollowest) if bend is not None]
-    yield from lines((BENT,) if told.turns else (STEM_ARC, STEM_BENT), found, words)
+    yield from lines(BENT if told.turns else (STEM_ARC, *STEM_BENT), found, words)
     yield from _limits(told, result, lexicon)
 
 
@@ -260,7 +270,7 @@ def _bent(told: Told, lexicon: Lexicon, bend: Bend) -> Place:
     phi = np.array([bend.phi])
     motion = program.at(phi, piece)
     own = of_values(told, motion[:, 0]) | _of_path(told, phi, motion)
-    own["rho"] = mm(1 / bend.value)
+    own |= _of_radius(told, phi, motion, bend.value)
     return Place(tr("at φ = {angle}°", angle=degrees_of(bend.phi)), lexicon | told.named(own))
 
 
@@ -398,4 +408,4 @@ def _draw_bends(drawing: Drawing, box: Box, task: CamTask, result: Profile) -> N
     inner = box.inset(*NAMES)
     rows = len(key_rows(names_of(task, result), inner.width - SIDES[0] - SIDES[2]))
     (frame,) = stacked(inner, [rows])
-    draw_bends(drawing, frame, task, Rim(result.follower, task.program), result)
+    draw_bends(drawing, frame, task, Rim(result.follower, task.program), result, numbered=True)

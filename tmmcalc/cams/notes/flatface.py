@@ -13,7 +13,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Lexicon, Paragraph, Place
 from tmmcalc.report.telling import lines
 
-LEAST = "F_{min} = DeltaS + S''", "S_{0min} = r_m - F_{min}"
+LEAST, NEEDED = "F_{min} = DeltaS + S''", "S_{0min} = r_m - F_{min}"
 REACH = {
     1: ("b_l = S'_{max} + Delta", "b_r = -S'_{min} + Delta"),
     -1: ("b_l = -S'_{min} + Delta", "b_r = S'_{max} + Delta"),
@@ -32,7 +32,8 @@ def told_face(told: Told, result: Synthesis, lexicon: Lexicon) -> Iterator[Block
     )
     yield Display(read("rho = S_0 + DeltaS + S'' >= r_m"))
     lexicon |= told.named(_quantities(told, found))
-    yield from lines(LEAST, [_least(told, found, lexicon), Place("", lexicon)][:1], told.words)
+    yield from lines((LEAST,), [_least(told, found, lexicon)], told.words)
+    yield from lines((NEEDED,), [Place("", lexicon)])
     size = number(lexicon["S_0"])
     said = {
         "given": tr("The given distance $S_0$ = {size} mm is kept.", size=size),

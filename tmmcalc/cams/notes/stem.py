@@ -161,10 +161,7 @@ def _taken(told: Told, result: Synthesis, shown: list[Bound], lexicon: Lexicon) 
     asked, e, place = told.task.asked, result.follower.offset, [Place("", lexicon)]
     free = asked.start is None and asked.base is None
     if asked.offset is None and not free:
-        if asked.start is None or asked.base is None:
-            yield Paragraph(tr("Of the offsets that keep the limits with the given size the smallest is taken."))
-        else:
-            yield from lines((f"e = {'-' * (told.follower.sense * e < 0)}sqrt(R_0**2 - S_0**2)",), place)
+        yield from lines((f"e = {'-' * (told.follower.sense * e < 0)}sqrt(R_0**2 - S_0**2)",), place)
     if asked.start is None and asked.base is not None:
         yield from lines(("S_0 = sqrt(R_0**2 - e**2)",), place)
     start = number_of(lexicon, "S_{0P}") / 1e3
