@@ -31,6 +31,8 @@ MUTATED = (
     "pair-internal",
     "pair-rack",
     "wheel",
+    "cam-translating",
+    "cam-rocker-synthesis",
 )
 SWAPPED = {"sin": "cos", "cos": "sin"}
 

@@ -71,6 +71,7 @@ WALLS = {  # curves by the index of their points
 BENT = "D = <s>(x'*y'' - x''*y')", "rho = w**3/D"
 STEM_ARC = "w = sqrt(S**2 + (S' <+> e)**2)"
 STEM_BENT = "D = w**2 + S'*(S' <+> e) - S*S''", "rho = w**3/D"
+CENTRAL_BENT = "D = w**2 + S'**2 - S*S''", "rho = w**3/D"
 DIGITS = 7  # of a coordinate: tenths of a micrometre
 STRAIGHT = 1e-9  # of 1/R0: the curvature of a straight place
 KEPT = 1e-9  # relative: a limit that is just reached is kept
@@ -236,7 +237,7 @@ def _radius(value: float) -> str:
 
 def _curvature(told: Told, result: Profile, places: list[Place], lexicon: Lexicon) -> Iterator[Block]:
     """Radii of curvature at the shown positions and at the sharpest places, and the limits of them."""
-    words = _words(told)
+    words, stem = _words(told), STEM_BENT if told.follower.offset else CENTRAL_BENT
     yield Heading(tr("Curvature"), 3)
     if result.flat:
         yield from lines(FLAT[2:], places, words)
@@ -246,7 +247,7 @@ def _curvature(told: Told, result: Profile, places: list[Place], lexicon: Lexico
     yield Paragraph(
         tr("The radius of curvature of the pitch curve is positive where the curve is convex, negative where concave:")
     )
-    yield from lines((*ROCKER_BENDS, *BENT) if told.turns else STEM_BENT, bent, words)
+    yield from lines((*ROCKER_BENDS, *BENT) if told.turns else stem, bent, words)
     yield from lines(("rho_w = rho - r_2",), [place for place in bent if "rho_w" in place.lexicon], words)
     yield Paragraph(
         tr("The radius of convex and of concave parts is least in size at these places:")
@@ -254,7 +255,7 @@ def _curvature(told: Told, result: Profile, places: list[Place], lexicon: Lexico
         else tr("The radius is least at this place:")
     )
     found = [_bent(told, lexicon, bend) for bend in (result.sharpest, result.hollowest) if bend is not None]
-    yield from lines(BENT if told.turns else (STEM_ARC, *STEM_BENT), found, words)
+    yield from lines(BENT if told.turns else (STEM_ARC, *stem), found, words)
     yield from _limits(told, result, lexicon)
 
 

@@ -8,8 +8,8 @@ from math import degrees, floor, isclose
 from tmmcalc.cams.notes.flatface import told_face
 from tmmcalc.cams.notes.hung import hung
 from tmmcalc.cams.notes.lexicon import Told, angle, degrees_of, mm, number, of_follower, quantities_table, told_of
-from tmmcalc.cams.notes.rocker import told_pivot, told_rocker
-from tmmcalc.cams.notes.stem import told_stem
+from tmmcalc.cams.notes.rocker import rocker_base, told_pivot, told_rocker
+from tmmcalc.cams.notes.stem import stem_base, told_stem
 from tmmcalc.cams.pictures.pieces import synthesis_pieces
 from tmmcalc.cams.pictures.wording import design_name
 from tmmcalc.cams.synthesis.candidates import SizeCandidate, candidates
@@ -51,8 +51,10 @@ def blocks(order: Order) -> Iterator[Block]:
     if result.kind == "flat":
         yield from told_face(told, result, lexicon)
     else:
-        yield from (told_stem if result.kind == "translating" else told_rocker)(told, result, lexicon)
+        sizes, base = (told_stem, stem_base) if result.kind == "translating" else (told_rocker, rocker_base)
+        yield from sizes(told, result, lexicon)
         yield from _governed(result)
+        yield from base(told, result, lexicon)
     yield from _designs(told, result)
     yield from _candidates(told, result)
     yield from _pictures(order)

@@ -14,6 +14,7 @@ from tmmcalc.report.manuscript import Block, Display, Lexicon, Paragraph, Place
 from tmmcalc.report.telling import lines
 
 LEAST, NEEDED = "F_{min} = DeltaS + S''", "S_{0min} = r_m - F_{min}"
+KEPT = 1e-9  # relative: a limit that is just reached is kept
 REACH = {
     1: ("b_l = S'_{max} + Delta", "b_r = -S'_{min} + Delta"),
     -1: ("b_l = -S'_{min} + Delta", "b_r = S'_{max} + Delta"),
@@ -41,6 +42,8 @@ def told_face(told: Told, result: Synthesis, lexicon: Lexicon) -> Iterator[Block
         "shaft": tr("The radius of the camshaft asks for more: $S_0$ = {size} mm.", size=size),
     }
     yield Paragraph(said[result.governs])
+    if result.follower.start < found.needed * (1 - KEPT):
+        yield Paragraph(tr("It is less than the convexity of the profile asks for."))
     yield from lines(("rho_{min} = S_0 + F_{min}",), [Place("", lexicon)])
     yield Paragraph(
         tr("The contact stands at $-S'$ from the axis of the stem; the face has to reach it on both sides:")

@@ -50,6 +50,11 @@ def told_rocker(told: Told, result: Synthesis, lexicon: Lexicon) -> Iterator[Blo
         yield from _best(told, result, lexicon)
     elif result.governs != GIVEN:
         yield Paragraph(_on_curve(known))
+
+
+def rocker_base(told: Told, result: Synthesis, lexicon: Lexicon) -> Iterator[Block]:
+    """What is left of the triangle of l_0, l_2, R_0 and psi_0."""
+    asked = told.task.asked
     place = [Place("", lexicon)]
     if result.governs == GIVEN and asked.start is None:
         yield from lines((START,), place)
