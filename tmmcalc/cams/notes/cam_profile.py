@@ -163,7 +163,7 @@ def _of_path(told: Told, phi: Values, motion: Values) -> Lexicon:
 
 def _of_bends(told: Told, result: Profile, row: int) -> Lexicon:
     """The radii of curvature in a row, where the curves are not straight."""
-    found = {}
+    found: Lexicon = {}
     pitch = None if result.pitch_curvature is None else float(result.pitch_curvature[row])
     if pitch is not None and abs(pitch) * told.follower.base > STRAIGHT:
         found |= _of_radius(told, told.law.positions.phi[row : row + 1], told.law.motion[:, row : row + 1], pitch)
