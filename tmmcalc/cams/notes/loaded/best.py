@@ -145,7 +145,7 @@ def constraints(result: CamOptimum) -> Iterator[Block]:
     rows = [_row(result, each, least[each.number]) for each in result.chosen.checks if each.judged]
     head = (
         tr("No."),
-        tr("Constraint"),
+        tr("Design constraint"),
         tr("Condition"),
         tr("In whole steps"),
         tr("Margin, %"),
@@ -220,7 +220,7 @@ def relaxations(result: CamOptimum) -> Iterator[Block]:
             size=f"${NAMES[result.names['height']]}$",
         )
     )
-    head = (tr("Constraint"), tr("Limit"), tr("From"), tr("To"), tr("Gain, mm"))
+    head = (tr("Design constraint"), tr("Limit"), tr("From"), tr("To"), tr("Gain, mm"))
     rows = tuple(_relaxed(each) for each in result.relaxations)
     yield Table(tr("Looser limits"), head, rows, "cam_relaxed")
 
