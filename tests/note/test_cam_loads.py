@@ -5,17 +5,16 @@ Numbers are those of the textbook's worked cases, of the paper on cam-lantern dr
 
 from __future__ import annotations
 
-import math
 import re
-from functools import cache
+from math import pi, sin
 from pathlib import Path
 
 import pytest
 
-from note.test_lines import mutants, wrong
+from note.scenes import told
 from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.plaintext import text
-from tmmcalc.note.tree import Equation, Written
+from tmmcalc.note.tree import Equation
 from tmmcalc.pipeline.chapters import chapters_of, stages_of
 from tmmcalc.pipeline.picturing import NONE
 from tmmcalc.pipeline.runner import run
@@ -23,7 +22,8 @@ from tmmcalc.project import load_spec
 from tmmcalc.report.formula.digits import EXACT
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.language import speaking
-from tmmcalc.report.manuscript import Chapter, Line
+from tmmcalc.report.manuscript import Chapter
+from tmmcalc.rooms import CHAPTERS
 
 ONLY = ("cams",)
 HEAD = '[project]\ntitle = "t"\n\n'
@@ -178,15 +178,34 @@ KINDS = {
 }
 
 
+SLOW = ("as asked none", "design game")  # whose search takes seconds
+LATIN = re.compile(r"[A-Za-z]{3,}")
+
+
 def told_of(kind: str, folder: Path) -> list[Chapter]:
     """The chapters of a kind in the language in force."""
+    return of_text(KINDS[kind], folder)
+
+
+def of_text(said: str, folder: Path) -> list[Chapter]:
+    """The chapters of a spec."""
     spec = folder / "spec.toml"
-    spec.write_text(HEAD + KINDS[kind], encoding="utf-8")
+    spec.write_text(HEAD + said, encoding="utf-8")
     done = run(load_spec(spec), target=stages_of(ONLY))
-    return chapters_of({"cams": "Cams"}, done.spec, done.results, NONE)
+    return chapters_of({"cams": CHAPTERS["cams"]}, done.spec, done.results, NONE)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+def values(chapters: list[Chapter]) -> dict[tuple[str, str], float]:
+    """What the lines give, by their left sides and places; the last of each."""
+    found: dict[tuple[str, str], float] = {}
+    for each in Assembler().written(chapters):
+        if isinstance(each, Equation) and not each.number and len(each.parts) > 1:
+            number = re.split(r"[ °]", plain(each.parts[-1]).replace("−", "-").replace("·10^", "e"))[0]
+            found[plain(each.parts[0]), each.lead] = float(number)
+    return found
+
+
+@pytest.mark.parametrize("kind", [pytest.param(n, marks=pytest.mark.slow if n in SLOW else ()) for n in KINDS])
 def test_every_kind_is_exact_and_works_out_as_printed(kind: str, tmp_path: Path) -> None:
     found = Assembler()
     note = found.written(told_of(kind, tmp_path))
@@ -195,3 +214,95 @@ def test_every_kind_is_exact_and_works_out_as_printed(kind: str, tmp_path: Path)
         assert line.found.error <= EXACT, (line.formula, line.place, line.found.error)
         assert line.found.off <= 0.5 + 1e-6, (line.formula, line.place, line.found)
     assert "nan" not in text(note)
+
+
+def test_the_worked_cam_with_friction() -> None:
+    """Case cams-s20: offset stem, cosine rise, shun return; table positions 3 (20 deg), 6 (40 deg), 19 (145 deg)."""
+    found = values(told("cam-translating", "3,6,19", ONLY))
+    at = [f"in position {label}" for label in (3, 6, 19)]
+    for name, three, tolerance in (
+        ("P_c", (-137.0473, -101.25, -101.25), 5e-5),
+        ("R", (160.4557, 121.187, 100.5552), 5e-5),
+        ("N_1", (-90.40351, -69.83095, 41.72799), 5e-5),  # the case has sizes of N_1
+        ("A", (27.94983, 20.45396, -22.77317), 5e-5),
+        ("T", (-2.180409, -2.278125, 2.417166), 5e-5),
+        ("σ_H", (307.3875, 277.1295, 252.9168), 5e-5),
+    ):
+        for place, value in zip(at, three, strict=True):
+            assert found[name, place] == pytest.approx(value, rel=tolerance), (name, place)
+    for name, value in (
+        ("P_M", 101.25),
+        ("Q_0", 50.625),
+        ("c", 5.0625),
+        ("C_1", 0.3642936),
+        ("C_2", 0.6237045),
+        ("M_E", 4.435643),
+        ("r′_1", 3.83668),
+    ):
+        assert found[name, ""] == pytest.approx(value, rel=5e-5), name
+    assert found["D", "largest, at φ = 28.646°"] == pytest.approx(0.4799831, rel=5e-5)
+    assert max(value for (name, _), value in found.items() if name == "σ_H") == pytest.approx(307.4149, rel=5e-5)
+
+
+def test_the_spring_by_the_tangent(tmp_path: Path) -> None:
+    """Case cams-s07 of the guide: const law, m = 0.12 kg, 600 rpm, h = 40 mm, S''max = 50.5 mm."""
+    said = (
+        '[cam]\nfollower = "translating"\nstroke = "40 mm"\nrise = "1.7799766 rad"\nhigh_dwell = "20 deg"\n'
+        'return_angle = "120 deg"\nlaw = "const"\nspeed = "600 rpm"\nstart_distance = "60 mm"\noffset = 0\n'
+        'roller_radius = "8 mm"\n[cam.loads]\nmass = "0.12 kg"\n[cam.spring]\nleast_contact = "5 N"\n'
+        'deflection = "16 mm"\n'
+    )
+    found = values(of_text(said, tmp_path))
+    for name, value in (("P_t", 23.92403), ("c", 0.8034454), ("Q_0", 12.85513), ("Q_max", 44.99294)):
+        assert found[name, ""] == pytest.approx(value, rel=3e-5), name
+
+
+def test_the_lowest_flat_face(tmp_path: Path) -> None:
+    """Case cams-s13b: l* = 17.19685 mm, H2 = 71.83835 mm by convexity and the pressure in the guide."""
+    said = (
+        face(law="sine").replace("80 deg", "70 deg")
+        + loads(mass='"0.15 kg"', friction=0.1)
+        + '[cam.spring]\nstiffness = "8 N/mm"\npreload = "60 N"\n'
+        + LENGTH
+        + '[cam.requirements]\nguide_pressure = "5 MPa"\n[cam.optimum]\nphases = "rise"\n'
+    )
+    found = values(of_text(said, tmp_path))
+    assert found["l^*", ""] == pytest.approx(17.19685, rel=3e-5)
+    assert found["H_2,min", ""] == pytest.approx(71.83835, rel=3e-5)
+
+
+def test_a_cycloidal_rise_leaves_what_the_closed_form_says(tmp_path: Path) -> None:
+    """A = h |sin(pi tau)|/(pi tau |1 - tau^2|) without damping."""
+    found = values(told_of("elastic without damping", tmp_path))
+    tau = found["τ_y", "rise"]
+    assert found["A_y", "rise"] == pytest.approx(20 * abs(sin(pi * tau) / (pi * tau * (1 - tau**2))), rel=2e-4)
+
+
+def test_the_indexing_drive_of_the_paper() -> None:
+    """Paper 12: z2 = 6, phi_p = 90 deg, Shun: lambda_min = 2.25, theta_1m; vartheta_2(1) = vartheta_1m by symmetry."""
+    chapters = told("cam-lantern", None, ONLY)
+    found = values(chapters)
+    for name, value in (("λ_min", 2.25), ("λ_max", 3.701666), ("δ_0", 16.08517), ("ϑ_1m", 43.91483), ("ρ_m", -2.48731)):
+        assert found[name, ""] == pytest.approx(value, rel=2e-5), name
+    assert found["ψ_A", ""] == pytest.approx(90 * (0.742217 - 0.5), abs=1e-3)
+    assert found["ϑ_B", "at k = 0.75"] == -found["ϑ_B", "at k = 0.25"]
+
+
+def test_what_a_scene_lacks_leaves_no_trace(tmp_path: Path) -> None:
+    bare = text(Assembler().written(told_of("no spring", tmp_path)))
+    assert not re.search(r"μ|jam|Return spring|guide", bare)
+    flat = text(Assembler().written(told_of("flat without friction", tmp_path)))
+    assert "roller centre" not in flat
+    assert "r_2" not in flat.partition("Forces in the cam mechanism")[2]
+    rocker_said = text(Assembler().written(told_of("rocker against", tmp_path)))
+    assert "N_1" not in rocker_said
+    assert "stem" not in rocker_said.partition("Forces in the cam mechanism")[2]
+
+
+@pytest.mark.parametrize("kind", ["counter-clockwise", "rocker with friction", "indexing, ends", "wire"])
+def test_ukrainian_has_no_english_left(kind: str, tmp_path: Path) -> None:
+    with speaking("uk"):
+        said = text(Assembler().written(told_of(kind, tmp_path)))
+    sentences = [line for line in said.splitlines() if not re.search(r"[=≤≥_]", line)]
+    assert not LATIN.findall("\n".join(sentences))
+    assert not re.search(r"\d\.\d+ (мм|Н|МПа|Н·м)", said)

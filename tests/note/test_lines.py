@@ -31,6 +31,9 @@ MUTATED = (
     "pair-internal",
     "pair-rack",
     "wheel",
+    "cam-translating",
+    "cam-rocker-optimum",
+    "cam-lantern",
 )
 SWAPPED = {"sin": "cos", "cos": "sin"}
 

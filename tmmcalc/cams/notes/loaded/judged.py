@@ -136,6 +136,7 @@ def _shape(of: Judging, there: Found, curvature: float) -> Lexicon:
     own = {
         "w": mm(speed, tr("derivative of the arc of the pitch curve by φ")),
         "kappa": Given(1e-3 * curvature, "1/mm", tr("curvature of the pitch curve, negative where it is concave")),
+        "b_κ": Given(1e6 * curvature * speed**3, "mm^2", tr("numerator of the curvature")),
         "A_0": mm(float(rolling(follower, motion)[1][0]), tr("second derivative of this arc by φ")),
     }
     return own | _rates(of, there) if follower.kind == "oscillating" else own
