@@ -32,6 +32,7 @@ MUTATED = (
     "pair-rack",
     "wheel",
     "cam-translating",
+    "cam-rocker-synthesis",
     "cam-rocker-optimum",
     "cam-lantern",
 )

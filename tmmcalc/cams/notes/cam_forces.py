@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
+from tmmcalc.cams.notes.cam_load import told_load
 from tmmcalc.cams.notes.lexicon import quantities_table
 from tmmcalc.cams.notes.loaded.quantities import Loaded, loaded_of, of_scene
 from tmmcalc.cams.notes.loaded.reactions import course, reactions
@@ -32,6 +33,8 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from reactions(of)
     yield from course(of)
     yield from _pictures(of)
+    if order.spec.cam.shaft is not None:
+        yield from told_load(order)
 
 
 def _data(of: Loaded) -> Iterator[Block]:

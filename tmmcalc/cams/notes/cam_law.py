@@ -43,7 +43,7 @@ PEAKS = {
 }
 ROWS = 40  # pieces of a law that are listed
 LIKE = 1e-9  # of the largest: a law that brakes as hard as it speeds up
-DIAGRAMS, CONSTRUCTION = (WIDE, 160.0), (WIDE, 175.0)  # sizes of the pictures [mm]
+DIAGRAMS, CONSTRUCTION = (WIDE, 125.0), (WIDE, 160.0)  # sizes of the pictures [mm]
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -54,7 +54,6 @@ def blocks(order: Order) -> Iterator[Block]:
     yield Heading(tr("Law of motion of the follower"))
     yield from _phases(told)
     yield from _course(told)
-    yield from _shocks(told)
 
 
 def _given(told: Told) -> Iterator[Block]:
@@ -119,47 +118,46 @@ def _phases(told: Told) -> Iterator[Block]:
         law = _law(told, phase.kind)
         yield Heading(tr("Rise") if phase.kind == "rise" else tr("Return"), 3)
         alike = any(law is each for each in said)
-        yield from _formulas(law, alike)
+        yield from _formulas(law, phase.kind, alike)
         yield from _worked(told, phase, law)
         yield from _constants(told, phase, law, alike)
         said.append(law)
 
 
-def _formulas(law: Law, alike: bool) -> Iterator[Block]:
+def _formulas(law: Law, kind: PhaseKind, alike: bool) -> Iterator[Block]:
     """Its pieces, each with its formulas in letters where there are several or they have coefficients."""
     if alike:
         yield Paragraph(tr("The law is that of the rise."))
         return
     yield Paragraph(tr("Law of motion: {law}.", law=laws.title(law)))
-    found = laws.pieces_of(law)
     if laws.written_out(law):
-        yield from _coefficients(law)
-        found = found[:1]
-    elif len(found) == 1:
+        yield from _coefficients(law, f"cam_pieces_{kind}")
         return
-    for piece in found:
-        if len(found) > 1:
-            ends = {"begin": significant(piece.begin, 5), "end": significant(piece.end, 5)}
-            yield Paragraph(tr("For ${begin} <= k <= {end}$:", **ends))
+    found = laws.pieces_of(law)
+    for piece in found if len(found) > 1 else ():
+        ends = {"begin": significant(piece.begin, 5), "end": significant(piece.end, 5)}
+        yield Paragraph(tr("For ${begin} <= k <= {end}$:", **ends))
         for name, text in zip(laws.ORDERS, piece.formulas, strict=True):
             yield Display(read(f"{name} = {text}"))
 
 
-def _coefficients(law: Law) -> Iterator[Block]:
+def _coefficients(law: Law, key: str) -> Iterator[Block]:
     """The table of the pieces of a law of one's own."""
     powers = laws.used(law)
     if law.count == 1:
-        yield Paragraph(tr("The law is a polynomial of $k$:") if not law.amplitude.any() else tr("The law is this:"))
         return
     if law.count > ROWS:
-        yield Paragraph(tr("The law consists of {count} pieces with coefficients of their own:", count=law.count))
+        yield Paragraph(tr("The law consists of {count} pieces with coefficients of their own.", count=law.count))
         return
     yield Paragraph(
-        tr("The law consists of pieces between points $k_j$; their coefficients are in table {tab:cam_pieces}:")
+        tr(
+            "The law consists of pieces between points $k_j$; their coefficients are in table {tab}.",
+            tab=f"{{tab:{key}}}",
+        )
     )
     columns = {"$k_j$": law.breaks[:-1]} | {f"$c_{power}$": law.coefficients[:, power] for power in powers}
     labels = [str(number) for number in range(1, law.count + 1)]
-    yield tabulated(tr("Pieces of the law of motion"), columns, labels, head=tr("Piece"), key="cam_pieces")
+    yield tabulated(tr("Pieces of the law of motion"), columns, labels, head=tr("Piece"), key=key)
 
 
 def _at(told: Told, row: int) -> Lexicon:
@@ -173,6 +171,7 @@ def _at(told: Told, row: int) -> Lexicon:
     found = {
         "phi": Given(float(law.positions.phi[row]), "rad", own["phi"].meaning),
         "phi_e": Given(law.phases[law.phase[row]].end, "rad", tr("angle of the cam at the end of the return")),
+        "phi_d": Given(0.0, "rad"),
         **_of_part(k, s, first, second),
         **laws.coefficients(motion, number),
     }
@@ -204,7 +203,7 @@ def _worked(told: Told, phase: PhaseMotion, law: Law) -> Iterator[Block]:
     if not rows:
         return
     common, found = of_task(told), laws.pieces_of(law)
-    at = {row: Place(told.labelled(row), told.named(common | _at(told, row))) for row in rows}
+    at = {row: Place(told.labelled(row), told.named(_at(told, row) | common)) for row in rows}
     places, words = [at[row] for row in rows], told.words
     yield from lines(PART[phase.kind], places, words)
     for number in dict.fromkeys(map(partial(_piece, told), rows)):
@@ -281,7 +280,7 @@ def _extreme_word(word: str, order: int) -> str:
 def _course(told: Told) -> Iterator[Block]:
     """The table over the turn, the diagrams, their graphical integration."""
     law, task = told.law, told.task
-    rows = table_rows(told)
+    rows = table_rows(told, dwells=False)
     columns = {"$phi$, deg": np.degrees(law.positions.phi), "$k$": law.part}
     for k in range(3):
         unit = ("deg", "", "")[k] if told.turns else "mm"
@@ -299,6 +298,7 @@ def _course(told: Told) -> Iterator[Block]:
     shown = {head: values[rows] for head, values in columns.items()}
     labels = [law.labels[row] for row in rows]
     yield tabulated(tr("Motion of the follower"), shown, labels, head=tr("Position"), key="cam_motion")
+    yield from _shocks(told)
     yield Figure(
         message(tr("Diagrams of {names}", names=", ".join(f"${symbol(law, order)}$" for order in range(3)))),
         partial(draw_laws, program=task.program, result=law, orders=(0, 1, 2)),

@@ -3,25 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from math import degrees
 
 import numpy as np
 
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.notes.lexicon import Told, angle, degrees_of, of_follower, of_motion, of_values, table_rows, told_of
-from tmmcalc.cams.pictures.pieces import pressure_pieces
+from tmmcalc.cams.pictures.cam_pressure import draw_angle, name_phases
+from tmmcalc.cams.pictures.pieces import NAMES
 from tmmcalc.cams.pressure.angle import Extreme, Reached, pressure_angle
 from tmmcalc.cams.pressure.solve import Pressure
 from tmmcalc.cams.program import PhaseKind
+from tmmcalc.cams.task import CamTask
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import stacked
 from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import lines, pictured, tabulated
+from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Place, Result
+from tmmcalc.report.telling import WIDE, lines, tabulated
 
 STEM = ("theta = atan((S' <+> e)/S)",)
 ROCKER = ("theta = atan((l_2*(1 <d-> psi') - l_0*cos(psi))/(l_0*sin(psi)))",)
 TRANSMITTED = ("gamma = deg(90) - abs(theta)",)
+SIZE = WIDE, 75.0  # of the diagram [mm]
 NOTHING = 1e-9  # [rad]
 NEAR = 1e-9  # of the turn: an angle at the edge of a piece
 
@@ -43,7 +50,7 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from lines(formulas, places, told.words)
     for kind, on in phases:
         yield from _judged(kind, on)
-    shown = table_rows(told)
+    shown = table_rows(told, dwells=False)
     columns = {
         "$phi$, deg": np.degrees(result.phi[shown]),
         "$theta$, deg": np.degrees(result.theta[shown]),
@@ -54,8 +61,15 @@ def blocks(order: Order) -> Iterator[Block]:
     )
     labels = [result.labels[row] for row in shown]
     yield tabulated(tr("Pressure angle"), columns, labels, head=tr("Position"), key="cam_pressure")
-    for piece in pressure_pieces(order):
-        yield pictured(piece, key="cam_pressure")
+    yield Figure(
+        tr("Pressure angle over a turn of the cam"), partial(_draw, task=told.task, result=result), SIZE, "cam_pressure"
+    )
+
+
+def _draw(drawing: Drawing, box: Box, task: CamTask, result: Pressure) -> None:
+    """The diagram over the turn."""
+    (frame,) = stacked(box.inset(*NAMES), [0])
+    name_phases(draw_angle(drawing, frame, task, result, numbered=True), task)
 
 
 def _said(told: Told) -> str:
@@ -73,7 +87,7 @@ def _said(told: Told) -> str:
 
 def _of_angle(theta: float) -> Lexicon:
     return {
-        "theta": angle(theta, tr("pressure angle")),
+        "theta": angle(theta, tr("pressure angle of the cam")),
         "gamma": Given(90 - abs(degrees(theta)), "deg", tr("transmission angle")),
     }
 

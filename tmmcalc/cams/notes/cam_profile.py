@@ -23,28 +23,31 @@ from tmmcalc.cams.notes.lexicon import (
     table_rows,
     told_of,
 )
-from tmmcalc.cams.pictures.cam_profile import draw_cam
-from tmmcalc.cams.pictures.pieces import profile_pieces
+from tmmcalc.cams.pictures.cam_profile import draw_cam, height_of
+from tmmcalc.cams.pictures.curvature import draw_bends, names_of
+from tmmcalc.cams.pictures.pieces import NAMES
 from tmmcalc.cams.pictures.wording import sense_of, wall_name
 from tmmcalc.cams.profile.columns import curves_of
+from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.results import Place as Bend
 from tmmcalc.cams.profile.results import Profile, Reach, Wall
+from tmmcalc.cams.task import CamTask
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.curves import SIDES, stacked
+from tmmcalc.report.drawing.diagram import key_rows
 from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import WIDE, column, headed, lines, named, pictured
+from tmmcalc.report.telling import WIDE, column, headed, lines, named
 
 STEM = (
     "x = e*cos(phi) <-> S*sin(phi)",
     "y = S*cos(phi) <+> e*sin(phi)",
     "x' = <s->((S' <+> e)*sin(phi) + S*cos(phi))",
     "y' = (S' <+> e)*cos(phi) - S*sin(phi)",
-)
-STEM_BENDS = (
-    "x'' = <s->((S'' - S)*sin(phi) + (2*S' <+> e)*cos(phi))",
-    "y'' = (S'' - S)*cos(phi) - (2*S' <+> e)*sin(phi)",
 )
 ROCKER = (
     "beta = phi <d-> psi",
@@ -65,13 +68,14 @@ WALLS = {  # curves by the index of their points
     "tool": ("x_t = x <+> (r_t - r_2)*y'/w", "y_t = y <-> (r_t - r_2)*x'/w"),
     "outer tool": ("x_{to} = x <-> (r_t - r_2)*y'/w", "y_{to} = y <+> (r_t - r_2)*x'/w"),
 }
-BENT = "rho = w**3/(<s>(x'*y'' - x''*y'))"
-STEM_BENT = "rho = (S**2 + (S' <+> e)**2)**(3/2)/(S**2 + (S' <+> e)*(2*S' <+> e) - S*S'')"
-CENTRAL_BENT = "rho = (S**2 + S'**2)**(3/2)/(S**2 + 2*S'**2 - S*S'')"
+BENT = "D = <s>(x'*y'' - x''*y')", "rho = w**3/D"
+STEM_ARC = "w = sqrt(S**2 + (S' <+> e)**2)"
+STEM_BENT = "D = w**2 + S'*(S' <+> e) - S*S''", "rho = w**3/D"
+CENTRAL_BENT = "D = w**2 + S'**2 - S*S''", "rho = w**3/D"
 DIGITS = 7  # of a coordinate: tenths of a micrometre
 STRAIGHT = 1e-9  # of 1/R0: the curvature of a straight place
 KEPT = 1e-9  # relative: a limit that is just reached is kept
-CAM = WIDE, 165.0  # size of the picture of the cam [mm]
+HIGH, CURVATURE = 190.0, (WIDE, 75.0)  # of the picture of the cam at most, of its curvature [mm]
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -162,10 +166,19 @@ def _of_bends(told: Told, result: Profile, row: int) -> Lexicon:
     found = {}
     pitch = None if result.pitch_curvature is None else float(result.pitch_curvature[row])
     if pitch is not None and abs(pitch) * told.follower.base > STRAIGHT:
-        found["rho"] = mm(1 / pitch, tr("radius of curvature of the pitch curve, positive where it is convex"))
+        found |= _of_radius(told, told.law.positions.phi[row : row + 1], told.law.motion[:, row : row + 1], pitch)
     if abs(result.curvature[row]) * told.follower.base > STRAIGHT:
         found["rho_w"] = mm(1 / float(result.curvature[row]), tr("radius of curvature of the working profile"))
     return found
+
+
+def _of_radius(told: Told, phi: Values, motion: Values, bend: float) -> Lexicon:
+    """A radius of curvature of the pitch curve with its denominator."""
+    arc = 1e3 * float(np.abs(contact_path(told.follower, phi, motion)[1, 0]))
+    return {
+        "rho": mm(1 / bend, tr("radius of curvature of the pitch curve, positive where it is convex")),
+        "D": Given(1e-3 * bend * arc**3, "mm^2", tr("denominator of the radius of curvature")),
+    }
 
 
 def _points(told: Told, result: Profile, places: list[Place]) -> Iterator[Block]:
@@ -224,7 +237,7 @@ def _radius(value: float) -> str:
 
 def _curvature(told: Told, result: Profile, places: list[Place], lexicon: Lexicon) -> Iterator[Block]:
     """Radii of curvature at the shown positions and at the sharpest places, and the limits of them."""
-    words = _words(told)
+    words, stem = _words(told), STEM_BENT if told.follower.offset else CENTRAL_BENT
     yield Heading(tr("Curvature"), 3)
     if result.flat:
         yield from lines(FLAT[2:], places, words)
@@ -234,19 +247,19 @@ def _curvature(told: Told, result: Profile, places: list[Place], lexicon: Lexico
     yield Paragraph(
         tr("The radius of curvature of the pitch curve is positive where the curve is convex, negative where concave:")
     )
-    yield from lines((*(ROCKER_BENDS if told.turns else STEM_BENDS), BENT), bent, words)
+    yield from lines((*ROCKER_BENDS, *BENT) if told.turns else stem, bent, words)
     yield from lines(("rho_w = rho - r_2",), [place for place in bent if "rho_w" in place.lexicon], words)
-    extremes = [(result.sharpest, tr("convex"))]
-    if result.hollowest is not None:
-        extremes.append((result.hollowest, tr("concave")))
-    yield Paragraph(tr("The radius is least in size at these places, in both senses of the curvature:"))
-    found = [_bent(told, lexicon, bend, word) for bend, word in extremes]
-    central = CENTRAL_BENT if not told.follower.offset else STEM_BENT
-    yield from lines((BENT if told.turns else central,), found, words)
+    yield Paragraph(
+        tr("The radius of convex and of concave parts is least in size at these places:")
+        if result.hollowest is not None
+        else tr("The radius is least at this place:")
+    )
+    found = [_bent(told, lexicon, bend) for bend in (result.sharpest, result.hollowest) if bend is not None]
+    yield from lines(BENT if told.turns else (STEM_ARC, *stem), found, words)
     yield from _limits(told, result, lexicon)
 
 
-def _bent(told: Told, lexicon: Lexicon, bend: Bend, word: str) -> Place:
+def _bent(told: Told, lexicon: Lexicon, bend: Bend) -> Place:
     """The quantities at an extreme of the curvature, on its side of a jump."""
     program = told.task.program
     near = np.flatnonzero(np.abs(program.edges - bend.phi) <= KEPT)
@@ -258,8 +271,8 @@ def _bent(told: Told, lexicon: Lexicon, bend: Bend, word: str) -> Place:
     phi = np.array([bend.phi])
     motion = program.at(phi, piece)
     own = of_values(told, motion[:, 0]) | _of_path(told, phi, motion)
-    own["rho"] = mm(1 / bend.value)
-    return Place(tr("at φ = {angle}° ({word})", angle=degrees_of(bend.phi), word=word), lexicon | told.named(own))
+    own |= _of_radius(told, phi, motion, bend.value)
+    return Place(tr("at φ = {angle}°", angle=degrees_of(bend.phi)), lexicon | told.named(own))
 
 
 def _limits(told: Told, result: Profile, lexicon: Lexicon) -> Iterator[Block]:
@@ -384,6 +397,16 @@ def _pictures(order: Order, told: Told, result: Profile) -> Iterator[Block]:
     """The cam to scale with its dimensions, its curvature over the turn."""
     yield Paragraph(tr("The cam is drawn to scale in figure {fig:cam_profile}."))
     caption = tr("Profile of the cam, which turns {sense}", sense=sense_of(told.follower))
-    yield Figure(caption, partial(draw_cam, task=told.task, result=result, to_scale=True), CAM, "cam_profile")
-    for piece in list(profile_pieces(order))[1:]:
-        yield pictured(piece, key="cam_curvature")
+    size = WIDE, height_of(told.task, result, Box(0.0, 0.0, WIDE, HIGH))
+    yield Figure(caption, partial(draw_cam, task=told.task, result=result, to_scale=True), size, "cam_profile")
+    if not result.flat:
+        draw = partial(_draw_bends, task=told.task, result=result)
+        yield Figure(tr("Curvature of the cam"), draw, CURVATURE, "cam_curvature")
+
+
+def _draw_bends(drawing: Drawing, box: Box, task: CamTask, result: Profile) -> None:
+    """The curvature over the turn."""
+    inner = box.inset(*NAMES)
+    rows = len(key_rows(names_of(task, result), inner.width - SIDES[0] - SIDES[2]))
+    (frame,) = stacked(inner, [rows])
+    draw_bends(drawing, frame, task, Rim(result.follower, task.program), result, numbered=True)

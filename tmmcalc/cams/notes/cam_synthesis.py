@@ -6,9 +6,10 @@ from collections.abc import Iterator
 from math import degrees, floor, isclose
 
 from tmmcalc.cams.notes.flatface import told_face
+from tmmcalc.cams.notes.hung import hung
 from tmmcalc.cams.notes.lexicon import Told, angle, degrees_of, mm, number, of_follower, quantities_table, told_of
-from tmmcalc.cams.notes.rocker import told_pivot, told_rocker
-from tmmcalc.cams.notes.stem import told_stem
+from tmmcalc.cams.notes.rocker import rocker_base, told_pivot, told_rocker
+from tmmcalc.cams.notes.stem import stem_base, told_stem
 from tmmcalc.cams.pictures.pieces import synthesis_pieces
 from tmmcalc.cams.pictures.wording import design_name
 from tmmcalc.cams.synthesis.candidates import SizeCandidate, candidates
@@ -21,6 +22,7 @@ from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import column_of, headed, lines, number_of, pictured
 
+HIGH = 190.0  # of the picture of the region at most [mm]
 RULES = {  # bounds of the roller's radius by the names that the synthesis gives them
     "0.4 R0": "0.4*R_0",
     "0.7 rho2": "0.7*rho_2",
@@ -49,8 +51,10 @@ def blocks(order: Order) -> Iterator[Block]:
     if result.kind == "flat":
         yield from told_face(told, result, lexicon)
     else:
-        yield from (told_stem if result.kind == "translating" else told_rocker)(told, result, lexicon)
+        sizes, base = (told_stem, stem_base) if result.kind == "translating" else (told_rocker, rocker_base)
+        yield from sizes(told, result, lexicon)
         yield from _governed(result)
+        yield from base(told, result, lexicon)
     yield from _designs(told, result)
     yield from _candidates(told, result)
     yield from _pictures(order)
@@ -113,7 +117,10 @@ def _designs(told: Told, result: Synthesis) -> Iterator[Block]:
             yield Paragraph(tr("In whole millimetres $S_0$ is {size} mm.", size=size))
         return
     yield Paragraph(
-        tr("Table {tab:cam_designs} compares the sizes by several rules with the pressure angles that they reach.")
+        tr(
+            "Table {tab:cam_designs} compares the sizes by several rules with the largest pressure angles that they "
+            "reach on the rise, $theta_y$, and on the return, $theta_c$."
+        )
     )
     columns: dict[str, list[float]] = {}
     if result.kind == "translating":
@@ -124,15 +131,15 @@ def _designs(told: Told, result: Synthesis) -> Iterator[Block]:
         columns["$l_2$, mm"] = [1e3 * each.rocker for each in rows]
         columns["$psi_0$, deg"] = [degrees(each.start) for each in rows]
     columns["$R_0$, mm"] = [1e3 * each.base for each in rows]
-    columns[f"$abs(theta)$ {tr('rise')}, deg"] = [degrees(max(map(abs, each.rise))) for each in rows]
-    columns[f"$abs(theta)$ {tr('return')}, deg"] = [degrees(max(map(abs, each.back))) for each in rows]
+    columns["$theta_y$, deg"] = [degrees(max(map(abs, each.rise))) for each in rows]
+    columns["$theta_c$, deg"] = [degrees(max(map(abs, each.back))) for each in rows]
     cells = [[_rule(each, told.follower.sense) for each in rows], *(column_of(each) for each in columns.values())]
-    head = tr("Rule"), *(headed(name) for name in columns)
+    head = tr("How they are chosen"), *(headed(name) for name in columns)
     yield Table(tr("Sizes by several rules"), head, tuple(zip(*cells, strict=True)), key="cam_designs")
 
 
 def _rule(design: Design, sense: int) -> str:
-    return tr("In whole millimetres") if design.name == WHOLE_NAME else message(design_name(design, sense))
+    return tr("In whole millimetres") if design.name == WHOLE_NAME else design_name(design, sense)
 
 
 def _roller(result: Synthesis, lexicon: Lexicon) -> Iterator[Block]:
@@ -201,8 +208,10 @@ def _candidate(each: SizeCandidate, stem: bool) -> Iterator[str]:
 
 def _pictures(order: Order) -> Iterator[Block]:
     """The admissible places of the axis of the cam."""
-    for k, piece in enumerate(synthesis_pieces(order)):
-        yield pictured(piece, key="cam_region" if not k else "cam_convexity")
+    first, *others = synthesis_pieces(order)
+    yield hung(message(first.heading), first.draw, HIGH, "cam_region")
+    for piece in others:
+        yield pictured(piece, key="cam_convexity")
 
 
 def _main(result: Synthesis, lexicon: Lexicon) -> tuple[str, Given]:

@@ -13,7 +13,8 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Lexicon, Paragraph, Place
 from tmmcalc.report.telling import lines
 
-LEAST = "F_{min} = DeltaS + S''", "S_{0min} = r_m - F_{min}"
+LEAST, NEEDED = "F_{min} = DeltaS + S''", "S_{0min} = r_m - F_{min}"
+KEPT = 1e-9  # relative: a limit that is just reached is kept
 REACH = {
     1: ("b_l = S'_{max} + Delta", "b_r = -S'_{min} + Delta"),
     -1: ("b_l = -S'_{min} + Delta", "b_r = S'_{max} + Delta"),
@@ -32,7 +33,8 @@ def told_face(told: Told, result: Synthesis, lexicon: Lexicon) -> Iterator[Block
     )
     yield Display(read("rho = S_0 + DeltaS + S'' >= r_m"))
     lexicon |= told.named(_quantities(told, found))
-    yield from lines(LEAST, [_least(told, found, lexicon), Place("", lexicon)][:1], told.words)
+    yield from lines((LEAST,), [_least(told, found, lexicon)], told.words)
+    yield from lines((NEEDED,), [Place("", lexicon)])
     size = number(lexicon["S_0"])
     said = {
         "given": tr("The given distance $S_0$ = {size} mm is kept.", size=size),
@@ -40,6 +42,8 @@ def told_face(told: Told, result: Synthesis, lexicon: Lexicon) -> Iterator[Block
         "shaft": tr("The radius of the camshaft asks for more: $S_0$ = {size} mm.", size=size),
     }
     yield Paragraph(said[result.governs])
+    if result.follower.start < found.needed * (1 - KEPT):
+        yield Paragraph(tr("It is less than the convexity of the profile asks for."))
     yield from lines(("rho_{min} = S_0 + F_{min}",), [Place("", lexicon)])
     yield Paragraph(
         tr("The contact stands at $-S'$ from the axis of the stem; the face has to reach it on both sides:")

@@ -38,7 +38,7 @@ THIRD = 0.3  # of a phase: where it is worked out, as near as the rows of the ta
 NEAR = 1e-9
 FIGURES = 7  # digits of a value of a table
 PLACES = 6  # its decimals at most
-SHORT = 6  # digits of an angle within a sentence
+SHORT = 5  # digits of an angle within a sentence
 
 
 class Told(NamedTuple):
@@ -109,9 +109,18 @@ def phase_ends(law: LawResult) -> list[float]:
     return [degrees(each.begin) for each in law.phases] + [degrees(law.phases[-1].end)]
 
 
-def table_rows(told: Told) -> list[int]:
-    """The rows of the tables of the chapter: some forty at round angles and at the ends of phases, and those shown."""
-    return sorted({*told_rows(np.degrees(told.law.positions.phi), phase_ends(told.law)), *told.rows})
+def table_rows(told: Told, dwells: bool = True) -> list[int]:
+    """The rows of the tables of the chapter: some forty at round angles and at the ends of phases, and those shown.
+
+    Without ``dwells`` the ends of dwells alone.
+    """
+    law, ends = told.law, np.array(phase_ends(told.law))
+    phi = np.degrees(law.positions.phi)
+    rows = sorted({*told_rows(phi, ends.tolist()), *told.rows})
+    still = [phase.constants is None for phase in law.phases]
+    return [
+        row for row in rows if dwells or not still[law.phase[row]] or np.min(np.abs(ends - phi[row])) <= NEAR * phi[-1]
+    ]
 
 
 def of_task(told: Told) -> Lexicon:
@@ -123,7 +132,7 @@ def of_task(told: Told) -> Lexicon:
         "low dwell": tr("phase angle of the near dwell"),
     }
     task, law = told.task, told.law
-    stroke = Given(law.stroke, "rad", tr("swing of the rocker")) if law.turns else mm(law.stroke, tr("stroke"))
+    stroke = Given(law.stroke, "rad", tr("swing angle of the rocker")) if law.turns else mm(law.stroke, tr("stroke"))
     found = {"<h>": stroke}
     found |= {ANGLES[each.kind]: Given(each.end - each.begin, "rad", meanings[each.kind]) for each in law.phases}
     if task.loads is not None:
@@ -214,7 +223,7 @@ def number(given: Given) -> str:
 
 def degrees_of(phi: float) -> str:
     """An angle [rad] in degrees within a sentence, without the sign of degrees."""
-    return spelt(significant(degrees(phi) + 0.0, SHORT))
+    return spelt(significant(round(degrees(phi), PLACES) + 0.0, SHORT))
 
 
 def shown_unit(unit: str) -> str:

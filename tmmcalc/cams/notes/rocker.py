@@ -43,13 +43,18 @@ def told_rocker(told: Told, result: Synthesis, lexicon: Lexicon) -> Iterator[Blo
     asked, minus = told.task.asked, told.words["d-"]
     yield Paragraph(tr("The pressure angle follows from the position and the analogue of velocity:"))
     yield Display(read(f"tan(theta) = (l_2*(1 {minus} psi') - l_0*cos(psi))/(l_0*sin(psi))"))
-    lexicon["psi_m"] = angle(told.law.stroke, tr("swing of the rocker"))
+    lexicon["psi_m"] = angle(told.law.stroke, tr("swing angle of the rocker"))
     yield from _textbook(told, lexicon)
     known = [name for name in ("rocker", "centres", "base", "start") if getattr(asked, name) is not None]
     if len(known) == 1 and asked.start is None:
         yield from _best(told, result, lexicon)
     elif result.governs != GIVEN:
         yield Paragraph(_on_curve(known))
+
+
+def rocker_base(told: Told, result: Synthesis, lexicon: Lexicon) -> Iterator[Block]:
+    """What is left of the triangle of l_0, l_2, R_0 and psi_0."""
+    asked = told.task.asked
     place = [Place("", lexicon)]
     if result.governs == GIVEN and asked.start is None:
         yield from lines((START,), place)

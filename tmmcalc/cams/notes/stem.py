@@ -27,6 +27,8 @@ ANGLES = {"rise": "theta_P", "return": "theta_{Pc}"}
 ON = 1e-9  # of S0: a point this near to a line lies on it
 SAME = 1e-9  # displacements at the largest velocities that are the same
 BASE = "R_0 = sqrt(S_0**2 + e**2)"
+SHAFT, SHAFT_AND_ROLLER = "R_0 = r_1/(1 - 0.4)", "R_0 = r_1 + r_2"  # a roller that is to be found may have 0.4 R0
+REST = 1e-15  # [m] a line through the axis of the cam, that of rest
 
 
 class Bound(NamedTuple):
@@ -35,6 +37,11 @@ class Bound(NamedTuple):
     number: int
     kind: PhaseKind
     line: translatingsizes.Line
+
+    @property
+    def rests(self) -> bool:
+        """Whether it is that of rest, without a height."""
+        return abs(self.line.height) <= REST
 
     @property
     def slope(self) -> str:
@@ -63,8 +70,15 @@ def told_stem(told: Told, result: Synthesis, lexicon: Lexicon) -> Iterator[Block
         yield from _height(told, each, lexicon)
     yield from _textbook(told, lexicon)
     yield from _taken(told, result, shown, lexicon)
-    if told.task.asked.base is None:
-        yield from lines((BASE,), [Place("", lexicon)])
+
+
+def stem_base(told: Told, result: Synthesis, lexicon: Lexicon) -> Iterator[Block]:
+    """The base circle, and where the shaft decides it the start distance."""
+    asked, place = told.task.asked, [Place("", lexicon)]
+    if result.governs == "shaft":
+        yield from lines((SHAFT if asked.roller is None else SHAFT_AND_ROLLER, "S_0 = sqrt(R_0**2 - e**2)"), place)
+    elif asked.base is None:
+        yield from lines((BASE if result.follower.offset else "R_0 = S_0",), place)
 
 
 def _bounds(told: Told) -> list[Bound]:
@@ -93,14 +107,14 @@ def _height(told: Told, each: Bound, lexicon: Lexicon) -> Iterator[Block]:
     lexicon |= named({name: mm(each.line.height, said)})
     place = Place(tr("at φ = {angle}°", angle=degrees_of(phi)), lexicon | told.named(at))
     yield Paragraph(tr("On the rise:") if each.kind == "rise" else tr("On the return:"))
-    if each.line.height:
+    if not each.rests:
         yield from lines((f"{name} = {sign}S'/tan({ANGLES[each.kind]}) - DeltaS",), [place])
     yield Display(read(f"S_0 >= {_bound(told, each)}"))
 
 
 def _bound(told: Told, each: Bound) -> str:
     """What a line asks of S0; at rest it passes the axis of the cam."""
-    height = f"b_{each.number} " if each.line.height else ""
+    height = "" if each.rests else f"b_{each.number} "
     return f"{height}{_sign(told, each)} e/tan({ANGLES[each.kind]})"
 
 
@@ -161,10 +175,7 @@ def _taken(told: Told, result: Synthesis, shown: list[Bound], lexicon: Lexicon) 
     asked, e, place = told.task.asked, result.follower.offset, [Place("", lexicon)]
     free = asked.start is None and asked.base is None
     if asked.offset is None and not free:
-        if asked.start is None or asked.base is None:
-            yield Paragraph(tr("Of the offsets that keep the limits with the given size the smallest is taken."))
-        else:
-            yield from lines((f"e = {'-' * (told.follower.sense * e < 0)}sqrt(R_0**2 - S_0**2)",), place)
+        yield from lines((f"e = {'-' * (told.follower.sense * e < 0)}sqrt(R_0**2 - S_0**2)",), place)
     if asked.start is None and asked.base is not None:
         yield from lines(("S_0 = sqrt(R_0**2 - e**2)",), place)
     start = number_of(lexicon, "S_{0P}") / 1e3
@@ -203,4 +214,5 @@ def _corner(told: Told, on: list[Bound], lexicon: Lexicon) -> Iterator[Block]:
 
 def _difference(first: Bound, second: Bound) -> str:
     """What two lines ask for without offset, one less the other."""
-    return " - ".join(f"b_{each.number}" if each.line.height else "0" for each in (first, second))
+    own = "" if first.rests else f"b_{first.number}"
+    return own if second.rests else f"{own} - b_{second.number}".strip()
