@@ -33,6 +33,8 @@ MUTATED = (
     "wheel",
     "cam-translating",
     "cam-rocker-synthesis",
+    "cam-rocker-optimum",
+    "cam-lantern",
 )
 SWAPPED = {"sin": "cos", "cos": "sin"}
 

@@ -11,14 +11,17 @@ from tmmcalc.cams.notes.loaded.quantities import Loaded, loaded_of, of_scene
 from tmmcalc.cams.notes.loaded.reactions import course, reactions
 from tmmcalc.cams.notes.loaded.spring import spring_blocks
 from tmmcalc.cams.pictures.cam_forces import draw_course, draw_spring
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph
 from tmmcalc.report.telling import WIDE
 
 GIVEN = ("m_2", "J_2", "omega", "Q_y", "Q_c", "M_Qy", "M_Qc", "g", "f", "r_A", "K_1", "f_1", "F_min", "c", "Q_0", "M_0")
-SPRING, COURSE = (WIDE, 95.0), (WIDE, 150.0)  # sizes of the pictures [mm]
+SPRING, COURSE = (WIDE, 80.0), (WIDE, 130.0)  # sizes of the pictures [mm]
+NAMES = (5.0, 4.0, 2.0, 0.0)  # room that names of axes take around a diagram [mm]
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -82,8 +85,11 @@ def _pictures(of: Loaded) -> Iterator[Block]:
         yield Paragraph(
             tr("Figure {fig:cam_spring} shows the lifting force over the displacement and the line of the spring.")
         )
-        draw = partial(draw_spring, task=task, loads=of.loads, result=of.result)
-        yield Figure(tr("Lifting force and spring"), draw, SPRING, "cam_spring")
+
+        def draw_lifting(drawing: Drawing, box: Box) -> None:
+            draw_spring(drawing, box.inset(*NAMES), task, of.loads, of.result)
+
+        yield Figure(tr("Lifting force and spring"), draw_lifting, SPRING, "cam_spring")
     yield Paragraph(tr("Figure {fig:cam_course} shows the forces and the torque over the turn of the cam."))
     draw = partial(draw_course, task=task, result=of.result)
     yield Figure(tr("Forces and torque over the turn"), draw, COURSE, "cam_course")

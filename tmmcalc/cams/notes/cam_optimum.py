@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from math import degrees
 
@@ -33,14 +33,17 @@ from tmmcalc.cams.pictures.cam_optimum import contour_heading, draw_chart, draw_
 from tmmcalc.cams.pictures.ordered import cam_of
 from tmmcalc.cams.rounding import sides
 from tmmcalc.cams.task import CamTask, Optimum
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Place, Result
 from tmmcalc.report.telling import WIDE, lines, named
 
-CONTOUR, SECTION, CHART = (WIDE, 105.0), (WIDE, 110.0), (WIDE, 100.0)  # sizes of the pictures [mm]
+NAMES = (1.0, 3.0, 1.0, 0.0)  # room that names of axes take around a diagram [mm]
+CONTOUR, SECTION, CHART = (WIDE, 105.0), (WIDE, 100.0), (WIDE, 95.0)  # sizes of the pictures [mm]
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -245,7 +248,7 @@ def _pictures(result: CamOptimum) -> Iterator[Block]:
     """The blocking contours with their key, the section along the radius of the roller, the chart of a flat face."""
     if result.flat is not None:
         yield Paragraph(tr("Figure {fig:cam_chart} shows the admissible start distances over the height."))
-        draw = partial(draw_chart, result=result, chart=result.flat)
+        draw = partial(_in_room, of=partial(draw_chart, result=result, chart=result.flat))
         yield Figure(tr("Admissible start distances over the height"), draw, CHART, "cam_chart")
     for k, contour in enumerate(result.contours, 1):
         yield Paragraph(
@@ -255,14 +258,19 @@ def _pictures(result: CamOptimum) -> Iterator[Block]:
                 figure=f"{{fig:cam_contour{k}}}",
             )
         )
-        draw = partial(draw_contour, result=result, contour=contour)
+        draw = partial(_in_room, of=partial(draw_contour, result=result, contour=contour))
         yield Figure(message(contour_heading(result, contour)), draw, CONTOUR, f"cam_contour{k}")
     if result.section is not None:
         yield Paragraph(
             tr("Figure {fig:cam_section} shows the reaction of the guide and the contact stress over the radius.")
         )
-        draw = partial(draw_section, result=result, section=result.section)
+        draw = partial(_in_room, of=partial(draw_section, result=result, section=result.section))
         yield Figure(message(section_heading(result.section)), draw, SECTION, "cam_section")
+
+
+def _in_room(drawing: Drawing, box: Box, of: Callable[[Drawing, Box], str]) -> None:
+    """A picture with room for the names of its axes around it."""
+    of(drawing, box.inset(*NAMES))
 
 
 def _results(sizes: list[Size]) -> Iterator[Block]:

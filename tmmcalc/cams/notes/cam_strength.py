@@ -89,4 +89,4 @@ def _table(of: Judging) -> Table | None:
     shown = {"$phi$, deg": np.degrees(found.positions.phi)[rows], **columns}
     labels = [found.positions.labels[row] for row in rows]
     caption = tr("What is judged over the turn")
-    return tabulated(caption, shown, labels, head=tr("Position"), key="cam_judged")
+    return tabulated(caption, shown, labels, head=tr("No."), key="cam_judged")

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from functools import partial
 
+from tmmcalc.cams.indexing.laws import CODE
 from tmmcalc.cams.indexing.results import Indexing
+from tmmcalc.cams.notes.laws import named_title
+from tmmcalc.cams.notes.lexicon import quantities_table
 from tmmcalc.cams.notes.stepping.efficiency import efficiency
 from tmmcalc.cams.notes.stepping.flanks import flanks, shown_rows
 from tmmcalc.cams.notes.stepping.limits import limits
@@ -14,15 +18,16 @@ from tmmcalc.cams.notes.stepping.rollers import rollers
 from tmmcalc.cams.pictures.indexing import draw_drive
 from tmmcalc.cams.pictures.indexingstep import draw_step
 from tmmcalc.cams.tables.tasks.indexing import to_indexing
-from tmmcalc.gears.notes.pairs.tables import parameters
+from tmmcalc.machine.notes.told import numeral, plainly
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.shapes import Drawing
-from tmmcalc.report.language import tr, tr_name
+from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph
 from tmmcalc.report.telling import WIDE
 
 GIVEN = ("z_2", "phi_p", "phi_d1", "l_k", "theta_d", "f_1", "f_2", "r_c")
+ENDS = re.compile(r"constant ends of (\S+) %")
 NAMES = (1.0, 3.0, 2.0, 0.0)  # room that names of axes take beside diagrams, all around [mm]
 SCHEME, STEP = 85.0, 140.0  # heights of the pictures [mm]
 
@@ -47,7 +52,8 @@ def blocks(order: Order) -> Iterator[Block]:
 def _data(of: Stepping) -> Iterator[Block]:
     """What is given, and the law."""
     task = of.task
-    names = [*GIVEN, *["a"] * (task.ratio is not None), *["r_r"] * (task.roller is not None)]
+    given = (name for name in GIVEN if name != "r_c" or task.shaft)
+    names = [*given, *["a"] * (task.ratio is not None), *["r_r"] * (task.roller is not None)]
     names += ["r_r2"] * (task.second_roller is not None)
     yield Paragraph(
         tr(
@@ -55,17 +61,25 @@ def _data(of: Stepping) -> Iterator[Block]:
             "step, two steps in a turn. The given data are in table {tab:indexing_data}."
         )
     )
-    yield parameters(tr("Given data of the indexing drive"), names, of.lexicon, "indexing_data")
+    yield quantities_table(tr("Given data of the indexing drive"), names, of.lexicon, "indexing_data")
     yield from _law(of.found)
 
 
 def _law(found: Indexing) -> Iterator[Block]:
     """The law of the step by its name and its largest velocity."""
-    peak = f"{found.peak:.6g}"
+    peak = numeral(found.peak)
     if found.cam is None:
         yield Paragraph(tr("Of the law of the step its largest derivative $B = {peak}$ is given.", peak=peak))
     else:
-        yield Paragraph(tr("Law of the step: {law}; $B = {peak}$.", law=tr_name(found.law), peak=peak))
+        yield Paragraph(tr("Law of the step: {law}; $B = {peak}$.", law=_law_name(found.law), peak=peak))
+
+
+def _law_name(name: str) -> str:
+    """A law of the catalogue, one with constant ends by its code or its part, or one of one's own."""
+    ends = CODE.fullmatch(name) or ENDS.fullmatch(name)
+    if ends is None:
+        return named_title(name)
+    return tr("acceleration that is constant over {part} % of the step at each end", part=plainly(float(ends[1])))
 
 
 def _pictures(of: Stepping) -> Iterator[Block]:

@@ -23,7 +23,7 @@ from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
 
 WALL = "#e4e4e4"
-LOWEST = 1e-4  # of the spectra's amplitude that is drawn, part of the stroke
+LOWEST, TOP = 1e-4, 2.0  # of the spectra's amplitude that are drawn, parts of the stroke
 OWN = Pen("OWN_RATIO", 0.3, (2.4, 0.9))
 HEAD = 12.0  # room of the heading [mm]
 
@@ -83,11 +83,11 @@ def draw_spectra(drawing: Drawing, box: Box, result: ElasticResult) -> None:
     """Amplitude over the stroke by the ratio of phase time and natural period; the cam's own ratio is marked."""
     along = Axis(tr("time of the phase over the natural period"), 0.0, float(result.ratios[-1]))
     lines = tuple((tr_name(each.law), each.residual) for each in result.spectra)
-    row = Panel(tr("amplitude over the stroke"), lines, log=True, ends=(LOWEST, 2.0))
+    row = Panel(tr("amplitude over the stroke"), lines, log=True, ends=(LOWEST, TOP))
     (diagram,) = panels(drawing, box, result.ratios, along, [row])
     for phase in result.phases:
         if phase.ratio < result.ratios[-1]:
             diagram.vertical(phase.ratio, OWN)
-            at = diagram.place(complex(phase.ratio, 1.6 if phase.kind == "rise" else 1.2))
+            at = diagram.place(complex(phase.ratio, TOP)) - 1j * (3.0 if phase.kind == "rise" else 7.0)
             words = f"{tr_name(phase.kind)}: {number(phase.ratio, 4)}"
             drawing.add(Words(at + 1.5, words, 2.5, -1, colour=INK, clear=True), level=20)

@@ -46,6 +46,7 @@ BOUND = Pen("BOUND", 0.4, (2.4, 0.9))
 LEAST = Pen("LEAST", 0.25)
 OTHER = Pen("OTHER_STEPS", 0.18)
 APART = (2.0, 3.0, 4.5)  # of a text from its line [mm]
+KEY, APART_KEY = 70.0, 6.0  # least width of the key beside a diagram, and its distance [mm]
 HEADING = 7.0  # room of a heading [mm]
 SIDES = (16.0, 10.0, 2.0, 2.0)  # room around a frame: left, bottom, right, top [mm]
 SAME = 1e-9  # of a limit: a value at it
@@ -86,7 +87,7 @@ def _typeset(result: CamOptimum, name: str) -> str:
 
 def draw_contour(drawing: Drawing, box: Box, result: CamOptimum, contour: Contour) -> str:
     """Draw a contour with its key; its heading."""
-    plane, key = box.split(1.75, 1.0, gap=6, across=True)
+    plane, key = _with_key(box)
     low, high, bottom, top = (1e3 * v for v in contour.window)
     across = tr("base circle $R_0$, mm") if result.kind == "oscillating" else tr("start distance $S_0$, mm")
     axes = Axis(across, low, high), Axis(tr("roller radius $r_2$, mm"), bottom, top)
@@ -94,6 +95,12 @@ def draw_contour(drawing: Drawing, box: Box, result: CamOptimum, contour: Contou
     seen = _draw_plane(Diagram(drawing, plane.inset(*SIDES), *axes), result, contour, lowest)
     write_key(drawing, key, list(_contour_key(result, contour, seen, lowest)))
     return contour_heading(result, contour)
+
+
+def _with_key(box: Box) -> tuple[Box, Box]:
+    """The rectangle of a diagram and that of its key, whose longest rows need some room."""
+    beside = max((box.width - APART_KEY) / 2.75, KEY)
+    return box.split(box.width - APART_KEY - beside, beside, gap=APART_KEY, across=True)
 
 
 def contour_heading(result: CamOptimum, contour: Contour) -> str:
@@ -259,7 +266,7 @@ def _crossings(x: Any, excess: Any) -> list[float]:
 
 def draw_chart(drawing: Drawing, box: Box, result: CamOptimum, chart: FlatChart) -> str:
     """Draw the chart of a flat face; its heading."""
-    plane, key = box.split(1.75, 1.0, gap=6, across=True)
+    plane, key = _with_key(box)
     low, base = 1e3 * chart.least_height, 1e3 * (chart.stroke + chart.gap + chart.least_length)
     start, span = 1e3 * chart.least_start, 0.35 * 1e3 * chart.least_height
     ends = np.array([low - span, low + span])

@@ -145,7 +145,7 @@ def constraints(result: CamOptimum) -> Iterator[Block]:
     rows = [_row(result, each, least[each.number]) for each in result.chosen.checks if each.judged]
     head = (
         tr("No."),
-        tr("Constraint"),
+        tr("Design constraint"),
         tr("Condition"),
         tr("In whole steps"),
         tr("Margin, %"),
@@ -220,7 +220,7 @@ def relaxations(result: CamOptimum) -> Iterator[Block]:
             size=f"${NAMES[result.names['height']]}$",
         )
     )
-    head = (tr("Constraint"), tr("Limit"), tr("From"), tr("To"), tr("Gain, mm"))
+    head = (tr("Design constraint"), tr("Limit"), tr("From"), tr("To"), tr("Gain, mm"))
     rows = tuple(_relaxed(each) for each in result.relaxations)
     yield Table(tr("Looser limits"), head, rows, "cam_relaxed")
 
@@ -257,7 +257,11 @@ def game(result: CamOptimum) -> Iterator[Block]:
     solved = sorted((each for each in result.options if not each.refused), key=lambda each: each.least)
     yield Heading(tr("Comparison of options"), 3)
     yield Paragraph(
-        tr("Other laws, springs, materials and rollers are compared in table {tab:cam_options}, the best first.")
+        tr(
+            "Other laws, springs, materials and rollers are compared in table {tab:cam_options}, the best first: the "
+            "least {size} of any sizes, the sizes in whole steps, and which constraints bind.",
+            size=f"${NAMES[result.names['height']]}$",
+        )
     )
     columns = _option_columns(result, solved)
     rows = tuple(zip(*columns.values(), strict=True))
@@ -271,6 +275,7 @@ def game(result: CamOptimum) -> Iterator[Block]:
 def _option_columns(result: CamOptimum, solved: Sequence[Option]) -> Mapping[str, list[str]]:
     """What the options differ in, their sizes and loads."""
     height, start = (f"${NAMES[result.names[key]]}$, {tr_unit('mm')}" for key in ("height", "start"))
+    least = f"${NAMES[result.names['height']].replace('_', '_{')},min}}$, {tr_unit('mm')}"
     columns = {tr("Law"): [law_name(each.law) for each in solved]}
     for head, values in (
         ("$K_1$", [each.safety for each in solved]),
@@ -279,7 +284,7 @@ def _option_columns(result: CamOptimum, solved: Sequence[Option]) -> Mapping[str
     ):
         if len(set(values)) > 1:
             columns[head] = ["–" if value is None else plainly(value) for value in values]
-    columns[f"{height} ({tr('of any sizes')})"] = [_mm(each.least) for each in solved]
+    columns[least] = [_mm(each.least) for each in solved]
     columns[height] = [_mm(each.height) for each in solved]
     columns[start] = [_mm(each.start) for each in solved]
     if result.kind == "oscillating":

@@ -136,6 +136,7 @@ def _shape(of: Judging, there: Found, curvature: float) -> Lexicon:
     own = {
         "w": mm(speed, tr("derivative of the arc of the pitch curve by φ")),
         "kappa": Given(1e-3 * curvature, "1/mm", tr("curvature of the pitch curve, negative where it is concave")),
+        "b_κ": Given(1e6 * curvature * speed**3, "mm^2", tr("numerator of the curvature")),
         "A_0": mm(float(rolling(follower, motion)[1][0]), tr("second derivative of this arc by φ")),
     }
     return own | _rates(of, there) if follower.kind == "oscillating" else own
@@ -145,13 +146,11 @@ def _rates(of: Judging, there: Found) -> Lexicon:
     """Derivatives of the pitch curve along and across the line of centres, of a rocker."""
     points = there.points
     _, one, two = (contact_path(of.found.follower, points.phi, points.motion) * np.exp(-1j * points.phi))[:, 0].tolist()
-    first = tr("first derivatives of the pitch curve along the line of centres and across it")
-    second = tr("second derivatives of the pitch curve along the line of centres and across it")
     return {
-        "u_1": mm(one.real, first),
-        "h_1": mm(one.imag, first),
-        "u_2": mm(two.real, second),
-        "h_2": mm(two.imag, second),
+        "u_1": mm(one.real, tr("first derivative of the pitch curve along the line of centres")),
+        "h_1": mm(one.imag, tr("first derivative of the pitch curve across the line of centres")),
+        "u_2": mm(two.real, tr("second derivative of the pitch curve along the line of centres")),
+        "h_2": mm(two.imag, tr("second derivative of the pitch curve across the line of centres")),
     }
 
 

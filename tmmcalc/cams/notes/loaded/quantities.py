@@ -179,10 +179,13 @@ def of_spring(of: Loaded) -> Lexicon:
     """Stiffness and preload."""
     spring, highest = of.result.spring, of.task.program.highest
     force, rate = ("N*m", "N*m/rad") if of.turns else ("N", "N/mm")
+    top = tr("force of the spring in the highest position")
+    if of.turns:
+        top = tr("moment of the spring in the highest position")
     found = {
         "c": Given(of_rate(of, spring.stiffness), rate, tr("stiffness of the return spring")),
         "<Q>_0": Given(spring.preload, force, tr("preload of the spring in the lowest position")),
-        "<Q>_max": Given(spring.highest, force, tr("force of the spring in the highest position")),
+        "<Q>_max": Given(spring.highest, force, top),
     }
     meaning = tr("largest displacement")
     found["<dy>_max"] = Given(highest, "rad", meaning) if of.turns else mm(highest, meaning)

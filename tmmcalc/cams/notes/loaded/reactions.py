@@ -177,8 +177,8 @@ def course(of: Loaded) -> Iterator[Block]:
     rows = table_rows(of.told)
     labels = [of.result.labels[row] for row in rows]
     first, second = _columns(of, rows)
-    yield tabulated(tr("Forces along the lift"), first, labels, head=tr("Position"), key="cam_loads")
-    yield tabulated(tr("Reactions and torques"), second, labels, head=tr("Position"), key="cam_reactions")
+    yield tabulated(tr("Forces along the lift"), first, labels, head=tr("No."), key="cam_loads")
+    yield tabulated(tr("Reactions and torques"), second, labels, head=tr("No."), key="cam_reactions")
     yield _extremes(of.result)
     yield from _contact(of)
     yield from _work(of)

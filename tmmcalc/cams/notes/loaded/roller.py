@@ -36,8 +36,8 @@ ROLLING = {
 }
 TURNING = "A = (omega**2*A_0 + eps*(w <g> r_2))/omega_m**2"
 CURVATURE = {
-    "translating": "kappa = (S**2 + (S' <+> e)*(2*S' <+> e) - S*S'')/w**3",
-    "oscillating": "kappa = (u_1*h_2 - h_1*u_2)/w**3",
+    "translating": ("b_κ = S**2 + (S' <+> e)*(2*S' <+> e) - S*S''", "kappa = b_κ/w**3"),
+    "oscillating": ("b_κ = u_1*h_2 - h_1*u_2", "kappa = b_κ/w**3"),
 }
 SLIP = "D = abs(C_1 + C_2*A/abs(R))"
 
@@ -152,7 +152,7 @@ def _stressed(of: Judging, places: Sequence[Place]) -> Iterator[Block]:
     words = _words(of)
     told = of.found.rolling is not None and of.found.slip is not None
     yield from lines(PITCH[of.of.kind], places[-1:] if told else places, words)
-    yield from lines([CURVATURE[of.of.kind]], places, words)
+    yield from lines(CURVATURE[of.of.kind], places, words)
     for sign in (1, -1):
         own = [place for place in places if (number_of(place.lexicon, "R") >= 0) == (sign > 0)]
         side = "-" if sign > 0 else "+"
