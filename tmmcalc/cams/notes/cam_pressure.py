@@ -146,6 +146,11 @@ def _judged(kind: str, on: Reached) -> Iterator[Block]:
                 tr("The largest pressure angle {phase} is {theta}° at φ = {phi}°, not above the permissible {limit}°.",
                    **values)
             )  # fmt: skip
-    given = angle(abs(worst.value), tr("largest pressure angle"))
-    limit = None if on.limit is None else degrees(on.limit)
-    yield Result("theta_{max}", given, limit, "<=" if limit is not None else "", place=phase)
+    name, said = "theta_y", tr("largest pressure angle on the rise")
+    if kind == "return":
+        name, said = "theta_c", tr("largest pressure angle on the return")
+    if on.limit is None:
+        yield Result(name, angle(abs(worst.value), said))
+    else:
+        value = abs(worst.value) if on.exceeded else min(abs(worst.value), on.limit)
+        yield Result(name, angle(value, said), degrees(on.limit), "<=")
