@@ -59,7 +59,7 @@ def _given(of: Loaded) -> Lexicon:
     """What the spec says of loads, friction and the spring."""
     loads, asked = of.loads, of.loads.spring
     scene = of_scene(of)
-    found = {name: scene[name] for name in ("<m>", "f", "r_A") if name in scene}
+    found: Lexicon = {name: scene[name] for name in ("<m>", "f", "r_A") if name in scene}
     found["omega"] = Given(loads.speed, "rad/s", tr("angular velocity of the cam"))
     unit, letter = ("N*m", "M_Q") if of.turns else ("N", "Q_")
     if loads.force.phi is None:

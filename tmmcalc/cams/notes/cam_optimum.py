@@ -28,7 +28,7 @@ from tmmcalc.cams.optimum.options import changed, variants
 from tmmcalc.cams.optimum.results import CamOptimum, Choice, FlatChart
 from tmmcalc.cams.optimum.rocker import follower_of
 from tmmcalc.cams.optimum.rockersizes import Sizes, judge_rocker, rocker_scene
-from tmmcalc.cams.optimum.scene import scene_of
+from tmmcalc.cams.optimum.scene import Phases, scene_of
 from tmmcalc.cams.pictures.cam_optimum import contour_heading, draw_chart, draw_contour, draw_section, section_heading
 from tmmcalc.cams.pictures.ordered import cam_of
 from tmmcalc.cams.rounding import sides
@@ -81,11 +81,12 @@ def _task(order: Order, result: CamOptimum) -> CamTask:
 def _worked(task: CamTask, follower: Follower, result: CamOptimum) -> Iterator[Block]:
     """What follows from the sizes, in whole steps and of any sizes: the guide or the triangle, pin, shaft, pressure."""
     choices = (result.chosen, result.least)
+    phases: Phases = "rise" if result.phases == "rise" else "turn"
     if result.kind == "flat":
         own = [_flat_sizes(task, follower, choice) for choice in choices]
         texts: list[str] = ["l = H_2 - S_0 - h - Delta_g"]
     elif result.kind == "oscillating":
-        of = rocker_scene(task, follower, result.phases)
+        of = rocker_scene(task, follower, phases)
         four = Sizes(*(np.array([getattr(c, key) for c in choices]) for key in ("length", "start", "roller", "height")))
         found = judge_rocker(of, four)
         own = [
@@ -97,7 +98,7 @@ def _worked(task: CamTask, follower: Follower, result: CamOptimum) -> Iterator[B
             "r_max = sqrt(l_0**2 + l_2**2 - 2*l_0*l_2*cos(psi_0 + psi_max)) - r_2",
         ]
     else:
-        scene = scene_of(task, follower, result.phases)
+        scene = scene_of(task, follower, phases)
         sizes = (np.array([getattr(choice, key) for choice in choices]) for key in ("start", "roller", "height"))
         shared = judge(scene, *sizes)
         own = [_stem_sizes(task, follower, choice) | _loaded(task, shared, k) for k, choice in enumerate(choices)]

@@ -100,7 +100,8 @@ def draw_contour(drawing: Drawing, box: Box, result: CamOptimum, contour: Contou
 def _with_key(box: Box) -> tuple[Box, Box]:
     """The rectangle of a diagram and that of its key, whose longest rows need some room."""
     beside = max((box.width - APART_KEY) / 2.75, KEY)
-    return box.split(box.width - APART_KEY - beside, beside, gap=APART_KEY, across=True)
+    plane, key = box.split(box.width - APART_KEY - beside, beside, gap=APART_KEY, across=True)
+    return plane, key
 
 
 def contour_heading(result: CamOptimum, contour: Contour) -> str:

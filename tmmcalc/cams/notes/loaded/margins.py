@@ -9,7 +9,7 @@ from tmmcalc.cams.notes.loaded.judged import Judging
 from tmmcalc.cams.strength.results import OK, OPEN, Margin
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.setting import spelt
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Paragraph, Result, Table
 from tmmcalc.report.telling import column_of
 
@@ -75,22 +75,16 @@ def margins(of: Judging) -> Iterator[Block]:
 
 def name_of(margin: Margin) -> str:
     """A requirement in the language in force."""
-    return {
+    own = {
         "no slip": tr("rolling without slip"),
-        "no undercut": tr("no undercut"),
-        "convex profile": tr("convex profile"),
-        "concave parts": tr("concave parts"),
         "outer wall": tr("outer wall of the groove"),
         "rule of the roller": tr("recommended radius of the roller"),
         "roller unit": tr("roller on its pin"),
-        "pressure on the pin": tr("pressure on the pin"),
         "shaft strength": tr("strength of the camshaft"),
         "shaft stiffness": tr("stiffness of the camshaft"),
         "clearance of the shaft": tr("clearance of the camshaft"),
-        "bending of the stem": tr("bending of the stem"),
-        "pressure in the guide": tr("pressure in the guide"),
-        "contact stress": tr("contact stress"),
-    }[margin.name]
+    }
+    return own.get(margin.name) or tr_name(margin.name)
 
 
 def condition_of(of: Judging, margin: Margin) -> tuple[str, str, str]:

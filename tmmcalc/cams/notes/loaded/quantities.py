@@ -108,7 +108,7 @@ class Loaded(NamedTuple):
         there = Points(
             points.phi[one], points.motion[:, one], points.sense[one], points.force[one], points.acceleration[one]
         )
-        return Found(there, State(*(each[one] for each in now)))
+        return Found(there, State._make(each[one] for each in now))
 
     def at(self, found: Found) -> Lexicon:
         """The quantities of a place."""

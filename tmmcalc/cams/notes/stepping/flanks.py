@@ -147,12 +147,12 @@ def _tip(of: Stepping, cam: Cam) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "The lobe is symmetric, so flank A ends on its axis: there the polar angle $psi_A$ is "
-            "$phi_p*(k_m - 0.5)$. This equation has the solution $k_m = {part}$, which the two lines for $psi_A$ show:",
+            "$phi_p*(k_m - 1/2)$. This equation has the solution $k_m = {part}$, which the two lines for $psi_A$ show:",
             part=numeral(end.part, 7),
         )
     )
     place = [Place("", lexicon)]
-    yield from lines(("beta = beta_m*s", STARTS["A"], PITCH[1], "psi_A = phi_p*(k_m - 0.5)"), place, {"f": "A"})
+    yield from lines(("beta = beta_m*s", STARTS["A"], PITCH[1], "psi_A = phi_p*(k_m - 1/2)"), place, {"f": "A"})
     texts = [
         "R_m = sqrt(a**2 + l_k**2 - 2*a*l_k*cos(theta_A))",
         STARTS["B"],

@@ -103,7 +103,7 @@ def _bottom(of: Stepping, cam: Cam) -> Iterator[Block]:
     """The radius of curvature in the middle of the groove (4)."""
     lexicon = at_part(of, 0.5)
     lexicon["rho_m"] = Given(MM * cam.bottom, "mm", tr("radius of curvature of the pitch curve at its bottom"))
-    yield Paragraph(tr("The groove is symmetric; at its bottom, $k = 0.5$, it is concave:"))
+    yield Paragraph(tr("The groove is symmetric; at its bottom, $k = 1/2$, it is concave:"))
     texts = ["rho_m = l_k*(lambda - 1 - beta')**2/(lambda - (1 + beta')**2)"]
     yield from lines(texts, [Place("", lexicon)])
 
