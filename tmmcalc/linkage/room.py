@@ -79,6 +79,7 @@ ROOM = Room(
         Stage(
             "synthesis",
             "a linkage by what it is to do; checks; ready specs",
+            chapter="synthesis",
             asked=("synthesis", "no linkage is to be found"),
             settles=True,
             another=True,
@@ -147,6 +148,7 @@ ROOM = Room(
     ),
     section="Linkages",
     chapters={
+        "synthesis": "Synthesis of the linkage",
         "structure": "Structural analysis",
         "kinematics": "Kinematic analysis",
         "forces": "Force analysis",

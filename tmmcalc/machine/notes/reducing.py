@@ -181,7 +181,10 @@ def moment_lines(told: Reducing) -> Iterator[Block]:
     names, causes = told.names, [*map(told.names.cause, told.result.contributions)]
     for heading, texts in (
         (tr("Given loads"), [_load_line(told, load) for load in told.loading.loads if load.factor]),
-        (tr("Weights"), [_weight_line(told)] if told.loading.gravity else []),
+        (
+            tr("Weights"),
+            [_weight_line(told)] if told.loading.gravity and any(each.mass for each in told.loading.bodies) else [],
+        ),
         (tr("Friction"), _friction_lines(told)),
         (tr("Sum of all forces"), [f"{names.total} = {' + '.join(causes)}"] if len(causes) > 1 else []),
     ):
