@@ -135,6 +135,7 @@ ROOM = Room(
             "dyad",
             "motion of a dyad with given states of its outer joints",
             asked=("dyad", "no dyad by itself is asked for"),
+            chapter="dyad",
             picture=Picture("the dyad to scale with the velocities and the accelerations of its points"),
         ),
     ),
@@ -153,5 +154,6 @@ ROOM = Room(
         "kinematics": "Kinematic analysis",
         "forces": "Force analysis",
         "unsteady": "Unsteady motion of the mechanism",
+        "dyad": "Motion of the dyad",
     },
 )
