@@ -79,7 +79,7 @@ def _listed(told: Told) -> Iterator[Block]:
     rule = "" if told.design.dwell is not None else tr_name(told.found.rule)
     yield Paragraph(
         tr("The linkages that were found are in table {tab:synthesis_listed}, the best first.")
-        + (" " + tr("What counts is: {rule}.", rule=rule) if rule else "")
+        + (" " + tr("They are ordered by: {rule}.", rule=rule) if rule else "")
     )
     rows = {*range(SHOWN - 1), told.number - 1} if len(told.listed) > SHOWN else {*range(len(told.listed))}
     yield _side_by_side(told.listed, sorted(rows))

@@ -19,7 +19,7 @@ from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Paragraph, Result, Table
 from tmmcalc.report.telling import WIDE, column_of, numeral, tabulated
 
@@ -245,7 +245,7 @@ def _strokes(told: Told, dwell: Dwell) -> Iterator[Block]:
     ends = sorted(dwell.extremes, key=lambda each: each.value)
     told.give(
         {
-            stroke: quantity_of(dwell.stroke, unit, tr("swing of the rocker") if rocks else tr("stroke of the slider")),
+            stroke: quantity_of(dwell.stroke, unit, tr_name("swing of the rocker") if rocks else tr("stroke of the slider")),
             "S_g": quantity_of(ends[-1].value, unit, tr("largest coordinate of link 5")),
             "S_k": quantity_of(ends[0].value, unit, tr("least coordinate of link 5")),
             rest: quantity_of(dwell.dwell_error, unit, tr("largest deviation over the dwell")),

@@ -222,7 +222,7 @@ def _linkage(told: Told, asked: PoseTask) -> Iterator[Block]:
         frame = complex(
             told.design.size("x_D") - told.design.size("x_A"), told.design.size("y_D") - told.design.size("y_A")
         )
-        told.give({"d": length(abs(frame), tr("frame AD"))})
+        told.give({"d": length(abs(frame), tr_name("frame AD"))})
     places = []
     for k in range(min(len(b), WORKED)):
         own = {

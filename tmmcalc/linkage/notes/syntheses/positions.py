@@ -120,7 +120,7 @@ def _places(told: Told, drawn: Drawn, scale: float) -> list[Place]:
             **vector("%'_Ci", complex(back[k]), "m", seen),
             "f_i": length(abs(gap), tr("distance of points {first} and {second}", first="A", second="B")),
             "delta_i": angle(float(np.angle(gap)), tr("angle of the line {first}{second}", first="A", second="B")),
-            "gamma_i": angle(abs(float(np.angle(reach))), tr("angle at A in the triangle ABC")),
+            "gamma_i": angle(abs(float(np.angle(reach))), tr("angle of the triangle at A")),
         }
         name = tr("in position {label}", label=k + 1)
         found.append(Place(name, told.lexicon | named(own), str(k + 1)))

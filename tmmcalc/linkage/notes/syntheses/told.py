@@ -85,9 +85,10 @@ def told_of(order: Order) -> Told:
     if not found.among:
         design = listed[min(order.spec.synthesis.choose or 1, len(listed)) - 1]
     told = Told(order, to_synthesis(order.spec), found, listed, design, {})
-    meaning = ""
+    meaning, own = "", meanings()
     for size in design.sizes:
-        meaning = meaning if size.meaning == SAME else tr_name(size.meaning).replace("->", "→")
+        if size.meaning != SAME:
+            meaning = own.get(letter_of(size.symbol)) or tr_name(size.meaning).replace("->", "→")
         told.give({letter_of(size.symbol): quantity_of(size.value, size.unit, meaning)})
     return told
 
@@ -162,4 +163,9 @@ def meanings() -> dict[str, str]:
         "v_p": tr("mean speed on the working stroke"),
         "n_1": tr("speed of the crank"),
         "psi": tr_name("overlap angle"),
+        "lambda": tr("crank over rod"),
+        "eps": tr("offset over crank"),
+        "kappa": tr("offset over rod"),
+        "phi_I": tr("angle of the crank at the far end of the stroke"),
+        "phi_{II}": tr("angle of the crank at the near end of the stroke"),
     }
