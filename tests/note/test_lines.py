@@ -31,6 +31,10 @@ MUTATED = (
     "pair-internal",
     "pair-rack",
     "wheel",
+    "synth-slider-crank",
+    "synth-path",
+    "synth-motion",
+    "dyad",
 )
 SWAPPED = {"sin": "cos", "cos": "sin"}
 

@@ -130,6 +130,16 @@ def numeral(value: float, digits: int = DIGITS) -> str:
     return f"{mantissa}*10**({exponent})" if exponent else mantissa
 
 
+def cell(value: float, digits: int = DIGITS) -> str:
+    """A number by itself in a cell or a sentence, with a power of ten as a formula.
+
+    >>> cell(-0.25), cell(2.5e-7)
+    ('−0.25', '$2.5*10**(-7)$')
+    """
+    text = numeral(value, digits)
+    return f"${text}$" if "*" in text else spelt(text)
+
+
 def held(condition: str, sides: tuple[float, float], unit: str, *, holds: bool) -> Paragraph:
     """A condition ``a <= b`` with the numbers of both sides, and whether it holds."""
     sign = next(each for each in SIGNS if each in condition)
@@ -149,7 +159,7 @@ def quantities(caption: str, known: Mapping[str, Given], key: str = "", digits: 
         unit, factor = printed_as(given.unit)
         assert isinstance(given.value, float)
         shown = "°" if unit == "deg" else tr_unit(unit)
-        rows.append((given.meaning, f"${name}$", shown, f"${numeral(factor * given.value, digits)}$"))
+        rows.append((given.meaning, f"${name}$", shown, cell(factor * given.value, digits)))
     return Table(caption, (tr("Quantity"), tr("Symbol"), tr("Unit"), tr("Value")), tuple(rows), key)
 
 

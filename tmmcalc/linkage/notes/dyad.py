@@ -27,7 +27,7 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import WIDE, column_of, filled, lines, named, numeral, quantities
+from tmmcalc.report.telling import WIDE, cell, column_of, filled, lines, named, quantities
 
 LINKS = {"a": "a", "b": "b", "f": "1", "g": "2"}
 LETTERS = "ADBCEGHJKLMN"  # of which the joints have the first ones that no point has
@@ -161,7 +161,8 @@ def _given(alone: Alone) -> Iterator[Block]:
     task, places = alone.task, alone.at.places
     yield Paragraph(
         tr(
-            "The dyad {kind} has the links a and b. The outer joint of a is {first}, that of b {second}; both move as given.",
+            "The dyad {kind} has the links a and b. The outer joint of a is {first}, that of b {second}; both move as "
+            "given.",
             kind=task.kind,
             first=_joint(task.kind[0], places["P"], "1"),
             second=_joint(task.kind[2], places["Q"], "2"),
@@ -207,14 +208,14 @@ def _ports(task: DyadTask, first: str, second: str) -> Table:
         ("a_x", "m/s^2", [port.acceleration[0] for _, port, _ in columns]),
         ("a_y", "m/s^2", [port.acceleration[1] for _, port, _ in columns]),
     ):
-        rows.append((f"${name}$, {tr_unit(unit)}", *(f"${numeral(value)}$" for value in values)))
+        rows.append((f"${name}$, {tr_unit(unit)}", *(cell(value) for value in values)))
     if "P" in (task.kind[0], task.kind[2]):
         for name, unit, values in (
             ("gamma", "deg", [math.degrees(port.angle) for _, port, _ in columns]),
             ("omega", "rad/s", [port.omega for _, port, _ in columns]),
             ("eps", "rad/s^2", [port.eps for _, port, _ in columns]),
         ):
-            cells = (f"${numeral(v)}$" if kind == "P" else "–" for v, (_, _, kind) in zip(values, columns, strict=True))
+            cells = (cell(v) if kind == "P" else "–" for v, (_, _, kind) in zip(values, columns, strict=True))
             rows.append((f"${name}$, {tr_unit(unit)}", *cells))
     head = tr("Quantity"), *(tr("joint {point}", point=point) for point, _, _ in columns)
     return Table(tr("States of the outer joints"), head, tuple(rows), "dyad_ports")
@@ -279,7 +280,7 @@ def _results(alone: Alone) -> Iterator[Block]:
     rows = [
         (
             tr("link {link}", link=each.link),
-            *(f"${numeral(value)}$" for value in (math.degrees(each.angle), each.omega, each.eps)),
+            *(cell(value) for value in (math.degrees(each.angle), each.omega, each.eps)),
         )
         for each in result.links
     ]
@@ -290,8 +291,8 @@ def _results(alone: Alone) -> Iterator[Block]:
         yield Result(f"omega_{each.link}", alone.lexicon[f"omega_{each.link}"])
         yield Result(f"eps_{each.link}", alone.lexicon[f"eps_{each.link}"])
     found = Given(math.degrees(result.transmission), "deg", tr("transmission angle of the dyad"))
-    value = f"deg({numeral(math.degrees(result.transmission))})"
-    yield Paragraph(tr("The transmission angle of the dyad is $mu = {value}$.", value=value))
+    value = f"{cell(math.degrees(result.transmission))}°"
+    yield Paragraph(tr("The transmission angle of the dyad is $mu$ = {value}.", value=value))
     yield Result("mu", found, math.degrees(MODEST), ">=")
     if result.assemblies:
         angles = [math.degrees(angle) for each in result.assemblies for angle in (each.angle_a, each.angle_b)]

@@ -19,7 +19,7 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Result, Table
 from tmmcalc.report.printing import printed_as
-from tmmcalc.report.telling import WIDE, numeral, quantities
+from tmmcalc.report.telling import WIDE, cell, quantities
 
 HOME = "tmmcalc.linkage.notes.syntheses"
 KINDS = {  # modules that tell of them
@@ -112,7 +112,7 @@ def _called(size: Size) -> str:
 def _merit(name: str) -> str:
     """A figure of merit in words, a ratio or a criterion by its letters."""
     if "/" in name and len(name) == 3:
-        return f"${name}$"
+        return f"${name[0]}$/${name[2]}$"
     return f"$f_{name[1]}$" if len(name) == 2 else tr_name(name.replace("_", " "))
 
 
@@ -120,7 +120,7 @@ def _row(values: Sequence[float], unit: str) -> list[str]:
     """The unit and the values of one quantity."""
     found = [quantity_of(value, unit, "") for value in values]
     printed, factor = printed_as(found[0].unit)
-    numbers = [f"${numeral(factor * each.value, FIGURES)}$" for each in found if isinstance(each.value, float)]
+    numbers = [cell(factor * each.value, FIGURES) for each in found if isinstance(each.value, float)]
     return ["°" if printed == "deg" else tr_unit(printed), *numbers]
 
 
@@ -130,7 +130,7 @@ def _checked(told: Told) -> Iterator[Block]:
     for check in told.design.checks:
         unit, found = _row([check.achieved if abs(check.achieved) > NOISE else 0.0], check.unit)
         wanted = "–" if check.target is None else _row([check.target], check.unit)[1]
-        missed = "–" if check.residual is None else f"${numeral(check.residual, 1)}$"
+        missed = "–" if check.residual is None else cell(check.residual, 1)
         rows.append((called(check), unit, wanted, found, missed))
     yield Paragraph(
         tr(

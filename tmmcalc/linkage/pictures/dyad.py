@@ -113,7 +113,9 @@ def draw_dyad(
         if not any(abs(point.at - pin) < SHORT * size for pin in parts.pins):
             board.dot(point.at, level=signs.PINS)
     for point in moving:
-        board.labels.put(point_name(names.get(point.name, point.name)), board.paper([point.at]), gaps=(1.4, 2.2, 3.2, 4.5))
+        board.labels.put(
+            point_name(names.get(point.name, point.name)), board.paper([point.at]), gaps=(1.4, 2.2, 3.2, 4.5)
+        )
     for link, bars in parts.bars.items():
         if bars:
             start, end = max(bars, key=lambda bar: abs(bar[1] - bar[0]))

@@ -10,7 +10,7 @@ import numpy as np
 
 from tmmcalc.linkage.notes.syntheses.dwellsearch import criteria, searched
 from tmmcalc.linkage.notes.syntheses.positions import by_lengths, by_positions
-from tmmcalc.linkage.notes.syntheses.told import Told, angle, length, quantity_of, ratio
+from tmmcalc.linkage.notes.syntheses.told import Told, angle, length, quantity_of, ratio, turned
 from tmmcalc.linkage.pictures.dwell import draw_dwelling, draw_forces, draw_motion
 from tmmcalc.linkage.synthesis.dwell.columns import USUAL, columns_of
 from tmmcalc.linkage.synthesis.dwell.parameters import by_rule
@@ -21,9 +21,9 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Paragraph, Result, Table
-from tmmcalc.report.telling import WIDE, column_of, numeral, tabulated
+from tmmcalc.report.telling import WIDE, cell, column_of, numeral, tabulated
 
-SCHEME, DIAGRAMS = 125.0, 190.0  # heights of the pictures [mm]
+SCHEME, DIAGRAMS = 105.0, 122.0  # heights of the pictures [mm]
 MAXIMA = {"S'": "S'", "S''": "S''", "f3": "R_35", "f4": "R_45", "R21": "R_21", "N": "N", "delta": "delta"}
 COLUMNS = {
     "phi": "phi",
@@ -50,9 +50,9 @@ def task(told: Told) -> str:
         else tr("a rocker (link 5) that stands while the crank turns by $phi_B$")
     )
     return tr(
-        "A six-bar linkage of class IV is sought with {output}: crank $OA$ (1), coupler $ACD$ (2), bars $CB$ (3) and $DE$ "
-        "(4), whose pins $B$ and $E$ are on link 5. While link 5 stands, $OACB$ is a four-bar linkage, and $D$ is to pass "
-        "three times through a circle about $E$.",
+        "A six-bar linkage of class IV is sought with {output}: crank $OA$ (1), coupler $ACD$ (2), bars $CB$ (3) and "
+        "$DE$ (4), whose pins $B$ and $E$ are on link 5. While link 5 stands, $OACB$ is a four-bar linkage, and $D$ "
+        "is to pass three times through a circle about $E$.",
         output=output,
     )
 
@@ -61,7 +61,7 @@ def given(told: Told) -> dict[str, Given]:
     """What is asked."""
     asked: DwellTask = told.asked
     p, rocks = asked.positions, asked.output == "rocker"
-    part = tr("part of l_OB")
+    part = tr("part of the distance OB")
     words = {letter: each.meaning for letter, each in told.lexicon.items()}
     found = {"phi_B": angle(asked.dwell, words["phi_B"])}
     for name, value in (
@@ -121,7 +121,7 @@ def _scale(told: Told, asked: DwellTask) -> Iterator[Block]:
     dwell = _dwell(told)
     if asked.stroke is not None:
         scale = told.design.size("l_OB")
-        said = tr("stroke of the linkage with l_OB = 1 m, by its motion, over 1 m")
+        said = tr("stroke over the distance OB, by the motion of the linkage")
         told.give({"h_1": ratio(dwell.stroke / scale, said)})
         yield Paragraph(tr("The stroke gives the scale; with $l_OB = 1$ m it is $h_1$ times 1 m:"))
         yield from told.lines("l_OB = h/h_1")
@@ -148,8 +148,8 @@ def _division(told: Told, asked: DwellTask) -> Iterator[Block]:
     if asked.exact:
         yield Paragraph(
             tr(
-                "From there $n$ is corrected by secants, a whole turn of the linkage each time, until the stroke takes this "
-                "angle: $n = {value}$.",
+                "From there $n$ is corrected by secants, a whole turn of the linkage each time, until the stroke "
+                "takes this angle: $n = {value}$.",
                 value=numeral(told.design.size("n"), 7),
             )
         )
@@ -174,7 +174,8 @@ def _rocker(told: Told, asked: DwellTask) -> Iterator[Block]:
     else:
         yield Paragraph(
             tr(
-                "The pivot $F$ of the rocker stands across the crank at the part $n$ of the dwell; its swing gives the frame nearly:"
+                "The pivot $F$ of the rocker stands across the crank at the part $n$ of the dwell; its swing gives "
+                "the frame nearly:"
             )
         )
         yield from _division(told, asked)
@@ -184,8 +185,8 @@ def _rocker(told: Told, asked: DwellTask) -> Iterator[Block]:
         if asked.exact:
             yield Paragraph(
                 tr(
-                    "From there $l_OF$ is corrected by secants, a whole turn of the linkage each time, until the swing is "
-                    "met: $l_OF = {value}$ m.",
+                    "From there $l_OF$ is corrected by secants, a whole turn of the linkage each time, until the "
+                    "swing is met: $l_OF = {value}$ m.",
                     value=numeral(told.design.size("l_OF"), 7),
                 )
             )
@@ -216,25 +217,24 @@ def _moving(told: Told, dwell: Dwell) -> Iterator[Block]:
     """How the motion is followed."""
     yield Paragraph(
         tr(
-            "The position has two unknown, the angle $theta$ of $AC$ and the coordinate $S$ of link 5, zero at dwell. The "
-            "lengths of both bars close it:"
+            "The position has two unknown, the angle $theta$ of $AC$ and the coordinate $S$ of link 5, zero at dwell. "
+            "The lengths of both bars close it:"
         )
     )
     yield Display(read("(x_C - x_B)**2 + (y_C - y_B)**2 = l_CB**2"))
     yield Display(read("(x_D - x_E)**2 + (y_D - y_E)**2 = l_DE**2"))
     yield Paragraph(
         tr(
-            "From position 1 on the turn of the crank is followed by Newton’s method; the determinant of its system keeps its "
-            "sign, so the crank turns fully without a singular position, and after a turn the linkage is where it was. In "
-            "positions 1, 2 and 3, at $phi$ of {positions}, $S = 0$.",
-            positions=", ".join(f"${_degrees(at)}$" for at in dwell.positions),
+            "From position 1 on the turn of the crank is followed by Newton’s method; the determinant of its system "
+            "keeps its sign, so the crank turns fully without a singular position, and after a turn the linkage is "
+            "where it was. In positions 1, 2 and 3, at $phi$ of {positions}, $S = 0$.",
+            positions=", ".join(_degrees(at) for at in dwell.positions),
         )
     )
 
 
 def _degrees(value: float) -> str:
-    shown = math.degrees(value)
-    return f"{'-' * (shown < 0)}deg({numeral(abs(shown))})"
+    return turned(math.degrees(value))
 
 
 def _strokes(told: Told, dwell: Dwell) -> Iterator[Block]:
@@ -245,7 +245,9 @@ def _strokes(told: Told, dwell: Dwell) -> Iterator[Block]:
     ends = sorted(dwell.extremes, key=lambda each: each.value)
     told.give(
         {
-            stroke: quantity_of(dwell.stroke, unit, tr_name("swing of the rocker") if rocks else tr("stroke of the slider")),
+            stroke: quantity_of(
+                dwell.stroke, unit, tr_name("swing of the rocker") if rocks else tr("stroke of the slider")
+            ),
             "S_g": quantity_of(ends[-1].value, unit, tr("largest coordinate of link 5")),
             "S_k": quantity_of(ends[0].value, unit, tr("least coordinate of link 5")),
             rest: quantity_of(dwell.dwell_error, unit, tr("largest deviation over the dwell")),
@@ -253,7 +255,7 @@ def _strokes(told: Told, dwell: Dwell) -> Iterator[Block]:
         }
     )
     rows = [
-        (f"${_degrees(each.at)}$", column_of([math.degrees(each.value) if rocks else each.value])[0])
+        (_degrees(each.at), column_of([math.degrees(each.value) if rocks else each.value])[0])
         for each in dwell.extremes
     ]
     head = "$phi$", f"$S$, {tr_unit('deg' if rocks else 'm')}"
@@ -263,7 +265,7 @@ def _strokes(told: Told, dwell: Dwell) -> Iterator[Block]:
     (begin, end), (back, over) = dwell.working, dwell.idle
     yield Paragraph(
         tr(
-            "The working stroke takes the crank from $phi = {begin}$ to ${end}$, the idle one from ${back}$ to ${over}$.",
+            "The working stroke takes the crank from $phi$ = {begin} to {end}, the idle one from {back} to {over}.",
             begin=_degrees(begin),
             end=_degrees(end),
             back=_degrees(back),
@@ -281,7 +283,12 @@ def _maxima(dwell: Dwell) -> Block:
         found = quantity_of(each.value, each.unit, "")
         assert isinstance(found.value, float)
         rows.append(
-            (f"${MAXIMA[each.name]}$", tr_unit(found.unit), f"${numeral(found.value)}$", f"${_degrees(each.at)}$")
+            (
+                f"${MAXIMA[each.name]}$",
+                "°" if found.unit == "deg" else tr_unit(found.unit),
+                cell(found.value),
+                _degrees(each.at),
+            )
         )
     head = tr("Quantity"), tr("Unit"), tr("largest size"), "$phi$"
     return Table(tr("Largest values over the turn"), head, tuple(rows), "synthesis_maxima")
@@ -292,21 +299,22 @@ def _agreement(dwell: Dwell) -> Iterator[Block]:
     found = dwell.agreement
     yield Paragraph(
         tr(
-            "The kinematic and the force analysis of the whole mechanism give the same: differences of {motion} and {forces} "
-            "of the largest values.",
-            motion=f"${numeral(found.motion, 1)}$",
-            forces=f"${numeral(found.forces, 1)}$",
+            "The kinematic and the force analysis of the whole mechanism give the same: differences of {motion} and "
+            "{forces} of the largest values.",
+            motion=cell(found.motion, 1),
+            forces=cell(found.forces, 1),
         )
     )
     cross = dwell.cross_check
     if cross is not None:
         yield Paragraph(
             tr(
-                "The method of the relative trajectory (link 5 held, the crank pin moved along its slot $Gamma$) with {steps} "
-                "steps of the arc deviates by ${uniform}$ of the stroke, with the steps closer at the ends by ${cosine}$.",
+                "The method of the relative trajectory (link 5 held, the crank pin moved along its slot $Gamma$) with "
+                "{steps} steps of the arc deviates by {uniform} of the stroke, with the steps closer at the ends by "
+                "{cosine}.",
                 steps=cross.steps,
-                uniform=numeral(cross.uniform, 3),
-                cosine=numeral(cross.cosine, 3),
+                uniform=cell(cross.uniform, 3),
+                cosine=cell(cross.cosine, 3),
             )
         )
 
@@ -319,7 +327,10 @@ def _table(dwell: Dwell) -> Iterator[Block]:
     yield Paragraph(tr("Tables {tab:synthesis_motion} and {tab:synthesis_forces} have all positions."))
     captions = tr("Motion of the linkage"), tr("Forces of the linkage against the resistance")
     for columns, caption, key in zip(halves, captions, ("synthesis_motion", "synthesis_forces"), strict=True):
-        found = {f"${COLUMNS[each.name]}$" + (f", {each.unit}" if each.unit else ""): each.make() for each in columns}
+        found = {
+            f"${COLUMNS[each.name]}$" + (f", {each.unit}" if each.unit not in ("", "-") else ""): each.make()
+            for each in columns
+        }
         yield tabulated(caption, found, dwell.motion.labels, head=tr("Position"), key=key)
 
 
@@ -329,7 +340,8 @@ def _pictures(told: Told, dwell: Dwell) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "Figure {fig:synthesis} shows the linkage in position 1 with both branches of $Gamma$, figures "
-            "{fig:synthesis_motion} and {fig:synthesis_forces} motion and forces over the turn of the crank, the dwell shaded."
+            "{fig:synthesis_motion} and {fig:synthesis_forces} motion and forces over the turn of the crank, the "
+            "dwell shaded."
         )
     )
     yield Figure(

@@ -5,25 +5,25 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from tmmcalc.linkage.notes.syntheses.told import Told, angle, ratio
+from tmmcalc.linkage.notes.syntheses.told import Told, angle, ratio, turned
 from tmmcalc.linkage.synthesis.dwell.parameters import NAMES, RANGES, given
 from tmmcalc.linkage.synthesis.dwell.results import Dwell
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Display, Listing, Paragraph, Result, Table
-from tmmcalc.report.telling import numeral
+from tmmcalc.report.telling import cell, numeral
 
 ANGLES = ("psi0", "psi13", "alpha")
 LETTERS = {
-    "phi12_part": "phi_12/phi_B",
-    "psi0": "psi_0",
-    "psi13": "psi_13",
-    "psi12_part": "psi_12/psi_13",
-    "bar": "l_CB/l_OB",
-    "side": "l_CD/l_OB",
-    "alpha": "alpha",
-    "n": "n",
+    "phi12_part": "$phi_12$/$phi_B$",
+    "psi0": "$psi_0$",
+    "psi13": "$psi_13$",
+    "psi12_part": "$psi_12$/$psi_13$",
+    "bar": "$l_CB$/$l_OB$",
+    "side": "$l_CD$/$l_OB$",
+    "alpha": "$alpha$",
+    "n": "$n$",
 }
 STEEP = 60.0  # deg: a larger pressure angle is told
 
@@ -48,9 +48,9 @@ def searched(told: Told, asked: DwellTask) -> Iterator[Block]:
     counters = told.found.counters
     yield Paragraph(
         tr(
-            "The search is differential evolution with {population} linkages a generation and {generations} generations at "
-            "most, then Nelder’s and Mead’s method with {polish} evaluations at most. A linkage counts only if its crank turns "
-            "fully: {tried} linkages were tried, {worked} of them work.",
+            "The search is differential evolution with {population} linkages a generation and {generations} "
+            "generations at most, then Nelder’s and Mead’s method with {polish} evaluations at most. A linkage counts "
+            "only if its crank turns fully: {tried} linkages were tried, {worked} of them work.",
             population=asked.optimum.population,
             generations=asked.optimum.generations,
             polish=asked.optimum.polish,
@@ -83,14 +83,11 @@ def _ranges(told: Told, asked: DwellTask) -> Iterator[tuple[str, ...]]:
         if values[name] is None and name in found:
             ends = asked.optimum.ranges.get(name, RANGES[name])
             turn = name in ANGLES
-            yield f"${LETTERS[name]}$", *(_cell(each, turn=turn) for each in (*ends, found[name]))
+            yield LETTERS[name], *(_cell(each, turn=turn) for each in (*ends, found[name]))
 
 
 def _cell(value: float, *, turn: bool) -> str:
-    shown = math.degrees(value) if turn else value
-    text = numeral(abs(shown))
-    sign = "-" * (shown < 0)
-    return f"${sign}deg({text})$" if turn else f"${sign}{text}$"
+    return turned(math.degrees(value)) if turn else cell(value)
 
 
 def criteria(told: Told, asked: DwellTask, dwell: Dwell) -> Iterator[Block]:
@@ -113,8 +110,9 @@ def criteria(told: Told, asked: DwellTask, dwell: Dwell) -> Iterator[Block]:
     yield from told.lines("f_3 = tan(delta_m)")
     yield Paragraph(
         tr(
-            "The bars carry axial forces alone. They follow from the equilibrium of moments of the coupler about $A$ and of "
-            "link 5 along its motion. With $R_35$ and $R_45$ for a unit resistance the criteria of the forces are"
+            "The bars carry axial forces alone. They follow from the equilibrium of moments of the coupler about $A$ "
+            "and of link 5 along its motion. With $R_35$ and $R_45$ for a unit resistance the criteria of the forces "
+            "are"
         )
     )
     yield Display(read("f_4 = max(R_35**2) + max(R_45**2)"))

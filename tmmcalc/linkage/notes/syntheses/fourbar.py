@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from tmmcalc.linkage.notes.syntheses.told import Told, angle
+from tmmcalc.linkage.notes.syntheses.told import Told, angle, turned
 from tmmcalc.linkage.synthesis.planar import grashof as type_of
 from tmmcalc.linkage.synthesis.posed import POOR
 from tmmcalc.linkage.synthesis.results import TRANSMISSION
@@ -25,9 +25,7 @@ def grashof(sizes: Mapping[str, float]) -> Iterator[Block]:
     short, long = min(sizes, key=lambda key: sizes[key]), max(sizes, key=lambda key: sizes[key])
     one, two = (key for key in sizes if key not in (short, long))
     sides = sizes[short] + sizes[long], sizes[one] + sizes[two]
-    yield Paragraph(
-        tr("Whether a link turns fully, is told by the shortest and the longest link against the two others:")
-    )
+    yield Paragraph(tr("The condition of Grashof for the shortest and the longest link and the two others:"))
     yield held(f"{short} + {long} < {one} + {two}", sides, "m", holds=sides[0] < sides[1])
     name = type_of(np.array([[each] for each in sizes.values()]))[0]
     if name in TURNING:
@@ -78,9 +76,9 @@ def turning(told: Told, *, whole: bool = False) -> Iterator[Block]:
     if not (turns and whole):
         yield Paragraph(
             tr(
-                "On the way through the positions the least transmission angle, an extreme of the kinematic analysis, is "
-                "$mu_m = deg({value})$.",
-                value=f"{least.value:.5g}",
+                "On the way through the positions the least transmission angle, an extreme of the kinematic analysis, "
+                "is $mu_m$ = {value}.",
+                value=turned(told.design.merits[TRANSMISSION.key]),
             )
         )
     limit = math.degrees(told.task.transmission or POOR)

@@ -1,4 +1,4 @@
-"""The function generator: precision points, the linear system of the closure, sizes from its coefficients, the error."""
+"""The function generator: precision points, the linear system of the closure, sizes of its coefficients, the error."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.notes.syntheses.fourbar import turning
-from tmmcalc.linkage.notes.syntheses.told import Told, angle, length, quantity_of, ratio, sound
+from tmmcalc.linkage.notes.syntheses.told import Told, angle, length, quantity_of, ratio, sound, turned
 from tmmcalc.linkage.pictures.synthesis import draw_function
 from tmmcalc.linkage.synthesis.freudenstein import closure_of
 from tmmcalc.linkage.synthesis.function import is_exact
@@ -20,11 +20,13 @@ from tmmcalc.linkage.synthesis.results import Precision
 from tmmcalc.linkage.synthesis.task import FunctionTask
 from tmmcalc.linkage.tables.synthesis_generation import FunctionTable
 from tmmcalc.linkage.tables.tasks.synthesis import formula_of, precision_points
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import FormulaError, read
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Display, Figure, Paragraph, Place, Result
-from tmmcalc.report.telling import WIDE, lines, named, number_of, numeral, tabulated
+from tmmcalc.report.telling import WIDE, cell, lines, named, number_of, tabulated
 
 FOUR_BAR = "cos(phi_i - psi_i) = K_1*cos(psi_i) - K_2*cos(phi_i) + K_3"
 SLIDER = "s_i**2 = K_1*s_i*cos(phi_i) + K_2*sin(phi_i) - K_3"
@@ -32,6 +34,7 @@ SIZES = {
     False: ("a = d/K_1", "c = d/K_2", "b = sqrt(a**2 + c**2 + d**2 - 2*a*c*K_3)"),
     True: ("r = K_1/2", "e = K_2/(2*r)", "l = sqrt(r**2 + e**2 - K_3)"),
 }
+ROOM = 5.0, 4.0, 2.0, 0.0  # beside the diagrams: left, below, right, above [mm]
 DIAGRAMS = 105.0  # height of the diagrams [mm]
 WORKED = 8  # points that are worked out; the tables have all
 
@@ -41,12 +44,12 @@ def task(told: Told) -> str:
     asked: FunctionTask = told.asked
     if asked.mechanism == "slider_crank":
         return tr(
-            "A slider-crank is sought whose slider is at $s$ while the crank $AB = r$ stands at $phi$, as a given function "
-            "wants it; $BC = l$ is the connecting rod, $e$ the height of the guide over $A$."
+            "A slider-crank is sought whose slider is at $s$ while the crank $AB = r$ stands at $phi$, as a given "
+            "function wants it; $BC = l$ is the connecting rod, $e$ the height of the guide over $A$."
         )
     return tr(
-        "A four-bar linkage is sought whose rocker $DC = c$ stands at the angle $psi$ while the crank $AB = a$ stands at "
-        "$phi$, as a given function wants it; $BC = b$ is the coupler, $AD = d$ the frame."
+        "A four-bar linkage is sought whose rocker $DC = c$ stands at the angle $psi$ while the crank $AB = a$ stands "
+        "at $phi$, as a given function wants it; $BC = b$ is the coupler, $AD = d$ the frame."
     )
 
 
@@ -194,15 +197,16 @@ def _method(told: Told, asked: FunctionTask, exact: bool) -> str:
     tried = told.found.counters.get("candidates", 0)
     if not exact:
         return tr(
-            "With {count} points there are more equations than unknown. The system is solved in the least squares, the free "
-            "starting angles on a grid; from the best of these solutions the sum of the squares of the errors of the output "
-            "is made least by the method of Levenberg and Marquardt.",
+            "With {count} points there are more equations than unknown. The system is solved in the least squares, "
+            "the free starting angles on a grid; from the best of these solutions the sum of the squares of the "
+            "errors of the output is made least by the method of Levenberg and Marquardt.",
             count=count,
         )
     if count == 3 and free:
         return tr(
-            "Three points make three linear equations with the unknown $K_1$, $K_2$, $K_3$ for any starting angles. The "
-            "starting angles that are free are gone through on a grid: {tried} linkages, of which the best is taken.",
+            "Three points make three linear equations with the unknown $K_1$, $K_2$, $K_3$ for any starting angles. "
+            "The starting angles that are free are gone through on a grid: {tried} linkages, of which the best is "
+            "taken.",
             tried=tried,
         )
     if count == 3:
@@ -210,42 +214,39 @@ def _method(told: Told, asked: FunctionTask, exact: bool) -> str:
     if count == 4:
         return tr(
             "Three points give $K_1$, $K_2$, $K_3$ as functions of the starting angles; the fourth equation is the "
-            "condition that the determinant of the system with its right sides is zero. Its roots along one free starting "
-            "angle are bracketed and refined: {tried} linkages.",
+            "condition that the determinant of the system with its right sides is zero. Its roots along one free "
+            "starting angle are bracketed and refined: {tried} linkages.",
             tried=tried,
         )
     return tr(
-        "Three points give $K_1$, $K_2$, $K_3$ as functions of both starting angles; the fourth and the fifth equation are two "
-        "conditions for these angles, solved by Newton’s method from a grid of starts: {tried} linkages.",
+        "Three points give $K_1$, $K_2$, $K_3$ as functions of both starting angles; the fourth and the fifth "
+        "equation are two conditions for these angles, solved by Newton’s method from a grid of starts: {tried} "
+        "linkages.",
         tried=tried,
     )
 
 
 def _starts(told: Told, slides: bool) -> Iterator[Block]:
     """The starting angles that were found."""
-    first = _degrees(number_of(told.lexicon, "phi_s"))
+    first = turned(number_of(told.lexicon, "phi_s"), 7)
     if slides:
-        second = numeral(number_of(told.lexicon, "s_s"), 7)
+        second = cell(number_of(told.lexicon, "s_s"), 7)
         yield Paragraph(
             tr(
-                "Where $x$ begins the linkage that is taken stands at $phi_s = {first}$, $s_s = {second}$ m.",
+                "Where $x$ begins the linkage that is taken stands at $phi_s$ = {first}, $s_s$ = {second} m.",
                 first=first,
                 second=second,
             )
         )
         return
-    second = _degrees(number_of(told.lexicon, "psi_s"))
+    second = turned(number_of(told.lexicon, "psi_s"), 7)
     yield Paragraph(
         tr(
-            "Where $x$ begins the linkage that is taken stands at $phi_s = {first}$, $psi_s = {second}$.",
+            "Where $x$ begins the linkage that is taken stands at $phi_s$ = {first}, $psi_s$ = {second}.",
             first=first,
             second=second,
         )
     )
-
-
-def _degrees(value: float) -> str:
-    return f"{'-' * (value < 0)}deg({numeral(abs(value), 7)})"
 
 
 def _coefficients(told: Told, slides: bool) -> None:
@@ -278,7 +279,8 @@ def _objective(told: Told, slides: bool) -> Iterator[Block]:
     letter = "s" if slides else "psi"
     yield Paragraph(
         tr(
-            "The objective is a sum over the points with the wanted output ${wanted}$ and that of the linkage ${found}$:",
+            "The objective is a sum over the points with the wanted output ${wanted}$ and that of the linkage "
+            "${found}$:",
             wanted=f"{letter}_i",
             found=f"{letter}_i^{{*}}",
         )
@@ -301,9 +303,14 @@ def conditions(told: Told) -> Iterator[Block]:
         )
     )
     yield _errors(precision, slides)
-    draw = partial(draw_function, found=precision)
+    draw = partial(_drawn, found=precision)
     yield Figure(tr("Output and its error"), draw, (WIDE, DIAGRAMS), "synthesis_function")
     yield Result("Delta_m", largest)
+
+
+def _drawn(drawing: Drawing, box: Box, found: Precision) -> None:
+    """The diagrams with room for their words, which are larger in a note."""
+    draw_function(drawing, box.inset(*ROOM), found)
 
 
 def _errors(precision: Precision, slides: bool) -> Block:

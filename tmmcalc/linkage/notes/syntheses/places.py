@@ -1,4 +1,4 @@
-"""Path and motion generators: the equations of the linkage at all points or poses, how they are solved, what is left."""
+"""Path and motion generators: the equations at all points or poses, how they are solved, what is left."""
 
 from __future__ import annotations
 
@@ -41,7 +41,8 @@ def task(told: Told) -> str:
     slides = asked.mechanism == "slider_crank"
     linkage = (
         tr(
-            "A slider-crank is sought: crank $AB = a$, connecting rod $BC = b$, guide of $C$ through the point $G$ at the angle $gamma$."
+            "A slider-crank is sought: crank $AB = a$, connecting rod $BC = b$, guide of $C$ through the point $G$ at "
+            "the angle $gamma$."
         )
         if slides
         else tr("A four-bar linkage is sought: crank $AB = a$, coupler $BC = b$, rocker $DC = c$.")
@@ -109,8 +110,8 @@ def _equations(told: Told, asked: PoseTask) -> Iterator[Block]:
     slides = asked.mechanism == "slider_crank"
     yield Paragraph(
         tr(
-            "With the angle $phi_i$ of the crank and the angle $theta_i$ of the coupler at point $i$ the linkage is at the "
-            "point, and its other end on its path:"
+            "With the angle $phi_i$ of the crank and the angle $theta_i$ of the coupler at point $i$ the linkage is "
+            "at the point, and its other end on its path:"
         )
     )
     yield Display(read("x_i = x_A + a*cos(phi_i) + p*cos(theta_i) - q*sin(theta_i)"))
@@ -162,8 +163,8 @@ def _circles(asked: PoseTask) -> Iterator[Block]:
     """Burmester: what is asked of the pins of the body."""
     yield Paragraph(
         tr(
-            "The pins $B$ and $C$ are points of the body all of whose places lie on a circle about $A$ or $D$ (points of "
-            "Burmester):"
+            "The pins $B$ and $C$ are points of the body all of whose places lie on a circle about $A$ or $D$ (points "
+            "of Burmester):"
         )
     )
     yield Display(read(CIRCLE))
@@ -176,17 +177,17 @@ def _method(told: Told, asked: PoseTask) -> str:
     counters, count = told.found.counters, len(asked.points)
     if told.found.rule == NEAREST:
         return tr(
-            "Not all equations can be kept. Random linkages are brought to the points by the shift, turn and scale that fit "
-            "best; from the nearest of them the sum of the squares of all deviations is made least by the method of Levenberg "
-            "and Marquardt: {count} linkages.",
+            "Not all equations can be kept. Random linkages are brought to the points by the shift, turn and scale "
+            "that fit best; from the nearest of them the sum of the squares of all deviations is made least by the "
+            "method of Levenberg and Marquardt: {count} linkages.",
             count=counters.get("designs", len(told.listed)),
         )
     if asked.angles is None:
         path = Path(asked.points, asked.timing, asked.mechanism == "slider_crank")
         return tr(
-            "They can be kept exactly at up to {most} points. The turns of the coupler are eliminated, and what is left is "
-            "solved by the method of Levenberg and Marquardt from {starts} random linkages; it leads to {solutions} "
-            "solutions.",
+            "They can be kept exactly at up to {most} points. The turns of the coupler are eliminated, and what is "
+            "left is solved by the method of Levenberg and Marquardt from {starts} random linkages; it leads to "
+            "{solutions} solutions.",
             most=path.most,
             starts=counters.get("starts", STARTS),
             solutions=counters.get("solutions", len(told.listed)),
@@ -194,20 +195,21 @@ def _method(told: Told, asked: PoseTask) -> str:
     pairs = counters.get("pairs", len(told.listed))
     if count == 5:
         return tr(
-            "which for five poses have a solution where two determinants are zero: for at most four pins. They are the "
-            "eigenvalues of a problem with two parameters, refined by Newton’s method; {pairs} pairs of pins are compared.",
+            "which for five poses have a solution where two determinants are zero: for at most four pins. They are "
+            "the eigenvalues of a problem with two parameters, refined by Newton’s method; {pairs} pairs of pins are "
+            "compared.",
             pairs=pairs,
         )
     if count == 4:
         return tr(
-            "which for four poses have a solution where the determinant of the system is zero: the pins lie on a curve of "
-            "the third order. It is cut by lines in all directions, whose cubic equations give pins; {pairs} pairs of pins "
-            "are compared.",
+            "which for four poses have a solution where the determinant of the system is zero: the pins lie on a "
+            "curve of the third order. It is cut by lines in all directions, whose cubic equations give pins; {pairs} "
+            "pairs of pins are compared.",
             pairs=pairs,
         )
     return tr(
-        "which for {count} poses have a solution for any pin. Pins are taken at random in the region; {pairs} pairs are "
-        "compared.",
+        "which for {count} poses have a solution for any pin. Pins are taken at random in the region; {pairs} pairs "
+        "are compared.",
         count=count,
         pairs=pairs,
     )
@@ -276,8 +278,8 @@ def conditions(told: Told) -> Iterator[Block]:
     assert precision is not None
     yield from turning(told, whole=True)
     largest = told.design.merits["longest/shortest"]
-    yield Paragraph(tr("The ratio of the longest to the shortest link stays within its limit:"))
-    yield held("l_max/l_min <= m", (largest, asked.largest_ratio), "", holds=largest <= asked.largest_ratio)
+    yield Paragraph(tr("The ratio $k_l$ of the longest to the shortest link against its limit:"))
+    yield held("k_l <= m", (largest, asked.largest_ratio), "", holds=largest <= asked.largest_ratio)
     columns = {
         "$phi_i$, deg": np.degrees(precision.crank),
         "$x_Pi$, m": precision.reached.real,

@@ -49,15 +49,15 @@ def by_positions(told: Told, asked: DwellTask) -> Iterator[Block]:
     yield from _scaled(told, [name for name, value in given_.items() if value is not None])
     yield Paragraph(
         tr(
-            "The origin is $O$, the $x$ axis points to $B$ at dwell. The bar $BC$ stands in positions 1, 2 and 3 at the "
-            "angles $psi_0$, $psi_0 + psi_12$, $psi_0 + psi_13$:"
+            "The origin is $O$, the $x$ axis points to $B$ at dwell. The bar $BC$ stands in positions 1, 2 and 3 at "
+            "the angles $psi_0$, $psi_0 + psi_12$, $psi_0 + psi_13$:"
         )
     )
     yield from lines(BAR, places)
     yield Paragraph(
         tr(
-            "Seen from the crank, that is turned back with it by $phi_12$ and $phi_B$, the places of $C$ lie on a circle "
-            "about its pin $A$ in position 1:"
+            "Seen from the crank, that is turned back with it by $phi_12$ and $phi_B$, the places of $C$ lie on a "
+            "circle about its pin $A$ in position 1:"
         )
     )
     yield from lines(TURNED, places)
@@ -77,8 +77,8 @@ def by_lengths(told: Told, asked: DwellTask) -> Iterator[Block]:
     yield from _scaled(told, ["OA", "AC", "CB", "CD"])
     yield Paragraph(
         tr(
-            "The origin is $O$, the $x$ axis points to $B$ at dwell. In positions 1, 2 and 3 the crank pin stands, and the "
-            "triangle $ABC$ gives $C$:"
+            "The origin is $O$, the $x$ axis points to $B$ at dwell. In positions 1, 2 and 3 the crank pin stands, "
+            "and the triangle $ABC$ gives $C$:"
         )
     )
     yield from lines((*PIN, *TRIANGLE), places, {"side": "+" if asked.lengths.left else "-"})

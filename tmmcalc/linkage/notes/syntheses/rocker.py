@@ -1,4 +1,4 @@
-"""The crank-rocker by its swing and time ratio: what both settle, then the free size by a length or the transmission."""
+"""The crank-rocker by swing and time ratio: what both settle, then the free size by a length or the transmission."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def blocks(told: Told) -> Iterator[Block]:
     """The family of swing and time ratio, the condition that takes one member of it, its sizes."""
     asked: CrankRockerTask = told.asked
     half, psi = asked.swing / 2, told.design.size("psi")
-    r, l, rocker = (told.design.size(symbol) for symbol in "rlR")
+    l, rocker = (told.design.size(symbol) for symbol in "lR")
     side, chord = side_of(told), 2 * rocker * math.sin(half)
     one = family(np.array([chord / (2 * l)]), half, psi, side)
     off = (float(one.pivot.imag[0]) - math.cos(half)) * side
@@ -82,15 +82,16 @@ def blocks(told: Told) -> Iterator[Block]:
     yield from told.lines("phi = Theta/2")
     yield Paragraph(
         tr(
-            "In the extreme positions crank and coupler lie on a line: $A*C_1 = l + r$, $A*C_2 = l - r$, with the overlap "
-            "angle $psi$ between them. With the chord $c = 2*R*sin(phi)$ of the pin $C$ the triangle $A*C_1*C_2$ gives"
+            "In the extreme positions crank and coupler lie on a line: $A*C_1 = l + r$, $A*C_2 = l - r$, with the "
+            "overlap angle $psi$ between them. With the chord $c = 2*R*sin(phi)$ of the pin $C$ the triangle "
+            "$A*C_1*C_2$ gives"
         )
     )
     yield Display(read(CHORD))
     yield Paragraph(
         tr(
-            "The pivot $A$ of the crank is $p = 2*l*r/c$ along the chord from its middle and $q = (l**2 - r**2)*sin(psi)/c$ "
-            "off it, on the far side from the pivot $D$ or on its side:"
+            "The pivot $A$ of the crank is $p = 2*l*r/c$ along the chord from its middle and $q = (l**2 - "
+            "r**2)*sin(psi)/c$ off it, on the far side from the pivot $D$ or on its side:"
         )
     )
     yield Display(read("L = sqrt(p**2 + (R*cos(phi) + q)**2)"))
@@ -167,9 +168,9 @@ def _around(told: Told, asked: CrankRockerTask, side: int) -> Table:
     found = _member(told, asked, side, x)
     angles = np.where(found.transmission > 0, np.degrees(found.transmission), np.nan)
     columns = {
-        "$l/R$": found.coupler,
-        "$r/R$": found.crank,
-        "$L/R$": found.frame,
+        "$l$/$R$": found.coupler,
+        "$r$/$R$": found.crank,
+        "$L$/$R$": found.frame,
         "$mu_m$, deg": angles,
     }
     labels = [str(k + 1) for k in range(len(x))]
@@ -254,7 +255,8 @@ def conditions(told: Told) -> Iterator[Block]:
     if told.asked.time_ratio == 1:
         yield Paragraph(
             tr(
-                "With $K = 1$ the linkage is central: the pivot $A$ lies on the line of both extreme positions of the pin $C$."
+                "With $K = 1$ the linkage is central: the pivot $A$ lies on the line of both extreme positions of the "
+                "pin $C$."
             )
         )
     limit = told.asked.transmission

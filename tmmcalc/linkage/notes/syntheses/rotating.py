@@ -50,9 +50,9 @@ def _central(told: Told, asked: RotatingTask) -> Iterator[Block]:
     told.give({"alpha_x": angle(math.pi - told.design.size("psi"), tr("angle of the crank over the idle stroke"))})
     yield Paragraph(
         tr(
-            "The guide passes the pivot $C$: between the extreme positions the slotted link has turned by half a turn, "
-            "and arm and rod lie on the guide. So the crank pin is on the line of the guide in both, seen from $A$ under "
-            "the angle $alpha_x$ of the idle stroke:"
+            "The guide passes the pivot $C$: between the extreme positions the slotted link has turned by half a "
+            "turn, and arm and rod lie on the guide. So the crank pin is on the line of the guide in both, seen from "
+            "$A$ under the angle $alpha_x$ of the idle stroke:"
         )
     )
     yield from told.lines("alpha_x = deg(360)/(K + 1)")
@@ -65,8 +65,8 @@ def _offset(told: Told, asked: RotatingTask) -> Iterator[Block]:
     e, arm, rod = asked.guide, told.design.size("R"), told.design.size("l")
     yield Paragraph(
         tr(
-            "In the extreme positions arm and rod lie on a line. The stroke is the difference of the ways of the slider "
-            "from the foot of $C$ on the guide:"
+            "In the extreme positions arm and rod lie on a line. The stroke is the difference of the ways of the "
+            "slider from the foot of $C$ on the guide:"
         )
     )
     yield Display(read(STROKE))
@@ -89,9 +89,9 @@ def _offset(told: Told, asked: RotatingTask) -> Iterator[Block]:
     yield from told.lines("theta_I = asin(e/(l + R))", "sin(theta_{II}) = -e/(l - R)")
     yield Paragraph(
         tr(
-            "In the triangle $ABC$ the crank stands at $phi = {crank}$ where the slotted link is at $theta$. Between the "
-            "extreme positions it turns by $deg(180) + psi$; this is one equation with the unknown $chi = L/r$, whose "
-            "root is $chi = {value}$.",
+            "In the triangle $ABC$ the crank stands at $phi = {crank}$ where the slotted link is at $theta$. Between "
+            "the extreme positions it turns by $deg(180) + psi$; this is one equation with the unknown $chi = L/r$, "
+            "whose root is $chi = {value}$.",
             crank=CRANK,
             value=numeral(told.design.merits["L/r"], 7),
         )

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from tmmcalc.linkage.notes.syntheses.told import Told, angle, length, meanings, ratio
+from tmmcalc.linkage.notes.syntheses.told import Told, angle, length, meanings, ratio, turned
 from tmmcalc.linkage.synthesis.task import SliderCrankTask
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
@@ -255,8 +255,8 @@ def _beyond(told: Told, asked: SliderCrankTask) -> Iterator[Block]:
         if limit is not None and found > limit * (1 + 1e-9) + 1e-12:
             yield Paragraph(
                 tr(
-                    "At an end of the stroke the pressure angle is larger, $deg({value})$, than ${name}$.",
-                    value=f"{math.degrees(found):.4g}",
+                    "At an end of the stroke the pressure angle is larger, {value}, than ${name}$.",
+                    value=turned(math.degrees(found)),
                     name=name,
                 )
             )

@@ -18,9 +18,9 @@ OVERLAP = "psi = deg(180)*(K - 1)/(K + 1)"
 def task(told: Told) -> str:
     """What is sought."""
     return tr(
-        "A mechanism with an oscillating slotted link is sought: crank $AB = r$, line of centres $CA = L$, arm $CD = R$ of "
-        "the slotted link, connecting rod $DE = l$, and the slider $E$ on a guide across the line of centres, at the "
-        "distance $e$ from the pivot $C$ of the slotted link."
+        "A mechanism with an oscillating slotted link is sought: crank $AB = r$, line of centres $CA = L$, arm $CD = "
+        "R$ of the slotted link, connecting rod $DE = l$, and the slider $E$ on a guide across the line of centres, "
+        "at the distance $e$ from the pivot $C$ of the slotted link."
     )
 
 
@@ -58,8 +58,8 @@ def blocks(told: Told) -> Iterator[Block]:
     told.give({"phi": angle(told.design.size("two_phi") / 2, tr("half of the swing of the slotted link"))})
     yield Paragraph(
         tr(
-            "In its extreme positions the slotted link is a tangent of the circle of the crank pin, and the crank stands "
-            "across it. So its swing is the overlap angle of the strokes:"
+            "In its extreme positions the slotted link is a tangent of the circle of the crank pin, and the crank "
+            "stands across it. So its swing is the overlap angle of the strokes:"
         )
     )
     yield from told.lines(OVERLAP, "phi = psi/2")
@@ -84,8 +84,8 @@ def rod(told: Told) -> Iterator[Block]:
     told.give({"nu_m": angle(told.achieved("nu_max"), meanings()["nu_m"])})
     yield Paragraph(
         tr(
-            "The end $D$ of the arm is $e - R$ from the guide in the middle of its swing and $e - R*cos(phi)$ in the extreme "
-            "positions; the larger distance gives the largest pressure angle:"
+            "The end $D$ of the arm is $e - R$ from the guide in the middle of its swing and $e - R*cos(phi)$ in the "
+            "extreme positions; the larger distance gives the largest pressure angle:"
         )
     )
     if asked.rod is None:

@@ -1,4 +1,4 @@
-"""What the chapter on the synthesis is told from: what is asked, the linkage that is taken, its sizes by their letters."""
+"""What the chapter on the synthesis is told from: what is asked, the linkage taken, its sizes by their letters."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Line, Place
-from tmmcalc.report.telling import lines, named
+from tmmcalc.report.telling import cell, lines, named
 
 LETTERS = {  # of sizes whose symbols are no letters of formulas
     "two_phi": "Theta",
@@ -122,6 +122,15 @@ def length(value: float, meaning: str) -> Given:
 def ratio(value: float, meaning: str) -> Given:
     """A number."""
     return Given(float(value), "", meaning)
+
+
+def turned(value: float, digits: int = 5) -> str:
+    """An angle [deg] in a sentence or a cell.
+
+    >>> turned(-12.5)
+    '−12.5°'
+    """
+    return f"{cell(value, digits)}°"
 
 
 def sound(errors: Real) -> Real:

@@ -20,8 +20,9 @@ ALPHA, ROD = "alpha = beta + asin(r*sin(beta)/l)", "l_4 = l - l_C"
 def task(told: Told) -> str:
     """What is sought."""
     return tr(
-        "The trailing rod $CD$ of a V-engine is sought. Its pin $C$ is on the lug $AC$ of the master rod $AB$; both pistons "
-        "are to have equally high top dead centres, the left one with the crank $OA$ on the axis of its cylinder."
+        "The trailing rod $CD$ of a V-engine is sought. Its pin $C$ is on the lug $AC$ of the master rod $AB$; both "
+        "pistons are to have equally high top dead centres, the left one with the crank $OA$ on the axis of its "
+        "cylinder."
     )
 
 
@@ -48,8 +49,8 @@ def blocks(told: Told) -> Iterator[Block]:
     exact = exact_of(asked)
     yield Paragraph(
         tr(
-            "With the crank on the axis of the left cylinder the master rod stands at $-asin(r*sin(beta)/l)$ to the axis of "
-            "the right one, and the lug is to lie on the axis of the left cylinder:"
+            "With the crank on the axis of the left cylinder the master rod stands at $-asin(r*sin(beta)/l)$ to the "
+            "axis of the right one, and the lug is to lie on the axis of the left cylinder:"
         )
     )
     marked = "^{*}" if asked.lug_angle is not None else ""
