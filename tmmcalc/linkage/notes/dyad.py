@@ -127,16 +127,16 @@ def blocks(order: Order) -> Iterator[Block]:
 def alone_of(task: DyadTask, result: DyadState) -> Alone:
     """All quantities of a dyad by their names."""
     kind, dyad, motion = import_module(f"{DYADS}.{task.kind.lower()}"), dyad_of(task), motion_of(task)
-    ports = [type(port)(*(np.asarray(part) for part in port)) for port in ports_of(task)]
-    placed = dyad.place(*ports)
+    one, two = (_whole(port) for port in ports_of(task))
+    placed: Any = dyad.place(one, two)
     placed = type(placed)(*map(one_number, placed))
-    rates = Rates(*map(one_number, dyad.rates(*ports, placed, closed)))
+    rates = Rates(*map(one_number, dyad.rates(one, two, placed, closed)))
     taken = {point.name for point in task.points}
     letters = [letter for letter in LETTERS if letter not in taken]
     places = {**LINKS, "P": letters[0], "Q": letters[1], "B": letters[2], "O": letters[3]}
-    at = GroupAt(dyad, places | signs_of(dyad, letters[0], letters[1]), *ports, placed, rates)
+    at = GroupAt(dyad, places | signs_of(dyad, letters[0], letters[1]), one, two, placed, rates)
     lexicon: Lexicon = {}
-    for port, state, letter, link in zip((task.first, task.second), ports, letters, "12", strict=False):
+    for port, state, letter, link in zip((task.first, task.second), (one, two), letters, "12", strict=False):
         if isinstance(state, Point):
             lexicon |= named(point_quantities(letter, letter, state))
         lexicon |= named(_turning(link, port.omega, port.eps))
@@ -147,6 +147,11 @@ def alone_of(task: DyadTask, result: DyadState) -> Alone:
     for key, given in named({filled(k, at.places): each for k, each in kind.quantities(at).items()}).items():
         lexicon.setdefault(key, given)
     return Alone(task, result, motion, kind, at, lexicon)
+
+
+def _whole(port: Any) -> Any:
+    """The state of a joint, its numbers as arrays of none."""
+    return type(port)(*(np.asarray(part) for part in port))
 
 
 def _turning(link: str, omega: float, eps: float) -> dict[str, Given]:

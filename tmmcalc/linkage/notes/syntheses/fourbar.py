@@ -37,7 +37,8 @@ def grashof(sizes: Mapping[str, float]) -> Iterator[Block]:
 def transmission(told: Told, sizes: Mapping[str, float]) -> Iterator[Block]:
     """The transmission angles of a four-bar whose crank turns fully, with the crank on the frame; the least of both."""
     a, b, c, d = sizes
-    found = Family(*(np.array([sizes[key] / sizes[c]]) for key in (a, b, d)), np.empty(0), np.empty(0))
+    crank, coupler, frame = (np.array([sizes[key] / sizes[c]]) for key in (a, b, d))
+    found = Family(crank, coupler, frame, np.empty(0, complex), np.empty(0))
     far, near = (math.acos(float(each)) for each in cosines(found)[:, 0])
     told.give(
         {
@@ -55,7 +56,7 @@ def transmission(told: Told, sizes: Mapping[str, float]) -> Iterator[Block]:
 
 
 def turning(told: Told, *, whole: bool = False) -> Iterator[Block]:
-    """Both conditions on a linkage of a search; ``whole`` where it was computed over a turn if the crank turns fully."""
+    """Both conditions on a linkage of a search; ``whole`` where it was computed over a turn if its crank turns."""
     least = Given(told.design.merits[TRANSMISSION.key], "deg", tr_name("least transmission angle"))
     told.give({"mu_m": least})
     symbols = {size.symbol for size in told.design.sizes}

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from tmmcalc.core.plane import Real
 from tmmcalc.linkage.notes.syntheses.told import Told, angle, length
 from tmmcalc.linkage.synthesis.dwell.linkages import Drawn, Parameters, from_lengths, from_positions
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
@@ -41,9 +42,23 @@ ENDS = ("l_DE = sqrt((x_D1 - x_E)**2 + (y_D1 - y_E)**2)", "l_BE = sqrt((x_E - l_
 def by_positions(told: Told, asked: DwellTask) -> Iterator[Block]:
     """From three positions of the bar BC to the pivot of the crank, then to E."""
     scale = told.design.size("l_OB")
-    sizes = {name: np.array([told.design.size(name)]) for name in ("phi_12", "phi_B", "psi_0", "psi_12", "psi_13")}
-    bar, side = (np.array([told.design.size(name) / scale]) for name in ("l_CB", "l_CD"))
-    drawn = from_positions(Parameters(*sizes.values(), bar, side, np.array([told.design.size("alpha")])))
+    lengths = {name: told.design.size(name) / scale for name in ("l_CB", "l_CD")}
+
+    def one(name: str) -> Real:
+        return np.array([lengths.get(name) or told.design.size(name)])
+
+    drawn = from_positions(
+        Parameters(
+            phi12=one("phi_12"),
+            phi13=one("phi_B"),
+            psi0=one("psi_0"),
+            psi12=one("psi_12"),
+            psi13=one("psi_13"),
+            bar=one("l_CB"),
+            side=one("l_CD"),
+            alpha=one("alpha"),
+        )
+    )
     places = _places(told, drawn, scale)
     given_ = {"CB": asked.positions.bar, "CD": asked.positions.side}
     yield from _scaled(told, [name for name, value in given_.items() if value is not None])
