@@ -11,7 +11,7 @@ from typing import Any
 from tmmcalc.core.quantity import Quantity
 from tmmcalc.linkage.notes.syntheses import strokes
 from tmmcalc.linkage.notes.syntheses.told import NOISE, Told, called, letter_of, quantity_of, told_of
-from tmmcalc.linkage.pictures.synthesis import draw_solution
+from tmmcalc.linkage.pictures.synthesis import draw_solution, proportion
 from tmmcalc.linkage.synthesis.results import Design, Size
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.report.drawing.order import Order
@@ -33,7 +33,7 @@ KINDS = {  # modules that tell of them
     "motion": "places",
     "dwell": "dwell",
 }
-HIGH = 115.0  # of the picture [mm]
+LOW, HIGH, AROUND = 75.0, 115.0, 35.0  # heights of the picture, and what is above and below the linkage [mm]
 SHOWN = 6  # linkages side by side
 FIGURES = 6  # digits of a size
 WORDED = ("grashof",)  # sizes that are told by their meaning
@@ -155,4 +155,5 @@ def _pictured(told: Told) -> Iterator[Block]:
         )
     else:
         yield Paragraph(tr("Figure {fig:synthesis} shows the linkage in the positions that were asked for."))
-    yield Figure(tr("The linkage that was found"), draw, (WIDE, HIGH), "synthesis")
+    high = min(max(proportion(mechanism) * WIDE + AROUND, LOW), HIGH)
+    yield Figure(tr("The linkage that was found"), draw, (WIDE, high), "synthesis")

@@ -81,6 +81,13 @@ def synthesis_drawing(mechanism: Mechanism, result: Synthesis, choose: int = 1) 
     return drawing
 
 
+def proportion(mechanism: Mechanism) -> float:
+    """Height over width of what a linkage reaches."""
+    motion = solve_kinematics(mechanism)
+    reached = np.concatenate((motion.trace.r.ravel(), [*mechanism.frame.points.values()]))
+    return float(np.ptp(reached.imag) / (np.ptp(reached.real) or 1.0))
+
+
 def draw_solution(drawing: Drawing, box: Box, mechanism: Mechanism, kind: str, design: Design) -> None:
     """The scheme of a linkage to scale, with its dimensions or the wanted points."""
     motion, precision = solve_kinematics(mechanism), design.precision
@@ -128,7 +135,7 @@ def _dimensions(board: Board, mechanism: Mechanism, motion: Kinematics, kind: st
         off = guide.imag - pivot.imag
         if abs(off) > 3 * board.mu:
             foot = complex(pivot.real, guide.imag)
-            _dimension_line(board, pivot, foot, f"$e$ = {number(1e3 * off, 5)}", -1.0)
+            _dimension_line(board, pivot, foot, f"$e$ = {minus(number(1e3 * off, 5))}", -1.0)
 
 
 def _dimension_line(board: Board, a: complex, b: complex, text: str, side: complex) -> None:
