@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import partial
 
 import numpy as np
@@ -35,6 +36,15 @@ SIZES = {
     True: ("r = K_1/2", "e = K_2/(2*r)", "l = sqrt(r**2 + e**2 - K_3)"),
 }
 ROOM = 5.0, 4.0, 2.0, 0.0  # beside the diagrams: left, below, right, above [mm]
+OUTPUT = {  # at the points
+    False: (
+        "f_i = sqrt(a**2 + d**2 - 2*a*d*cos(phi_i))",
+        "delta_i = atan2(a*sin(phi_i), a*cos(phi_i) - d)",
+        "gamma_i = acos((f_i**2 + c**2 - b**2)/(2*f_i*c))",
+        "psi_i^{*} = delta_i <sign> gamma_i",
+    ),
+    True: ("s_i^{*} = r*cos(phi_i) <sign> sqrt(l**2 - (e - r*sin(phi_i))**2)",),
+}
 DIAGRAMS = 105.0  # height of the diagrams [mm]
 WORKED = 8  # points that are worked out; the tables have all
 
@@ -113,6 +123,7 @@ def blocks(told: Told) -> Iterator[Block]:
     yield from told.lines(*SIZES[slides])
     if not exact:
         yield from _objective(told, slides)
+        yield from _outputs(told, slides, places[:WORKED])
 
 
 def _points(told: Told, asked: FunctionTask) -> Iterator[Block]:
@@ -286,6 +297,32 @@ def _objective(told: Told, slides: bool) -> Iterator[Block]:
         )
     )
     yield Display(read(f"F = sum(({letter}_i^{{*}} - {letter}_i)**2, i)"))
+
+
+def _outputs(told: Told, slides: bool, places: Sequence[Place]) -> Iterator[Block]:
+    """The output of the linkage at the points, from the triangle of the crank pin."""
+    precision = told.design.precision
+    assert precision is not None
+    signs = set()
+    for place, x, found in zip(places, precision.crank, precision.found, strict=False):
+        if slides:
+            r = told.design.size("r")
+            place.lexicon.update(named({"s_i^{*}": length(float(found), tr("place of the slider of the linkage"))}))
+            signs.add(float(found) > r * math.cos(x))
+            continue
+        across = cmath.rect(told.design.size("a"), float(x)) - told.design.size("d")
+        beside = cmath.rect(1.0, float(found)) / across
+        signs.add(beside.imag > 0)
+        triangle = {
+            "f_i": length(abs(across), tr("distance of points {first} and {second}", first="D", second="B")),
+            "delta_i": angle(cmath.phase(across), tr("angle of the line {first}{second}", first="D", second="B")),
+            "gamma_i": angle(abs(cmath.phase(beside)), tr("angle of the triangle at D")),
+            "psi_i^{*}": angle(float(found), tr("angle of the rocker of the linkage")),
+        }
+        place.lexicon.update(named(triangle))
+    if len(signs) == 1:
+        yield Paragraph(tr("The output of the linkage that is taken, at the points:"))
+        yield from lines(OUTPUT[slides], places, {"sign": "+" if signs.pop() else "-"})
 
 
 def conditions(told: Told) -> Iterator[Block]:
