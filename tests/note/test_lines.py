@@ -37,6 +37,10 @@ MUTATED: dict[str, list[str]] = {  # keys that are changed, so that no factor is
     "cam-rocker-synthesis": [],
     "cam-rocker-optimum": [],
     "cam-lantern": [],
+    "synth-slider-crank": [],
+    "synth-path": [],
+    "synth-motion": [],
+    "dyad": [],
     "pair": ['pair.strategy="given_aw"', 'pair.centre_distance="115 mm"'],
 }
 SWAPPED = {"sin": "cos", "cos": "sin"}
