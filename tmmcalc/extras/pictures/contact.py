@@ -30,10 +30,15 @@ def figure(order: Order) -> Drawing:
 def contact_drawing(result: Contact) -> Drawing:
     """The field of pressure from above, and along the axis of x beside Hertz."""
     drawing, box = titled(tr("Contact pressure, largest {pressure} MPa", pressure=number(1e-6 * result.peak, 5)))
+    draw_contact(drawing, box, result)
+    return drawing
+
+
+def draw_contact(drawing: Drawing, box: Box, result: Contact) -> None:
+    """The field and the section in a rectangle."""
     left, right = box.split(1, 1, gap=6, across=True)
     _field(drawing, left, result)
     _section(drawing, right, result)
-    return drawing
 
 
 def _field(drawing: Drawing, box: Box, result: Contact) -> None:
