@@ -133,11 +133,11 @@ def _grid(result: Contact, task: ContactTask, place: Place) -> Iterator[Block]:
     own, beside = influence(np.array([0, 1]), np.array([0, 0])).tolist()
     yield Paragraph(
         tr(
-            "The coefficients $w_{i,k}$ are integrals of the inverse distance, with which the pressure at node $k$ acts "
-            "on node $i$: $w_{i,i}$ = {own}, between neighbours {beside}. Where the bodies touch, "
-            "settlement and gap $h$ together are the approach, $u_i + h_i = delta$, and $p_i > 0$; elsewhere "
-            "$u_i + h_i > delta$ and $p_i = 0$. The nodes in contact are found by passes: those that would pull are "
-            "left out, those that would overlap are taken in. After {passes} passes nothing changes any more.",
+            "The coefficients $w_{i,k}$ are integrals of the inverse distance, with which the pressure at node $k$ "
+            "acts on node $i$: $w_{i,i}$ = {own}, between neighbours {beside}. Where the bodies touch, settlement "
+            "and gap $h$ together are the approach, $u_i + h_i = delta$, and $p_i > 0$; elsewhere $u_i + h_i > "
+            "delta$ and $p_i = 0$. The nodes in contact are found by passes: those that would pull are left out, "
+            "those that would overlap are taken in. After {passes} passes nothing changes any more.",
             own=f"${numeral(own)}$",
             beside=f"${numeral(beside)}$",
             passes=result.passes,

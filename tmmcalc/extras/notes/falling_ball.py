@@ -64,7 +64,7 @@ def blocks(order: Order) -> Iterator[Block]:
     middle = len(result.t) // 2
     shown = result.asked or (Moment(*(float(each[middle]) for each in (result.t, result.v, result.way))),)
     stop = math.inf if result.stop is None else result.stop.t
-    yield Heading(tr("Speed"), 3)
+    yield Heading(tr("Speed of the ball"), 3)
     if not fall.drive:
         yield from _without_drive(task, fall, shown, lexicon)
     else:
@@ -108,8 +108,8 @@ def _equation(task: BallTask, fall: Fall, place: Place) -> Iterator[Block]:
     """The equation of the case, and the driving acceleration."""
     yield Paragraph(
         tr(
-            "The radius decreases as $r = r_0*exp(-lambda*t)$. Weight, drag and the reaction of the mass that separates "
-            "move the ball; the speed is positive downwards:"
+            "The radius decreases as $r = r_0*exp(-lambda*t)$. Weight, drag and the reaction of the mass that "
+            "separates move the ball; the speed is positive downwards:"
         )
     )
     if task.relative is None:
@@ -212,11 +212,11 @@ def _functions(fall: Fall, t: float, mark: str, *, large: bool) -> Lexicon:
 
 def _fastest(at: Moment, task: BallTask, lexicon: Lexicon) -> Iterator[Block]:
     """Where the acceleration is nothing."""
-    yield Heading(tr("Largest speed"), 3)
+    yield Heading(tr("Largest speed of the ball"), 3)
     yield Paragraph(
         tr(
-            "The speed is largest where $v' = 0$, at $t$ = {time} s, which is found numerically. There it is given by the "
-            "radius alone:",
+            "The speed is largest where $v' = 0$, at $t$ = {time} s, which is found numerically. There it is given "
+            "by the radius alone:",
             time=plainly(at.t),
         )
     )
@@ -233,7 +233,7 @@ def _stop(result: Ball, stop: Moment, task: BallTask, fall: Fall, lexicon: Lexic
     if not stop.t:
         yield Paragraph(tr("The reaction is above the weight, so the ball rises from the beginning."))
         return
-    yield Heading(tr("Stop"), 3)
+    yield Heading(tr("Stop of the ball"), 3)
     yield Paragraph(
         tr("The ball stops where the numerator of the speed is nothing; the argument $eta_s$ is found numerically:")
     )
@@ -259,8 +259,8 @@ def _risen(task: BallTask, fall: Fall, after: Sequence[Moment], lexicon: Lexicon
     large = float(rise.argument(np.array([max(each.t for each in after) - stop]))[0]) > PLAIN
     yield Paragraph(
         tr(
-            "Behind the stop the ball is driven upwards, with modified Bessel functions $I$, $K$; marked ones are those at "
-            "the stop:"
+            "Behind the stop the ball is driven upwards, with modified Bessel functions $I$, $K$; marked ones are "
+            "those at the stop:"
         )
     )
     begun = named(_functions(rise, 0.0, "^{*}", large=large))

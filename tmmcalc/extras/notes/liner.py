@@ -142,8 +142,8 @@ def _joined(result: Liner, task: LinerTask, shell: Shell, place: Place) -> Itera
     if finite:
         yield Paragraph(
             tr(
-                "The deflection $w$ of the shell outwards are waves that die away from the ring, with $xi = alpha_s*x$, "
-                "and from the far end, with $zeta = lambda - xi$:"
+                "The deflection $w$ of the shell outwards are waves that die away from the ring, with $xi = "
+                "alpha_s*x$, and from the far end, with $zeta = lambda - xi$:"
             )
         )
         yield from lines(["lambda = alpha_s*L"], [place])
@@ -159,9 +159,9 @@ def _joined(result: Liner, task: LinerTask, shell: Shell, place: Place) -> Itera
         yield Display(read(f"{near} + w_p" if task.pressure else near))
     yield Paragraph(
         tr(
-            "Force and moment between ring and shell, deflection and slope of the shell at the ring follow from these "
-            "waves, displacement and turn of the ring from its loads. The shell follows the edge of the ring, which its "
-            "turn moves too:"
+            "Force and moment between ring and shell, deflection and slope of the shell at the ring follow from "
+            "these waves, displacement and turn of the ring from its loads. The shell follows the edge of the ring, "
+            "which its turn moves too:"
         )
         if task.continuity == "edge"
         else tr(
@@ -204,7 +204,8 @@ def _others(result: Liner, task: LinerTask, shell: Shell) -> Iterator[Block]:
         found[tr("a long shell")] = long.force, long.couple
         yield Paragraph(
             tr(
-                "Since $lambda$ is below {limit}, the far end is felt at the ring, and formulas of a long shell do not hold.",
+                "Since $lambda$ is below {limit}, the far end is felt at the ring, and formulas of a long shell do not "
+                "hold.",
                 limit=plainly(LONG),
             )
         )

@@ -53,9 +53,9 @@ def blocks(order: Order) -> Iterator[Block]:
     yield Heading(tr("Reliability under shock loads"))
     yield Paragraph(
         tr(
-            "The strength of the product falls as $x = r*exp(-beta*t)$. Shocks strike it at a constant rate $h$, their "
-            "loads are uniform between $a$ and $b$; a shock above the strength is a failure. Times and loads are in the "
-            "units of the given data, rates in one over the unit of time."
+            "The strength of the product falls as $x = r*exp(-beta*t)$. Shocks strike it at a constant rate $h$, "
+            "their loads are uniform between $a$ and $b$; a shock above the strength is a failure. Times and loads "
+            "are in the units of the input data, rates in one over the unit of time."
         )
     )
     loads = ["a", "b"] if table.load is not None else ["n"]
@@ -217,8 +217,8 @@ def _lives(result: Reliability, law: Law, lexicon: Lexicon) -> Iterator[Block]:
     yield Heading(tr("Lives"), 3)
     yield Paragraph(
         tr(
-            "The time up to which the product survives with the reliability $R$ is found numerically from $H = ln(1/R)$; "
-            "table {tab:reliability_lives} has these lives, the equations check them:"
+            "The time up to which the product survives with the reliability $R$ is found numerically from $H = "
+            "ln(1/R)$; table {tab:reliability_lives} has these lives, the equations check them:"
         )
     )
     for part in (WITHIN, AFTER):

@@ -152,7 +152,8 @@ def _by_source(result: TieDown, task: TieDownTask, place: Place) -> Iterator[Blo
     if result.change > 0:
         yield Paragraph(
             tr(
-                "With the vertical load of the preload, approximately, a stretched tie has this force, an opposite one the rest:"
+                "With the vertical load of the preload, approximately, a stretched tie has this force, an opposite "
+                "one the rest:"
             )
         )
         yield from lines([SOURCE], [place])
@@ -180,8 +181,8 @@ def _by_equilibrium(result: TieDown, task: TieDownTask, place: Place) -> Iterato
     else:
         yield Paragraph(
             tr(
-                "In equilibrium two ties hold the load, the opposite ones are slack. The vertical load is that of the two "
-                "alone, not that of the preload beside them:"
+                "In equilibrium two ties hold the load, the opposite ones are slack. The vertical load is that of "
+                "the two alone, not that of the preload beside them:"
             )
         )
         yield from lines([TWO_TIES], [place])
@@ -226,7 +227,8 @@ def _course(result: TieDown) -> Iterator[Block]:
     """The forces over k."""
     yield Paragraph(
         tr(
-            "Forces over the inertia are in table {tab:tie_down_course}, and in figure {fig:tie_down} with these values."
+            "Forces over the inertia are in table {tab:tie_down_course}, and in figure {fig:tie_down} with these "
+            "values."
         )
     )
     columns = {

@@ -1,4 +1,4 @@
-"""What the parts of the chapter say alike: the table of the given data, conditions on numbers, long tables."""
+"""What the parts of the chapter say alike: the table of the input data, long tables."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ def given(lexicon: Lexicon, names: Sequence[str], key: str, caption: str = "") -
             unit, factor = printed_as(found.unit)
             value = f"${significant(factor * found.value, FIGURES)}$"
             rows.append((found.meaning, f"${name}$", "°" if unit == "deg" else tr_unit(unit), value))
-    yield Paragraph(tr("The given data are in table {tab}.", tab=f"{{tab:{key}}}"))
+    yield Paragraph(tr("The input data are in table {tab}.", tab=f"{{tab:{key}}}"))
     head = tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value")
-    yield Table(caption or tr("Given data"), head, tuple(rows), key)
+    yield Table(caption or tr("Input data"), head, tuple(rows), key)
 
 
 def course(caption: str, columns: Mapping[str, np.ndarray], key: str) -> Table:

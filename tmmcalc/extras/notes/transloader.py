@@ -1,4 +1,4 @@
-"""A grab transloader: speeds of its ways, what is usual, loads by case, stresses of the parts beside what is allowed."""
+"""A grab transloader: speeds of its ways, what is usual, loads by case, stresses beside what is allowed."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from tmmcalc.machine.notes.told import drawn, numeral, plainly
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name, tr_unit
-from tmmcalc.report.manuscript import Block, Heading, Lexicon, Line, Listing, Paragraph, Place, Result, Table
+from tmmcalc.report.manuscript import Block, Heading, Lexicon, Listing, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import lines, named
 
 KILO, MEGA = 1e3, 1e6
@@ -63,12 +63,12 @@ def blocks(order: Order) -> Iterator[Block]:
         parts = zip(("c", "m", "e"), PARTS_OF_MASS.values(), strict=True)
         yield from lines([f"m_{part} = {share:g}*m" for part, share in parts], [Place("", lexicon)])
     if result.drives:
-        yield Heading(tr("Speeds"), 3)
+        yield Heading(tr("Speeds of trolley and hoist"), 3)
         yield from _speeds(result, task)
     if result.limits:
         yield Heading(tr("What is usual"), 3)
         yield from _limits(result.limits)
-    yield Heading(tr("Loads"), 3)
+    yield Heading(tr("Loads of the transloader"), 3)
     yield from _loads(result, task, lexicon)
     yield from _cases(result)
     if result.checks:
@@ -122,8 +122,8 @@ def _speeds(result: Transloader, task: TransloaderTask) -> Iterator[Block]:
     """The ways from rest to rest: the speed that they allow, the speed, times."""
     yield Paragraph(
         tr(
-            "A way begins and ends at rest, with one acceleration. Where it is nothing but acceleration and braking its "
-            "largest speed $v_p$ is reached in its middle; at a lower speed the time of the way is longer."
+            "A way begins and ends at rest, with one acceleration. Where it is nothing but acceleration and braking "
+            "its largest speed $v_p$ is reached in its middle; at a lower speed the time of the way is longer."
         )
     )
     for drive in result.drives:
@@ -178,7 +178,7 @@ def _limits(limits: Sequence[Limit]) -> Iterator[Block]:
             "–" if each is None else f"${numeral(factor * each)}$" for each in (limit.value, limit.low, limit.high)
         )
         rows.append(
-            (f"{tr_name(limit.what)}, {tr_unit(unit)}", value, low, high, tr("yes") if limit.holds else tr("no"))
+            (f"{_limited(limit.name)}, {tr_unit(unit)}", value, low, high, tr("yes") if limit.holds else tr("no"))
         )
         yield from _results(limit, unit, factor)
     head = tr("Quantity"), tr("Value"), tr("At least"), tr("At most"), tr("Kept")
@@ -204,9 +204,25 @@ SYMBOLS = {
 }
 
 
+def _limited(name: str) -> str:
+    """What a limit is of."""
+    return {
+        "trolley_speed": tr("speed of the trolley"),
+        "trolley_speed_by_way": tr("speed of the trolley by its way"),
+        "hoist_speed": tr("speed of the hoist"),
+        "hoist_speed_by_height": tr("speed of the hoist by its height"),
+        "hoist_acceleration": tr("acceleration of the hoist"),
+        "lift": tr("height of the lift"),
+        "lowering_speed": tr("speed of lowering"),
+        "bridge_speed": tr("speed of the bridge"),
+        "span": tr("span of the bridge"),
+        "deflection": tr("deflection of the bridge"),
+    }[name]
+
+
 def _results(limit: Limit, unit: str, factor: float) -> Iterator[Result]:
     """The rows of the conclusions: one for each end that is given; an end that is met but for rounding is met."""
-    own = Given(factor * limit.value, unit, tr_name(limit.what))
+    own = Given(factor * limit.value, unit, _limited(limit.name))
     for end, sense, nearest in ((limit.low, ">=", min), (limit.high, "<=", max)):
         if end is not None:
             bound = nearest(factor * end, factor * limit.value) if limit.holds else factor * end
@@ -275,7 +291,8 @@ def _cases(result: Transloader) -> Iterator[Block]:
     yield Listing(tuple(f"{case} – {tr_name(meaning)}" for case, meaning in CASES.items()))
     yield Paragraph(
         tr(
-            "The loads of each case are in table {tab:transloader_loads}. A question mark is a load that is left open there."
+            "The loads of each case are in table {tab:transloader_loads}. A question mark is a load that is left "
+            "open there."
         )
         if any(each.blank for each in result.loads)
         else tr("The loads of each case are in table {tab:transloader_loads}.")
@@ -299,10 +316,11 @@ def _stresses(result: Transloader, task: TransloaderTask) -> Iterator[Block]:
     """Part by part force, stress and allowed stress; then all of them."""
     yield Paragraph(
         tr(
-            "The parts are in table {tab:transloader_parts}. The force in a part is the sum of the loads of the case, each with its coefficient $c$ (table "
-            "{tab:transloader_influence}); weights act as they are, other loads to either side, so that they are added at "
-            "their worst. The allowed stress is $sigma_a = sigma_0/(K_m*K_n)$ with the factors of the mechanism, $K_1$, of "
-            "its duty, $K_2$, and against fatigue that of how the part is made, $K_n$."
+            "The parts are in table {tab:transloader_parts}. The force in a part is the sum of the loads of the "
+            "case, each with its coefficient $c$ (table {tab:transloader_influence}); weights act as they are, other "
+            "loads to either side, so that they are added at their worst. The allowed stress is $sigma_a = "
+            "sigma_0/(K_m*K_n)$ with the factors of the mechanism, $K_1$, of its duty, $K_2$, and against fatigue "
+            "that of how the part is made, $K_n$."
         )
     )
     yield _parts(task.parts)
@@ -449,7 +467,7 @@ def _checked(result: Transloader) -> Table:
     )
     stress = f"$sigma$, {tr_unit('MPa')}", f"$sigma_a$, {tr_unit('MPa')}"
     by_other = tr("$sigma_a$ by {factor}, MPa", factor=other)
-    head = tr("Part"), tr("Case"), tr("Check"), *stress, by_other, f"$sigma$/$sigma_a$, %", tr("Kept")
+    head = tr("Part"), tr("Case"), tr("Check"), *stress, by_other, "$sigma$/$sigma_a$, %", tr("Kept")
     return Table(tr("Stresses beside what is allowed"), head, rows, "transloader_stresses")
 
 
