@@ -84,6 +84,15 @@ def constants(fall: Fall) -> tuple[Values, Values]:
     return sign * g * second(n, begun) + u * second(m, begun), g * first(n, begun) - u * first(m, begun)
 
 
+def parts_of_speed(fall: Fall, t: float, *, scaled: bool) -> tuple[float, float]:
+    """X and Z at t [s]: the speed is 2 |a| X/(lambda eta Z); of a ball that is driven on scaled over e^(eta - eta0)."""
+    at = np.array([t])
+    found = _quotient(fall, at)
+    plain = fall.drive < 0 or scaled
+    size = 1.0 if plain else float(np.exp(fall.argument(at) - fall.argument(np.zeros(1)))[0])
+    return float(found.above[0]) * size, float(found.below[0]) * size
+
+
 def _quotient(fall: Fall, t: Values) -> _Quotient:
     """The sums of the speed, scaled so that neither overflows."""
     first, second = kinds(fall)
@@ -156,6 +165,8 @@ def drag_way(fall: Fall, t: float) -> float:
     (5.87685, 9.482446)
     """
     k = drag_ratio(fall)
+    if not k:
+        return 0.0
     part, past = k - 1, -expm1(-fall.decay * t)
     size = fall.radius * k / fall.drag
     return size * (log1p(part * past) / part if part else past)

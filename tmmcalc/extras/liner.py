@@ -223,12 +223,22 @@ def _shape(waves: Values, xi: Any, span: Any) -> tuple[Any, Any, Any, Any]:
     return value, slope, second, third
 
 
+def waves_at(shell: Shell, x: Values) -> tuple[tuple[Values, ...], tuple[Values, ...]]:
+    """The waves [m] from the ring and from the far end at the places x (n,), each with its derivatives by alpha x."""
+    a, b, c, g = shell.waves
+    xi, nothing = shell.alpha * x, 0.0 * shell.alpha
+    near = _shape(np.array([a, b, nothing, nothing]), xi, None)
+    far = (nothing * xi,) * 4
+    return near, far if shell.span is None else _shape(np.array([nothing, nothing, c, g]), xi, shell.span)
+
+
 def along(task: LinerTask, shell: Shell, x: Values) -> dict[str, Values]:
     """Deflection, slope, moment, force and stresses (n,) at the places x (n,), in the numbers of the task."""
     value, slope, second, third = _shape(shell.waves, shell.alpha * x, shell.span)
     w = value + shell.uniform
     bend = shell.stiffness * shell.alpha**2 * second
     axial, hoop = 6 * bend / task.thickness**2, task.young * w / task.radius
+    inside, outside = hoop + task.poisson * axial, hoop - task.poisson * axial
     return {
         "w": w,
         "slope": shell.alpha * slope,
@@ -237,8 +247,10 @@ def along(task: LinerTask, shell: Shell, x: Values) -> dict[str, Values]:
         "axial": axial,
         "outer_axial": -axial,
         "hoop": hoop,
-        "inner": _mises(axial, hoop + task.poisson * axial),
-        "outer": _mises(-axial, hoop - task.poisson * axial),
+        "inner_hoop": inside,
+        "outer_hoop": outside,
+        "inner": _mises(axial, inside),
+        "outer": _mises(-axial, outside),
     }
 
 

@@ -265,7 +265,7 @@ def _estimated(task: ReliabilityTask) -> tuple[float, float, float]:
     test, width = task.test, task.high - task.low
 
     def strength(beta: float) -> float:
-        half = beta * width / (2 * task.rate * test.items)
+        half = load_margin(task, test, beta)
         root = sqrt(half * (2 * task.high + half))
         return exp(beta * test.least) * (task.high - 2 * task.high * half / (half + root))  # b + half - root
 
@@ -295,6 +295,11 @@ def _estimated(task: ReliabilityTask) -> tuple[float, float, float]:
     law = Law(task.low, task.high, task.rate, strength(beta), beta)
     missed = (abs(excess(root)) + _of_mean(law, test.mean + excess(root)) * test.mean) / abs(slope)
     return law.strength, beta, missed + EPS * abs(root)
+
+
+def load_margin(task: ReliabilityTask, test: LifeTest, decay: float) -> float:
+    """w = beta (b - a)/(2 h m), by which the most probable strength at the shortest life is below b."""
+    return decay * (task.high - task.low) / (2 * task.rate * test.items)
 
 
 def _root(f: Callable[[float], float], low: float, high: float) -> float:

@@ -14,13 +14,13 @@ from tmmcalc.extras.notes.told import course, given
 from tmmcalc.extras.pictures.contact import draw_contact
 from tmmcalc.extras.tables.contact import ContactTable
 from tmmcalc.extras.tables.tasks.contact import to_contact
-from tmmcalc.machine.notes.told import drawn, numeral
+from tmmcalc.machine.notes.told import drawn, numeral, plainly
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import FormulaError, read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result, Table, Verbatim
-from tmmcalc.report.telling import column, lines, named, tabulated
+from tmmcalc.report.telling import column, column_of, lines, named, tabulated
 
 MM, MEGA = 1e3, 1e6  # formulas hold in N, mm, MPa
 MODULUS = "E^{*} = 1/((1 - nu_1**2)/E_1 + (1 - nu_2**2)/E_2)"
@@ -226,8 +226,8 @@ def _pressures(result: Contact, task: ContactTask) -> Iterator[Block]:
         part = np.maximum(1 - (result.x[axis] / smooth.along_x) ** 2, 0.0)
         columns["$p_H$, MPa"] = smooth.peak * np.sqrt(part) / MEGA
     columns["$s$, mm"] = MM * result.opening[axis]
-    yield course(tr("Pressures on the axis of x"), columns, "contact_axis")
     yield drawn(tr("Pressures in the contact"), partial(draw_contact, result=result), FIGURE, "contact")
+    yield course(tr("Pressures on the axis of x"), columns, "contact_axis")
     if smooth is not None:
         yield _beside(result, smooth)
 
@@ -238,13 +238,9 @@ def _beside(result: Contact, smooth: Hertz) -> Table:
         (tr("largest contact pressure"), "MPa", result.peak / MEGA, smooth.peak / MEGA),
         (tr("approach of the bodies"), "mm", MM * result.approach, MM * smooth.approach),
     )
-    rows = [
-        (
-            f"{what}, {tr_unit(unit)}",
-            *(f"${numeral(each)}$" for each in (one, other)),
-            f"${numeral(100 * (one / other - 1), 3)}$",
-        )
-        for what, unit, one, other in pairs
-    ]
+    rows = []
+    for what, unit, one, other in pairs:
+        cells = (column_of([each])[0] for each in (one, other))
+        rows.append((f"{what}, {tr_unit(unit)}", *cells, plainly(100 * (one / other - 1), 2)))
     head = tr("Quantity"), tr("Numerically"), tr("By Hertz"), tr("Difference, %")
     return Table(tr("The contact by both ways"), head, tuple(rows), "contact_both")

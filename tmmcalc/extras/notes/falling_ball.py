@@ -11,7 +11,7 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.extras.ballspeed import Fall, constants, drag_ratio, kinds
+from tmmcalc.extras.ballspeed import Fall, constants, drag_ratio, kinds, parts_of_speed
 from tmmcalc.extras.falling_ball import Ball, BallTask, Moment, acceleration, fall_of, rise_of
 from tmmcalc.extras.notes.told import course, given
 from tmmcalc.extras.pictures.falling_ball import draw_ball
@@ -25,21 +25,23 @@ from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragrap
 from tmmcalc.report.telling import lines, named
 
 PLAIN = 300.0  # argument up to which Bessel functions are told as they are; of larger ones over their exponentials
-MIDDLE = "*exp(-2*(eta - eta_0))"
-ARGUMENT = "eta_0 = 2*sqrt(alpha*abs(<g>)/r_0)/lambda"
-RISING = (  # modified functions: the ball is driven on
-    "C = 2*<g>*K_<n>^{*} + lambda*v_0*eta_0*K_<m>^{*}",
-    "D = 2*<g>*I_<n>^{*} - lambda*v_0*eta_0*I_<m>^{*}",
-)
-BRAKED = (
-    "C = lambda*v_0*eta_0*Y_<m>^{*} - 2*abs(<g>)*Y_<n>^{*}",
-    "D = 2*abs(<g>)*J_<n>^{*} - lambda*v_0*eta_0*J_<m>^{*}",
-)
-SPEED = {
-    True: "v = 2*<g>/(lambda*eta)*((C*I_<n> - D*K_<n><q>)/(C*I_<m> + D*K_<m><q>))",
-    False: "v = 2*abs(<g>)/(lambda*eta)*((C*J_<n> + D*Y_<n>)/(C*J_<m> + D*Y_<m>))",
+FADED = "*exp(-2*(eta - <b>))"
+ARGUMENT = "eta_0 = 2*sqrt(alpha*<g>/r_0)/lambda"
+CONSTANTS = {  # whether the ball is driven on, or braked
+    True: (
+        "C = 2*<g>*K_<n>^{*} + lambda*v_0*eta_0*K_<m>^{*}",
+        "D = 2*<g>*I_<n>^{*} - lambda*v_0*eta_0*I_<m>^{*}",
+    ),
+    False: (
+        "C = lambda*v_0*eta_0*Y_<m>^{*} - 2*<g>*Y_<n>^{*}",
+        "D = 2*<g>*J_<n>^{*} - lambda*v_0*eta_0*J_<m>^{*}",
+    ),
 }
-UPWARDS = "v = -2*abs(<g>)/(lambda*eta)*((K_0^{*}*I_0 - I_0^{*}*K_0<q>)/(K_0^{*}*I_1 + I_0^{*}*K_1<q>))"
+PARTS = {
+    True: ("X = C*I_<n> - D*K_<n><q>", "Z = C*I_<m> + D*K_<m><q>"),
+    False: ("X = C*J_<n> + D*Y_<n>", "Z = C*J_<m> + D*Y_<m>"),
+}
+SPEED = "v = 2*<g>*X/(lambda*eta*Z)"
 FREE = ("k = alpha*v_0/(lambda*r_0)", "v = v_0/(1 + k*(exp(lambda*t) - 1))")
 WAY = "S = r_0*k/(alpha*(k - 1))*ln(1 + (k - 1)*(1 - exp(-lambda*t)))"
 EVEN_WAY = "S = r_0/alpha*(1 - exp(-lambda*t))"
@@ -68,7 +70,7 @@ def blocks(order: Order) -> Iterator[Block]:
     if not fall.drive:
         yield from _without_drive(task, fall, shown, lexicon)
     else:
-        yield from _driven(task, fall, [each for each in shown if each.t <= stop], lexicon, shown)
+        yield from _falling(task, fall, [each for each in shown if each.t <= stop], lexicon)
     if result.fastest is not None:
         yield from _fastest(result.fastest, task, lexicon)
     if result.stop is not None:
@@ -160,10 +162,8 @@ def _slope(task: BallTask, drag: str = "-") -> tuple[str, ...]:
     return "r = r_0*exp(-lambda*t)", f"v' = {_word(task)} {drag} alpha/r*v**2{own}"
 
 
-def _driven(
-    task: BallTask, fall: Fall, before: Sequence[Moment], lexicon: Lexicon, shown: Sequence[Moment]
-) -> Iterator[Block]:
-    """The speed by Bessel functions, up to a stop."""
+def _falling(task: BallTask, fall: Fall, before: Sequence[Moment], lexicon: Lexicon) -> Iterator[Block]:
+    """The speed from the beginning on, up to a stop."""
     n, m = fall.orders
     yield Paragraph(
         tr("The speed follows from modified Bessel functions $I$, $K$ of the orders {n} and {m}.", n=n, m=m)
@@ -171,21 +171,42 @@ def _driven(
         else tr("The speed follows from Bessel functions $J$, $Y$ of the orders {n} and {m}.", n=n, m=m)
     )
     yield Paragraph(tr("Their argument at the beginning, and the constants by which the speed begins with $v_0$:"))
-    large = fall.drive > 0 and float(fall.argument(np.array([max(each.t for each in shown)]))[0]) > PLAIN
+    yield from _driven(task, fall, before, lexicon)
+
+
+def _driven(
+    task: BallTask, fall: Fall, moments: Sequence[Moment], lexicon: Lexicon, begun: float = 0.0
+) -> Iterator[Block]:
+    """The speed by Bessel functions: up to a stop, or behind it upwards, from the time ``begun`` on."""
+    (n, m), driven, rises = fall.orders, fall.drive > 0, begun > 0 or fall_of(task).drive < 0 < fall.drive
+    latest = max([each.t for each in moments], default=begun)
+    large = driven and float(fall.argument(np.array([latest - begun]))[0]) > PLAIN
     if large:
         yield Paragraph(tr("The functions $I$ are taken over $exp(eta)$, the functions $K$ times $exp(eta)$."))
-    words = {"g": _word(task), "n": str(n), "m": str(m), "q": MIDDLE if large else ""}
-    begun = Place(
-        "", lexicon | named(_functions(fall, 0.0, "^{*}", large=large)) | named(_constants(fall, large=large))
-    )
-    argument = ARGUMENT if fall.drive < 0 else ARGUMENT.replace("abs(<g>)", "<g>")
-    yield from lines([argument, *(RISING if fall.drive > 0 else BRAKED)], [begun], words)
-    places = [_at(task, each, lexicon | _constants(fall, large=large)) for each in before]
-    for place, moment in zip(places, before, strict=True):
-        place.lexicon.update(named(_functions(fall, moment.t, "", large=large)))
+    size = _word(task) if driven and not rises else f"abs({_word(task)})"
+    words = {"q": FADED if large else "", "g": size, "n": str(n), "m": str(m), "b": "eta_s" if rises else "eta_0"}
+    known = lexicon | named({**_constants(fall, large=large), **_functions(fall, 0.0, "^{*}", large=large)})
+    if rises:
+        known |= {"v_0": Given(0.0), "eta_s": Given(float(fall.argument(np.zeros(1))[0]), "", _at_stop())}
+    yield from lines([*([] if rises else [ARGUMENT]), *CONSTANTS[driven]], [Place("", known)], words)
+    places = []
+    for moment in moments:
+        place = _at(task, moment, known)
+        place.lexicon.update(named(_functions(fall, moment.t - begun, "", large=large)))
+        above, below = parts_of_speed(fall, moment.t - begun, scaled=large)
+        place.lexicon["X"] = Given(above, "", tr("numerator of the speed"))
+        place.lexicon["Z"] = Given(below, "", tr("denominator of the speed"))
+        places.append(place)
     if places:
         yield Paragraph(tr("Argument, speed, radius and acceleration:"))
-        yield from lines(["eta = eta_0*exp(lambda*t/2)", SPEED[fall.drive > 0], *_slope(task)], places, words)
+        speed = SPEED.replace("v = ", "v = -") if rises else SPEED
+        yield from lines(
+            ["eta = eta_0*exp(lambda*t/2)", *PARTS[driven], speed, *_slope(task, "+" if rises else "-")], places, words
+        )
+
+
+def _at_stop() -> str:
+    return tr("argument of the Bessel functions at the stop")
 
 
 def _constants(fall: Fall, *, large: bool) -> Lexicon:
@@ -240,7 +261,7 @@ def _stop(result: Ball, stop: Moment, task: BallTask, fall: Fall, lexicon: Lexic
     found = {
         **_constants(fall, large=False),
         **_functions(fall, stop.t, "", large=False),
-        "eta_s": Given(result.stop_argument or 0.0, "", tr("argument of the Bessel functions at the stop")),
+        "eta_s": Given(result.stop_argument or 0.0, "", _at_stop()),
         "t_s": Given(stop.t, "s", tr("time of the stop")),
         "S_s": Given(stop.way, "m", tr("way to the stop")),
     }
@@ -253,30 +274,14 @@ def _stop(result: Ball, stop: Moment, task: BallTask, fall: Fall, lexicon: Lexic
 
 def _risen(task: BallTask, fall: Fall, after: Sequence[Moment], lexicon: Lexicon, stop: float) -> Iterator[Block]:
     """The speed upwards, behind the stop."""
-    if not after:
-        return
-    rise = rise_of(fall, stop)
-    large = float(rise.argument(np.array([max(each.t for each in after) - stop]))[0]) > PLAIN
-    yield Paragraph(
-        tr(
-            "Behind the stop the ball is driven upwards, with modified Bessel functions $I$, $K$; marked ones are "
-            "those at the stop:"
+    if after:
+        yield Paragraph(
+            tr(
+                "Behind the stop the ball is driven upwards, with modified Bessel functions $I$, $K$; marked ones are "
+                "those at the stop:"
+            )
         )
-    )
-    begun = named(_functions(rise, 0.0, "^{*}", large=large))
-    eta = named(
-        {"eta_0": Given(float(rise.argument(np.zeros(1))[0]), "", tr("argument of the Bessel functions at the stop"))}
-    )
-    places = []
-    for moment in after:
-        place = _at(task, moment, lexicon | begun)
-        place.lexicon.update(named(_functions(rise, moment.t - stop, "", large=large)))
-        places.append(place)
-    words = {"g": _word(task), "q": MIDDLE if large else ""}
-    yield from lines(["eta = eta_0*exp(lambda*t/2)"], places)
-    yield from lines(
-        [UPWARDS, *_slope(task, "+")], [each._replace(lexicon=each.lexicon | eta) for each in places], words
-    )
+        yield from _driven(task, rise_of(fall, stop), after, lexicon, stop)
 
 
 def _way(result: Ball, fall: Fall, lexicon: Lexicon) -> Iterator[Block]:
@@ -304,5 +309,5 @@ def _course(result: Ball) -> Iterator[Block]:
         "$v'$, m/s^2": result.a,
         "$S$, m": result.way,
     }
-    yield course(tr("Fall of the ball over the time"), columns, "ball_course")
     yield drawn(tr("Speed and way of the ball"), partial(draw_ball, result=result), FIGURE, "ball")
+    yield course(tr("Fall of the ball over the time"), columns, "ball_course")

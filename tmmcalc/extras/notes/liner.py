@@ -6,13 +6,13 @@ are nothing, and their terms leave the formulas.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
-from tmmcalc.extras.liner import LONG, THIN, Liner, LinerTask, Shell, along, shell_of, solve_liner
+from tmmcalc.extras.liner import LONG, THIN, Liner, LinerTask, Shell, along, shell_of, solve_liner, waves_at
 from tmmcalc.extras.notes.told import course, given
 from tmmcalc.extras.pictures.liner import draw_liner
 from tmmcalc.extras.tables.tasks.liner import to_liner
@@ -34,23 +34,34 @@ FREE_END = (
     "G = exp(-lambda)*(A*sin(lambda) - B*cos(lambda))",
     "C = exp(-lambda)*((A + B)*cos(lambda) + (B - A)*sin(lambda)) - G",
 )
-AT_RING = (
-    "Q_0 = 2*D_s*alpha_s**3*(A + B - exp(-lambda)*((C + G)*cos(lambda) + (G - C)*sin(lambda)))",
-    "M_0 = 2*D_s*alpha_s**2*(B - exp(-lambda)*(C*sin(lambda) - G*cos(lambda)))",
-    "w_0 = A + exp(-lambda)*(C*cos(lambda) + G*sin(lambda)) + w_p",
-    "psi = alpha_s*(B - A + exp(-lambda)*((C - G)*cos(lambda) + (C + G)*sin(lambda)))",
+NEAR = (  # the wave from the ring with its derivatives
+    "f = exp(-xi)*(A*cos(xi) + B*sin(xi))",
+    "f' = exp(-xi)*((B - A)*cos(xi) - (A + B)*sin(xi))",
+    "f'' = 2*exp(-xi)*(A*sin(xi) - B*cos(xi))",
+    "f''' = 2*exp(-xi)*((A + B)*cos(xi) + (B - A)*sin(xi))",
+)
+FAR = (  # that from the far end
+    "d = exp(-zeta)*(C*cos(zeta) + G*sin(zeta))",
+    "d' = exp(-zeta)*((C - G)*cos(zeta) + (C + G)*sin(zeta))",
+    "d'' = 2*exp(-zeta)*(C*sin(zeta) - G*cos(zeta))",
+    "d''' = -2*exp(-zeta)*((C + G)*cos(zeta) + (G - C)*sin(zeta))",
+)
+BENT = (
+    "w = f + d + w_p",
+    "w' = alpha_s*(f' + d')",
+    "M = D_s*alpha_s**2*(f'' + d'')",
+    "Q = D_s*alpha_s**3*(f''' + d''')",
 )
 OF_RING = ("u = (q - Q_0)*r_1**2/(E*F')", "psi = 12*(m - M_0 - Q_0*b/2)*r_1**2/(E*F'*b**2)")
 FOLLOWS = {"edge": "w_0 = u + psi*b/2", "centre": "w_0 = u"}
 RING_STRESS = "sigma_k = E/r_1*(abs(u) + abs(psi)*b/2)"
-BENDING = (
-    "M = 2*D_s*alpha_s**2*(exp(-xi)*(A*sin(xi) - B*cos(xi)) + exp(-zeta)*(C*sin(zeta) - G*cos(zeta)))",
-    "Q = 2*D_s*alpha_s**3*(exp(-xi)*((A + B)*cos(xi) + (B - A)*sin(xi)) "
-    "- exp(-zeta)*((C + G)*cos(zeta) + (G - C)*sin(zeta)))",
+STRESSES = (
     "sigma_x = 6*M/h**2",
     "sigma_t = E*w/r_1",
-    "sigma_i = sqrt(sigma_x**2 - sigma_x*(sigma_t + mu*sigma_x) + (sigma_t + mu*sigma_x)**2)",
-    "sigma_e = sqrt(sigma_x**2 + sigma_x*(sigma_t - mu*sigma_x) + (sigma_t - mu*sigma_x)**2)",
+    "sigma_{ti} = sigma_t + mu*sigma_x",
+    "sigma_{te} = sigma_t - mu*sigma_x",
+    "sigma_i = sqrt(sigma_x**2 - sigma_x*sigma_{ti} + sigma_{ti}**2)",
+    "sigma_e = sqrt(sigma_x**2 + sigma_x*sigma_{te} + sigma_{te}**2)",
 )
 FIGURE = 170.0  # height [mm]
 GIVEN = ("r_1", "h", "r_2", "b", "L", "E", "mu", "p", "q", "m", "p_{max}", "D_h", "e", "kappa", "sigma_P")
@@ -88,8 +99,9 @@ def blocks(order: Order) -> Iterator[Block]:
     if task.pressure:
         yield Paragraph(tr("The pressure alone widens the shell by"))
         yield from lines([SWOLLEN], [place])
-    yield from _joined(result, task, shell, place)
-    yield from _stresses(result, task, shell, lexicon)
+    places = [Place(said, lexicon | named(_at(task, shell, x))) for x, said in _shown(result, shell).items()]
+    yield from _joined(result, task, shell, place, places)
+    yield from _stresses(result, task, places, lexicon)
     yield from _course(result)
 
 
@@ -135,7 +147,7 @@ def _quantities(result: Liner, task: LinerTask, shell: Shell) -> Lexicon:
     return found
 
 
-def _joined(result: Liner, task: LinerTask, shell: Shell, place: Place) -> Iterator[Block]:
+def _joined(result: Liner, task: LinerTask, shell: Shell, place: Place, places: Sequence[Place]) -> Iterator[Block]:
     """The waves of the shell, what holds at its ends, and that it follows the ring."""
     yield Heading(tr("Forces between ring and shell"), 3)
     finite = shell.span is not None
@@ -174,16 +186,22 @@ def _joined(result: Liner, task: LinerTask, shell: Shell, place: Place) -> Itera
     if finite:
         yield Paragraph(tr("At the far end there is neither moment nor force:"))
         yield from lines(FREE_END, [place])
-    a, b = (f"${numeral(MM * float(each), 7)}$" for each in shell.waves[:2])
+    a, b = (plainly(MM * float(each), 7) for each in shell.waves[:2])
+    found = {"a": a, "b": b, "q": plainly(KILO * result.force, 7), "m": plainly(result.couple, 7)}
     yield Paragraph(
         tr(
-            "The solution of these linear equations is $A$ = {a} mm, $B$ = {b} mm. With it the shell has at the ring",
-            a=a,
-            b=b,
+            "The solution of these linear equations is $A$ = {a} mm, $B$ = {b} mm, $Q_0$ = {q} N/mm, $M_0$ = {m} N. "
+            "The shell has with it:",
+            **found,
         )
     )
-    yield from lines(AT_RING, [place])
-    yield Paragraph(tr("The ring has the same deflection and turn:"))
+    yield from lines(["xi = alpha_s*x", *(["zeta = lambda - xi"] if finite else []), *NEAR, *FAR, *BENT], places)
+    yield Paragraph(
+        tr(
+            "At the ring these are $Q = Q_0$, $M = -M_0$, $w = w_0$, $w' = psi$. The ring has the same deflection "
+            "and turn:"
+        )
+    )
     yield from lines([*OF_RING, FOLLOWS[task.continuity]], [place])
     yield from _others(result, task, shell)
 
@@ -215,25 +233,31 @@ def _others(result: Liner, task: LinerTask, shell: Shell) -> Iterator[Block]:
     yield Table(tr("Force and moment between ring and shell"), head, rows, "liner_others")
 
 
-def _stresses(result: Liner, task: LinerTask, shell: Shell, lexicon: Lexicon) -> Iterator[Block]:
+def _shown(result: Liner, shell: Shell) -> dict[float, str]:
+    """The places of the bore that are worked out: the ring, the extremes, one where the wave has fallen to a third."""
+    at = {0.0: tr("at the ring")}
+    at.setdefault(result.bending.x, tr("at the largest bending"))
+    at.setdefault(result.largest.x, tr("at the largest equivalent stress"))
+    between = float(result.x[int(np.argmin(np.abs(shell.alpha * result.x - 1.0)))])
+    at.setdefault(between, tr("at x = {place} mm", place=plainly(MM * between)))
+    if shell.span is not None:
+        at.setdefault(float(shell.span / shell.alpha), tr("at the far end"))
+    return at
+
+
+def _stresses(result: Liner, task: LinerTask, places: Sequence[Place], lexicon: Lexicon) -> Iterator[Block]:
     """The stress of the ring; those of the shell at the ring and where they are largest, with what is allowed."""
     yield Heading(tr("Stresses"), 3)
     yield Paragraph(tr("The largest stress of the ring at its inner edge:"))
     yield from lines([RING_STRESS], [Place("", lexicon)])
     yield Paragraph(
         tr(
-            "Moment, force and stresses of the shell: $sigma_x$ of bending at the inner surface, $sigma_t$ along the "
-            "circumference, $sigma_i$ and $sigma_e$ equivalent by Mises at the inner and the outer surface:"
+            "Stresses of the shell: $sigma_x$ of bending at the inner surface, $sigma_t$ along the circumference, in "
+            "the mean and at both surfaces, $sigma_i$ and $sigma_e$ equivalent by Mises at the inner and the outer "
+            "surface:"
         )
     )
-    at = {0.0: tr("at the ring")}
-    at.setdefault(result.bending.x, tr("at the largest bending"))
-    at.setdefault(result.largest.x, tr("at the largest equivalent stress"))
-    between = float(result.x[int(np.argmin(np.abs(shell.alpha * result.x - 1.0)))])
-    at.setdefault(between, tr("at x = {place} mm", place=plainly(MM * between)))
-    places = [Place(said, lexicon | named(_at(task, shell, x))) for x, said in at.items()]
-    finite = ("zeta = lambda - xi",) if shell.span is not None else ()
-    yield from lines(["xi = alpha_s*x", *finite, WAVES, *BENDING], places)
+    yield from lines(STRESSES, places)
     peak = result.largest
     values = {"stress": plainly(peak.stress / MEGA), "x": plainly(MM * peak.x)}
     yield Paragraph(
@@ -254,17 +278,34 @@ def _at(task: LinerTask, shell: Shell, x: float) -> Lexicon:
     """Deflection, moment, force and stresses at a place of the bore."""
     found = {name: float(each[0]) for name, each in along(task, shell, np.array([x])).items()}
     xi = float(shell.alpha) * x
-    return {
+    near, far = (tuple(MM * float(each[0]) for each in wave) for wave in waves_at(shell, np.array([x])))
+    order = (
+        tr("first derivative of the wave"),
+        tr("second derivative of the wave"),
+        tr("third derivative of the wave"),
+    )
+    waves = {}
+    for letter, wave, said in (("f", near, tr("wave from the ring")), ("d", far, tr("wave from the far end"))):
+        for k, (value, meaning) in enumerate(zip(wave, (said, *order), strict=True)):
+            waves[letter + "'" * k] = Given(value, "mm", meaning)
+    return waves | {
         "x": Given(MM * x, "mm", tr("place along the bore, from the ring")),
         "xi": Given(xi, "", tr("reduced distance from the ring")),
         "zeta": Given(
             0.0 if shell.span is None else float(shell.span) - xi, "", tr("reduced distance from the far end")
         ),
         "w": Given(MM * found["w"], "mm", tr("deflection of the shell outwards")),
+        "w'": Given(found["slope"], "rad", tr("slope of the shell")),
         "M": Given(found["bend"], "N", tr("moment of bending of the shell")),
         "Q": Given(KILO * found["shear"], "N/mm", tr("force across the shell")),
         "sigma_x": Given(found["axial"] / MEGA, "MPa", tr("stress of bending at the inner surface")),
         "sigma_t": Given(found["hoop"] / MEGA, "MPa", tr("stress along the circumference")),
+        "sigma_{ti}": Given(
+            found["inner_hoop"] / MEGA, "MPa", tr("stress along the circumference at the inner surface")
+        ),
+        "sigma_{te}": Given(
+            found["outer_hoop"] / MEGA, "MPa", tr("stress along the circumference at the outer surface")
+        ),
         "sigma_i": Given(found["inner"] / MEGA, "MPa", tr("equivalent stress at the inner surface")),
         "sigma_e": Given(found["outer"] / MEGA, "MPa", tr("equivalent stress at the outer surface")),
     }
@@ -283,7 +324,7 @@ def _course(result: Liner) -> Iterator[Block]:
         "$sigma_i$, MPa": result.inner / MEGA,
         "$sigma_e$, MPa": result.outer / MEGA,
     }
-    yield course(tr("The shell along the bore"), columns, "liner_course")
     yield drawn(
         tr("Deflection, moment and stresses along the bore"), partial(draw_liner, result=result), FIGURE, "liner"
     )
+    yield course(tr("The shell along the bore"), columns, "liner_course")

@@ -16,6 +16,7 @@ from tmmcalc.extras.reliability import (
     failure_rate,
     falling_part,
     hazard,
+    load_margin,
     strength_at,
 )
 from tmmcalc.extras.tables.reliability import ReliabilityTable
@@ -30,7 +31,7 @@ from tmmcalc.report.telling import lines, named, tabulated
 
 READINGS = ("a = (n*x_{(1)} - x_{(n)})/(n - 1)", "b = (n*x_{(n)} - x_{(1)})/(n - 1)")
 CLIPPED = "a = max((n*x_{(1)} - x_{(n)})/(n - 1), 0)"
-STRENGTH = "r = exp(beta*t_{(1)})*(2*b*h*m + beta*(b - a) - sqrt(4*b*beta*h*m*(b - a) + beta**2*(b - a)**2))/(2*h*m)"
+STRENGTH = ("w = beta*(b - a)/(2*h*m)", "r = exp(beta*t_{(1)})*(b + w - sqrt(w*(2*b + w)))")
 LONGEST = "t_0 = ln(r/b)/beta"
 SURE = "t_a = ln(r/a)/beta"
 BEFORE, WITHIN, AFTER = range(3)  # t_0; t_0 and t_a; t_a
@@ -73,7 +74,7 @@ def blocks(order: Order) -> Iterator[Block]:
                 beta=f"${numeral(result.decay, 7)}$",
             )
         )
-        yield from lines([STRENGTH], [place])
+        yield from lines(STRENGTH, [place])
     yield Heading(tr("Reliability over the time"), 3)
     yield from _ends(result, place)
     yield from _at_times(result, law, lexicon)
@@ -103,6 +104,8 @@ def _quantities(result: Reliability, task: ReliabilityTask, table: ReliabilityTa
         found["x_{(n)}"] = Given(max(table.readings), "", tr("largest reading"))
     if task.test is not None:
         found["m"] = Given(float(task.test.items), "", tr("number of items of the test"))
+        margin = load_margin(task, task.test, result.decay)
+        found["w"] = Given(margin, "", tr("auxiliary quantity of the strength"))
         found["t_{(1)}"] = Given(task.test.least, "", tr("shortest life of the test"))
     if result.floor is not None:
         found["t_a"] = Given(result.floor, "", tr("time from which on every shock is a failure"))
@@ -217,22 +220,18 @@ def _lives(result: Reliability, law: Law, lexicon: Lexicon) -> Iterator[Block]:
     yield Heading(tr("Lives"), 3)
     yield Paragraph(
         tr(
-            "The time up to which the product survives with the reliability $R$ is found numerically from $H = "
-            "ln(1/R)$; table {tab:reliability_lives} has these lives, the equations check them:"
+            "The time up to which the product survives with the reliability $R$ is found numerically from "
+            "$H = ln(1/R)$; table {tab:reliability_lives} has these lives. Check:"
         )
     )
     for part in (WITHIN, AFTER):
-        chosen = [(kept, life) for kept, life in result.lives if _part(result, life) == part]
-        places = []
-        for kept, life in chosen:
-            place = _place(result, law, lexicon, life)
-            place.lexicon["R"] = Given(kept, "", tr("reliability"))
-            places.append(place)
+        places = [_place(result, law, lexicon, life) for _, life in result.lives if _part(result, life) == part]
         if places:
-            yield from lines([HAZARD[part].replace("H =", "ln(1/R) =", 1)], places)
+            yield from lines([HAZARD[part]], places)
     kept, lives = zip(*result.lives, strict=True)
+    columns = {"$ln(1/R)$": -np.log(kept), "$t$": lives}
     labels = [plainly(each) for each in kept]
-    yield tabulated(tr("Lives"), {"$t$": lives}, labels, head="$R$", key="reliability_lives")
+    yield tabulated(tr("Lives"), columns, labels, head="$R$", key="reliability_lives")
 
 
 def _course(result: Reliability) -> Iterator[Block]:
@@ -247,6 +246,6 @@ def _course(result: Reliability) -> Iterator[Block]:
         "$R$": result.kept,
         "$f$": result.density,
     }
-    yield course(tr("Reliability over the time"), columns, "reliability_course")
     draw = partial(draw_reliability, result=result)
     yield drawn(tr("Reliability, density of the life, intensity of failures"), draw, FIGURE, "reliability")
+    yield course(tr("Reliability over the time"), columns, "reliability_course")

@@ -36,7 +36,7 @@ BEGINS = {
 }
 TIGHT = "k_5 = (4*(A*sigma_y - P_0)*cos(alpha)*cos(beta) + F_0)/F_1"
 SLACK = "k_5 = (2*A*sigma_y*(mu*sin(alpha) + cos(alpha)*cos(beta)) - mu*V + F_0)/F_1"
-TIPS = "k_6 = (G_2*a/L + V)/(G_2*D/(2*L))"
+TIPS = "k_6 = 2*(G_2*a + V*L)/(G_2*D)"
 FIGURE = 110.0  # height [mm]
 OF_LOAD = ("G_2", "k", "mu", "alpha", "beta")
 OF_TIES = ("P_0", "M", "d_2", "gamma", "rho'", "A", "sigma_y")
@@ -237,5 +237,5 @@ def _course(result: TieDown) -> Iterator[Block]:
         "$R_b$, N": result.balance,
         "$R'_b$, N": result.slackening,
     }
-    yield course(tr("Forces of the ties over the inertia"), columns, "tie_down_course")
     yield drawn(tr("Forces of the ties"), partial(draw_tie_down, result=result), FIGURE, "tie_down")
+    yield course(tr("Forces of the ties over the inertia"), columns, "tie_down_course")

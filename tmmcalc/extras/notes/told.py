@@ -25,10 +25,11 @@ def given(lexicon: Lexicon, names: Sequence[str], key: str, caption: str = "") -
         if found is not None and isinstance(found.value, float):
             unit, factor = printed_as(found.unit)
             value = f"${significant(factor * found.value, FIGURES)}$"
-            rows.append((found.meaning, f"${name}$", "°" if unit == "deg" else tr_unit(unit), value))
+            rows.append((found.meaning, f"${name}$", value, "°" if unit == "deg" else tr_unit(unit)))
     yield Paragraph(tr("The input data are in table {tab}.", tab=f"{{tab:{key}}}"))
-    head = tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value")
-    yield Table(caption or tr("Input data"), head, tuple(rows), key)
+    head = tr("Quantity"), tr("Designation"), tr("Value"), tr("Unit")
+    wide = 4 if any(unit for *_, unit in rows) else 3  # without a column of units where none has one
+    yield Table(caption or tr("Input data"), head[:wide], tuple(row[:wide] for row in rows), key)
 
 
 def course(caption: str, columns: Mapping[str, np.ndarray], key: str) -> Table:

@@ -41,7 +41,7 @@ WIND = "W_i = q_0*n*c*gamma*beta*A/1000"
 INERTIA = {True: "P = sum(G_k, k)*v/(g*t)", False: "P = sum(G_k, k)*j/g"}
 MARGIN = {"sum": "K_m = K_1 + K_2", "product": "K_m = K_1*K_2"}
 STRESS = ("sigma = 10*N/A", "sigma_a = sigma_0/(K_m*K_n)")
-SPEEDS = 70.0  # height of the diagrams of the ways [mm]
+SPEEDS = 55.0  # height of the diagram of a way [mm]
 BAR, FRAME = 9.0, 32.0  # heights of a stress and of what is around all [mm]
 
 
@@ -141,7 +141,7 @@ def _speeds(result: Transloader, task: TransloaderTask) -> Iterator[Block]:
         yield from _usual(drive, way, place)
         yield from lines([TIMES[drive.speed <= drive.peak], SHORTEST], [place], words)
     said = tr("Speeds over the time of a way")
-    yield drawn(said, partial(draw_ways, result=result), SPEEDS, "transloader_ways")
+    yield drawn(said, partial(draw_ways, result=result, across=False), SPEEDS * len(result.drives), "transloader_ways")
 
 
 def _of_way(drive: Drive) -> Lexicon:
@@ -350,17 +350,21 @@ def _is_of(check: Check, part: Part, letter: str) -> bool:
 
 def _parts(parts: Sequence[Part]) -> Table:
     """Where each part belongs, how it is made, its section and limit stresses."""
-    rows = []
-    for part in parts:
-        limits = (part.strength, part.endurance)
-        cells = ["–" if each is None else f"${numeral(each / MEGA)}$" for each in limits]
-        duty = part.duty or MECHANISMS[part.mechanism].duty
-        words = (tr_name(part.name), tr_name(part.mechanism), tr_name(duty), tr_name(part.making))
-        rows.append((*words, f"${numeral(1e4 * part.area)}$", *cells))
-    limit = f"$sigma_0$, {tr_unit('MPa')}"
-    numbers = f"$A$, {tr_unit('cm^2')}", limit, f"{limit}, {_kind('endurance')}"
-    head = tr("Part"), tr("Mechanism"), tr("Duty"), tr("Made"), *numbers
-    return Table(tr("Parts whose stresses are looked at"), head, tuple(rows), "transloader_parts")
+    duties = [part.duty or MECHANISMS[part.mechanism].duty for part in parts]
+    rows = (
+        (tr("mechanism"), *(tr_name(part.mechanism) for part in parts)),
+        (tr("duty"), *map(tr_name, duties)),
+        (tr("made"), *(tr_name(part.making) for part in parts)),
+        (f"$A$, {tr_unit('cm^2')}", *(f"${numeral(1e4 * part.area)}$" for part in parts)),
+        (f"$sigma_0$, {tr_unit('MPa')}, {_kind('strength')}", *(_megapascals(part.strength) for part in parts)),
+        (f"$sigma_0$, {tr_unit('MPa')}, {_kind('endurance')}", *(_megapascals(part.endurance) for part in parts)),
+    )
+    head = tr("Part"), *(tr_name(part.name) for part in parts)
+    return Table(tr("Parts whose stresses are looked at"), head, rows, "transloader_parts")
+
+
+def _megapascals(stress: float | None) -> str:
+    return "–" if stress is None else f"${numeral(stress / MEGA)}$"
 
 
 def _influence(parts: Sequence[Part]) -> Table:
@@ -432,7 +436,7 @@ def _like(checks: Sequence[Check], part: Part, *, kind: str) -> Place:
 
 
 def _kind(kind: str) -> str:
-    return tr("against fatigue") if kind == "endurance" else tr("against static stress")
+    return tr("endurance") if kind == "endurance" else tr("static strength")
 
 
 def _of_part(part: Part, check: Check) -> Lexicon:

@@ -41,9 +41,9 @@ def transloader_drawing(result: Transloader) -> Drawing:
     return drawing
 
 
-def draw_ways(drawing: Drawing, box: Box, result: Transloader) -> None:
-    """Speeds of trolley and hoist over the time of a way, side by side."""
-    parts = box.split(*(1.0 for _ in result.drives), gap=5, across=True)
+def draw_ways(drawing: Drawing, box: Box, result: Transloader, *, across: bool = True) -> None:
+    """Speeds of trolley and hoist over the time of a way, side by side or one under another."""
+    parts = box.split(*(1.0 for _ in result.drives), gap=5, across=across)
     for part, drive in zip(parts, result.drives, strict=True):
         _way(drawing, part, drive)
 
@@ -87,9 +87,9 @@ def _loads(drawing: Drawing, box: Box, result: Transloader) -> None:
 def draw_stresses(drawing: Drawing, box: Box, result: Transloader) -> None:
     """Bars of the stresses, with what is allowed as marks."""
     names = [
-        tr("{part}, {case} endurance", part=each.part, case=each.case)
+        tr("{part}, {case} endurance", part=tr_name(each.part), case=each.case)
         if each.kind == "endurance"
-        else tr("{part}, {case} strength", part=each.part, case=each.case)
+        else tr("{part}, {case} strength", part=tr_name(each.part), case=each.case)
         for each in result.checks
     ]
     rows = [(1e-6 * each.stress, 1e-6 * each.allowed, 1e-6 * each.other) for each in result.checks]
