@@ -144,7 +144,7 @@ def test_mutants_are_caught() -> None:
                     caught += 1
                 else:
                     missed.append((name, mutant))
-    assert caught > 500
+    assert caught > 400
     assert len(missed) <= 0.01 * (caught + len(missed)), missed
 
 

@@ -223,13 +223,16 @@ def _shape(waves: Values, xi: Any, span: Any) -> tuple[Any, Any, Any, Any]:
     return value, slope, second, third
 
 
-def waves_at(shell: Shell, x: Values) -> tuple[tuple[Values, ...], tuple[Values, ...]]:
-    """The waves [m] from the ring and from the far end at the places x (n,), each with its derivatives by alpha x."""
+def waves_at(shell: Shell, x: Values) -> tuple[tuple[Values, Values], tuple[Values, Values]]:
+    """The waves p [m] from the ring and from the far end at the places x (n,), each with s, minus half its second
+    derivative by alpha x."""
     a, b, c, g = shell.waves
     xi, nothing = shell.alpha * x, 0.0 * shell.alpha
-    near = _shape(np.array([a, b, nothing, nothing]), xi, None)
-    far = (nothing * xi,) * 4
-    return near, far if shell.span is None else _shape(np.array([nothing, nothing, c, g]), xi, shell.span)
+    near, _, bent, _ = _shape(np.array([a, b, nothing, nothing]), xi, None)
+    if shell.span is None:
+        return (near, -bent / 2), (nothing * xi, nothing * xi)
+    far, _, far_bent, _ = _shape(np.array([nothing, nothing, c, g]), xi, shell.span)
+    return (near, -bent / 2), (far, -far_bent / 2)
 
 
 def along(task: LinerTask, shell: Shell, x: Values) -> dict[str, Values]:

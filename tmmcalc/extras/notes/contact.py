@@ -34,7 +34,7 @@ ELLIPSE = (
 )
 GRID = ("c = l/N", "n = 3*N*(N + 1) + 1")
 PARABOLOID = "h = x**2/(2*R_x) + y**2/(2*R_y)"
-FIGURE = 105.0  # height [mm]
+FIGURE = 84.0  # height [mm]
 
 
 def blocks(order: Order) -> Iterator[Block]:

@@ -30,27 +30,17 @@ RING = "F' = r_1*b*ln(r_2/r_1)"
 CLAMPED = "m = kappa*p_{max}*D_h**2*e/(8*r_1)"
 SWOLLEN = "w_p = p*r_1**2/(E*h)"
 WAVES = "w = exp(-xi)*(A*cos(xi) + B*sin(xi)) + exp(-zeta)*(C*cos(zeta) + G*sin(zeta)) + w_p"
-FREE_END = (
-    "G = exp(-lambda)*(A*sin(lambda) - B*cos(lambda))",
-    "C = exp(-lambda)*((A + B)*cos(lambda) + (B - A)*sin(lambda)) - G",
-)
-NEAR = (  # the wave from the ring with its derivatives
-    "f = exp(-xi)*(A*cos(xi) + B*sin(xi))",
-    "f' = exp(-xi)*((B - A)*cos(xi) - (A + B)*sin(xi))",
-    "f'' = 2*exp(-xi)*(A*sin(xi) - B*cos(xi))",
-    "f''' = 2*exp(-xi)*((A + B)*cos(xi) + (B - A)*sin(xi))",
-)
-FAR = (  # that from the far end
-    "d = exp(-zeta)*(C*cos(zeta) + G*sin(zeta))",
-    "d' = exp(-zeta)*((C - G)*cos(zeta) + (C + G)*sin(zeta))",
-    "d'' = 2*exp(-zeta)*(C*sin(zeta) - G*cos(zeta))",
-    "d''' = -2*exp(-zeta)*((C + G)*cos(zeta) + (G - C)*sin(zeta))",
+NEAR = ("p_1 = exp(-xi)*(A*cos(xi) + B*sin(xi))", "s_1 = exp(-xi)*(B*cos(xi) - A*sin(xi))")
+FREE_END = ("G = -s_1", "C = p_1 + 2*s_1")
+FAR = (
+    "p_2 = exp(-zeta)*C*cos(zeta) + exp(-zeta)*G*sin(zeta)",
+    "s_2 = exp(-zeta)*G*cos(zeta) - exp(-zeta)*C*sin(zeta)",
 )
 BENT = (
-    "w = f + d + w_p",
-    "w' = alpha_s*(f' + d')",
-    "M = D_s*alpha_s**2*(f'' + d'')",
-    "Q = D_s*alpha_s**3*(f''' + d''')",
+    "w = p_1 + p_2 + w_p",
+    "w' = alpha_s*(s_1 - p_1) - alpha_s*(s_2 - p_2)",
+    "M = -2*D_s*alpha_s**2*(s_1 + s_2)",
+    "Q = 2*D_s*alpha_s**3*(p_1 + s_1) - 2*D_s*alpha_s**3*(p_2 + s_2)",
 )
 OF_RING = ("u = (q - Q_0)*r_1**2/(E*F')", "psi = 12*(m - M_0 - Q_0*b/2)*r_1**2/(E*F'*b**2)")
 FOLLOWS = {"edge": "w_0 = u + psi*b/2", "centre": "w_0 = u"}
@@ -63,7 +53,8 @@ STRESSES = (
     "sigma_i = sqrt(sigma_x**2 - sigma_x*sigma_{ti} + sigma_{ti}**2)",
     "sigma_e = sqrt(sigma_x**2 + sigma_x*sigma_{te} + sigma_{te}**2)",
 )
-FIGURE = 170.0  # height [mm]
+GONE = 2.5e-10  # of the waves from the ring: smaller ones are nothing, several of them together below `EXACT`
+FIGURE = 150.0  # height [mm]
 GIVEN = ("r_1", "h", "r_2", "b", "L", "E", "mu", "p", "q", "m", "p_{max}", "D_h", "e", "kappa", "sigma_P")
 
 
@@ -99,8 +90,13 @@ def blocks(order: Order) -> Iterator[Block]:
     if task.pressure:
         yield Paragraph(tr("The pressure alone widens the shell by"))
         yield from lines([SWOLLEN], [place])
-    places = [Place(said, lexicon | named(_at(task, shell, x))) for x, said in _shown(result, shell).items()]
-    yield from _joined(result, task, shell, place, places)
+    shown = _shown(result, shell)
+    felt = _felt(shell, [*shown])
+    if felt and shell.span is not None:
+        shown.setdefault(float(shell.span / shell.alpha), tr("at the far end"))
+    nothing = {} if felt else {name: Given(0.0) for name in ("C", "G", "p_2", "s_2")}
+    places = [Place(said, lexicon | named(_at(task, shell, x)) | nothing) for x, said in shown.items()]
+    yield from _joined(result, task, shell, place, places, felt=felt)
     yield from _stresses(result, task, places, lexicon)
     yield from _course(result)
 
@@ -147,18 +143,21 @@ def _quantities(result: Liner, task: LinerTask, shell: Shell) -> Lexicon:
     return found
 
 
-def _joined(result: Liner, task: LinerTask, shell: Shell, place: Place, places: Sequence[Place]) -> Iterator[Block]:
+def _joined(
+    result: Liner, task: LinerTask, shell: Shell, place: Place, places: Sequence[Place], *, felt: bool
+) -> Iterator[Block]:
     """The waves of the shell, what holds at its ends, and that it follows the ring."""
     yield Heading(tr("Forces between ring and shell"), 3)
-    finite = shell.span is not None
-    if finite:
+    if shell.span is not None:
+        yield Paragraph(tr("The reduced length of the shell, by which waves die away along it:"))
+        yield from lines(["lambda = alpha_s*L"], [place])
+    if felt:
         yield Paragraph(
             tr(
                 "The deflection $w$ of the shell outwards are waves that die away from the ring, with $xi = "
                 "alpha_s*x$, and from the far end, with $zeta = lambda - xi$:"
             )
         )
-        yield from lines(["lambda = alpha_s*L"], [place])
         yield Display(read(WAVES if task.pressure else WAVES.removesuffix(" + w_p")))
     else:
         yield Paragraph(
@@ -183,9 +182,6 @@ def _joined(result: Liner, task: LinerTask, shell: Shell, place: Place, places: 
     )
     ring = (OF_RING[0].replace("q - Q_0", "-Q_0") if not task.load else OF_RING[0], OF_RING[1])
     yield from (Display(read(text)) for text in (*ring, FOLLOWS[task.continuity]))
-    if finite:
-        yield Paragraph(tr("At the far end there is neither moment nor force:"))
-        yield from lines(FREE_END, [place])
     a, b = (plainly(MM * float(each), 7) for each in shell.waves[:2])
     found = {"a": a, "b": b, "q": plainly(KILO * result.force, 7), "m": plainly(result.couple, 7)}
     yield Paragraph(
@@ -195,7 +191,13 @@ def _joined(result: Liner, task: LinerTask, shell: Shell, place: Place, places: 
             **found,
         )
     )
-    yield from lines(["xi = alpha_s*x", *(["zeta = lambda - xi"] if finite else []), *NEAR, *FAR, *BENT], places)
+    yield from lines(["xi = alpha_s*x", *NEAR], places)
+    if felt:
+        yield Paragraph(tr("At the far end there is neither moment nor force, which gives the waves from it:"))
+        yield from lines(FREE_END, [places[-1]._replace(name="")])
+        yield from lines(["zeta = lambda - xi", *FAR], places)
+    yield Paragraph(tr("Deflection, slope, moment and force of the shell:"))
+    yield from lines(BENT, places)
     yield Paragraph(
         tr(
             "At the ring these are $Q = Q_0$, $M = -M_0$, $w = w_0$, $w' = psi$. The ring has the same deflection "
@@ -240,9 +242,14 @@ def _shown(result: Liner, shell: Shell) -> dict[float, str]:
     at.setdefault(result.largest.x, tr("at the largest equivalent stress"))
     between = float(result.x[int(np.argmin(np.abs(shell.alpha * result.x - 1.0)))])
     at.setdefault(between, tr("at x = {place} mm", place=plainly(MM * between)))
-    if shell.span is not None:
-        at.setdefault(float(shell.span / shell.alpha), tr("at the far end"))
     return at
+
+
+def _felt(shell: Shell, places: Sequence[float]) -> bool:
+    """Whether the waves from the far end are anything at these places."""
+    (near, bent), (far, far_bent) = waves_at(shell, np.array(places))
+    size = np.maximum(np.abs(near), np.abs(bent))
+    return bool(np.any(np.maximum(np.abs(far), np.abs(far_bent)) > GONE * size))
 
 
 def _stresses(result: Liner, task: LinerTask, places: Sequence[Place], lexicon: Lexicon) -> Iterator[Block]:
@@ -278,16 +285,13 @@ def _at(task: LinerTask, shell: Shell, x: float) -> Lexicon:
     """Deflection, moment, force and stresses at a place of the bore."""
     found = {name: float(each[0]) for name, each in along(task, shell, np.array([x])).items()}
     xi = float(shell.alpha) * x
-    near, far = (tuple(MM * float(each[0]) for each in wave) for wave in waves_at(shell, np.array([x])))
-    order = (
-        tr("first derivative of the wave"),
-        tr("second derivative of the wave"),
-        tr("third derivative of the wave"),
-    )
-    waves = {}
-    for letter, wave, said in (("f", near, tr("wave from the ring")), ("d", far, tr("wave from the far end"))):
-        for k, (value, meaning) in enumerate(zip(wave, (said, *order), strict=True)):
-            waves[letter + "'" * k] = Given(value, "mm", meaning)
+    (near, near_bent), (far, far_bent) = waves_at(shell, np.array([x]))
+    waves = {
+        "p_1": Given(MM * float(near[0]), "mm", tr("wave from the ring")),
+        "s_1": Given(MM * float(near_bent[0]), "mm", tr("half the second derivative of the wave, with the other sign")),
+        "p_2": Given(MM * float(far[0]), "mm", tr("wave from the far end")),
+        "s_2": Given(MM * float(far_bent[0]), "mm", tr("half the second derivative of the wave, with the other sign")),
+    }
     return waves | {
         "x": Given(MM * x, "mm", tr("place along the bore, from the ring")),
         "xi": Given(xi, "", tr("reduced distance from the ring")),

@@ -458,11 +458,11 @@ def _of_part(part: Part, check: Check) -> Lexicon:
 def _checked(result: Transloader) -> Table:
     """All stresses beside what is allowed, also by the other factor."""
     other = "$K_1*K_2$" if result.factors == "sum" else "$K_1 + K_2$"
+    both = {each.part for each in result.checks if each.kind == "endurance"}
     rows = tuple(
         (
             tr_name(each.part),
-            each.case,
-            _kind(each.kind),
+            f"{each.case}, {_kind(each.kind)}" if each.part in both and each.case == "A" else each.case,
             *(f"${numeral(value)}$" for value in (each.stress / MEGA, each.allowed / MEGA, each.other / MEGA)),
             f"${numeral(100 * each.use, 4)}$",
             tr("yes") if each.holds else tr("no"),
@@ -471,7 +471,7 @@ def _checked(result: Transloader) -> Table:
     )
     stress = f"$sigma$, {tr_unit('MPa')}", f"$sigma_a$, {tr_unit('MPa')}"
     by_other = tr("$sigma_a$ by {factor}, MPa", factor=other)
-    head = tr("Part"), tr("Case"), tr("Check"), *stress, by_other, "$sigma$/$sigma_a$, %", tr("Kept")
+    head = tr("Part"), tr("Case"), *stress, by_other, "$sigma$/$sigma_a$, %", tr("Kept")
     return Table(tr("Stresses beside what is allowed"), head, rows, "transloader_stresses")
 
 
