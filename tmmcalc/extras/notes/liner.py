@@ -30,7 +30,10 @@ RING = "F' = r_1*b*ln(r_2/r_1)"
 CLAMPED = "m = kappa*p_{max}*D_h**2*e/(8*r_1)"
 SWOLLEN = "w_p = p*r_1**2/(E*h)"
 WAVES = "w = exp(-xi)*(A*cos(xi) + B*sin(xi)) + exp(-zeta)*(C*cos(zeta) + G*sin(zeta)) + w_p"
-NEAR = ("p_1 = exp(-xi)*(A*cos(xi) + B*sin(xi))", "s_1 = exp(-xi)*(B*cos(xi) - A*sin(xi))")
+NEAR = (
+    "p_1 = exp(-xi)*A*cos(xi) + exp(-xi)*B*sin(xi)",
+    "s_1 = exp(-xi)*B*cos(xi) - exp(-xi)*A*sin(xi)",
+)
 FREE_END = ("G = -s_1", "C = p_1 + 2*s_1")
 FAR = (
     "p_2 = exp(-zeta)*C*cos(zeta) + exp(-zeta)*G*sin(zeta)",
@@ -237,12 +240,11 @@ def _others(result: Liner, task: LinerTask, shell: Shell) -> Iterator[Block]:
 
 def _shown(result: Liner, shell: Shell) -> dict[float, str]:
     """The places of the bore that are worked out: the ring, the extremes, one where the wave has fallen to a third."""
-    at = {0.0: tr("at the ring")}
-    at.setdefault(result.bending.x, tr("at the largest bending"))
-    at.setdefault(result.largest.x, tr("at the largest equivalent stress"))
     between = float(result.x[int(np.argmin(np.abs(shell.alpha * result.x - 1.0)))])
-    at.setdefault(between, tr("at x = {place} mm", place=plainly(MM * between)))
-    return at
+    places = dict.fromkeys((result.bending.x, result.largest.x, between))
+    at = {x: tr("at x = {place} mm", place=plainly(MM * x)) for x in sorted(places)}
+    at[0.0] = tr("at the ring")
+    return dict(sorted(at.items()))
 
 
 def _felt(shell: Shell, places: Sequence[float]) -> bool:

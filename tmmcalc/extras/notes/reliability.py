@@ -11,6 +11,7 @@ from tmmcalc.extras.notes.told import course, given
 from tmmcalc.extras.pictures.reliability import draw_reliability
 from tmmcalc.extras.reliability import (
     Law,
+    LifeTest,
     Reliability,
     ReliabilityTask,
     failure_rate,
@@ -31,12 +32,12 @@ from tmmcalc.report.telling import lines, named, tabulated
 
 READINGS = ("a = (n*x_{(1)} - x_{(n)})/(n - 1)", "b = (n*x_{(n)} - x_{(1)})/(n - 1)")
 CLIPPED = "a = max((n*x_{(1)} - x_{(n)})/(n - 1), 0)"
-STRENGTH = ("w = beta*(b - a)/(2*h*m)", "r = exp(beta*t_{(1)})*(b + w - sqrt(w*(2*b + w)))")
+STRENGTH = ("w = beta*(b - a)/(2*h*m)", "x_m = b + w - sqrt(w*(2*b + w))", "r = x_m*exp(beta*t_{(1)})")
 LONGEST = "t_0 = ln(r/b)/beta"
 SURE = "t_a = ln(r/a)/beta"
 BEFORE, WITHIN, AFTER = range(3)  # t_0; t_0 and t_a; t_a
 HAZARD = {
-    WITHIN: "H = h/(b - a)*(b*(t - t_0) - (x_0 - x)/beta)",
+    WITHIN: "H = h*b*(t - t_0)/(b - a) - h*(x_0 - x)/((b - a)*beta)",
     AFTER: "H = H_a + h*(t - t_a)",
 }
 INTENSITY = {WITHIN: "lambda = h*(b - x)/(b - a)", AFTER: "lambda = h"}
@@ -106,10 +107,16 @@ def _quantities(result: Reliability, task: ReliabilityTask, table: ReliabilityTa
         found["m"] = Given(float(task.test.items), "", tr("number of items of the test"))
         margin = load_margin(task, task.test, result.decay)
         found["w"] = Given(margin, "", tr("auxiliary quantity of the strength"))
+        found["x_m"] = Given(_weakest(result, task.test), "", tr("strength at the shortest life"))
         found["t_{(1)}"] = Given(task.test.least, "", tr("shortest life of the test"))
     if result.floor is not None:
         found["t_a"] = Given(result.floor, "", tr("time from which on every shock is a failure"))
     return found
+
+
+def _weakest(result: Reliability, test: LifeTest) -> float:
+    law = Law(result.low, result.high, 1.0, result.strength, result.decay)
+    return float(strength_at(law, np.array([test.least]))[0])
 
 
 def _readings(readings: list[float], place: Place) -> Iterator[Block]:
