@@ -29,16 +29,10 @@ SHELL = ("alpha_s = (3*(1 - mu**2)/(r_1**2*h**2))**(1/4)", "D_s = E*h**3/(12*(1 
 RING = "F' = r_1*b*ln(r_2/r_1)"
 CLAMPED = "m = kappa*p_{max}*D_h**2*e/(8*r_1)"
 SWOLLEN = "w_p = p*r_1**2/(E*h)"
-WAVES = "w = exp(-xi)*(A*cos(xi) + B*sin(xi)) + exp(-zeta)*(C*cos(zeta) + G*sin(zeta)) + w_p"
-NEAR = (
-    "p_1 = exp(-xi)*A*cos(xi) + exp(-xi)*B*sin(xi)",
-    "s_1 = exp(-xi)*B*cos(xi) - exp(-xi)*A*sin(xi)",
-)
+WAVES = "w = (A*cos(xi) + B*sin(xi))/exp(xi) + (C*cos(zeta) + G*sin(zeta))/exp(zeta) + w_p"
+NEAR = ("p_1 = (A*cos(xi) + B*sin(xi))/exp(xi)", "s_1 = (B*cos(xi) - A*sin(xi))/exp(xi)")
 FREE_END = ("G = -s_1", "C = p_1 + 2*s_1")
-FAR = (
-    "p_2 = exp(-zeta)*C*cos(zeta) + exp(-zeta)*G*sin(zeta)",
-    "s_2 = exp(-zeta)*G*cos(zeta) - exp(-zeta)*C*sin(zeta)",
-)
+FAR = ("p_2 = (C*cos(zeta) + G*sin(zeta))/exp(zeta)", "s_2 = (G*cos(zeta) - C*sin(zeta))/exp(zeta)")
 BENT = (
     "w = p_1 + p_2 + w_p",
     "w' = alpha_s*(s_1 - p_1) - alpha_s*(s_2 - p_2)",
@@ -169,7 +163,7 @@ def _joined(
                 "$xi = alpha_s*x$:"
             )
         )
-        near = WAVES.partition(" + exp(-zeta)")[0]
+        near = WAVES.partition(" + (C")[0]
         yield Display(read(f"{near} + w_p" if task.pressure else near))
     yield Paragraph(
         tr(
