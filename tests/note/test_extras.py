@@ -139,7 +139,9 @@ def test_mutants_are_caught() -> None:
     caught, missed = 0, []
     for name in READY:
         for block in blocks(told(f"extra-{name}", only=ONLY)):
-            for mutant in mutants(block.formula) if isinstance(block, Line) else ():
+            if not isinstance(block, Line):
+                continue
+            for mutant in mutants(block.formula):
                 if any(wrong(mutant, place.lexicon) for place in block.places):
                     caught += 1
                 else:
@@ -217,9 +219,9 @@ def test_limits_that_fail_are_told(tmp_path: Path) -> None:
     made = chapters("too strained", tmp_path)
     said = text(Assembler().written([*made, conclusions(made, [], [])]))
     assert "Limits that are not kept:" in said
-    assert said.count("stress of the part σ = ") == sum(
-        each.given.value > (each.limit or 0) for each in blocks(made) if isinstance(each, Result)
-    )
+    results = [each for each in blocks(made) if isinstance(each, Result)]
+    failing = [each for each in results if float(str(each.given.value)) > (each.limit or 0.0)]
+    assert said.count("stress of the part σ = ") == len(failing) > 1
     high = chapters("speeds too high", tmp_path)
     said = text(Assembler().written([*high, conclusions(high, [], [])]))
     assert "speed of the trolley by its way v_t = 180 m/min is above 51.962 m/min" in said

@@ -95,7 +95,7 @@ def _quantities(result: Ball, task: BallTask, fall: Fall) -> Lexicon:
         "r_0": Given(task.radius, "m", tr("radius at the beginning")),
         "alpha": Given(task.drag, "", tr("coefficient of drag")),
         "lambda": Given(task.decay, "1/s", tr("decay of the radius")),
-        "g": Given(task.gravity, "m/s^2", tr("acceleration of free fall")),
+        "g": Given(task.gravity, "m/s^2", tr("free-fall acceleration")),
         "v_0": Given(task.initial, "m/s", tr("speed at the beginning")),
         "g_1": Given(result.drive, "m/s^2", tr("driving acceleration")),
         "eta_0": Given(result.argument, "", tr("argument of the Bessel functions at the beginning")),

@@ -106,7 +106,7 @@ def _quantities(result: Liner, task: LinerTask, shell: Shell) -> Lexicon:
         "h": Given(MM * task.thickness, "mm", tr("wall of the shell")),
         "r_2": Given(MM * task.outer, "mm", tr("outer radius of the ring")),
         "b": Given(MM * task.width, "mm", tr("width of the ring along the bore")),
-        "E": Given(task.young / MEGA, "MPa", tr("modulus of elasticity")),
+        "E": Given(task.young / MEGA, "MPa", tr("modulus of elasticity of the liner")),
         "mu": Given(task.poisson, "", tr("Poisson's ratio")),
         "alpha_s": Given(result.alpha / MM, "1/mm", tr("parameter of the shell")),
         "D_s": Given(MM * result.stiffness, "N*mm", tr("bending stiffness of the shell")),

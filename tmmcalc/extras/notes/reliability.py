@@ -236,7 +236,7 @@ def _lives(result: Reliability, law: Law, lexicon: Lexicon) -> Iterator[Block]:
         if places:
             yield from lines([HAZARD[part]], places)
     kept, lives = zip(*result.lives, strict=True)
-    columns = {"$ln(1/R)$": -np.log(kept), "$t$": lives}
+    columns = {"$ln(1/R)$": -np.log(kept), "$t$": np.array(lives)}
     labels = [plainly(each) for each in kept]
     yield tabulated(tr("Lives"), columns, labels, head="$R$", key="reliability_lives")
 

@@ -82,7 +82,7 @@ GIVEN = ("Q", "m", "g", "L", "f", "v_b", "v_l")
 def _quantities(result: Transloader, task: TransloaderTask) -> Lexicon:
     found = {
         "Q": Given(task.capacity / KILO, "t", tr("rated capacity")),
-        "g": Given(task.gravity, "m/s^2", tr("acceleration of free fall")),
+        "g": Given(task.gravity, "m/s^2", tr("free-fall acceleration")),
     }
     sizes = (
         ("m", task.mass, "t", 1 / KILO, tr("mass of the whole transloader")),
@@ -352,7 +352,7 @@ def _parts(parts: Sequence[Part]) -> Table:
     """Where each part belongs, how it is made, its section and limit stresses."""
     duties = [part.duty or MECHANISMS[part.mechanism].duty for part in parts]
     rows = (
-        (tr("mechanism"), *(tr_name(part.mechanism) for part in parts)),
+        (tr("its mechanism"), *(tr_name(part.mechanism) for part in parts)),
         (tr("duty"), *map(tr_name, duties)),
         (tr("made"), *(tr_name(part.making) for part in parts)),
         (f"$A$, {tr_unit('cm^2')}", *(f"${numeral(1e4 * part.area)}$" for part in parts)),
