@@ -224,7 +224,7 @@ def test_limits_that_fail_are_told(tmp_path: Path) -> None:
     assert said.count("stress of the part σ = ") == len(failing) > 1
     high = chapters("speeds too high", tmp_path)
     said = text(Assembler().written([*high, conclusions(high, [], [])]))
-    assert "speed of the trolley by its way v_t = 180 m/min is above 51.962 m/min" in said
+    assert "speed of the trolley by its way v_1 = 180 m/min is above 51.962 m/min" in said
 
 
 def test_a_chapter_of_one_subject_has_its_title_and_one_of_several_its_parts(tmp_path: Path) -> None:

@@ -34,11 +34,14 @@ from tmmcalc.report.manuscript import Block, Heading, Lexicon, Listing, Paragrap
 from tmmcalc.report.telling import lines, named
 
 KILO, MEGA = 1e3, 1e6
-PEAK = ("v_p = sqrt(<L>*j)",)
-TIMES = {True: "t = <L>/v + v/j", False: "t = <L>/v_p + v_p/j"}  # whether the speed is reached
-SHORTEST = "t_p = 2*sqrt(<L>/j)"
+PEAK = "v_{p<i>} = sqrt(<L>*j_<i>)"
+TIMES = {  # whether the speed is reached
+    True: "t_<i> = <L>/v_<i> + v_<i>/j_<i>",
+    False: "t_<i> = <L>/v_{p<i>} + v_{p<i>}/j_<i>",
+}
+SHORTEST = "t_{p<i>} = 2*sqrt(<L>/j_<i>)"
 WIND = "W_i = q_0*n*c*gamma*beta*A/1000"
-INERTIA = {True: "P = sum(G_k, k)*v/(g*t)", False: "P = sum(G_k, k)*j/g"}
+INERTIA = {True: "P = sum(G_k, k)*v/(g*t)", False: "P = sum(G_k, k)*j_1/g"}
 MARGIN = {"sum": "K_m = K_1 + K_2", "product": "K_m = K_1*K_2"}
 STRESS = ("sigma = 10*N/A", "sigma_a = sigma_0/(K_m*K_n)")
 SPEEDS = 55.0  # height of the diagram of a way [mm]
@@ -123,7 +126,7 @@ def _speeds(result: Transloader, task: TransloaderTask) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "A way begins and ends at rest, with one acceleration. Where it is nothing but acceleration and braking "
-            "its largest speed $v_p$ is reached in its middle; at a lower speed the time of the way is longer."
+            "its largest speed is reached in its middle; at a lower speed the time of the way is longer."
         )
     )
     for drive in result.drives:
@@ -134,10 +137,11 @@ def _speeds(result: Transloader, task: TransloaderTask) -> Iterator[Block]:
         place = Place("", lexicon)
         caption = tr("Way of the trolley") if trolley else tr("Way of the hoist")
         length = "L_0" if trolley else "H"
-        words = {"L": length}
-        names = [length, "j", *(["v"] if way.speed is not None else [])]
+        i = "1" if trolley else "2"
+        words = {"L": length, "i": i}
+        names = [length, f"j_{i}", *([f"v_{i}"] if way.speed is not None else [])]
         yield from given(lexicon, names, f"transloader_{drive.what}", caption)
-        yield from lines(PEAK, [place], words)
+        yield from lines([PEAK], [place], words)
         yield from _usual(drive, way, place)
         yield from lines([TIMES[drive.speed <= drive.peak], SHORTEST], [place], words)
     said = tr("Speeds over the time of a way")
@@ -147,13 +151,14 @@ def _speeds(result: Transloader, task: TransloaderTask) -> Iterator[Block]:
 def _of_way(drive: Drive) -> Lexicon:
     trolley = drive.what == "trolley"
     said = tr("longest way of the trolley") if trolley else tr("height of the lift")
+    speed, i = (tr("speed of the trolley"), "1") if trolley else (tr("speed of the hoist"), "2")
     return {
         "L_0" if trolley else "H": Given(drive.length, "m", said),
-        "j": Given(drive.acceleration, "m/s^2", tr("acceleration and deceleration")),
-        "v_p": Given(drive.peak, "m/s", tr("speed that the way allows")),
-        "v": Given(drive.speed, "m/s", tr("speed")),
-        "t": Given(drive.time, "s", tr("time of the way")),
-        "t_p": Given(drive.shortest, "s", tr("time of the way that is nothing but acceleration and braking")),
+        f"j_{i}": Given(drive.acceleration, "m/s^2", tr("acceleration and deceleration")),
+        f"v_{{p{i}}}": Given(drive.peak, "m/s", tr("speed that the way allows")),
+        f"v_{i}": Given(drive.speed, "m/s", speed),
+        f"t_{i}": Given(drive.time, "s", tr("time of the way")),
+        f"t_{{p{i}}}": Given(drive.shortest, "s", tr("time of the way that is nothing but acceleration and braking")),
     }
 
 
@@ -165,7 +170,8 @@ def _usual(drive: Drive, way: Way, place: Place) -> Iterator[Block]:
     part, (_, most) = (TROLLEY_PART, TROLLEY) if trolley else (HOIST_PART, HOIST)
     top = plainly(MINUTE * most)
     yield Paragraph(tr("As is usual this part of it is taken, but not more than {speed} m/min:", speed=top))
-    yield from lines([f"v = min({part:g}*v_p, {MINUTE * most:g}/{MINUTE:g})"], [place])
+    i = "1" if trolley else "2"
+    yield from lines([f"v_{i} = min({part:g}*v_{{p{i}}}, {MINUTE * most:g}/{MINUTE:g})"], [place])
 
 
 def _limits(limits: Sequence[Limit]) -> Iterator[Block]:
@@ -191,11 +197,11 @@ def _limits(limits: Sequence[Limit]) -> Iterator[Block]:
 
 PRINTED = {"m/s": ("m/min", MINUTE)}
 SYMBOLS = {
-    "trolley_speed": "v_t",
-    "trolley_speed_by_way": "v_t",
-    "hoist_speed": "v_h",
-    "hoist_speed_by_height": "v_h",
-    "hoist_acceleration": "j_h",
+    "trolley_speed": "v_1",
+    "trolley_speed_by_way": "v_1",
+    "hoist_speed": "v_2",
+    "hoist_speed_by_height": "v_2",
+    "hoist_acceleration": "j_2",
     "lift": "H",
     "lowering_speed": "v_l",
     "bridge_speed": "v_b",
@@ -262,7 +268,7 @@ def _inertia(task: TransloaderTask, drives: Sequence[Drive], lexicon: Lexicon) -
         found["v"] = Given(speed, "m/s", tr("speed that the weights reach"))
         found["t"] = Given(start.time, "s", tr("time in which they reach it"))
     elif task.trolley is not None:
-        found["j"] = Given(task.trolley.acceleration, "m/s^2", tr("acceleration of the trolley"))
+        found["j_1"] = Given(task.trolley.acceleration, "m/s^2", tr("acceleration of the trolley"))
     yield Paragraph(
         tr("Force of inertia of what is set into motion:")
         if start.time is not None
