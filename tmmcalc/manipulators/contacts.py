@@ -11,6 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.linkage.results import Grade
 from tmmcalc.manipulators.arms import elbow_point
@@ -85,14 +86,15 @@ def _segments(moved: Motion, t: Values) -> list[tuple[Values, Values]]:
 def contact_grades(contacts: Sequence[Contact]) -> tuple[Grade, ...]:
     """A warning where path or arm crosses an obstacle; what the straight line does is no fault."""
     return tuple(
-        Grade("warning", f"obstacle {each.obstacle}", f"the {each.what} {_words(each)}")
+        Grade("warning", Phrase("obstacle {name}", name=each.obstacle), _words(each))
         for each in contacts
         if each.what != "straight line" and each.intervals
     )
 
 
-def _words(each: Contact) -> str:
+def _words(each: Contact) -> Phrase:
     if all(a == b for a, b in each.intervals):
-        return f"touches it at t = {', '.join(f'{a:.6g}' for a, _ in each.intervals)} s"
-    shown = " and ".join(f"from t = {a:.6g} to {b:.6g} s" for a, b in each.intervals)
-    return f"crosses it {shown}"
+        at = tuple(f"{a:.6g}" for a, _ in each.intervals)
+        return Phrase("the {what} touches it at t = {at} s", what=each.what, at=at)
+    shown = tuple(f"{a:.6g} … {b:.6g}" if a < b else f"{a:.6g}" for a, b in each.intervals)
+    return Phrase("the {what} crosses it at t = {at} s", what=each.what, at=shown)

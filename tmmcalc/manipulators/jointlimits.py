@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.panels import Values, resolved
 from tmmcalc.core.numerics.roots import Indices, bracketed
 from tmmcalc.core.timerows import RESOLVED, over_time
@@ -75,13 +76,26 @@ def _excess(
 
 def excess_grades(excesses: Sequence[LimitExcess]) -> tuple[Grade, ...]:
     """A warning for each."""
-    return tuple(Grade("warning", f"joint {each.joint}", _words(each)) for each in excesses)
+    return tuple(Grade("warning", Phrase("joint {name}", name=each.joint), _words(each)) for each in excesses)
 
 
-def _words(each: LimitExcess) -> str:
-    factor, unit = (180 / math.pi, "deg") if each.angular else (1.0, "m")
+def _words(each: LimitExcess) -> Phrase:
+    factor = 180 / math.pi if each.angular else 1.0
     value, limit, excess = (factor * v for v in (each.value, each.limit, each.excess))
-    return (
-        f"{value:.7g} {unit} at t = {each.t:.6g} s passes its limit of {limit:.7g} {unit} by {excess:.4g} {unit}; "
-        f"it is first beyond it at t = {each.first:.6g} s"
+    return Phrase(
+        _ANGLE if each.angular else _LENGTH,
+        value=f"{value:.7g}",
+        t=f"{each.t:.6g}",
+        limit=f"{limit:.7g}",
+        excess=f"{excess:.4g}",
+        first=f"{each.first:.6g}",
     )
+
+
+_ANGLE = (
+    "{value} deg at t = {t} s passes its limit of {limit} deg by {excess} deg; "
+    "it is first beyond it at t = {first} s"
+)
+_LENGTH = (
+    "{value} m at t = {t} s passes its limit of {limit} m by {excess} m; it is first beyond it at t = {first} s"
+)

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, SingularityError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.panels import Values, resolved
 from tmmcalc.core.plane import Plane
 from tmmcalc.core.timerows import over_time
@@ -156,15 +157,18 @@ def singular_grades(places: tuple[SingularPlace, ...], inverse: bool) -> tuple[G
     """Warnings at places that are nearly singular; in the direct problem also at those that are."""
     grades = []
     for each in places:
-        shown = f"sin = {each.value:.4g}" if each.what == "elbow" else f"{each.what} = {each.value:.4g} m"
+        values = {"what": each.what, "value": f"{each.value:.4g}", "t": f"{each.t:.6g}"}
+        sine = each.what == "elbow"
         if each.relative < SINGULAR and not inverse:
-            text = f"singular at t = {each.t:.6g} s ({shown}): the inverse problem has no rates there"
+            text = Phrase(_SINE if sine else _DISTANCE, **values)
         else:
-            text = (
-                f"nearly singular at t = {each.t:.6g} s ({shown}): the joints turn {1 / each.relative:.4g} times faster"
-            )
-        grades.append(Grade("warning", f"joint {_JOINTS[each.what]}", text))
+            text = Phrase(_NEAR_SINE if sine else _NEAR_DISTANCE, **values, times=f"{1 / each.relative:.4g}")
+        grades.append(Grade("warning", Phrase("joint {name}", name=_JOINTS[each.what]), text))
     return tuple(grades)
 
 
+_SINE = "singular at t = {t} s (sin = {value}): the inverse problem has no rates there"
+_DISTANCE = "singular at t = {t} s ({what} = {value} m): the inverse problem has no rates there"
+_NEAR_SINE = "nearly singular at t = {t} s (sin = {value}): the joints turn {times} times faster"
+_NEAR_DISTANCE = "nearly singular at t = {t} s ({what} = {value} m): the joints turn {times} times faster"
 _JOINTS = {"r": "psi", "l_3": "phi_2", "elbow": "elbow"}
