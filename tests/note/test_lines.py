@@ -31,6 +31,10 @@ MUTATED = (
     "pair-internal",
     "pair-rack",
     "wheel",
+    "manipulator",
+    "manipulator-angular",
+    "vibratory-device",
+    "pendulum-rotor",
 )
 SWAPPED = {"sin": "cos", "cos": "sin"}
 

@@ -93,9 +93,6 @@ def _words(each: LimitExcess) -> Phrase:
 
 
 _ANGLE = (
-    "{value} deg at t = {t} s passes its limit of {limit} deg by {excess} deg; "
-    "it is first beyond it at t = {first} s"
+    "{value} deg at t = {t} s passes its limit of {limit} deg by {excess} deg; it is first beyond it at t = {first} s"
 )
-_LENGTH = (
-    "{value} m at t = {t} s passes its limit of {limit} m by {excess} m; it is first beyond it at t = {first} s"
-)
+_LENGTH = "{value} m at t = {t} s passes its limit of {limit} m by {excess} m; it is first beyond it at t = {first} s"

@@ -20,6 +20,7 @@ from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragrap
 from tmmcalc.report.optimal import PHASES, by_duration, by_travel, phase_named, quantities
 from tmmcalc.report.telling import column_of, lines, named, pictured, tabulated
 
+
 def blocks(order: Order) -> Iterator[Block]:
     """The largest speed and the times of the phases, the law in each, the table and the extremes."""
     result: Unsteady = order.results["unsteady"]

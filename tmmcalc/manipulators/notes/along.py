@@ -137,7 +137,9 @@ def _at(told: Told, at: At) -> Lexicon:
         ),
         "v": Given(speed, "m/s", tr("speed of the gripper")),
         "a": Given(acceleration, "m/s^2", tr("tangential acceleration of the gripper")),
-        "s_j": Given(math.fsum(each.length for each in leg.pieces[: at.piece]), "m", tr("way at the beginning of the piece")),
+        "s_j": Given(
+            math.fsum(each.length for each in leg.pieces[: at.piece]), "m", tr("way at the beginning of the piece")
+        ),
         **arc_quantities(told, piece),
     }
     if piece.radius is None or piece.centre is None:

@@ -33,10 +33,8 @@ INVERSE = {
         "gamma = phi_3 - phi_2",
         "omega_2 = (v_<r>*cos(phi_3) + v_<z>*sin(phi_3))/(l_a*sin(gamma))",
         "omega_3 = -(v_<r>*cos(phi_2) + v_<z>*sin(phi_2))/(l_b*sin(gamma))",
-        "eps_2 = (a_<r>*cos(phi_3) + a_<z>*sin(phi_3) + l_a*omega_2**2*cos(gamma) + l_b*omega_3**2)"
-        "/(l_a*sin(gamma))",
-        "eps_3 = -(a_<r>*cos(phi_2) + a_<z>*sin(phi_2) + l_a*omega_2**2 + l_b*omega_3**2*cos(gamma))"
-        "/(l_b*sin(gamma))",
+        "eps_2 = (a_<r>*cos(phi_3) + a_<z>*sin(phi_3) + l_a*omega_2**2*cos(gamma) + l_b*omega_3**2)/(l_a*sin(gamma))",
+        "eps_3 = -(a_<r>*cos(phi_2) + a_<z>*sin(phi_2) + l_a*omega_2**2 + l_b*omega_3**2*cos(gamma))/(l_b*sin(gamma))",
     ),
 }
 REACH = ("r = x", "v_r = v_x", "a_r = a_x")  # of a cylindrical arm without a base, the other way too
@@ -91,7 +89,9 @@ def direct(told: Told) -> Iterator[Block]:
     arm = told.arm
     yield Heading(tr("Direct problem: motion of the gripper"), 2)
     yield Paragraph(_said(told))
-    reach = () if arm.kind != "cylindrical" or arm.spatial else tuple(" = ".join(each.split(" = ")[::-1]) for each in REACH)
+    reach = (
+        () if arm.kind != "cylindrical" or arm.spatial else tuple(" = ".join(each.split(" = ")[::-1]) for each in REACH)
+    )
     yield from told.lines((*reach, *DIRECT[arm.kind]), told.rows, {}, None)
     yield from _elbow(told)
     if arm.spatial:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
+from tmmcalc.core.numerics.panels import Values
 from tmmcalc.manipulators.notes import along, arms, moves
 from tmmcalc.manipulators.notes.path import path
 from tmmcalc.manipulators.notes.told import Told, joint_words, letter
@@ -34,8 +35,7 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from _given(told)
     if result.inverse:
         yield Heading(tr("Path of the gripper"), 2)
-        yield from path(told)
-        yield pictured(first, key="manipulator_path")
+        yield from path(told, first)
         yield from along.law(told)
         yield from along.motion(told)
         yield from arms.inverse(told)
@@ -191,28 +191,34 @@ def _tables(told: Told) -> Iterator[Block]:
         way = dict(zip(("$s$, m", "$v$, m/s", "$a$, m/s^2"), result.way, strict=True))
         caption = tr("Way of the gripper along the path, its speed and tangential acceleration")
         yield tabulated(caption, {"$t$, s": result.t, **way}, result.labels, head=tr("Row"), key="manipulator_way")
-    states = {
-        f"${letter_}{axis}$, {unit}": result.gripper[order, k]
-        for order, (letter_, unit) in enumerate((("", "m"), ("v_", "m/s"), ("a_", "m/s^2")))
-        for k, axis in enumerate(told.axes)
-    }
-    own = states if told.arm.spatial else {"$t$, s": result.t, **states}
-    yield tabulated(
-        tr("Coordinates of the gripper, its velocity and acceleration"),
-        own,
-        result.labels,
-        head=tr("Row"),
-        key="manipulator_gripper",
-    )
-    columns = {}
+    states = [
+        {f"${name}{axis}$, {unit}": result.gripper[order, k] for k, axis in enumerate(told.axes)}
+        for order, (name, unit) in enumerate((("", "m"), ("v_", "m/s"), ("a_", "m/s^2")))
+    ]
+    first = [tr("Coordinates of the gripper, its velocity and acceleration")]
+    if told.arm.spatial:  # a page has room for one more beside two vectors
+        first = [tr("Coordinates of the gripper and its velocity"), tr("Acceleration of the gripper")]
+    yield from _parted(told, first, states, "manipulator_gripper")
+    joints = []
     for k, joint in enumerate(told.arm.joints):
         units = ("deg", "rad/s", "rad/s^2") if joint.turns else ("m", "m/s", "m/s^2")
         values = (np.degrees(result.q[0, k]) if joint.turns else result.q[0, k], *result.q[1:, k])
-        columns |= {f"${name}$, {unit}": row for name, unit, row in zip(joint[:3], units, values, strict=True)}
-    caption = tr("Joint coordinates with their derivatives")
-    yield tabulated(caption, columns, result.labels, head=tr("Row"), key="manipulator_joints")
+        joints.append({f"${name}$, {unit}": row for name, unit, row in zip(joint[:3], units, values, strict=True)})
+    second = [tr("Joint coordinates with their derivatives")]
+    if told.arm.spatial:
+        joints = [*joints[1:], joints[0]]
+        second += [tr("Rotation of the base with its derivatives")]
+    yield from _parted(told, second, joints, "manipulator_joints")
     if result.elbow is not None and result.elbow_angle is not None:
         places = {f"${axis}_E$, m": row for axis, row in zip(told.axes, result.elbow, strict=True)}
         bent = {"$gamma$, deg": np.degrees(result.elbow_angle[0]), **places}
         caption = tr("Angle and place of the elbow")
         yield tabulated(caption, {"$t$, s": result.t, **bent}, result.labels, head=tr("Row"), key="manipulator_elbow")
+
+
+def _parted(told: Told, captions: Sequence[str], columns: Sequence[Mapping[str, Values]], key: str) -> Iterator[Block]:
+    """Columns over the time in one table, or the last of them in one of their own."""
+    parts = [columns] if len(captions) == 1 else [columns[:-1], columns[-1:]]
+    for k, (caption, own) in enumerate(zip(captions, parts, strict=True)):
+        joined = {"$t$, s": told.result.t, **{name: row for each in own for name, row in each.items()}}
+        yield tabulated(caption, joined, told.result.labels, head=tr("Row"), key=key * (k == 0))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -11,10 +11,11 @@ import numpy as np
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.timelaw import TimeLaw, by_travel, phase_of
 from tmmcalc.manipulators.motions import motion_of
-from tmmcalc.manipulators.notes.told import Told, joint_quantities, joint_words
+from tmmcalc.manipulators.notes.told import Told, joint_quantities
 from tmmcalc.manipulators.task import Joint, JointMove, LawTask, TableTask
 from tmmcalc.report import optimal
 from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.symbols import GREEK
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
@@ -50,7 +51,8 @@ def by_laws(told: Told, asked: LawTask) -> Iterator[Block]:
         )
     )
     if still:
-        yield Paragraph(tr("These coordinates stay as they are: {names}.", names=", ".join(f"${each}$" for each in still)))
+        names = ", ".join(f"${each}$" for each in still)
+        yield Paragraph(tr("These coordinates stay as they are: {names}.", names=names))
     if not moved:
         return
     yield from _travels(told, moved)
@@ -118,7 +120,13 @@ def _travels(told: Told, moved: Sequence[Moved]) -> Iterator[Block]:
 
 
 def _place(each: Moved) -> Place:
-    return Place(tr("for {quantity}", quantity=each.joint.name), _law(each))
+    return Place(tr("for {quantity}", quantity=_symbol(each.joint)), _law(each))
+
+
+def _symbol(joint: Joint) -> str:
+    """A joint coordinate in a text without formulas."""
+    letter, _, index = joint.name.partition("_")
+    return GREEK.get(letter, letter) + "".join(chr(ord("₀") + int(digit)) for digit in index)
 
 
 def _settled(moved: Sequence[Moved], *, timed: bool) -> Iterator[Block]:
@@ -175,7 +183,7 @@ def _at(told: Told, each: Moved, row: int, *, letters: bool = True) -> Place:
     }
     name = told.named(row)
     if letters:
-        name = tr("for {quantity}", quantity=each.joint.name) + ", " + name
+        name = tr("for {quantity}", quantity=_symbol(each.joint)) + ", " + name
     return Place(name, named(found))
 
 
@@ -280,17 +288,6 @@ def _inside(told: Told, joint: Joint, row: int, curve: tuple[Values, Values, Val
         found[f"p_{name}"] = Given(float(factor * values[j]), shown, tr("coordinates of the joint in the table"))
         found[f"w_{name}"] = Given(float(rates[j]), f"{unit}/s", tr("rates of the joint at the rows of the table"))
     return Place(told.named(row), named(found))
-
-
-def table_of(told: Told, asked: LawTask | TableTask) -> Mapping[str, str]:
-    """The given motion, by what it is."""
-    if isinstance(asked, TableTask):
-        return {}
-    found = {}
-    for move in asked.moves:
-        joint = next(each for each in told.arm.joints if each.name == move.name)
-        found[f"${move.name}$"] = joint_words(told.arm, joint)[0]
-    return found
 
 
 def shown(told: Told) -> list[int]:

@@ -18,14 +18,15 @@ from tmmcalc.manipulators.task import ArcRoute, ArcThrough, PathTask, PolyRoute
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Lexicon, Paragraph, Place, Table
-from tmmcalc.report.telling import column_of, lines, named
+from tmmcalc.report.sheets.piece import Piece as PicturePiece
+from tmmcalc.report.telling import column_of, lines, named, pictured
 
 HALF_CIRCLE = 1e-9  # of a turn from half a turn: the centre is in the middle of the chord
 SHOWN = 3  # corners that are worked out by numbers
 
 
-def path(told: Told) -> Iterator[Block]:
-    """What settles the path, and the table of its pieces."""
+def path(told: Told, picture: PicturePiece) -> Iterator[Block]:
+    """What settles the path, its picture, and the table of its pieces."""
     asked = told.task.motion
     assert isinstance(asked, PathTask)
     route = asked.route
@@ -33,6 +34,7 @@ def path(told: Told) -> Iterator[Block]:
         yield from _polyline(told, route)
     else:
         yield from _arc(told, route)
+    yield pictured(picture, key="manipulator_path")
     yield from _pieces(told)
 
 
@@ -221,7 +223,9 @@ def _rounded(told: Told, corners: Sequence[tuple[int, Values]], sides: Sequence[
             **unit_vector("u_", told, before.e1, tr("unit vector along the line before the corner")),
             **unit_vector("w_", told, after.e1, tr("unit vector along the line after the corner")),
             "kappa": Given(abs(cut.theta_end - cut.theta), "rad", tr("angle by which the path turns at the corner")),
-            "c": Given(float(np.linalg.norm(corner - cut.start)), "m", tr("way from the corner to both ends of the arc")),
+            "c": Given(
+                float(np.linalg.norm(corner - cut.start)), "m", tr("way from the corner to both ends of the arc")
+            ),
             "S": Given(cut.length, "m", tr("length of the arc")),
         }
         turned = "" if told.arm.spatial else "+" if cut.sense > 0 else "-"
@@ -237,8 +241,12 @@ def _rounded(told: Told, corners: Sequence[tuple[int, Values]], sides: Sequence[
     texts += [f"{axis}_s = {axis}_2 - c*u_{axis}" for axis in axes]
     yield from lines([*texts, *centre, "S = R*kappa"], every)
     if told.arm.spatial:
-        yield Paragraph(tr("The angle of the arc is counted from the direction of the line before it:"))
-        yield from lines([f"e_1{axis} = u_{axis}" for axis in axes], every)
+        yield Paragraph(
+            tr(
+                "The angle of the arc is counted from the direction $e_1 = u$ of the line before it; across it "
+                "is $e_2$:"
+            )
+        )
         yield from lines([f"e_2{axis} = ({axis}_c - {axis}_s)/R" for axis in axes], every)
         yield from lines(["theta_1 = -pi/2", "theta_2 = theta_1 + kappa"], every)
         return

@@ -44,7 +44,9 @@ def _extremes(told: Told) -> Iterator[Block]:
         "a_tangential": tr("tangential acceleration of the gripper"),
         "a_normal": tr("normal acceleration of the gripper"),
     }
-    joints = {name: f"${letter(joint) if not k else name}$" for joint in told.arm.joints for k, name in enumerate(joint[:3])}
+    joints = {
+        name: f"${letter(joint) if not k else name}$" for joint in told.arm.joints for k, name in enumerate(joint[:3])
+    }
     letters |= joints | {"elbow": "$gamma$"}
     found = [each for each in result.extremes if each.name in letters and each.least != each.largest]
     rows = tuple(_extreme(each, letters[each.name]) for each in found)
