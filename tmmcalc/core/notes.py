@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from math import pi
+from string import Formatter
 from typing import Any
 
+FORM = re.compile(r":[^{}]*\}")  # of a number in a text with its digits
 LEVELS = ("note", "warning")
 SHOWN = {  # units of the data and of sentences, with the factor between them
     ("m", "mm"): 1e3,
@@ -64,7 +67,8 @@ class Note(str):
     def stored(self) -> dict[str, Any]:
         """What it is made of, by name; parts that it has not are left out."""
         parts = zip(("level", "text", "place", "value", "limit", "unit", "name"), self.__getnewargs__(), strict=True)
-        return {key: part for key, part in parts if part not in (None, "")}
+        kept = {key: part for key, part in parts if part not in (None, "")}
+        return {key: part.stored() if isinstance(part, Phrase) else part for key, part in kept.items()}
 
 
 Said = Note | str  # in a result: a sentence, with its numbers or without
@@ -102,7 +106,9 @@ def restored(kind: type[Note] | type[Phrase], data: str | dict[str, Any]) -> Not
     >>> restored(Note, Note("note", "two", value=2.0).stored())
     'note: two'
     """
-    return kind(**data) if isinstance(data, dict) else data
+    if not isinstance(data, dict):
+        return data
+    return kind(**{key: Phrase(**part) if isinstance(part, dict) else part for key, part in data.items()})
 
 
 def held(
@@ -127,8 +133,20 @@ def held(
     """
     value, limit = float(value), float(limit)
     factor = SHOWN[unit, shown] if shown else 1.0
-    said = text.format(value=factor * value, limit=factor * limit, unit=shown or unit, **words)
-    return Note(level, said, place, value, limit, unit, name)
+    numbers = {"value": factor * value, "limit": factor * limit, "unit": shown or unit, **words}
+    return Note(level, _phrase(text, numbers), place, value, limit, unit, name)
+
+
+def _phrase(text: str, numbers: Mapping[str, Any]) -> Phrase | str:
+    """The text with its numbers as they are told; a plain one where a number stands twice in different digits."""
+    forms: dict[str, str] = {}
+    for _, key, form, _ in Formatter().parse(text):
+        if key is not None and forms.setdefault(key, form or "") != (form or ""):
+            return text.format(**numbers)
+    if "template" in forms:
+        return text.format(**numbers)
+    template = FORM.sub("}", text)
+    return Phrase(template, **{key: format(numbers[key], form) for key, form in forms.items()})
 
 
 def finding(note: str) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -19,7 +20,8 @@ from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
 from tmmcalc.vibration.pendulum.results import Campbell, PendulumResult
 from tmmcalc.vibration.pendulum.swing import SwingCourse
-from tmmcalc.vibration.pictures.sheets import Sheet, sheets_of
+from tmmcalc.report.sheets.piece import Piece
+from tmmcalc.vibration.pictures.sheets import sheets_of
 
 RPM = 30 / np.pi
 SPIN = Pen("SPIN", 0.35, colour=INK)
@@ -33,12 +35,22 @@ def figure(order: Order) -> Drawing:
 
 def pendulum_drawing(result: PendulumResult) -> Drawing:
     """A sheet each of shapes, Campbell diagram and motion, as far as there are results."""
-    content: list[Sheet] = [(tr("Mode shapes"), partial(_shapes, result=result))]
+    return sheets_of([(piece.heading, piece.draw) for piece in pieces_of(result).values()])
+
+
+def pieces_of(result: PendulumResult) -> dict[str, Piece]:
+    """Shapes, Campbell diagram and motion, as far as there are results."""
+    found = {"modes": _piece(tr("Mode shapes"), partial(_shapes, result=result), 100.0)}
     if result.campbell is not None:
-        content.append((tr("Campbell diagram"), partial(_campbell, result=result, campbell=result.campbell)))
+        drawn = partial(_campbell, result=result, campbell=result.campbell)
+        found["campbell"] = _piece(tr("Campbell diagram"), drawn, 150.0 if len(result.campbell.whirl) else 90.0)
     if result.swing is not None:
-        content.append((tr("Motion of the lower end"), partial(_swing, swing=result.swing)))
-    return sheets_of(content)
+        found["swing"] = _piece(tr("Motion of the lower end"), partial(_swing, swing=result.swing), 85.0)
+    return found
+
+
+def _piece(heading: str, draw: Callable[[Drawing, Box], None], high: float) -> Piece:
+    return Piece("linkage", heading, draw, (150.0, 80.0), (160.0, high))
 
 
 def _shapes(drawing: Drawing, box: Box, result: PendulumResult) -> None:

@@ -1,0 +1,94 @@
+"""The note on vibration: every device and rotor that a spec allows, its equations put together and solved by others."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from note.scenes import told, written
+from note.test_lines import mutants, wrong
+from tmmcalc.note.assembled import Assembler, Checked
+from tmmcalc.note.plaintext import text
+from tmmcalc.note.tree import Written
+from tmmcalc.pipeline.chapters import chapters_of, stages_of
+from tmmcalc.pipeline.picturing import NONE
+from tmmcalc.pipeline.runner import run
+from tmmcalc.project import load_spec
+from tmmcalc.report.formula.digits import EXACT
+from tmmcalc.report.formula.tree import Name
+from tmmcalc.report.manuscript import Block, Line
+
+ONLY = ("vibration",)
+HEAD = '[project]\ntitle = "t"\n\n'
+RING = "[vibrator.ring]\nmass = 1.3\ninertia = 2.1e-3\n"
+GRIPPER = "[vibrator.gripper]\nmass = 0.9\ndrop = 0.04\ninertia_x = 8e-4\ninertia_y = 7e-4\ninertia_z = 4e-4\n"
+EXCITER = (
+    "[vibrator.exciter]\nmass = 0.5\nradius = 0.06\narm = 0.05\narm_angle = 0.5\ninertia_hinge = 2.5e-4\n"
+    "inertia_vertical = 3e-4\nstiffness = 60\n"
+)
+RODS = "[vibrator.rods]\nradius = 0.07\ndiameter = 0.003\nlength = 0.08\n"
+FLATS = "[vibrator.flats]\nwidth = 0.012\nthickness = 8e-4\nlength = 0.03\noffset = 0.02\n"
+UNBALANCE = "[vibrator.unbalance]\nmoment = 2e-4\nrotor_inertia = 2e-4\ndistance = 0.055\narm = 0.045\narm_angle = 0.3\n"
+BODIES = RING + GRIPPER + EXCITER
+STIFF = (
+    "[vibrator.rods]\nradius = 0.07\nstiffness = 19000\n[vibrator.flats]\nvertical = 45000\ntilt = 130\n"
+)
+DAMPERS = "[vibrator.damping]\nx = 10\ny = 12\nphi = 0.02\ntilt_x = 0.01\ntilt_y = 0.02\nz = 5\ngamma = 0.004\n"
+START = '[vibrator.start]\nacceleration = "300 rad/s^2"\nduration = "1.5 s"\nrows = 200\n'
+DRIVE = "[vibrator.drive]\nduration = 0.5\nrows = 200\ndrag = 1e-5\n"
+MOTOR = '[motor]\nkind = "shunt"\npower = "5 W"\nspeed = "1500 rpm"\nno_load_speed = "1800 rpm"\n'
+DEVICE = "[vibrator]\n"
+SPEED = '[vibrator]\nspeed = "1452 rpm"\n'
+KINDS = {
+    "free": DEVICE + BODIES + RODS + FLATS,
+    "stiffnesses": SPEED + BODIES + STIFF + UNBALANCE + DAMPERS,
+    "no damping": SPEED + BODIES + STIFF + UNBALANCE,
+    "started": SPEED + BODIES + RODS + FLATS + UNBALANCE + DAMPERS + START + "tangential = false\n",
+    "driven": DEVICE + BODIES + RODS + FLATS + UNBALANCE + "[vibrator.damping]\nratio = 0.02\n" + DRIVE + MOTOR,
+    "weak motor": DEVICE
+    + BODIES
+    + RODS
+    + FLATS
+    + UNBALANCE.replace("2e-4\nrotor", "8e-4\nrotor")
+    + "[vibrator.damping]\nratio = 0.02\n"
+    + DRIVE.replace("0.5", "6")
+    + MOTOR.replace("5 W", "2 W"),
+}
+
+
+def of_kind(kind: str, folder: Path) -> tuple[list[Block], list[Checked], list[Written]]:
+    """The blocks of a spec, its lines, and what is written."""
+    spec = folder / "spec.toml"
+    spec.write_text(HEAD + KINDS[kind], encoding="utf-8")
+    done = run(load_spec(spec), target=stages_of(ONLY))
+    chapters = chapters_of({"vibration": "Vibration"}, done.spec, done.results, NONE)
+    found = Assembler()
+    note = found.written(chapters)
+    return [block for chapter in chapters for block in chapter.blocks], found.lines, note
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_is_exact_and_works_out_as_printed(kind: str, tmp_path: Path) -> None:
+    _, found, note = of_kind(kind, tmp_path)
+    assert len(found) > 8
+    for line in found:
+        assert line.found.error <= EXACT, (line.formula, line.place, line.found.error)
+        assert line.found.off <= 0.5 + 1e-6, (line.formula, line.place, line.found)
+    assert not re.search(r"\bnan\b", text(note))
+
+
+@pytest.mark.slow
+def test_mutants_of_all_kinds_are_caught(tmp_path: Path) -> None:
+    caught, missed = 0, []
+    for kind in KINDS:
+        for block in of_kind(kind, tmp_path)[0]:
+            if isinstance(block, Line):
+                for mutant in mutants(block.formula):
+                    if any(wrong(mutant, place.lexicon) for place in block.places):
+                        caught += 1
+                    else:
+                        missed.append((kind, mutant))
+    assert len(missed) <= 0.01 * (caught + len(missed)), (caught, missed)
