@@ -168,7 +168,11 @@ def _power(result: VibratorResult, lexicon: Lexicon) -> Iterator[Block]:
     assert steady is not None
     if not steady.power:
         return
-    yield Paragraph(tr("In a turn the rotor does by the unbalance the work that the dampers take; the mean moment and the power are"))
+    yield Paragraph(
+        tr(
+            "In a turn the rotor does by the unbalance the work that the dampers take; the mean moment and the power are"
+        )
+    )
     terms = " + ".join(f"P_{k + 1}^c*X_{k + 1}^s/2 - P_{k + 1}^s*X_{k + 1}^c/2" for k in range(COUNT))
     yield from lines([f"M_v = {terms}", "N = M_v*Omega"], [Place("", lexicon)])
     yield Result("N", lexicon["N"])

@@ -18,9 +18,9 @@ from tmmcalc.report.drawing.polar import AROUND, name_axes
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
+from tmmcalc.report.sheets.piece import Piece
 from tmmcalc.vibration.pendulum.results import Campbell, PendulumResult
 from tmmcalc.vibration.pendulum.swing import SwingCourse
-from tmmcalc.report.sheets.piece import Piece
 from tmmcalc.vibration.pictures.sheets import sheets_of
 
 RPM = 30 / np.pi
