@@ -13,7 +13,7 @@ import pytest
 
 import tmmcalc
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.notes import Phrase
+from tmmcalc.core.notes import FORM, Phrase
 from tmmcalc.report.drawing.lettering import pieces
 from tmmcalc.report.language import (
     LANGUAGES,
@@ -91,6 +91,7 @@ def given() -> tuple[frozenset[str], re.Pattern[str]]:
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 key = node.value.partition("[")[0].replace("_", " ")
                 constants |= {node.value, node.value.partition(":")[0], key, f"{key} max", f"{key} rms"}
+                constants.add(FORM.sub("}", node.value))
             elif isinstance(node, ast.JoinedStr):
                 parts = [str(part.value) if isinstance(part, ast.Constant) else "" for part in node.values]
                 if len("".join(parts)) > SHORT:

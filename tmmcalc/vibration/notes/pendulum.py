@@ -65,7 +65,7 @@ def _rigid(task: PendulumTask, result: PendulumResult) -> Iterator[Block]:
     yield Heading(tr("The rigid rotor"), 2)
     yield Paragraph(
         tr(
-            "If the rod did not bend, the rotor would be a gyroscopic pendulum. Its frequencies are an estimate from above "
+            "If the rod did not bend, the rotor would be a gyroscopic pendulum. Its frequencies are an estimate "
             "of the lowest ones of the elastic rotor:"
         )
     )
@@ -122,7 +122,7 @@ def _torsion(task: PendulumTask, result: PendulumResult) -> Iterator[Block]:
     if polar:
         yield Paragraph(tr("Its frequency equation $b*tan(b) = j*l/J_p$ has the roots {roots}.", roots=_listed(roots)))
         for place, k in zip(places, range(1, len(places) + 1), strict=True):
-            own = {**place.lexicon, f"b_{k}": place.lexicon["b_i"]}
+            own = {**place.lexicon, f"b_{k}": place.lexicon["b_i"]._replace(meaning="")}
             yield from lines([f"tan(b_{k}) = j*l/(J_p*b_{k})"], [Place("", own)])
     else:
         yield Paragraph(tr("Its frequency equation $cos(b) = 0$ has the roots {roots}.", roots=_listed(roots)))

@@ -137,12 +137,12 @@ def _satisfied(task: PendulumTask, parts: Matrices) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "The lowest whirl of each sense, by these functions, with the displacement 1 of the lower end satisfies the "
-            "equations (the moments of the springs stand on the left):"
+            "equations (what bending and weight do stands on the left):"
         )
         if task.spin
         else tr(
-            "The lowest mode, by these functions, with the displacement 1 of the lower end satisfies the equations (the "
-            "forces of the springs stand on the left):"
+            "The lowest mode, by these functions, with the displacement 1 of the lower end satisfies the equations (what "
+            "bending and weight do stands on the left):"
         )
     )
     for k in range(FEW):

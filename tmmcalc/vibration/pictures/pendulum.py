@@ -78,7 +78,7 @@ def _campbell(drawing: Drawing, box: Box, result: PendulumResult, campbell: Camp
     top = max(1.6 * float(spin[-1]), 1.3 * float(campbell.forward[0, -1]) * RPM)
     along = Axis(tr("spin, rpm"), float(spin[0]), float(spin[-1]))
     parts = box.split(1, 1) if len(campbell.whirl) else [box]
-    frame = parts[0].inset(16, 12, 2, 7)
+    frame = parts[0].inset(16, 12, 5, 7)
     field = Diagram(drawing, frame, along, Axis(tr("whirl, 1/min"), 0.0, top))
     for k in range(campbell.modes):
         field.curve(spin + 1j * campbell.forward[k] * RPM, CURVES[0])
@@ -92,7 +92,7 @@ def _campbell(drawing: Drawing, box: Box, result: PendulumResult, campbell: Camp
         size = 1e3 * np.abs(campbell.whirl)
         low, high = 1e-2 * float(np.median(size)), 1e2 * float(np.median(size))
         whirl = Axis(tr("whirl of the unbalance, mm"), low, high, log=True)
-        below = Diagram(drawing, part.inset(16, 12, 2, 3), along, whirl)
+        below = Diagram(drawing, part.inset(16, 12, 5, 3), along, whirl)
         below.curve(spin + 1j * np.clip(size, low, high), CURVES[2])
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.notes import Said, held
+from tmmcalc.core.notes import Note, Phrase, Said, held
 from tmmcalc.vibration.vibrator.energies import Excitation, excitation_of, mass_matrix, stiffness_matrix
 from tmmcalc.vibration.vibrator.errors import Device, amplitude_errors, power_error, relative
 from tmmcalc.vibration.vibrator.forced import Steady, amplitudes, peaks, steady
@@ -154,7 +154,7 @@ def _notes(modes: Modes, found: Steady | None, started: Start | None, driven: Mo
             yield held("note", text, ratio, 1.0, name="speed/natural frequency", mode=near + 1)
         yield from _large("steady motion", found.amplitude)
     if started is not None:
-        yield from _large("start", started.largest)
+        yield from _large("start with a given angle", started.largest)
     if driven is not None:
         yield from _large("start by the motor", driven.largest)
         yield from _of_motor(modes, driven)
@@ -227,4 +227,5 @@ def _undamped(task: VibratorTask, modes: Modes) -> Iterator[Said]:
     bare = np.flatnonzero(inside & (np.diagonal(modes.damping) == 0)) + 1
     if len(bare):
         listed = ", ".join(map(str, bare.tolist()))
-        yield f"warning: no damping in mode {listed}: at its resonance the curve has no bound, its peaks are arbitrary"
+        text = "no damping in mode {modes}: at its resonance the curve has no bound, its peaks are arbitrary"
+        yield Note("warning", Phrase(text, modes=listed))
