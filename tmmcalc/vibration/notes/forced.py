@@ -212,9 +212,11 @@ def _points(task: VibratorTask, result: VibratorResult) -> Iterator[Block]:
         )
     )
     products = {"x": "(y_c*z_s - z_c*y_s)", "y": "(z_c*x_s - x_c*z_s)", "z": "(x_c*y_s - y_c*x_s)"}
-    yield from lines([f"n_{axis} = {product}/(a_e*b_e)" for axis, product in products.items()], places)
-    area = " + ".join(f"n_{axis}*{product}/a_e" for axis, product in products.items())
-    yield from lines([f"b_e = {area}", "a_e = sqrt(A_x**2 + A_y**2 + A_z**2 - b_e**2)"], places)
+    round_ = [place for place, path in zip(places, result.paths, strict=False) if path.minor]
+    if round_:
+        yield from lines([f"n_{axis} = {product}/(a_e*b_e)" for axis, product in products.items()], round_)
+        yield from lines(["n_x**2 + n_y**2 + n_z**2 = 1"], round_)
+    yield from lines(["a_e = sqrt(A_x**2 + A_y**2 + A_z**2 - b_e**2)"], places)
     columns = {
         f"$A_x$, {tr_unit('mm')}": [1e3 * path.amplitude[0] for path in result.paths],
         f"$A_y$, {tr_unit('mm')}": [1e3 * path.amplitude[1] for path in result.paths],
