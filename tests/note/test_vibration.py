@@ -54,13 +54,15 @@ KINDS = {
     "no damping": SPEED + BODIES + STIFF + UNBALANCE,
     "started": SPEED + BODIES + RODS + FLATS + UNBALANCE + DAMPERS + START + "tangential = false\n",
     "driven": DEVICE + BODIES + RODS + FLATS + UNBALANCE + "[vibrator.damping]\nratio = 0.02\n" + DRIVE + MOTOR,
-    "clamped": '[pendulum]\nstiffness = "clamped"\nspin = "900 rpm"\n[pendulum.rod]\nlength = 0.6\ndiameter = 0.01\nbore = 0.004\n'
+    "clamped": '[pendulum]\nstiffness = "clamped"\nspin = "900 rpm"\n'
+    + "[pendulum.rod]\nlength = 0.6\ndiameter = 0.01\nbore = 0.004\n"
     + "[pendulum.disc]\nmass = 2\ndiametral_inertia = 0.004\n[pendulum.speeds]\nto = 300\n",
     "at rest": "[pendulum]\n[pendulum.rod]\nlength = 0.9\nmass = 0.8\nbending_stiffness = 90\ntorsion_stiffness = 70\n"
     "section_radius = 0.003\n[pendulum.swing]\nduration = 2\ndeflection = 0.01\npush = 0.1\nrows = 50\n",
     "flat rod": "[pendulum]\nstiffness = 9\n[pendulum.rod]\nlength = 0.7\nwidth = 0.012\nthickness = 0.006\n"
     "[pendulum.disc]\nmass = 1.5\ngyration = [0.04, 0.06]\n",
-    "square rod": "[pendulum]\nstiffness = 9\nspin = -40\n[pendulum.rod]\nlength = 0.7\nwidth = 0.008\nthickness = 0.008\n"
+    "square rod": "[pendulum]\nstiffness = 9\nspin = -40\n[pendulum.rod]\nlength = 0.7\n"
+    "width = 0.008\nthickness = 0.008\n"
     "[pendulum.disc]\nmass = 1.5\ndiametral_inertia = 0.003\npolar_inertia = 0.005\neccentricity = 0.0003\n",
     "rod without inertia": "[pendulum]\nspin = 30\n[pendulum.rod]\nlength = 0.7\nmass = 0.3\nbending_stiffness = 12\n"
     "torsion_stiffness = 8\n[pendulum.disc]\nmass = 1.5\ngyration = 0.05\n"

@@ -106,8 +106,8 @@ def matrices(task: VibratorTask, result: VibratorResult, known: Lexicon) -> Iter
         return
     yield Paragraph(
         tr(
-            "Every mode has the same part $zeta$ of critical damping if $B = 2*zeta*S$, where the symmetric matrix $S$ is "
-            "such that $S*M^{-1}*S = C$; it is in table {table}.",
+            "Every mode has the same part $zeta$ of critical damping if $B = 2*zeta*S$, where the symmetric matrix "
+            "$S$ is such that $S*M^{-1}*S = C$; it is in table {table}.",
             table="{tab:vibrator_damping}",
         )
     )

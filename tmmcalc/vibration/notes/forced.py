@@ -42,8 +42,9 @@ def forced(task: VibratorTask, result: VibratorResult, known: Lexicon) -> Iterat
     yield Heading(tr("Steady vibration"), 2)
     yield Paragraph(
         tr(
-            "The unbalance turns with the angle $psi = Omega*t$. Its force does work on the displacements $x$, $y$, on the "
-            "turns $phi$ and $gamma$; in every coordinate the force is $P_k = P_k^c*cos(psi) + P_k^s*sin(psi)$ with"
+            "The unbalance turns with the angle $psi = Omega*t$. Its force does work on the displacements $x$, $y$, "
+            "on the turns $phi$ and $gamma$; in every coordinate the force is $P_k = P_k^c*cos(psi) + "
+            "P_k^s*sin(psi)$ with"
         )
     )
     lexicon = {**known, **_quantities(task, result)}
@@ -51,8 +52,9 @@ def forced(task: VibratorTask, result: VibratorResult, known: Lexicon) -> Iterat
     yield from lines(FORCES, place)
     yield Paragraph(
         tr(
-            "The motion is sought as $q_k = X_k^c*cos(psi) + X_k^s*sin(psi)$. Substituted into the equations of motion it gives "
-            "a linear system with 14 unknowns, which $D = C - Omega**2*M$ and $H = Omega*B$ make short:"
+            "The motion is sought as $q_k = X_k^c*cos(psi) + X_k^s*sin(psi)$. Substituted into the equations of "
+            "motion it gives a linear system with 14 unknowns, which $D = C - Omega**2*M$ and $H = Omega*B$ make "
+            "short:"
         )
     )
     yield Display(read("D*X^c + H*X^s = P^c"))
@@ -170,7 +172,8 @@ def _power(result: VibratorResult, lexicon: Lexicon) -> Iterator[Block]:
         return
     yield Paragraph(
         tr(
-            "In a turn the rotor does by the unbalance the work that the dampers take; the mean moment and the power are"
+            "In a turn the rotor does by the unbalance the work that the dampers take; the mean moment and the power "
+            "are"
         )
     )
     terms = " + ".join(f"P_{k + 1}^c*X_{k + 1}^s/2 - P_{k + 1}^s*X_{k + 1}^c/2" for k in range(COUNT))
@@ -196,9 +199,9 @@ def _points(task: VibratorTask, result: VibratorResult) -> Iterator[Block]:
     yield Heading(tr("Paths of points of the part"), 3)
     yield Paragraph(
         tr(
-            "A point of the part with the coordinates $x$, $y$, $z$ at rest is moved by the displacement of the gripper "
-            "and by its small turns. Each of its displacements is $x_c*cos(psi) + x_s*sin(psi)$, so the point describes "
-            "an ellipse:"
+            "A point of the part with the coordinates $x$, $y$, $z$ at rest is moved by the displacement of the "
+            "gripper and by its small turns. Each of its displacements is $x_c*cos(psi) + x_s*sin(psi)$, so the "
+            "point describes an ellipse:"
         )
     )
     places = [_point(task, result, path) for path in result.paths[:POINTS]]
@@ -207,8 +210,8 @@ def _points(task: VibratorTask, result: VibratorResult) -> Iterator[Block]:
     yield from lines([f"A_{axis} = sqrt({axis}_c**2 + {axis}_s**2)" for axis in "xyz"], places)
     yield Paragraph(
         tr(
-            "The normal $n$ of its plane is along the vector product of both amplitudes, whose length is the product of "
-            "the semi-axes; the sum of their squares is that of the amplitudes:"
+            "The normal $n$ of its plane is along the vector product of both amplitudes, whose length is the product "
+            "of the semi-axes; the sum of their squares is that of the amplitudes:"
         )
     )
     products = {"x": "(y_c*z_s - z_c*y_s)", "y": "(z_c*x_s - x_c*z_s)", "z": "(x_c*y_s - y_c*x_s)"}

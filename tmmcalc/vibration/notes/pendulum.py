@@ -160,9 +160,10 @@ def _swing(task: PendulumTask, result: PendulumResult) -> Iterator[Block]:
         yield from lines(["v_0 = l*rad(theta_0) + v_d"], [Place("", began)])
     yield Paragraph(
         tr(
-            "Between the times at which the acceleration of the carrier changes the motion is a sum of the whirl modes "
-            "about the equilibrium and the whirl of the unbalance. Table {table} has displacements and slopes of the lower "
-            "end against the joint, and the place of the joint; energy and work differ by {part} of the largest energy.",
+            "Between the times at which the acceleration of the carrier changes the motion is a sum of the whirl "
+            "modes about the equilibrium and the whirl of the unbalance. Table {table} has displacements and slopes "
+            "of the lower end against the joint, and the place of the joint; energy and work differ by {part} of the "
+            "largest energy.",
             table="{tab:pendulum_swing_rows}",
             part=f"${significant(course.balance, 2)}$",
         )
@@ -186,7 +187,8 @@ def _swing(task: PendulumTask, result: PendulumResult) -> Iterator[Block]:
     slope = tr_number(significant(math.degrees(course.slope), RESULT))
     yield Paragraph(
         tr(
-            "The lower end comes at most {far} mm from under the joint, at $t$ = {at} s; its largest slope is {slope}°.",
+            "The lower end comes at most {far} mm from under the joint, at $t$ = {at} s; its largest slope is "
+            "{slope}°.",
             far=far,
             at=at,
             slope=slope,

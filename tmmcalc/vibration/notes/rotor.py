@@ -49,16 +49,16 @@ def sections(task: PendulumTask, table: PendulumTable) -> Iterator[Block]:
     """The data as a table, then what follows from the sizes of rod and disc."""
     yield Paragraph(
         tr(
-            "An elastic rod hangs from a spherical joint and carries a disc on its lower end; $a$ is counted down along the "
-            "rod, $v$ and $w$ are its displacements along the horizontal axes $x$ and $y$. The given data are in table "
-            "{table}.",
+            "An elastic rod hangs from a spherical joint and carries a disc on its lower end; $a$ is counted down "
+            "along the rod, $v$ and $w$ are its displacements along the horizontal axes $x$ and $y$. The given data "
+            "are in table {table}.",
             table="{tab:pendulum_data}",
         )
         if task.pivot is not None
         else tr(
-            "An elastic rod is clamped at its upper end and carries a disc on its lower end; $a$ is counted down along the "
-            "rod, $v$ and $w$ are its displacements along the horizontal axes $x$ and $y$. The given data are in table "
-            "{table}.",
+            "An elastic rod is clamped at its upper end and carries a disc on its lower end; $a$ is counted down "
+            "along the rod, $v$ and $w$ are its displacements along the horizontal axes $x$ and $y$. The given data "
+            "are in table {table}.",
             table="{tab:pendulum_data}",
         )
     )

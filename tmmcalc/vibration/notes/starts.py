@@ -34,16 +34,17 @@ def given_angle(task: VibratorTask, start: Start) -> Iterator[Block]:
     yield Heading(tr("Start with a given angle of the rotor"), 2)
     yield Paragraph(
         tr(
-            "The rotor speeds up from rest with the constant angular acceleration $eps$ to the speed $Omega$ and keeps it. "
-            "While it speeds up the unbalance pulls along its path too, and the moment of momentum of the rotor resists "
-            "the turn $phi$. The equations of motion are linear; their solution is exact at every time of table {table}.",
+            "The rotor speeds up from rest with the constant angular acceleration $eps$ to the speed $Omega$ and "
+            "keeps it. While it speeds up the unbalance pulls along its path too, and the moment of momentum of the "
+            "rotor resists the turn $phi$. The equations of motion are linear; their solution is exact at every time "
+            "of table {table}.",
             table="{tab:vibrator_start_rows}",
         )
         if asked.tangential
         else tr(
-            "The rotor speeds up from rest with the constant angular acceleration $eps$ to the speed $Omega$ and keeps it; "
-            "of the unbalance only the centrifugal force is counted. The equations of motion are linear; their solution "
-            "is exact at every time of table {table}.",
+            "The rotor speeds up from rest with the constant angular acceleration $eps$ to the speed $Omega$ and "
+            "keeps it; of the unbalance only the centrifugal force is counted. The equations of motion are linear; "
+            "their solution is exact at every time of table {table}.",
             table="{tab:vibrator_start_rows}",
         )
     )
@@ -118,8 +119,9 @@ def driven(task: VibratorTask, result: VibratorResult, start: MotorStart) -> Ite
     yield Heading(tr("Start by the motor"), 2)
     yield Paragraph(
         tr(
-            "Here the angle $psi$ of the rotor is the eighth coordinate, which the moment $M_d$ of the motor drives and the "
-            "drag $d_r*psi'$ of bearings and air resists; with the vector $k$ of the coupling the equations are"
+            "Here the angle $psi$ of the rotor is the eighth coordinate, which the moment $M_d$ of the motor drives "
+            "and the drag $d_r*psi'$ of bearings and air resists; with the vector $k$ of the coupling the equations "
+            "are"
         )
     )
     yield Display(read("M*q'' + k*psi'' + B*q' + C*q = m_r*(psi')**2*V"))
@@ -143,8 +145,8 @@ def _regimes(task: VibratorTask, result: VibratorResult, start: MotorStart, aske
     yield Heading(tr("Steady regimes of the rotor"), 3)
     yield Paragraph(
         tr(
-            "The rotor runs evenly where the moment of the motor is what the vibration and the drag take. Such a regime is "
-            "stable if the moment of the motor falls faster with the speed than that of the load."
+            "The rotor runs evenly where the moment of the motor is what the vibration and the drag take. Such a "
+            "regime is stable if the moment of the motor falls faster with the speed than that of the load."
         )
     )
     modes = modes_of(result.mass, result.stiffness, task.damping, task.rods.radius)
@@ -208,8 +210,8 @@ def _end(result: VibratorResult, start: MotorStart) -> Iterator[Block]:
         hertz = tr_number(significant(float(result.hertz[start.stuck - 1]), RESULT))
         yield Paragraph(
             tr(
-                "The rotor is stuck at the resonance of mode {mode} ({hertz} Hz): the vibration takes all that the motor "
-                "gives (Sommerfeld's effect). A stronger motor, more damping or less unbalance is needed.",
+                "The rotor is stuck at the resonance of mode {mode} ({hertz} Hz): the vibration takes all that the "
+                "motor gives (Sommerfeld's effect). A stronger motor, more damping or less unbalance is needed.",
                 mode=start.stuck,
                 hertz=hertz,
             )

@@ -149,8 +149,8 @@ def _springs(task: VibratorTask, result: VibratorResult) -> Iterator[Block]:
     if springs.push is not None:
         yield Paragraph(
             tr(
-                "When the gripper tilts, the inner end of two springs is pushed by $l_2*theta$ and turned by $theta$, the "
-                "two others are twisted; the weight has the arm $l*theta$:"
+                "When the gripper tilts, the inner end of two springs is pushed by $l_2*theta$ and turned by "
+                "$theta$, the two others are twisted; the weight has the arm $l*theta$:"
             )
         )
         if flats.torsion is None:

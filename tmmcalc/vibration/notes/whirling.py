@@ -35,24 +35,24 @@ def whirling(task: PendulumTask, result: PendulumResult) -> Iterator[Block]:
     yield Heading(tr("Natural frequencies and whirl"), 2)
     yield Paragraph(
         tr(
-            "Bending, the weight of what hangs below, rotary inertia and the gyroscopic moments of rod and disc are counted; "
-            "the tension of the rod at the depth $a$ is"
+            "Bending, the weight of what hangs below, rotary inertia and the gyroscopic moments of rod and disc are "
+            "counted; the tension of the rod at the depth $a$ is"
         )
     )
     yield Display(read("N = g*(rho*(l - a) + m)"))
     yield Paragraph(
         tr(
-            "By Ritz's method the displacement is a sum of given functions of $a$ with the amplitudes $z_k$; energies of "
-            "bending, weight and motion give the matrices $K$, $M$ and $G$. With $s = a/l$ the first function is the "
-            "straight tilt $s$, the curvature of the others is 1, then a Legendre polynomial of growing degree. A whirl "
-            "with the frequency $omega$ satisfies"
+            "By Ritz's method the displacement is a sum of given functions of $a$ with the amplitudes $z_k$; "
+            "energies of bending, weight and motion give the matrices $K$, $M$ and $G$. With $s = a/l$ the first "
+            "function is the straight tilt $s$, the curvature of the others is 1, then a Legendre polynomial of "
+            "growing degree. A whirl with the frequency $omega$ satisfies"
         )
         if task.pivot is not None
         else tr(
-            "By Ritz's method the displacement is a sum of given functions of $a$ with the amplitudes $z_k$; energies of "
-            "bending, weight and motion give the matrices $K$, $M$ and $G$. With $s = a/l$ the curvature of the functions "
-            "is 1, then a Legendre polynomial of growing degree; at the clamped end they have neither displacement nor "
-            "slope. A whirl with the frequency $omega$ satisfies"
+            "By Ritz's method the displacement is a sum of given functions of $a$ with the amplitudes $z_k$; "
+            "energies of bending, weight and motion give the matrices $K$, $M$ and $G$. With $s = a/l$ the curvature "
+            "of the functions is 1, then a Legendre polynomial of growing degree; at the clamped end they have "
+            "neither displacement nor slope. A whirl with the frequency $omega$ satisfies"
         )
     )
     yield Display(read("(K - omega**2*M + omega*Omega*G)*z = 0" if task.spin else "(K - omega**2*M)*z = 0"))
@@ -136,13 +136,13 @@ def _satisfied(task: PendulumTask, parts: Matrices) -> Iterator[Block]:
         places.append(Place(name, {**_elements(task, parts), "omega": omega, **_amplitudes(parts, shape)}))
     yield Paragraph(
         tr(
-            "The lowest whirl of each sense, by these functions, with the displacement 1 of the lower end satisfies the "
-            "equations (what bending and weight do stands on the left):"
+            "The lowest whirl of each sense, by these functions, with the displacement 1 of the lower end satisfies "
+            "the equations (what bending and weight do stands on the left):"
         )
         if task.spin
         else tr(
-            "The lowest mode, by these functions, with the displacement 1 of the lower end satisfies the equations (what "
-            "bending and weight do stands on the left):"
+            "The lowest mode, by these functions, with the displacement 1 of the lower end satisfies the equations "
+            "(what bending and weight do stands on the left):"
         )
     )
     for k in range(FEW):
@@ -160,8 +160,8 @@ def _frequencies(result: PendulumResult) -> Iterator[Block]:
     """All frequencies that are asked for."""
     yield Paragraph(
         tr(
-            "With {count} functions the frequencies no longer change; they are in table {table}, where $f = omega/(2*pi)$, "
-            "$n = 60*f$.",
+            "With {count} functions the frequencies no longer change; they are in table {table}, where $f = "
+            "omega/(2*pi)$, $n = 60*f$.",
             count=result.functions,
             table="{tab:pendulum_frequencies}",
         )
@@ -193,8 +193,8 @@ def critical(task: PendulumTask, result: PendulumResult) -> Iterator[Block]:
     yield Heading(tr("Critical speeds"), 2)
     yield Paragraph(
         tr(
-            "At a critical speed the rotor whirls with its own speed, forward $omega = Omega$ or backward $omega = -Omega$; the "
-            "equations are then"
+            "At a critical speed the rotor whirls with its own speed, forward $omega = Omega$ or backward $omega = "
+            "-Omega$; the equations are then"
         )
     )
     yield Display(read("(K - Omega**2*(M - G))*z = 0"))
@@ -251,8 +251,8 @@ def campbell(found: Campbell) -> Iterator[Block]:
     yield Heading(tr("Campbell diagram"), 2)
     yield Paragraph(
         tr(
-            "The frequencies of forward and of backward whirl, $omega_f$ and $omega_b$, over the speed of spin are in table "
-            "{table} and figure {figure}; where the line of the spin cuts them, the speed is critical.",
+            "The frequencies of forward and of backward whirl, $omega_f$ and $omega_b$, over the speed of spin are "
+            "in table {table} and figure {figure}; where the line of the spin cuts them, the speed is critical.",
             table="{tab:pendulum_campbell_rows}",
             figure="{fig:pendulum_campbell}",
         )
@@ -269,8 +269,8 @@ def unbalance(task: PendulumTask, result: PendulumResult) -> Iterator[Block]:
     yield Heading(tr("Whirl of the unbalance"), 2)
     yield Paragraph(
         tr(
-            "The eccentric disc bends the rod, and the bent rod turns with the rotor. With the displacements $f_k$ of the "
-            "lower end by the functions the amplitudes satisfy the linear system"
+            "The eccentric disc bends the rod, and the bent rod turns with the rotor. With the displacements $f_k$ "
+            "of the lower end by the functions the amplitudes satisfy the linear system"
         )
     )
     yield Display(read("(K - Omega**2*(M - G))*z = m*e*Omega**2*f"))
