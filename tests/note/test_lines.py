@@ -42,6 +42,10 @@ MUTATED: dict[str, list[str]] = {  # keys that are changed, so that no factor is
     "synth-motion": [],
     "dyad": [],
     "pair": ['pair.strategy="given_aw"', 'pair.centre_distance="115 mm"'],
+    "manipulator": [],
+    "manipulator-angular": [],
+    "vibratory-device": [],
+    "pendulum-rotor": [],
 }
 SWAPPED = {"sin": "cos", "cos": "sin"}
 
