@@ -240,7 +240,7 @@ def test_the_worked_cam_with_friction() -> None:
         ("r′_1", 3.83668),
     ):
         assert found[name, ""] == pytest.approx(value, rel=5e-5), name
-    assert found["D", "largest, at φ = 28.646°"] == pytest.approx(0.4799831, rel=5e-5)
+    assert found["D", "at φ = 28.646°"] == pytest.approx(0.4799831, rel=5e-5)
     assert max(value for (name, _), value in found.items() if name == "σ_H") == pytest.approx(307.4149, rel=5e-5)
 
 

@@ -59,6 +59,7 @@ PRINTED = {
 
 PARTS = re.compile(r"[a-zа-яіїєґ]{2,}|[A-Za-zα-ωΑ-Ω]|[^A-Za-zα-ωΑ-Ω]+")  # of an index
 ROMAN = re.compile(r"I|[IVX]{2,}|[IVX]+,[IVX]+")
+RADIANS = 7  # digits of an angle in rad
 BELOW, ABOVE = "xyzijkn", "ijk"  # single letters of an index that are axes or counters
 
 
@@ -231,7 +232,8 @@ def _power(base: Node, exponent: Node, values: Values) -> Box:
     if isinstance(base, Call) and base.function in POWERED and isinstance(exponent, Number):
         return _call(base.function, base.arguments, values, raised)
     box = _box(base, values)
-    simple = isinstance(base, Number) or (isinstance(base, Name) and not _signed(box) and not isinstance(box, Row))
+    plain = not _signed(box) and not isinstance(box, Row | Marked)
+    simple = isinstance(base, Number) or (isinstance(base, Name) and plain)
     if not simple and not (isinstance(base, Call) and base.function == "abs"):
         box = Fenced(box)
     if isinstance(box, Script) and box.upper is None and not box.primes:
@@ -270,11 +272,11 @@ def _call(function: str, arguments: Sequence[Node], values: Values, power: Box |
 
 
 def _in_rad(shown: Shown) -> Shown:
-    """An angle in rad, with one digit more than in degrees."""
+    """An angle in rad, with one digit more than in degrees; of round degrees it has no fewer than RADIANS."""
     if not shown.degrees:
         return shown
     figures = sum(map(str.isdigit, shown.digits))
-    return Shown(f"{math.radians(float(shown.digits)):.{figures + 1}g}")
+    return Shown(f"{math.radians(float(shown.digits)):.{max(figures + 1, RADIANS)}g}")
 
 
 def _signed(box: Box) -> bool:
