@@ -14,7 +14,6 @@ from tmmcalc.cams.pictures.cam_pressure import draw_angle, name_phases
 from tmmcalc.cams.pictures.pieces import NAMES
 from tmmcalc.cams.pressure.angle import Extreme, Reached, pressure_angle
 from tmmcalc.cams.pressure.solve import Pressure
-from tmmcalc.cams.program import PhaseKind
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import stacked
@@ -100,7 +99,7 @@ def _at(told: Told, result: Pressure, row: int) -> Lexicon:
     )
 
 
-def _extremes(told: Told, kind: PhaseKind, on: Reached, sizes: Lexicon) -> Iterator[Place]:
+def _extremes(told: Told, kind: str, on: Reached, sizes: Lexicon) -> Iterator[Place]:
     """The places of the largest and the least angle of a phase, unless it is zero there."""
     for extreme in dict.fromkeys((on.largest, on.least)):
         if abs(extreme.value) <= NOTHING:
@@ -110,7 +109,7 @@ def _extremes(told: Told, kind: PhaseKind, on: Reached, sizes: Lexicon) -> Itera
         yield Place(tr("at φ = {angle}°", angle=degrees_of(extreme.phi)), sizes | told.named(own))
 
 
-def _motion(told: Told, kind: PhaseKind, extreme: Extreme) -> Values:
+def _motion(told: Told, kind: str, extreme: Extreme) -> Values:
     """The motion (4,) at an extreme, on the side of a jump that belongs to the phase and has it."""
     program, phi = told.task.program, extreme.phi
     near = np.flatnonzero((program.edges[:-1] <= phi + NEAR) & (phi - NEAR <= program.edges[1:]))
@@ -147,6 +146,11 @@ def _judged(kind: str, on: Reached) -> Iterator[Block]:
                 tr("The largest pressure angle {phase} is {theta}° at φ = {phi}°, not above the permissible {limit}°.",
                    **values)
             )  # fmt: skip
-    given = angle(abs(worst.value), tr("largest pressure angle"))
-    limit = None if on.limit is None else degrees(on.limit)
-    yield Result("theta_{max}", given, limit, "<=" if limit is not None else "", place=phase)
+    name, said = "theta_y", tr("largest pressure angle on the rise")
+    if kind == "return":
+        name, said = "theta_c", tr("largest pressure angle on the return")
+    if on.limit is None:
+        yield Result(name, angle(abs(worst.value), said))
+    else:
+        value = abs(worst.value) if on.exceeded else min(abs(worst.value), on.limit)
+        yield Result(name, angle(value, said), degrees(on.limit), "<=")

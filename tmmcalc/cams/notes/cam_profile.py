@@ -39,6 +39,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.setting import spelt
+from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import WIDE, column, headed, lines, named
@@ -163,7 +164,7 @@ def _of_path(told: Told, phi: Values, motion: Values) -> Lexicon:
 
 def _of_bends(told: Told, result: Profile, row: int) -> Lexicon:
     """The radii of curvature in a row, where the curves are not straight."""
-    found = {}
+    found: Lexicon = {}
     pitch = None if result.pitch_curvature is None else float(result.pitch_curvature[row])
     if pitch is not None and abs(pitch) * told.follower.base > STRAIGHT:
         found |= _of_radius(told, told.law.positions.phi[row : row + 1], told.law.motion[:, row : row + 1], pitch)
@@ -206,21 +207,29 @@ def _points(told: Told, result: Profile, places: list[Place]) -> Iterator[Block]
 
 
 def _table(order: Order, told: Told, result: Profile) -> Iterator[Block]:
-    """The coordinates and radii of curvature over the turn."""
+    """The coordinates and radii of curvature over the turn, further curves in a table of their own."""
     rows = table_rows(told)
-    columns = {"$phi$, deg": np.degrees(told.law.positions.phi)}
+    labels = [told.law.labels[row] for row in rows]
+    degrees = column("$phi$, deg", np.degrees(told.law.positions.phi)[rows])
+    main, further = {}, {}
     for index, points in curves_of(result):
         ends = ("x", "y") if index == "c" else (f"x_{{{index}}}", f"y_{{{index}}}")
-        columns |= {f"${name}$, mm": 1e3 * part for name, part in zip(ends, (points.real, points.imag), strict=True)}
-    degrees, *others = columns.items()
-    cells = dict([column(degrees[0], degrees[1][rows]), *(column(name, each[rows], DIGITS) for name, each in others)])
+        for name, part in zip(ends, (points.real, points.imag), strict=True):
+            head, cells = column(f"${name}$, mm", 1e3 * part[rows], DIGITS)
+            (main if index in "cw" else further)[head] = cells
     for each, name in zip(of_profile(order.spec, order.results), _radii(result), strict=True):
-        values = 1e3 * each.make()[rows]
-        cells[headed(f"${name}$, mm")] = [_radius(float(value)) for value in values]
+        main[headed(f"${name}$, mm")] = [_radius(float(value)) for value in 1e3 * each.make()[rows]]
+    caption = tr("Points of the profile")
     yield Paragraph(tr("The points of the profile are in table {tab:cam_points}."))
-    head = tr("Position"), *cells
-    labels = [told.law.labels[row] for row in rows]
-    yield Table(tr("Points of the profile"), head, tuple(zip(labels, *cells.values(), strict=True)), key="cam_points")
+    yield _points_table(caption, labels, dict([degrees]) | main, "cam_points")
+    if further:
+        curves = ", ".join(wall_name(wall.name) for wall in result.walls[1:])
+        yield Paragraph(tr("Those of other curves are in table {tab:cam_points_further}."))
+        yield _points_table(f"{caption}: {curves}", labels, dict([degrees]) | further, "cam_points_further")
+
+
+def _points_table(caption: str, labels: list[str], cells: dict[str, list[str]], key: str) -> Table:
+    return Table(caption, (tr("Position"), *cells), tuple(zip(labels, *cells.values(), strict=True)), key)
 
 
 def _radii(result: Profile) -> list[str]:
@@ -288,7 +297,6 @@ def _limits(told: Told, result: Profile, lexicon: Lexicon) -> Iterator[Block]:
     yield Paragraph(tr("The convex parts of the working profile have to keep a radius that can be made:"))
     yield from lines(("rho_{w2} = rho_2 - r_2",), place)
     yield from _held("rho_{w2}", lexicon, "r_m")
-    yield Result("rho_{w2}", lexicon["rho_w2"], 1e3 * limits.convex, ">=")
     if concave is None:
         yield Paragraph(tr("The profile has no concave parts."))
     elif not limits.allow_concave:
@@ -305,7 +313,6 @@ def _limits(told: Told, result: Profile, lexicon: Lexicon) -> Iterator[Block]:
         yield Paragraph(tr("A tool of radius $r_i$ has to reach into the concave parts:"))
         yield from lines(("rho_{w1} = rho_1 + r_2",), place)
         yield from _held("rho_{w1}", lexicon, "r_i")
-        yield Result("rho_{w1}", lexicon["rho_w1"], 1e3 * limits.concave, ">=")
     if result.outer is not None and concave is not None:
         said = tr("least radius of curvature of convex parts of the second wall")
         lexicon["rho_1"] = mm(concave.value, tr("least radius of curvature of concave parts of the pitch curve"))
@@ -313,7 +320,6 @@ def _limits(told: Told, result: Profile, lexicon: Lexicon) -> Iterator[Block]:
         yield Paragraph(tr("The second wall of the groove is convex where the pitch curve is concave:"))
         yield from lines(("rho_o = rho_1 - r_2",), place)
         yield from _held("rho_o", lexicon, "r_m")
-        yield Result("rho_o", lexicon["rho_o"], 1e3 * limits.convex, ">=")
     yield from _shaft(told, result, lexicon)
     for reach, wall in ((result.inner_reach, result.working), (result.outer_reach, result.outer)):
         if reach is not None and wall is not None:
@@ -333,9 +339,6 @@ def _flat_limits(result: Profile, lexicon: Lexicon) -> Iterator[Block]:
     lexicon |= named({"rho_{min}": mm(result.sharpest.value, tr("least radius of curvature of the profile"))})
     yield Paragraph(tr("The radius of curvature is least at φ = {angle}°:", angle=degrees_of(result.sharpest.phi)))
     yield from _held("rho_{min}", lexicon, "r_m")
-    least = lexicon["r_m"].value
-    assert isinstance(least, float)
-    yield Result("rho_{min}", lexicon["rho_min"], least, ">=")
     if not result.working.sound:
         yield Paragraph(_unsound(result.working))
 
@@ -347,16 +350,17 @@ def _shaft(told: Told, result: Profile, lexicon: Lexicon) -> Iterator[Block]:
     lexicon |= named({"r_{min}": mm(result.nearest.value, tr("least radius of the working profile"))})
     yield Paragraph(tr("The camshaft has to have room within the profile:"))
     yield from _held("r_{min}", lexicon, "r_1")
-    yield Result("r_{min}", lexicon["r_min"], 1e3 * told.task.limits.shaft, ">=")
 
 
 def _held(name: str, lexicon: Lexicon, limit: str) -> Iterator[Block]:
-    """A condition ``name >= limit`` with the numbers of both sides, and whether it holds."""
-    own, least = (_value(lexicon[key.replace("{", "").replace("}", "")]) for key in (name, limit))
+    """A condition ``name >= limit`` with the numbers of both sides, whether it holds, and as a main result."""
+    given = lexicon[canonical(name)]
+    own, least = _value(given), _value(lexicon[canonical(limit)])
     holds = own >= least * (1 - KEPT)
-    sides = " >= ".join(significant(each, 5) for each in (own, least))
+    sides = f" {'>=' if holds else '<'} ".join(significant(each, 5) for each in (own, least))
     said = tr("The condition holds.") if holds else tr("The condition fails.")
-    yield Paragraph(f"${name} >= {limit}$: ${sides.replace('>=', '>=' if holds else '<')}$. {said}")
+    yield Paragraph(f"${name} >= {limit}$: ${sides}$. {said}")
+    yield Result(name, given._replace(value=max(own, least) if holds else own), least, ">=")
 
 
 def _value(given: Given) -> float:

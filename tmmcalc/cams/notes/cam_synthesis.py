@@ -191,11 +191,12 @@ def _candidates(told: Told, result: Synthesis) -> Iterator[Block]:
     if result.governs == GIVEN:
         return
     found = list(candidates(told.task, result).values())
-    stem = result.kind != "oscillating"
+    stem, decided = result.kind != "oscillating", any(each.binds for each in found)
     yield Paragraph(tr("What each constraint alone asks of the size is in table {tab:cam_candidates}."))
-    head = [tr("Constraint"), headed("$R_0$, mm"), *([headed("$S_0$, mm")] if stem else []), headed("$phi$, deg")]
-    rows = [tuple(_candidate(each, stem)) for each in found]
-    yield Table(tr("Least sizes by the constraints"), (*head, tr("Decides")), tuple(rows), key="cam_candidates")
+    head = [tr("Constraint"), headed("$R_0$, mm"), *([headed("$S_0$, mm")] * stem), headed("$phi$, deg")]
+    rows = [(*_candidate(each, stem), *([tr("yes") if each.binds else ""] * decided)) for each in found]
+    head += [tr("Decides")] * decided
+    yield Table(tr("Least sizes by the constraints"), tuple(head), tuple(rows), key="cam_candidates")
 
 
 def _candidate(each: SizeCandidate, stem: bool) -> Iterator[str]:
@@ -203,7 +204,6 @@ def _candidate(each: SizeCandidate, stem: bool) -> Iterator[str]:
     for value in (each.base, each.start)[: 1 + stem]:
         yield "–" if value is None else number(mm(value)) if value else tr("any")
     yield "" if each.phi is None else degrees_of(each.phi)
-    yield tr("yes") if each.binds else ""
 
 
 def _pictures(order: Order) -> Iterator[Block]:

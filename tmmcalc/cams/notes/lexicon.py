@@ -95,7 +95,7 @@ def _rows(order: Order, law: LawResult) -> Iterator[int]:
         own = [int(row) for row in np.flatnonzero((law.phase == number) & (law.part > 0) & (law.part < 1))]
         if phase.constants is not None and own and not set(own) & set(found):
             wanted = THIRD if phase.kind == "rise" else 1 - THIRD
-            found.append(min(own, key=lambda row: _fitness(law.part[row], wanted, row in listed)))
+            found.append(min(own, key=lambda row: _fitness(float(law.part[row]), wanted, row in listed)))
     yield from sorted(found)
 
 

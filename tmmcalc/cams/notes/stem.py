@@ -14,7 +14,6 @@ import numpy as np
 
 from tmmcalc.cams.notes.lexicon import Told, degrees_of, mm, of_motion
 from tmmcalc.cams.pressure.angle import limited_phases
-from tmmcalc.cams.program import PhaseKind
 from tmmcalc.cams.synthesis import translatingsizes
 from tmmcalc.cams.synthesis.completion import ANGLE
 from tmmcalc.cams.synthesis.results import Synthesis
@@ -35,7 +34,7 @@ class Bound(NamedTuple):
     """One of the lines."""
 
     number: int
-    kind: PhaseKind
+    kind: str  # rise or return
     line: translatingsizes.Line
 
     @property
