@@ -13,7 +13,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.notes import Said, held
+from tmmcalc.core.notes import Phrase, Said, held
 from tmmcalc.core.numerics.extended import apart, spread, widened
 from tmmcalc.core.numerics.extrema import around, maxima, refine
 from tmmcalc.core.numerics.panels import Values
@@ -290,8 +290,13 @@ def _notes(task: LinerTask, shell: _Shell, largest: Peak) -> list[Said]:
         long = _solved(replace(task, length=None))
         at = _along(task, long, np.zeros(1))
         found.append(
-            f"note: alpha L = {float(shell.span):.4g}: the free end is felt at the ring; the source's formulas, which "
-            f"are for a long liner, give Q0 = {float(at['shear'][0]):.7g} N/m, M0 = {-float(at['bend'][0]):.7g} N*m/m"
+            Phrase(
+                "note: alpha L = {span:.4g}: the free end is felt at the ring; the source's formulas, which are "
+                "for a long liner, give Q0 = {shear:.7g} N/m, M0 = {bend:.7g} N*m/m",
+                span=float(shell.span),
+                shear=float(at["shear"][0]),
+                bend=-float(at["bend"][0]),
+            )
         )
     if task.allowed is not None and largest.stress > task.allowed:
         text = "the equivalent stress of {value:.6g} MPa is above the allowed {limit:.6g} MPa"

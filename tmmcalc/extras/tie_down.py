@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.core.notes import Said, held
+from tmmcalc.core.notes import Phrase, Said, held
 from tmmcalc.core.numerics.extended import apart, widened
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import quantity
@@ -246,7 +246,11 @@ def _notes(force: float, preload: float, balanced: float, safety: float | None) 
         found.append(held("warning", text, force, 2 * preload, "N", name="R"))
     if balanced > force * (1 + 1e-9):
         found.append(
-            f"note: the source's (3), R = {force:.6g} N, adds R to the vertical load of the preload, which is a part "
-            f"of R; in equilibrium the tie carries {balanced:.6g} N: choose it by this"
+            Phrase(
+                "note: the source's (3), R = {force:.6g} N, adds R to the vertical load of the preload, which is "
+                "a part of R; in equilibrium the tie carries {balanced:.6g} N: choose it by this",
+                force=force,
+                balanced=balanced,
+            )
         )
     return found
