@@ -211,7 +211,8 @@ def _table(order: Order, told: Told, result: Profile) -> Iterator[Block]:
     rows = table_rows(told)
     labels = [told.law.labels[row] for row in rows]
     degrees = column("$phi$, deg", np.degrees(told.law.positions.phi)[rows])
-    main, further = {}, {}
+    main: dict[str, list[str]] = {}
+    further: dict[str, list[str]] = {}
     for index, points in curves_of(result):
         ends = ("x", "y") if index == "c" else (f"x_{{{index}}}", f"y_{{{index}}}")
         for name, part in zip(ends, (points.real, points.imag), strict=True):
