@@ -232,7 +232,8 @@ def _power(base: Node, exponent: Node, values: Values) -> Box:
     if isinstance(base, Call) and base.function in POWERED and isinstance(exponent, Number):
         return _call(base.function, base.arguments, values, raised)
     box = _box(base, values)
-    simple = isinstance(base, Number) or (isinstance(base, Name) and not _signed(box) and not isinstance(box, Row))
+    plain = not _signed(box) and not isinstance(box, Row | Marked)
+    simple = isinstance(base, Number) or (isinstance(base, Name) and plain)
     if not simple and not (isinstance(base, Call) and base.function == "abs"):
         box = Fenced(box)
     if isinstance(box, Script) and box.upper is None and not box.primes:
