@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.errors import AccuracyError
-from tmmcalc.core.notes import Note, held
+from tmmcalc.core.notes import Note, Phrase, held
 from tmmcalc.core.numerics.extended import CHAIN, EPS, WIDER, widened
 from tmmcalc.core.plane import Guide, Point
 from tmmcalc.core.quantity import derived, keyed, quantity
@@ -138,15 +138,20 @@ class DyadState:
         """What is to be said of a weak transmission."""
         found = []
         if self.regularity < NEARLY_SINGULAR:
-            text = f"nearly singular: errors and velocities are amplified {1 / self.regularity:.4g} times"
-            place = f"dyad {self.kind}"
+            text = Phrase(
+                "nearly singular: errors and velocities are amplified {regularity:.4g} times",
+                regularity=1 / self.regularity,
+            )
+            place = Phrase("dyad {kind}", kind=self.kind)
             amplified, most = 1 / self.regularity, 1 / NEARLY_SINGULAR
             found.append(Note("warning", text, place, amplified, most, name="amplification"))
         if self.transmission < MODEST:
             severity, limit = ("warning", 20) if self.transmission < POOR else ("note", 30)
             text = "transmission angle {value:.4g} deg, below {limit:g} deg"
             numbers = math.degrees(self.transmission), limit, "deg"
-            found.append(held(severity, text, *numbers, name="transmission", place=f"dyad {self.kind}"))
+            found.append(
+                held(severity, text, *numbers, name="transmission", place=Phrase("dyad {kind}", kind=self.kind))
+            )
         return tuple(found)
 
 

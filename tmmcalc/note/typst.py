@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 
 from tmmcalc.note.tree import (
@@ -34,6 +35,7 @@ WIDE = 158.0  # that a formula may have, of 165 of the text [mm]
 MM = 72.0 / 25.4  # points to a mm
 LETTER = 0.55  # of the words before a formula [em]
 NUMBER = 16.0  # room for the number of a formula [mm]
+PRIMES = re.compile(r"(?<=\d)'+")
 TURNED = 92  # letters in a row from which on a table stands turned
 HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 20mm, top: 20mm, bottom: 20mm), numbering: "1")
 #set document(title: "TITLE")
@@ -204,6 +206,8 @@ def _quoted(text: str) -> str:
 
 
 def _escaped(text: str) -> str:
-    for sign in "\\#$*_`<>@[]~":
+    """A text without signs of the language; primes after a number, as of a row 3'', are no quotation marks."""
+    text = PRIMES.sub(lambda found: "′" * len(found[0]), text)
+    for sign in "\\#$*_`<>@[]~;":
         text = text.replace(sign, "\\" + sign)
     return text
