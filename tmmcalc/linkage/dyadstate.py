@@ -158,10 +158,10 @@ class DyadState:
 def motion_of(task: DyadTask) -> DyadMotion:
     """The motion of the links in the numbers of the task; raises what `solve_dyad` does."""
     with np.errstate(all="ignore"):  # what overflows is refused
-        return solve_dyad(_dyad(task), *_ports(task))
+        return solve_dyad(dyad_of(task), *ports_of(task))
 
 
-def _dyad(task: DyadTask) -> Dyad:
+def dyad_of(task: DyadTask) -> Dyad:
     """The kind with its metric; numbers of numpy, which overflow without an exception."""
     given = (task.length_a, task.length_b, task.offset_a, task.offset_b, task.turn)
     numbers: list[Any] = [np.asarray(value or 0.0)[()] for value in given]
@@ -176,7 +176,8 @@ def _dyad(task: DyadTask) -> Dyad:
     return kinds[task.kind]
 
 
-def _ports(task: DyadTask) -> Iterator[Point | Guide]:
+def ports_of(task: DyadTask) -> Iterator[Point | Guide]:
+    """The states of both outer joints."""
     for port, letter in ((task.first, task.kind[0]), (task.second, task.kind[2])):
         point = Point(*(np.asarray(x + 1j * y) for x, y in (port.point, port.velocity, port.acceleration)))
         yield point if letter == "R" else Guide.along(point, port.angle, port.omega, port.eps)

@@ -166,7 +166,7 @@ def _part(part: str | Box | Reference) -> str:
         case str():
             return _escaped(part)
         case Reference(key, number):
-            return f'#link(label("{key}"))[{number}]'
+            return f'#link(label("{key}"))[{number}];'  # which ends the code: a semicolon of the text stays one
     return f"${formula(part)}$"
 
 

@@ -92,7 +92,8 @@ def _mechanism(task: SynthesisTask, closure: Closure, fitted: Fitted, k: int) ->
     low, high = asked.span
     sense = _sense(asked)
     start = u + (low if sense > 0 else high)
-    extra = tuple(float(along) for along in np.sort(sense * (asked.inputs + u - start)) if along > 0)
+    ways = np.minimum(np.sort(sense * (asked.inputs + u - start)), high - low)
+    extra = tuple(float(along) for along in ways if along > 0)
     speed = sense * abs(task.crank_speed or SPEED)
     outputs = (Output("C"),) if closure.slides else (Output(link=3),)
     scene = Operation(speed, start, Grid(task.positions, span=high - low, extra=extra), outputs)

@@ -23,8 +23,7 @@ upright("2")), 2)'
         case layout.Word(text):
             return f'upright("{text}")'
         case layout.Digits(text):
-            number = spelt(text)
-            return f'"{number}"' if "," in number else number
+            return spelt(text).replace(",", '","')  # the comma alone: a text of several letters has gaps around it
         case layout.Sign("−", leads=True):
             return 'class("unary", −)'
         case layout.Sign(text):
