@@ -108,7 +108,8 @@ def restored(kind: type[Note] | type[Phrase], data: str | dict[str, Any]) -> Not
     """
     if not isinstance(data, dict):
         return data
-    return kind(**{key: Phrase(**part) if isinstance(part, dict) else part for key, part in data.items()})
+    parts: dict[str, Any] = {key: Phrase(**part) if isinstance(part, dict) else part for key, part in data.items()}
+    return kind(**parts)
 
 
 def held(
