@@ -85,6 +85,7 @@ def test_values_of_a_phrase_are_said_in_the_language() -> None:
 
 def test_a_stored_result_has_its_sentences_and_what_they_are_made_of() -> None:
     said = listed([Phrase("stage {k}", k=1), Phrase("stage {k}", k=2)], " and ")
+    assert isinstance(said, Phrase)
     note = Note("warning", said, "train")
     record = Record({"message": said, "notes": [note.stored(), "note: as it was"], "count": 2})
     stored = parted(record)
