@@ -124,24 +124,33 @@ class Assembler:
         return number
 
     def _line(self, line: Line) -> Iterator[Written]:
+        """The formula, what its letters are, its numbers at each place; numbers that are one everywhere go on from it."""
         left, right = line.formula.sides
-        yield Equation((setting.side(left), setting.side(right)), self._numbered("eq", line.key), key=line.key)
+        letters = setting.side(left), setting.side(right)
+        number = self._numbered("eq", line.key)
+        places = line.places[: 1 if self.depth == SHORT else None]
+        found = [self._numbers_of(line, place) for place in places]
+        lone = not places[0].index and not places[0].name if len(places) == 1 else len(set(found)) == 1
+        if lone and not any(place.index for place in places):
+            yield Equation((*letters, *found[0]), number, key=line.key)
+            yield from self._where(line)
+            return
+        yield Equation(letters, number, key=line.key)
         yield from self._where(line)
-        for place in line.places[: 1 if self.depth == SHORT else None]:
-            given = result_of(left, place.lexicon)
-            assert isinstance(given.value, float)
-            found = worked(right, place.lexicon, given.value, unit=given.unit, digits=line.digits)
-            self.lines.append(Checked(line.formula, place.name, found))
-            numbers = setting.side(found.tree, found.shown)
-            result = with_unit(found.result, given.unit)
-            same = not found.shown or plain(numbers) == plain(result.boxes[0])
-            parts = (
-                setting.side(_indexed(left, place.index)),
-                *(() if same else (numbers,)),
-                result,
-                *_converted(given),
-            )
-            yield Equation(parts, lead=place.name)
+        for place, parts in zip(places, found, strict=True):
+            yield Equation((setting.side(_indexed(left, place.index)), *parts), lead=place.name)
+
+    def _numbers_of(self, line: Line, place: Place) -> tuple[Row, ...]:
+        """The right side with the numbers of a place, and the result; the result alone where they are one."""
+        left, right = line.formula.sides
+        given = result_of(left, place.lexicon)
+        assert isinstance(given.value, float)
+        found = worked(right, place.lexicon, given.value, unit=given.unit, digits=line.digits)
+        self.lines.append(Checked(line.formula, place.name, found))
+        numbers = setting.side(found.tree, found.shown)
+        result = with_unit(found.result, given.unit)
+        same = not found.shown or plain(numbers) == plain(result.boxes[0])
+        return (*(() if same else (numbers,)), result, *_converted(given))
 
     def _where(self, line: Line) -> Iterator[Written]:
         """The names that stand for the first time, or for something else than before, with meaning and unit.
@@ -163,7 +172,7 @@ class Assembler:
                 parts += [", "] * bool(j) + [quantity(key)]
             parts.append(f" – {meaning}" + (f", {shown_unit(unit)}" if unit else ""))
         if parts:
-            yield Text((*parts, "."))
+            yield Text((*parts, "."), explains=True)
 
 
 def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
@@ -267,7 +276,7 @@ def _referring(text: Text, numbers: Mapping[str, str]) -> Text:
             continue
         for k, piece in enumerate(REFERENCE.split(part)):
             parts += [Reference(piece, numbers[piece]) if k % 2 else piece] if piece else []
-    return Text(tuple(parts))
+    return Text(tuple(parts), text.explains)
 
 
 def drawn(figure: Figure) -> Drawing:

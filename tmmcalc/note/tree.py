@@ -45,6 +45,7 @@ class Text(NamedTuple):
     """A paragraph: words, formulas and references in turn."""
 
     parts: tuple[str | Box | Reference, ...]
+    explains: bool = False  # what the letters of the formula before it are
 
 
 class Equation(NamedTuple):

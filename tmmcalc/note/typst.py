@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import re
+from collections.abc import Iterable, Iterator, Sequence
 
 from tmmcalc.note.tree import (
     Caption,
@@ -17,44 +18,63 @@ from tmmcalc.note.tree import (
     Text,
     Title,
     Written,
-    letters_wide,
+    plain_text,
 )
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.lettering import FONTS
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.drawing.svg import svg
-from tmmcalc.report.formula.breaking import broken
-from tmmcalc.report.formula.layout import Box
-from tmmcalc.report.formula.typst import typst as formula
+from tmmcalc.report.formula.breaking import broken, width
+from tmmcalc.report.formula.layout import Box, Fraction, Row, Script, inner
+from tmmcalc.report.formula.typst import typst as typeset
 from tmmcalc.report.language import tr
 from tmmcalc.report.sheets.gosttext import FIRST, OTHERS, PAGE, TextTitles, text_frame
 
-SIZE = 12.0  # of letters [pt]
-WIDE = 158.0  # that a formula may have, of 165 of the text [mm]
-MM = 72.0 / 25.4  # points to a mm
-LETTER = 0.55  # of the words before a formula [em]
-NUMBER = 16.0  # room for the number of a formula [mm]
-TURNED = 92  # letters in a row from which on a table stands turned
-HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 20mm, top: 20mm, bottom: 20mm), numbering: "1")
+SIZE, NUMBERS, WORDS = 12.0, 10.5, 9.5  # of letters, of formulas with numbers, of words before these [pt]
+WIDE = 175.0  # of the text [mm]
+INDENT, NUMBER, GAP = 14.0, 13.0, 3.0  # room before a formula, for its number, between two beside each other [mm]
+EM = SIZE * 25.4 / 72.0  # a letter M of the text [mm]
+LETTER = 0.53  # of an em, of words
+SMALL = (9.5, 9.0, 8.5, 8.0)  # sizes of tables [pt], the first in which one fits
+CELL = 2.4  # beside the letters of a cell, with its line [mm]
+WHOLE = (12, 28)  # rows: up to the first a table stands where it is told of, up to the second on one page
+NUMERIC = re.compile(r"[−+–\d.,  %°]*")  # what a cell of numbers has
+SCRIPTED = "4.5pt"  # over and under the letters of a cell with indices
+HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 15mm, bottom: 18mm), numbering: "1")
 #set document(title: "TITLE")
 #set text(font: "TMM Text", size: 12pt, lang: "LANGUAGE")
-#set par(justify: true, leading: 0.8em, spacing: 0.8em, first-line-indent: (amount: 12.5mm, all: true))
-#show heading: set block(above: 1.4em, below: 0.9em)
-#show heading.where(level: 1): it => { pagebreak(weak: true); it }
-#show raw: set text(size: 8pt)
+#set par(justify: true, leading: 0.72em, spacing: 0.72em, first-line-indent: (amount: 12.5mm, all: true))
+#show heading: set block(above: 1.3em, below: 0.9em)
+#show heading.where(level: 1): it => { block(breakable: false, sticky: true, below: 0pt, height: 45mm)
+  v(-45mm); it }
+#show raw: set text(size: 7.5pt)
+#show math.equation.where(block: true): set align(left)
+#show math.equation.where(block: true): set block(spacing: 0.6em)
 #show outline.entry: set block(spacing: 0.7em)
-#set table(stroke: 0.5pt, inset: 4pt)
-#let line(lead, body, number) = block(width: 100%, breakable: false, grid(columns: (auto, 1fr, auto),
-  align: (left + horizon, center + horizon, right + horizon), lead, body, number))
-#let listed(key, caption, continued, columns, heads, cells) = block(breakable: true, width: 100%, below: 1.2em)[
-  #set par(justify: false, first-line-indent: 0pt)
-  #metadata(none) #label(key)
-  #table(columns: columns, table.header(table.cell(colspan: columns, stroke: none, inset: (x: 0pt), align: left,
-    context { if here().page() == query(label(key)).first().location().page() { caption } else { continued } }),
-    ..heads), ..cells)]
+#set table(stroke: 0.5pt, inset: (x: 3pt, y: 3pt))
+#let line(columns, holds, ..cells) = block(width: 100%, breakable: false, sticky: holds, spacing: 0.6em,
+  { set par(first-line-indent: 0pt); grid(columns: columns, align: horizon, ..cells) })
+#let explained(body) = par(first-line-indent: 0pt, body)
+#let listed(key, caption, continued, columns, aligned, size, place, heads, cells) = {
+  let above = context {
+    let said = block(width: 175mm, text(size: 12pt,
+      if here().page() == query(label(key)).first().location().page() { caption } else { continued }))
+    block(height: measure(said).height, width: 0pt, std.place(said))
+  }
+  let body = block(breakable: place == none, width: 100%, above: 1em, below: 1em)[
+    #set par(justify: false, first-line-indent: 0pt, leading: 0.5em)
+    #set text(size: size)
+    #set align(left)
+    #metadata(none) #label(key)
+    #table(columns: columns, align: aligned, table.header(table.cell(colspan: columns, stroke: none,
+      inset: (x: 0pt, y: 4pt), align: left, above), ..heads), ..cells)]
+  if place == bottom { std.place(bottom, float: true, clearance: 1em, body) } else { body }
+}
 #let turned(body) = page(flipped: true, body)
-#let pictured(key, body, caption) = [#block(breakable: false, width: 100%, above: 1.2em, below: 1.2em,
-  align(center)[#body #v(2mm, weak: true) #caption]) #label(key)]
+#let pictured(key, body, caption) = [#metadata(none) #label(key) #align(center)[#body #v(2mm, weak: true) #caption]]
+#let shown(..pictures) = place(bottom, float: true, clearance: 1.2em,
+  block(width: 100%, { set par(first-line-indent: 0pt, justify: false, leading: 0.5em)
+  grid(columns: pictures.pos().len() * (1fr,), column-gutter: 3mm, align: bottom + center, ..pictures.pos()) }))
 """
 
 
@@ -62,12 +82,135 @@ def source(blocks: Iterable[Written], language: str, title: str, frame: TextTitl
     """The text of the note, its pages after the title page in frames with these titles."""
     head = HEAD.replace("LANGUAGE", language).replace("TITLE", _quoted(title))
     found = [head]
-    for block in blocks:
-        if isinstance(block, Contents) and frame is not None:
-            found += [_framed(frame, first=True), _block(block), "#pagebreak(weak: true)", _framed(frame, first=False)]
+    for group in _grouped(blocks):
+        if isinstance(group[0], Contents) and frame is not None:
+            opened, others = _framed(frame, first=True), _framed(frame, first=False)
+            found += [opened, _block(group[0]), "#pagebreak(weak: true)", others]
         else:
-            found.append(_block(block))
+            found += _group(group)
     return "\n".join(found) + "\n"
+
+
+def _grouped(blocks: Iterable[Written]) -> Iterator[list[Written]]:
+    """What may stand beside each other: a formula and its explanation, its numbers at places, pictures."""
+    group: list[Written] = []
+    for block in blocks:
+        if group and not _joins(group, block):
+            yield group
+            group = []
+        group.append(block)
+    if group:
+        yield group
+
+
+def _joins(group: Sequence[Written], block: Written) -> bool:
+    """Whether a block stands beside those before it."""
+    last = group[-1]
+    match block:
+        case Text(_, explains):
+            return explains and isinstance(last, Equation) and bool(last.number)
+        case Equation(_, number, lead):
+            return bool(lead) and not number and isinstance(last, Equation | Text) and isinstance(group[0], Equation)
+        case Image(_, drawing):
+            drawings = [each.drawing for each in group if isinstance(each, Image)]
+            free = WIDE - sum(each.width + GAP for each in drawings)
+            return len(drawings) == len(group) and drawing.width <= free
+    return False
+
+
+def _group(group: Sequence[Written]) -> Iterator[str]:
+    """A formula with what belongs to it, pictures beside each other, or a block by itself."""
+    if isinstance(group[0], Image):
+        yield f"#shown({', '.join(_picture(each) for each in group if isinstance(each, Image))})"
+        return
+    if not isinstance(group[0], Equation):
+        yield _block(group[0])
+        return
+    formulas = [each for each in group if isinstance(each, Equation)]
+    said = next((each for each in group if isinstance(each, Text)), None)
+    if formulas[0].number:
+        yield from _formula(formulas.pop(0), said, holds=len(group) > 1)
+    while formulas:
+        two = formulas[:2]
+        beside = _beside(two) if len(two) == 2 else None
+        yield beside or _line([two[0]], WIDE)
+        del formulas[: 2 if beside else 1]
+
+
+def _formula(formula: Equation, said: Text | None, *, holds: bool) -> Iterator[str]:
+    """A formula with its number; what its letters are beside it, where there is room, or under it."""
+    (row, *more) = _broken(formula, WIDE)
+    free = WIDE - INDENT - NUMBER - width(row) * EM - 2 * GAP
+    if said is not None and not more and sum(map(_wide, said.parts)) * EM <= free:
+        cells = f"[], [$display({typeset(row)})$,], [{_text(said)}], [({formula.number})]"
+        columns = f"({INDENT:g}mm, auto, 1fr, auto)"
+        yield f"#line({columns}, {str(holds).lower()}, column-gutter: (0mm, {GAP:g}mm, 0mm), {cells}){_eq(formula)}"
+        return
+    yield _line([formula], WIDE, holds=holds)
+    if said is not None:
+        yield f"#explained[{_text(said)}]"
+
+
+def _beside(two: Sequence[Equation]) -> str | None:
+    """Two formulas beside each other, where they take fewer rows so."""
+    half = (WIDE - GAP) / 2
+    halves, wholes = [_broken(each, half) for each in two], [_broken(each, WIDE) for each in two]
+    rooms = [half - _lead(each) for each in two]
+    fits = all(width(row) * _em(each) <= room for each, rows, room in zip(two, halves, rooms, strict=True) for row in rows)
+    if not fits or max(map(len, halves)) >= sum(map(len, wholes)):
+        return None
+    return _line(two, half)
+
+
+def _line(formulas: Sequence[Equation], wide: float, *, holds: bool = False) -> str:
+    """Formulas in a row, each in so much room, with the words before it and its number."""
+    columns, cells = [], []
+    for formula in formulas:
+        rows = _broken(formula, wide)
+        body = " \\\n quad ".join(map(typeset, rows))
+        numbered = f"({formula.number})" if formula.number else ""
+        columns += [f"{_lead(formula):g}mm", "1fr", "auto"]
+        cells += [f"text(size: {WORDS}pt)[{_escaped(formula.lead)}]", _sized(f"$ {body} $", rows, formula, wide), f"[{numbered}]"]
+    label = _eq(formulas[0])
+    return f"#line(({', '.join(columns)}), {str(holds).lower()}, {', '.join(cells)}){label}"
+
+
+def _sized(body: str, rows: Sequence[Row], formula: Equation, wide: float) -> str:
+    """The rows in letters in which even those that cannot be broken have room."""
+    room = wide - _lead(formula) - (NUMBER if formula.number else 0.0)
+    size = NUMBERS if formula.lead else SIZE
+    needed = max(map(width, rows)) * _em(formula)
+    return f"text(size: {size * min(1.0, room / needed):.4g}pt)[{body}]"
+
+
+def _broken(formula: Equation, wide: float) -> list[Row]:
+    """The rows of a formula in so much room [mm]."""
+    room = wide - _lead(formula) - (NUMBER if formula.number else 0.0)
+    return broken(formula.parts, room / _em(formula))
+
+
+def _em(formula: Equation) -> float:
+    """The letter M of a formula [mm]."""
+    return EM * (NUMBERS / SIZE if formula.lead else 1.0)
+
+
+def _lead(formula: Equation) -> float:
+    """The room of the words before a formula [mm]."""
+    return max(INDENT, _wide(formula.lead) * EM * WORDS / SIZE + 1.0)
+
+
+def _wide(part: str | Box | Reference) -> float:
+    """About how wide a part of a text is [em]."""
+    match part:
+        case str():
+            return LETTER * len(part)
+        case Reference(_, number):
+            return LETTER * len(number)
+    return width(part)
+
+
+def _eq(formula: Equation) -> str:
+    return f" <eq:{formula.key}>" if formula.key else ""
 
 
 def _framed(titles: TextTitles, *, first: bool) -> str:
@@ -116,15 +259,15 @@ def _block(block: Written) -> str:
         case Text():
             return _text(block) + "\n"
         case Equation():
-            return _equation(block)
+            return _line([block], WIDE)
         case Grid():
             return _grid(block)
-        case Image(caption, drawing):
-            return f"#pictured({_label('fig', caption)}, {_image(drawing)}, [{_escaped(str(caption))}])"
+        case Image():
+            return f"#shown({_picture(block)})"
         case Points(items):
             return "\n".join(f"- {_text(item)}" for item in items) + "\n"
         case Source(text):
-            return f'#raw(block: true, "{_quoted(text)}")'
+            return f'#columns(2, gutter: 5mm)[#raw(block: true, "{_quoted(text)}")]'
 
 
 def _cover(cover: Cover) -> str:
@@ -167,25 +310,61 @@ def _part(part: str | Box | Reference) -> str:
             return _escaped(part)
         case Reference(key, number):
             return f'#link(label("{key}"))[{number}]'
-    return f"${formula(part)}$"
-
-
-def _equation(equation: Equation) -> str:
-    number, lead = equation.number, equation.lead
-    wide = (WIDE - (NUMBER if number else 0.0)) * MM / SIZE - LETTER * len(lead)
-    body = " \\\n ".join(formula(row) for row in broken(equation.parts, wide))
-    label = f" <eq:{equation.key}>" if equation.key else ""
-    return f"#line[{_escaped(lead)}][$ {body} $][{f'({number})' if number else ''}]{label}"
+    return f"${typeset(part)}$"
 
 
 def _grid(grid: Grid) -> str:
-    caption = grid.caption
-    heads = "".join(f"[{_text(cell)}], " for cell in grid.head)
-    cells = "".join(f"[{_text(cell)}], " for row in grid.rows for cell in row)
+    """A table in letters as small as it needs; one that is too wide even so on a page of its own, turned."""
+    caption, count = grid.caption, len(grid.head)
+    size = next((size for size in SMALL if _table_width(grid) * size / SIZE + CELL * count <= WIDE), None)
+    heads = "".join(_cell(cell, "center + horizon") for cell in grid.head)
+    cells = "".join(_cell(cell) for row in grid.rows for cell in row)
+    aligned = "".join("right, " if _numeric(column) else "left, " for column in zip(*grid.rows, strict=True))
     continued = tr("Continuation of table {number}", number=caption.number)
     said = f"[{_escaped(str(caption))}], [{_escaped(continued)}]"
-    table = f"#listed({_label('tab', caption)}, {said}, {len(grid.head)}, ({heads}), ({cells}))"
-    return f"#turned[{table}]" if letters_wide(grid) > TURNED else table
+    rows = len(grid.rows)
+    place = "none" if not size or rows > WHOLE[1] else "bottom" if rows > WHOLE[0] else "top"
+    laid = f"{count}, ({aligned}), {size or SMALL[0]}pt, {place}"
+    table = f"#listed({_label('tab', caption)}, {said}, {laid}, ({heads}), ({cells}))"
+    return table if size else f"#turned[{table}]"
+
+
+def _table_width(grid: Grid) -> float:
+    """How wide the letters of a table are at least, at the size of the text [mm]."""
+    return sum(max(map(_longest, column)) for column in zip(grid.head, *grid.rows, strict=True)) * EM
+
+
+def _longest(cell: Text) -> float:
+    """The width of what cannot be broken in a cell: its longest word, or a formula with what is written to it [em]."""
+    widest, here = 0.0, 0.0
+    for part in cell.parts:
+        words = part.split(" ") if isinstance(part, str) else [part]
+        for k, word in enumerate(words):
+            here = _wide(word) + (0.0 if k else here)
+            widest = max(widest, here)
+    return widest
+
+
+def _numeric(cells: Sequence[Text]) -> bool:
+    """Whether a column is of numbers."""
+    return all(NUMERIC.fullmatch(plain_text(cell)) for cell in cells)
+
+
+def _cell(cell: Text, align: str = "") -> str:
+    """A cell, with room for indices."""
+    said = [f"align: {align}"] if align else []
+    if any(isinstance(part, Row) and _scripted(part) for part in cell.parts):
+        said.append(f"inset: (x: 3pt, y: {SCRIPTED})")
+    return f"table.cell({', '.join(said)})[{_text(cell)}], " if said else f"[{_text(cell)}], "
+
+
+def _scripted(box: Box) -> bool:
+    return isinstance(box, Script | Fraction) or any(map(_scripted, inner(box)))
+
+
+def _picture(image: Image) -> str:
+    caption = image.caption
+    return f"pictured({_label('fig', caption)}, {_image(image.drawing)}, [{_escaped(str(caption))}])"
 
 
 def _image(drawing: Drawing) -> str:

@@ -29,7 +29,7 @@ from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragrap
 from tmmcalc.report.telling import lines, named, tabulated
 
 SAME = 1e-4  # of the inertia: trials nearer than this are one
-AROUND, ORDINATES = 60.0, 130.0  # above and below the energy-mass curve; height of the ordinates [mm]
+AROUND, ORDINATES = 60.0, 105.0  # above and below the energy-mass curve; height of the ordinates [mm]
 DIVISOR = "(delta_0*omega_m**2)"
 
 
@@ -120,7 +120,7 @@ def _excess(told: Told) -> Iterator[Block]:
         )
     )
     caption = tr("Excess work and kinetic energy of the links")
-    yield tabulated(caption, columns, reduction.labels, head=tr("Position"), key="flywheel_work")
+    yield tabulated(caption, columns, reduction.labels, head=tr("No."), key="flywheel_work")
 
 
 def _curve(told: Told) -> Iterator[Block]:

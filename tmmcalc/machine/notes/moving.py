@@ -68,7 +68,7 @@ class Moving(NamedTuple):
         """The positions as places of lines."""
         labels = (self.kinematics.labels[row] for row in self.rows)
         return [
-            Place(tr("in position {label}", label=label), own) for label, own in zip(labels, self.lexicons, strict=True)
+            Place(tr("pos. {label}", label=label), own) for label, own in zip(labels, self.lexicons, strict=True)
         ]
 
     def timed(self, at: Point) -> tuple[Plane, Plane, Plane]:

@@ -21,12 +21,12 @@ upright("2")), 2)'
         case layout.Letter(text):
             return text
         case layout.Word(text):
-            return f'upright("{text}")'
+            return f'upright("{text}")' if text.strip(",") == text else f'class("normal", upright("{text}"))'
         case layout.Digits(text):
             number = spelt(text)
             return f'"{number}"' if "," in number else number
         case layout.Sign("−", leads=True):
-            return 'class("unary", −)'
+            return 'class("normal", −)'
         case layout.Sign(text):
             return OPERATORS.get(text, text)
         case layout.Gap():

@@ -26,8 +26,8 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Result, Table
 from tmmcalc.report.telling import WIDE, tabulated
 
-GRAPH = 58.0  # height of a diagram [mm]
-SQUARE = 88.0  # height of a hodograph [mm]
+GRAPH = 46.0  # height of a diagram [mm]
+SQUARE = 80.0  # height of a hodograph [mm]
 NOISE = 1e-12  # of the largest: less is nothing
 
 
@@ -96,7 +96,7 @@ def _tables(
         for i, part in enumerate(packed(parts)):
             said = caption.replace("{group}", name)
             labels = [label.replace("-", "−") for label in loaded.result.labels]
-            yield tabulated(said, part, labels, head=tr("Position"), key=f"forces_{key}_{k}_{i}")
+            yield tabulated(said, part, labels, head=tr("No."), key=f"forces_{key}_{k}_{i}")
 
 
 def _columns(loaded: Loaded, pair: ToldPair, values: Values) -> dict[str, Real]:
