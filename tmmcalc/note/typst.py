@@ -38,8 +38,8 @@ LETTER = 0.53  # of an em, of words
 SMALL = (9.5, 9.0, 8.5, 8.0)  # sizes of tables [pt], the first in which one fits
 CELL = 2.4  # beside the letters of a cell, with its line [mm]
 WHOLE = (12, 28)  # rows: up to the first a table stands where it is told of, up to the second on one page
-NUMERIC = re.compile(r"[−+–\d.,  %°]*")  # what a cell of numbers has
-SCRIPTED = "4.5pt"  # over and under the letters of a cell with indices
+NUMERIC = re.compile(r"[-−+–\d.,  %°]*")  # what a cell of numbers has
+SCRIPTED = "3.6pt"  # over and under the letters of a cell with indices
 HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 15mm, bottom: 18mm), numbering: "1")
 #set document(title: "TITLE")
 #set text(font: "TMM Text", size: 12pt, lang: "LANGUAGE")
@@ -55,21 +55,22 @@ HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 15mm, bo
 #let line(columns, holds, ..cells) = block(width: 100%, breakable: false, sticky: holds, spacing: 0.6em,
   { set par(first-line-indent: 0pt); grid(columns: columns, align: horizon, ..cells) })
 #let explained(body) = par(first-line-indent: 0pt, body)
-#let listed(key, caption, continued, columns, aligned, size, place, heads, cells) = {
+#let listed(key, caption, continued, columns, aligned, size, wide, breaks, heads, cells) = {
   let above = context {
-    let said = block(width: 175mm, text(size: 12pt,
+    let said = block(width: wide, text(size: 12pt,
       if here().page() == query(label(key)).first().location().page() { caption } else { continued }))
-    block(height: measure(said).height, width: 0pt, std.place(said))
+    block(height: measure(said).height, width: 0pt, place(said))
   }
-  let body = block(breakable: place == none, width: 100%, above: 1em, below: 1em)[
+  block(breakable: breaks, width: 100%, above: 1em, below: 1em)[
     #set par(justify: false, first-line-indent: 0pt, leading: 0.5em)
     #set text(size: size)
     #set align(left)
     #metadata(none) #label(key)
     #table(columns: columns, align: aligned, table.header(table.cell(colspan: columns, stroke: none,
       inset: (x: 0pt, y: 4pt), align: left, above), ..heads), ..cells)]
-  if place == bottom { std.place(bottom, float: true, clearance: 1em, body) } else { body }
 }
+#let stood(columns, ..tables) = grid(columns: columns, column-gutter: 3mm, align: bottom, ..tables)
+#let floated(body) = place(bottom, float: true, clearance: 1em, body)
 #let turned(body) = page(flipped: true, body)
 #let pictured(key, body, caption) = [#metadata(none) #label(key) #align(center)[#body #v(2mm, weak: true) #caption]]
 #let shown(..pictures) = place(bottom, float: true, clearance: 1.2em,
@@ -115,6 +116,9 @@ def _joins(group: Sequence[Written], block: Written) -> bool:
             drawings = [each.drawing for each in group if isinstance(each, Image)]
             free = WIDE - sum(each.width + GAP for each in drawings)
             return len(drawings) == len(group) and drawing.width <= free
+        case Grid():
+            grids = [each for each in (*group, block) if isinstance(each, Grid)]
+            return len(grids) > len(group) and len(set(map(_stands, grids))) == 1 and _size_of(grids, SMALL[:2]) > 0
     return False
 
 
@@ -122,6 +126,9 @@ def _group(group: Sequence[Written]) -> Iterator[str]:
     """A formula with what belongs to it, pictures beside each other, or a block by itself."""
     if isinstance(group[0], Image):
         yield f"#shown({', '.join(_picture(each) for each in group if isinstance(each, Image))})"
+        return
+    if isinstance(group[0], Grid):
+        yield _grids([each for each in group if isinstance(each, Grid)])
         return
     if not isinstance(group[0], Equation):
         yield _block(group[0])
@@ -261,7 +268,7 @@ def _block(block: Written) -> str:
         case Equation():
             return _line([block], WIDE)
         case Grid():
-            return _grid(block)
+            return _grids([block])
         case Image():
             return f"#shown({_picture(block)})"
         case Points(items):
@@ -313,20 +320,51 @@ def _part(part: str | Box | Reference) -> str:
     return f"${typeset(part)}$"
 
 
-def _grid(grid: Grid) -> str:
-    """A table in letters as small as it needs; one that is too wide even so on a page of its own, turned."""
-    caption, count = grid.caption, len(grid.head)
-    size = next((size for size in SMALL if _table_width(grid) * size / SIZE + CELL * count <= WIDE), None)
+def _grids(grids: Sequence[Grid]) -> str:
+    """Tables beside each other, or one, in letters as small as they need.
+
+    A short table stands where it is told of, a longer one whole where there is room, one of many rows over pages; one
+    that is too wide in small letters stands turned on a page of its own.
+    """
+    size = _size_of(grids, SMALL)
+    if not size:
+        return f"#turned[#{_grid(grids[0], SMALL[0], WIDE)}]"
+    free = (WIDE - GAP * (len(grids) - 1) - sum(_width_at(each, size) for each in grids)) / len(grids)
+    shares = [_width_at(each, size) + free for each in grids]
+    tables = [_grid(each, size, wide) for each, wide in zip(grids, shares, strict=True)]
+    stood = f"stood(({', '.join(f'{wide:g}mm' for wide in shares)}), {', '.join(tables)})" if tables[1:] else tables[0]
+    return f"#floated({stood})" if _stands(grids[0]) == "whole" else f"#{stood}"
+
+
+def _stands(grid: Grid) -> str:
+    """Where a table stands by the number of its rows."""
+    rows = len(grid.rows)
+    return "here" if rows <= WHOLE[0] else "whole" if rows <= WHOLE[1] and _size_of([grid], SMALL) else "on"
+
+
+def _size_of(grids: Sequence[Grid], sizes: Sequence[float]) -> float:
+    """The size of letters [pt] in which tables have room beside each other, or 0."""
+    room = WIDE - GAP * (len(grids) - 1)
+    return next((size for size in sizes if sum(_width_at(each, size) for each in grids) <= room), 0.0)
+
+
+def _width_at(grid: Grid, size: float) -> float:
+    """How wide a table is at least, in letters of this size [mm]."""
+    return _table_width(grid) * size / SIZE + CELL * len(grid.head)
+
+
+def _grid(grid: Grid, size: float, wide: float) -> str:
+    """A table in letters of a size, its caption no wider than so much [mm]."""
+    caption = grid.caption
     heads = "".join(_cell(cell, "center + horizon") for cell in grid.head)
     cells = "".join(_cell(cell) for row in grid.rows for cell in row)
-    aligned = "".join("right, " if _numeric(column) else "left, " for column in zip(*grid.rows, strict=True))
+    columns = zip(*grid.rows, strict=True)
+    aligned = "".join("right + horizon, " if _numeric(column) else "left + horizon, " for column in columns)
     continued = tr("Continuation of table {number}", number=caption.number)
     said = f"[{_escaped(str(caption))}], [{_escaped(continued)}]"
-    rows = len(grid.rows)
-    place = "none" if not size or rows > WHOLE[1] else "bottom" if rows > WHOLE[0] else "top"
-    laid = f"{count}, ({aligned}), {size or SMALL[0]}pt, {place}"
-    table = f"#listed({_label('tab', caption)}, {said}, {laid}, ({heads}), ({cells}))"
-    return table if size else f"#turned[{table}]"
+    breaks = str(_stands(grid) == "on").lower()
+    laid = f"{len(grid.head)}, ({aligned}), {size}pt, {wide:g}mm, {breaks}"
+    return f"listed({_label('tab', caption)}, {said}, {laid}, ({heads}), ({cells}))"
 
 
 def _table_width(grid: Grid) -> float:
@@ -385,4 +423,4 @@ def _quoted(text: str) -> str:
 def _escaped(text: str) -> str:
     for sign in "\\#$*_`<>@[]~":
         text = text.replace(sign, "\\" + sign)
-    return text
+    return text.replace("/", "/\u2060")  # a unit is not broken

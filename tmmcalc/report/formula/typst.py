@@ -32,7 +32,7 @@ upright("2")), 2)'
         case layout.Gap():
             return "thin"
         case layout.Row(boxes):
-            return " ".join(map(typst, boxes))
+            return _row(boxes)
         case layout.Fraction(over, under):
             return f"frac({typst(over)}, {typst(under)})"
         case layout.Marked(inner, mark):
@@ -54,3 +54,13 @@ upright("2")), 2)'
             return f"sum_({typst(lower)}) {typst(body)}"
         case layout.Arrowed(inner):
             return f"arrow({typst(inner)})"
+
+
+def _row(boxes: tuple[layout.Box, ...]) -> str:
+    """Boxes one after another; a number in quotes follows its minus at once, where Typst would keep a space."""
+    found = ""
+    for k, box in enumerate(boxes):
+        piece = typst(box)
+        close = k and isinstance(boxes[k - 1], layout.Sign) and boxes[k - 1].leads and piece.startswith('"')
+        found += piece if close or not k else f" {piece}"
+    return found
