@@ -152,4 +152,5 @@ ROOM = Room(
         "forces": "Force analysis",
         "unsteady": "Unsteady motion of the mechanism",
     },
+    gives=True,
 )

@@ -20,6 +20,7 @@ from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import (
     Block,
     Chapter,
+    Datum,
     Display,
     Figure,
     Heading,
@@ -60,7 +61,7 @@ class Assembler:
         self._chapters = 0
         self._prefix = ""  # of numbers in this chapter
         self._parts = [0, 0]  # how many of levels 2 and 3 there were
-        self._counts: Counter[str] = Counter()  # of tables, figures and formulas in a chapter
+        self._counts: Counter[tuple[str, str]] = Counter()  # of tables, figures and formulas by chapter
         self._explained: dict[str, tuple[str, str]] = {}  # meaning and unit of a name
 
     def written(self, chapters: Iterable[Chapter]) -> list[Written]:
@@ -88,7 +89,7 @@ class Assembler:
                     yield from self._line(block)
                 case Listing(items):
                     yield Points(tuple(inline(item) for item in items))
-                case Result():
+                case Result() | Datum():
                     continue
                 case Verbatim(text):
                     yield Source(text)
@@ -100,7 +101,6 @@ class Assembler:
 
     def _chapter(self, chapter: Chapter) -> Title:
         """Its title; what stands in it is numbered by the chapter."""
-        self._counts.clear()
         self._parts = [0, 0]
         if chapter.number is not None:
             self._prefix = chapter.number
@@ -117,8 +117,8 @@ class Assembler:
         return Title(".".join([self._prefix, *map(str, self._parts[: level - 1])]), text, level)
 
     def _numbered(self, kind: str, key: str) -> str:
-        self._counts[kind] += 1
-        number = f"{self._prefix}.{self._counts[kind]}".removeprefix(".")
+        self._counts[self._prefix, kind] += 1
+        number = f"{self._prefix}.{self._counts[self._prefix, kind]}".removeprefix(".")
         if key:
             self._numbers[f"{kind}:{key}"] = number
         return number

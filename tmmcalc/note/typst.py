@@ -30,9 +30,9 @@ from tmmcalc.report.formula.typst import typst as typeset
 from tmmcalc.report.language import tr
 from tmmcalc.report.sheets.gosttext import FIRST, OTHERS, PAGE, TextTitles, text_frame
 
-SIZE, NUMBERS, WORDS = 12.0, 10.5, 9.5  # of letters, of formulas with numbers, of words before these [pt]
+SIZE, NUMBERS, WORDS = 12.0, 10.5, 9.0  # of letters, of formulas with numbers, of words before these [pt]
 WIDE = 175.0  # of the text [mm]
-INDENT, NUMBER, GAP = 14.0, 13.0, 3.0  # room before a formula, for its number, between two beside each other [mm]
+INDENT, NUMBER, GAP = 13.0, 12.0, 2.0  # room before a formula, for its number, between two beside each other [mm]
 EM = SIZE * 25.4 / 72.0  # a letter M of the text [mm]
 LETTER = 0.53  # of an em, of words
 SMALL = (9.5, 9.0, 8.5, 8.0)  # sizes of tables [pt], the first in which one fits
@@ -43,8 +43,8 @@ SCRIPTED = "3.6pt"  # over and under the letters of a cell with indices
 HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 15mm, bottom: 18mm), numbering: "1")
 #set document(title: "TITLE")
 #set text(font: "TMM Text", size: 12pt, lang: "LANGUAGE")
-#set par(justify: true, leading: 0.72em, spacing: 0.72em, first-line-indent: (amount: 12.5mm, all: true))
-#show heading: set block(above: 1.3em, below: 0.9em)
+#set par(justify: true, leading: 0.68em, spacing: 0.68em, first-line-indent: (amount: 12.5mm, all: true))
+#show heading: set block(above: 1.15em, below: 0.8em)
 #show heading.where(level: 1): it => { block(breakable: false, sticky: true, below: 0pt, height: 45mm)
   v(-45mm); it }
 #show raw: set text(size: 7.5pt)
@@ -52,7 +52,7 @@ HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 15mm, bo
 #show math.equation.where(block: true): set block(spacing: 0.6em)
 #show outline.entry: set block(spacing: 0.7em)
 #set table(stroke: 0.5pt, inset: (x: 3pt, y: 3pt))
-#let line(columns, holds, ..cells) = block(width: 100%, breakable: false, sticky: holds, spacing: 0.6em,
+#let line(columns, holds, ..cells) = block(width: 100%, breakable: false, sticky: holds, spacing: 0.55em,
   { set par(first-line-indent: 0pt); grid(columns: columns, align: horizon, ..cells) })
 #let explained(body) = par(first-line-indent: 0pt, body)
 #let listed(key, caption, continued, columns, aligned, size, wide, breaks, heads, cells) = {
@@ -69,7 +69,7 @@ HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 15mm, bo
     #table(columns: columns, align: aligned, table.header(table.cell(colspan: columns, stroke: none,
       inset: (x: 0pt, y: 4pt), align: left, above), ..heads), ..cells)]
 }
-#let stood(columns, ..tables) = grid(columns: columns, column-gutter: 3mm, align: bottom, ..tables)
+#let stood(columns, ..tables) = grid(columns: columns, column-gutter: 3mm, align: top, ..tables)
 #let floated(body) = place(bottom, float: true, clearance: 1em, body)
 #let turned(body) = page(flipped: true, body)
 #let pictured(key, body, caption) = [#metadata(none) #label(key) #align(center)[#body #v(2mm, weak: true) #caption]]
