@@ -38,6 +38,7 @@ LETTER = 0.53  # of an em, of words
 SMALL = (9.5, 9.0, 8.5, 8.0)  # sizes of tables [pt], the first in which one fits
 CELL = 2.4  # beside the letters of a cell, with its line [mm]
 WHOLE = (12, 28)  # rows: up to the first a table stands where it is told of, up to the second on one page
+CHAPTER = re.compile(r"\d+\.")  # what the number of a table in a numbered chapter begins with
 NUMERIC = re.compile(r"[-−+–\d.,  %°]*")  # what a cell of numbers has
 SCRIPTED = "3.6pt"  # over and under the letters of a cell with indices
 HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 15mm, bottom: 18mm), numbering: "1")
@@ -149,9 +150,9 @@ def _formula(formula: Equation, said: Text | None, *, holds: bool) -> Iterator[s
     (row, *more) = _broken(formula, WIDE)
     free = WIDE - INDENT - NUMBER - width(row) * EM - 2 * GAP
     if said is not None and not more and sum(map(_wide, said.parts)) * EM <= free:
-        cells = f"[], [$display({typeset(row)})$,], [{_text(said)}], [({formula.number})]"
-        columns = f"({INDENT:g}mm, auto, 1fr, auto)"
-        yield f"#line({columns}, {str(holds).lower()}, column-gutter: (0mm, {GAP:g}mm, 0mm), {cells}){_eq(formula)}"
+        cells = f"[], [$ {typeset(row)} $], [,], [{_text(said)}], [({formula.number})]"
+        columns = f"({INDENT:g}mm, auto, auto, 1fr, auto)"
+        yield f"#line({columns}, {str(holds).lower()}, column-gutter: (0mm, 0mm, {GAP:g}mm, 0mm), {cells}){_eq(formula)}"
         return
     yield _line([formula], WIDE, holds=holds)
     if said is not None:
@@ -262,7 +263,8 @@ def _block(block: Written) -> str:
             return f"#outline(title: [{_escaped(title)}], depth: 2, indent: 5mm)"
         case Title(number, text, level):
             numbered = f"{number} {text}".strip()
-            return f"{'=' * level} {_escaped(numbered)}"
+            apart = "#place.flush()\n#pagebreak(weak: true)\n" if level == 1 and not number[:1].isdigit() else ""
+            return f"{apart}{'=' * level} {_escaped(numbered)}"
         case Text():
             return _text(block) + "\n"
         case Equation():
@@ -339,6 +341,8 @@ def _grids(grids: Sequence[Grid]) -> str:
 def _stands(grid: Grid) -> str:
     """Where a table stands by the number of its rows."""
     rows = len(grid.rows)
+    if not CHAPTER.match(grid.caption.number):
+        return "on"
     return "here" if rows <= WHOLE[0] else "whole" if rows <= WHOLE[1] and _size_of([grid], SMALL) else "on"
 
 

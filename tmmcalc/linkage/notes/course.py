@@ -22,7 +22,7 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Table
+from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.numbers import number
 from tmmcalc.report.telling import column_of, filled, lines, named, pictured, tabulated
 
@@ -201,7 +201,9 @@ def _compared(told: Told, found: Kinematics, k: int, name: str) -> Iterator[Bloc
     heads, columns, worst = [tr("No.")], [list(result.labels)], []
     for (letter, unit), one, other in zip(letters, exact, near, strict=True):
         share = 100 * np.abs(other - one) / (float(np.max(np.abs(one))) or 1.0)
-        worst.append(spelt(f"{np.max(share):.2g}"))
+        worst.append(float(np.max(share)))
+        largest = tr("largest magnitude of {quantity}", quantity=f"${letter}_{{{name}}}$")
+        yield Result(f"{letter}_{{{name}}}", Given(float(np.max(np.abs(one))), unit, largest), place=tr("by positions"))
         symbol = f"${letter}_{{{name}}}$"
         by = tr("{quantity} by differences", quantity=symbol)
         heads += [f"{symbol}, {tr_unit(unit)}", f"{by}, {tr_unit(unit)}", f"{tr('Difference')}, %"]
@@ -212,9 +214,11 @@ def _compared(told: Told, found: Kinematics, k: int, name: str) -> Iterator[Bloc
             "Table {table} compares all positions: the largest difference is {first} % of the largest velocity and "
             "{second} % of the largest acceleration.",
             table=f"{{tab:{key}}}",
-            first=worst[0],
-            second=worst[1],
+            first=spelt(f"{worst[0]:.2g}"),
+            second=spelt(f"{worst[1]:.2g}"),
         )
     )
+    apart = Given(max(worst), "%", tr("largest difference of numerical differentiation"))
+    yield Result("Delta", apart, place=name)
     caption = tr("Numerical differentiation of output {output}", output=name)
     yield Table(caption, tuple(heads), tuple(zip(*columns, strict=True)), key)

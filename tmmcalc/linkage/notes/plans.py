@@ -165,6 +165,16 @@ def _compared(told: Told, found: Sequence[VectorPolygons], plans: Sequence[Plan]
         tr("Difference") + ", %",
     )
     yield Table(tr("Comparison with the plans"), heads, tuple(rows), "plan_compared")
+    largest = max((row for row in rows if row[-1] != "–"), key=lambda row: float(row[-1].replace(",", ".")), default=())
+    if largest:
+        said = tr(
+            "The largest difference, {part} %, is that of {quantity} in position {label}; the shorter a segment, the "
+            "larger what reading it off leaves.",
+            part=largest[-1],
+            quantity=largest[1].partition("$ ")[0].partition("$,")[0].rstrip("$") + "$",
+            label=largest[0],
+        )
+        yield Paragraph(said)
 
 
 def _turned(told: Told, found: VectorPolygons, plan: Plan, k: int) -> Iterator[tuple[str, ...]]:

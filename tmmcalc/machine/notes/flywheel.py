@@ -165,6 +165,7 @@ def _curve(told: Told) -> Iterator[Block]:
     yield from lines(segment, place)
     yield Paragraph(tr("The constant moment of inertia that the machine must have"))
     yield from lines((f"J_F = mu_A*l_GH/{DIVISOR}",), place)
+    yield Result("J_F", lexicon["J_F"])
     draw = partial(
         draw_energy_mass,
         picture=told.result.picture,

@@ -368,6 +368,7 @@ def _regulation(result: Motion, order: Order) -> Iterator[Block]:
     rated = found[1].speed / power.duty.ratio
     yield Paragraph(tr("The least angular velocity against the rated one:"))
     yield held("omega_min >= omega_N", (regime.omega_min, rated), "rad/s", holds=regime.omega_min >= rated)
+    yield Result("omega_min", Given(regime.omega_min, "rad/s", tr("least angular velocity")), rated, ">=")
     yield from _heating(result)
 
 

@@ -103,11 +103,17 @@ def _simple(result: Reduction) -> bool:
     return all(each.simpson is not None for each in result.contributions)
 
 
+def _cleaned(ordinates: Real) -> str:
+    """The sum of ordinates as it is printed, nothing where it is but rounding."""
+    found = float(np.sum(ordinates))
+    return column_of([found if abs(found) > NOISE * float(np.sum(np.abs(ordinates))) else 0.0])[0]
+
+
 def _with_factors(table: Table, result: Reduction) -> Table:
     """The table with the factors of Simpson's rule, and a row of the sums of its ordinates with them."""
     weights = simpson_weights(len(result.phi))
     factors = ("$k_i$", *map(str, weights.astype(int)), "")
-    sums = [column_of([float(weights @ moment)])[0] for moment in result.moment]
+    sums = [_cleaned(weights * moment) for moment in result.moment]
     last = (tr("Sum"), "", *sums, *("" for _ in table.head[len(sums) + 2 :]))
     rows = [row[:1] + (factor,) + row[1:] for factor, row in zip(factors, (table.head, *table.rows, last), strict=True)]
     return table._replace(head=rows[0], rows=tuple(rows[1:]))
@@ -196,9 +202,6 @@ def _inertia_table(result: Reduction, names: Names, further: Mapping[str, Real])
     caption = tr("Reduced moment of inertia") if result.turns else tr("Reduced mass")
     yield tabulated(caption, columns, result.labels, head=tr("No."), key="reduction_inertia")
     if result.other is not None:
-        rods = ", ".join(map(str, result.rod_links))
-        one = len(result.rod_links) == 1
-        pins = (
-            tr("link {rods} lumped in the pins", rods=rods) if one else tr("links {rods} lumped in the pins", rods=rods)
-        )
-        yield Paragraph(f"${names.part('l')}$ – {pins if result.rods == 'exact' else tr('exact')}.")
+        name, rods = f"${names.part('l')}$", ", ".join(map(str, result.rod_links))
+        lumped = tr("In column {name} the masses of the rods ({rods}) are lumped in their pins.", name=name, rods=rods)
+        yield Paragraph(lumped if result.rods == "exact" else tr("In column {name} the rods are taken exactly.", name=name))
