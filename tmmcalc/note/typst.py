@@ -35,6 +35,7 @@ WIDE = 175.0  # of the text [mm]
 INDENT, NUMBER, GAP = 13.0, 12.0, 2.0  # room before a formula, for its number, between two beside each other [mm]
 EM = SIZE * 25.4 / 72.0  # a letter M of the text [mm]
 LETTER = 0.53  # of an em, of words
+NEARLY = 1.04  # of the estimated width: what a formula may take
 SMALL = (9.5, 9.0, 8.5, 8.0)  # sizes of tables [pt], the first in which one fits
 CELL = 2.4  # beside the letters of a cell, with its line [mm]
 WHOLE = (12, 28)  # rows: up to the first a table stands where it is told of, up to the second on one page
@@ -187,19 +188,20 @@ def _sized(body: str, rows: Sequence[Row], formula: Equation, wide: float) -> st
     """The rows in letters in which even those that cannot be broken have room."""
     room = wide - _lead(formula) - (NUMBER if formula.number else 0.0)
     size = NUMBERS if formula.lead else SIZE
-    needed = max(map(width, rows)) * _em(formula)
+    needed = (max(map(width, rows)) + (1.0 if rows[1:] else 0.0)) * _em(formula)
     return f"text(size: {size * min(1.0, room / needed):.4g}pt)[{body}]"
 
 
 def _broken(formula: Equation, wide: float) -> list[Row]:
     """The rows of a formula in so much room [mm]."""
     room = wide - _lead(formula) - (NUMBER if formula.number else 0.0)
-    return broken(formula.parts, room / _em(formula))
+    whole = broken(formula.parts, room / _em(formula))
+    return whole if len(whole) == 1 else broken(formula.parts, room / _em(formula) - 1.0)  # what goes on stands in
 
 
 def _em(formula: Equation) -> float:
     """The letter M of a formula [mm]."""
-    return EM * (NUMBERS / SIZE if formula.lead else 1.0)
+    return EM * NEARLY * (NUMBERS / SIZE if formula.lead else 1.0)
 
 
 def _lead(formula: Equation) -> float:

@@ -40,7 +40,7 @@ from tmmcalc.report.telling import lines, named, number_of, tabulated, vector
 ON_LINE = 1e-12  # of a rod: a centre of mass so near to its line lies on it
 MARKS = {"least squares": "1", "minimax": "m", "lanchester": "L", "lanchester 2": "LL", "given": "z"}
 HIGHEST = 4  # order of harmonics that are told
-HODOGRAPHS, HIGH = 165.0, 100.0  # heights of the pictures [mm]
+HODOGRAPHS, HIGH = 140.0, 95.0  # heights of the pictures [mm]
 
 
 def linkage_blocks(order: Order, result: Balancing) -> Iterator[Block]:

@@ -26,7 +26,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Result, Table
 from tmmcalc.report.telling import WIDE, tabulated
 
-GRAPH = 46.0  # height of a diagram [mm]
+GRAPH, HALF = 46.0, (84.0, 52.0)  # height of a diagram of reactions, size of one of the drive [mm]
 SQUARE = 80.0  # height of a hodograph [mm]
 NOISE = 1e-12  # of the largest: less is nothing
 
@@ -154,8 +154,9 @@ def _pictures(loaded: Loaded) -> Iterator[Block]:
         drive="M_d" if result.turns else "F_d",
     )
     yield Paragraph(said)
-    for key, (caption, graph) in zip(keys, graphs, strict=True):
-        yield Figure(caption, partial(_diagram, graph=graph), (WIDE, GRAPH), key)
+    for k, (key, (caption, graph)) in enumerate(zip(keys, graphs, strict=True)):
+        size = (WIDE, GRAPH) if k < len(reactions) else HALF
+        yield Figure(caption, partial(_diagram, graph=graph), size, key)
     shown = hodographs_of(loaded.told.chain.mechanism, result)
     link = loaded.told.result.structure.input_link
 

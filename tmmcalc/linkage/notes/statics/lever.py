@@ -57,7 +57,7 @@ def lever(loaded: Loaded) -> Iterator[Block]:
 
 
 def _pairs(loaded: Loaded, found: Sequence[Lever]) -> Iterator[Block]:
-    """The forces that stand for the couples."""
+    """The forces that stand for the couples, the first by its formula."""
     texts = []
     mechanism = loaded.told.chain.mechanism
     seen = dict.fromkeys((f.link, f.name, f.kind) for each in found for f in working(each.forces) if f.point)
@@ -78,7 +78,9 @@ def _pairs(loaded: Loaded, found: Sequence[Lever]) -> Iterator[Block]:
                 }
             )
         texts.append(f"{_pair_name(key)} = abs({key})/l_{{{points}}}")
-    yield from loaded.lines(texts)
+    yield from loaded.lines(texts[:1])
+    if texts[1:]:
+        yield Paragraph(tr("The forces of the other pairs are found in the same way."))
 
 
 def _pair_name(key: str) -> str:
