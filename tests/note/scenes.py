@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 
@@ -36,9 +37,11 @@ def chapters(name: str) -> tuple[Chapter, ...]:
     return tuple(told(name))
 
 
-def told(name: str, positions: str | None = None, only: tuple[str, ...] = tuple(CHAPTERS)) -> list[Chapter]:
-    """The chapters of a ready spec in the language in force."""
-    done = run(load_spec(CONFIGS / f"{name}.toml"), target=stages_of(only))
+def told(
+    name: str, positions: str | None = None, only: tuple[str, ...] = tuple(CHAPTERS), changed: Sequence[str] = ()
+) -> list[Chapter]:
+    """The chapters of a ready spec, with these keys changed, in the language in force."""
+    done = run(load_spec(CONFIGS / f"{name}.toml", changed), target=stages_of(only))
     titles = {chapter: CHAPTERS[chapter] for chapter in only}
     return chapters_of(titles, done.spec, done.results, {**NONE, POSITIONS: positions})
 

@@ -23,6 +23,8 @@ from tmmcalc.note.tree import (
     Title,
     Written,
     letters_wide,
+    longest_word,
+    plain_text,
 )
 from tmmcalc.report.drawing.pdf import png
 from tmmcalc.report.drawing.shapes import Drawing
@@ -40,7 +42,10 @@ MARGINS = {"left": 25, "right": 10, "top": 20, "bottom": 20}  # [mm]
 FONT, SIZE, SMALL = "Times New Roman", 14.0, 12.0  # of text and of tables [pt]
 CODE, CODED = "Courier New", 8.0  # font and size of lines as they are
 INDENT = 12.5  # of the first line of a paragraph [mm]
-PARTS = (36, 121, 18)  # widths of the words before a formula, of itself and of its number [mm]
+LEAD, FORMULA, NUMBER = 36, 121, 18  # widths of the words before a formula, of itself and of its number [mm]
+ACROSS, ALONG = 175.0, 257.0  # widths of a table, and of one that is turned [mm]
+LETTER, PADDING = 2.45, 4.5  # of a column: by letter, and between its texts and lines [mm]
+TWIPS = 1440 / 25.4  # to a mm
 TURNED = 92  # letters in a row from which on a table stands turned
 SPACES = {
     "w": "http://schemas.openxmlformats.org/wordprocessingml/2006/main",
@@ -91,11 +96,16 @@ def _undated(buffer: BytesIO) -> bytes:
 
 def _xml(text: str) -> Any:
     """An element with the name spaces that it needs."""
+    (found,) = _elements(text)
+    return found
+
+
+def _elements(text: str) -> list[Any]:
+    """Elements one after another."""
     from docx.oxml import parse_xml
 
-    name, end = text[1 : text.index(":")], min(text.index(sign) for sign in " />" if sign in text)
-    spaces = " ".join(f'xmlns:{key}="{space}"' for key, space in SPACES.items() if f"{key}:" in text or key == name)
-    return parse_xml(f"{text[:end]} {spaces}{text[end:]}")
+    spaces = " ".join(f'xmlns:{key}="{space}"' for key, space in SPACES.items() if f"{key}:" in text)
+    return list(parse_xml(f"<all {spaces}>{text}</all>"))
 
 
 def _styled(found: Document) -> None:
@@ -110,7 +120,7 @@ def _styled(found: Document) -> None:
     section.different_first_page_header_footer = True
     foot = section.footer.paragraphs[0]
     foot.alignment = TO.CENTER
-    _field(foot, "PAGE", "2")
+    foot._p.extend(_elements(_field("PAGE", "2")))
     styles: Any = found.styles
     for name, size in (
         ("Normal", SIZE),
@@ -145,16 +155,47 @@ def _styled(found: Document) -> None:
     numbering.append(_xml(f'<w:num w:numId="{NUMBERED}"><w:abstractNumId w:val="{NUMBERED}"/></w:num>'))
 
 
-def _field(paragraph: Paragraph, code: str, shown: str) -> None:
-    """A field with what it shows until it is brought up to date."""
-    for part in (
+def _field(code: str, shown: str) -> str:
+    """Runs of a field with what it shows until it is brought up to date."""
+    parts = (
         '<w:fldChar w:fldCharType="begin"/>',
         f'<w:instrText xml:space="preserve"> {escape(code)} </w:instrText>',
         '<w:fldChar w:fldCharType="separate"/>',
         f"<w:t>{escape(shown)}</w:t>",
         '<w:fldChar w:fldCharType="end"/>',
-    ):
-        paragraph._p.append(_xml(f"<w:r>{part}</w:r>"))
+    )
+    return "".join(f"<w:r>{part}</w:r>" for part in parts)
+
+
+def _run(text: str, size: float | None = None) -> str:
+    """A run of text, of this size [pt] or of that of its paragraph."""
+    sized = "" if size is None else f'<w:rPr><w:sz w:val="{2 * size:g}"/></w:rPr>'
+    return f'<w:r>{sized}<w:t xml:space="preserve">{escape(text)}</w:t></w:r>' if text else ""
+
+
+def _paragraph(runs: str, to: str = "left") -> str:
+    """A paragraph of single lines in a cell."""
+    return f'<w:p><w:pPr><w:spacing w:line="240" w:lineRule="auto"/><w:jc w:val="{to}"/></w:pPr>{runs}</w:p>'
+
+
+def _table(widths: Sequence[float], rows: Sequence[tuple[str, Sequence[str]]], style: str = "") -> str:
+    """A table of columns so wide [mm]; rows are what is said of them, and cells of paragraphs.
+
+    Without a style there are no lines, and nothing is kept free beside the texts.
+    """
+    dxa = [round(size * TWIPS) for size in widths]
+    grid = "".join(f'<w:gridCol w:w="{size}"/>' for size in dxa)
+    said = []
+    for properties, cells in rows:
+        each = (
+            f'<w:tc><w:tcPr><w:tcW w:w="{size}" w:type="dxa"/><w:vAlign w:val="center"/></w:tcPr>{cell}</w:tc>'
+            for size, cell in zip(dxa, cells, strict=True)
+        )
+        said.append(f"<w:tr><w:trPr><w:cantSplit/>{properties}</w:trPr>{''.join(each)}</w:tr>")
+    styled = f'<w:tblStyle w:val="{style}"/>' if style else ""
+    bare = '<w:tblCellMar><w:left w:w="0" w:type="dxa"/><w:right w:w="0" w:type="dxa"/></w:tblCellMar>' * (not style)
+    sized = f'<w:tblW w:w="{sum(dxa)}" w:type="dxa"/><w:tblLayout w:type="fixed"/>'
+    return f"<w:tbl><w:tblPr>{styled}{sized}{bare}</w:tblPr><w:tblGrid>{grid}</w:tblGrid>{''.join(said)}</w:tbl>"
 
 
 class _Writer:
@@ -183,7 +224,7 @@ class _Writer:
                 self.image(caption, drawing)
             case Points(items):
                 for item in items:
-                    self.fill(self.found.add_paragraph(style="List Bullet"), item)
+                    self.found.add_paragraph(style="List Bullet")._p.extend(_elements(_runs(item)))
             case Source(text):
                 self.source(text)
 
@@ -229,18 +270,16 @@ class _Writer:
         for k, each in enumerate(self.titles):
             paragraph = self.found.add_paragraph() if k else first
             paragraph.paragraph_format.left_indent = Mm(6 * (each.level - 1))
-            paragraph.paragraph_format.tab_stops.add_tab_stop(
-                Mm(sum(PARTS)), WD_TAB_ALIGNMENT.RIGHT, WD_TAB_LEADER.DOTS
-            )
+            paragraph.paragraph_format.tab_stops.add_tab_stop(Mm(ACROSS), WD_TAB_ALIGNMENT.RIGHT, WD_TAB_LEADER.DOTS)
             paragraph.add_run(f"{each.number} {each.text}\t".strip(" "))
-            _field(paragraph, f"PAGEREF {_bookmark(_heading(each))} \\h", "")
+            paragraph._p.extend(_elements(_field(f"PAGEREF {_bookmark(_heading(each))} \\h", "")))
         paragraph._p.append(_xml('<w:r><w:fldChar w:fldCharType="end"/></w:r>'))
 
     def title(self, title: Title) -> None:
         """A heading that Word numbers; one without a number, or of an appendix, as it is."""
         counted = title.number[:1].isdigit()
         heading = self.found.add_heading(title.text if counted else f"{title.number} {title.text}".strip(), title.level)
-        heading._p.extend(self.marked(_heading(title)))
+        heading._p.extend(_elements("".join(self.marked(_heading(title)))))
         if not counted:
             heading._p.get_or_add_pPr().append(_xml('<w:numPr><w:numId w:val="0"/></w:numPr>'))
 
@@ -252,98 +291,63 @@ class _Writer:
         paragraph = self.found.add_paragraph()
         paragraph.alignment = TO.JUSTIFY
         paragraph.paragraph_format.first_line_indent = Mm(INDENT)
-        self.fill(paragraph, text)
+        paragraph._p.extend(_elements(_runs(text)))
 
-    def fill(self, paragraph: Paragraph, text: Text) -> None:
-        """Words, equations, references."""
-        for part in text.parts:
-            match part:
-                case str():
-                    paragraph.add_run(part)
-                case Reference(key, number):
-                    _field(paragraph, f"REF {_bookmark(key)} \\h", number)
-                case _:
-                    paragraph._p.append(_xml(f"<m:oMath>{omml(part)}</m:oMath>"))
+    def add(self, text: str) -> None:
+        """Put an element behind all that is there."""
+        self.found.element.body.sectPr.addprevious(_xml(text))
 
     def equation(self, equation: Equation) -> None:
-        """A formula in the middle, its place before it and its number at the right margin, in a table without lines."""
-        from docx.enum.table import WD_CELL_VERTICAL_ALIGNMENT as ALIGNED
-        from docx.enum.text import WD_PARAGRAPH_ALIGNMENT as TO
-        from docx.shared import Mm, Pt
-
-        table = self.found.add_table(rows=1, cols=3)
-        table.autofit = False
-        table.rows[0]._tr.get_or_add_trPr().append(_xml("<w:cantSplit/>"))
-        cells = table.rows[0].cells
-        for column, size in zip(table.columns, PARTS, strict=True):
-            column.width = Mm(size)
-        for cell, size, to in zip(cells, PARTS, (TO.LEFT, TO.CENTER, TO.RIGHT), strict=True):
-            cell.width, cell.vertical_alignment = Mm(size), ALIGNED.CENTER
-            cell.paragraphs[0].alignment = to
-            cell.paragraphs[0].paragraph_format.line_spacing = 1.0
-        cells[0].paragraphs[0].add_run(equation.lead).font.size = Pt(SMALL)
-        if equation.number:
-            number = cells[2].paragraphs[0]
-            number.add_run("(")
-            self.number(number, "Formula", equation.number, f"eq:{equation.key}" if equation.key else "")
-            number.add_run(")")
-        for k, row in enumerate(broken(equation.parts, WIDE)):
-            paragraph = cells[1].paragraphs[0] if not k else cells[1].add_paragraph()
-            paragraph.alignment = TO.CENTER
-            paragraph.paragraph_format.line_spacing = 1.0
+        """A formula in the middle, its place before it or its number at the right margin, in a table without lines."""
+        rows = []
+        for row in broken(equation.parts, WIDE):
             lead = OPENING if isinstance(row.boxes[0], Sign) and not row.boxes[0].leads else ""
-            paragraph._p.append(_xml(f"<m:oMathPara><m:oMath>{lead}{omml(row)}</m:oMath></m:oMathPara>"))
+            rows.append(_paragraph(f"<m:oMathPara><m:oMath>{lead}{omml(row)}</m:oMath></m:oMathPara>", "center"))
+        number = ""
+        if equation.number:
+            key = f"eq:{equation.key}" if equation.key else ""
+            number = f"{_run('(')}{self.number('Formula', equation.number, key)}{_run(')')}"
+        cells = [_paragraph(_run(equation.lead, SMALL)), "".join(rows), _paragraph(number, "right")]
+        sizes = (LEAD, FORMULA, NUMBER) if equation.lead else (NUMBER, FORMULA + LEAD - NUMBER, NUMBER)
+        if equation.lead and not equation.number:
+            del cells[2:]
+            sizes = (LEAD, FORMULA + NUMBER)
+        self.add(_table(sizes, [("", cells)]))
 
-    def number(self, paragraph: Paragraph, sequence: str, number: str, key: str) -> None:
+    def number(self, sequence: str, number: str, key: str) -> str:
         """A number such as 2.3 as fields, with a bookmark for references to it."""
         chapter, dot, own = number.rpartition(".")
-        mark = self.marked(key)
-        paragraph._p.extend(mark[:1])
-        if chapter.isdigit():
-            _field(paragraph, "STYLEREF 1 \\s", chapter)
-        else:
-            paragraph.add_run(chapter)
-        paragraph.add_run(dot)
-        _field(paragraph, f"SEQ {sequence} \\* ARABIC \\s 1" + (" \\r 1" if own == "1" else ""), own)
-        paragraph._p.extend(mark[1:])
+        before, after = self.marked(key) or ("", "")
+        counted = _field("STYLEREF 1 \\s", chapter) if chapter.isdigit() else _run(chapter)
+        field = _field(f"SEQ {sequence} \\* ARABIC \\s 1" + (" \\r 1" if own == "1" else ""), own)
+        return f"{before}{counted}{_run(dot)}{field}{after}"
 
-    def marked(self, key: str) -> list[Any]:
+    def marked(self, key: str) -> tuple[str, ...]:
         """The two ends of a bookmark of what texts refer to; nothing without a key."""
         if not key:
-            return []
+            return ()
         self.marks += 1
         name = quoteattr(_bookmark(key))
-        return [
-            _xml(f'<w:bookmarkStart w:id="{self.marks}" w:name={name}/>'),
-            _xml(f'<w:bookmarkEnd w:id="{self.marks}"/>'),
-        ]
+        return f'<w:bookmarkStart w:id="{self.marks}" w:name={name}/>', f'<w:bookmarkEnd w:id="{self.marks}"/>'
 
     def caption(self, caption: Caption, sequence: str, kind: str) -> Paragraph:
         """The line over a table or under a figure."""
         paragraph = self.found.add_paragraph(f"{caption.word} ", style="Caption")
-        self.number(paragraph, sequence, caption.number, f"{kind}:{caption.key}" if caption.key else "")
-        paragraph.add_run(f" – {caption.text}" if caption.text else "")
+        number = self.number(sequence, caption.number, f"{kind}:{caption.key}" if caption.key else "")
+        paragraph._p.extend(_elements(number + _run(f" – {caption.text}" if caption.text else "")))
         return paragraph
 
     def grid(self, grid: Grid) -> None:
         """A table with lines, whose head is repeated on every page; a wide one on a page of its own, turned."""
-        from docx.shared import Pt
-
         turned = letters_wide(grid) > TURNED
         if turned:
             self.turn()
         self.caption(grid.caption, "Table", "tab")
-        rows = (grid.head, *grid.rows)
-        table = self.found.add_table(rows=len(rows), cols=len(grid.head), style="Table Grid")
-        for row, texts in zip(table.rows, rows, strict=True):
-            row._tr.get_or_add_trPr().append(_xml("<w:cantSplit/>"))
-            for cell, text in zip(row._tr.tc_lst, texts, strict=True):
-                paragraph = _in_cell(cell)
-                paragraph.paragraph_format.line_spacing = 1.0
-                self.fill(paragraph, text)
-                for run in paragraph.runs:
-                    run.font.size = Pt(SMALL)
-        table.rows[0]._tr.get_or_add_trPr().append(_xml("<w:tblHeader/>"))
+        rows = [
+            ("" if k else "<w:tblHeader/>", [_paragraph(_runs(cell, SMALL)) for cell in row])
+            for k, row in enumerate((grid.head, *grid.rows))
+        ]
+        self.add(_table(_widths(grid, ALONG if turned else ACROSS), rows, "TableGrid"))
         if turned:
             self.turn()
         else:
@@ -392,11 +396,31 @@ class _Writer:
             run.font.name, run.font.size = CODE, Pt(CODED)
 
 
-def _in_cell(cell: Any) -> Paragraph:
-    """The paragraph of a cell."""
-    from docx.text.paragraph import Paragraph
+def _runs(text: Text, size: float | None = None) -> str:
+    """Words, equations, references."""
+    found = []
+    for part in text.parts:
+        match part:
+            case str():
+                found.append(_run(part, size))
+            case Reference(key, number):
+                found.append(_field(f"REF {_bookmark(key)} \\h", number))
+            case _:
+                found.append(f"<m:oMath>{omml(part)}</m:oMath>")
+    return "".join(found)
 
-    return Paragraph(cell.p_lst[0], cell)
+
+def _widths(grid: Grid, whole: float) -> list[float]:
+    """How wide columns are [mm]: each as its longest word asks, and what is left by the lengths of their texts."""
+    columns = list(zip(grid.head, *grid.rows, strict=True))
+    least = [LETTER * max(longest_word(cell) for cell in column) + PADDING for column in columns]
+    wished = [LETTER * max(len(plain_text(cell)) for cell in column) + PADDING for column in columns]
+    more = [max(wish - need, 0.0) for wish, need in zip(wished, least, strict=True)]
+    left = whole - sum(least)
+    if left <= 0 or not sum(more):
+        return [whole * need / sum(least) for need in least]
+    share = left / sum(more)
+    return [need + share * each for need, each in zip(least, more, strict=True)]
 
 
 def _bookmark(key: str) -> str:

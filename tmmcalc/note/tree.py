@@ -110,10 +110,10 @@ def plain_text(text: Text) -> str:
 def letters_wide(grid: Grid) -> int:
     """How many letters a row of a table takes at least, its longest words one beside another."""
     columns = zip(grid.head, *grid.rows, strict=True)
-    return sum(2 + max(map(_longest, column)) for column in columns)
+    return sum(2 + max(map(longest_word, column)) for column in columns)
 
 
-def _longest(cell: Text) -> int:
+def longest_word(cell: Text) -> int:
     """The length of the longest word, a formula being one."""
     words = plain_text(cell).split() if all(isinstance(part, str) for part in cell.parts) else [plain_text(cell)]
     return max(map(len, words), default=0)

@@ -164,7 +164,12 @@ def brute_force(swing: float, psi: float, ratio: float) -> float:
     ends = [complex(math.cos(a), math.sin(a)) for a in (math.pi / 2 + swing / 2, math.pi / 2 - swing / 2)]
     best = -1.0
     chord = abs(ends[0] - ends[1])
-    for long in np.linspace(chord / 2, 12, 1500) if psi == 0 else np.linspace(1e-3, math.pi - psi - 1e-3, 1500):
+    if psi == 0:
+        grid = np.linspace(chord / 2, 12, 1500)
+    else:  # by the angle; near to a straight line by the distance, which a small overlap angle stretches
+        far = np.linspace(1e-3, min(12 / chord, 1 / math.sin(psi)), 1500)
+        grid = np.r_[np.linspace(1e-3, math.pi - psi - 1e-3, 1500), math.pi - psi - np.arcsin(far * math.sin(psi))]
+    for long in grid:
         if psi == 0:
             places = [ends[1] + (ends[1] - ends[0]) / chord * long]
         else:  # angle at the near end

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import partial
 from math import nan
 
 from tmmcalc.gears.involute.contour.task import LINES
@@ -43,23 +42,15 @@ def _contour(found: PairContour, key: str) -> Iterator[Block]:
         table=f"{{tab:{key}_numbers}}",
     )
     yield Paragraph(said)
-    yield from _drawn(found, key)
+    picture = Drawing(*SIZE)
+    seen = draw_plane(picture, Box(0.0, 0.0, *SIZE), found)
+    rows = tuple((stroke.number, stroke.text) for stroke in seen if stroke.number)
+    yield Table(tr("Lines of the blocking contour"), (tr("Line"), tr("What it is")), rows, f"{key}_numbers")
+    yield Figure(tr("Blocking contour"), lambda drawing, _: drawing.add(*picture.shapes), SIZE, key)
     if (point := chosen(found)) is not None:
         yield Paragraph(_standing(point))
-        yield from _distances(found, point, key)
+        yield from _distances(found, point, seen, key)
     yield from _points(found, key)
-
-
-def _drawn(found: PairContour, key: str) -> Iterator[Block]:
-    """The lines that are seen in the contour by their numbers, and the contour."""
-    rows = tuple((stroke.number, stroke.text) for stroke in _seen(found) if stroke.number)
-    yield Table(tr("Lines of the blocking contour"), (tr("Line"), tr("What it is")), rows, f"{key}_numbers")
-    yield Figure(tr("Blocking contour"), partial(draw_plane, pair=found), SIZE, key)
-
-
-def _seen(found: PairContour) -> Sequence[Stroke]:
-    """The lines that the picture shows."""
-    return draw_plane(Drawing(*SIZE, ""), Box(0.0, 0.0, *SIZE), found)
 
 
 def _standing(point: ContourPoint) -> str:
@@ -76,9 +67,9 @@ def _text(value: float) -> str:
     return significant(round(value, PLACES) + 0.0, PLACES + 2)
 
 
-def _distances(found: PairContour, point: ContourPoint, key: str) -> Iterator[Block]:
+def _distances(found: PairContour, point: ContourPoint, seen: Sequence[Stroke], key: str) -> Iterator[Block]:
     """How far the chosen shifts are from every line that bounds them, and how far x1 may go at their sum."""
-    rows, seen = [], _seen(found)
+    rows = []
     for name, margin in found.margins.items():
         kind, wheel = name[:-1], name[-1]
         cut = found.margins.get(f"undercut{wheel}", 0.0) < 0

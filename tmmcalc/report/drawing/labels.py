@@ -8,7 +8,6 @@ none is free it goes farther away, with a leader. What then still covers another
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -57,11 +56,10 @@ class Labels:
     def avoid(self, line: Iterable[complex], weight: float = 1.0) -> None:
         """Keep clear of this line on paper, the more the greater the weight."""
         z = np.atleast_1d(np.asarray(list(line), dtype=complex))
-        pieces = [z[:1]]
-        for a, b in pairwise(z):
-            count = max(1, int(abs(b - a) / STEP))
-            pieces.append(a + (b - a) * np.arange(1, count + 1) / count)
-        points = np.concatenate(pieces)
+        along = np.diff(z)
+        counts = np.maximum(1, (np.abs(along) / STEP).astype(int))
+        number = np.arange(1, counts.sum() + 1) - np.repeat(np.cumsum(counts) - counts, counts)
+        points = np.r_[z[:1], np.repeat(z[:-1], counts) + np.repeat(along, counts) * number / np.repeat(counts, counts)]
         self._points.append(points)
         self._weights.append(np.full(len(points), weight))
 
@@ -84,7 +82,7 @@ class Labels:
         """How many mm of a line on paper lie on names and what else is kept free."""
         count = max(2, int(abs(line[-1] - line[0]) / STEP) + 1)
         on = line[0] + (line[-1] - line[0]) * np.linspace(0.0, 1.0, count)
-        return STEP * float(sum(self._within(on, taken).sum() for taken in self._taken))
+        return STEP * float(self._within(on).sum())
 
     def put(
         self,
@@ -168,17 +166,18 @@ class Labels:
         along = centres - anchor
         edges = _edge(along, half)
         on = anchor + edges[:, None] * along[:, None] * np.linspace(0.0, 1.0, 9)
-        over = np.zeros(len(centres))
-        for taken in self._taken:
-            over += CROSSED * np.where(edges * np.abs(along) > FAR, self._within(on, taken).sum(axis=1), 0)
-        return over
+        over = self._within(on).sum(axis=(0, 2))
+        return np.where(edges * np.abs(along) > FAR, CROSSED * over, 0.0)
 
-    @staticmethod
-    def _within(on: Plane, taken: tuple[float, float, float, float]) -> NDArray[np.bool_]:
-        """Which places lie on a rectangle that is taken, or close to it."""
-        x0, x1, y0, y1 = taken
+    def _within(self, on: Plane) -> NDArray[np.bool_]:
+        """Which places lie on each rectangle that is taken, or close to it; (rectangles, *places)."""
+        x0, x1, y0, y1 = self._rectangles(on.ndim)
         across = (on.real > x0 - AIR) & (on.real < x1 + AIR)
         return np.asarray(across & (on.imag > y0 - AIR) & (on.imag < y1 + AIR))
+
+    def _rectangles(self, axes: int) -> Real:
+        """The sides (4, rectangles, 1, ...) of what is taken, against places on so many axes."""
+        return np.array(self._taken, float).reshape(-1, 4).T.reshape(4, -1, *[1] * axes)
 
     def _lead(self, anchor: complex, at: complex, half: tuple[float, float]) -> None:
         """The leader of a name that stands far from its anchor."""
@@ -214,10 +213,10 @@ class Labels:
         points, weights = self._around(centres, max(wide, high))
         away = points[None, :] - centres[:, None]
         cost = ((np.abs(away.real) < wide) & (np.abs(away.imag) < high)) @ weights
-        for x0, x1, y0, y1 in self._taken:
-            over_x = np.minimum(centres.real + wide, x1) - np.maximum(centres.real - wide, x0)
-            over_y = np.minimum(centres.imag + high, y1) - np.maximum(centres.imag - high, y0)
-            cost = cost + np.where((over_x > 0) & (over_y > 0), 12 + 4 * over_x * over_y, 0.0)
+        x0, x1, y0, y1 = self._rectangles(1)
+        over_x = np.minimum(centres.real + wide, x1) - np.maximum(centres.real - wide, x0)
+        over_y = np.minimum(centres.imag + high, y1) - np.maximum(centres.imag - high, y0)
+        cost = cost + np.where((over_x > 0) & (over_y > 0), 12 + 4 * over_x * over_y, 0.0).sum(axis=0)
         box = self.box
         outside = (centres.real - wide < box.left) | (centres.real + wide > box.right)
         outside |= (centres.imag - high < box.bottom) | (centres.imag + high > box.top)

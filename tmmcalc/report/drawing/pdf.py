@@ -35,8 +35,10 @@ def begun(file: BytesIO, drawing: Drawing, width: float, height: float) -> Any:
     from reportlab.pdfbase.ttfonts import TTFont
     from reportlab.pdfgen.canvas import Canvas
 
+    known = pdfmetrics.getRegisteredFontNames()
     for face in FACES.values():
-        pdfmetrics.registerFont(TTFont(face, str(FONTS / f"{face}.ttf")))
+        if face not in known:
+            pdfmetrics.registerFont(TTFont(face, str(FONTS / f"{face}.ttf")))
     first: dict[str, Any] = {"initialFontName": FACES[False]}  # else a font is named that no letter is of
     size = (width * POINT, height * POINT)
     canvas = Canvas(file, pagesize=size, invariant=1, lang=drawing.language, **first)

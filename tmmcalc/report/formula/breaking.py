@@ -1,8 +1,8 @@
-"""A formula broken into lines: at relations, at the signs between terms, at last between factors."""
+"""A formula broken into lines: at relations, between terms, between factors, at last within what holds others."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from tmmcalc.report.formula import layout
 
@@ -11,6 +11,8 @@ GAP, SPACE = 0.17, 0.5  # a thin space, a relation with its spaces, and such [em
 DIGIT, CAPITAL, LETTER = 0.5, 0.78, 0.55
 WIDE = {"m": 0.88, "w": 0.72, "M": 0.97, "H": 0.9, "W": 1.03, "i": 0.28, "l": 0.3, "ш": 0.85, "ж": 0.8}
 WIDE |= {"·": 0.28, ".": 0.28, ",": 0.28, "−": 0.78, "I": 0.38}
+
+TERMS = {"+", "−"}
 
 
 def width(box: layout.Box) -> float:
@@ -57,7 +59,7 @@ def broken(parts: Sequence[layout.Row], wide: float) -> list[layout.Row]:
     for k, part in enumerate(parts):
         lead: list[layout.Box] = [layout.Sign("=", main=True)] if k else []
         for j, piece in enumerate(_pieces(layout.Row((*lead, *_flat(part))), free if k == 1 else wide)):
-            size = sum(map(width, piece))
+            size = _wide(piece)
             if rows and (size <= free or (k == 1 and not j)):
                 rows[-1] += piece
                 free -= size
@@ -87,12 +89,62 @@ def _pieces(row: layout.Row, wide: float) -> list[list[layout.Box]]:
 
 
 def _by_factors(piece: list[layout.Box], wide: float) -> list[list[layout.Box]]:
-    if sum(map(width, piece)) <= wide:
+    if _wide(piece) <= wide:
         return [piece]
     boxes = [each for box in piece for each in (box.boxes if isinstance(box, layout.Row) else (box,))]
     found: list[list[layout.Box]] = [[]]
     for box in boxes:
-        if isinstance(box, layout.Sign) and box.text == "·" and sum(map(width, found[-1])) > wide / 2:
+        if isinstance(box, layout.Sign) and box.text == "·" and _wide(found[-1]) > wide / 2:
             found.append([])
         found[-1].append(box)
-    return found
+    return [part for each in found for part in _opened(each, wide)]
+
+
+def _opened(piece: list[layout.Box], wide: float) -> list[list[layout.Box]]:
+    """A piece that is too wide cut at the signs within its widest fraction, root or bracket, which is written out."""
+    within = [k for k, box in enumerate(piece) if isinstance(box, layout.Fraction | layout.Root) or _fence(box)]
+    if _wide(piece) <= wide or not within:
+        return [piece]
+    k = max(within, key=lambda k: width(piece[k]))
+    found: list[list[layout.Box]] = [[]]
+    for box in (*piece[:k], *_written_out(piece[k]), *piece[k + 1 :]):
+        if isinstance(box, layout.Sign) and box.text in TERMS and not box.leads:
+            found.append([])
+        found[-1].append(box)
+    return [part for each in found if each for part in _by_factors(each, wide)]
+
+
+def _fence(box: layout.Box) -> layout.Fenced | None:
+    """The bracket that a box is, or is a power of."""
+    base = box.base if isinstance(box, layout.Script) else box
+    return base if isinstance(base, layout.Fenced) else None
+
+
+def _written_out(box: layout.Box) -> list[layout.Box]:
+    """A fraction with a stroke, a root as a power, a bracket as signs of their own: what a line may end within."""
+    if isinstance(box, layout.Fraction):
+        return [*_operand(box.over, TERMS), layout.Word("/"), *_operand(box.under, {*TERMS, "·"})]
+    if isinstance(box, layout.Root):
+        exponent = layout.Row((layout.Word("1/"), layout.Digits("2") if box.degree is None else box.degree))
+        box = layout.Script(layout.Fenced(box.inner), upper=exponent)
+    fence = _fence(box)
+    assert fence is not None
+    closing: layout.Box = layout.Word(fence.closing)
+    if isinstance(box, layout.Script):
+        closing = box._replace(base=closing)
+    return [layout.Word(fence.opening), *_boxes(fence.inner), closing]
+
+
+def _operand(box: layout.Box, signs: Collection[str]) -> Sequence[layout.Box]:
+    """What stands before or after a stroke: in brackets if one of these signs is in it."""
+    boxes = _boxes(box)
+    loose = any(isinstance(each, layout.Sign | layout.Gap) and getattr(each, "text", "·") in signs for each in boxes)
+    return [layout.Fenced(box)] if loose else boxes
+
+
+def _boxes(box: layout.Box) -> tuple[layout.Box, ...]:
+    return _flat(box) if isinstance(box, layout.Row) else (box,)
+
+
+def _wide(boxes: Iterable[layout.Box]) -> float:
+    return sum(map(width, boxes))

@@ -47,10 +47,7 @@ def worked(side: Node, given: Mapping[str, Given], result: float, *, unit: str =
     full = {key: _inner(each.value, each.unit) for key, each in own.items()}
     tree = written_out(side, full)
     flat, units = _flat(own)
-    exact = _outer(value(side, full), unit)
-    size = _outer(largest_term(side, full), unit)
-    size = max(size, abs(result))
-    error = abs(_apart(exact, result, unit)) / size if size else 0.0
+    size = _size(side, full, result, unit)
     last = _last(result, size, digits)
     text = rounded(result, last)
     best: tuple[float, dict[str, str]] | None = None
@@ -64,7 +61,22 @@ def worked(side: Node, given: Mapping[str, Given], result: float, *, unit: str =
             break
     assert best is not None
     shown = {key: Shown(each, units[key] == "deg") for key, each in best[1].items()}
-    return Worked(tree, shown, text, best[0], error)
+    return Worked(tree, shown, text, best[0], off_by(side, given, result, unit))
+
+
+def off_by(side: Node, given: Mapping[str, Given], result: float, unit: str) -> float:
+    """What the value at full precision is off from the result, in parts of the largest term.
+
+    Raises as `worked` does.
+    """
+    full = {key: _inner(given[key].value, given[key].unit) for key in names(side)}
+    exact, size = _outer(value(side, full), unit), _size(side, full, result, unit)
+    return abs(_apart(exact, result, unit)) / size if size else 0.0
+
+
+def _size(side: Node, full: Mapping[str, Value], result: float, unit: str) -> float:
+    """The size against which errors count: that of the largest term."""
+    return max(_outer(largest_term(side, full), unit), abs(result))
 
 
 def result_of(left: Node, given: Mapping[str, Given]) -> Given:
