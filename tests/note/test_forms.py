@@ -142,5 +142,5 @@ def test_formulas_are_numbered_in_a_row(spoken: Any) -> None:
     for number in numbers:
         chapter, _, rest = number.partition(".")
         by_chapter.setdefault(chapter, []).append(int(rest))
-    assert [*by_chapter] == ["1", "2", "3"]
+    assert [*by_chapter] == sorted(by_chapter)
     assert all(found == list(range(1, len(found) + 1)) for found in by_chapter.values())

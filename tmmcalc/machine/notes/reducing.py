@@ -291,8 +291,7 @@ def inertia_lines(told: Reducing) -> Iterator[Block]:
     texts = [_inertia_line(names, link, masses) for link, masses in links.items()]
     yield from told.lines(*texts, f"{names.inertia} = {' + '.join(map(names.part, parts))}")
     texts = [_slope_line(told, link, masses) for link, masses in links.items()]
-    slopes = [*told.lines(*texts, f"{names.slope()} = {' + '.join(map(names.slope, parts))}")]
-    yield from (line._replace(places=line.places[:1]) for line in slopes)  # one position shows how
+    yield from told.lines(*texts, f"{names.slope()} = {' + '.join(map(names.slope, parts))}")
 
 
 def _part_words(result: Reduction, part: str) -> str:
