@@ -130,8 +130,8 @@ class Assembler:
         number = self._numbered("eq", line.key)
         places = line.places[: 1 if self.depth == SHORT else None]
         found = [self._numbers_of(line, place) for place in places]
-        lone = not places[0].index and not places[0].name if len(places) == 1 else len(set(found)) == 1
-        if lone and not any(place.index for place in places):
+        own = {plain(setting.side(_indexed(left, place.index))) for place in places}
+        if own == {plain(letters[0])} and len(set(found)) == 1 and (len(places) > 1 or not places[0].name):
             yield Equation((*letters, *found[0]), number, key=line.key)
             yield from self._where(line)
             return

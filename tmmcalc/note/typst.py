@@ -112,8 +112,8 @@ def _joins(group: Sequence[Written], block: Written) -> bool:
     match block:
         case Text(_, explains):
             return explains and isinstance(last, Equation) and bool(last.number)
-        case Equation(_, number, lead):
-            return bool(lead) and not number and isinstance(last, Equation | Text) and isinstance(group[0], Equation)
+        case Equation(_, number):
+            return not number and isinstance(last, Equation | Text) and isinstance(group[0], Equation)
         case Image(_, drawing):
             drawings = [each.drawing for each in group if isinstance(each, Image)]
             free = WIDE - sum(each.width + GAP for each in drawings)
@@ -187,7 +187,7 @@ def _line(formulas: Sequence[Equation], wide: float, *, holds: bool = False) -> 
 def _sized(body: str, rows: Sequence[Row], formula: Equation, wide: float) -> str:
     """The rows in letters in which even those that cannot be broken have room."""
     room = wide - _lead(formula) - (NUMBER if formula.number else 0.0)
-    size = NUMBERS if formula.lead else SIZE
+    size = SIZE if formula.number else NUMBERS
     needed = (max(map(width, rows)) + (1.0 if rows[1:] else 0.0)) * _em(formula)
     return f"text(size: {size * min(1.0, room / needed):.4g}pt)[{body}]"
 
@@ -201,7 +201,7 @@ def _broken(formula: Equation, wide: float) -> list[Row]:
 
 def _em(formula: Equation) -> float:
     """The letter M of a formula [mm]."""
-    return EM * NEARLY * (NUMBERS / SIZE if formula.lead else 1.0)
+    return EM * NEARLY * (1.0 if formula.number else NUMBERS / SIZE)
 
 
 def _lead(formula: Equation) -> float:
