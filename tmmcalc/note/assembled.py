@@ -124,7 +124,7 @@ class Assembler:
         return number
 
     def _line(self, line: Line) -> Iterator[Written]:
-        """The formula, what its letters are, its numbers at each place; numbers that are one everywhere go on from it."""
+        """The formula, what its letters are, its numbers at each place; those that are one everywhere go on from it."""
         left, right = line.formula.sides
         letters = setting.side(left), setting.side(right)
         number = self._numbered("eq", line.key)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from xml.sax.saxutils import escape, quoteattr
+from zlib import crc32
 
 from tmmcalc.note.tree import (
     Caption,
@@ -77,7 +78,7 @@ def _titled(title: Title) -> str:
 
 
 def _anchor(title: Title) -> str:
-    return f"part-{title.number}" if title.number else f"part-{abs(hash(title.text))}"
+    return f"part-{title.number}" if title.number else f"part-{crc32(title.text.encode())}"
 
 
 def _of(caption: Caption, kind: str) -> str:

@@ -31,7 +31,7 @@ def _blocks(given: Sequence[Block], sought: Sequence[str]) -> Iterator[Block]:
         yield Table(tr("Given data"), head, tuple(map(_row, data)), "given")
     if sought:
         yield Paragraph(tr("To be found:"))
-        yield Listing(tuple(f"{each};" for each in sought[:-1]) + (f"{sought[-1]}.",))
+        yield Listing((*(f"{each};" for each in sought[:-1]), f"{sought[-1]}."))
 
 
 def _row(datum: Datum) -> tuple[str, str, str]:

@@ -2,46 +2,29 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from tmmcalc.note.tree import (
-    Caption,
     Contents,
     Cover,
     Equation,
     Grid,
     Image,
     Points,
-    Reference,
     Source,
     Text,
     Title,
     Written,
-    plain_text,
 )
+from tmmcalc.note.typstlines import set_lines
+from tmmcalc.note.typsttables import beside, set_tables
+from tmmcalc.note.typstwords import GAP, WIDE, escaped, label, quoted, set_text
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.lettering import FONTS
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.drawing.svg import svg
-from tmmcalc.report.formula.breaking import broken, width
-from tmmcalc.report.formula.layout import Box, Fraction, Row, Script, inner
-from tmmcalc.report.formula.typst import typst as typeset
-from tmmcalc.report.language import tr
 from tmmcalc.report.sheets.gosttext import FIRST, OTHERS, PAGE, TextTitles, text_frame
 
-SIZE, NUMBERS, WORDS = 12.0, 10.5, 9.0  # of letters, of formulas with numbers, of words before these [pt]
-WIDE = 175.0  # of the text [mm]
-INDENT, NUMBER, GAP = 13.0, 12.0, 2.0  # room before a formula, for its number, between two beside each other [mm]
-EM = SIZE * 25.4 / 72.0  # a letter M of the text [mm]
-LETTER = 0.53  # of an em, of words
-NEARLY = 1.04  # of the estimated width: what a formula may take
-SMALL = (9.5, 9.0, 8.5, 8.0)  # sizes of tables [pt], the first in which one fits
-CELL = 2.4  # beside the letters of a cell, with its line [mm]
-WHOLE = (12, 28)  # rows: up to the first a table stands where it is told of, up to the second on one page
-CHAPTER = re.compile(r"\d+\.")  # what the number of a table in a numbered chapter begins with
-NUMERIC = re.compile(r"[-−+–\d.,  %°]*")  # what a cell of numbers has
-SCRIPTED = "3.6pt"  # over and under the letters of a cell with indices
 HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 15mm, bottom: 18mm), numbering: "1")
 #set document(title: "TITLE")
 #set text(font: "TMM Text", size: 12pt, lang: "LANGUAGE")
@@ -83,7 +66,7 @@ HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 15mm, bo
 
 def source(blocks: Iterable[Written], language: str, title: str, frame: TextTitles | None = None) -> str:
     """The text of the note, its pages after the title page in frames with these titles."""
-    head = HEAD.replace("LANGUAGE", language).replace("TITLE", _quoted(title))
+    head = HEAD.replace("LANGUAGE", language).replace("TITLE", quoted(title))
     found = [head]
     for group in _grouped(blocks):
         if isinstance(group[0], Contents) and frame is not None:
@@ -120,7 +103,7 @@ def _joins(group: Sequence[Written], block: Written) -> bool:
             return len(drawings) == len(group) and drawing.width <= free
         case Grid():
             grids = [each for each in (*group, block) if isinstance(each, Grid)]
-            return len(grids) > len(group) and len(set(map(_stands, grids))) == 1 and _size_of(grids, SMALL[:2]) > 0
+            return len(grids) > len(group) and beside(grids)
     return False
 
 
@@ -130,97 +113,13 @@ def _group(group: Sequence[Written]) -> Iterator[str]:
         yield f"#shown({', '.join(_picture(each) for each in group if isinstance(each, Image))})"
         return
     if isinstance(group[0], Grid):
-        yield _grids([each for each in group if isinstance(each, Grid)])
+        yield set_tables([each for each in group if isinstance(each, Grid)])
         return
     if not isinstance(group[0], Equation):
         yield _block(group[0])
         return
-    formulas = [each for each in group if isinstance(each, Equation)]
     said = next((each for each in group if isinstance(each, Text)), None)
-    if formulas[0].number:
-        yield from _formula(formulas.pop(0), said, holds=len(group) > 1)
-    while formulas:
-        two = formulas[:2]
-        beside = _beside(two) if len(two) == 2 else None
-        yield beside or _line([two[0]], WIDE)
-        del formulas[: 2 if beside else 1]
-
-
-def _formula(formula: Equation, said: Text | None, *, holds: bool) -> Iterator[str]:
-    """A formula with its number; what its letters are beside it, where there is room, or under it."""
-    (row, *more) = _broken(formula, WIDE)
-    free = WIDE - INDENT - NUMBER - width(row) * EM - 2 * GAP
-    if said is not None and not more and sum(map(_wide, said.parts)) * EM <= free:
-        cells = f"[], [$ {typeset(row)} $], [,], [{_text(said)}], [({formula.number})]"
-        columns = f"({INDENT:g}mm, auto, auto, 1fr, auto)"
-        yield f"#line({columns}, {str(holds).lower()}, column-gutter: (0mm, 0mm, {GAP:g}mm, 0mm), {cells}){_eq(formula)}"
-        return
-    yield _line([formula], WIDE, holds=holds)
-    if said is not None:
-        yield f"#explained[{_text(said)}]"
-
-
-def _beside(two: Sequence[Equation]) -> str | None:
-    """Two formulas beside each other, where they take fewer rows so."""
-    half = (WIDE - GAP) / 2
-    halves, wholes = [_broken(each, half) for each in two], [_broken(each, WIDE) for each in two]
-    rooms = [half - _lead(each) for each in two]
-    fits = all(width(row) * _em(each) <= room for each, rows, room in zip(two, halves, rooms, strict=True) for row in rows)
-    if not fits or max(map(len, halves)) >= sum(map(len, wholes)):
-        return None
-    return _line(two, half)
-
-
-def _line(formulas: Sequence[Equation], wide: float, *, holds: bool = False) -> str:
-    """Formulas in a row, each in so much room, with the words before it and its number."""
-    columns, cells = [], []
-    for formula in formulas:
-        rows = _broken(formula, wide)
-        body = " \\\n quad ".join(map(typeset, rows))
-        numbered = f"({formula.number})" if formula.number else ""
-        columns += [f"{_lead(formula):g}mm", "1fr", "auto"]
-        cells += [f"text(size: {WORDS}pt)[{_escaped(formula.lead)}]", _sized(f"$ {body} $", rows, formula, wide), f"[{numbered}]"]
-    label = _eq(formulas[0])
-    return f"#line(({', '.join(columns)}), {str(holds).lower()}, {', '.join(cells)}){label}"
-
-
-def _sized(body: str, rows: Sequence[Row], formula: Equation, wide: float) -> str:
-    """The rows in letters in which even those that cannot be broken have room."""
-    room = wide - _lead(formula) - (NUMBER if formula.number else 0.0)
-    size = SIZE if formula.number else NUMBERS
-    needed = (max(map(width, rows)) + (1.0 if rows[1:] else 0.0)) * _em(formula)
-    return f"text(size: {size * min(1.0, room / needed):.4g}pt)[{body}]"
-
-
-def _broken(formula: Equation, wide: float) -> list[Row]:
-    """The rows of a formula in so much room [mm]."""
-    room = wide - _lead(formula) - (NUMBER if formula.number else 0.0)
-    whole = broken(formula.parts, room / _em(formula))
-    return whole if len(whole) == 1 else broken(formula.parts, room / _em(formula) - 1.0)  # what goes on stands in
-
-
-def _em(formula: Equation) -> float:
-    """The letter M of a formula [mm]."""
-    return EM * NEARLY * (1.0 if formula.number else NUMBERS / SIZE)
-
-
-def _lead(formula: Equation) -> float:
-    """The room of the words before a formula [mm]."""
-    return max(INDENT, _wide(formula.lead) * EM * WORDS / SIZE + 1.0)
-
-
-def _wide(part: str | Box | Reference) -> float:
-    """About how wide a part of a text is [em]."""
-    match part:
-        case str():
-            return LETTER * len(part)
-        case Reference(_, number):
-            return LETTER * len(number)
-    return width(part)
-
-
-def _eq(formula: Equation) -> str:
-    return f" <eq:{formula.key}>" if formula.key else ""
+    yield from set_lines([each for each in group if isinstance(each, Equation)], said)
 
 
 def _framed(titles: TextTitles, *, first: bool) -> str:
@@ -262,28 +161,28 @@ def _block(block: Written) -> str:
         case Cover():
             return _cover(block)
         case Contents(title):
-            return f"#outline(title: [{_escaped(title)}], depth: 2, indent: 5mm)"
+            return f"#outline(title: [{escaped(title)}], depth: 2, indent: 5mm)"
         case Title(number, text, level):
             numbered = f"{number} {text}".strip()
             apart = "#place.flush()\n#pagebreak(weak: true)\n" if level == 1 and not number[:1].isdigit() else ""
-            return f"{apart}{'=' * level} {_escaped(numbered)}"
+            return f"{apart}{'=' * level} {escaped(numbered)}"
         case Text():
-            return _text(block) + "\n"
+            return set_text(block) + "\n"
         case Equation():
-            return _line([block], WIDE)
+            return "\n".join(set_lines([block], None))
         case Grid():
-            return _grids([block])
+            return set_tables([block])
         case Image():
             return f"#shown({_picture(block)})"
         case Points(items):
-            return "\n".join(f"- {_text(item)}" for item in items) + "\n"
+            return "\n".join(f"- {set_text(item)}" for item in items) + "\n"
         case Source(text):
-            return f'#columns(2, gutter: 5mm)[#raw(block: true, "{_quoted(text)}")]'
+            return f'#columns(2, gutter: 5mm)[#raw(block: true, "{quoted(text)}")]'
 
 
 def _cover(cover: Cover) -> str:
     """The title page, which is not numbered."""
-    people = ", ".join(f"[{_escaped(each)}]" for pair in cover.people for each in pair)
+    people = ", ".join(f"[{escaped(each)}]" for pair in cover.people for each in pair)
     groups = (
         _lines(cover.head),
         "v(1fr)",
@@ -305,128 +204,17 @@ def _cover(cover: Cover) -> str:
 
 
 def _lines(lines: Sequence[str], style: str = "") -> str:
-    said = " \\ ".join(_escaped(line) for line in lines if line)
+    said = " \\ ".join(escaped(line) for line in lines if line)
     if not said:
         return ""
     return f"text({style})[{said}]" if style else f"[{said}]"
 
 
-def _text(text: Text) -> str:
-    return "".join(map(_part, text.parts))
-
-
-def _part(part: str | Box | Reference) -> str:
-    match part:
-        case str():
-            return _escaped(part)
-        case Reference(key, number):
-            return f'#link(label("{key}"))[{number}]'
-    return f"${typeset(part)}$"
-
-
-def _grids(grids: Sequence[Grid]) -> str:
-    """Tables beside each other, or one, in letters as small as they need.
-
-    A short table stands where it is told of, a longer one whole where there is room, one of many rows over pages; one
-    that is too wide in small letters stands turned on a page of its own.
-    """
-    size = _size_of(grids, SMALL)
-    if not size:
-        return f"#turned[#{_grid(grids[0], SMALL[0], WIDE)}]"
-    free = (WIDE - GAP * (len(grids) - 1) - sum(_width_at(each, size) for each in grids)) / len(grids)
-    shares = [_width_at(each, size) + free for each in grids]
-    tables = [_grid(each, size, wide) for each, wide in zip(grids, shares, strict=True)]
-    stood = f"stood(({', '.join(f'{wide:g}mm' for wide in shares)}), {', '.join(tables)})" if tables[1:] else tables[0]
-    return f"#floated({stood})" if _stands(grids[0]) == "whole" else f"#{stood}"
-
-
-def _stands(grid: Grid) -> str:
-    """Where a table stands by the number of its rows."""
-    rows = len(grid.rows)
-    if not CHAPTER.match(grid.caption.number):
-        return "on"
-    return "here" if rows <= WHOLE[0] else "whole" if rows <= WHOLE[1] and _size_of([grid], SMALL) else "on"
-
-
-def _size_of(grids: Sequence[Grid], sizes: Sequence[float]) -> float:
-    """The size of letters [pt] in which tables have room beside each other, or 0."""
-    room = WIDE - GAP * (len(grids) - 1)
-    return next((size for size in sizes if sum(_width_at(each, size) for each in grids) <= room), 0.0)
-
-
-def _width_at(grid: Grid, size: float) -> float:
-    """How wide a table is at least, in letters of this size [mm]."""
-    return _table_width(grid) * size / SIZE + CELL * len(grid.head)
-
-
-def _grid(grid: Grid, size: float, wide: float) -> str:
-    """A table in letters of a size, its caption no wider than so much [mm]."""
-    caption = grid.caption
-    heads = "".join(_cell(cell, "center + horizon") for cell in grid.head)
-    cells = "".join(_cell(cell) for row in grid.rows for cell in row)
-    columns = zip(*grid.rows, strict=True)
-    aligned = "".join("right + horizon, " if _numeric(column) else "left + horizon, " for column in columns)
-    continued = tr("Continuation of table {number}", number=caption.number)
-    said = f"[{_escaped(str(caption))}], [{_escaped(continued)}]"
-    breaks = str(_stands(grid) == "on").lower()
-    laid = f"{len(grid.head)}, ({aligned}), {size}pt, {wide:g}mm, {breaks}"
-    return f"listed({_label('tab', caption)}, {said}, {laid}, ({heads}), ({cells}))"
-
-
-def _table_width(grid: Grid) -> float:
-    """How wide the letters of a table are at least, at the size of the text [mm]."""
-    return sum(max(map(_longest, column)) for column in zip(grid.head, *grid.rows, strict=True)) * EM
-
-
-def _longest(cell: Text) -> float:
-    """The width of what cannot be broken in a cell: its longest word, or a formula with what is written to it [em]."""
-    widest, here = 0.0, 0.0
-    for part in cell.parts:
-        words = part.split(" ") if isinstance(part, str) else [part]
-        for k, word in enumerate(words):
-            here = _wide(word) + (0.0 if k else here)
-            widest = max(widest, here)
-    return widest
-
-
-def _numeric(cells: Sequence[Text]) -> bool:
-    """Whether a column is of numbers."""
-    return all(NUMERIC.fullmatch(plain_text(cell)) for cell in cells)
-
-
-def _cell(cell: Text, align: str = "") -> str:
-    """A cell, with room for indices."""
-    said = [f"align: {align}"] if align else []
-    if any(isinstance(part, Row) and _scripted(part) for part in cell.parts):
-        said.append(f"inset: (x: 3pt, y: {SCRIPTED})")
-    return f"table.cell({', '.join(said)})[{_text(cell)}], " if said else f"[{_text(cell)}], "
-
-
-def _scripted(box: Box) -> bool:
-    return isinstance(box, Script | Fraction) or any(map(_scripted, inner(box)))
-
-
 def _picture(image: Image) -> str:
     caption = image.caption
-    return f"pictured({_label('fig', caption)}, {_image(image.drawing)}, [{_escaped(str(caption))}])"
+    return f"pictured({label('fig', caption)}, {_image(image.drawing)}, [{escaped(str(caption))}])"
 
 
 def _image(drawing: Drawing) -> str:
-    picture = _quoted(svg(drawing).decode())
-    return f'image(bytes("{picture}"), format: "svg", width: {drawing.width:g}mm, alt: "{_quoted(drawing.title)}")'
-
-
-def _label(kind: str, caption: Caption) -> str:
-    """The name by which texts refer to a table or a figure."""
-    return f'"{kind}:{caption.key or caption.number}"'
-
-
-def _quoted(text: str) -> str:
-    """A text as it stands between quotes in code."""
-    return text.replace("\\", "\\\\").replace('"', '\\"')
-
-
-def _escaped(text: str) -> str:
-    for sign in "\\#$*_`<>@[]~":
-        text = text.replace(sign, "\\" + sign)
-    return text.replace("/", "/\u2060")  # a unit is not broken
+    picture = quoted(svg(drawing).decode())
+    return f'image(bytes("{picture}"), format: "svg", width: {drawing.width:g}mm, alt: "{quoted(drawing.title)}")'

@@ -305,7 +305,9 @@ def _options(key: str, found: Sequence[Comparison]) -> Iterator[Block]:
             _shown(each.criterion, each.options[k].values[each.criterion]) if each.options[k].values else "–"
             for each in found
         ]
-        rows.append((" + ".join(layout_word(part) for part in str(option.option).split(" + ")), str(option.count), *values))
+        rows.append(
+            (" + ".join(layout_word(part) for part in str(option.option).split(" + ")), str(option.count), *values)
+        )
     tab = f"{{tab:criteria_{key}}}"
     yield Paragraph(tr("The best values by option are in table {tab}.", tab=tab))
     head = (tr("Option"), tr("Trains"), *(short_name(each.criterion) for each in found))

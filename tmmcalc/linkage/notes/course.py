@@ -20,7 +20,6 @@ from tmmcalc.linkage.pictures.pieces import of_outputs
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.setting import spelt
-from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.numbers import number

@@ -100,7 +100,7 @@ def of_motor(order: Order, stage: str) -> Iterator[Block]:
 
 
 def of_form(kind: CharacteristicKind, motor: Motor, power: Power) -> Iterator[Block]:
-    """One form of the characteristic: what it is, its coefficients, its law; the chapter on power has the rated point."""
+    """One form of the characteristic: what it is, its coefficients, its law; the rated point stands with the power."""
     assert power.duty is not None
     curve = driver_of(motor, kind, power.duty.ratio, power.line.efficiency).characteristic
     yield Paragraph(_said(kind, motor))

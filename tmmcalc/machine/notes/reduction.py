@@ -115,7 +115,7 @@ def _with_factors(table: Table, result: Reduction) -> Table:
     factors = ("$k_i$", *map(str, weights.astype(int)), "")
     sums = [_cleaned(weights * moment) for moment in result.moment]
     last = (tr("Sum"), "", *sums, *("" for _ in table.head[len(sums) + 2 :]))
-    rows = [row[:1] + (factor,) + row[1:] for factor, row in zip(factors, (table.head, *table.rows, last), strict=True)]
+    rows = [(*row[:1], factor, *row[1:]) for factor, row in zip(factors, (table.head, *table.rows, last), strict=True)]
     return table._replace(head=rows[0], rows=tuple(rows[1:]))
 
 
@@ -204,4 +204,6 @@ def _inertia_table(result: Reduction, names: Names, further: Mapping[str, Real])
     if result.other is not None:
         name, rods = f"${names.part('l')}$", ", ".join(map(str, result.rod_links))
         lumped = tr("In column {name} the masses of the rods ({rods}) are lumped in their pins.", name=name, rods=rods)
-        yield Paragraph(lumped if result.rods == "exact" else tr("In column {name} the rods are taken exactly.", name=name))
+        yield Paragraph(
+            lumped if result.rods == "exact" else tr("In column {name} the rods are taken exactly.", name=name)
+        )
