@@ -164,8 +164,9 @@ def _block(block: Written) -> str:
             return f"#outline(title: [{escaped(title)}], depth: 2, indent: 5mm)"
         case Title(number, text, level):
             numbered = f"{number} {text}".strip()
-            apart = "#place.flush()\n#pagebreak(weak: true)\n" if level == 1 and not number[:1].isdigit() else ""
-            return f"{apart}{'=' * level} {escaped(numbered)}"
+            before = "#place.flush()\n" if level == 1 else ""  # what floats stands with its chapter
+            before += "#pagebreak(weak: true)\n" if level == 1 and not number[:1].isdigit() else ""
+            return f"{before}{'=' * level} {escaped(numbered)}"
         case Text():
             return set_text(block) + "\n"
         case Equation():
