@@ -317,7 +317,7 @@ class _Writer:
             key = f"eq:{equation.key}" if equation.key else ""
             number = f"{_run('(')}{self.number('Formula', equation.number, key)}{_run(')')}"
         cells = [_paragraph(_run(equation.lead, SMALL)), "".join(rows), _paragraph(number, "right")]
-        sizes = (LEAD, FORMULA, NUMBER) if equation.lead else (NUMBER, FORMULA + LEAD - NUMBER, NUMBER)
+        sizes: tuple[int, ...] = (LEAD, FORMULA, NUMBER) if equation.lead else (NUMBER, FORMULA + LEAD - NUMBER, NUMBER)
         if equation.lead and not equation.number:
             del cells[2:]
             sizes = (LEAD, FORMULA + NUMBER)

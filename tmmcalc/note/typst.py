@@ -35,7 +35,7 @@ HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 15mm, bo
 #show raw: set text(size: 7.5pt)
 #show math.equation.where(block: true): set align(left)
 #show math.equation.where(block: true): set block(spacing: 0.6em)
-#show outline.entry: set block(spacing: 0.7em)
+#show outline.entry: set block(spacing: 0.52em)
 #set table(stroke: 0.5pt, inset: (x: 3pt, y: 3pt))
 #let line(columns, holds, ..cells) = block(width: 100%, breakable: false, sticky: holds, spacing: 0.55em,
   { set par(first-line-indent: 0pt); grid(columns: columns, align: horizon, ..cells) })

@@ -181,7 +181,9 @@ def _lexicon(told: Told, found: Worked, index: str) -> Lexicon:
     mark = f"^{{({index})}}" if index else ""
     cut = tr("what the tangent cuts off on the axis of energies")
     needed = tr("constant moment of inertia that is needed, reduced to the input link")
-    work = links = ""  # told once
+    if index not in ("", "2"):  # told with the first of the methods
+        cut = needed = ""
+    work = links = ""
     if not index:
         work, links = tr("excess work where the tangent touches"), tr("reduced moment of inertia of the links there")
     return named(
