@@ -66,7 +66,8 @@ def _block(block: Written, titles: Sequence[Title]) -> str:
             return f'<div class="wide"{_of(caption, "tab")}><p>{escape(str(caption))}</p><table>{cells}</table></div>'
         case Image(caption, drawing):
             said = f"<figcaption>{escape(str(caption))}</figcaption>"
-            return f"<figure{_of(caption, 'fig')}>{svg(drawing).decode()}{said}</figure>"
+            picture = svg(drawing).decode().partition("?>")[2].strip()  # without what begins a file
+            return f"<figure{_of(caption, 'fig')}>{picture}{said}</figure>"
         case Points(items):
             return f"<ul>{''.join(f'<li>{_words(item)}</li>' for item in items)}</ul>"
         case Source(text):
