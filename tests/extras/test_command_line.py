@@ -68,4 +68,4 @@ def test_columns_and_pictures(command: str, tmp_path: Path) -> None:
     scene.write_text(Path(file_of(command)).read_text())
     done = RUNNER.invoke(app, ["plot", str(scene), SPECS[command][0], "-o", str(picture)])
     assert done.exit_code == 0, done.output
-    assert picture.stat().st_size > 10_000
+    assert picture.stat().st_size > 8_000

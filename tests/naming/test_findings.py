@@ -98,7 +98,8 @@ def test_a_note_survives_its_files() -> None:
     note = held("warning", "{value:.3g} is above {limit:g} in {part}", 0.12345, 0.1, "m", name="h", part="{the} ring")
     assert note == "warning: 0.123 is above 0.1 in {the} ring"
     for each in (note, note.within("pair 1"), Note("note", "a word"), Note("note", "a word", "somewhere")):
-        again = restored(json.loads(json.dumps(each.stored())))
+        again = restored(Note, json.loads(json.dumps(each.stored())))
+        assert isinstance(again, Note)
         assert again == each
         assert again.__getnewargs__() == each.__getnewargs__()
     assert finding(note.within("pair 1")) == {

@@ -33,7 +33,19 @@ MUTATED: dict[str, list[str]] = {  # keys that are changed, so that no factor is
     "wheel": [],
     "gears-pairs": [],
     "crank-slider": [],
+    "cam-translating": [],
+    "cam-rocker-synthesis": [],
+    "cam-rocker-optimum": [],
+    "cam-lantern": [],
+    "synth-slider-crank": [],
+    "synth-path": [],
+    "synth-motion": [],
+    "dyad": [],
     "pair": ['pair.strategy="given_aw"', 'pair.centre_distance="115 mm"'],
+    "manipulator": [],
+    "manipulator-angular": [],
+    "vibratory-device": [],
+    "pendulum-rotor": [],
 }
 SWAPPED = {"sin": "cos", "cos": "sin"}
 

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import tmmcalc
+from report.sentences import key_of, of_ring
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.notes import Phrase
 from tmmcalc.report.drawing.lettering import pieces
@@ -33,7 +34,7 @@ CONFIGS = Path(__file__).parents[2] / "configs"
 OTHERS = [language for language in LANGUAGES if language != "en"]
 APOSTROPHE = re.compile(r"[А-Яа-яЄІЇҐєіїґ]['`][А-Яа-яЄІЇҐєіїґ]")
 POINT = re.compile(r"\d\.\d")
-FORMULA_NUMBER = re.compile(r"\(\d+\.\d+[^)]*\)")
+FORMULA_NUMBER = re.compile(r"\(\d+\.\d+[^)]*\)|Д\.\d\.\d")  # and of a table
 NAME = re.compile(r'^name = "(.+)"', re.MULTILINE)
 SHORT = 5  # letters of an f-string that could be of any text
 RUSSIAN = re.compile("[ыэъё]", re.IGNORECASE)
@@ -91,6 +92,7 @@ def given() -> tuple[frozenset[str], re.Pattern[str]]:
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 key = node.value.partition("[")[0].replace("_", " ")
                 constants |= {node.value, node.value.partition(":")[0], key, f"{key} max", f"{key} rms"}
+                constants |= {key_of(node.value), of_ring(key_of(node.value))}
             elif isinstance(node, ast.JoinedStr):
                 parts = [str(part.value) if isinstance(part, ast.Constant) else "" for part in node.values]
                 if len("".join(parts)) > SHORT:

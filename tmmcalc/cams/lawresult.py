@@ -20,7 +20,7 @@ from tmmcalc.cams.overshoot import overshoot_remarks
 from tmmcalc.cams.program import PhaseKind, Positions, Program
 from tmmcalc.cams.rounding import Errors, joints
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.notes import Said
+from tmmcalc.core.notes import Phrase, Said
 from tmmcalc.core.quantity import Quantity, derived, headed, in_degrees, quantity
 from tmmcalc.core.records import record
 
@@ -189,14 +189,13 @@ def _shocks(program: Program) -> Iterator[Shock]:
 
 
 def _remarks(shocks: tuple[Shock, ...], turns: bool) -> Iterator[str]:
-    unit, factor = ("", 1.0) if turns else (" mm", 1e3)
-    for order, grade, what in ((1, "warning", "y' jumps"), (2, "note", "y'' jumps")):
+    factor = 1.0 if turns else 1e3
+    by = "by {jump:+.6g} at phi = {phi:.6g} deg" if turns else "by {jump:+.6g} mm at phi = {phi:.6g} deg"
+    for order, text in ((1, "warning: {shock}: y' jumps {places}"), (2, "note: {shock}: y'' jumps {places}")):
         found = [shock for shock in shocks if shock.order == order]
         if found:
-            said = ", ".join(
-                f"by {factor * shock.jump:+.6g}{unit} at phi = {degrees(shock.phi):.6g} deg" for shock in found
-            )
-            yield f"{grade}: {SHOCKS[order]}: {what} {said}"
+            places = [Phrase(by, jump=factor * shock.jump, phi=degrees(shock.phi)) for shock in found]
+            yield Phrase(text, shock=SHOCKS[order], places=places)
 
 
 def law_columns(result: LawResult) -> dict[str, np.ndarray]:

@@ -72,7 +72,12 @@ def overshoot_remarks(program: Program, turns: bool) -> Iterator[Said]:
         yield beyond(text, -least, "undershoot", phi=low)
     for part in backward(program):
         text = (
-            f"the {part.kind} is not monotone: the follower goes back by {{value:.6g}} {{unit}} for phi from "
-            "{begin:.6g} to {end:.6g} deg"
+            "the return is not monotone: the follower goes back by {value:.6g} {unit} for phi from {begin:.6g} to "
+            "{end:.6g} deg"
         )
+        if part.kind == "rise":
+            text = (
+                "the rise is not monotone: the follower goes back by {value:.6g} {unit} for phi from {begin:.6g} to "
+                "{end:.6g} deg"
+            )
         yield beyond(text, part.amount, "motion back", begin=part.begin, end=part.end)

@@ -16,6 +16,7 @@ import numpy as np
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.program import SAME, Program
 from tmmcalc.cams.task import CamTask
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 
@@ -82,11 +83,17 @@ def pivot_room(task: CamTask, follower: Follower) -> PivotRoom | None:
 
 def pivot_fault(room: PivotRoom) -> str:
     """What is wrong where the cam sweeps over the pivot, or what its disc asks of it."""
-    less = f" less its radius of {1e3 * room.pivot:.6g} mm" if room.pivot else ""
-    what = "second wall reaches beyond" if room.passed else "cam sweeps over"
-    asks = ": the pivot has to be beside the disc, in the plane of the rocker" if room.passed else ""
-    return (
-        f"the {what} the rocker's pivot: it reaches {1e3 * room.radius:.6g} mm from its axis at "
-        f"phi = {degrees(room.phi):.6g} deg, the pivot stands {1e3 * (room.limit + room.pivot):.6g} mm from it"
-        f"{less}{asks}"
-    )
+    text = "the cam sweeps over the rocker's pivot: it reaches {radius:.6g} mm from its axis at phi = {phi:.6g} deg"
+    if room.passed:
+        text = (
+            "the second wall reaches beyond the rocker's pivot: it reaches {radius:.6g} mm from its axis at "
+            "phi = {phi:.6g} deg"
+        )
+    reaches = Phrase(text, radius=1e3 * room.radius, phi=degrees(room.phi))
+    values = {"reaches": reaches, "limit": 1e3 * (room.limit + room.pivot), "pivot": 1e3 * room.pivot}
+    said = Phrase("{reaches}, the pivot stands {limit:.6g} mm from it", **values)
+    if room.pivot:
+        said = Phrase("{reaches}, the pivot stands {limit:.6g} mm from it less its radius of {pivot:.6g} mm", **values)
+    if room.passed:
+        return Phrase("{said}: the pivot has to be beside the disc, in the plane of the rocker", said=said)
+    return said

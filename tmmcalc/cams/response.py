@@ -51,7 +51,7 @@ def steady(program: Program, speed: Speed, frequency: float, damping: float) -> 
 
     Raises `SingularityError` at resonance without damping, `AccuracyError` where w is too high to follow.
     """
-    rate = _rate(frequency, damping)
+    rate = rate_of(frequency, damping)
     on = _followed(program, speed, abs(rate))
     lift, given, inverse = _forcing(program, speed, on)
     _, time = on.primitive(inverse)
@@ -73,7 +73,8 @@ def steady(program: Program, speed: Speed, frequency: float, damping: float) -> 
     return Response(on, lift, given, z, mass, edges, time, ratio, kicks)
 
 
-def _rate(frequency: float, damping: float) -> complex:
+def rate_of(frequency: float, damping: float) -> complex:
+    """lambda [rad/s] of the free vibration, -zeta w + i w_d."""
     return complex(-damping * frequency, frequency * np.sqrt(1 - damping**2))
 
 

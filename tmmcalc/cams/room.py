@@ -49,6 +49,7 @@ ROOM = Room(
                 "displacement and its derivatives over the turn, their graphical integration",
                 pieces="tmmcalc.cams.pictures.pieces:law_pieces",
             ),
+            chapter="cams",
             studied=True,
         ),
         Stage(
@@ -58,6 +59,7 @@ ROOM = Room(
             picture=Picture(
                 "the admissible places of the cam's axis", pieces="tmmcalc.cams.pictures.pieces:synthesis_pieces"
             ),
+            chapter="cams",
             studied=True,
         ),
         Stage(
@@ -74,6 +76,7 @@ ROOM = Room(
             asked=CAM,
             after="balance",
             picture=Picture("the cam to scale, its curvature", pieces="tmmcalc.cams.pictures.pieces:profile_pieces"),
+            chapter="cams",
             studied=True,
         ),
         Stage(
@@ -82,6 +85,7 @@ ROOM = Room(
             needs=("cam_synthesis",),
             asked=CAM,
             picture=Picture("the pressure angle over the turn", pieces="tmmcalc.cams.pictures.pieces:pressure_pieces"),
+            chapter="cams",
             studied=True,
         ),
         Stage(
@@ -91,6 +95,7 @@ ROOM = Room(
             uses=("motion",),
             reads="read_at_speed",
             wanted="forces",
+            chapter="cams",
             picture=Picture("spring, reactions, torque"),
             studied=True,
         ),
@@ -101,6 +106,7 @@ ROOM = Room(
             uses=("motion",),
             reads="read_at_speed",
             wanted="strength",
+            chapter="cams",
             picture=Picture("slip and contact stress"),
         ),
         Stage(
@@ -110,6 +116,7 @@ ROOM = Room(
             uses=("motion",),
             reads="read_at_speed",
             wanted="optimum",
+            chapter="cams",
             picture=Picture("the blocking contour"),
             studied=True,
         ),
@@ -120,6 +127,7 @@ ROOM = Room(
             uses=("motion",),
             reads="read_at_speed",
             wanted="elastic",
+            chapter="cams",
             picture=Picture("the follower's vibration over the turn, what the laws leave of it"),
             studied=True,
         ),
@@ -127,6 +135,7 @@ ROOM = Room(
             "indexing",
             "cam-lantern indexing drive: limits, profiles, pressure angles, efficiency",
             asked=("indexing", "no indexing drive is asked for"),
+            chapter="cams",
             picture=Picture(
                 "scheme at --phase of a step, pressure angles, tip of the lobe, efficiency, what lambda and the step "
                 "decide",
@@ -152,4 +161,5 @@ ROOM = Room(
         "Cams: laws of motion, sizes, profiles, forces, strength, the lowest mechanism.",
         "tmmcalc cam synth my.toml",
     ),
+    chapters={"cams": "Synthesis of the cam mechanism"},
 )

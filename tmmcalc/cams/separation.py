@@ -15,6 +15,7 @@ from tmmcalc.cams.follower import Closure
 from tmmcalc.cams.forces.turn import crossings, spans
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.task import CamTask, Loads
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
@@ -74,13 +75,19 @@ def _ends(beyond: Spans) -> tuple[float, ...]:
 def contact_notes(contact: Contact) -> Iterator[str]:
     """What vibration does to the contact."""
     if contact.lost:
-        where = ", ".join(f"{degrees(a):.5g} to {degrees(b):.5g} deg" for a, b in contact.lost)
-        also = "as a rigid one does" if contact.rigid else "which a rigid one would not"
-        yield f"warning: the follower leaves the cam for phi from {where}, {also}"
+        where = [Phrase("{low:.5g} to {high:.5g} deg", low=degrees(a), high=degrees(b)) for a, b in contact.lost]
+        text = "warning: the follower leaves the cam for phi from {where}, which a rigid one would not"
+        if contact.rigid:
+            text = "warning: the follower leaves the cam for phi from {where}, as a rigid one does"
+        yield Phrase(text, where=where)
     if contact.reversals:
         yield (
-            f"note: the roller goes to the other wall of the groove {len(contact.reversals)} times a turn, with an "
-            f"impact if it has play there; on a rigid train {len(_ends(contact.rigid))} times"
+            Phrase(
+                "note: the roller goes to the other wall of the groove {reversals} times a turn, with an impact "
+                "if it has play there; on a rigid train {ends} times",
+                reversals=len(contact.reversals),
+                ends=len(_ends(contact.rigid)),
+            )
         )
     if not contact.judged:
         yield "note: contact is not judged: nothing is known of what presses the follower on the cam; add [cam.loads]"

@@ -23,6 +23,7 @@ from tmmcalc.cams.forces.turn import at_angles, loads_of, spans, weight
 from tmmcalc.cams.forces.turnforces import NOTHING, TOLERANCE, TurnForces, turn_forces
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.task import CamTask, Force, Loads
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.numerics.panels import Panels
 from tmmcalc.linkage.assembly import TURN
@@ -118,16 +119,22 @@ def _on_shaft(task: CamTask, *courses: TurnForces) -> tuple[Panels, Values]:
 
 def _notes(task: CamTask, course: TurnForces) -> list[str]:
     """What is taken, and what does not hold."""
-    shaft = "as it turns" if task.ratio == 1 else f"at {task.ratio:.6g} of its speed"
+    shaft = "as it turns" if task.ratio == 1 else Phrase("at {ratio:.6g} of its speed", ratio=task.ratio)
     notes = [
-        f"it loads the crank, {shaft}: J_red has its follower, M_red its forces; its friction is that of the mean "
-        "speed. The forces in the linkage, and its balancing moment, are those without it"
+        Phrase(
+            "it loads the crank, {shaft}: J_red has its follower, M_red its forces; its friction is that of the "
+            "mean speed. The forces in the linkage, and its balancing moment, are those without it",
+            shaft=shaft,
+        )
     ]
     load = course.shaped(course.state.load)
     lifted = np.min(load, axis=1) >= -NOTHING * np.max(np.abs(load))
     if task.asked.closure == "force" and lifted.any() and np.any(load):
-        where = ", ".join(f"{degrees(a):.6g} to {degrees(b):.6g} deg" for a, b in spans(course.on.edges, lifted))
-        notes.append(f"nothing presses its follower on it for phi from {where}: it is taken as held there")
+        lost = spans(course.on.edges, lifted)
+        where = [Phrase("{low:.6g} to {high:.6g} deg", low=degrees(a), high=degrees(b)) for a, b in lost]
+        notes.append(
+            Phrase("nothing presses its follower on it for phi from {where}: it is taken as held there", where=where)
+        )
     return notes
 
 

@@ -73,7 +73,12 @@ class Force:
         assert self.phi is not None
         assert self.values is not None
         x = np.concatenate((self.phi[-1:] - TURN, self.phi, self.phi[:1] + TURN))
-        return np.interp(phi, x, np.concatenate((self.values[-1:], self.values, self.values[:1])))
+        y = np.concatenate((self.values[-1:], self.values, self.values[:1]))
+        k = np.clip(np.searchsorted(x, phi, "right") - 1, 0, len(x) - 2)  # np.interp takes no extended precision
+        width = x[k + 1] - x[k]
+        slope = np.where(width > 0, (y[k + 1] - y[k]) / np.where(width > 0, width, 1.0), 0.0)
+        found: Values = slope * (phi - x[k]) + y[k]
+        return found
 
 
 @record

@@ -99,7 +99,8 @@ def from_record(kind: Any, record: Record) -> Any:
 def plain(value: Any, arrays: dict[str, np.ndarray] | None = None, path: str = "") -> Any:
     """The value as nested dicts and lists, arrays taken out under their path.
 
-    Fields that are None are left out, as TOML has no null; in a list an empty table stands for it.
+    Fields that are None are left out, as TOML has no null; in a list an empty table stands for it. Phrases stay, see
+    `tmmcalc.core.sentences`.
     """
     kind = type(value)
     if kind in PLAIN:
@@ -113,7 +114,9 @@ def plain(value: Any, arrays: dict[str, np.ndarray] | None = None, path: str = "
         return [{} if v is None else plain(v, arrays, f"{path}.{k}") for k, v in enumerate(value)]
     if isinstance(value, Fraction):
         return str(value)
-    if isinstance(value, Note | Phrase):
+    if isinstance(value, Phrase):
+        return value
+    if isinstance(value, Note):
         return value.stored()
     return [float(value.real), float(value.imag)] if isinstance(value, complex) else plain_value(value, path)
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cache
 from math import pi
+from string import Formatter
 from typing import Any
 
 LEVELS = ("note", "warning")
@@ -59,7 +61,7 @@ class Note(str):
     def within(self, place: str) -> Note:
         """The same note of a thing in a ``place``."""
         level, text, own, *numbers = self.__getnewargs__()
-        return Note(level, text, f"{place}: {own}" if own else place, *numbers)
+        return Note(level, text, listed((place, own), ": ") if own else place, *numbers)
 
     def stored(self) -> dict[str, Any]:
         """What it is made of, by name; parts that it has not are left out."""
@@ -73,15 +75,21 @@ Said = Note | str  # in a result: a sentence, with its numbers or without
 class Phrase(str):
     """A text with ``{name}`` for each of its values, by which another language says it; several are parted by commas.
 
-    >>> Phrase("no mesh has {ratio}: {lines}", ratio="1.2", lines=("tip", "root"))
+    A number is written as its place asks, ``{name:.3g}``; then the template has the place alone, and the value is what
+    was written. A value may be a phrase.
+
+    >>> Phrase("no mesh has {ratio:.3g}: {lines}", ratio=1.2, lines=("tip", "root"))
     'no mesh has 1.2: tip, root'
     """
 
-    def __new__(cls, template: str, **values: str | Sequence[str]) -> Phrase:
-        """Make the text."""
-        texts = {name: each if isinstance(each, str) else ", ".join(each) for name, each in values.items()}
-        made = super().__new__(cls, template.format(**texts))
-        made.template, made.values = template, values
+    def __new__(cls, template: str, **values: Any) -> Phrase:
+        """Make the text; values that it has no place for are left out."""
+        bare, places = _places(template)
+        told = {name: _told(values[name], written) for name, written in places.items()}
+        made = super().__new__(
+            cls, bare.format_map({k: each if isinstance(each, str) else ", ".join(each) for k, each in told.items()})
+        )
+        made.template, made.values = bare, told
         return made
 
     template: str
@@ -93,7 +101,45 @@ class Phrase(str):
 
     def stored(self) -> dict[str, Any]:
         """What it is made of, by name."""
-        return {"template": self.template, **self.values}
+        return {"template": self.template, **{name: _stored(each) for name, each in self.values.items()}}
+
+
+@cache
+def _places(template: str) -> tuple[str, Mapping[str, str]]:
+    """A template without the forms of its numbers, and these forms by the names of the places."""
+    bare, places = "", {}
+    for text, name, written, _ in Formatter().parse(template):
+        bare += text.replace("{", "{{").replace("}", "}}")
+        if name is not None:
+            bare += f"{{{name}}}"
+            places[name] = written or ""
+    return bare, places
+
+
+def _told(value: Any, written: str) -> str | Sequence[str]:
+    if isinstance(value, str):
+        return value
+    if isinstance(value, Sequence):
+        return tuple(each if isinstance(each, str) else str(each) for each in value)
+    return format(value, written)
+
+
+def _stored(value: str | Sequence[str]) -> Any:
+    if isinstance(value, Phrase):
+        return value.stored()
+    return value if isinstance(value, str) else [_stored(each) for each in value]
+
+
+def listed(parts: Sequence[str], between: str) -> str:
+    """Several phrases as one, with what stands ``between`` two of them; a single one is itself, none is empty.
+
+    >>> listed(("30 deg", "40 deg"), " to ").template, listed(("30 deg", "40 deg", "50 deg"), " or ")
+    ('{one} to {other}', '30 deg or 40 deg or 50 deg')
+    """
+    if not parts:
+        return ""
+    *before, last = parts
+    return Phrase(f"{{one}}{between}{{other}}", one=listed(before, between), other=last) if before else last
 
 
 def restored(kind: type[Note] | type[Phrase], data: str | dict[str, Any]) -> Note | Phrase | str:
@@ -102,7 +148,13 @@ def restored(kind: type[Note] | type[Phrase], data: str | dict[str, Any]) -> Not
     >>> restored(Note, Note("note", "two", value=2.0).stored())
     'note: two'
     """
-    return kind(**data) if isinstance(data, dict) else data
+    return kind(**{name: _restored(part) for name, part in data.items()}) if isinstance(data, dict) else data
+
+
+def _restored(part: Any) -> Any:
+    if isinstance(part, list):
+        return [_restored(each) for each in part]
+    return restored(Phrase, part) if isinstance(part, dict) else part
 
 
 def held(
@@ -120,15 +172,31 @@ def held(
     """A note on the quantity ``name`` held against a ``limit``, both in ``unit``.
 
     ``text`` has both as ``{value:.4g}`` and ``{limit:g}``, in the digits and in the unit that people are ``shown``, and
-    the other ``words``.
+    the other ``words``, as a `Phrase` has them.
 
     >>> print(held("warning", "h = {value:.3g} mm is above {limit:g} mm", 0.002, 0.001, "m", shown="mm", name="h"))
     warning: h = 2 mm is above 1 mm
     """
     value, limit = float(value), float(limit)
     factor = SHOWN[unit, shown] if shown else 1.0
-    said = text.format(value=factor * value, limit=factor * limit, unit=shown or unit, **words)
+    said = Phrase(text, value=factor * value, limit=factor * limit, unit=shown or unit, **words)
     return Note(level, said, place, value, limit, unit, name)
+
+
+def graded(note: str) -> tuple[str, str]:
+    """Level of a note, and its place and text; a text without a level is a ``note``.
+
+    >>> graded(Phrase("warning: {count} ties yield", count=2))
+    ('warning', '2 ties yield')
+    """
+    if isinstance(note, Note):
+        return note.level, listed((note.place, note.text), ": ") if note.place else note.text
+    level, colon, text = note.partition(": ")
+    if not colon or level not in LEVELS:
+        return "note", note
+    if isinstance(note, Phrase):
+        return level, Phrase(note.template.removeprefix(f"{level}: "), **note.values)
+    return level, text
 
 
 def finding(note: str) -> dict[str, Any]:
@@ -146,5 +214,5 @@ def finding(note: str) -> dict[str, Any]:
             f"limit{unit}": note.limit,
         }
         return {"level": note.level, **{k: v for k, v in told.items() if v is not None}, "text": note.text}
-    level, _, text = note.partition(": ")
-    return {"level": level, "text": text} if level in LEVELS else {"level": "note", "text": note}
+    level, text = graded(note)
+    return {"level": level, "text": text}

@@ -154,17 +154,22 @@ class Stage:
 
     def dump(self, result: Any) -> Record:
         """The stored form of a result, in the one form in which a record is handed on."""
+        from tmmcalc.core.sentences import parted
+
         if own := self.part("dump"):
             from tmmcalc.core.plain import plain_record
 
-            return plain_record(own(result))
+            return plain_record(parted(own(result)))
         from tmmcalc.core.conversion import plain, to_record
 
         errors = self.part("errors")
-        return to_record(result, plain(result.error) if errors is None else errors(result))
+        return parted(to_record(result, plain(result.error) if errors is None else errors(result)))
 
     def load(self, record: Record) -> Any:
         """The result that was stored."""
+        from tmmcalc.core.sentences import rejoined
+
+        record = rejoined(record)
         if own := self.part("load"):
             return own(record)
         from tmmcalc.core.conversion import from_record

@@ -6,6 +6,7 @@ eta = 2 sqrt(alpha |a| xi/r0)/lambda: of modified ones where a drives the ball o
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import expm1, log, log1p, pi, sqrt
 from typing import NamedTuple
 
@@ -15,6 +16,8 @@ from tmmcalc.core.errors import AccuracyError
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.records import record
+
+Bessel = Callable[[int, Values], Values]  # by order and argument
 
 ROUNDED = 8 * EPS  # of two Bessel functions, each with its factor
 LARGE = 1e7  # argument of Bessel functions
@@ -50,8 +53,7 @@ class _Quotient(NamedTuple):
 def falling_speed(fall: Fall, t: Values) -> Values:
     """v (n,) [m/s] at t (n,) [s]; of a braked ball up to its stop."""
     if fall.drive == 0:
-        k = fall.drag * fall.initial / (fall.decay * fall.radius)
-        return np.asarray(fall.initial / (1 + k * np.expm1(fall.decay * t)))
+        return np.asarray(fall.initial / (1 + drag_ratio(fall) * np.expm1(fall.decay * t)))
     found = _quotient(fall, t)
     return np.asarray(2 * abs(fall.drive) / fall.decay / fall.argument(t) * found.above / found.below)
 
@@ -66,19 +68,39 @@ def speed_error(fall: Fall, t: Values) -> Values:
     return np.asarray(size * terms * (ROUNDED + (EPS * eta if fall.drive < 0 else 0.0)))
 
 
-def _quotient(fall: Fall, t: Values) -> _Quotient:
-    """The sums of the speed, scaled so that neither overflows."""
+def kinds(fall: Fall) -> tuple[Bessel, Bessel]:
+    """Bessel functions of the first and the second kind: J and Y of a braked ball, else I e^-x and K e^x."""
     from scipy.special import jv, yv
 
-    first, second = (_rising, _fading) if fall.drive > 0 else (jv, yv)
-    n, m = fall.orders
-    begun, eta = fall.argument(np.zeros(1)), fall.argument(t)
+    return (_rising, _fading) if fall.drive > 0 else (jv, yv)
+
+
+def constants(fall: Fall) -> tuple[Values, Values]:
+    """C and D (1,), by which the speed begins with v0; of a ball that is not braked over e^-eta0 and e^eta0."""
+    first, second = kinds(fall)
+    (n, m), begun = fall.orders, fall.argument(np.zeros(1))
     g, u = 2 * abs(fall.drive), fall.decay * fall.initial * begun
+    sign = 1 if fall.drive > 0 else -1
+    return sign * g * second(n, begun) + u * second(m, begun), g * first(n, begun) - u * first(m, begun)
+
+
+def parts_of_speed(fall: Fall, t: float, *, scaled: bool) -> tuple[float, float]:
+    """X and Z at t [s]: the speed is 2 |a| X/(lambda eta Z); of a ball that is driven on scaled over e^(eta - eta0)."""
+    at = np.array([t])
+    found = _quotient(fall, at)
+    plain = fall.drive < 0 or scaled
+    size = 1.0 if plain else float(np.exp(fall.argument(at) - fall.argument(np.zeros(1)))[0])
+    return float(found.above[0]) * size, float(found.below[0]) * size
+
+
+def _quotient(fall: Fall, t: Values) -> _Quotient:
+    """The sums of the speed, scaled so that neither overflows."""
+    first, second = kinds(fall)
+    (n, m), eta = fall.orders, fall.argument(t)
+    c, d = constants(fall)
     if fall.drive < 0:
-        c, d = u * second(m, begun) - g * second(n, begun), g * first(n, begun) - u * first(m, begun)
         return _summed(c * first(n, eta), d * second(n, eta), c * first(m, eta), d * second(m, eta))
-    c, d = g * second(n, begun) + u * second(m, begun), g * first(n, begun) - u * first(m, begun)
-    faded = d * np.exp(-2 * (eta - begun))
+    faded = d * np.exp(-2 * (eta - fall.argument(np.zeros(1))))
     return _summed(c * first(n, eta), -faded * second(n, eta), c * first(m, eta), faded * second(m, eta))
 
 
@@ -130,6 +152,11 @@ def stop_time(fall: Fall) -> float:
     return 2 / fall.decay * log(root / begun)
 
 
+def drag_ratio(fall: Fall) -> float:
+    """k = alpha v0/(lambda r0): the drag at the beginning over lambda v0."""
+    return fall.drag * fall.initial / (fall.decay * fall.radius)
+
+
 def drag_way(fall: Fall, t: float) -> float:
     """The way [m] of a ball on which nothing but drag acts, S = r0/(alpha b) ln((1 - b e^(-lambda t))/(1 - b)).
 
@@ -137,7 +164,9 @@ def drag_way(fall: Fall, t: float) -> float:
     >>> round(drag_way(fall, 1.5), 5), round(drag_way(fall, float("inf")), 6)
     (5.87685, 9.482446)
     """
-    k = fall.drag * fall.initial / (fall.decay * fall.radius)
+    k = drag_ratio(fall)
+    if not k:
+        return 0.0
     part, past = k - 1, -expm1(-fall.decay * t)
     size = fall.radius * k / fall.drag
     return size * (log1p(part * past) / part if part else past)

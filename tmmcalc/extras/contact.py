@@ -178,6 +178,12 @@ def _size(task: ContactTask, smooth: Hertz | None) -> float:
     raise UsageError("a formula has no size of its own", where="contact.size", remedy='add size = "2 mm"')
 
 
+def settled(task: ContactTask, result: Contact) -> Values:
+    """u (n,) [m]: how far the pressures settle the bodies at the nodes."""
+    scale = pi * task.modulus / result.step
+    return settlement(*hexagon(task.cells))(result.pressure / scale)
+
+
 def _solved(task: ContactTask, size: float, cells: int, coarse: _Grid | None = None) -> _Grid:
     """One grid; ``coarse`` is a solution on another one."""
     i, j = hexagon(cells)

@@ -75,14 +75,8 @@ class Ball:
 
 def solve_falling_ball(task: BallTask) -> Ball:
     """Speed over the time in closed form; its maximum, the stop, the way by quadrature of the speed."""
-    own = task.relative is None
-    push = 0.0 if task.relative is None else 3 * task.sign * task.decay * task.relative
-    drive = task.gravity + push
-    if abs(drive) <= BALANCED * max(task.gravity, abs(push)):
-        drive = 0.0
-    orders = (0, 1) if not own else (3, 4) if task.sign > 0 else (3, 2)
-    fall = Fall(task.radius, task.drag, task.decay, drive, orders, task.initial)
-    stop = stop_time(fall) if drive < 0 else None
+    own, fall = task.relative is None, fall_of(task)
+    stop = stop_time(fall) if fall.drive < 0 else None
     speed = _course(fall, stop)
     end = task.duration if task.duration is not None else stop if stop else SHOWN / task.decay
     fastest = _fastest(fall, speed, 3 * task.sign * task.decay if own else 0.0)
@@ -97,9 +91,8 @@ def solve_falling_ball(task: BallTask) -> Ball:
 
     t = end * np.arange(task.rows + 1) / task.rows
     v, s = speed(t), way(t)
-    radius = task.radius * np.exp(-task.decay * t)
     return Ball(
-        drive=drive,
+        drive=fall.drive,
         argument=float(fall.argument(np.zeros(1))[0]),
         fastest=None if fastest is None else moment(fastest),
         stop=None if stop is None else moment(stop),
@@ -108,12 +101,30 @@ def solve_falling_ball(task: BallTask) -> Ball:
         asked=tuple(map(moment, task.times)),
         labels=tuple(map(str, range(len(t)))),
         t=t,
-        radius=radius,
+        radius=task.radius * np.exp(-task.decay * t),
         v=v,
-        a=drive - task.drag / radius * v * np.abs(v) + (3 * task.sign * task.decay * v if own else 0.0),
+        a=acceleration(task, t, v),
         way=s,
         error=_errors(fall, stop, t, v, s, _left_out(on, values, tail)),
     )
+
+
+def fall_of(task: BallTask) -> Fall:
+    """The fall up to a stop."""
+    own = task.relative is None
+    push = 0.0 if task.relative is None else 3 * task.sign * task.decay * task.relative
+    drive = task.gravity + push
+    if abs(drive) <= BALANCED * max(task.gravity, abs(push)):
+        drive = 0.0
+    orders = (0, 1) if not own else (3, 4) if task.sign > 0 else (3, 2)
+    return Fall(task.radius, task.drag, task.decay, drive, orders, task.initial)
+
+
+def acceleration(task: BallTask, t: Values, v: Values) -> Values:
+    """dv/dt (n,) [m/s^2] at the times (n,) with the speeds (n,)."""
+    own = 3 * task.sign * task.decay * v if task.relative is None else 0.0
+    radius = task.radius * np.exp(-task.decay * t)
+    return np.asarray(fall_of(task).drive - task.drag / radius * v * np.abs(v) + own)
 
 
 def _left_out(on: Panels, values: Values, tail: float) -> float:
@@ -127,16 +138,16 @@ def _errors(fall: Fall, stop: float | None, t: Values, v: Values, s: Values, lef
     if stop is None:
         missed = speed_error(fall, t)
     else:
-        back = _back(fall, stop)
+        risen = rise_of(fall, stop)
         late = speed_error(fall, np.array([stop])) + ROUNDED * abs(fall.drive) / fall.decay
-        rising = late + speed_error(back, np.maximum(t - stop, 0.0))
+        rising = late + speed_error(risen, np.maximum(t - stop, 0.0))
         missed = np.where(t < stop, speed_error(fall, np.minimum(t, stop)), rising)
     fastest, farthest = float(np.max(np.abs(v))) or 1.0, float(np.max(np.abs(s))) or 1.0
     added = float(np.sum((missed[1:] + missed[:-1]) / 2 * np.diff(t)))
     return {"speed": float(np.max(missed)) / fastest + EPS, "way": (left + added) / farthest + EPS}
 
 
-def _back(fall: Fall, stop: float) -> Fall:
+def rise_of(fall: Fall, stop: float) -> Fall:
     """The rise behind a stop, which is a fall of its own with a drive upwards."""
     radius = fall.radius * exp(-fall.decay * stop)
     return Fall(radius, fall.drag, fall.decay, -fall.drive, fall.orders, 0.0)
@@ -146,11 +157,11 @@ def _course(fall: Fall, stop: float | None) -> Callable[[Values], Values]:
     """The speed at any time: behind the stop a ball that rises and is driven upwards."""
     if stop is None:
         return lambda t: falling_speed(fall, t)
-    back = _back(fall, stop)
+    risen = rise_of(fall, stop)
 
     def speed(t: Values) -> Values:
         down = falling_speed(fall, np.minimum(t, stop))
-        return np.where(t < stop, down, -falling_speed(back, np.maximum(t - stop, 0.0)))
+        return np.where(t < stop, down, -falling_speed(risen, np.maximum(t - stop, 0.0)))
 
     return speed
 

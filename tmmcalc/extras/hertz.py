@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import pi
+from typing import NamedTuple
 
 import numpy as np
 
@@ -53,3 +54,24 @@ def hertz(load: float, modulus: float, radii: tuple[float, float]) -> Hertz:
     peak = 1.5 * load / (pi * major * minor)
     axes = (major, minor) if radii[0] >= radii[1] else (minor, major)
     return Hertz(*axes, peak, float(peak * minor * elliprf(0.0, ratio**2, 1.0) / modulus))
+
+
+class Integrals(NamedTuple):
+    """What the formulas of an elliptical contact hold beside its half-axes."""
+
+    eccentricity: float  # e = sqrt(1 - b^2/a^2)
+    first: float  # K(e), complete elliptic integral
+    second: float  # E(e)
+
+
+def integrals(found: Hertz) -> Integrals:
+    """The eccentricity of a contact ellipse and its complete elliptic integrals.
+
+    >>> integrals(Hertz(2.0, 1.0, 1.0, 1.0))
+    Integrals(eccentricity=0.8660254037844386, first=2.156515647499643, second=1.2110560275684594)
+    """
+    from scipy.special import ellipe, ellipkm1
+
+    ratio = min(found.along_x, found.along_y) / max(found.along_x, found.along_y)
+    square = (1 - ratio) * (1 + ratio)
+    return Integrals(square**0.5, float(ellipkm1(ratio**2)), float(ellipe(square)))

@@ -13,7 +13,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.notes import Said, held
+from tmmcalc.core.notes import Phrase, Said, held
 from tmmcalc.core.numerics.extended import apart, spread, widened
 from tmmcalc.core.numerics.extrema import around, maxima, refine
 from tmmcalc.core.numerics.panels import Values
@@ -112,7 +112,7 @@ class Liner:
     error: LinerError | None = None  # None: not estimated
 
 
-class _Shell(NamedTuple):
+class Shell(NamedTuple):
     """Numbers of the ring and the shell, and the waves of the deflection, in the numbers of the task."""
 
     alpha: Any
@@ -127,11 +127,11 @@ class _Shell(NamedTuple):
 
 def solve_liner(task: LinerTask) -> Liner:
     """Forces between ring and shell by continuity, the shell along the bore, where its stresses are largest."""
-    shell = _solved(task)
-    end = _along(task, shell, np.zeros(1))
+    shell = shell_of(task)
+    end = along(task, shell, np.zeros(1))
     length = task.length if task.length is not None else SHOWN / shell.alpha
     x = length * np.arange(task.rows + 1) / task.rows
-    rows = _along(task, shell, x)
+    rows = along(task, shell, x)
     turn, centre = float(end["slope"][0]), _centre(task, shell, float(end["shear"][0]))
     other = _other(task)
     bending, largest = _peak(task, shell, length, ("axial", "outer_axial")), _peak(task, shell, length)
@@ -160,7 +160,7 @@ def solve_liner(task: LinerTask) -> Liner:
     )
 
 
-def _solved(task: LinerTask) -> _Shell:
+def shell_of(task: LinerTask) -> Shell:
     """The waves from the two equations of continuity (8), in the numbers of the task.
 
     Ring: u = (q - Q0) r1^2/(E F'), psi = (m - M0 - Q0 b/2) r1^2/(E I'); shell: w(0) = u + psi b/2, dw/dx(0) = psi.
@@ -188,7 +188,7 @@ def _solved(task: LinerTask) -> _Shell:
     a = (right[0] * other[1] - first[1] * right[1]) / determinant
     c = (first[0] * right[1] - right[0] * other[0]) / determinant
     waves = a * np.array(_free(span)[0]) + c * np.array(_free(span)[1])
-    return _Shell(alpha, stiffness, area, inertia, moment, uniform, span, waves)
+    return Shell(alpha, stiffness, area, inertia, moment, uniform, span, waves)
 
 
 def _free(span: Any) -> tuple[list[Any], list[Any]]:
@@ -223,12 +223,25 @@ def _shape(waves: Values, xi: Any, span: Any) -> tuple[Any, Any, Any, Any]:
     return value, slope, second, third
 
 
-def _along(task: LinerTask, shell: _Shell, x: Values) -> dict[str, Values]:
+def waves_at(shell: Shell, x: Values) -> tuple[tuple[Values, Values], tuple[Values, Values]]:
+    """The waves p [m] from the ring and from the far end at the places x (n,), each with s, minus half its second
+    derivative by alpha x."""
+    a, b, c, g = shell.waves
+    xi, nothing = shell.alpha * x, 0.0 * shell.alpha
+    near, _, bent, _ = _shape(np.array([a, b, nothing, nothing]), xi, None)
+    if shell.span is None:
+        return (near, -bent / 2), (nothing * xi, nothing * xi)
+    far, _, far_bent, _ = _shape(np.array([nothing, nothing, c, g]), xi, shell.span)
+    return (near, -bent / 2), (far, -far_bent / 2)
+
+
+def along(task: LinerTask, shell: Shell, x: Values) -> dict[str, Values]:
     """Deflection, slope, moment, force and stresses (n,) at the places x (n,), in the numbers of the task."""
     value, slope, second, third = _shape(shell.waves, shell.alpha * x, shell.span)
     w = value + shell.uniform
     bend = shell.stiffness * shell.alpha**2 * second
     axial, hoop = 6 * bend / task.thickness**2, task.young * w / task.radius
+    inside, outside = hoop + task.poisson * axial, hoop - task.poisson * axial
     return {
         "w": w,
         "slope": shell.alpha * slope,
@@ -237,8 +250,10 @@ def _along(task: LinerTask, shell: _Shell, x: Values) -> dict[str, Values]:
         "axial": axial,
         "outer_axial": -axial,
         "hoop": hoop,
-        "inner": _mises(axial, hoop + task.poisson * axial),
-        "outer": _mises(-axial, hoop - task.poisson * axial),
+        "inner_hoop": inside,
+        "outer_hoop": outside,
+        "inner": _mises(axial, inside),
+        "outer": _mises(-axial, outside),
     }
 
 
@@ -247,7 +262,7 @@ def _mises(one: Values, other: Values) -> Values:
     return np.asarray(np.sqrt(one**2 - one * other + other**2))
 
 
-def _centre(task: LinerTask, shell: _Shell, force: float) -> float:
+def _centre(task: LinerTask, shell: Shell, force: float) -> float:
     """u of the ring [m]."""
     return float((task.load - force) * task.radius**2 / (task.young * shell.area))
 
@@ -255,11 +270,11 @@ def _centre(task: LinerTask, shell: _Shell, force: float) -> float:
 def _other(task: LinerTask) -> tuple[float, float]:
     """Q0 [N/m] and M0 [N] by the other continuity."""
     other = replace(task, continuity="centre" if task.continuity == "edge" else "edge")
-    at = _along(other, _solved(other), np.zeros(1))
+    at = along(other, shell_of(other), np.zeros(1))
     return float(at["shear"][0]), -float(at["bend"][0])
 
 
-def _peak(task: LinerTask, shell: _Shell, length: float, names: tuple[str, str] = ("inner", "outer")) -> Peak:
+def _peak(task: LinerTask, shell: Shell, length: float, names: tuple[str, str] = ("inner", "outer")) -> Peak:
     """The largest of a stress at the inner and the outer surface, and its place."""
     reach = min(float(shell.alpha) * length, FADED)
     x = np.linspace(0.0, reach / float(shell.alpha), 1 + DENSE * max(1, ceil(reach)))
@@ -267,9 +282,9 @@ def _peak(task: LinerTask, shell: _Shell, length: float, names: tuple[str, str] 
     for surface, name in zip(("inner", "outer"), names, strict=True):
 
         def stress_at(place: Values, _: Indices, name: str = name) -> Values:
-            return _along(task, shell, place)[name]
+            return along(task, shell, place)[name]
 
-        values = _along(task, shell, x)[name]
+        values = along(task, shell, x)[name]
         at = np.flatnonzero(maxima(values, False))
         places, heights = refine(stress_at, *around(x, at, False))
         found += [(float(height), float(place), surface) for place, height in zip(places, heights, strict=True)]
@@ -278,7 +293,7 @@ def _peak(task: LinerTask, shell: _Shell, length: float, names: tuple[str, str] 
     return Peak(place, stress, surface)
 
 
-def _notes(task: LinerTask, shell: _Shell, largest: Peak) -> list[Said]:
+def _notes(task: LinerTask, shell: Shell, largest: Peak) -> list[Said]:
     found: list[Said] = []
     if task.thickness > THIN * task.radius:
         text = (
@@ -287,11 +302,16 @@ def _notes(task: LinerTask, shell: _Shell, largest: Peak) -> list[Said]:
         )
         found.append(held("warning", text, task.thickness / task.radius, THIN, name="h/r1"))
     if shell.span is not None and shell.span < LONG:
-        long = _solved(replace(task, length=None))
-        at = _along(task, long, np.zeros(1))
+        long = shell_of(replace(task, length=None))
+        at = along(task, long, np.zeros(1))
         found.append(
-            f"note: alpha L = {float(shell.span):.4g}: the free end is felt at the ring; the source's formulas, which "
-            f"are for a long liner, give Q0 = {float(at['shear'][0]):.7g} N/m, M0 = {-float(at['bend'][0]):.7g} N*m/m"
+            Phrase(
+                "note: alpha L = {span:.4g}: the free end is felt at the ring; the source's formulas, which are "
+                "for a long liner, give Q0 = {shear:.7g} N/m, M0 = {bend:.7g} N*m/m",
+                span=float(shell.span),
+                shear=float(at["shear"][0]),
+                bend=-float(at["bend"][0]),
+            )
         )
     if task.allowed is not None and largest.stress > task.allowed:
         text = "the equivalent stress of {value:.6g} MPa is above the allowed {limit:.6g} MPa"
@@ -299,12 +319,12 @@ def _notes(task: LinerTask, shell: _Shell, largest: Peak) -> list[Said]:
     return found
 
 
-def _errors(task: LinerTask, shell: _Shell, x: Values) -> LinerError:
+def _errors(task: LinerTask, shell: Shell, x: Values) -> LinerError:
     """Some of the rows and both ends again in extended precision."""
     wide = widened(task)
-    exact_shell = _solved(wide)
+    exact_shell = shell_of(wide)
     rows = x[spread(len(x), LOOKED)]
-    found, exact = _along(task, shell, rows), _along(wide, exact_shell, rows.astype(np.longdouble))
+    found, exact = along(task, shell, rows), along(wide, exact_shell, rows.astype(np.longdouble))
     return LinerError(
         forces=max(apart(found[name][:1], exact[name][:1]) for name in ("shear", "bend")),
         deflection=apart(found["w"], exact["w"]),

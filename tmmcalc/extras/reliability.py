@@ -105,7 +105,7 @@ def solve_reliability(task: ReliabilityTask) -> Reliability:
     Raises `NoSolutionError` if no decay gives the mean life of the test.
     """
     r, beta, missed = _estimated(task)
-    law = _Law(task.low, task.high, task.rate, r, beta)
+    law = Law(task.low, task.high, task.rate, r, beta)
     lives = tuple((part, life_at(law, part)) for part in PARTS)
     end = task.until if task.until is not None else life_at(law, LEFT)
     t = end * np.arange(task.rows + 1) / task.rows
@@ -127,7 +127,7 @@ def solve_reliability(task: ReliabilityTask) -> Reliability:
         kept=kept,
         density=kept * intensity,
         intensity=intensity,
-        x=r * np.exp(-beta * t),
+        x=strength_at(law, t),
         notes=_notes(task, r),
         error=LifeError(
             reliability=_of_reliability(law, t, kept),
@@ -139,8 +139,8 @@ def solve_reliability(task: ReliabilityTask) -> Reliability:
 
 
 @record
-class _Law:
-    """a, b, h, r, beta."""
+class Law:
+    """What the reliability follows from: a, b, h, r, beta."""
 
     low: float
     high: float
@@ -149,19 +149,24 @@ class _Law:
     decay: float
 
 
-def span(law: _Law) -> tuple[float, float | None]:
+def span(law: Law) -> tuple[float, float | None]:
     """Times at which the strength reaches b and a, at least 0; None: it never reaches a."""
     start = max(np.log(law.strength / law.high) / law.decay, 0.0)
     return start, max(np.log(law.strength / law.low) / law.decay, 0.0) if law.low > 0 else None
 
 
-def failure_rate(law: _Law, t: Values) -> Values:
+def strength_at(law: Law, t: Values) -> Values:
+    """x (n,) at the times (n,)."""
+    return np.asarray(law.strength * np.exp(-law.decay * t))
+
+
+def failure_rate(law: Law, t: Values) -> Values:
     """Intensity of failures (n,) at the times (n,)."""
-    x = law.strength * np.exp(-law.decay * t)
+    x = strength_at(law, t)
     return np.asarray(law.rate * np.clip((law.high - x) / (law.high - law.low), 0.0, 1.0))
 
 
-def hazard(law: _Law, t: Values) -> Values:
+def hazard(law: Law, t: Values) -> Values:
     """-ln R (n,) at the times (n,): the integral of the intensity from 0, (5) with both ends of the load."""
     start, floor = span(law)
     inside = np.maximum(t if floor is None else np.minimum(t, floor), start)
@@ -172,22 +177,26 @@ def hazard(law: _Law, t: Values) -> Values:
     return np.asarray(law.rate / (law.high - law.low) * ((law.high - x) * tau + fallen) + beyond)
 
 
-def mean_life(law: _Law) -> float:
-    """The mean life (8) in closed form, with lower incomplete gamma functions.
+def mean_life(law: Law) -> float:
+    """The mean life (8) in closed form: t0 + I/beta + R(ta)/h, the last term if the strength falls below a."""
+    start, floor = span(law)
+    after = 0.0 if floor is None else float(np.exp(-hazard(law, np.array([floor]))[0])) / law.rate
+    return start + falling_part(law) / law.decay + after
 
-    With c = h b/((b - a) beta) and u = x/b: t0 + e^c c^-c [gamma(c, c u0) - gamma(c, c ua)]/beta + R(ta)/h.
+
+def falling_part(law: Law) -> float:
+    """I, the integral of the reliability over beta t from t0 to ta, with lower incomplete gamma functions.
+
+    With c = h b/((b - a) beta) and u = x/b: e^(c u0) (c u0)^-c [gamma(c, c u0) - gamma(c, c ua)].
     """
     from scipy.special import gammainc
 
-    start, floor = span(law)
     c = law.rate * law.high / ((law.high - law.low) * law.decay)
     begun = min(law.strength / law.high, 1.0)
     if begun <= law.low / law.high:
-        return 1 / law.rate
+        return 0.0
     shift = c * (begun - 1 - log(begun))  # -ln R from x = b to the beginning
-    inner = float(gammainc(c, c * begun) - gammainc(c, c * law.low / law.high)) * exp(_gamma_exponent(c) + shift)
-    after = 0.0 if floor is None else float(np.exp(-hazard(law, np.array([floor]))[0])) / law.rate
-    return start + inner / law.decay + after
+    return float(gammainc(c, c * begun) - gammainc(c, c * law.low / law.high)) * exp(_gamma_exponent(c) + shift)
 
 
 def _gamma_exponent(c: float) -> float:
@@ -202,19 +211,19 @@ def _gamma_exponent(c: float) -> float:
     return 0.5 * log(2 * pi * part) + part / 12 - part**3 / 360 + part**5 / 1260
 
 
-def life_at(law: _Law, part: float) -> float:
+def life_at(law: Law, part: float) -> float:
     """The time at which the reliability is ``part``."""
     wanted = -log(part)
     return _root(lambda t: float(hazard(law, np.array([t]))[0]) - wanted, *_around(law, wanted))
 
 
-def _of_reliability(law: _Law, t: Values, kept: Values) -> float:
+def _of_reliability(law: Law, t: Values, kept: Values) -> float:
     """Error of the reliability at some of the times again in extended precision, twice that for the others."""
     rows = spread(len(t), LOOKED)
     return 2 * apart(kept[rows], np.exp(-hazard(widened(law), t[rows].astype(np.longdouble))))
 
 
-def _of_life(law: _Law, part: float, life: float) -> float:
+def _of_life(law: Law, part: float, life: float) -> float:
     """Residual over slope, both in extended precision."""
     wide, at = widened(law), np.array([life], np.longdouble)
     missed = hazard(wide, at) + np.log(np.longdouble(part))
@@ -222,7 +231,7 @@ def _of_life(law: _Law, part: float, life: float) -> float:
     return MARGIN * float(np.max(np.abs(missed) / (slope * at), initial=0.0)) + EPS if slope[0] > 0 else EPS
 
 
-def _of_mean(law: _Law, mean: float) -> float:
+def _of_mean(law: Law, mean: float) -> float:
     """Against the integral of the reliability by Gauss's rule on panels, which has the error of the reliability."""
     start, floor = span(law)
     end = life_at(law, FORGOTTEN)
@@ -236,7 +245,7 @@ def _of_mean(law: _Law, mean: float) -> float:
     return MARGIN * (missed + own) + FORGOTTEN
 
 
-def _around(law: _Law, wanted: float) -> tuple[float, float]:
+def _around(law: Law, wanted: float) -> tuple[float, float]:
     start, _ = span(law)
     step = max(wanted / law.rate, 4 * float(np.spacing(start)))  # a shorter one would not move
     while hazard(law, np.array([start + step]))[0] < wanted:
@@ -256,13 +265,13 @@ def _estimated(task: ReliabilityTask) -> tuple[float, float, float]:
     test, width = task.test, task.high - task.low
 
     def strength(beta: float) -> float:
-        half = beta * width / (2 * task.rate * test.items)
+        half = load_margin(task, test, beta)
         root = sqrt(half * (2 * task.high + half))
         return exp(beta * test.least) * (task.high - 2 * task.high * half / (half + root))  # b + half - root
 
     def excess(log_beta: float) -> float:
         beta = exp(log_beta)
-        return mean_life(_Law(task.low, task.high, task.rate, strength(beta), beta)) - test.mean
+        return mean_life(Law(task.low, task.high, task.rate, strength(beta), beta)) - test.mean
 
     # beyond it the strength at the beginning, or its quotient with a load, would overflow
     wide = max(log(task.high), log(task.high / task.low) if task.low > 0 else 0.0, 0.0)
@@ -283,9 +292,14 @@ def _estimated(task: ReliabilityTask) -> tuple[float, float, float]:
     root = _root(excess, float(grid[k]), float(grid[k + 1]))
     beta = exp(root)
     slope = (excess(root + STEP) - excess(root - STEP)) / (2 * STEP)
-    law = _Law(task.low, task.high, task.rate, strength(beta), beta)
+    law = Law(task.low, task.high, task.rate, strength(beta), beta)
     missed = (abs(excess(root)) + _of_mean(law, test.mean + excess(root)) * test.mean) / abs(slope)
     return law.strength, beta, missed + EPS * abs(root)
+
+
+def load_margin(task: ReliabilityTask, test: LifeTest, decay: float) -> float:
+    """w = beta (b - a)/(2 h m), by which the most probable strength at the shortest life is below b."""
+    return decay * (task.high - task.low) / (2 * task.rate * test.items)
 
 
 def _root(f: Callable[[float], float], low: float, high: float) -> float:

@@ -43,18 +43,21 @@ ROOM = Room(
             asked=("contact", "no bodies are pressed together"),
             picture=Picture("the field of pressure, and along the axis of x beside Hertz"),
             studied=True,
+            chapter="extras",
         ),
         Stage(
             "reliability",
             "reliability under shock loads while the strength falls",
             asked=("reliability", "no life is asked for"),
             picture=Picture("reliability and density of failures over the time"),
+            chapter="extras",
         ),
         Stage(
             "tie_down",
             "forces in the ties of a transported load",
             asked=("tie_down", "no load is tied down"),
             picture=Picture("forces of the ties over the inertia"),
+            chapter="extras",
         ),
         Stage(
             "falling_ball",
@@ -62,23 +65,27 @@ ROOM = Room(
             asked=("falling_ball", "no ball falls"),
             picture=Picture("speed and way of the ball over the time"),
             studied=True,
+            chapter="extras",
         ),
         Stage(
             "bearing",
             "speeds and frequencies of the defects of a bearing",
             asked=("bearing", "no bearing is asked for"),
+            chapter="extras",
         ),
         Stage(
             "liner",
             "cylinder liner as ring and shell: deflection, moments, stresses",
             asked=("liner", "no cylinder liner"),
             picture=Picture("deflection, moment and stresses along the bore"),
+            chapter="extras",
         ),
         Stage(
             "transloader",
             "grab transloader: speeds with their limits, loads by case, stresses",
             asked=("transloader", "no transloader"),
             picture=Picture("speeds of the ways, loads by case, stresses of the parts"),
+            chapter="extras",
         ),
     ),
     (
@@ -97,4 +104,5 @@ ROOM = Room(
         "cylinder liners, grab transloaders.",
         "tmmcalc extra contact my.toml",
     ),
+    chapters={"extras": "Further calculations"},
 )

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.core.notes import Said, held
+from tmmcalc.core.notes import Phrase, Said, held
 from tmmcalc.core.numerics.extended import apart, widened
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import quantity
@@ -162,29 +162,41 @@ def solve_tie_down(task: TieDownTask) -> TieDown:
 def thresholds(task: TieDownTask) -> tuple[Any, ...]:
     """The values of `Thresholds`, each a root of an equation that is linear in k, in the numbers of the task.
 
-    F = k u - c and G = o - k t + 4 P0 sin alpha; R is 2 P0 where F - mu G = 4 P0 cos alpha cos beta.
+    R is 2 P0 where F - mu G = 4 P0 cos alpha cos beta.
     """
     preload = _preload(task)
-    push, own = _loads(replace(task, factor=0.0))
-    one_push, one_own = _loads(replace(task, factor=1.0))
     mu, sine = task.friction, np.sin(task.elevation)
     along = np.cos(task.elevation) * np.cos(task.plan)
     pull = 2 * (mu * sine + along)
     vertical = 4 * preload * sine
-    rise = one_push - push + mu * (own - one_own)  # of F - mu G with k
+    held, rise = unheld(task)
 
     def reached(spare: Any) -> Any:
-        return (spare - push + mu * (own + vertical)) / rise if rise > 0 else None
+        return (spare + held) / rise if rise > 0 else None
 
     yielding = None
     if task.section is not None and task.strength is not None:
         most = task.section * task.strength
         tight = 4 * along * (most - preload)
         yielding = reached(tight if most <= 2 * preload else pull * most - mu * vertical) if most > preload else 0.0
-    fall = own - one_own
+    own, fall = _pressing(task)
     tipping = (own + vertical) / fall if fall > 0 else None
     slack, first = reached(4 * along * preload), reached(0.0)
     return first, slack, reached(pull * preload), reached(2 * pull * preload), yielding, tipping
+
+
+def unheld(task: TieDownTask) -> tuple[Any, Any]:
+    """F0 and F1 [N] of what friction does not hold, F - mu G = k F1 - F0."""
+    push, one_push = (_loads(replace(task, factor=factor))[0] for factor in (0.0, 1.0))
+    own, fall = _pressing(task)
+    vertical = 4 * _preload(task) * np.sin(task.elevation)
+    return task.friction * (own + vertical) - push, one_push - push + task.friction * fall
+
+
+def _pressing(task: TieDownTask) -> tuple[Any, Any]:
+    """What presses the load on its cradle without ties and without inertia, and by how much less it is with k = 1."""
+    own, one_own = (_loads(replace(task, factor=factor))[1] for factor in (0.0, 1.0))
+    return own, own - one_own
 
 
 def _range(factor: float, limits: tuple[Any, ...]) -> Values:
@@ -246,7 +258,11 @@ def _notes(force: float, preload: float, balanced: float, safety: float | None) 
         found.append(held("warning", text, force, 2 * preload, "N", name="R"))
     if balanced > force * (1 + 1e-9):
         found.append(
-            f"note: the source's (3), R = {force:.6g} N, adds R to the vertical load of the preload, which is a part "
-            f"of R; in equilibrium the tie carries {balanced:.6g} N: choose it by this"
+            Phrase(
+                "note: the source's (3), R = {force:.6g} N, adds R to the vertical load of the preload, which is "
+                "a part of R; in equilibrium the tie carries {balanced:.6g} N: choose it by this",
+                force=force,
+                balanced=balanced,
+            )
         )
     return found

@@ -11,7 +11,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from tmmcalc.core.notes import Said, held
+from tmmcalc.core.notes import Phrase, Said, held
 from tmmcalc.core.numerics.extended import apart, widened
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
@@ -303,29 +303,54 @@ def _notes(
     tonnes = task.capacity / 1000
     if min(abs(tonnes - each) for each in SERIES) > SAME * tonnes:
         nearest = min(SERIES, key=lambda each: abs(each - tonnes))
-        found.append(f"note: {tonnes:g} t is not of the series of GOST 1575-61; the nearest is {nearest:g} t")
+        found.append(
+            Phrase(
+                "note: {tonnes:g} t is not of the series of GOST 1575-61; the nearest is {nearest:g} t",
+                tonnes=tonnes,
+                nearest=nearest,
+            )
+        )
     if task.span is not None and SPAN[0] <= task.span <= SPAN[1] and not USUAL_SPAN[0] <= task.span <= USUAL_SPAN[1]:
-        found.append(f"note: most spans are from {USUAL_SPAN[0]:g} to {USUAL_SPAN[1]:g} m")
+        found.append(
+            Phrase(
+                "note: most spans are from {low:g} to {high:g} m",
+                low=USUAL_SPAN[0],
+                high=USUAL_SPAN[1],
+            )
+        )
     found += [_outside(each) for each in limits if not each.holds]
     found += [_overstressed(each) for each in checks if not each.holds]
     if checks:
         told = {"sum": "K_m = K1 + K2, as the source prints it", "product": "K_m = K1 K2, as cranes are designed"}
         other = {"sum": "product", "product": "sum"}[task.factors]
         found.append(
-            f"note: {told[task.factors]}; the print may have lost a multiplication sign: "
-            f'factors = "{other}" takes the {other}, whose allowed stresses stand beside'
+            Phrase(
+                'note: {told}; the print may have lost a multiplication sign: factors = "{other}" takes the '
+                "{other}, whose allowed stresses stand beside",
+                told=told[task.factors],
+                other=other,
+            )
         )
     blank = [LOADS[name].meaning for name in loads if "?" in LOADS[name].acts]
     if blank:
         words = {"with": "acts there", "without": 'is left out there; blanks = "with" has it act'}[task.blanks]
-        found.append(f"note: what the source leaves blank out of service ({', '.join(blank)}) {words}")
+        found.append(
+            Phrase(
+                "note: what the source leaves blank out of service ({blank}) {words}",
+                blank=blank,
+                words=words,
+            )
+        )
     unchecked = [
         part.name for part in task.parts if all(each.case[0] != "V" for each in checks if each.part == part.name)
     ]
     if unchecked:
         found.append(
-            f"note: the source has no K1 out of service for {', '.join(unchecked)}: cases V1 and V2 are not checked; "
-            "importance = [1.2, 1.1, 1.1], K1 in A, B and V, gives one"
+            Phrase(
+                "note: the source has no K1 out of service for {unchecked}: cases V1 and V2 are not checked; "
+                "importance = [1.2, 1.1, 1.1], K1 in A, B and V, gives one",
+                unchecked=unchecked,
+            )
         )
     return found
 
@@ -335,7 +360,9 @@ def _outside(limit: Limit) -> Said:
     end = limit.low if low else limit.high
     assert end is not None
     shown = "m/min" if limit.unit == "m/s" else ""
-    text = f"{{what}} is {{value:.6g}} {{unit}}, {'below' if low else 'above'} {{limit:.6g}} {{unit}}"
+    text = "{what} is {value:.6g} {unit}, above {limit:.6g} {unit}"
+    if low:
+        text = "{what} is {value:.6g} {unit}, below {limit:.6g} {unit}"
     return held("warning", text, limit.value, end, limit.unit, shown=shown, name=limit.name, what=limit.what)
 
 

@@ -13,6 +13,7 @@ from typing import Literal
 import numpy as np
 
 from tmmcalc.core import quantity as told
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.extended import apart, widened
 from tmmcalc.core.records import record
 from tmmcalc.feasibility.logic import LARGEST, Form, conjunction
@@ -20,6 +21,21 @@ from tmmcalc.feasibility.rule import failing, function, holds
 from tmmcalc.naming.language import ANY, ROWS, Name, parse
 
 Sense = Literal["value", "function", "truth"]
+ASKED = {  # what of a column, in words
+    "max": "{stage} max {column}",
+    "min": "{stage} min {column}",
+    "range": "{stage} range {column}",
+    "mean": "{stage} mean {column}",
+    "size": "{stage} size {column}",
+    "first": "{stage} first {column}",
+    "last": "{stage} last {column}",
+    "rms": "{stage} rms {column}",
+    "integral": "{stage} integral {column}",
+    "at_max": "{stage} at_max {column}",
+    "at_min": "{stage} at_min {column}",
+    "at_size": "{stage} at_size {column}",
+    "chosen": "{stage} chosen {column}",
+}
 
 
 @record
@@ -53,9 +69,10 @@ class Constraint:
         """The quantity in words: ``kinematics stroke_D``, ``forces max R_A``, ``criteria mass``, ``given value``."""
         if not self.stage:
             return f"given {self.sense}"
-        if self.value:
-            return self.value if self.stage == ANY else f"{self.stage} {self.value}"
-        return f"{self.stage} {self.column}" if self.stage in ROWS else f"{self.stage} {self.of} {self.column}"
+        if self.value and self.stage == ANY:
+            return self.value
+        text = "{stage} {column}" if self.value or self.stage in ROWS else ASKED[self.of]
+        return Phrase(text, stage=self.stage, column=self.value or self.column)
 
 
 @record

@@ -37,6 +37,8 @@ ROOM = Room(
             another=True,
             every=True,
             picture=Picture("the margin of every constraint, and the rule"),
+            chapter="constraints",
         ),
     ),
+    chapters={"constraints": "Constraints"},
 )

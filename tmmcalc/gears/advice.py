@@ -7,6 +7,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.kinds import from_tooth_ratio
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.search.measures import tooth_ratio
@@ -74,16 +75,25 @@ def why_none(variant: Variant) -> list[str]:
     request = variant.request
     steps = removals(variant)
     if not steps:
-        lines = [f"{request.title}: the tooth limits leave no candidates"]
+        lines = [Phrase("{title}: the tooth limits leave no candidates", title=request.title)]
         if request.method == "textbook":
-            lines = [f"{request.title}: the textbook's program finds no tooth set"]
+            lines = [Phrase("{title}: the textbook's program finds no tooth set", title=request.title)]
     else:
         name, count, _ = steps[-1]
         lines = [
-            f"{request.title}: no tooth set; {called(name)} removed the last {count} of {variant.synthesis.candidates}"
+            Phrase(
+                "{title}: no tooth set; {condition} removed the last {count} of {candidates}",
+                title=request.title,
+                condition=called(name),
+                count=count,
+                candidates=variant.synthesis.candidates,
+            )
         ]
         if len(steps) > 1:
-            lines.append("removed: " + ", ".join(f"{called(each)} {number}" for each, number, _ in steps))
+            removed = [
+                Phrase("{condition} {number}", condition=called(each), number=number) for each, number, _ in steps
+            ]
+            lines.append(Phrase("removed: {removed}", removed=removed))
     end = _end_of_range(variant)
     return [*lines, end] if end else lines
 
@@ -94,8 +104,10 @@ def _end_of_range(variant: Variant) -> str:
     ratios = [_ratio(request, change) for change in variant.relaxations if change.constraint == "ratio"]
     if len(ratios) != 1 or ratios[0] is None:
         return ""
-    which = "least" if ratios[0] > request.nominal else "greatest"
-    return f"{request.kind} = {float(ratios[0]):.6g} is the {which} that everything else admits"
+    text = "{kind} = {ratio:.6g} is the greatest that everything else admits"
+    if ratios[0] > request.nominal:
+        text = "{kind} = {ratio:.6g} is the least that everything else admits"
+    return Phrase(text, kind=request.kind, ratio=float(ratios[0]))
 
 
 def remedies(variant: Variant) -> list[str]:
@@ -112,15 +124,21 @@ def _of_kind(request: Request, ratio: Fraction) -> Fraction | None:
 
 def _words(request: Request, change: Relaxation) -> str:
     change_of_key = _CHANGES[change.constraint](request, change)
-    return f"{change_of_key} gives {'/'.join(map(str, change.teeth))}" if change_of_key else ""
+    teeth = "/".join(map(str, change.teeth))
+    return Phrase("{change} gives {teeth}", change=change_of_key, teeth=teeth) if change_of_key else ""
 
 
 def _key(key: str) -> Callable[[Request, Relaxation], str]:
-    return lambda request, change: f"{key} {change.present:.0f} -> {change.needed:.0f}"
+    return lambda request, change: _widened(key, f"{change.present:.0f}", f"{change.needed:.0f}")
+
+
+def _widened(key: str, present: str, needed: str) -> Phrase:
+    """A key of the spec with its value and the one that would do."""
+    return Phrase("{key} {present} -> {needed}", key=key, present=present, needed=needed)
 
 
 def _off(key: str) -> Callable[[Request, Relaxation], str]:
-    return lambda request, change: f"{key} = false"
+    return lambda request, change: Phrase("{key} = false", key=key)
 
 
 def _tolerance(request: Request, change: Relaxation) -> str:
@@ -131,8 +149,8 @@ def _tolerance(request: Request, change: Relaxation) -> str:
     present = max(request.admitted.high - request.nominal, request.nominal - request.admitted.low)
     scale, unit = (100 / abs(request.nominal), " %") if request.relative else (Fraction(1), "")
     sizes = (float(present * scale), float(abs(ratio - request.nominal) * scale))
-    widened = " -> ".join(f"{_up(size):.3g}{unit}" for size in sizes)
-    return f"tolerance {widened} ({request.kind} = {float(ratio):.6g})"
+    widened = _widened("tolerance", *(f"{_up(size):.3g}{unit}" for size in sizes))
+    return Phrase("{widened} ({kind} = {ratio:.6g})", widened=widened, kind=request.kind, ratio=float(ratio))
 
 
 def _ratio(request: Request, change: Relaxation) -> Fraction | None:
@@ -161,25 +179,28 @@ def _up(value: float, digits: int = 3) -> float:
 
 def _gap(request: Request, change: Relaxation) -> str:
     """Rounded down, and a little less where it is met exactly: the neighbours' condition is strict."""
-    return f"adjacency_gap {change.present:g} -> {max(math.ceil(1000 * change.needed - 1e-6) - 1, 0) / 1000:g}"
+    needed = max(math.ceil(1000 * change.needed - 1e-6) - 1, 0) / 1000
+    return _widened("adjacency_gap", f"{change.present:g}", f"{needed:g}")
 
 
 def _undercut(request: Request, change: Relaxation) -> str:
-    return f"undercut = false, with wheels of {change.needed:.0f} teeth,"
+    return Phrase("undercut = false, with wheels of {needed:.0f} teeth,", needed=change.needed)
 
 
 def _distance(request: Request, change: Relaxation) -> str:
     shorter = change.needed < change.present
     end = math.floor(1e5 * change.needed) / 100 if shorter else math.ceil(1e5 * change.needed) / 100
-    return f"centre_distance {1000 * change.present:g} mm -> {end:g} mm"
+    return _widened("centre_distance", f"{1000 * change.present:g} mm", f"{end:g} mm")
 
 
 def _limit(key: str, scale: float = 1.0, unit: str = "") -> Callable[[Request, Relaxation], str]:
-    return lambda request, change: f"{key} {scale * change.present:g}{unit} -> {_up(scale * change.needed, 4):g}{unit}"
+    return lambda request, change: _widened(
+        key, f"{scale * change.present:g}{unit}", f"{_up(scale * change.needed, 4):g}{unit}"
+    )
 
 
 def _mesh(request: Request, change: Relaxation) -> str:
-    return f'mesh_angle_max = "{math.ceil(100 * math.degrees(change.needed)) / 100:g} deg"'
+    return Phrase('mesh_angle_max = "{needed:g} deg"', needed=math.ceil(100 * math.degrees(change.needed)) / 100)
 
 
 _CHANGES: dict[str, Callable[[Request, Relaxation], str]] = {

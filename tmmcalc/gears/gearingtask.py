@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.network.builder import network_of
@@ -61,7 +62,7 @@ def layout_task(
     if len(known) < free:
         driver = train.driver if train.driver not in known else train.output
         known[driver] = 1.0
-        remarks.append(f"no speed is known: {driver} turns at 1 rad/s")
+        remarks.append(Phrase("no speed is known: {driver} turns at 1 rad/s", driver=driver))
     outputs = (train.output,) if train.output not in known and train.driver in known else ()
     shafts = (train.driver, train.output, *train.fixed)
     return GearingTask(

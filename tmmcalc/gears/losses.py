@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.model import EXTERNAL, INTERNAL, WHERE
@@ -76,4 +77,8 @@ def usual_efficiencies() -> str:
     'efficiencies of meshes are general values: 0.975, of internal ones 0.985'
     """
     usual = MeshEfficiency()
-    return f"efficiencies of meshes are general values: {usual.external:g}, of internal ones {usual.internal:g}"
+    return Phrase(
+        "efficiencies of meshes are general values: {external:g}, of internal ones {internal:g}",
+        external=usual.external,
+        internal=usual.internal,
+    )

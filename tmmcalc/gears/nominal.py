@@ -6,6 +6,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.exact import around
 from tmmcalc.gears.kinds import is_possible, rule, to_tooth_ratio
 from tmmcalc.gears.model import Interval
@@ -24,7 +25,12 @@ def with_nominal(request: Request, nominal: Fraction) -> Request:
     task = replace(request.task, nominal=tooth_ratio, ratio=_tooth_ratios(layout, kind, admitted))
     usual, remarks = layout.usual_ratio, request.remarks
     if usual is not None and tooth_ratio > usual:
-        large = f"U = {float(tooth_ratio):g} is large for {layout.title}, which is usual up to {usual}"
+        large = Phrase(
+            "U = {tooth_ratio:g} is large for {title}, which is usual up to {usual}",
+            tooth_ratio=float(tooth_ratio),
+            title=layout.title,
+            usual=usual,
+        )
         remarks = (*remarks, large)
     return replace(request, task=task, nominal=nominal, admitted=admitted, remarks=remarks)
 

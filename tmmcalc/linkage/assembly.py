@@ -15,6 +15,7 @@ from itertools import pairwise
 import numpy as np
 
 from tmmcalc.core.errors import AssemblyError
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.numerics.extrema import with_turning_points
 from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.plane import Real
@@ -143,8 +144,10 @@ def _never(chain: Chain, k: int, intervals: list[Interval]) -> AssemblyError:
 
 def coordinate(chain: Chain, *x: float) -> str:
     """Input coordinates as text: crank angles in degrees or displacements in mm."""
-    amounts = " and ".join(_amount(chain, at) for at in x)
-    return f"{_coordinate_name(chain)} = {amounts} {'deg' if chain.turns else 'mm'}"
+    amounts = listed([_amount(chain, at) for at in x], " and ")
+    if chain.turns:
+        return Phrase("angle_{link} = {amounts} deg", link=chain.structure.input_link, amounts=amounts)
+    return Phrase("s_{joint} = {amounts} mm", joint=chain.input_joint.name, amounts=amounts)
 
 
 def _coordinate_name(chain: Chain) -> str:

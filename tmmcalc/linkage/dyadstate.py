@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.errors import AccuracyError
-from tmmcalc.core.notes import Note, held
+from tmmcalc.core.notes import Note, Phrase, held
 from tmmcalc.core.numerics.extended import CHAIN, EPS, WIDER, widened
 from tmmcalc.core.plane import Guide, Point
 from tmmcalc.core.quantity import derived, keyed, quantity
@@ -138,25 +138,30 @@ class DyadState:
         """What is to be said of a weak transmission."""
         found = []
         if self.regularity < NEARLY_SINGULAR:
-            text = f"nearly singular: errors and velocities are amplified {1 / self.regularity:.4g} times"
-            place = f"dyad {self.kind}"
+            text = Phrase(
+                "nearly singular: errors and velocities are amplified {regularity:.4g} times",
+                regularity=1 / self.regularity,
+            )
+            place = Phrase("dyad {kind}", kind=self.kind)
             amplified, most = 1 / self.regularity, 1 / NEARLY_SINGULAR
             found.append(Note("warning", text, place, amplified, most, name="amplification"))
         if self.transmission < MODEST:
             severity, limit = ("warning", 20) if self.transmission < POOR else ("note", 30)
             text = "transmission angle {value:.4g} deg, below {limit:g} deg"
             numbers = math.degrees(self.transmission), limit, "deg"
-            found.append(held(severity, text, *numbers, name="transmission", place=f"dyad {self.kind}"))
+            found.append(
+                held(severity, text, *numbers, name="transmission", place=Phrase("dyad {kind}", kind=self.kind))
+            )
         return tuple(found)
 
 
 def motion_of(task: DyadTask) -> DyadMotion:
     """The motion of the links in the numbers of the task; raises what `solve_dyad` does."""
     with np.errstate(all="ignore"):  # what overflows is refused
-        return solve_dyad(_dyad(task), *_ports(task))
+        return solve_dyad(dyad_of(task), *ports_of(task))
 
 
-def _dyad(task: DyadTask) -> Dyad:
+def dyad_of(task: DyadTask) -> Dyad:
     """The kind with its metric; numbers of numpy, which overflow without an exception."""
     given = (task.length_a, task.length_b, task.offset_a, task.offset_b, task.turn)
     numbers: list[Any] = [np.asarray(value or 0.0)[()] for value in given]
@@ -171,7 +176,8 @@ def _dyad(task: DyadTask) -> Dyad:
     return kinds[task.kind]
 
 
-def _ports(task: DyadTask) -> Iterator[Point | Guide]:
+def ports_of(task: DyadTask) -> Iterator[Point | Guide]:
+    """The states of both outer joints."""
     for port, letter in ((task.first, task.kind[0]), (task.second, task.kind[2])):
         point = Point(*(np.asarray(x + 1j * y) for x, y in (port.point, port.velocity, port.acceleration)))
         yield point if letter == "R" else Guide.along(point, port.angle, port.omega, port.eps)

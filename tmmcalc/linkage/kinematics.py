@@ -18,6 +18,7 @@ from functools import partial
 import numpy as np
 
 from tmmcalc.core.errors import AssemblyError, SingularityError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.assembly import check_range, coordinate
@@ -120,7 +121,8 @@ def solve_kinematics(
 def _speed_grades(mechanism: Mechanism, turns: bool) -> Iterator[Grade]:
     """What rates are without a speed of the input."""
     if not mechanism.input.given:
-        told = f"speed is not given: velocities and accelerations are those at 1 {'rad/s' if turns else 'm/s'}"
+        unit = "rad/s" if turns else "m/s"
+        told = Phrase("speed is not given: velocities and accelerations are those at 1 {unit}", unit=unit)
         yield Grade("note", "[mechanism.input]", told)
 
 
@@ -167,7 +169,7 @@ def _method_grades(chain: Chain, method: Method, x: Real) -> tuple[Grade, ...]:
     higher = [step.group.name for step in chain.steps if not step.group.kind]
     if method.name == "projection" and higher:
         message = "the equations of its loops are projected on two axes in every method: only dyads differ by this one"
-        return tuple(Grade("note", f"kinematics, group {name}", message) for name in higher)
+        return tuple(Grade("note", Phrase("kinematics, group {name}", name=name), message) for name in higher)
     if method.name != "splitting":
         return ()
     from tmmcalc.linkage.loops.signchanges import split_grades

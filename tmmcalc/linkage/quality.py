@@ -16,6 +16,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from tmmcalc.core.errors import SingularityError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.extrema import around, maxima, refine
 from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Real, square
@@ -196,19 +197,31 @@ def grade(chain: Chain, qualities: tuple[GroupQuality, ...]) -> tuple[Grade, ...
     """Notes and warnings on every weak transmission and nearly singular place, with its angle and number."""
     grades = []
     for quality in qualities:
-        where = f"group {quality.group}"
+        where = Phrase("group {group}", group=quality.group)
         for near in quality.singular:
             at = coordinate(chain, near.x)
-            text = f"nearly singular at {at}: errors and velocities are amplified {1 / near.value:.4g} times"
+            text = Phrase(
+                "nearly singular at {at}: errors and velocities are amplified {value:.4g} times",
+                at=at,
+                value=1 / near.value,
+            )
             grades.append(Grade("warning", where, text, 1 / near.value, 1 / NEARLY_SINGULAR, name="amplification"))
         for weak in quality.weak:
             limit = 20 if weak.value < POOR else 30
             at = coordinate(chain, weak.x)
-            text = f"transmission angle {math.degrees(weak.value):.4g} deg at {at}, below {limit} deg"
+            text = Phrase(
+                "transmission angle {value:.4g} deg at {at}, below {limit} deg",
+                value=math.degrees(weak.value),
+                at=at,
+                limit=limit,
+            )
             degree: Literal["note", "warning"] = "warning" if weak.value < POOR else "note"
             grades.append(Grade(degree, where, text, math.degrees(weak.value), limit, "deg", "transmission"))
         if quality.transmission is not None and quality.transmission_at is None and quality.transmission < MODEST:
-            text = f"transmission angle {math.degrees(quality.transmission):.4g} deg at every position, below 30 deg"
+            text = Phrase(
+                "transmission angle {transmission:.4g} deg at every position, below 30 deg",
+                transmission=math.degrees(quality.transmission),
+            )
             degree = "warning" if quality.transmission < POOR else "note"
             grades.append(Grade(degree, where, text, math.degrees(quality.transmission), 30, "deg", "transmission"))
     return tuple(grades)

@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, Phrase
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
@@ -175,8 +175,8 @@ class Grade:
     """Something worth knowing about the result: ``note`` or ``warning``, where, and the numbers."""
 
     severity: Literal["note", "warning"]
-    where: str
-    message: str
+    where: Phrase | str
+    message: Phrase | str
     value: float | None = None  # that it is about, and the limit that it is held against
     limit: float | None = None
     unit: str | None = None  # of both

@@ -79,6 +79,7 @@ ROOM = Room(
         Stage(
             "synthesis",
             "a linkage by what it is to do; checks; ready specs",
+            chapter="synthesis",
             asked=("synthesis", "no linkage is to be found"),
             settles=True,
             another=True,
@@ -134,6 +135,7 @@ ROOM = Room(
             "dyad",
             "motion of a dyad with given states of its outer joints",
             asked=("dyad", "no dyad by itself is asked for"),
+            chapter="dyad",
             picture=Picture("the dyad to scale with the velocities and the accelerations of its points"),
         ),
     ),
@@ -147,10 +149,12 @@ ROOM = Room(
     ),
     section="Linkages",
     chapters={
+        "synthesis": "Synthesis of the linkage",
         "structure": "Structural analysis",
         "kinematics": "Kinematic analysis",
         "forces": "Force analysis",
         "unsteady": "Unsteady motion of the mechanism",
+        "dyad": "Motion of the dyad",
     },
     gives=True,
 )

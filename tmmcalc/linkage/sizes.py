@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import combinations
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.results import Grade
 
@@ -22,10 +23,15 @@ def size_grades(mechanism: Mechanism) -> tuple[Grade, ...]:
     largest, smallest = max(known, key=known.__getitem__), min(known, key=known.__getitem__)
     if known[largest] <= APART * known[smallest]:
         return ()
-    text = (
-        f"{_called(largest)} measures {known[largest]:.4g} m, {_called(smallest)} {known[smallest]:.4g} m, "
-        f"{known[largest] / known[smallest]:.0f} times less (limit {APART:g}): a bare number is in metres, is a unit "
-        'missing? Write e.g. "320 mm"'
+    text = Phrase(
+        "{large} measures {size:.4g} m, {small} {least:.4g} m, {times:.0f} times less (limit {limit:g}): a "
+        'bare number is in metres, is a unit missing? Write e.g. "320 mm"',
+        large=_called(largest),
+        size=known[largest],
+        small=_called(smallest),
+        least=known[smallest],
+        times=known[largest] / known[smallest],
+        limit=APART,
     )
     return (Grade("warning", "mechanism", text),)
 
@@ -35,4 +41,4 @@ def _size(points: list[complex]) -> float:
 
 
 def _called(number: int) -> str:
-    return "the frame" if number == FRAME else f"link {number}"
+    return "the frame" if number == FRAME else Phrase("link {number}", number=number)

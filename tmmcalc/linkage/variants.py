@@ -14,6 +14,7 @@ from itertools import product
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.linkage.assemblies import own_points, tied
 from tmmcalc.linkage.assembly import reach_of
 from tmmcalc.linkage.chain import Chain, compile_chain
@@ -115,11 +116,19 @@ def sketch_grades(
         return (Grade("note", where, "was not compared: the mechanism does not assemble where it was read"),)
     grades = []
     if gap > size:
-        text = f"lies {gap:.4g} m from the mechanism, whose points reach {size:.4g} m: are its units right?"
+        text = Phrase(
+            "lies {gap:.4g} m from the mechanism, whose points reach {size:.4g} m: are its units right?",
+            gap=gap,
+            size=size,
+        )
         grades.append(Grade("warning", where, text, gap, size, "m", "distance"))
     for group in sketched:
         other = -signs[group.name]
         if distance(compile_chain(mechanism, structure, {**signs, group.name: other}, branches), at) < gap * (1 - 1e-6):
-            text = f"stands nearer to the variant {other:+d} of {group.name}, which is not the one taken"
+            text = Phrase(
+                "stands nearer to the variant {other:+d} of {name}, which is not the one taken",
+                other=other,
+                name=group.name,
+            )
             grades.append(Grade("warning", where, text))
     return tuple(grades)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from tmmcalc.core.notes import Note, held
+from tmmcalc.core.notes import Note, Phrase, held
 from tmmcalc.machine.verdicts import Verdict
 
 TOLD = 0.005  # relative difference of the speeds that is worth a note
@@ -31,16 +31,35 @@ def off_speed(mean: float, asked: float, ratio: float | None, sense: float, key:
     off = mean / asked - 1
     if abs(off) <= TOLD:
         return None
-    above = f"{100 * abs(off):.3g} % {'above' if off > 0 else 'below'}"
-    at = "loads, friction, inertia forces and power are" if key == INPUT else "work and power are"
-    itself = ', or to "by the motor" where the ratio is given,' if ratio else ""
-    gears = f", or take the gear ratio {ratio * mean / asked:.5g} in place of {ratio:.5g}" if ratio else ""
+    text = _OF_INPUT[off > 0] if key == INPUT else _OF_OTHERS[off > 0]
+    said = Phrase(text, mean=mean * RPM, off=100 * abs(off), asked=asked * RPM)
+    remedy = 'set {key} to "{speed:.6g} rpm" and run again'
+    if ratio:
+        remedy = (
+            'set {key} to "{speed:.6g} rpm", or to "by the motor" where the ratio is given, and run again, or take the '
+            "gear ratio {fitting:.5g} in place of {ratio:.5g}"
+        )
+    fitting = ratio * mean / asked if ratio else 0.0
+    told = Phrase(remedy, key=key, speed=sense * mean * RPM, fitting=fitting, ratio=ratio or 0.0)
     return Verdict(
         "warning" if abs(off) > GRAVE else "note",
-        f"the mean speed {mean * RPM:.6g} rpm lies {above} the {asked * RPM:.6g} rpm of the spec, at which {at} "
-        f'computed: set {key} to "{sense * mean * RPM:.6g} rpm"{itself} and run again{gears}',
+        Phrase("{said}: {remedy}", said=said, remedy=told),
         *(mean, asked, "rad/s", "mean speed"),
     )
+
+
+_OF_INPUT = (
+    "the mean speed {mean:.6g} rpm lies {off:.3g} % below the {asked:.6g} rpm of the spec, at which loads, friction, "
+    "inertia forces and power are computed",
+    "the mean speed {mean:.6g} rpm lies {off:.3g} % above the {asked:.6g} rpm of the spec, at which loads, friction, "
+    "inertia forces and power are computed",
+)
+_OF_OTHERS = (
+    "the mean speed {mean:.6g} rpm lies {off:.3g} % below the {asked:.6g} rpm of the spec, at which work and power are "
+    "computed",
+    "the mean speed {mean:.6g} rpm lies {off:.3g} % above the {asked:.6g} rpm of the spec, at which work and power are "
+    "computed",
+)
 
 
 def off_rated(rated: float, ratio: float, asked: float, sense: float, key: str) -> Note | None:
@@ -53,14 +72,19 @@ def off_rated(rated: float, ratio: float, asked: float, sense: float, key: str) 
     if abs(at_input / asked - 1) <= GRAVE:
         return None
     text = (
-        "at its rated speed the motor turns the input with {value:.6g} rpm through the ratio {ratio:.5g}, {off:.3g} % "
-        "{side} the {limit:.6g} rpm of the spec, at which all of this is computed: set transmission.ratio to "
-        '{fitting:.5g}, or {key} to "{speed:.6g} rpm"'
+        "at its rated speed the motor turns the input with {value:.6g} rpm through the ratio {ratio:.5g}, "
+        "{off:.3g} % below the {limit:.6g} rpm of the spec, at which all of this is computed: set transmission.ratio "
+        'to {fitting:.5g}, or {key} to "{speed:.6g} rpm"'
     )
+    if at_input > asked:
+        text = (
+            "at its rated speed the motor turns the input with {value:.6g} rpm through the ratio {ratio:.5g}, "
+            "{off:.3g} % above the {limit:.6g} rpm of the spec, at which all of this is computed: set "
+            'transmission.ratio to {fitting:.5g}, or {key} to "{speed:.6g} rpm"'
+        )
     words: dict[str, Any] = {
         "ratio": ratio,
         "off": 100 * abs(at_input / asked - 1),
-        "side": "above" if at_input > asked else "below",
         "fitting": rated / asked,
         "key": key,
         "speed": sense * at_input * RPM,

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Literal
 
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, Phrase
 from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
@@ -50,34 +50,53 @@ def _stability(regime: Regime) -> Iterator[Verdict]:
     if regime.stable is None:
         yield Verdict("note", "nothing depends on the speed: a governor has to keep the regime")
     elif not regime.stable:
-        text = f"the regime is unstable: a deviation grows {slowest:.4g} times in every cycle"
+        text = Phrase("the regime is unstable: a deviation grows {slowest:.4g} times in every cycle", slowest=slowest)
         yield Verdict("warning", text, slowest, 1.0, name="multiplier")
     elif slowest > SLOW:
         cycles = math.log(10) / -math.log(slowest)
-        text = f"the regime settles slowly: a deviation needs {cycles:.3g} cycles to fall to a tenth"
+        text = Phrase(
+            "the regime settles slowly: a deviation needs {cycles:.3g} cycles to fall to a tenth", cycles=cycles
+        )
         yield Verdict("note", text, slowest, SLOW, name="multiplier")
 
 
 def _speeds(regime: Regime, motor: Characteristic, sense: float) -> Iterator[Verdict]:
-    low = f"the least speed {regime.omega_min:.6g} rad/s at {_place(regime.theta_min, sense)}"
+    low = Phrase(
+        "the least speed {omega_min:.6g} rad/s at {place}",
+        omega_min=regime.omega_min,
+        place=_place(regime.theta_min, sense),
+    )
     if motor.critical is not None and _less(regime.omega_min, motor.critical):
         yield Verdict(
             "warning",
-            f"pull-out: {low} is below the break-down speed {motor.critical:.6g} rad/s; only the kinetic energy "
-            "carries the machine on: more inertia or a stronger motor",
+            Phrase(
+                "pull-out: {low} is below the break-down speed {critical:.6g} rad/s; only the kinetic energy "
+                "carries the machine on: more inertia or a stronger motor",
+                low=low,
+                critical=motor.critical,
+            ),
             *(regime.omega_min, motor.critical, "rad/s", "omega_min"),
         )
     elif motor.nominal is not None and _less(regime.omega_min, motor.nominal):
         yield Verdict(
             "warning",
-            f"overload: {low} is below the rated speed {motor.nominal:.6g} rad/s: more inertia or a stronger motor",
+            Phrase(
+                "overload: {low} is below the rated speed {nominal:.6g} rad/s: more inertia or a stronger motor",
+                low=low,
+                nominal=motor.nominal,
+            ),
             *(regime.omega_min, motor.nominal, "rad/s", "omega_min"),
         )
     if motor.synchronous is not None and _less(motor.synchronous, regime.omega_max):
         yield Verdict(
             "note",
-            f"the motor brakes as a generator: the largest speed {regime.omega_max:.6g} rad/s at "
-            f"{_place(regime.theta_max, sense)} is above its no-load speed {motor.synchronous:.6g} rad/s",
+            Phrase(
+                "the motor brakes as a generator: the largest speed {omega_max:.6g} rad/s at {place} is above its "
+                "no-load speed {synchronous:.6g} rad/s",
+                omega_max=regime.omega_max,
+                place=_place(regime.theta_max, sense),
+                synchronous=motor.synchronous,
+            ),
             *(regime.omega_max, motor.synchronous, "rad/s", "omega_max"),
         )
 
@@ -90,22 +109,35 @@ def _moments(regime: Regime, motor: Characteristic) -> Iterator[Verdict]:
     if _less(rated, regime.mean_moment):
         yield Verdict(
             "warning",
-            f"the mean driving moment {regime.mean_moment:.6g} N*m exceeds the rated {rated:.6g} N*m: "
-            "the motor is too weak, no flywheel helps",
+            Phrase(
+                "the mean driving moment {mean_moment:.6g} N*m exceeds the rated {rated:.6g} N*m: the motor is "
+                "too weak, no flywheel helps",
+                mean_moment=regime.mean_moment,
+                rated=rated,
+            ),
             *(regime.mean_moment, rated, "N*m", "mean_moment"),
         )
     elif _less(rated, regime.rms_moment):
         yield Verdict(
             "warning",
-            f"heating: the root mean square of the driving moment {regime.rms_moment:.6g} N*m exceeds the rated "
-            f"{rated:.6g} N*m: a stronger motor, or more inertia",
+            Phrase(
+                "heating: the root mean square of the driving moment {rms_moment:.6g} N*m exceeds the rated "
+                "{rated:.6g} N*m: a stronger motor, or more inertia",
+                rms_moment=regime.rms_moment,
+                rated=rated,
+            ),
             *(regime.rms_moment, rated, "N*m", "rms_moment"),
         )
     elif _less(rated, peak):
         yield Verdict(
             "note",
-            f"the largest driving moment {peak:.6g} N*m exceeds the rated {rated:.6g} N*m for a while; its root mean "
-            f"square {regime.rms_moment:.6g} N*m does not",
+            Phrase(
+                "the largest driving moment {peak:.6g} N*m exceeds the rated {rated:.6g} N*m for a while; its "
+                "root mean square {rms_moment:.6g} N*m does not",
+                peak=peak,
+                rated=rated,
+                rms_moment=regime.rms_moment,
+            ),
             *(peak, rated, "N*m", "largest_moment"),
         )
 
@@ -114,21 +146,30 @@ def _validity(regime: Regime, motor: Characteristic) -> Iterator[Verdict]:
     if motor.least is not None and _less(regime.omega_min, motor.least):
         yield Verdict(
             "warning",
-            f"the {motor.name} characteristic holds from {motor.least:.6g} rad/s up, the speed falls to "
-            f"{regime.omega_min:.6g} rad/s: the whole curve of the motor (Kloss) tells more",
+            Phrase(
+                "the {characteristic} holds from {least:.6g} rad/s up, the speed falls to {omega_min:.6g} "
+                "rad/s: the whole curve of the motor (Kloss) tells more",
+                characteristic=f"{motor.name} characteristic",
+                least=motor.least,
+                omega_min=regime.omega_min,
+            ),
             *(regime.omega_min, motor.least, "rad/s", "omega_min"),
         )
     if motor.most is not None and _less(motor.most, regime.omega_max):
         yield Verdict(
             "note",
-            f"the {motor.name} characteristic holds up to {motor.most:.6g} rad/s, the speed rises to "
-            f"{regime.omega_max:.6g} rad/s",
+            Phrase(
+                "the {characteristic} holds up to {most:.6g} rad/s, the speed rises to {omega_max:.6g} rad/s",
+                characteristic=f"{motor.name} characteristic",
+                most=motor.most,
+                omega_max=regime.omega_max,
+            ),
             *(regime.omega_max, motor.most, "rad/s", "omega_max"),
         )
 
 
 def _place(theta: float, sense: float) -> str:
-    return f"phi = {math.degrees(sense * theta if theta else 0.0):.4g} deg"
+    return Phrase("phi = {theta:.4g} deg", theta=math.degrees(sense * theta if theta else 0.0))
 
 
 def _less(a: float, b: float) -> bool:

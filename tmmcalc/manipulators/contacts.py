@@ -11,6 +11,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.linkage.results import Grade
 from tmmcalc.manipulators.arms import elbow_point
@@ -85,7 +86,11 @@ def _segments(moved: Motion, t: Values) -> list[tuple[Values, Values]]:
 def contact_grades(contacts: Sequence[Contact]) -> tuple[Grade, ...]:
     """A warning where path or arm crosses an obstacle; what the straight line does is no fault."""
     return tuple(
-        Grade("warning", f"obstacle {each.obstacle}", f"the {each.what} {_words(each)}")
+        Grade(
+            "warning",
+            Phrase("obstacle {obstacle}", obstacle=each.obstacle),
+            Phrase("the {what} {words}", what=each.what, words=_words(each)),
+        )
         for each in contacts
         if each.what != "straight line" and each.intervals
     )
@@ -93,6 +98,6 @@ def contact_grades(contacts: Sequence[Contact]) -> tuple[Grade, ...]:
 
 def _words(each: Contact) -> str:
     if all(a == b for a, b in each.intervals):
-        return f"touches it at t = {', '.join(f'{a:.6g}' for a, _ in each.intervals)} s"
-    shown = " and ".join(f"from t = {a:.6g} to {b:.6g} s" for a, b in each.intervals)
-    return f"crosses it {shown}"
+        return Phrase("touches it at t = {intervals} s", intervals=[f"{a:.6g}" for a, _ in each.intervals])
+    shown = listed([Phrase("from t = {a:.6g} to {b:.6g} s", a=a, b=b) for a, b in each.intervals], " and ")
+    return Phrase("crosses it {shown}", shown=shown)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.panels import Values, resolved
 from tmmcalc.core.numerics.roots import Indices, bracketed
 from tmmcalc.core.timerows import RESOLVED, over_time
@@ -75,13 +76,19 @@ def _excess(
 
 def excess_grades(excesses: Sequence[LimitExcess]) -> tuple[Grade, ...]:
     """A warning for each."""
-    return tuple(Grade("warning", f"joint {each.joint}", _words(each)) for each in excesses)
+    return tuple(Grade("warning", Phrase("joint {joint}", joint=each.joint), _words(each)) for each in excesses)
 
 
 def _words(each: LimitExcess) -> str:
     factor, unit = (180 / math.pi, "deg") if each.angular else (1.0, "m")
     value, limit, excess = (factor * v for v in (each.value, each.limit, each.excess))
-    return (
-        f"{value:.7g} {unit} at t = {each.t:.6g} s passes its limit of {limit:.7g} {unit} by {excess:.4g} {unit}; "
-        f"it is first beyond it at t = {each.first:.6g} s"
+    return Phrase(
+        "{value:.7g} {unit} at t = {t:.6g} s passes its limit of {limit:.7g} {unit} by {excess:.4g} {unit}; it is "
+        "first beyond it at t = {first:.6g} s",
+        value=value,
+        unit=unit,
+        t=each.t,
+        limit=limit,
+        excess=excess,
+        first=each.first,
     )

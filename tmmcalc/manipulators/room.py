@@ -31,8 +31,10 @@ ROOM = Room(
             "gripper and joints of a manipulator over the time",
             asked=("manipulator", "no arm is asked for"),
             picture=Picture("the path with points equally spaced in time, the arm, obstacles, the joints"),
+            chapter="manipulator",
         ),
     ),
     (Command("manipulator", "Arms: gripper, joints, singular places, obstacles."),),
     section="Linkages",
+    chapters={"manipulator": "Manipulator"},
 )

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -101,8 +102,31 @@ def _arc(start: Values, end: Values, centre: Values, axes: tuple[Values, Values]
     return Piece(start, end, radius * abs(turn), e1, e2, centre, radius, theta, sense)
 
 
+class Bow(NamedTuple):
+    """What an arc is laid out by: its chord and where its centre is beside the middle of it."""
+
+    chord: float  # d [m]
+    along: Values  # unit vector from start to end
+    left: Values  # unit vector across it, in the plane of the arc
+    height: float  # h [m] of the centre to the left of the chord, below zero to the right
+    via: tuple[float, float] = (0.0, 0.0)  # a, b [m] of a point that it goes through, along the chord and to its left
+
+
+def bow_of(route: ArcRoute | ArcThrough) -> Bow:
+    """The layout of an arc; raises `NoSolutionError` for one that cannot be."""
+    return _bow_of_radius(route) if isinstance(route, ArcRoute) else _bow_through(route)
+
+
 def _arc_of_radius(route: ArcRoute) -> Piece:
     """The shorter arc with its centre on the side K ((2.90) to (2.95))."""
+    bow = bow_of(route)
+    start, end = _vector(route.start), _vector(route.end)
+    centre = (start + end) / 2 + bow.height * bow.left
+    turn = 2 * np.arctan2(bow.chord / 2, abs(bow.height)).item() * route.side
+    return _arc(start, end, centre, _axes(bow.along, bow.left), turn)
+
+
+def _bow_of_radius(route: ArcRoute) -> Bow:
     start, end = _vector(route.start), _vector(route.end)
     between = end - start
     d = np.linalg.norm(between).item()
@@ -118,11 +142,7 @@ def _arc_of_radius(route: ArcRoute) -> Piece:
             remedy="write a larger radius",
         )
     direction = between / d
-    left = _left(direction, route.normal)
-    away = np.sqrt(_beyond_half(route)).item()
-    centre = (start + end) / 2 + route.side * away * left
-    turn = 2 * np.arctan2(d / 2, away).item() * route.side
-    return _arc(start, end, centre, _axes(direction, left), turn)
+    return Bow(d, direction, _left(direction, route.normal), route.side * np.sqrt(_beyond_half(route)).item())
 
 
 def _beyond_half(route: ArcRoute) -> float:
@@ -153,6 +173,16 @@ def _left(direction: Values, normal: Place) -> Values:
 
 def _arc_through(route: ArcThrough) -> Piece:
     """The circle through three points, from the first by the second to the third."""
+    bow = bow_of(route)
+    start, end = _vector(route.start), _vector(route.end)
+    centre = (start + end) / 2 + bow.height * bow.left
+    turn = -2 * np.arctan2(bow.chord / 2, -bow.height).item()  # clockwise, seen with via above the chord
+    if len(start) == 2 and bow.along[0] * bow.left[1] - bow.along[1] * bow.left[0] < 0:
+        turn = -turn
+    return _arc(start, end, centre, _axes(bow.along, bow.left), turn)
+
+
+def _bow_through(route: ArcThrough) -> Bow:
     start, via, end = (_vector(point) for point in (route.start, route.via, route.end))
     d = np.linalg.norm(end - start).item()
     along = (end - start) / d if d else np.zeros_like(start)
@@ -167,18 +197,12 @@ def _arc_through(route: ArcThrough) -> Piece:
             limit=0.0,
             remedy='move via off that line, or write kind = "line"',
         )
-    left = off / b
-    height = (a * a - a * d + b * b) / (2 * b)
-    centre = (start + end) / 2 + height * left
-    turn = -2 * np.arctan2(d / 2, -height).item()  # clockwise, seen with via above the chord
-    if len(start) == 2 and along[0] * left[1] - along[1] * left[0] < 0:
-        turn = -turn
-    return _arc(start, end, centre, _axes(along, left), turn)
+    return Bow(d, along, off / b, (a * a - a * d + b * b) / (2 * b), (a, b))
 
 
 def _polyline(route: PolyRoute) -> tuple[Leg, ...]:
     """Lines between the points, rounded or with a stop at every corner."""
-    corners, size = _corners([_vector(point) for point in route.points])
+    corners, size = corners_of(route)
     (_, begin), (_, end) = corners[0], corners[-1]
     if len(corners) < 2:
         return ((line(begin, end),),)
@@ -201,8 +225,9 @@ def _polyline(route: PolyRoute) -> tuple[Leg, ...]:
     return tuple(leg for leg in kept if leg)
 
 
-def _corners(points: list[Values]) -> tuple[list[tuple[int, Values]], float]:
+def corners_of(route: PolyRoute) -> tuple[list[tuple[int, Values]], float]:
     """The points at which a polyline turns, with both ends, each with its number from 1; and the route's size [m]."""
+    points = [_vector(point) for point in route.points]
     size = max(float(np.linalg.norm(point - points[0])) for point in points)
     kept = [(1, points[0])]
     for number, point in enumerate(points[1:], 2):

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, SingularityError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.panels import Values, resolved
 from tmmcalc.core.plane import Plane
 from tmmcalc.core.timerows import over_time
@@ -156,14 +157,23 @@ def singular_grades(places: tuple[SingularPlace, ...], inverse: bool) -> tuple[G
     """Warnings at places that are nearly singular; in the direct problem also at those that are."""
     grades = []
     for each in places:
-        shown = f"sin = {each.value:.4g}" if each.what == "elbow" else f"{each.what} = {each.value:.4g} m"
+        shown = (
+            Phrase("sin = {value:.4g}", value=each.value)
+            if each.what == "elbow"
+            else Phrase("{what} = {value:.4g} m", what=each.what, value=each.value)
+        )
         if each.relative < SINGULAR and not inverse:
-            text = f"singular at t = {each.t:.6g} s ({shown}): the inverse problem has no rates there"
-        else:
-            text = (
-                f"nearly singular at t = {each.t:.6g} s ({shown}): the joints turn {1 / each.relative:.4g} times faster"
+            text = Phrase(
+                "singular at t = {t:.6g} s ({shown}): the inverse problem has no rates there", t=each.t, shown=shown
             )
-        grades.append(Grade("warning", f"joint {_JOINTS[each.what]}", text))
+        else:
+            text = Phrase(
+                "nearly singular at t = {t:.6g} s ({shown}): the joints turn {relative:.4g} times faster",
+                t=each.t,
+                shown=shown,
+                relative=1 / each.relative,
+            )
+        grades.append(Grade("warning", Phrase("joint {joint}", joint=_JOINTS[each.what]), text))
     return tuple(grades)
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from tmmcalc import __version__
 from tmmcalc.report.formula.digits import significant
+from tmmcalc.report.formula.symbols import GREEK
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Chapter, Heading, Paragraph, Table, Verbatim
 
@@ -38,4 +39,6 @@ def _blocks(errors: Mapping[str, Mapping[str, float]], source: str) -> Iterator[
 
 def _said(name: str) -> str:
     """What an estimate is of: a word, or a quantity by its name in formulas."""
-    return f"${name}$" if len(name) == 1 or name[1] == "_" or name[-1].isdigit() else tr_name(name).replace("_", " ")
+    if len(name) == 1 or name[1] == "_" or name[-1].isdigit() or name in GREEK:
+        return f"${name}$"
+    return tr_name(name).replace("_", " ")

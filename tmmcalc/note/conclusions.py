@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, graded
 from tmmcalc.note.assembled import shown_unit
 from tmmcalc.report.formula.digits import RESULT, significant
 from tmmcalc.report.language import tr, tr_name
@@ -25,20 +25,27 @@ def _blocks(results: Sequence[Result], warnings: Sequence[str]) -> Iterator[Bloc
         yield Paragraph(tr("The main results are listed in table {tab:results}."))
         head = (tr("Quantity"), tr("Designation"), tr("Value"), tr("Limit"), tr("Kept"))
         yield Table(tr("Main results"), head, tuple(map(_row, results)), key="results")
-    failing = [each for each in results if _kept(each) is False]
+    known = {(each.value, each.limit) for each in warnings if isinstance(each, Note)}
+    failing = [each for each in results if _kept(each) is False and (each.given.value, each.limit) not in known]
     if failing:
         yield Paragraph(tr("Limits that are not kept:"))
         yield Listing(tuple(_sentence(each) for each in failing))
     if warnings:
         yield Paragraph(tr("To be borne in mind:"))
-        yield Listing(tuple(map(_said, warnings)))
+        yield Listing(tuple(tr_name(graded(each)[1]) for each in warnings))
 
 
 def _row(result: Result) -> tuple[str, ...]:
     kept = _kept(result)
     limit = "" if result.limit is None else f"{SENSES[result.sense]} {_value(result, result.limit)}"
     what = f"{result.given.meaning}, {result.place}" if result.place else result.given.meaning
-    return what, f"${result.key}$", _value(result), limit, "" if kept is None else tr("yes") if kept else tr("no")
+    return (
+        what,
+        f"${result.key}$" if result.key else "",
+        _value(result),
+        limit,
+        "" if kept is None else tr("yes") if kept else tr("no"),
+    )
 
 
 def _value(result: Result, value: float | None = None) -> str:
@@ -59,14 +66,8 @@ def _kept(result: Result) -> bool | None:
 
 def _sentence(result: Result) -> str:
     value, limit = _value(result), _value(result, result.limit)
-    values = {"what": result.given.meaning, "value": value, "limit": limit, "symbol": f"${result.key}$"}
+    what = f"{result.given.meaning} ${result.key}$" if result.key else result.given.meaning
+    values = {"what": what, "value": value, "limit": limit}
     if result.sense == "<=":
-        return tr("{what} {symbol} = {value} is above {limit}", **values)
-    return tr("{what} {symbol} = {value} is below {limit}", **values)
-
-
-def _said(warning: str) -> str:
-    """A warning without its level."""
-    if isinstance(warning, Note):
-        return f"{tr_name(warning.place)}: {tr_name(warning.text)}" if warning.place else tr_name(warning.text)
-    return tr_name(warning.partition(": ")[2])
+        return tr("{what} = {value} is above {limit}", **values)
+    return tr("{what} = {value} is below {limit}", **values)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 from tmmcalc.note.tree import Caption, Reference, Text
 from tmmcalc.report.formula.layout import Box
 from tmmcalc.report.formula.typst import typst as typeset
 
+PRIMES = re.compile(r"(?<=\d)'+")
 SIZE = 12.0  # of letters [pt]
 EM = SIZE * 25.4 / 72.0  # a letter M of the text [mm]
 WIDE = 175.0  # of the text [mm]
@@ -22,7 +25,7 @@ def _part(part: str | Box | Reference) -> str:
         case str():
             return escaped(part)
         case Reference(key, number):
-            return f'#link(label("{key}"))[{number}]'
+            return f'#link(label("{key}"))[{number}];'  # which ends the code: a semicolon of the text stays one
     return f"${typeset(part)}$"
 
 
@@ -37,7 +40,8 @@ def quoted(text: str) -> str:
 
 
 def escaped(text: str) -> str:
-    """A text as it stands in markup."""
-    for sign in "\\#$*_`<>@[]~":
+    """A text without signs of the language; primes after a number, as of a row 3'', are no quotation marks."""
+    text = PRIMES.sub(lambda found: "′" * len(found[0]), text)
+    for sign in "\\#$*_`<>@[]~;":
         text = text.replace(sign, "\\" + sign)
     return text.replace("/", "/\u2060")  # a unit is not broken

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.core.stage import STAGES, resolve
 from tmmcalc.pipeline.picturing import NONE, order_of
 from tmmcalc.report.language import tr_name
-from tmmcalc.report.manuscript import Block, Chapter
+from tmmcalc.report.manuscript import Block, Chapter, Heading
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
@@ -27,7 +27,7 @@ def chapters_of(
             if stage in results:
                 blocks += resolve(f"{STAGES[stage].note}:blocks")(order)
         if blocks:
-            found.append(Chapter(name, tr_name(title), tuple(blocks)))
+            found.append(_titled(Chapter(name, tr_name(title), tuple(blocks))))
     return found
 
 
@@ -42,6 +42,16 @@ def task_of(spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | Non
 def sought_in(results: Mapping[str, Any], stages: Sequence[str]) -> list[str]:
     """What is to be found: what the stages that the note tells of are for, in the language in force."""
     return [tr_name(STAGES[name].title) for name in stages if name in results]
+
+
+def _titled(chapter: Chapter) -> Chapter:
+    """A chapter of one part alone has the title of that part, and its parts stand one level higher."""
+    first, *rest = chapter.blocks
+    parts = [block for block in chapter.blocks if isinstance(block, Heading) and block.level == 2]
+    if parts != [first]:
+        return chapter
+    raised = (block._replace(level=2) if isinstance(block, Heading) else block for block in rest)
+    return Chapter(chapter.name, parts[0].text, tuple(raised))
 
 
 def stages_of(chapters: Sequence[str]) -> list[str]:

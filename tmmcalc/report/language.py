@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache
@@ -25,6 +25,7 @@ LANGUAGES = {"en": "English", "uk": "Ukrainian"}
 PLACE = re.compile(r"\{(\w+)\}")
 UNIT = re.compile(r"[A-Za-z°%]+")
 POINT = re.compile(r"(?<=\d)\.(?=\d)")
+MEASURED = re.compile(r"([-+−]?\d[\d.,]*(?:e[-+]?\d+)?) (%|°|[A-Za-z][\w*/^²³·]*)")  # a number with its unit
 
 _spoken: ContextVar[str] = ContextVar("language", default="en")
 
@@ -83,11 +84,24 @@ def tr_name(text: str) -> str:
     if language == "en":
         return text
     if isinstance(text, Phrase):
-        values = {name: [each] if isinstance(each, str) else each for name, each in text.values.items()}
-        said = {name: tr_number(", ".join(map(tr_name, each))) for name, each in values.items()}
-        return PLACE.sub(lambda name: said[name[1]], tr_name(text.template))
+        return tr_name(text.template).format_map({name: _value(name, each) for name, each in text.values.items()})
     words = catalogue(language)
     return words.names.get(text) or words.texts.get(text, text)
+
+
+def _value(name: str, value: str | Sequence[str]) -> str:
+    """A value of a phrase: a word or a phrase, a number, alone or with its unit, or several of them."""
+    if not isinstance(value, str):
+        parts = [_value(name, each) for each in value]
+        return ("; " if any("," in part for part in parts) else ", ").join(parts)
+    if name == "unit":
+        return tr_unit(value)
+    if (found := tr_name(value)) != value or isinstance(value, Phrase):
+        return found
+    if (measured := MEASURED.fullmatch(value)) is None:
+        return tr_number(value)
+    number, unit = measured.groups()
+    return f"{tr_number(number)}°" if unit == "deg" else f"{tr_number(number)} {tr_unit(unit)}"
 
 
 def tr_unit(unit: str) -> str:

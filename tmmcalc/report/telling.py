@@ -13,20 +13,21 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from tmmcalc.report.drawing.lettering import message
-from tmmcalc.report.formula.digits import PLAIN, Given, result_of, rounded, value_of
+from tmmcalc.report.formula.digits import PLAIN, Given, result_of, rounded, significant, value_of
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.simplify import ZERO, simplified
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Name
-from tmmcalc.report.language import tr_unit
-from tmmcalc.report.manuscript import Figure, Lexicon, Line, Place, Table
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.manuscript import Figure, Lexicon, Line, Paragraph, Place, Table
 from tmmcalc.report.printing import printed_as
 from tmmcalc.report.sheets.piece import Piece
 
 STILL = 1e-12  # a value this small in every shown place is nothing
-DIGITS = 5  # of the largest number of a column
+DIGITS = 5  # of the largest number of a column, of a number within a sentence
 WIDE, HIGH = 160.0, 130.0  # that a picture may be [mm]
+SIGNS = ("<=", ">=", "<", ">")
 
 
 def named(quantities: Lexicon) -> dict[str, Given]:
@@ -123,6 +124,49 @@ def headed(head: str) -> str:
     """The head of a column with its unit, after a comma, in the language in force."""
     name, comma, unit = head.partition(", ")
     return name + (comma and f", {tr_unit(unit)}")
+
+
+def numeral(value: float, digits: int = DIGITS) -> str:
+    """A number within a formula of a sentence.
+
+    >>> numeral(0.0125), numeral(1 / 3), numeral(2.5e-7)
+    ('0.0125', '0.33333', '2.5*10**(-7)')
+    """
+    mantissa, _, exponent = significant(value, digits).partition("e")
+    return f"{mantissa}*10**({exponent})" if exponent else mantissa
+
+
+def cell(value: float, digits: int = DIGITS) -> str:
+    """A number by itself in a cell or a sentence, with a power of ten as a formula.
+
+    >>> cell(-0.25), cell(2.5e-7)
+    ('−0.25', '$2.5*10**(-7)$')
+    """
+    text = numeral(value, digits)
+    return f"${text}$" if "*" in text else spelt(text)
+
+
+def held(condition: str, sides: tuple[float, float], unit: str, *, holds: bool) -> Paragraph:
+    """A condition ``a <= b`` with the numbers of both sides, and whether it holds."""
+    sign = next(each for each in SIGNS if each in condition)
+    unit, factor = printed_as(unit)
+    first, second = (numeral(factor * side) for side in sides)
+    if unit == "deg":
+        first, second, unit = f"deg({first})", f"deg({second})", ""
+    told = f"${condition}$: ${first} {sign} {second}$" + (f" {tr_unit(unit)}" if unit else "")
+    said = tr("The condition holds.") if holds else tr("The condition fails.")
+    return Paragraph(f"{told}. {said}")
+
+
+def quantities(caption: str, known: Mapping[str, Given], key: str = "", digits: int = DIGITS) -> Table:
+    """A table of quantities: what each is, its symbol, unit and value."""
+    rows = []
+    for name, given in known.items():
+        unit, factor = printed_as(given.unit)
+        assert isinstance(given.value, float)
+        shown = "°" if unit == "deg" else tr_unit(unit)
+        rows.append((given.meaning, f"${name}$", shown, cell(factor * given.value, digits)))
+    return Table(caption, (tr("Quantity"), tr("Symbol"), tr("Unit"), tr("Value")), tuple(rows), key)
 
 
 def pictured(piece: Piece, *, key: str = "", wide: float = WIDE) -> Figure:

@@ -13,7 +13,7 @@ from itertools import count
 from typing import Any, NamedTuple
 
 from tmmcalc.core.facts import named
-from tmmcalc.core.notes import LEVELS, Note
+from tmmcalc.core.notes import Note, graded
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import STAGES
 from tmmcalc.naming.meanings import described
@@ -103,7 +103,7 @@ def told_of(document: Document, stage: str = "") -> Iterator[tuple[str, str, Any
             meaning, symbol = known(name.rpartition(".")[2], unit) if known else ("", "")
             yield name, symbol, value, unit, meaning or fact.label
     for note in document.notes:
-        grade, text = _graded(note)
+        grade, text = graded(note)
         yield grade, "", text, "", ""
         if isinstance(note, Note):
             held = {"value": note.value, "limit": note.limit}
@@ -112,12 +112,7 @@ def told_of(document: Document, stage: str = "") -> Iterator[tuple[str, str, Any
 
 def notes_of(document: Document) -> Iterator[tuple[str, str]]:
     """The notes, each with its grade."""
-    yield from map(_graded, document.notes)
-
-
-def _graded(note: str) -> tuple[str, str]:
-    grade, colon, text = note.partition(": ")
-    return (grade, text) if colon and grade in LEVELS else ("note", str(note))
+    yield from map(graded, document.notes)
 
 
 def beside_of(document: Document) -> list[tuple[str, Any]]:

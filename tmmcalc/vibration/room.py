@@ -36,6 +36,7 @@ ROOM = Room(
             asked=("vibrator", "no vibratory device is asked for"),
             after="indexing",
             picture=Picture("modes, resonance curve, starts, paths of points"),
+            chapter="vibration",
             studied=True,
         ),
         Stage(
@@ -43,6 +44,7 @@ ROOM = Room(
             "pendulum-rotor: whirl, critical speeds, torsion, motion in time",
             asked=("pendulum", "no pendulum-rotor is asked for"),
             picture=Picture("mode shapes, Campbell diagram, path of the end"),
+            chapter="vibration",
             studied=True,
         ),
     ),
@@ -51,4 +53,5 @@ ROOM = Room(
         Command("pendulum", "Pendulum-rotor: whirl, critical speeds, swing in time."),
     ),
     section="Machines",
+    chapters={"vibration": "Vibration"},
 )

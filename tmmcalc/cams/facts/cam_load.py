@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from math import degrees, fsum
 from typing import Any
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.machine.attached import Attached
 from tmmcalc.report.document import Document, Fact
@@ -18,7 +19,7 @@ ENDS = ("min", "max")
 
 def summary(result: Attached, title: str) -> Document:
     """Facts and notes; the moments over the cycle stand in the table of the reduction."""
-    return Document(title, tuple(_facts(result)), tuple(f"note: {note}" for note in result.notes))
+    return Document(title, tuple(_facts(result)), tuple(Phrase("note: {note}", note=note) for note in result.notes))
 
 
 def _facts(result: Attached) -> Iterator[Fact]:

@@ -69,15 +69,15 @@ def _view(
     chosen = picked(columns, patterns)
     view = plain(chosen) if everything else drawn(chosen)
     if rows is None:
-        rows = range(len(columns["i"])) if everything else _told(columns[PHI.key], ends)
+        rows = range(len(columns["i"])) if everything else told_rows(columns[PHI.key], ends)
     peaks = [max((abs(v) for v in column if isinstance(v, float)), default=0.0) for column in view.columns]
     return View(view.headers, [[column[k] for k in rows] for column in view.columns], () if everything else peaks)
 
 
-def _told(phi: np.ndarray, ends: Sequence[float]) -> list[int]:
+def told_rows(phi: np.ndarray, ends: Sequence[float]) -> list[int]:
     """Indices of some forty rows: all, or those at round angles and at the ends of phases [deg].
 
-    >>> len(_told(np.arange(361.0), [0.0, 47.0, 360.0]))
+    >>> len(told_rows(np.arange(361.0), [0.0, 47.0, 360.0]))
     38
     """
     if len(phi) <= ROWS:

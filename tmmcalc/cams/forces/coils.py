@@ -28,7 +28,7 @@ def wound(task: CamTask, asked: Spring, stiffness: float, preload: float, highes
             limit=1.0,
             remedy="a thinner wire or larger coils; usual is coil/wire = 4 to 12",
         )
-    factor = _wahl(index)
+    factor = wahl(index)
     stress = 8 * coil * factor / (pi * d**3)
     coils = asked.shear * d**4 / (8 * coil**3 * stiffness)
     return Wire(index, coils, factor, stress * highest, stress * preload)
@@ -44,7 +44,7 @@ def by_index(task: CamTask, asked: Spring, stiffness: float, highest: float) -> 
         return ()
     found = []
     for index in range(INDEX[0], INDEX[1] + 1):
-        d = sqrt(8 * highest * index * _wahl(index) / (pi * asked.allowed))
+        d = sqrt(8 * highest * index * wahl(index) / (pi * asked.allowed))
         coils = asked.shear * d / (8 * index**3 * stiffness)
         solid = (coils + asked.dead) * d
         free = solid + CLEARANCE * d * coils + highest / stiffness
@@ -52,6 +52,6 @@ def by_index(task: CamTask, asked: Spring, stiffness: float, highest: float) -> 
     return tuple(found)
 
 
-def _wahl(index: float) -> float:
+def wahl(index: float) -> float:
     """k_w of the stress at the inside of the coils."""
     return (4 * index - 1) / (4 * index - 4) + 0.615 / index

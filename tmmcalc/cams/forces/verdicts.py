@@ -10,7 +10,7 @@ from tmmcalc.cams.forces.coils import INDEX
 from tmmcalc.cams.forces.results import Reserve, SpringFound
 from tmmcalc.cams.speed import TURN
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.notes import Said, held
+from tmmcalc.core.notes import Phrase, Said, held
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motion import Motion
@@ -27,14 +27,19 @@ def force_notes(
 ) -> Iterator[Said]:
     """Notes and warnings in the order of their weight."""
     if lost:
-        where = ", ".join(f"{degrees(a):.6g} to {degrees(b):.6g} deg" for a, b in lost)
+        where = [Phrase("{low:.6g} to {high:.6g} deg", low=degrees(a), high=degrees(b)) for a, b in lost]
         yield (
-            f"warning: nothing presses the follower on the cam for phi from {where}; figures there hold for a follower "
-            "that is held: a stiffer spring, more preload, or closure = 'groove'"
+            Phrase(
+                "warning: nothing presses the follower on the cam for phi from {where}; figures there hold for a "
+                "follower that is held: a stiffer spring, more preload, or closure = 'groove'",
+                where=where,
+            )
         )
     if reversals:
-        where = ", ".join(f"{degrees(phi):.6g}" for phi in reversals)
-        yield f"note: the roller goes to the other wall of the groove at phi = {where} deg, with an impact"
+        where = [f"{degrees(phi):.6g}" for phi in reversals]
+        yield Phrase(
+            "note: the roller goes to the other wall of the groove at phi = {where} deg, with an impact", where=where
+        )
     if reserve.eaten > EATEN:
         grade = "warning" if reserve.eaten > MUCH else "note"
         text = (
@@ -46,8 +51,12 @@ def force_notes(
     if task.turning is not None and task.loads is not None:
         slow, fast = float(task.turning.omega.min()), float(task.turning.omega.max())
         yield (
-            f"note: the cam turns with the crank at {slow:.6g} to {fast:.6g} rad/s, as the stage motion found; inertia "
-            f"is y'' omega^2 + y' eps"
+            Phrase(
+                "note: the cam turns with the crank at {slow:.6g} to {fast:.6g} rad/s, as the stage motion found; "
+                "inertia is y'' omega^2 + y' eps",
+                slow=slow,
+                fast=fast,
+            )
         )
     if task.loads is None or not task.loads.mass:
         yield "note: the follower has no mass: give mass or inertia in [cam.loads]"
@@ -59,34 +68,45 @@ def several_turns(task: CamTask, motion: Motion | None) -> Iterator[Said]:
         return
     times = float(motion.regime.panels.edges[-1]) * task.ratio / TURN
     yield (
-        f"note: the speed of the machine repeats after {times:.6g} turns of the cam, no two of which are alike: its "
-        "forces are those of the mean speed"
+        Phrase(
+            "note: the speed of the machine repeats after {times:.6g} turns of the cam, no two of which are "
+            "alike: its forces are those of the mean speed",
+            times=times,
+        )
     )
 
 
 def _spring_notes(task: CamTask, spring: SpringFound) -> Iterator[Said]:
     def shown(stiffness: float) -> str:
-        return f"{stiffness:.7g} N*m/rad" if task.asked.kind == "oscillating" else f"{1e-3 * stiffness:.7g} N/mm"
+        return (
+            Phrase("{stiffness:.7g} N*m/rad", stiffness=stiffness)
+            if task.asked.kind == "oscillating"
+            else Phrase("{stiffness:.7g} N/mm", stiffness=1e-3 * stiffness)
+        )
 
     if spring.method == "safety" and spring.lifting is None:
         yield "note: nothing lifts the follower off, so the spring is none"
     if spring.governing is not None:
         yield (
-            f"note: the {spring.governing.phase} asks for the stiffness, for it lifts lower down: the textbook's rule, "
-            f"by the largest force alone, gives c = {shown(spring.governing.rule)} (5.57), which falls short there"
+            Phrase(
+                "note: the {phase} asks for the stiffness, for it lifts lower down: the textbook's rule, by the "
+                "largest force alone, gives c = {shown} (5.57), which falls short there",
+                phase=spring.governing.phase,
+                shown=shown(spring.governing.rule),
+            )
         )
     if spring.reached is not None and spring.asked is not None and spring.reached < spring.asked * (1 - 1e-9):
         grade = "warning" if spring.reached < 1 else "note"
         cure = "no c keeps it with this preload; exact = true finds a larger one"
         if spring.exact is not None:
-            cure = f"c = {shown(spring.exact)} would keep it (exact = true)"
+            cure = Phrase("c = {shown} would keep it (exact = true)", shown=shown(spring.exact))
         text = "the spring reaches {value:.6g} of the asked K1 = {limit:.6g} at phi = {phi:.6g} deg; {cure}"
         words: dict[str, Any] = {"phi": degrees(spring.reached_phi or 0.0), "cure": cure}
         yield held(grade, text, spring.reached, spring.asked, name="K1", **words)
     wire = spring.wire
     if wire is not None and not INDEX[0] <= wire.index <= INDEX[1]:
-        text = f"D/d = {{value:.4g}} of the spring is outside the usual {INDEX[0]} to {INDEX[1]}"
-        yield held("note", text, wire.index, INDEX[wire.index > INDEX[1]], name="D/d")
+        text = "D/d = {value:.4g} of the spring is outside the usual {low} to {high}"
+        yield held("note", text, wire.index, INDEX[wire.index > INDEX[1]], name="D/d", low=INDEX[0], high=INDEX[1])
     asked = task.loads.spring if task.loads else None
     if asked and asked.wire and task.asked.kind == "oscillating":
         yield "note: coils and stress are found for compression springs, not for a spring about the pivot"

@@ -117,8 +117,8 @@ def _cam(task: IndexingTask, drive: Drive, end: Handover, limits: tuple[RollerLi
     at, middle = np.array([part]), np.array([0.5])
     w = 1 + float(groove.motion(middle)[1, 0])
     return Cam(
-        a=_table(front, k, roller),
-        b=_table(groove, k, roller),
+        a=flank_table(front, k, roller),
+        b=flank_table(groove, k, roller),
         handover=end,
         working_part=part,
         working_tip=float(np.abs(front.points(at, roller))[0]),
@@ -132,7 +132,8 @@ def _cam(task: IndexingTask, drive: Drive, end: Handover, limits: tuple[RollerLi
     )
 
 
-def _table(flank: Flank, k: Values, roller: float) -> FlankTable:
+def flank_table(flank: Flank, k: Values, roller: float) -> FlankTable:
+    """A flank with a roller of radius r_r [m] at parts k (n,) of the step."""
     here = flank.frame(k)
     return FlankTable(
         name=flank.name,

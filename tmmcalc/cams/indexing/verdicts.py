@@ -9,7 +9,7 @@ from typing import Any
 from tmmcalc.cams.indexing.choice import EQUAL, NEAR, ROLLERS
 from tmmcalc.cams.indexing.results import Cam, Indexing, PressureReached
 from tmmcalc.cams.indexing.rollers import USUAL
-from tmmcalc.core.notes import Said, held
+from tmmcalc.core.notes import Phrase, Said, held
 
 
 def remarks(found: Indexing) -> Iterator[Said]:
@@ -17,9 +17,10 @@ def remarks(found: Indexing) -> Iterator[Said]:
     limits = found.bounds
     if found.rollers not in ROLLERS:
         few, many = ROLLERS[0], ROLLERS[-1]
-        text = f"{{value:g}} pairs of rollers, usual are {few // 2} to {many // 2} (z2 from {few} to {many})"
+        text = "{value:g} pairs of rollers, usual are {low} to {high} (z2 from {few} to {many})"
+        words: dict[str, Any] = {"low": few // 2, "high": many // 2, "few": few, "many": many}
         usual = (many if found.rollers > many else few) // 2
-        yield held("warning", text, found.rollers // 2, usual, name="pairs of rollers")
+        yield held("warning", text, found.rollers // 2, usual, name="pairs of rollers", **words)
     if limits.ratio_max is not None and found.ratio > limits.ratio_max * (1 + EQUAL):
         text = (
             "lambda = {value:.6g} is above lambda_max = {limit:.6g}: the step begins with a "
@@ -53,14 +54,22 @@ def _cam_remarks(found: Indexing, cam: Cam) -> Iterator[Said]:
     yield from _pressure_remarks("run-out", "note", cam.run_out)
     if cam.working_angle > found.limit * (1 + EQUAL):
         yield (
-            f"note: the working profile of A ends at k = {cam.working_part:.4g}, where B takes over with a pressure "
-            f"angle of {_deg(cam.working_angle)} deg"
+            Phrase(
+                "note: the working profile of A ends at k = {working_part:.4g}, where B takes over with a "
+                "pressure angle of {working_angle} deg",
+                working_part=cam.working_part,
+                working_angle=_deg(cam.working_angle),
+            )
         )
     second = found.second
     if second is not None and second.roller != found.roller and second.working_angle > found.limit * (1 + EQUAL):
         yield (
-            f"note: the working profile of A of the second cam ends at k = {second.working_part:.4g}, where B takes "
-            f"over with a pressure angle of {_deg(second.working_angle)} deg"
+            Phrase(
+                "note: the working profile of A of the second cam ends at k = {working_part:.4g}, where B takes "
+                "over with a pressure angle of {working_angle} deg",
+                working_part=second.working_part,
+                working_angle=_deg(second.working_angle),
+            )
         )
     reach = cam.working_tip if second is None else max(cam.working_tip, second.working_tip)
     if reach >= found.centres:
@@ -74,15 +83,22 @@ def _cam_remarks(found: Indexing, cam: Cam) -> Iterator[Said]:
     for name, share in (("against", table.against_share), ("along", table.aiding_share)):
         if share > EQUAL:
             yield (
-                f"note: with the load {name} the motion the efficiency is cut off at 0 or 1 over {100 * share:.3g} % "
-                "of the step: self-locking, or the formula does not hold"
+                Phrase(
+                    "note: with the load {name} the motion the efficiency is cut off at 0 or 1 over {share:.3g} % "
+                    "of the step: self-locking, or the formula does not hold",
+                    name=name,
+                    share=100 * share,
+                )
             )
 
 
 def _pressure_remarks(name: str, grade: str, reached: PressureReached) -> Iterator[Said]:
     if reached.exceeded:
         text = "the pressure angle reaches {value:.6g} deg at k = {part:.4g}, the limit is {limit:.6g} deg"
-        numbers, place = (degrees(reached.largest), degrees(reached.limit), "deg"), f"{name} on {reached.flank}"
+        numbers, place = (
+            (degrees(reached.largest), degrees(reached.limit), "deg"),
+            Phrase("{name} on {flank}", name=name, flank=reached.flank),
+        )
         yield held(grade, text, *numbers, name="theta", place=place, part=reached.part)
 
 

@@ -39,6 +39,7 @@ from tmmcalc.cams.strength.formulas import (
     whole,
 )
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase
 
 STRETCH = (20.0, 0.2)  # S0 is looked for so many strokes above the least, or so far [m]
 FIRST, NODES, ROUNDS = 41, 13, 17  # of the search for the lowest S0 of any size: it ends at rounding
@@ -157,11 +158,23 @@ def steps(scene: Scene, step: float, height_step: float) -> tuple[float, Values,
 def _none(scene: Scene, far: float) -> NoSolutionError:
     """No S0: what is broken at the largest one."""
     broken = [each for each in choice_of(scene, far, far + 11 * scene.stroke).checks if each.margin < 0]
-    names = ", ".join(
-        f"{each.number} {each.name} ({each.value:.4g} against {each.limit:.4g} {each.unit})" for each in broken
-    )
+    names = [
+        Phrase(
+            "{number} {check} ({value:.4g} against {limit:.4g} {unit})",
+            number=each.number,
+            check=each.name,
+            value=each.value,
+            limit=each.limit,
+            unit=each.unit,
+        )
+        for each in broken
+    ]
     return NoSolutionError(
-        f"no S0 up to {1e3 * far:.4g} mm keeps all constraints; at that are broken: {names or 'none'}",
+        Phrase(
+            "no S0 up to {far:.4g} mm keeps all constraints; at that are broken: {names}",
+            far=1e3 * far,
+            names=names or "none",
+        ),
         where=WHERE,
         remedy="looser limits of these, or a wider face",
     )

@@ -29,6 +29,7 @@ from tmmcalc.cams.optimum.wholesteps import search
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.task import CamTask, Optimum
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.progress import tell
 from tmmcalc.core.records import record
 
@@ -72,8 +73,16 @@ def changes(task: CamTask, asked: Optimum) -> list[list[Change]]:
     """The changes of every kind that is asked for, without those that leave all as it is."""
     kept = _asked_values(task)
     found = [
-        [Change(f"law {name}", partial(with_law, name=name)) for name in asked.laws if name != kept["law"]],
-        [Change(f"safety {k:g}", partial(with_safety, safety=k)) for k in asked.safeties if k != kept["safety"]],
+        [
+            Change(Phrase("law {name}", name=name), partial(with_law, name=name))
+            for name in asked.laws
+            if name != kept["law"]
+        ],
+        [
+            Change(Phrase("safety {k:g}", k=k), partial(with_safety, safety=k))
+            for k in asked.safeties
+            if k != kept["safety"]
+        ],
         [
             Change(_called("contact", name, f"{1e-6 * stress:g} MPa"), partial(with_contact, stress=stress))
             for name, stress in asked.contacts
@@ -89,7 +98,8 @@ def changes(task: CamTask, asked: Optimum) -> list[list[Change]]:
 
 
 def _called(kind: str, name: str, value: str) -> str:
-    return f"{kind} {name} ({value})" if name else f"{kind} {value}"
+    what = Phrase("{kind} {name}", kind=kind, name=name or value)
+    return Phrase("{what} ({value})", what=what, value=value) if name else what
 
 
 def variants(task: CamTask, asked: Optimum) -> list[tuple[Change, ...]]:

@@ -15,7 +15,9 @@ from tmmcalc.cams.optimum.scene import WHERE, Scene
 from tmmcalc.cams.optimum.wholesteps import farthest
 from tmmcalc.cams.task import Optimum
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase, listed
 
+_HIGHEST = "{what} no S0 and r2 with H2 up to {high:g} mm"
 NODES = 48  # of each side of the plane
 UNITS = {"m": ("mm", 1e3), "Pa": ("MPa", 1e-6)}
 REMEDIES = {
@@ -48,20 +50,32 @@ def refusal(scene: Scene, asked: Optimum, found: FirstFeasible | None) -> NoSolu
         c for c in checks(scene, margin, best, float(start[best]), float(roller[best])) if c.judged and c.margin < 0
     ]
     keys = _conflict(each, room)
-    names = " and ".join(f"{key} ({NAMES[key]})" for key in keys)
-    what = "the constraints together leave"
+    names = listed([Phrase("{key} ({name})", key=key, name=NAMES[key]) for key in keys], " and ")
+    values = {"what": "the constraints together leave", "high": 1e3 * (asked.heights[1] if asked.heights else high)}
     if keys:
-        what = f"constraint {names} leaves" if len(keys) == 1 else f"constraints {names} leave"
-    within = f"S0 up to {1e3 * high:g} mm" if asked.heights is None else f"H2 up to {1e3 * asked.heights[1]:g} mm"
-    said = "; ".join(_said(c) for c in broken)
-    nearest = f"S0 = {1e3 * start[best]:.4g}, r2 = {1e3 * roller[best]:.4g}, H2 = {1e3 * at[best]:.4g} mm"
-    also, step = "", ""
+        text = "constraint {names} leaves" if len(keys) == 1 else "constraints {names} leave"
+        values["what"] = Phrase(text, names=names)
+    text = "{what} no S0 and r2 with S0 up to {high:g} mm" if asked.heights is None else _HIGHEST
+    said = Phrase(
+        "{none}; nearest is S0 = {start:.4g}, r2 = {roller:.4g}, H2 = {height:.4g} mm, with {broken}",
+        none=Phrase(text, **values),
+        start=1e3 * start[best],
+        roller=1e3 * roller[best],
+        height=1e3 * at[best],
+        broken=listed([_said(c) for c in broken], "; ") or "no step point",
+    )
+    step = ""
     if found is not None:
-        sizes = (1e3 * size for size in (found.start, found.roller, found.height))
-        also = "; all are kept far out, at S0 = {:.5g}, r2 = {:.4g}, H2 = {:.5g} mm".format(*sizes)
+        said = Phrase(
+            "{said}; all are kept far out, at S0 = {start:.5g}, r2 = {roller:.4g}, H2 = {height:.5g} mm",
+            said=said,
+            start=1e3 * found.start,
+            roller=1e3 * found.roller,
+            height=1e3 * found.height,
+        )
         step = f"; [cam.optimum] step above {1e3 * asked.step:g} mm reaches so far"
     return NoSolutionError(
-        f"{what} no S0 and r2 with {within}; nearest is {nearest}, with {said or 'no step point'}{also}",
+        said,
         where=WHERE,
         value=broken[0].value if broken else None,
         limit=broken[0].limit if broken else None,
@@ -83,7 +97,9 @@ def _conflict(each: dict[int, Range], room: Range) -> tuple[int, ...]:
 
 def _said(check: Check) -> str:
     unit, factor = UNITS.get(check.unit, ("", 1.0))
-    limit = "none" if check.limit is None else f"{check.limit * factor:.4g}"
-    against = ">" if check.relation == "<=" else "<"
-    value = 0.0 if check.value is None else check.value * factor
-    return f"{check.number} {check.name}: {check.symbol} = {value:.4g} {against} {limit} {unit}".rstrip()
+    limit = "none" if check.limit is None else f"{check.limit * factor:.4g} {unit}".rstrip()
+    text = "{number} {check}: {symbol} = {value:.4g} < {limit}"
+    if check.relation == "<=":
+        text = "{number} {check}: {symbol} = {value:.4g} > {limit}"
+    value = (check.value or 0.0) * factor
+    return Phrase(text, number=check.number, check=check.name, symbol=check.symbol, value=value, limit=limit)

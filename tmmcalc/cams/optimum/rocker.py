@@ -30,6 +30,7 @@ from tmmcalc.cams.optimum.rockersteps import FoundSteps, search_steps
 from tmmcalc.cams.optimum.scene import WHERE
 from tmmcalc.cams.task import Optimum
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.records import record
 
 SOFT = 1e-6  # margin of the least mechanism that is still kept
@@ -72,9 +73,14 @@ def _refusal(of: RockerScene, asked: Optimum) -> NoSolutionError:
     ratio, _ = shapes(of)
     if not ratio.size:
         limits = of.scene.limits
+        text = "no rocker of any length keeps the pressure angle of {rise:g} deg"
+        if limits.back is not None:
+            text = (
+                "no rocker of any length keeps the pressure angle of {rise:g} deg on the rise and {back:g} deg on the "
+                "return"
+            )
         return NoSolutionError(
-            f"no rocker of any length keeps the pressure angle of {np.degrees(limits.rise):g} deg"
-            + ("" if limits.back is None else f" on the rise and {np.degrees(limits.back):g} deg on the return"),
+            Phrase(text, rise=np.degrees(limits.rise), back=np.degrees(limits.back or 0.0)),
             where=WHERE,
             value=None,
             limit=limits.rise,
@@ -85,8 +91,12 @@ def _refusal(of: RockerScene, asked: Optimum) -> NoSolutionError:
     if wider.shape[1]:
         l2, _, _, l0 = 1e3 * wider[:, 0]
         return NoSolutionError(
-            f"the ranges of [cam.optimum] leave no sizes; without them the least is near l0 = {l0:.4g} mm with "
-            f"l2 = {l2:.4g} mm",
+            Phrase(
+                "the ranges of [cam.optimum] leave no sizes; without them the least is near l0 = {l0:.4g} mm with "
+                "l2 = {l2:.4g} mm",
+                l0=l0,
+                l2=l2,
+            ),
             where=WHERE,
             remedy="wider centre_distances or rocker_lengths",
         )
@@ -100,9 +110,15 @@ def _slipping(of: RockerScene, sizes: Values) -> NoSolutionError:
     choice = rocker_choice(of, four(sizes))
     grown = next(each.value or 0.0 for each in choice.checks if each.number == 2)
     return NoSolutionError(
-        f"constraint 2 (roller without slip) leaves none of the sizes that keep all others; at the smallest of these, "
-        f"l0 = {1e3 * choice.height:.4g}, l2 = {1e3 * choice.length:.4g}, R0 = {1e3 * choice.start:.4g}, "
-        f"r2 = {1e3 * choice.roller:.4g} mm, D = {grown:.4g} against 1",
+        Phrase(
+            "constraint 2 (roller without slip) leaves none of the sizes that keep all others; at the smallest of "
+            "these, l0 = {l0:.4g}, l2 = {l2:.4g}, R0 = {start:.4g}, r2 = {roller:.4g} mm, D = {grown:.4g} against 1",
+            l0=1e3 * choice.height,
+            l2=1e3 * choice.length,
+            start=1e3 * choice.start,
+            roller=1e3 * choice.roller,
+            grown=grown,
+        ),
         where=WHERE,
         value=grown,
         limit=1.0,
@@ -131,13 +147,28 @@ def _refused(of: RockerScene, sizes: Values, numbers: tuple[int, ...]) -> NoSolu
     l2, base, r2, l0 = sizes.tolist()
     checks = {each.number: each for each in rocker_choice(of, (l2, base, r2, l0)).checks}
     broken = [checks[number] for number in numbers if checks[number].value is not None]
-    said = "; ".join(
-        f"{each.number} {each.name}: {each.symbol} = {each.value:.4g} against {each.limit or 0.0:.4g} {each.unit}"
+    said = [
+        Phrase(
+            "{number} {check}: {symbol} = {value:.4g} against {limit:.4g} {unit}",
+            number=each.number,
+            check=each.name,
+            symbol=each.symbol,
+            value=each.value,
+            limit=each.limit or 0.0,
+            unit=each.unit,
+        )
         for each in broken
-    )
+    ]
     return NoSolutionError(
-        f"no sizes of a cam with a rocker keep all constraints; nearest is l0 = {1e3 * l0:.4g}, l2 = {1e3 * l2:.4g}, "
-        f"R0 = {1e3 * base:.4g}, r2 = {1e3 * r2:.4g} mm, with {said or 'constraints that exclude each other'}",
+        Phrase(
+            "no sizes of a cam with a rocker keep all constraints; nearest is l0 = {l0:.4g}, l2 = {l2:.4g}, "
+            "R0 = {base:.4g}, r2 = {roller:.4g} mm, with {broken}",
+            l0=1e3 * l0,
+            l2=1e3 * l2,
+            base=1e3 * base,
+            roller=1e3 * r2,
+            broken=listed(said, "; ") or "constraints that exclude each other",
+        ),
         where=WHERE,
         value=broken[0].value if broken else None,
         limit=broken[0].limit if broken else None,

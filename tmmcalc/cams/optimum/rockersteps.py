@@ -15,6 +15,7 @@ from tmmcalc.cams.optimum.rockersizes import RockerScene, Sizes, judge_rocker
 from tmmcalc.cams.optimum.scene import WHERE
 from tmmcalc.cams.task import Optimum
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 
 BELOW = 0.98  # of the least l0 of any sizes: from where steps are tried
@@ -67,8 +68,13 @@ def search_steps(of: RockerScene, asked: Optimum, least: float) -> FoundSteps:
             order = good[np.argsort(-np.min(margin[:, good], axis=0), kind="stable")]
             return FoundSteps(sizes[:, order], margin[:, order], examined, excluded)
     raise NoSolutionError(
-        f"no sizes in whole steps of {1e3 * step:g} mm keep all constraints with l0 up to {1e3 * last * step:.6g} mm; "
-        f"of any sizes the least is l0 = {1e3 * least:.6g} mm",
+        Phrase(
+            "no sizes in whole steps of {step:g} mm keep all constraints with l0 up to {last:.6g} mm; of any sizes the "
+            "least is l0 = {least:.6g} mm",
+            step=1e3 * step,
+            last=1e3 * last * step,
+            least=1e3 * least,
+        ),
         where=WHERE,
         value=last * step,
         limit=least,

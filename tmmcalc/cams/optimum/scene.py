@@ -24,6 +24,7 @@ from tmmcalc.cams.optimum.peaks import ended
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.task import AngleLimits, CamTask, Guide, Loads, Requirements
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 
 Phases = Literal["turn", "rise"]
@@ -93,11 +94,17 @@ def scene_of(task: CamTask, follower: Follower, phases: Phases = "turn", denser:
     load = -pressing(loads, spring, at)
     worst = int(np.argmax(load))
     if load[worst] >= 0:
-        what = "moments about the pivot" if follower.kind == "oscillating" else "forces along the lift"
-        unit = "N*m" if follower.kind == "oscillating" else "N"
+        text = (
+            "at phi = {phi:.5g} deg the follower leaves the cam: the forces along the lift come to {load:.5g} N, "
+            "whatever S0 and r2 are"
+        )
+        if follower.kind == "oscillating":
+            text = (
+                "at phi = {phi:.5g} deg the follower leaves the cam: the moments about the pivot come to {load:.5g} "
+                "N*m, whatever its sizes are"
+            )
         raise NoSolutionError(
-            f"at phi = {np.degrees(phi[worst]):.5g} deg the follower leaves the cam: the {what} "
-            f"come to {load[worst]:.5g} {unit}, whatever {'its sizes' if unit == 'N*m' else 'S0 and r2'} are",
+            Phrase(text, phi=np.degrees(phi[worst]), load=load[worst]),
             where=WHERE,
             value=float(load[worst]),
             limit=0.0,

@@ -31,6 +31,7 @@ from tmmcalc.cams.optimum.wholesteps import Candidates, Found, search
 from tmmcalc.cams.pressure.angle import reached
 from tmmcalc.cams.task import CamTask, Optimum
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motion import Motion
@@ -80,7 +81,11 @@ def _lowest_option(
     alone = replace(asked, laws=(), safeties=(), contacts=(), roller_ratios=())
     other = replace(changed(task, variants(task, asked)[best - 1]), optimum=alone)
     found = _solved(other, follower, alone, phases)
-    note = f"warning: as asked there is no mechanism: {fault.message}; all else is of the option {given[best].name}"
+    note = Phrase(
+        "warning: as asked there is no mechanism: {message}; all else is of the option {name}",
+        message=fault.message,
+        name=given[best].name,
+    )
     return replace(
         found,
         options=tuple(given),

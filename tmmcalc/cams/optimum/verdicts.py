@@ -9,7 +9,7 @@ from tmmcalc.cams.optimum.results import Choice
 from tmmcalc.cams.optimum.scene import Scene
 from tmmcalc.cams.pressure.angle import Reached
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.notes import Said, held
+from tmmcalc.core.notes import Phrase, Said, held
 
 SAME = 1e-9  # of a size: it stands at the end of a range
 
@@ -20,13 +20,27 @@ def optimum_notes(
     """Notes and warnings of the lowest mechanism in whole steps and of any sizes; ``theta`` are those of the former."""
     if task.turning is not None:
         slow, fast = float(task.turning.omega.min()), float(task.turning.omega.max())
-        yield f"note: the cam turns with the crank at {slow:.6g} to {fast:.6g} rad/s, as the stage motion found"
+        yield Phrase(
+            "note: the cam turns with the crank at {slow:.6g} to {fast:.6g} rad/s, as the stage motion found",
+            slow=slow,
+            fast=fast,
+        )
     if scene.follower.kind == "translating" and task.asked.offset is None:
         offset = 1e3 * scene.follower.sense * scene.follower.offset
-        yield f"note: the offset e = {offset:.6g} mm is that of the synthesis; give offset in [cam], or 0, to set it"
-    missing = [f"{each.number} {each.name}" for each in least.checks if not each.judged and each.number > 1]
+        yield Phrase(
+            "note: the offset e = {offset:.6g} mm is that of the synthesis; give offset in [cam], or 0, to set it",
+            offset=offset,
+        )
+    missing = [
+        Phrase("{number} {check}", number=each.number, check=each.name)
+        for each in least.checks
+        if not each.judged and each.number > 1
+    ]
     if missing:
-        yield f"note: not judged, for want of data in [cam.requirements] or [cam.guide]: {', '.join(missing)}"
+        yield Phrase(
+            "note: not judged, for want of data in [cam.requirements] or [cam.guide]: {missing}",
+            missing=missing,
+        )
     closed = least.checks[0]
     if closed.judged and closed.margin < 0 and closed.value is not None and closed.limit is not None:
         text = "the spring reaches {value:.5g} of the safety {limit:.5g} that it was sized for"
@@ -67,4 +81,8 @@ def _between(chosen: Choice, task: CamTask) -> Iterator[Said]:
         ("centre_distances", chosen.height, asked and asked.centre_distances),
     ):
         if ends and min(abs(size - end) for end in ends) < SAME * size:
-            yield f"note: [cam.optimum] {key} holds the size of {1e3 * size:.6g} mm: it is at the end of its range"
+            yield Phrase(
+                "note: [cam.optimum] {key} holds the size of {size:.6g} mm: it is at the end of its range",
+                key=key,
+                size=1e3 * size,
+            )

@@ -23,7 +23,7 @@ from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
 
 WALL = "#e4e4e4"
-LOWEST = 1e-4  # of the spectra's amplitude that is drawn, part of the stroke
+LOWEST, TOP = 1e-4, 2.0  # of the spectra's amplitude that are drawn, parts of the stroke
 OWN = Pen("OWN_RATIO", 0.3, (2.4, 0.9))
 HEAD = 12.0  # room of the heading [mm]
 
@@ -40,6 +40,15 @@ def elastic_drawing(task: CamTask, result: ElasticResult) -> Drawing:
     heading = tr("Elastic follower, natural frequency {multiple} times that of the cam", multiple=multiple)
     heading += _shaded(result.contact)
     drawing.add(Words(complex(first.middle.real, first.top), heading, 3.2, 1j))
+    draw_vibration(drawing, first.inset(3, 0, 0, HEAD), task, result)
+    text = tr("Residual vibration after a rise from rest")
+    drawing.add(Words(complex(second.middle.real, second.top), text, 3.2, 1j))
+    draw_spectra(drawing, second.inset(3, 0, 0, 6), result)
+    return drawing
+
+
+def draw_vibration(drawing: Drawing, box: Box, task: CamTask, result: ElasticResult) -> None:
+    """Accelerations and load over the turn; where the follower leaves the cam is shaded."""
     phi = np.degrees(result.phi)
     unit, force = (tr_unit(each) for each in (("rad/s²", "N*m") if result.turns else ("m/s²", "N")))
     rows = [
@@ -52,18 +61,13 @@ def elastic_drawing(task: CamTask, result: ElasticResult) -> Drawing:
             ((tr("elastic train"), result.load), (tr("rigid train"), result.rigid)),
         ),
     ]
-    upper, lower = panels(drawing, first.inset(3, 0, 0, HEAD), phi, input_axis(True, phi), rows)
+    upper, lower = panels(drawing, box, phi, input_axis(True, phi), rows)
     colour = LOST if result.contact.closure == "force" else WALL
     for begin, end in result.contact.beyond if result.contact.judged else ():
         lower.band(degrees(begin), degrees(end), colour)
     for diagram in (upper, lower):
         for start in np.degrees(task.program.starts[1:-1]).tolist():
             diagram.vertical(start, OTHER)
-    drawing.add(
-        Words(complex(second.middle.real, second.top), tr("Residual vibration after a rise from rest"), 3.2, 1j)
-    )
-    _spectra(drawing, second.inset(3, 0, 0, 6), result)
-    return drawing
 
 
 def _shaded(contact: Contact) -> str:
@@ -75,15 +79,15 @@ def _shaded(contact: Contact) -> str:
     return "\n" + tr("shaded: the outer wall of the groove presses")
 
 
-def _spectra(drawing: Drawing, box: Box, result: ElasticResult) -> None:
+def draw_spectra(drawing: Drawing, box: Box, result: ElasticResult) -> None:
     """Amplitude over the stroke by the ratio of phase time and natural period; the cam's own ratio is marked."""
     along = Axis(tr("time of the phase over the natural period"), 0.0, float(result.ratios[-1]))
     lines = tuple((tr_name(each.law), each.residual) for each in result.spectra)
-    row = Panel(tr("amplitude over the stroke"), lines, log=True, ends=(LOWEST, 2.0))
+    row = Panel(tr("amplitude over the stroke"), lines, log=True, ends=(LOWEST, TOP))
     (diagram,) = panels(drawing, box, result.ratios, along, [row])
     for phase in result.phases:
         if phase.ratio < result.ratios[-1]:
             diagram.vertical(phase.ratio, OWN)
-            at = diagram.place(complex(phase.ratio, 1.6 if phase.kind == "rise" else 1.2))
+            at = diagram.place(complex(phase.ratio, TOP)) - 1j * (3.0 if phase.kind == "rise" else 7.0)
             words = f"{tr_name(phase.kind)}: {number(phase.ratio, 4)}"
             drawing.add(Words(at + 1.5, words, 2.5, -1, colour=INK, clear=True), level=20)

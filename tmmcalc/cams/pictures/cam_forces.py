@@ -43,19 +43,23 @@ def figure(order: Order) -> Drawing:
 
 def forces_drawing(task: CamTask, result: CamForces) -> Drawing:
     """One sheet: the force that lifts off and the spring over the lift; forces, reactions, torque over the turn."""
-    loads = loads_of(task)
-    course = turn_forces(task, result.follower, loads, result.spring)
     drawing, box = titled(_heading(result), 3.0)
     left, right = box.split(1.0, 1.55, gap=4, across=True)
     if result.spring.sizes:
         left, heights = left.split(1.7, 1.0, gap=3)
-        _draw_heights(drawing, heights, result.spring.sizes)
-    _draw_spring(drawing, left, task, loads, result)
-    for diagram in column(drawing, right, _graphs(result, course)):
+        draw_heights(drawing, heights, result.spring.sizes)
+    draw_spring(drawing, left, task, loads_of(task), result)
+    draw_course(drawing, right, task, result)
+    return drawing
+
+
+def draw_course(drawing: Drawing, box: Box, task: CamTask, result: CamForces) -> None:
+    """Forces, reactions and torque over the turn, one under another."""
+    course = turn_forces(task, result.follower, loads_of(task), result.spring)
+    for diagram in column(drawing, box, _graphs(result, course)):
         phase_ends(diagram, result.ends)
         for a, b in result.lost:
             diagram.band(degrees(a), degrees(b), LOST)
-    return drawing
 
 
 def _heading(result: CamForces) -> str:
@@ -112,7 +116,7 @@ def _graphs(result: CamForces, course: TurnForces) -> list[Graph]:
     return [*found, graph("M", "N*m", torque, *((plain,) if course.carried.rubs else ()))]
 
 
-def _draw_heights(drawing: Drawing, box: Box, sizes: Sequence[WireSize]) -> None:
+def draw_heights(drawing: Drawing, box: Box, sizes: Sequence[WireSize]) -> None:
     """Heights of the springs that have the allowed stress, over D/d."""
     index = np.array([each.index for each in sizes])
     curves = [np.array([1e3 * each.free for each in sizes]), np.array([1e3 * each.solid for each in sizes])]
@@ -123,7 +127,7 @@ def _draw_heights(drawing: Drawing, box: Box, sizes: Sequence[WireSize]) -> None
     diagram.key([(tr("free"), CURVES[0]), (tr("solid"), CURVES[1])])
 
 
-def _draw_spring(drawing: Drawing, box: Box, task: CamTask, loads: Loads, result: CamForces) -> None:
+def draw_spring(drawing: Drawing, box: Box, task: CamTask, loads: Loads, result: CamForces) -> None:
     """P over dS on rise and return and the line of the spring (fig. 5.20)."""
     turns = result.follower.kind == "oscillating"
     factor = degrees(1.0) if turns else 1e3

@@ -46,6 +46,7 @@ BOUND = Pen("BOUND", 0.4, (2.4, 0.9))
 LEAST = Pen("LEAST", 0.25)
 OTHER = Pen("OTHER_STEPS", 0.18)
 APART = (2.0, 3.0, 4.5)  # of a text from its line [mm]
+KEY, APART_KEY = 70.0, 6.0  # least width of the key beside a diagram, and its distance [mm]
 HEADING = 7.0  # room of a heading [mm]
 SIDES = (16.0, 10.0, 2.0, 2.0)  # room around a frame: left, bottom, right, top [mm]
 SAME = 1e-9  # of a limit: a value at it
@@ -61,10 +62,10 @@ def optimum_drawing(task: CamTask, result: CamOptimum) -> Drawing:
     """A sheet for every contour, one for the section along r2; of a flat-faced follower the chart of H2 and S0."""
     draws: list[Callable[[Drawing, Box], str]] = []
     if result.flat is not None:
-        draws.append(partial(_chart_sheet, result=result, chart=result.flat))
-    draws += [partial(_contour_sheet, result=result, contour=contour) for contour in result.contours]
+        draws.append(partial(draw_chart, result=result, chart=result.flat))
+    draws += [partial(draw_contour, result=result, contour=contour) for contour in result.contours]
     if result.section is not None:
-        draws.append(partial(_section_sheet, result=result, section=result.section))
+        draws.append(partial(draw_section, result=result, section=result.section))
     drawing, boxes = sheets(max(len(draws), 1))
     for draw, box in zip(draws, boxes, strict=False):
         heading = draw(drawing, box.inset(0, 0, 0, HEADING)) + _option(result)
@@ -84,15 +85,27 @@ def _typeset(result: CamOptimum, name: str) -> str:
     return f"${size[0]}_{size[1:]}$"
 
 
-def _contour_sheet(drawing: Drawing, box: Box, result: CamOptimum, contour: Contour) -> str:
+def draw_contour(drawing: Drawing, box: Box, result: CamOptimum, contour: Contour) -> str:
     """Draw a contour with its key; its heading."""
-    plane, key = box.split(1.75, 1.0, gap=6, across=True)
+    plane, key = _with_key(box)
     low, high, bottom, top = (1e3 * v for v in contour.window)
     across = tr("base circle $R_0$, mm") if result.kind == "oscillating" else tr("start distance $S_0$, mm")
     axes = Axis(across, low, high), Axis(tr("roller radius $r_2$, mm"), bottom, top)
     lowest = abs(contour.height - result.chosen.height) < 1e-9
     seen = _draw_plane(Diagram(drawing, plane.inset(*SIDES), *axes), result, contour, lowest)
     write_key(drawing, key, list(_contour_key(result, contour, seen, lowest)))
+    return contour_heading(result, contour)
+
+
+def _with_key(box: Box) -> tuple[Box, Box]:
+    """The rectangle of a diagram and that of its key, whose longest rows need some room."""
+    beside = max((box.width - APART_KEY) / 2.75, KEY)
+    plane, key = box.split(box.width - APART_KEY - beside, beside, gap=APART_KEY, across=True)
+    return plane, key
+
+
+def contour_heading(result: CamOptimum, contour: Contour) -> str:
+    """Of what sizes a contour is."""
     sizes = [f"{_typeset(result, 'height')} = {_in_mm(contour.height)}"]
     if result.kind == "oscillating":
         sizes.append(f"$l_2$ = {_in_mm(result.chosen.length)}")
@@ -196,7 +209,7 @@ def _margins(chosen: Choice) -> Iterator[tuple[str, str]]:
         yield f"{each.number}  {constraint_name(each.number)}", minus(text)
 
 
-def _section_sheet(drawing: Drawing, box: Box, result: CamOptimum, section: Section) -> str:
+def draw_section(drawing: Drawing, box: Box, result: CamOptimum, section: Section) -> str:
     """Draw the section; its heading."""
     upper, lower = box.inset(*SIDES).split(1, 1, gap=6)
     far = 1e3 * float(section.roller[-1]) if len(section.roller) else 1.0
@@ -213,6 +226,11 @@ def _section_sheet(drawing: Drawing, box: Box, result: CamOptimum, section: Sect
         told = None if limit is None else (factor * limit, f"{sign} = {number(factor * limit, 5)} {unit}")
         chosen = complex(1e3 * result.chosen.roller, here)
         _course(diagram, 1e3 * section.roller, factor * values, told, chosen, PENS[key]._replace(dashes=()))
+    return section_heading(section)
+
+
+def section_heading(section: Section) -> str:
+    """Of what sizes a section is."""
     sizes = f"$S_0$ = {_in_mm(section.start)}, $H_2$ = {_in_mm(section.height)}"
     return tr("Along the roller radius at {sizes}", sizes=sizes)
 
@@ -247,9 +265,9 @@ def _crossings(x: Any, excess: Any) -> list[float]:
     return [float(v) for v in x[rows] + part * (x[rows + 1] - x[rows])]
 
 
-def _chart_sheet(drawing: Drawing, box: Box, result: CamOptimum, chart: FlatChart) -> str:
+def draw_chart(drawing: Drawing, box: Box, result: CamOptimum, chart: FlatChart) -> str:
     """Draw the chart of a flat face; its heading."""
-    plane, key = box.split(1.75, 1.0, gap=6, across=True)
+    plane, key = _with_key(box)
     low, base = 1e3 * chart.least_height, 1e3 * (chart.stroke + chart.gap + chart.least_length)
     start, span = 1e3 * chart.least_start, 0.35 * 1e3 * chart.least_height
     ends = np.array([low - span, low + span])

@@ -58,8 +58,13 @@ def _dense(task: CamTask, result: Pressure) -> tuple[Values, Values, Values]:
     return places(dense), with_limits(dense, theta), with_limits(dense, motion[0].reshape(dense.x.shape))
 
 
-def draw_angle(drawing: Drawing, box: Box, task: CamTask, result: Pressure, *, to_scale: bool = False) -> Diagram:
-    """The pressure angle with its limits and extremes; ``to_scale``: at standard scales, with numbers along."""
+def draw_angle(
+    drawing: Drawing, box: Box, task: CamTask, result: Pressure, *, to_scale: bool = False, numbered: bool = False
+) -> Diagram:
+    """The pressure angle with its limits and extremes.
+
+    ``numbered``: with numbers along; ``to_scale``: at standard scales, with numbers too.
+    """
     phi, theta, _ = _dense(task, result)
     high = max(np.max(np.abs(theta)), *(on.limit or 0.0 for on in (result.rise, result.back)))
     top = 1.18 * max(degrees(high), 1.0)
@@ -67,7 +72,7 @@ def draw_angle(drawing: Drawing, box: Box, task: CamTask, result: Pressure, *, t
     ends = -top, top
     if to_scale:
         box, ends = turn_to_scale(box), ends_to_scale(ends, box.height)
-    diagram = Diagram(drawing, box, along, Axis(tr("pressure angle $θ$, °"), *ends), numbered=to_scale)
+    diagram = Diagram(drawing, box, along, Axis(tr("pressure angle $θ$, °"), *ends), numbered=to_scale or numbered)
     _phases(diagram, task)
     spans = _spans(task)
     for on, (a, b) in zip((result.rise, result.back), spans, strict=True):

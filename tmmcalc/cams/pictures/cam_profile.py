@@ -73,6 +73,25 @@ def draw_cam(drawing: Drawing, box: Box, task: CamTask, result: Profile, *, to_s
     return board
 
 
+def height_of(task: CamTask, result: Profile, box: Box) -> float:
+    """What the cam at a standard scale takes of the height of a rectangle."""
+    _, every, around = _content(result, Rim(result.follower, task.program))
+    return closed_up(box.inset(0, FOOT, 0, 0), np.append(every, around), MARGIN).height + FOOT
+
+
+def _content(result: Profile, rim: Rim) -> tuple[dict[str, Plane], Plane, Plane]:
+    """The curves of the walls by their names, the points of all curves, and what stands around them."""
+    curves: dict[str, Plane] = {wall.name: _curve(rim, wall.distance) for wall in result.walls}
+    frame = _frame_of(result)
+    if result.pitch is None:
+        return curves, np.concatenate([*curves.values()]), frame
+    return (
+        curves,
+        np.concatenate([*curves.values(), _curve(rim, 0.0)]),
+        np.append(frame, _curve(rim, -result.follower.roller)),
+    )
+
+
 def _heading(result: Profile) -> str:
     follower = result.follower
     sizes = [_size("R_0", follower.base)]
@@ -102,10 +121,8 @@ def _curve(rim: Rim, distance: float) -> Plane:
 def _draw_cam(drawing: Drawing, box: Box, task: CamTask, result: Profile, *, to_scale: bool) -> Board:
     follower = result.follower
     rim = Rim(follower, task.program)
-    curves = {wall.name: _curve(rim, wall.distance) for wall in result.walls}
+    curves, every, around = _content(result, rim)
     pitch = None if result.flat else _curve(rim, 0.0)
-    every = np.concatenate([*curves.values(), *([] if pitch is None else [pitch])])
-    around = _frame_of(result) if pitch is None else np.append(_frame_of(result), _curve(rim, -follower.roller))
     content = np.append(every, around)
     if to_scale:
         box = closed_up(box, content, MARGIN)

@@ -17,6 +17,7 @@ from tmmcalc.cams.strength.case import Case, case_of
 from tmmcalc.cams.strength.formulas import HERTZ
 from tmmcalc.cams.strength.results import CamStrength, Rolling
 from tmmcalc.cams.task import CamTask
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import Graph, Line, column, suited
 from tmmcalc.report.drawing.diagram import room
 from tmmcalc.report.drawing.lettering import minus
@@ -39,16 +40,22 @@ def figure(order: Order) -> Drawing:
 
 def strength_drawing(task: CamTask, result: CamStrength) -> Drawing:
     """One sheet over the turn: slip function, contact stress, reduced moment of the shaft, with their limits."""
+    known = any(each is not None for each in (result.slip, result.stress, result.reduced))
+    heading = tr("Requirements over a turn of the cam") if known else tr("No data of slip, contact or shaft")
+    drawing, box = titled(heading, 3.2)
+    draw_requirements(drawing, box, task, result)
+    return drawing
+
+
+def draw_requirements(drawing: Drawing, box: Box, task: CamTask, result: CamStrength) -> None:
+    """Slip function, contact stress and reduced moment over the turn, one under another; those that have data."""
     loads = loads_of(task)
     case = case_of(task, result.follower, loads, turn_forces(task, result.follower, loads, solve_spring(task, loads)))
     graphs = _graphs(case, result)
-    heading = tr("Requirements over a turn of the cam") if graphs else tr("No data of slip, contact or shaft")
-    drawing, box = titled(heading, 3.2)
     for graph, diagram in zip(graphs, column(drawing, box, graphs) if graphs else (), strict=True):
         phase_ends(diagram, result.ends)
         for a, b in result.rolling.slipping if graph.symbol == "D" and result.rolling else ():
             diagram.band(degrees(a), degrees(b), LOST)
-    return drawing
 
 
 def _graphs(case: Case, result: CamStrength) -> list[Graph]:

@@ -52,11 +52,18 @@ def _bend(rim: Rim, result: Profile, phi: Values, piece: np.ndarray) -> list[Val
 
 
 def draw_bends(
-    drawing: Drawing, box: Box, task: CamTask, rim: Rim, result: Profile, *, to_scale: bool = False
+    drawing: Drawing,
+    box: Box,
+    task: CamTask,
+    rim: Rim,
+    result: Profile,
+    *,
+    to_scale: bool = False,
+    numbered: bool = False,
 ) -> Diagram:
     """Curvature of pitch curve and working profile, or the radius under a flat face, with limits and extremes.
 
-    ``to_scale``: at standard scales, with numbers along.
+    ``numbered``: with numbers along; ``to_scale``: at standard scales, with numbers too.
     """
     drawn = [(phi, _bend(rim, result, phi, piece)) for phi, piece in pieces_of(rim)]
     pens = [WORKING] if result.flat else [PITCH, WORKING]
@@ -68,7 +75,7 @@ def draw_bends(
     if to_scale:
         low, high = ends_to_scale((up.low, up.high), box.height)
         box, up = turn_to_scale(box), up._replace(low=low, high=high)
-    diagram = Diagram(drawing, box, TURN, up, numbered=to_scale)
+    diagram = Diagram(drawing, box, TURN, up, numbered=to_scale or numbered)
     diagram.labels.avoid(diagram.paper([0j, complex(TURN.high)]), 0.4)
     for height, _, pen in limits_of(task, result):
         diagram.level(height, pen)

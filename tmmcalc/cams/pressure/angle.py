@@ -21,7 +21,7 @@ from tmmcalc.cams.laws.law import Indices, Number, Values
 from tmmcalc.cams.program import Program
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import SingularityError
-from tmmcalc.core.notes import Said, held
+from tmmcalc.core.notes import Phrase, Said, held
 from tmmcalc.core.numerics.panels import Panels, resolved
 from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.quantity import derived, quantity
@@ -220,7 +220,9 @@ def remarks(phase: str, on: Reached) -> list[Said]:
     """A warning where the limit of this phase is exceeded."""
     if not on.exceeded or on.limit is None:
         return []
-    where = ", ".join(f"{np.degrees(low):.6g} to {np.degrees(high):.6g} deg" for low, high in on.exceeded)
+    where = [
+        Phrase("{low:.6g} to {high:.6g} deg", low=np.degrees(low), high=np.degrees(high)) for low, high in on.exceeded
+    ]
     text = "on the {phase} |theta| reaches {value:.6g} deg, beyond the limit of {limit:.6g} deg, for phi from {where}"
     numbers = np.degrees(abs(on.worst.value)), np.degrees(on.limit), "deg"
     return [held("warning", text, *numbers, name="theta", phase=phase, where=where)]

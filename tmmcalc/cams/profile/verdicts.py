@@ -9,7 +9,7 @@ from tmmcalc.cams.pivot import pivot_fault
 from tmmcalc.cams.profile.results import Crossing, Place, Profile, Reach, Wall
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.core.notes import Said, held
+from tmmcalc.core.notes import Phrase, Said, held, listed
 
 BASE_PART, BEND_PART = 0.4, 0.7  # the rule r2 <= min(0.4 R0, 0.7 rho_min)
 AT_LIMIT = 1e-9  # relative
@@ -53,18 +53,20 @@ def fault(wall: Wall) -> str:
     """What a wall does that it must not, at the worst place; the rest is counted."""
     said = []
     if wall.loops:
-        longest, rest = max(wall.loops, key=lambda each: each[1] - each[0]), _rest(len(wall.loops))
-        said.append(f"is undercut: it runs backwards {_over(*longest)}{rest}")
+        longest = max(wall.loops, key=lambda each: each[1] - each[0])
+        said.append(_rest(Phrase("is undercut: it runs backwards {over}", over=_over(*longest)), len(wall.loops)))
     if wall.crossings:
-        worst, rest = max(wall.crossings, key=_cut_off), _rest(len(wall.crossings))
-        said.append(f"crosses itself at phi = {_deg(worst.first)} and {_deg(worst.second)} deg{rest}")
-    return ", and ".join(said) or "touches itself"
+        worst = max(wall.crossings, key=_cut_off)
+        first, second = _deg(worst.first), _deg(worst.second)
+        text = Phrase("crosses itself at phi = {first} and {second} deg", first=first, second=second)
+        said.append(_rest(text, len(wall.crossings)))
+    return listed(said, ", and ") if said else "touches itself"
 
 
 def _over(low: float, high: float) -> str:
     if high - low < NARROW:
-        return f"over {degrees(high - low):.2g} deg at phi = {_deg(low)} deg"
-    return f"from phi = {_deg(low)} to {_deg(high)} deg"
+        return Phrase("over {width:.2g} deg at phi = {phi} deg", width=degrees(high - low), phi=_deg(low))
+    return Phrase("from phi = {low} to {high} deg", low=_deg(low), high=_deg(high))
 
 
 def _cut_off(crossing: Crossing) -> float:
@@ -73,9 +75,12 @@ def _cut_off(crossing: Crossing) -> float:
     return min(between, tau - between)
 
 
-def _rest(count: int) -> str:
-    """How many lesser places there are."""
-    return "" if count == 1 else f" and at {count - 1} lesser place{'s' if count > 2 else ''}"
+def _rest(text: str, count: int) -> str:
+    """The text with how many lesser places there are."""
+    if count == 1:
+        return text
+    more = "{text} and at {count} lesser places" if count > 2 else "{text} and at {count} lesser place"
+    return Phrase(more, text=text, count=count - 1)
 
 
 def _remedy(found: Profile, wall: Wall, task: CamTask) -> str:
@@ -89,19 +94,19 @@ def _remedy(found: Profile, wall: Wall, task: CamTask) -> str:
 
 
 def _cause(limit: Reach) -> str:
-    places = " and ".join(f"{_deg(phi)} deg" for phi in limit.at)
-    return f"{'a point' if limit.cause == 'cusp' else 'a neck between'} phi = {places}"
+    places = listed([Phrase("{phi} deg", phi=_deg(phi)) for phi in limit.at], " and ")
+    return Phrase("a point phi = {places}" if limit.cause == "cusp" else "a neck between phi = {places}", places=places)
 
 
 def remarks(found: Profile, task: CamTask) -> Iterator[Said]:
     """Graded remarks: a limit that is not kept is a warning, a rule of thumb a note."""
     for wall in found.walls:
         if not wall.sound and not wall.name.endswith("tool"):
-            yield f"warning: the {NAMES[wall.name]} {fault(wall)}"
+            yield Phrase("warning: the {wall} {fault}", wall=NAMES[wall.name], fault=fault(wall))
     if found.pivot is not None and found.pivot.swept:
-        yield f"warning: {pivot_fault(found.pivot)}"
+        yield Phrase("warning: {fault}", fault=pivot_fault(found.pivot))
     if found.pivot is not None and found.pivot.passed:
-        yield f"note: {pivot_fault(found.pivot)}"
+        yield Phrase("note: {fault}", fault=pivot_fault(found.pivot))
     yield from _flat_remarks(found, task) if found.flat else _roller_remarks(found, task)
     yield from _concave_remarks(found, task)
     yield from _tool_remarks(found)
@@ -141,7 +146,11 @@ def _wall_remarks(wall: Wall, name: str, reach: Reach | None, place: Place | Non
     """A sound wall where it bulges most: the first where the pitch curve is convex, the second where it is concave."""
     r2 = abs(wall.distance)
     if wall.sound and reach is not None and r2 >= reach.distance * (1 - AT_LIMIT):
-        yield f"warning: the roller is the largest that works, {_mm(reach.distance)} ({_cause(reach)})"
+        yield Phrase(
+            "warning: the roller is the largest that works, {distance} ({cause})",
+            distance=_mm(reach.distance),
+            cause=_cause(reach),
+        )
     if not wall.sound or place is None:
         return
     bend = 1 / abs(place.value)
@@ -157,7 +166,11 @@ def _concave_remarks(found: Profile, task: CamTask) -> Iterator[Said]:
     if least is None or place is None:
         return
     if not task.limits.allow_concave:
-        yield f"warning: the profile is concave, with a radius of {_mm(least)} {_at(place)}, which is not allowed"
+        yield Phrase(
+            "warning: the profile is concave, with a radius of {least} {at}, which is not allowed",
+            least=_mm(least),
+            at=_at(place),
+        )
     elif least < task.limits.concave * (1 - AT_LIMIT) and found.tool_radius is None and found.outer is None:
         text = "concave parts have a radius of {value:.6g} mm {at}, less than r_i = {limit:.6g} mm of the tool"
         yield held("warning", text, least, task.limits.concave, "m", shown="mm", name="rho_concave", at=_at(place))
@@ -175,8 +188,8 @@ def _tool_remarks(found: Profile) -> Iterator[Said]:
 
 
 def _at(place: Place) -> str:
-    side = {-1: "just before ", 0: "at ", 1: "just after "}[place.side]
-    return f"{side}phi = {_deg(place.phi)} deg"
+    text = {-1: "just before phi = {phi} deg", 0: "at phi = {phi} deg", 1: "just after phi = {phi} deg"}[place.side]
+    return Phrase(text, phi=_deg(place.phi))
 
 
 def _deg(phi: float) -> str:

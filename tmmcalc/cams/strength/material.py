@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tmmcalc.gears.strength.endurance import endurance
+from tmmcalc.gears.strength.endurance import Endurance, endurance
 from tmmcalc.gears.strength.material import Material, parse_hardness
 
 TREATMENTS = (  # those with a row in D.4.4
@@ -21,8 +21,13 @@ def allowed_contact(treatment: str, hardness: str, failure: str) -> tuple[float,
     >>> round(allowed / 1e6, 1), source.partition(", ")[0]
     (609.1, 'sigma_Hlim/S_H = 670 MPa/1.1')
     """
-    steel = Material(treatment, parse_hardness(hardness), failure=failure, bending_limit=UNBENT)
-    found = endurance(steel, "one-sided", "the cam")
+    found = contact_endurance(treatment, hardness, failure)
     limit, safety, *_ = found.coefficients
     made = f"sigma_Hlim/S_H = {limit.value / 1e6:g} MPa/{safety.value:g}, {limit.source}, {safety.source}"
     return found.permissible_contact, made
+
+
+def contact_endurance(treatment: str, hardness: str, failure: str) -> Endurance:
+    """The limit of endurance and the safety of a steel with the tables that they are read from; raises as above."""
+    steel = Material(treatment, parse_hardness(hardness), failure=failure, bending_limit=UNBENT)
+    return endurance(steel, "one-sided", "the cam")

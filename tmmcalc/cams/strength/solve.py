@@ -21,7 +21,7 @@ from tmmcalc.cams.strength.roller import contact_margin, roller_unit, rolling_of
 from tmmcalc.cams.strength.rows import rows_of
 from tmmcalc.cams.strength.shaftstem import shaft_margins, shaft_of, stem_margins
 from tmmcalc.cams.task import CamTask
-from tmmcalc.core.notes import Note, Said, held
+from tmmcalc.core.notes import Note, Phrase, Said, held
 
 if TYPE_CHECKING:
     from tmmcalc.machine.motion import Motion
@@ -98,13 +98,17 @@ def _notes(
     case: Case, margins: tuple[Margin, ...], rolling: Rolling | None, shaft: ShaftFound | None
 ) -> Iterator[Said]:
     for verdict, each in _decisive(margins):
-        where = "" if each.phi is None else f" at phi = {degrees(each.phi):.6g} deg"
-        more = f" ({each.why})" if each.why else ""
-        text = f"{FAULTS[verdict]}{where}{more}"
+        text = FAULTS[verdict]
+        if each.phi is not None:
+            text = Phrase("{fault} at phi = {phi:.6g} deg", fault=text, phi=degrees(each.phi))
+        if each.why:
+            text = Phrase("{fault} ({why})", fault=text, why=each.why)
         yield Note("warning", text, each.name, each.value, each.limit, each.unit, each.symbol)
     for each in margins:
         if each.advice and each.verdict != OK:
-            text = f"{each.formula} asks for at most {1e3 * (each.limit or 0.0):.6g} mm"
+            text = Phrase(
+                "{formula} asks for at most {value:.6g} mm", formula=each.formula, value=1e3 * (each.limit or 0.0)
+            )
             yield Note("note", text, each.name, each.value, each.limit, each.unit, each.symbol)
     if not case.touches:
         yield "warning: nothing presses the follower on the cam in a part of the turn, so slip and stress have gaps"
@@ -123,7 +127,8 @@ def _shaft_notes(case: Case, shaft: ShaftFound | None) -> Iterator[Said]:
     radius = float(whole(shaft_by_strength(shaft.moment_rubbed, case.task.requirements.bending)))
     if radius > shaft.radius:
         text = (
-            f"with the torque that friction adds M_E reaches {shaft.moment_rubbed:.6g} N*m, which asks for "
-            "a shaft radius of {limit:.6g} mm"
+            "with the torque that friction adds M_E reaches {moment:.6g} N*m, which asks for a shaft radius of "
+            "{limit:.6g} mm"
         )
-        yield held("note", text, shaft.radius, radius, "m", shown="mm", name="shaft radius")
+        rubbed = shaft.moment_rubbed
+        yield held("note", text, shaft.radius, radius, "m", shown="mm", name="shaft radius", moment=rubbed)

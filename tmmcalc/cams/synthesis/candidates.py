@@ -7,7 +7,7 @@ What a constraint asks for is the size from which on it is kept, at all larger o
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 from math import inf
 from typing import TYPE_CHECKING, Any
@@ -17,7 +17,7 @@ import numpy as np
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.pivot import pivot_room
-from tmmcalc.cams.pressure.angle import reached
+from tmmcalc.cams.pressure.angle import check_reach, reached
 from tmmcalc.cams.synthesis.oscillatingsizes import Triangle, lowered
 from tmmcalc.cams.synthesis.roller import OF_BASE, STEP, bends
 from tmmcalc.cams.task import CamTask
@@ -59,6 +59,8 @@ class SizeCandidate:
     binds: bool = quantity("binds", "the size taken is the one that this constraint asks for")
 
 
+ANGLES, BENDS = ("pressure_rise", "pressure_return"), ("curvature", "second_wall", "concave")  # found together
+
 Held = tuple[float, float | None]  # how much there is beyond what is needed, and where it is scarcest
 
 
@@ -94,27 +96,44 @@ def _found(task: CamTask, taken: Follower) -> Iterator[tuple[str, tuple[float | 
     """R0, S0 and phi of every constraint by its short name."""
     place = _family(task, taken)
     grid = (taken.start if taken.kind == "translating" else taken.base) * np.geomspace(*RANGE, GRID)
-    every = [_held(task, place(size)) for size in grid.tolist()]
-    for name in every[-1]:
-        broken = np.flatnonzero([each.get(name, (-inf, None))[0] < 0 for each in every])
-        if broken.size == 0:
+    highest = _held(task, place(float(grid[-1])))
+    broken = _broken(task, place, grid, highest)
+    for name in highest:
+        if name not in broken:
             yield name, (0.0, 0.0 if taken.kind == "translating" else None, None)
             continue
-        if broken[-1] == GRID - 1:
+        k = broken[name]
+        if k == GRID - 1:
             yield name, (None, None, None)
             continue
-        k = int(broken[-1])
         size = _passed(task, place, name, float(grid[k]), float(grid[k + 1]))
         follower = place(size)
-        phi = _held(task, follower).get(name, (0.0, None))[1]
+        phi = _held(task, follower, {name}).get(name, (0.0, None))[1]
         yield name, (follower.base, follower.start if taken.kind == "translating" else None, phi)
+
+
+def _broken(
+    task: CamTask, place: Callable[[float], Follower], grid: Values, highest: Mapping[str, Held]
+) -> dict[str, int]:
+    """The largest size, by its number, at which each constraint is broken; without those that never are.
+
+    From above, so that what is broken at a size is not looked at any more below.
+    """
+    found = {name: GRID - 1 for name, (room, _) in highest.items() if room < 0}
+    for k in range(GRID - 2, -1, -1):
+        left = highest.keys() - found.keys()
+        if not left:
+            break
+        held = _held(task, place(float(grid[k])), left)
+        found |= {name: k for name in left if held.get(name, (-inf, None))[0] < 0}
+    return found
 
 
 def _passed(task: CamTask, place: Callable[[float], Follower], name: str, low: float, high: float) -> float:
     """The size between two at which a constraint begins to be kept."""
 
     def beyond(size: Values, which: Indices) -> Values:
-        return np.array([_held(task, place(each)).get(name, (-1.0, None))[0] for each in size.tolist()])
+        return np.array([_held(task, place(each), {name}).get(name, (-1.0, None))[0] for each in size.tolist()])
 
     return float(bracketed(beyond, np.array([low]), np.array([high]))[0])
 
@@ -138,25 +157,30 @@ def _family(task: CamTask, taken: Follower) -> Callable[[float], Follower]:
     return rocker
 
 
-def _held(task: CamTask, follower: Follower) -> dict[str, Held]:
-    """What every constraint leaves, in parts of what it needs; without those that have no value there."""
+def _held(task: CamTask, follower: Follower, wanted: Collection[str] = tuple(TITLES)) -> dict[str, Held]:
+    """What every constraint that is ``wanted`` leaves, in parts of what it needs; without those without a value."""
     limits, found = task.limits, dict[str, Held]()
     try:
-        rise, back = reached(task, follower, intervals=False)
+        if not set(ANGLES) & set(wanted):
+            check_reach(task.program, follower)
+        else:
+            for name, on in zip(
+                ("pressure_rise", "pressure_return"), reached(task, follower, intervals=False), strict=True
+            ):
+                if on.limit is not None:
+                    found[name] = (1 - abs(on.worst.value) / on.limit, on.worst.phi)
     except SingularityError:
         return found
-    for name, on in (("pressure_rise", rise), ("pressure_return", back)):
-        if on.limit is not None:
-            found[name] = (1 - abs(on.worst.value) / on.limit, on.worst.phi)
     r2 = STEP if task.asked.roller is None else task.asked.roller
-    low, high = bends(task, follower)
     least = r2 + limits.convex
-    if least > 0:
-        found["curvature"] = (1 - least * high.value, high.phi)
-    if least > 0 and task.asked.closure == "groove":
-        found["second_wall"] = (1 + least * low.value, low.phi)
-    if not limits.allow_concave:
-        found["concave"] = (follower.base * low.value, low.phi)
+    if set(BENDS) & set(wanted):
+        low, high = bends(task, follower)
+        if least > 0:
+            found["curvature"] = (1 - least * high.value, high.phi)
+        if least > 0 and task.asked.closure == "groove":
+            found["second_wall"] = (1 + least * low.value, low.phi)
+        if not limits.allow_concave:
+            found["concave"] = (follower.base * low.value, low.phi)
     if task.asked.roller:
         found["roller"] = (OF_BASE * follower.base / task.asked.roller - 1, None)
     if limits.shaft > 0:

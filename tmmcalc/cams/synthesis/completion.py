@@ -14,6 +14,7 @@ from tmmcalc.cams.synthesis.errors import size_errors
 from tmmcalc.cams.synthesis.results import Design, Region, Size, Synthesis
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import SingularityError
+from tmmcalc.core.notes import Phrase
 
 GIVEN, ANGLE = "given", "pressure angle"
 PIVOT_ROOM = "room at the pivot"
@@ -69,9 +70,9 @@ def completed(
 
 def _pivot_remarks(room: PivotRoom | None, governs: str) -> Iterator[str]:
     if room is not None and room.swept:
-        yield f"warning: {pivot_fault(room)}"
+        yield Phrase("warning: {fault}", fault=pivot_fault(room))
     elif room is not None and room.passed:
-        yield f"note: {pivot_fault(room)}"
+        yield Phrase("note: {fault}", fault=pivot_fault(room))
     elif room is not None and governs == PIVOT_ROOM and not room.pivot:
         yield "note: the cam passes the centre of the rocker's pivot; pivot_radius in [cam.loads] gives the pivot room"
 

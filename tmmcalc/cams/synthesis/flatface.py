@@ -6,6 +6,8 @@ stands at -S' from the follower's axis, so the face reaches max S' on one side a
 
 from __future__ import annotations
 
+from typing import Any
+
 from tmmcalc.cams.pressure.angle import Extreme
 from tmmcalc.cams.synthesis.results import Convexity
 from tmmcalc.cams.task import CamTask
@@ -38,16 +40,19 @@ def remarks(found: Convexity, start: float, shaft: float) -> list[Said]:
     notes: list[Said] = []
     if found.radius <= 0:
         text = (
-            f"rho falls to {1e3 * found.radius:.6g} mm at phi = {_deg(found.least.phi)}: the profile has a cusp or a "
-            "loop that the face cannot follow; S0 of at least {limit:.6g} mm is needed"
+            "rho falls to {radius:.6g} mm at phi = {phi}: the profile has a cusp or a loop that the face cannot "
+            "follow; "
+            "S0 of at least {limit:.6g} mm is needed"
         )
-        notes.append(held("warning", text, start, found.needed, "m", shown="mm", name="S0"))
+        words: dict[str, Any] = {"radius": 1e3 * found.radius, "phi": _deg(found.least.phi)}
+        notes.append(held("warning", text, start, found.needed, "m", shown="mm", name="S0", **words))
     elif start < found.needed * (1 - 1e-12):
         text = (
-            f"rho falls to {{value:.6g}} mm at phi = {_deg(found.least.phi)}, below the limit of {{limit:.6g}} mm; "
-            f"S0 of at least {1e3 * found.needed:.6g} mm is needed"
+            "rho falls to {value:.6g} mm at phi = {phi}, below the limit of {limit:.6g} mm; S0 of at least "
+            "{needed:.6g} mm is needed"
         )
-        notes.append(held("warning", text, found.radius, found.limit, "m", shown="mm", name="rho_min"))
+        words = {"phi": _deg(found.least.phi), "needed": 1e3 * found.needed}
+        notes.append(held("warning", text, found.radius, found.limit, "m", shown="mm", name="rho_min", **words))
     if start < shaft * (1 - 1e-12):
         text = "S0 = {value:.6g} mm does not clear the shaft of {limit:.6g} mm"
         notes.append(held("warning", text, start, shaft, "m", shown="mm", name="S0"))

@@ -128,14 +128,18 @@ def textbook(task: CamTask, rocker: float) -> Triangle | None:
 
     For equal phases and laws; else the larger velocity and the smaller limit. None if there is no such triangle.
     """
-    program, limits = task.program, task.limits
-    speeds = [np.max(np.abs(family.part.turning(family.motion[1])[1])) for family in families(task) if family.side > 0]
+    limits, half = task.limits, task.program.stroke / 2
     limit = limits.rise if limits.back is None else min(limits.rise, limits.back)
-    half = program.stroke / 2
-    start = atan(float(max(speeds)) / tan(limit)) - half
+    start = atan(fastest(task) / tan(limit)) - half
     if start <= 0 or start + half >= pi / 2:
         return None
     return Triangle(rocker / cos(start + half), rocker, start, "textbook (5.50, 5.51)")
+
+
+def fastest(task: CamTask) -> float:
+    """The largest |psi'| of the phases whose pressure angle is limited."""
+    speeds = [np.max(np.abs(family.part.turning(family.motion[1])[1])) for family in families(task) if family.side > 0]
+    return float(max(speeds))
 
 
 def lowered(found: Triangle, stroke: float, by: float, asked: Asked) -> Triangle:

@@ -20,7 +20,7 @@ from tmmcalc.cams.program import levelled
 from tmmcalc.cams.synthesis.results import RollerChoice, RollerRule
 from tmmcalc.cams.task import CamTask
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.core.notes import Said, held
+from tmmcalc.core.notes import Phrase, Said, held
 from tmmcalc.core.numerics.panels import resolved
 
 OF_BASE, OF_CONVEX = 0.4, 0.7
@@ -95,7 +95,7 @@ def remarks(task: CamTask, follower: Follower, found: RollerChoice) -> list[Said
         return notes
     phi = np.degrees(found.concave.phi)
     if not limits.allow_concave:
-        notes.append(f"warning: the profile is concave at phi = {phi:.6g} deg, which is not allowed")
+        notes.append(Phrase("warning: the profile is concave at phi = {phi:.6g} deg, which is not allowed", phi=phi))
     elif found.concave.value + r2 < limits.concave * (1 - NEAR):
         text = (
             "the concave part at phi = {phi:.6g} deg has a radius of {value:.6g} mm: a tool of {limit:.6g} mm does not "
@@ -108,7 +108,7 @@ def remarks(task: CamTask, follower: Follower, found: RollerChoice) -> list[Said
 
 def _of_wall(wall: str, symbol: str, r2: float, bend: Extreme, least: float) -> Iterator[Said]:
     """A warning where the roller leaves a wall no radius, or less than can be made, at its sharpest place."""
-    at = f"at phi = {np.degrees(bend.phi):.6g} deg"
+    at = Phrase("at phi = {phi:.6g} deg", phi=np.degrees(bend.phi))
     if r2 >= bend.value * (1 - NEAR):
         text = "the roller of {value:.6g} mm undercuts the {wall}: {symbol} = {limit:.6g} mm {at}"
         yield held("warning", text, r2, bend.value, "m", shown="mm", name="r2", wall=wall, symbol=symbol, at=at)

@@ -150,7 +150,7 @@ def textbook(task: CamTask, e: float | None) -> Point:
     With different limits, or different strokes there, the lines through these two points cross at e; on a free
     return e is 0. ``e``: prescribed.
     """
-    tops = _velocity_tops(task)
+    tops = velocity_tops(task)
     if e is None:
         e = 0.0
         if len(tops) > 1:
@@ -160,7 +160,7 @@ def textbook(task: CamTask, e: float | None) -> Point:
     return clean((e, max(heights)))
 
 
-def _velocity_tops(task: CamTask) -> list[tuple[float, float, float]]:
+def velocity_tops(task: CamTask) -> list[tuple[float, float, float]]:
     """tan[theta], dS and |S'| where S' is largest on the rise and smallest on the return."""
     tops = []
     for kind, limit, part, (y, y1) in limited_phases(task):

@@ -6,7 +6,7 @@ import numpy as np
 
 from tmmcalc.extras.contact import Contact
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.diagram import Axis, Diagram, room
+from tmmcalc.report.drawing.diagram import ROW, Axis, Diagram, key_rows, room
 from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
@@ -30,10 +30,15 @@ def figure(order: Order) -> Drawing:
 def contact_drawing(result: Contact) -> Drawing:
     """The field of pressure from above, and along the axis of x beside Hertz."""
     drawing, box = titled(tr("Contact pressure, largest {pressure} MPa", pressure=number(1e-6 * result.peak, 5)))
+    draw_contact(drawing, box, result)
+    return drawing
+
+
+def draw_contact(drawing: Drawing, box: Box, result: Contact) -> None:
+    """The field and the section in a rectangle."""
     left, right = box.split(1, 1, gap=6, across=True)
     _field(drawing, left, result)
     _section(drawing, right, result)
-    return drawing
 
 
 def _field(drawing: Drawing, box: Box, result: Contact) -> None:
@@ -77,10 +82,15 @@ def _section(drawing: Drawing, box: Box, result: Contact) -> None:
         values.append(1e-6 * smooth.peak * np.sqrt(part))
     air = 0.04 * float(np.ptp(fine))
     across = Axis(tr("$x$ at $y$ = 0, mm"), float(fine[0]) - air, float(fine[-1]) + air)
-    field = Diagram(drawing, box.inset(16, 12, 2, 7), across, Axis(f"$p$, {tr_unit('MPa')}", *room(values)))
     names = [(tr("boundary integral: points"), Pen("POINTS", 0.3, colour=CURVES[0].colour))]
     if smooth is not None:
-        field.curve(fine + 1j * values[1], CURVES[1])
         names.append((tr("Hertz"), CURVES[1]))
+    larger = drawing.letters
+    left, right = 16 * larger, 2.0
+    top = larger * ROW * len(key_rows(names, box.width - left - right, larger)) + 2.5
+    frame = box.inset(left, 12 * larger, right, top)
+    field = Diagram(drawing, frame, across, Axis(f"$p$, {tr_unit('MPa')}", *room(values)))
+    if smooth is not None:
+        field.curve(fine + 1j * values[1], CURVES[1])
     field.dots(x[axis], p[axis], CURVES[0])
     field.key(names)

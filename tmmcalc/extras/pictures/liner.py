@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tmmcalc.extras.liner import Liner
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.panels import Panel, marked, panels
@@ -17,7 +18,7 @@ def figure(order: Order) -> Drawing:
 
 
 def liner_drawing(result: Liner) -> Drawing:
-    """Deflection, moment and stresses along the bore; the place of the largest equivalent stress is marked."""
+    """The diagrams under a title."""
     peak = result.largest
     values = {"stress": number(1e-6 * peak.stress, 5), "x": number(1e3 * peak.x, 5)}
     drawing, box = titled(
@@ -25,6 +26,12 @@ def liner_drawing(result: Liner) -> Drawing:
         if peak.surface == "inner"
         else tr("Cylinder liner, largest equivalent stress {stress} MPa at $x$ = {x} mm, outer surface", **values)
     )
+    draw_liner(drawing, box, result)
+    return drawing
+
+
+def draw_liner(drawing: Drawing, box: Box, result: Liner) -> None:
+    """Deflection, moment and stresses along the bore; the place of the largest equivalent stress is marked."""
     stresses = (
         (tr("bending, inner surface"), 1e-6 * result.axial),
         (tr("hoop, mean"), 1e-6 * result.hoop),
@@ -36,5 +43,4 @@ def liner_drawing(result: Liner) -> Drawing:
         Panel(f"$M$, {tr_unit('N*m/m')}", ((tr("moment of bending"), result.bend),), 1),
         Panel(tr("stress, MPa"), stresses),
     ]
-    marked(panels(drawing, box, 1e3 * result.x, tr("$x$ from the ring, mm"), rows), [1e3 * peak.x])
-    return drawing
+    marked(panels(drawing, box, 1e3 * result.x, tr("$x$ from the ring, mm"), rows), [1e3 * result.largest.x])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from tmmcalc.extras.tie_down import TieDown
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.panels import PLACE, Panel, panels
@@ -20,10 +21,16 @@ def figure(order: Order) -> Drawing:
 
 
 def tie_down_drawing(result: TieDown) -> Drawing:
-    """Forces of a stretched and an opposite tie over k; thresholds by equilibrium are named, the load is a point."""
+    """The diagram under a title."""
     drawing, box = titled(tr("Forces of the ties of a load"))
+    draw_tie_down(drawing, box, result)
+    return drawing
+
+
+def draw_tie_down(drawing: Drawing, box: Box, result: TieDown) -> None:
+    """Forces of a stretched and an opposite tie over k; thresholds by equilibrium are named, the load is a point."""
     lines = (
-        (tr("$R$ by (3)"), 1e-3 * result.forces),
+        (tr("$R$, approximate"), 1e-3 * result.forces),
         (tr("$R$ by equilibrium"), 1e-3 * result.balance),
         (tr("opposite tie by equilibrium"), 1e-3 * result.slackening),
     )
@@ -45,4 +52,3 @@ def tie_down_drawing(result: TieDown) -> Drawing:
         field.level(1e-3 * result.preload, AXIS, "$P_0$")
         field.level(2e-3 * result.preload, AXIS, "$2 P_0$")
     field.point(complex(result.factor, 1e-3 * result.balanced), MARK, 0.9, MARK.colour)
-    return drawing

@@ -33,15 +33,19 @@ def transloader_drawing(result: Transloader) -> Drawing:
     below = box
     if result.drives:
         above, below = box.split(1, 1.4, gap=3)
-        for part, drive in zip(
-            above.split(*(1.0 for _ in result.drives), gap=5, across=True), result.drives, strict=True
-        ):
-            _way(drawing, part, drive)
+        draw_ways(drawing, above, result)
     parts = below.split(1, 1, gap=5, across=True) if result.checks else [below]
     _loads(drawing, parts[0], result)
     if result.checks:
-        _stresses(drawing, parts[1], result)
+        draw_stresses(drawing, parts[1], result)
     return drawing
+
+
+def draw_ways(drawing: Drawing, box: Box, result: Transloader, *, across: bool = True) -> None:
+    """Speeds of trolley and hoist over the time of a way, side by side or one under another."""
+    parts = box.split(*(1.0 for _ in result.drives), gap=5, across=across)
+    for part, drive in zip(parts, result.drives, strict=True):
+        _way(drawing, part, drive)
 
 
 def _way(drawing: Drawing, box: Box, drive: Drive) -> None:
@@ -61,7 +65,7 @@ def _way(drawing: Drawing, box: Box, drive: Drive) -> None:
 
 def _loads(drawing: Drawing, box: Box, result: Transloader) -> None:
     """A cell for each load and case: its size where it acts."""
-    names = [_meaning(each.load) for each in result.loads]
+    names = [meaning_of(each.load) for each in result.loads]
     drawing.add(Words(complex(box.middle.real, box.top), tr("loads by case, kN"), 2.5, 1j))
     frame = box.inset(max(width(name, 2.0) for name in names) + 2, 6, 1, 7)
     wide, high = frame.width / len(CASES), frame.height / len(names)
@@ -80,12 +84,12 @@ def _loads(drawing: Drawing, box: Box, result: Transloader) -> None:
         drawing.add(Words(complex(frame.left + (column + 0.5) * wide, frame.bottom - 1.5), case, 2.0, 1j))
 
 
-def _stresses(drawing: Drawing, box: Box, result: Transloader) -> None:
+def draw_stresses(drawing: Drawing, box: Box, result: Transloader) -> None:
     """Bars of the stresses, with what is allowed as marks."""
     names = [
-        tr("{part}, {case} endurance", part=each.part, case=each.case)
+        tr("{part}, {case} endurance", part=tr_name(each.part), case=each.case)
         if each.kind == "endurance"
-        else tr("{part}, {case} strength", part=each.part, case=each.case)
+        else tr("{part}, {case} strength", part=tr_name(each.part), case=each.case)
         for each in result.checks
     ]
     rows = [(1e-6 * each.stress, 1e-6 * each.allowed, 1e-6 * each.other) for each in result.checks]
@@ -117,7 +121,7 @@ def _stresses(drawing: Drawing, box: Box, result: Transloader) -> None:
     key_above(drawing, frame, key)
 
 
-def _meaning(load: str) -> str:
+def meaning_of(load: str) -> str:
     """What a load is."""
     names = {
         "dead_weight": tr("dead weight"),

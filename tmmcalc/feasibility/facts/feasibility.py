@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, Phrase
 from tmmcalc.core.quantity import keyed, table
 from tmmcalc.feasibility.judge import Candidate, Feasibility, Verdict
 from tmmcalc.report.document import Document, Fact, View
@@ -61,7 +61,8 @@ def _count(result: Feasibility) -> Fact:
 
 def _verdict_fact(verdict: Verdict) -> Fact:
     values = keyed(verdict, "value", "unit", "margin", "holds")
-    text = f"{', '.join([measured(verdict), *_limits(verdict)])}: {'holds' if verdict.holds else 'fails'}"
+    told = ", ".join(filter(None, (measured(verdict), limits_of(verdict))))
+    text = f"{told}: {'holds' if verdict.holds else 'fails'}"
     return Fact(verdict.name, text, {f"constraint_{verdict.name}": values})
 
 
@@ -71,11 +72,20 @@ def _design_notes(result: Feasibility, shown: Candidate) -> Iterator[str]:
         return
     none = not any(each.feasible for each in result.candidates)
     if shown.refused:
-        yield f"warning: solution {shown.number} cannot be judged: {shown.refused}"
+        yield Phrase(
+            "warning: solution {number} cannot be judged: {refused}", number=shown.number, refused=shown.refused
+        )
     else:
-        near = ", this one comes nearest" if none and shown.number == result.chosen else ""
-        rest = f"no solution is feasible{near}" if none else f"solution {result.chosen} is feasible"
-        yield f"warning: solution {shown.number} does not keep {', '.join(shown.failing)}; {rest}"
+        rest: str = Phrase("solution {chosen} is feasible", chosen=result.chosen)
+        if none:
+            nearest = shown.number == result.chosen
+            rest = "no solution is feasible, this one comes nearest" if nearest else "no solution is feasible"
+        yield Phrase(
+            "warning: solution {number} does not keep {failing}; {rest}",
+            number=shown.number,
+            failing=shown.failing,
+            rest=rest,
+        )
     for verdict in shown.verdicts:
         if verdict.name in shown.failing:
             yield _broken(verdict)
@@ -105,31 +115,44 @@ def _notes(result: Feasibility) -> tuple[str, ...]:
 
 def _broken(verdict: Verdict) -> Note:
     """The warning of a constraint at fault, with the limit that its value passes, or the one that it has."""
-    state = "must not hold" if verdict.holds else "asked"
-    text = f"{measured(verdict)}; {': '.join([state, *_limits(verdict)])}"
+    limits, said = limits_of(verdict), "{measured}; must not hold" if verdict.holds else "{measured}; asked"
+    if limits:
+        said = "{measured}; must not hold: {limits}" if verdict.holds else "{measured}; asked: {limits}"
+    text = Phrase(said, measured=measured(verdict), limits=limits)
     low, high = verdict.at_least, verdict.at_most
     limit = low if high is None or (low is not None and verdict.value < low) else high
-    return Note("warning", text, f"constraint {verdict.name}", verdict.value, limit, verdict.unit, verdict.name)
-
-
-def _limits(verdict: Verdict) -> list[str]:
-    """The limits in one text, if there are any: a truth has none."""
-    return [" and ".join(words)] if (words := limits_in_words(verdict)) else []
+    return Note(
+        "warning",
+        text,
+        Phrase("constraint {name}", name=verdict.name),
+        verdict.value,
+        limit,
+        verdict.unit,
+        verdict.name,
+    )
 
 
 def measured(verdict: Verdict) -> str:
     """The quantity with its value: ``kinematics stroke_D is 0.658 m``."""
     if verdict.quantity == TRUTH:
-        return f"given as {str(verdict.value > 0).lower()}"
-    return f"{verdict.quantity} is {number(verdict.value)} {verdict.unit}".rstrip()
+        return "given as true" if verdict.value > 0 else "given as false"
+    return Phrase("{quantity} is {value}", quantity=verdict.quantity, value=_with_unit(verdict, verdict.value))
 
 
-def limits_in_words(verdict: Verdict) -> list[str]:
-    """The limits that there are: ``at most 2 m/s``."""
+def limits_of(verdict: Verdict) -> str:
+    """The limits that there are: ``at most 2 m/s``; empty without one, as of a truth."""
     if verdict.quantity == TRUTH:
-        return []
-    pairs = (("at least", verdict.at_least), ("at most", verdict.at_most))
-    return [f"{word} {number(limit)} {verdict.unit}".rstrip() for word, limit in pairs if limit is not None]
+        return ""
+    low, high = (None if each is None else _with_unit(verdict, each) for each in (verdict.at_least, verdict.at_most))
+    if low is not None and high is not None:
+        return Phrase("at least {low} and at most {high}", low=low, high=high)
+    if low is not None:
+        return Phrase("at least {low}", low=low)
+    return "" if high is None else Phrase("at most {high}", high=high)
+
+
+def _with_unit(verdict: Verdict, value: float) -> str:
+    return f"{number(value)} {verdict.unit}".rstrip()
 
 
 def _limit(limit: float | None) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.quantity import components, keyed
 from tmmcalc.gears.facts.meshes import distinct, places
 from tmmcalc.gears.involute.contour.task import LINES
@@ -48,7 +49,7 @@ def _titled(result: Blocking) -> list[tuple[PairContour, str]]:
 
 
 def _document(result: Blocking, title: str, parts: tuple[Document, ...]) -> Document:
-    remarks = tuple(f"note: {remark}" for remark in result.remarks)
+    remarks = tuple(Phrase("note: {remark}", remark=remark) for remark in result.remarks)
     if len(parts) == 1:
         return replace(parts[0], title=title, notes=(*remarks, *parts[0].notes))
     return Document(title, (), remarks, parts=parts)
@@ -172,11 +173,15 @@ def _notes(pair: PairContour) -> Iterator[str]:
     elif pair.points and not pair.points[0].strict and pair.strict.main is not None:
         yield "note: the chosen shifts lie outside the strict contour: a wheel is undercut"
     for missing in pair.missing:
-        yield f"note: {missing.text}"
+        yield Phrase("note: {text}", text=missing.text)
     for kind, area in _areas(pair):
         if area.untraced:
-            tips = " or ".join(str(3 - wheel) for wheel in reversed(area.untraced))
-            yield f"note: {kind} contour: parts with tip {tips} inside its reference circle are not outlined"
+            tips = listed([str(3 - wheel) for wheel in reversed(area.untraced)], " or ")
+            yield Phrase(
+                "note: {kind} contour: parts with tip {tips} inside its reference circle are not outlined",
+                kind=kind,
+                tips=tips,
+            )
 
 
 def _points_view(pair: PairContour) -> View:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, Phrase
 from tmmcalc.core.quantity import Quantity, keyed, quantities, table
 from tmmcalc.gears.advice import called
 from tmmcalc.gears.chosen.condition import Condition, Conditions
@@ -29,7 +29,7 @@ def conditions_document(found: Conditions, title: str, *, everything: bool = Fal
     notes = tuple(
         Note(
             "warning",
-            f"{called(each.name)}{f' of {each.of}' if each.of else ''} is not kept: {_broken(each)}",
+            _broken(each),
             value=float(each.left),
             limit=float(each.right),
             name=each.name,
@@ -54,9 +54,16 @@ def _sides(each: Condition) -> str:
 
 
 def _broken(each: Condition) -> str:
-    """Both sides of a condition that is not kept."""
-    joined = {"=": "not", ">": "not above", ">=": "below", "<=": "above"}[each.relation]
-    return f"{number(each.left, SHORT)}, {joined} {number(each.right, SHORT)}"
+    """A condition that is not kept, with both sides."""
+    text = {
+        "=": "{condition} is not kept: {left}, not {right}",
+        ">": "{condition} is not kept: {left}, not above {right}",
+        ">=": "{condition} is not kept: {left}, below {right}",
+        "<=": "{condition} is not kept: {left}, above {right}",
+    }[each.relation]
+    what = called(each.name)
+    condition = Phrase("{condition} of {of}", condition=what, of=each.of) if each.of else what
+    return Phrase(text, condition=condition, left=number(each.left, SHORT), right=number(each.right, SHORT))
 
 
 def _kept(each: Condition) -> str:
@@ -97,7 +104,11 @@ def plans_document(found: Plans, title: str, *, everything: bool = False) -> Doc
     )
     text += f"\npole {number(1e3 * found.pole)} mm from the line of speeds"
     facts = (Fact("scales", text, keyed(found)),)
-    notes = () if found.assumed is None else (f"note: no module is known: m_1 is {number(1e3 * found.assumed)} mm",)
+    notes = (
+        ()
+        if found.assumed is None
+        else (Phrase("note: no module is known: m_1 is {assumed} mm", assumed=number(1e3 * found.assumed)),)
+    )
     parts = (
         Document(VELOCITIES, tuple(_legend(found)), (), _points(found, everything), wide=True),
         Document(SPEEDS, (), (), _lines(found, everything), wide=True),

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from tmmcalc.core.notes import Note, held
+from tmmcalc.core.notes import Note, Phrase, held
 from tmmcalc.core.quantity import Quantity, keyed, quantity_of
 from tmmcalc.gears.criteria.choice import Reason
 from tmmcalc.gears.criteria.comparison import Comparison
@@ -235,15 +235,25 @@ def _width_notes(winner: Winner) -> Iterator[Note]:
     for stage, (module, width) in enumerate(zip(winner.modules, winner.widths, strict=True), 1):
         ratio = width / module
         if not low <= ratio <= high:
-            word, limit = ("below", low) if ratio < low else ("above", high)
-            text = "the face width of stage {stage} of the best train is {value:.4g} of its modules, {word} {limit:g}"
-            yield held("warning", text, ratio, limit, name=f"b_{stage}/m_{stage}", stage=stage, word=word)
+            text = "the face width of stage {stage} of the best train is {value:.4g} of its modules, above {limit:g}"
+            if ratio < low:
+                text = (
+                    "the face width of stage {stage} of the best train is {value:.4g} of its modules, below {limit:g}"
+                )
+            limit = low if ratio < low else high
+            yield held("warning", text, ratio, limit, name=f"b_{stage}/m_{stage}", stage=stage)
 
 
 def _notes(result: Selection) -> Iterator[str]:
     yield from _width_notes(result.winner)
     unseen = {each.title: each.unseen for each in result.variants if each.unseen}
     for title, count in unseen.items():
-        yield f"note: {title}: {count} further tooth sets, of larger Z1 + Z2, are not compared"
+        yield Phrase(
+            "note: {title}: {count} further tooth sets, of larger Z1 + Z2, are not compared", title=title, count=count
+        )
     if any(each.winner == SERIES for each in result.by_layouts if each.criterion == result.choose):
-        yield f"note: two trains {SERIES} in series have a better {_called(result.choose)} than the best single one"
+        yield Phrase(
+            "note: two trains {series} in series have a better {called} than the best single one",
+            series=SERIES,
+            called=_called(result.choose),
+        )

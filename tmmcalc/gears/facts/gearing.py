@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import keyed, quantities
 from tmmcalc.gears.gearing import Drive, Gearing
 from tmmcalc.gears.members import Columns, frequency_columns, member_columns, power_columns, torque_columns
@@ -190,20 +191,22 @@ def _sharing_facts(result: Gearing) -> Iterator[Fact]:
 def _notes(result: Gearing) -> Iterator[str]:
     """What was taken for want of data, and what is unusual."""
     if result.locking:
-        yield f"warning: {result.locking}"
+        yield Phrase("warning: {locking}", locking=result.locking)
     if result.assembly is not None and result.assembly.denominator != 1:
         planets = result.task.planets
-        yield f"warning: {planets} equally spaced planets do not fit in with these numbers of teeth"
+        yield Phrase(
+            "warning: {planets} equally spaced planets do not fit in with these numbers of teeth", planets=planets
+        )
     if result.task.layout is not None and layout_of(result.task.layout).single:
         sun, planet, ring = result.task.teeth
         if ring != sun + 2 * planet:
-            yield f"note: Z3 is not Z1 + 2 Z2 = {sun + 2 * planet}: such wheels need profile shifts"
+            yield Phrase("note: Z3 is not Z1 + 2 Z2 = {sun}: such wheels need profile shifts", sun=sun + 2 * planet)
     for name in result.motion.redundant:
-        yield f"note: mesh {name} turns in step with the others, which imply it"
+        yield Phrase("note: mesh {name} turns in step with the others, which imply it", name=name)
     for remark in result.task.remarks:
-        yield f"note: {remark}"
+        yield Phrase("note: {remark}", remark=remark)
     if result.assumed:
-        yield f"note: no torque is known: torques and powers are those of 1 N*m on {result.input}"
+        yield Phrase("note: no torque is known: torques and powers are those of 1 N*m on {input}", input=result.input)
     elif result.flow is None and not result.locking:
         yield "note: no torque is known: give torques, load or powers for the power flow"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import keyed, table
 from tmmcalc.core.records import record
 from tmmcalc.gears.facts.meshes import known, millimetres, places, titles
@@ -35,7 +36,7 @@ def measure_document(result: Pairs, title: str, *, wheel: str | None = None, eve
     """
     measured = list(_wheels(result))
     shown = [measured[k] for k in places([each.measures.wheel for each in measured], wheel, "wheel")]
-    notes = tuple(f"note: {remark}" for remark in result.remarks)
+    notes = tuple(Phrase("note: {remark}", remark=remark) for remark in result.remarks)
     return measured_document(shown, title, notes, everything=everything)
 
 

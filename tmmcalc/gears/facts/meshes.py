@@ -5,16 +5,17 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.involute.measure.angles import dms
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.report.numbers import number
 
 USUAL = ("1", "2")  # names of the wheels of a pair by itself
-_WHEEL = re.compile(r"\b(?:gear|wheel) ([12])\b")
+_WHEEL = re.compile(r"\b(gear|wheel) (?:\{(\w+)\}|([12])\b)")
 
 
 def titles(result: Pairs) -> list[str]:
@@ -55,7 +56,25 @@ def renamed(text: str, wheels: Sequence[str]) -> str:
     >>> renamed("the tip of gear 2 cuts into the fillet of gear 1", ("2'", "3"))
     "the tip of wheel 3 cuts into the fillet of wheel 2'"
     """
-    return _WHEEL.sub(lambda match: f"wheel {wheels[int(match[1]) - 1]}", text)
+    return reworded(text, lambda number, place: (f"wheel {{{place}}}", {place: wheels[number - 1]}))
+
+
+def reworded(text: str, said: Callable[[int, str], tuple[str, dict[str, str]]]) -> str:
+    """A text with other words for its gears 1 and 2: of each what ``said`` makes of its number and a free place."""
+    template = text.template if isinstance(text, Phrase) else text
+    given = dict(text.values) if isinstance(text, Phrase) else {}
+    values = {name: reworded(part, said) if isinstance(part, Phrase) else part for name, part in given.items()}
+
+    def word(found: re.Match[str]) -> str:
+        number = found[3] or given[found[2]]
+        if number not in ("1", "2"):
+            return found[0]
+        words, named = said(int(number), found[2] or ("mate" if "wheel" in values else "wheel"))
+        values.update(named)
+        return words
+
+    template = _WHEEL.sub(word, template)
+    return Phrase(template, **values) if values else template
 
 
 def wheel_names(found: MeshPair) -> list[str]:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import keyed
 from tmmcalc.gears.facts.meshes import millimetres
 from tmmcalc.gears.facts.strength import WHENCE, coefficient_facts, stress_facts
@@ -81,7 +82,10 @@ def _notes(result: OpenLoad) -> Iterator[str]:
     task, found = result.task, result.strength
     if found is not None:
         if not found.accepted[0]:
-            yield f"warning: the open pair: {reason(found, 0)}; a larger module, a wider face or harder teeth"
+            yield Phrase(
+                "warning: the open pair: {reason}; a larger module, a wider face or harder teeth",
+                reason=reason(found, 0),
+            )
         yield from found.warnings
         yield from (remark.note for remark in remarks(found, 0))
         if task.open.pair.helix:

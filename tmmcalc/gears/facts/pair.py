@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, Phrase
 from tmmcalc.core.quantity import Quantity, keyed, quantities, table
 from tmmcalc.gears.facts.meshes import known, places, titles, wheel_names
 from tmmcalc.gears.facts.pair_checks import VERDICTS, checks_document, checks_values, pair_notes
@@ -100,7 +100,7 @@ def _train_facts(result: Pairs) -> Iterator[Fact]:
 
 def _remarks(result: Pairs) -> Iterator[str]:
     for remark in result.remarks:
-        yield f"note: {remark}"
+        yield Phrase("note: {remark}", remark=remark)
 
 
 def _all_notes(result: Pairs) -> Iterator[Note]:

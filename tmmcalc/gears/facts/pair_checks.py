@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, Phrase, listed
 from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.gears.facts.meshes import known, renamed
 from tmmcalc.gears.involute.quality.verdicts import Check, worst
@@ -128,10 +128,16 @@ def pair_notes(found: MeshPair) -> Iterator[Note]:
         if check.verdict != "ok":
             yield check_note(check, renamed(check.text, wheels))
     if found.broken:
-        text = f"the shifts lie outside the blocking contour: {renamed('; '.join(found.broken), wheels)}"
+        lines = listed([renamed(each, wheels) for each in found.broken], "; ")
+        text = Phrase("the shifts lie outside the blocking contour: {lines}", lines=lines)
         if found.nearest is not None:
             x1, x2 = found.nearest
-            text += f"; the nearest inside are x1 = {number(x1, 5)}, x2 = {number(x2, 5)}"
+            text = Phrase(
+                "{text}; the nearest inside are x1 = {x1}, x2 = {x2}",
+                text=text,
+                x1=number(x1, 5),
+                x2=number(x2, 5),
+            )
         yield Note("warning", text)
     if found.note:
         yield Note("note", renamed(found.note, wheels))

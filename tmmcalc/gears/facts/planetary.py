@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.bounds import single_planet_limits
 from tmmcalc.gears.criteria.efficiency import MeshEfficiency
 from tmmcalc.gears.facts.gearing import document as gearing_document
@@ -153,13 +154,14 @@ def _variant_part(variant: Variant, choose: int, speed: float | None) -> Documen
     """The motion of one tooth set; a remark where the variant has none of this number."""
     request, sets = variant.request, variant.sets
     if choose > len(sets):
-        held = f"{len(sets)} tooth sets, none of number {choose}" if len(sets) else "no tooth set; gears synth says why"
-        return Document(request.title, notes=(f"note: {held}",))
+        none = "note: no tooth set; gears synth says why"
+        few = Phrase("note: {sets} tooth sets, none of number {choose}", sets=len(sets), choose=choose)
+        return Document(request.title, notes=(few if len(sets) else none,))
     teeth = [int(z) for z in sets.teeth[choose - 1]]
     etas = layout_efficiencies(sets.layout, teeth)
     driver = "H" if request.kind == "i_H1" else "1"
     task = layout_task(sets.layout, teeth, sets.planets, {driver: speed or 1.0}, efficiency=etas)
-    remarks = () if speed else (f"no input_speed is given: {driver} turns at 1 rad/s",)
+    remarks = () if speed else (Phrase("no input_speed is given: {driver} turns at 1 rad/s", driver=driver),)
     task = replace(task, remarks=(*remarks, usual_efficiencies()))
     named = "/".join(map(str, teeth))
     return gearing_document(solve_gearing(task), f"{request.title}: {named}, set {choose} of {len(sets)}")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import components, keyed, table
 from tmmcalc.gears.meshing.profiles import ROLLED, Profiles, WheelProfile
 from tmmcalc.report.document import Document, Fact
@@ -73,13 +74,13 @@ def label_of(wheel: WheelProfile) -> str:
 def _notes(result: Profiles) -> Iterator[str]:
     """What is unusual; a wheel without a profile is a warning."""
     for remark in result.remarks:
-        yield f"warning: {remark}"
+        yield Phrase("warning: {remark}", remark=remark)
 
 
 def _wheel_document(wheel: WheelProfile, tables: BookTables | None, everything: bool) -> Document:
     parts: tuple[Document, ...] = ()
     if tables is not None:
-        about = (f"note: X and Y from the base circle, Y through {AXES[tables.axis]}",)
+        about = (Phrase("note: X and Y from the base circle, Y through {axis}", axis=AXES[tables.axis]),)
         view = plain if everything else drawn
         parts = (
             Document("main profile", notes=about, table=view(_columns(tables.main, everything))),
@@ -96,7 +97,9 @@ def _rounding_note(tables: BookTables) -> Iterator[str]:
     """The circle of the textbook, if the fillet of the outline is that of the ellipse."""
     if tables.apart:
         radius = quantity(tables.radius, "m")
-        yield f"note: rho_t = {radius} in place of the ellipse across the teeth that rounds the outline"
+        yield Phrase(
+            "note: rho_t = {radius} in place of the ellipse across the teeth that rounds the outline", radius=radius
+        )
 
 
 def _columns(table: BookTable, everything: bool) -> dict[str, np.ndarray]:

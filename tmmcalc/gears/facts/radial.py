@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, Phrase
 from tmmcalc.core.quantity import keyed
 from tmmcalc.gears.radial import (
     WITHIN,
@@ -35,7 +35,9 @@ def radial_document(request: Request, everything: bool = False) -> Document:
         facts += _teeth_facts(ratio, planets, shape, request.task.limits.least)
         notes += _ratio_notes(ratio, ratio_limits(planets, y=shape.y, t1=shape.t1, t2=shape.t2))
     except NoSolutionError as fault:
-        notes.append(f"warning: {fault.message}; what would help: {fault.remedy}")
+        notes.append(
+            Phrase("warning: {message}; what would help: {remedy}", message=fault.message, remedy=fault.remedy)
+        )
     facts.append(Fact("in the table", "i_1H lies above i_min and below i_max, 2/Z1 neglected (7), (8)"))
     view = _limits_view(planets, shape, everything)
     return Document(f"{request.title}: real-valued teeth, limits of the ratio", tuple(facts), tuple(notes), view)
@@ -53,7 +55,13 @@ def _shape_fact(shape: RadialShape) -> Fact:
 def _shape_notes(shape: RadialShape) -> Iterator[str]:
     for name, value in (("t1", shape.t1), ("t2", shape.t2)):
         if not WITHIN[0] <= value <= WITHIN[1]:
-            text = f"{name} = {number(value)} is outside {WITHIN[0]:g} to {WITHIN[1]:g}, which is usual"
+            text = Phrase(
+                "{name} = {value} is outside {low:g} to {high:g}, which is usual",
+                name=name,
+                value=number(value),
+                low=WITHIN[0],
+                high=WITHIN[1],
+            )
             yield Note("warning", text, value=value, limit=WITHIN[value > WITHIN[1]], name=name)
 
 
@@ -96,8 +104,13 @@ def _limits_fact(limits: RatioLimits) -> Fact:
 def _ratio_notes(ratio: float, limits: RatioLimits) -> Iterator[str]:
     if limits.high is not None and ratio >= limits.high:
         which = 2 if limits.high == limits.first else 3
-        said = f"i_1H = {number(ratio)} is not below {number(limits.high)}: neighbouring planets {which} overlap"
-        text = f"{said}; fewer pairs, or another y, t1, t2 would help"
+        text = Phrase(
+            "i_1H = {ratio} is not below {high}: neighbouring planets {which} overlap; fewer pairs, or another y, t1, "
+            "t2 would help",
+            ratio=number(ratio),
+            high=number(limits.high),
+            which=which,
+        )
         yield Note("warning", text, value=ratio, limit=limits.high, name="i_1H")
 
 

@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import keyed, quantities
 from tmmcalc.gears.sizing import MOMENT, REDUCTION, Sized, Sizing
 from tmmcalc.gears.strength.columns import OUTCOMES, sized_columns, stacked
@@ -201,7 +202,13 @@ def _notes(sized: Sized) -> Iterator[str]:
         yield warning.within(sized.title)
     unusual = int(np.count_nonzero(found.width_unusual.any(axis=1)))
     if unusual:
-        yield f"note: b/m is outside {NARROWEST:g} to {WIDEST:g} in {unusual} of {len(sized.sets)} trains"
+        yield Phrase(
+            "note: b/m is outside {narrowest:g} to {widest:g} in {unusual} of {sets} trains",
+            narrowest=NARROWEST,
+            widest=WIDEST,
+            unusual=unusual,
+            sets=len(sized.sets),
+        )
     few = int(np.count_nonzero(found.few_teeth))
     if few:
-        yield f"note: {few} trains have wheels with fewer teeth than the fit of Y_F holds for"
+        yield Phrase("note: {few} trains have wheels with fewer teeth than the fit of Y_F holds for", few=few)

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.gears.advice import called, remedies, removals, why_none
 from tmmcalc.gears.bounds import step_bounds
 from tmmcalc.gears.columns import ANGLE, ASSEMBLY, COPRIME, GAP, STEP, TEXTBOOK, set_columns, stacked
@@ -203,9 +204,13 @@ def _notes(variant: Variant) -> Iterator[str]:
     """What is unusual, what is not held, and where there is nothing what would help."""
     request, synthesis = variant.request, variant.synthesis
     for remark in request.remarks:
-        yield f"warning: {request.title}: {remark}"
+        yield Phrase("warning: {title}: {remark}", title=request.title, remark=remark)
     if not synthesis.count:
-        yield f"warning: {'; '.join(why_none(variant))}; what would help: {'; '.join(remedies(variant))}"
+        yield Phrase(
+            "warning: {why}; what would help: {remedies}",
+            why=listed(why_none(variant), "; "),
+            remedies=listed(remedies(variant), "; "),
+        )
     if not synthesis.complete:
-        text = f"the {len(variant.sets)} sets with the least Z1 + Z2 are held"
-        yield f"note: {text}, {synthesis.count} are counted; a larger keep holds more"
+        text = "note: the {sets} sets with the least Z1 + Z2 are held, {count} are counted; a larger keep holds more"
+        yield Phrase(text, sets=len(variant.sets), count=synthesis.count)

@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import keyed, quantities
 from tmmcalc.gears.facts.measure import MeasuredWheel, measured_document, wheel_text
-from tmmcalc.gears.facts.meshes import known, millimetres, written
+from tmmcalc.gears.facts.meshes import known, millimetres, reworded, written
 from tmmcalc.gears.facts.pair import length_cell
 from tmmcalc.gears.facts.pair_checks import check_note, judged_document, judged_values, verdict_fact
 from tmmcalc.gears.meshing.profiles import Profiles
@@ -149,7 +150,7 @@ def _sizes_view(result: SingleWheel) -> View:
 
 def _said(text: str) -> str:
     """A condition in words, of the only wheel that there is."""
-    return text.replace("gear 1", "the ring")
+    return reworded(text, lambda number, place: ("the ring", {}))
 
 
 def _notes(result: SingleWheel) -> Iterator[str]:
@@ -157,5 +158,5 @@ def _notes(result: SingleWheel) -> Iterator[str]:
         if check.verdict != "ok":
             yield check_note(check, _said(check.text))
     for remark in result.remarks:
-        yield f"warning: {remark}"
+        yield Phrase("warning: {remark}", remark=remark)
     yield from result.measures.remarks

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import Flags
 from tmmcalc.gears.involute.contour.contour import Contour, contour
@@ -152,7 +153,12 @@ def _on_sum(area: Contour, strategy: str, total: float, x1: float | None, x2: fl
     note = ""
     if one != wanted:
         limit = line.low_line if one == line.low else line.high_line
-        note = f"{split.replace('_', ' ')} would need x1 = {wanted:.4f}; stopped by: {LINES[limit][1]}"
+        note = Phrase(
+            "{split} would need x1 = {wanted:.4f}; stopped by: {limit}",
+            split=split.replace("_", " "),
+            wanted=wanted,
+            limit=LINES[limit][1],
+        )
     return _judged(area.task, strategy, area.strict, one, total - one, note)
 
 
@@ -176,7 +182,11 @@ def _sliding(area: Contour, desired: float) -> tuple[float, float, str]:
     sums = area.frame.sums(np.array([w]))
     x1 = float(sliding_split(area.frame, sums)[0])
     ratio = float(_ratio(area, np.array([w]))[0])
-    note = f"equal sliding at the contact ratio {desired:g} is outside the contour; the nearest inside has {ratio:.4f}"
+    note = Phrase(
+        "equal sliding at the contact ratio {desired:g} is outside the contour; the nearest inside has {ratio:.4f}",
+        desired=desired,
+        ratio=ratio,
+    )
     return x1, float(sums.total[0]) - x1, note
 
 

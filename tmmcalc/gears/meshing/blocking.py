@@ -9,6 +9,7 @@ from dataclasses import fields
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import Quantity
 from tmmcalc.gears.involute.contour.contour import Contour, contours
 from tmmcalc.gears.involute.contour.errors import contour_error
@@ -77,12 +78,19 @@ def _remarks(found: Pairs) -> list[str]:
         if task.kind != "external":
             what = "a rack" if task.kind == "rack" else "a ring"
             remarks.append(
-                f"{task.title}: no blocking contour, which is that of two external wheels; the mate is {what}"
+                Phrase(
+                    "{title}: no blocking contour, which is that of two external wheels; the mate is {what}",
+                    title=task.title,
+                    what=what,
+                )
             )
         elif task.tips != (None, None):
             remarks.append(
-                f"{task.title}: the contour and its margins are those of tips by the rule r + h_a* + x - dy; "
-                "the values of the chosen shifts are those of the given tip circles"
+                Phrase(
+                    "{title}: the contour and its margins are those of tips by the rule r + h_a* + x - dy; the "
+                    "values of the chosen shifts are those of the given tip circles",
+                    title=task.title,
+                )
             )
     return remarks
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.margins import margins
 from tmmcalc.gears.involute.contour.task import LINES, Task
@@ -48,7 +49,7 @@ def choose_shifts(task: PairTask) -> tuple[tuple[float, float], str]:
     except NoSolutionError as error:
         if task.refuse or total is None:
             raise
-        return (total / 2, total / 2), f"{error.message}; x1 + x2 is divided equally"
+        return (total / 2, total / 2), Phrase("{message}; x1 + x2 is divided equally", message=error.message)
     return (chosen.x1, chosen.x2), note
 
 
@@ -128,9 +129,8 @@ def _tolerant(task: PairTask) -> tuple[Choice, str]:
             found = _choice(task, strict=False)
         except NoSolutionError:
             raise error from None
-        return found, "; ".join(
-            text for text in ("no shifts are without undercut: it is tolerated", found.note) if text
-        )
+        said = [text for text in ("no shifts are without undercut: it is tolerated", found.note) if text]
+        return found, listed(said, "; ")
     return found, found.note
 
 

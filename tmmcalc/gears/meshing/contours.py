@@ -99,7 +99,7 @@ class MissingPoints:
         >>> MissingPoints(("C", "D"), "no shifts give a mesh").text
         'C, D: no shifts give a mesh'
         """
-        return f"{', '.join(self.names)}: {self.reason}"
+        return Phrase("{names}: {reason}", names=self.names, reason=self.reason)
 
 
 @record

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.involute.internal.cutter import cutter_margins, largest_tip, tip_lead
 from tmmcalc.gears.involute.internal.pair import InternalPair
 from tmmcalc.gears.involute.internal.ring import Cutter, Ring, cutting
@@ -49,9 +50,10 @@ def cut_short(pair: InternalPair, module: float) -> str:
     cut = float(pair.pinion.plain_tip) - pair.tips[0]
     if pair.ring.cutter is None or cut <= NOISE:
         return ""
-    return (
-        f"the teeth of the pinion are {millimetres(cut * module)} shorter than the rack's, to keep the clearance at "
-        "the root that the cutter leaves the ring"
+    return Phrase(
+        "the teeth of the pinion are {cut} shorter than the rack's, to keep the clearance at the root that the cutter "
+        "leaves the ring",
+        cut=millimetres(cut * module),
     )
 
 
@@ -94,18 +96,35 @@ def tip_check(ring: Ring, cutter: Cutter, m: float, number: int) -> Check:
     diameter, lead = millimetres(2 * m * tip), tip_lead(tool, tip, cutter.rounding)
     if lead is None:
         margin = tip - cutter.rounding - tool.base
-        less = f" less its rounding of {millimetres(m * cutter.rounding)}" if cutter.rounding else ""
         text = (
-            f"the tip circle of the cutter, {diameter} in diameter{less}, lies within its base circle, "
-            f"{millimetres(2 * m * tool.base)} (margin {millimetres(m * margin)})"
+            "the tip circle of the cutter, {diameter} in diameter, lies within its base circle, {base} "
+            "(margin {margin})"
         )
-        return Check("cutter tip", number, tip, tool.base + cutter.rounding, margin, "fail", text)
+        if cutter.rounding:
+            text = (
+                "the tip circle of the cutter, {diameter} in diameter less its rounding of {rounding}, lies within its "
+                "base circle, {base} (margin {margin})"
+            )
+        said = Phrase(
+            text,
+            diameter=diameter,
+            rounding=millimetres(m * cutter.rounding),
+            base=millimetres(2 * m * tool.base),
+            margin=millimetres(m * margin),
+        )
+        return Check("cutter tip", number, tip, tool.base + cutter.rounding, margin, "fail", said)
     land = 2 * lead * tip
     if land >= -NOISE:
         return Check("cutter tip", number, land, 0.0, land, "ok", "")
-    lack = f"narrower than its rounding of {millimetres(m * cutter.rounding)}" if cutter.rounding else "pointed"
-    text = f"the tip of the cutter, {diameter} in diameter, is {lack} (margin {millimetres(m * land)})"
-    return Check("cutter tip", number, land, 0.0, land, "fail", text)
+    text = "the tip of the cutter, {diameter} in diameter, is pointed (margin {margin})"
+    if cutter.rounding:
+        text = (
+            "the tip of the cutter, {diameter} in diameter, is narrower than its rounding of {rounding} "
+            "(margin {margin})"
+        )
+    rounding = millimetres(m * cutter.rounding)
+    said = Phrase(text, diameter=diameter, rounding=rounding, margin=millimetres(m * land))
+    return Check("cutter tip", number, land, 0.0, land, "fail", said)
 
 
 def _depth(task: PairTask, pair: InternalPair, cutter: Cutter) -> Iterator[Check]:
@@ -116,11 +135,16 @@ def _depth(task: PairTask, pair: InternalPair, cutter: Cutter) -> Iterator[Check
     if tip >= wanted - SHORT:
         yield Check("cutter depth", 2, tip, wanted - SHORT, tip - wanted + SHORT, "ok", "")
         return
-    text = (
-        f"the cutter, {millimetres(2 * m * tip)} in diameter, leaves the ring a root circle of only "
-        f"{millimetres(2 * m * pair.ring.root)}, which cuts the teeth of gear 1 short by "
-        f"{millimetres(m * (wanted - tip))}, to a tip diameter of {millimetres(2 * m * pair.tips[0])}; whole "
-        f"teeth need a cutter of {millimetres(2 * m * wanted)} (margin {millimetres(m * (tip - wanted))})"
+    text = Phrase(
+        "the cutter, {diameter} in diameter, leaves the ring a root circle of only {root}, which cuts the teeth "
+        "of gear 1 "
+        "short by {lack}, to a tip diameter of {tip}; whole teeth need a cutter of {wanted} (margin {margin})",
+        diameter=millimetres(2 * m * tip),
+        root=millimetres(2 * m * pair.ring.root),
+        lack=millimetres(m * (wanted - tip)),
+        tip=millimetres(2 * m * pair.tips[0]),
+        wanted=millimetres(2 * m * wanted),
+        margin=millimetres(m * (tip - wanted)),
     )
     yield Check("cutter depth", 2, tip, wanted - SHORT, tip - wanted + SHORT, "warn", text)
 
@@ -133,7 +157,10 @@ def interference_checks(ring: Ring, tip: float, cutter: Cutter, m: float, number
     margins = cutter_margins(ring, cutter, tip)
     if margins is None:
         return
-    cuts = f"cuts the tips of gear {number} away", f"trims the tips of gear {number} when it is fed in radially"
+    cuts = (
+        "the cutter of {teeth} teeth cuts the tips of gear {number} away (margin {margin})",
+        "the cutter of {teeth} teeth trims the tips of gear {number} when it is fed in radially (margin {margin})",
+    )
     verdicts: tuple[Verdict, Verdict] = ("fail", "warn")
     for place, (name, verdict, what) in enumerate(zip(NAMES[2:], verdicts, cuts, strict=True)):
         margin = margins[place]
@@ -141,8 +168,10 @@ def interference_checks(ring: Ring, tip: float, cutter: Cutter, m: float, number
             yield Check(name, number, margin, 0.0, margin, "ok", "")
             continue
         told = _fewer(ring, tip, cutter, place)
-        text = f"the cutter of {cutter.teeth} teeth {what} (margin {millimetres(m * margin)})"
-        yield Check(name, number, margin, 0.0, margin, verdict, text + (f": it takes {told}" if told else ""))
+        text = Phrase(what, teeth=cutter.teeth, number=number, margin=millimetres(m * margin))
+        if told:
+            text = Phrase("{text}: it takes {told}", text=text, told=told)
+        yield Check(name, number, margin, 0.0, margin, verdict, text)
 
 
 def _fewer(ring: Ring, tip: float, cutter: Cutter, place: int) -> str:
@@ -151,5 +180,5 @@ def _fewer(ring: Ring, tip: float, cutter: Cutter, place: int) -> str:
         other = replace(cutter, teeth=teeth, tip=None)
         margins = cutter_margins(ring, other, tip)
         if margins is not None and margins[place] >= 0:
-            return f"a cutter of at most {teeth} teeth"
+            return Phrase("a cutter of at most {teeth} teeth", teeth=teeth)
     return ""

@@ -15,6 +15,7 @@ from typing import Literal
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.curves import Curve
 from tmmcalc.core.plane import Real
 from tmmcalc.core.records import record
@@ -113,7 +114,7 @@ def _of_wheel(member: Toothed) -> Half:
         ProfilePart("fillet", "curve", fillet, lambda theta: -1 / tool.curvature(theta), tool.roll),
         ProfilePart("involute", "curve", involute, lambda xi: flank.wheel.base * xi, lambda xi: xi - start),
     )
-    remark = f"pointed at the radius {flank.tip * member.module * 1e3:.6g} mm, below its tip circle"
+    remark = Phrase("pointed at the radius {tip:.6g} mm, below its tip circle", tip=flank.tip * member.module * 1000.0)
     return Half(
         (*root, *curves, *tip),
         flank.tip,

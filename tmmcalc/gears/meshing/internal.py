@@ -9,6 +9,7 @@ from math import cos, hypot, sin
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.gears.involute.internal.contact import (
     InternalContact,
     internal_contact,
@@ -53,7 +54,7 @@ def solve_internal(task: PairTask) -> MeshPair:
     return MeshPair(
         task=task,
         shifts=shifts,
-        note="; ".join(text for text in (note, cut_short(pair, m), _shortened(pair, m)) if text),
+        note=listed([text for text in (note, cut_short(pair, m), _shortened(pair, m)) if text], "; "),
         broken=stands.broken,
         nearest=stands.nearest,
         angle_t=pair.pinion.transverse_angle,
@@ -92,11 +93,12 @@ def _choose(task: PairTask) -> tuple[tuple[float, float], str]:
             if not (tolerated and task.strict):
                 raise
             found = _choice(task, task.limits)
-            return (found.x1, found.x2), "; ".join(filter(None, ("undercut could not be avoided", found.note)))
+            said = [text for text in ("undercut could not be avoided", found.note) if text]
+            return (found.x1, found.x2), listed(said, "; ")
     except NoSolutionError as error:
         if task.refuse or total is None:
             raise
-        return (0.0, total), f"{error.message}; the ring takes all of x1 + x2"
+        return (0.0, total), Phrase("{message}; the ring takes all of x1 + x2", message=error.message)
     return (found.x1, found.x2), found.note
 
 
@@ -141,9 +143,8 @@ def _undercut(task: PairTask, shift: float) -> Check:
     if shift >= least - NOISE:
         return Check("undercut", 1, shift, least, shift - least, "ok", "")
     verdict: Verdict = "warn" if task.limits.undercut else "fail"
-    return Check(
-        "undercut", 1, shift, least, shift - least, verdict, f"gear 1 is undercut: x1 = {shift:.4g} below {least:.4g}"
-    )
+    text = Phrase("gear 1 is undercut: x1 = {shift:.4g} below {least:.4g}", shift=shift, least=least)
+    return Check("undercut", 1, shift, least, shift - least, verdict, text)
 
 
 def _remedy(task: PairTask, shifts: tuple[float, float], found: Sequence[Check]) -> str:
@@ -167,8 +168,9 @@ def _shortened(pair: InternalPair, module: float) -> str:
     cut = pair.tips[1] - pair.ring.plain_tip
     if cut <= NOISE:
         return ""
-    return (
-        f"the teeth of the ring are {millimetres(cut * module)} shorter than the rack's, to clear the pinion's fillet"
+    return Phrase(
+        "the teeth of the ring are {cut} shorter than the rack's, to clear the pinion's fillet",
+        cut=millimetres(cut * module),
     )
 
 

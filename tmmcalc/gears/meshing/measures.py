@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, Phrase
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.measure.balls import over_balls, usual_diameter
 from tmmcalc.gears.involute.measure.chords import base_pitch_normal, constant_chord, thickness
@@ -121,11 +121,15 @@ def _not_admitted(m: float, gear: Gear, teeth: int) -> SpanRow:
 
 def _span_remarks(asked: WheelMeasuring, row: SpanRow | None, found: Spans) -> tuple[Note, ...]:
     """What is wrong with the chosen span, and which would do."""
-    better = "" if found.recommended is None else f"; over {found.recommended} they touch near the middle of the flank"
     if row is None:
         most = found.most(asked.rule)
-        text = f"the rule {asked.rule!r} admits no span: z_w,max = {most}, below {LEAST}{better}"
-        return (Note("warning", text, value=float(most), limit=float(LEAST), name="z_w,max"),)
+        text = Phrase(
+            "the rule {rule} admits no span: z_w,max = {most}, below {least}",
+            rule=repr(asked.rule),
+            most=most,
+            least=LEAST,
+        )
+        return (Note("warning", _better(text, found), value=float(most), limit=float(LEAST), name="z_w,max"),)
     if row.valid:
         return ()
     limits, length = found.limits, row.length / asked.module
@@ -135,9 +139,23 @@ def _span_remarks(asked: WheelMeasuring, row: SpanRow | None, found: Spans) -> t
     elif length > limits.tip_exact:
         why = "the plates reach beyond the tip circle"
     else:
-        why = f"the face width is less than the {millimetres(row.width)} that it needs"
+        why = Phrase("the face width is less than the {width} that it needs", width=millimetres(row.width))
         numbers = {"value": asked.face_width, "limit": row.width, "unit": "m", "name": "b"}
-    return (Note("warning", f"{why}{better}", f"span over {row.teeth} teeth", **numbers),)
+    return (Note("warning", _better(why, found), Phrase("span over {teeth} teeth", teeth=row.teeth), **numbers),)
+
+
+def _better(text: str, found: Spans) -> str:
+    """The text with the span that is better, if there is one."""
+    if found.recommended is None:
+        return text
+    return Phrase(
+        "{text}; over {recommended} they touch near the middle of the flank", text=text, recommended=found.recommended
+    )
+
+
+def _bodies(body: str, diameter: str) -> Phrase:
+    """Balls or pins with their diameter."""
+    return Phrase("balls of {diameter}" if body == "balls" else "pins of {diameter}", diameter=diameter)
 
 
 def _balls(asked: WheelMeasuring, gear: Gear) -> tuple[BallsRow | None, tuple[Note, ...]]:
@@ -145,21 +163,27 @@ def _balls(asked: WheelMeasuring, gear: Gear) -> tuple[BallsRow | None, tuple[No
     try:
         diameter = usual_diameter(gear.wheel) if asked.ball is None else asked.ball / m
         if not diameter > LEAST_BALLS:
-            return None, (Note("warning", f"no {body} stand in the space"),)
+            return None, (
+                Note("warning", "no balls stand in the space" if body == "balls" else "no pins stand in the space"),
+            )
         found = over_balls(gear.wheel, diameter, gear.tip, gear.active, gear.root, body)
     except NoSolutionError as error:
-        side = "smaller" if gear.wheel.teeth < 0 else "larger"
         limit, told = millimetres(m * (error.limit or 0.0)), millimetres(asked.ball or 0.0)
-        text = f"{body} of {told} do not stand in the space: they have to be {side} than {limit}"
+        text = "{body} do not stand in the space: they have to be larger than {limit}"
+        if gear.wheel.teeth < 0:
+            text = "{body} do not stand in the space: they have to be smaller than {limit}"
+        said = Phrase(text, body=_bodies(body, told), limit=limit)
         numbers = asked.ball, m * (error.limit or 0.0), "m"
-        return None, (Note("warning", text, "", *numbers, "D_M"),)
+        return None, (Note("warning", said, "", *numbers, "D_M"),)
     if not (isfinite(found.size) and isfinite(found.curvature)):
-        return None, (Note("warning", f"no {body} stand in the space"),)
-    remarks = []
+        return None, (
+            Note("warning", "no balls stand in the space" if body == "balls" else "no pins stand in the space"),
+        )
+    remarks: list[str] = []
     if not found.on_flank:
-        remarks.append("do not touch the usable involute")
+        remarks.append("{body} do not touch the usable involute")
     if not found.clear:
-        remarks.append("do not stand proud of the tip or meet the root circle")
+        remarks.append("{body} do not stand proud of the tip or meet the root circle")
     row = BallsRow(
         diameter=m * diameter,
         size=m * found.size,
@@ -170,7 +194,8 @@ def _balls(asked: WheelMeasuring, gear: Gear) -> tuple[BallsRow | None, tuple[No
         on_flank=found.on_flank,
         clear=found.clear,
     )
-    return row, tuple(Note("warning", f"{body} of {millimetres(m * diameter)} {remark}") for remark in remarks)
+    told = millimetres(m * diameter)
+    return row, tuple(Note("warning", Phrase(remark, body=_bodies(body, told))) for remark in remarks)
 
 
 def _chords(m: float, gear: Gear, asked: Sequence[float]) -> tuple[tuple[ChordRow, ...], tuple[Note, ...]]:
@@ -200,9 +225,19 @@ def _chord_remarks(m: float, gear: Gear, radii: np.ndarray, on_tooth: np.ndarray
     for radius, good in zip(radii.tolist(), on_tooth.tolist(), strict=True):
         if not good:
             ends = millimetres(m * (gear.tip if ring else gear.base)), millimetres(m * (form if ring else gear.tip))
-            text = f"the circle r = {millimetres(m * radius)} does not cut the flanks, from {ends[0]} to {ends[1]}"
+            text = Phrase(
+                "the circle r = {radius} does not cut the flanks, from {low} to {high}",
+                radius=millimetres(m * radius),
+                low=ends[0],
+                high=ends[1],
+            )
             yield Note("warning", text)
         elif (radius > form * (1 + NOISE)) if ring else (radius < form * (1 - NOISE)):
-            told = f"the circle r = {millimetres(m * radius)} cuts the fillet, the involute ends at r_F = "
-            text = f"{told}{millimetres(m * form)}: its row is of the involute continued"
+            text = Phrase(
+                "the circle r = {radius} cuts the fillet, the involute ends at r_F = {form}: its row is of the "
+                "involute "
+                "continued",
+                radius=millimetres(m * radius),
+                form=millimetres(m * form),
+            )
             yield Note("warning", text, "", m * radius, m * form, "m", "r")

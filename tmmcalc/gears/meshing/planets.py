@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.frame import frame_of
 from tmmcalc.gears.involute.contour.interval import interval
@@ -174,7 +175,7 @@ def _demands(tasks: Sequence[PairTask]) -> Iterator[tuple[str, str, float]]:
 def _limited(tasks: Sequence[PairTask], first: MeshPair, signs: dict[str, Sign]) -> tuple[float, list[str]]:
     """The admissible u nearest to the choice of the first mesh; that itself if no u suits all meshes."""
     wanted, shared = first.shifts[0], tasks[0].wheels[1]
-    sign, others = signs[shared], " and ".join(task.name for task in tasks[1:])
+    sign, others = signs[shared], listed([task.name for task in tasks[1:]], " and ")
     spans: list[Span] = []
     for strict in (True, False):
         if strict or all(task.limits.undercut for task in tasks):
@@ -182,15 +183,22 @@ def _limited(tasks: Sequence[PairTask], first: MeshPair, signs: dict[str, Sign])
         if spans:
             break
     if not spans:
-        each = "; ".join(_told(task, signs, first, shared) for task in tasks)
-        return wanted, [f"no shift of wheel {shared} suits all of its meshes: {each}"]
+        each = listed([_told(task, signs, first, shared) for task in tasks], "; ")
+        return wanted, [Phrase("no shift of wheel {shared} suits all of its meshes: {each}", shared=shared, each=each)]
     u = min((_inside(span, wanted) for span in spans), key=lambda u: abs(u - wanted))
     if abs(u - wanted) <= 2 * NEAR:
         return wanted, []
-    return u, [
-        f"mesh {tasks[0].name} alone would give wheel {shared} the shift x = {sign.at(wanted):.4f}; "
-        f"x = {sign.at(u):.4f} is the nearest that {others} {'admit' if len(tasks) > 2 else 'admits'} as well"
-    ]
+    text = (
+        "mesh {name} alone would give wheel {wheel} the shift x = {wanted:.4f}; x = {nearest:.4f} is the nearest that "
+        "{others} admits as well"
+    )
+    if len(tasks) > 2:
+        text = (
+            "mesh {name} alone would give wheel {wheel} the shift x = {wanted:.4f}; x = {nearest:.4f} is the nearest "
+            "that {others} admit as well"
+        )
+    values = {"wanted": sign.at(wanted), "nearest": sign.at(u), "others": others}
+    return u, [Phrase(text, name=tasks[0].name, wheel=shared, **values)]
 
 
 def _inside(span: Span, wanted: float) -> float:
@@ -233,8 +241,8 @@ def _common(each: Sequence[Sequence[Span]]) -> list[Span]:
 def _told(task: PairTask, signs: dict[str, Sign], first: MeshPair, wheel: str) -> str:
     sign = signs[wheel]
     spans = [sorted((sign.at(low), sign.at(high))) for low, high in _spans(task, signs, first, strict=False)]
-    told = " or ".join(f"{low:.4f} ... {high:.4f}" for low, high in spans)
-    return f"{task.name} admits {told or 'none'}"
+    told = [Phrase("{low:.4f} ... {high:.4f}", low=low, high=high) for low, high in spans]
+    return Phrase("{name} admits {spans}", name=task.name, spans=listed(told, " or ") or "none")
 
 
 def with_tips(tasks: Sequence[PairTask], probes: Sequence[MeshPair]) -> tuple[list[PairTask], list[str]]:
@@ -269,6 +277,11 @@ def _tip(wheel: str, each: Sequence[tuple[str, float | None, float]]) -> tuple[f
     if given or other - tip <= TOLD * tip:
         return tip, []
     return tip, [
-        f"wheel {wheel} has the smaller of its tips, d_a = {millimetres(2 * tip)} as mesh {name} asks, not "
-        f"{millimetres(2 * other)}"
+        Phrase(
+            "wheel {wheel} has the smaller of its tips, d_a = {tip} as mesh {name} asks, not {other}",
+            wheel=wheel,
+            tip=millimetres(2 * tip),
+            name=name,
+            other=millimetres(2 * other),
+        )
     ]

@@ -7,6 +7,7 @@ given_aw  the distance of the datum line from the axis    zero      0
 from __future__ import annotations
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.involute.quality.contact import overlap_ratio
 from tmmcalc.gears.involute.rackpair import RackPair, rack_sliding
 from tmmcalc.gears.involute.wheel import Wheel
@@ -83,7 +84,7 @@ def _choose(task: PairTask) -> tuple[float, str]:
     least = pinion.least_shift
     if task.strategy == "zero" or least <= 0:
         return 0.0, ""
-    return least, f"x1 = {least:.6g} is the least shift without undercut"
+    return least, Phrase("x1 = {least:.6g} is the least shift without undercut", least=least)
 
 
 def _require_tip(task: PairTask, pinion: Wheel) -> None:

@@ -13,6 +13,7 @@ from math import ceil, pi, sin, tan
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.involute.quality.verdicts import NOISE, Check, QualityLimits, at_least, at_most, wanted_angle
 from tmmcalc.gears.involute.rackpair import RackPair
 
@@ -27,10 +28,11 @@ def rack_checks(pair: RackPair, limits: QualityLimits) -> tuple[Check, ...]:
     found = [wanted_angle(pinion.transverse_angle, limits), *_ratios(pair, limits)]
     found += [_own_interference(pair), _rack_interference(pair), _undercut(pair, limits)]
     for i, (value, clearance) in enumerate(zip(thickness, pair.clearances, strict=True), 1):
-        whose = "the rack" if i == 2 else "gear 1"
-        found.append(at_least("tip thickness", i, value, tips, f"tip thickness of {whose}"))
+        text = "tip thickness of the rack" if i == 2 else "tip thickness of gear 1"
+        found.append(at_least("tip thickness", i, value, tips, text))
         bounds = 0.0, pinion.rack.clearance
-        found.append(at_least("clearance", i, clearance, bounds, f"radial clearance at the root of {whose}"))
+        text = "radial clearance at the root of the rack" if i == 2 else "radial clearance at the root of gear 1"
+        found.append(at_least("clearance", i, clearance, bounds, text))
     return (*found, *_sliding(pair, limits))
 
 
@@ -55,9 +57,13 @@ def _own_interference(pair: RackPair) -> Check:
     if margin >= -NOISE:
         return Check("interference", 1, value, pair.form, margin, "ok", "")
     if pair.addendum <= pair.pinion.rack.straight + NOISE:
-        text = f"undercut shortens the active flank of gear 1 by {-margin:.4g} modules of the line of action"
+        text = Phrase(
+            "undercut shortens the active flank of gear 1 by {margin:.4g} modules of the line of action", margin=-margin
+        )
         return Check("interference", 1, value, pair.form, margin, "warn", text)
-    text = f"the tip of the rack cuts into the fillet of gear 1, {-margin:.4g} modules below its involute"
+    text = Phrase(
+        "the tip of the rack cuts into the fillet of gear 1, {margin:.4g} modules below its involute", margin=-margin
+    )
     return Check("interference", 1, value, pair.form, margin, "fail", text)
 
 
@@ -69,7 +75,10 @@ def _rack_interference(pair: RackPair) -> Check:
     margin = deepest - end
     if margin >= -NOISE:
         return Check("interference", 2, end, deepest, margin, "ok", "")
-    text = f"the tip of gear 1 cuts into the fillet of the rack, {-margin:.4g} modules beyond its straight flank"
+    text = Phrase(
+        "the tip of gear 1 cuts into the fillet of the rack, {margin:.4g} modules beyond its straight flank",
+        margin=-margin,
+    )
     return Check("interference", 2, end, deepest, margin, "fail", text)
 
 
@@ -77,7 +86,7 @@ def _undercut(pair: RackPair, limits: QualityLimits) -> Check:
     shift, least = float(pair.pinion.shift), pair.pinion.least_shift
     if shift >= least - NOISE:
         return Check("undercut", 1, shift, least, shift - least, "ok", "")
-    text = f"gear 1 is undercut: x1 = {shift:.4g} below {least:.4g}"
+    text = Phrase("gear 1 is undercut: x1 = {shift:.4g} below {least:.4g}", shift=shift, least=least)
     return Check("undercut", 1, shift, least, shift - least, "warn" if limits.undercut else "fail", text)
 
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.gears.involute.rack import require_tool
 from tmmcalc.gears.meshing.errors import pair_error
 from tmmcalc.gears.meshing.refusal import error_of_all, millimetres, named
@@ -80,7 +81,7 @@ def solve_pair(task: PairTask) -> MeshPair:
             from tmmcalc.gears.meshing.internal import solve_internal
 
             found = solve_internal(task)
-        note = "; ".join(filter(None, (found.note, _rounded(task))))
+        note = listed([text for text in (found.note, _rounded(task)) if text], "; ")
         return replace(found, note=note, error=pair_error(found))
 
 
@@ -89,8 +90,10 @@ def _rounded(task: PairTask) -> str:
     rack, m = task.rack, task.module
     if not rack.limited:
         return ""
-    return (
-        "the rack is too narrow at its tip for the usual radius c*/(1 - sin alpha) = "
-        f"{millimetres(m * rack.usual_radius)}: it is fully rounded by {millimetres(m * rack.radius)}, "
-        f"rho* = {rack.radius:.4f}"
+    return Phrase(
+        "the rack is too narrow at its tip for the usual radius c*/(1 - sin alpha) = {usual}: it is fully rounded by "
+        "{own}, rho* = {radius:.4f}",
+        usual=millimetres(m * rack.usual_radius),
+        own=millimetres(m * rack.radius),
+        radius=rack.radius,
     )

@@ -6,6 +6,7 @@ from dataclasses import field
 from math import cos, pi, tan
 from typing import Literal
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.internal.ring import Cutter
@@ -81,8 +82,11 @@ class PairTask:
         >>> PairTask((14, 17), 0.005).title
         'z = 14/17'
         """
-        mate = "rack" if self.kind == "rack" else f"{self.teeth[1]}{' (ring)' if self.kind == 'internal' else ''}"
-        return f"{f'{self.name}: ' if self.name else ''}z = {self.teeth[0]}/{mate}"
+        text = {"rack": "z = {pinion}/rack", "internal": "z = {pinion}/{wheel} (ring)"}.get(
+            self.kind, "z = {pinion}/{wheel}"
+        )
+        pair = Phrase(text, pinion=self.teeth[0], wheel=self.teeth[1])
+        return Phrase("{name}: {pair}", name=self.name, pair=pair) if self.name else pair
 
     @property
     def section(self) -> Section:

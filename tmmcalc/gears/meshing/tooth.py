@@ -7,6 +7,7 @@ from math import cos, sin, tan
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.quantity import quantities
 from tmmcalc.gears.meshing.halftooth import Half, ProfilePart, half_tooth
@@ -50,8 +51,15 @@ def profile_of(member: Toothed, points: int) -> tuple[WheelProfile | None, tuple
     try:
         half = half_tooth(member)
     except NoSolutionError as error:
-        return None, (f"wheel {member.label} has no profile: {error.message}; {error.remedy}",)
-    remarks = (f"wheel {member.label} is {half.remark}",) if half.remark else ()
+        return None, (
+            Phrase(
+                "wheel {label} has no profile: {message}; {remedy}",
+                label=member.label,
+                message=error.message,
+                remedy=error.remedy,
+            ),
+        )
+    remarks = (Phrase("wheel {label} is {remark}", label=member.label, remark=half.remark),) if half.remark else ()
     return _profile(member, half, points), remarks
 
 

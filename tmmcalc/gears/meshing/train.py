@@ -14,6 +14,7 @@ from dataclasses import replace
 from math import cos, isclose
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.meshing.planets import solve_chain
 from tmmcalc.gears.meshing.refusal import error_of_all, millimetres
 from tmmcalc.gears.meshing.results import MeshPair, Pairs
@@ -50,15 +51,21 @@ def solve_meshes(task: PairsTask, selection: Selection, solve: Solve) -> Pairs:
 def _helical(pairs: Sequence[MeshPair], own: Sequence[float]) -> str:
     """What helical teeth change of a train that was found for spur ones; ``own`` as `_distances` gives them."""
     changed = [
-        f"{pair.task.name} {millimetres(pair.distance)} instead of {millimetres(usual * cos(pair.task.helix))}"
+        Phrase(
+            "{name} {distance} instead of {usual}",
+            name=pair.task.name,
+            distance=millimetres(pair.distance),
+            usual=millimetres(usual * cos(pair.task.helix)),
+        )
         for pair, usual in zip(pairs, own, strict=True)
         if pair.task.helix
     ]
     if not changed:
         return ""
-    return (
-        "the train's modules, face widths and centre distances were found for spur teeth; with the helix angle the "
-        f"centre distances are {', '.join(changed)}"
+    return Phrase(
+        "the train's modules, face widths and centre distances were found for spur teeth; with the helix angle "
+        "the centre distances are {changed}",
+        changed=changed,
     )
 
 
@@ -160,7 +167,7 @@ def _kept(asked: tuple[PairTask, ...], own: list[float], layout: Layout) -> tupl
             raise _refused(task, f"every mesh of {layout.key} keeps the centre distance of its teeth", distance)
     told = ", ".join(f"{task.name} {millimetres(distance)}" for task, distance in zip(asked, own, strict=True))
     tasks = [_at(task, distance) for task, distance in zip(asked, own, strict=True)]
-    return tasks, f"every mesh keeps the centre distance of its teeth: {told}"
+    return tasks, Phrase("every mesh keeps the centre distance of its teeth: {told}", told=told)
 
 
 def _shared(
@@ -169,7 +176,7 @@ def _shared(
     """All meshes at one centre distance: that of the teeth, or the one at which the first ends."""
     first, distance, why = asked[0], max(own), "as its teeth have it"
     if _frees(first, distance):
-        distance, why = solve(first).distance, f"as mesh {first.name} asks"
+        distance, why = solve(first).distance, Phrase("as mesh {name} asks", name=first.name)
     else:
         first = _at(first, distance)
     tasks = [first]
@@ -186,7 +193,9 @@ def _shared(
                 each, f"all meshes of {layout.key} have one centre distance, and {first.name} sets it", distance
             )
         tasks.append(_at(each, distance))
-    return tasks, f"all meshes have the centre distance {millimetres(distance)}, {why}"
+    return tasks, Phrase(
+        "all meshes have the centre distance {distance}, {why}", distance=millimetres(distance), why=why
+    )
 
 
 def _choice(task: PairTask) -> tuple[object, ...]:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.model import Values
 from tmmcalc.gears.network.equilibrium import Statics, lossy_matrix
 from tmmcalc.gears.network.model import WHERE
@@ -84,11 +85,16 @@ def _locked(statics: Statics) -> NoSolutionError:
     for _ in range(HALVINGS):
         middle = (low + high) / 2
         low, high = (low, middle) if _search(statics, middle) is None else (middle, high)
-    lossy = ", ".join(str(statics.network.meshes[j]) for j in statics.active)
-    loads = ", ".join(f"{n} = {t:g}" for n, t in zip(statics.network.members, statics.load, strict=True) if t)
+    lossy = [str(statics.network.meshes[j]) for j in statics.active]
+    loads = [f"{n} = {t:g}" for n, t in zip(statics.network.members, statics.load, strict=True) if t]
     return NoSolutionError(
-        f"self-locking: with torques {loads} N*m the losses of meshes {lossy} hold the train against any drive; "
-        f"it turns up to {low:.4g} times these losses",
+        Phrase(
+            "self-locking: with torques {loads} N*m the losses of meshes {lossy} hold the train against any "
+            "drive; it turns up to {low:.4g} times these losses",
+            loads=loads,
+            lossy=lossy,
+            low=low,
+        ),
         where=WHERE,
         value=1.0,
         limit=low,

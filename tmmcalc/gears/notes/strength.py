@@ -164,7 +164,7 @@ def _lines(symbol: str, owned: Sequence[Own]) -> Iterator[Block]:
         places = []
         for same in like.values():
             of = _sorted([own.of for own in same]) if len(same) < len(owned) else ""
-            places.append(Place(_place(of, same[0].factor), _lexicon(symbol, same[0].factor)))
+            places.append(Place(_place(of, same[0].factor), factor_lexicon(symbol, same[0].factor)))
         yield from lines([f"{letter(symbol)} = {noted(formula)}"], places)
 
 
@@ -179,7 +179,7 @@ def _sorted(names: Sequence[str]) -> str:
     return ", ".join(sorted({one for name in names for one in name.split(", ")}))
 
 
-def _lexicon(symbol: str, factor: Factor) -> Lexicon:
+def factor_lexicon(symbol: str, factor: Factor) -> Lexicon:
     """The quantities of a factor's formula."""
     found = {
         letter(name): Given(float(value), UNITS.get(name, "MPa" if name.startswith("sigma") else ""), _meaning(name))
@@ -253,7 +253,7 @@ def _values(wheels: Mapping[str, list[Factor]], stages: Mapping[str, list[Factor
             for name, factors in found.items():
                 for factor in factors:
                     if factor.told.symbol == symbol and _is_read(factor):
-                        same.setdefault((_value(factor), _source(factor)), []).append(name)
+                        same.setdefault((_value(factor), source_of(factor)), []).append(name)
             for (value, source), names in same.items():
                 of = _owners(_sorted(names), stage=found is stages)
                 rows.append((f"${letter(symbol)}$", _meaning(symbol), of, value, source))
@@ -278,7 +278,7 @@ def _value(factor: Factor) -> str:
     return f"{tr_number(significant(scale * factor.told.value, RESULT))} {tr_unit(unit)}".strip()
 
 
-def _source(factor: Factor) -> str:
+def source_of(factor: Factor) -> str:
     """The table, its row and column."""
     if not factor.table:
         return tr("given")
@@ -314,7 +314,7 @@ def _required(meshes: Mapping[str, list[Factor]], scheme: Layout) -> Iterator[Bl
                 wheel = factor.told.symbol.partition(" of wheel ")[2] or weaker
                 forms.setdefault(wheel, Own(tr("for wheel {wheel}", wheel=wheel), factor))
     external = [forms[wheel] for wheel in sorted(forms) if forms[wheel].factor.formula]
-    places = [Place(own.of, _lexicon("Y_F", own.factor)) for own in external]
+    places = [Place(own.of, factor_lexicon("Y_F", own.factor)) for own in external]
     yield from lines(["Y_F = 3.568 + 201.95/z**2"], places)
     rings = [wheel for wheel, own in forms.items() if not own.factor.formula]
     if rings:
@@ -389,7 +389,7 @@ def _stresses(meshes: Mapping[str, list[Factor]], scheme: Layout) -> Iterator[Bl
             symbol, _, wheel = factor.told.symbol.partition(" of wheel ")
             place = tr("for wheel {wheel} in the mesh {mesh}", wheel=wheel, mesh=mesh.replace("-", "–"))
             if symbol == "sigma_F":
-                bending.append((mesh, wheel, Place(place, _lexicon("sigma_F", factor))))
+                bending.append((mesh, wheel, Place(place, factor_lexicon("sigma_F", factor))))
             elif symbol == "sigma_FP" and wheel:
                 limits[mesh, wheel] = factor.told.value / 1e6
     formula = "K_m**3*T*K_Fbeta*Y_F/(b*m*d)"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.involute.quality.verdicts import NOISE, Check, Verdict, at_least
 from tmmcalc.gears.meshing.cutting import interference_checks, tip_check
 from tmmcalc.gears.meshing.sizes import Gear
@@ -32,7 +33,9 @@ def _checks(task: WheelTask, gear: Gear) -> Iterator[Check]:
     thickness = float(gear.wheel.thickness_at(side * gear.tip))
     limits = task.tip_thickness, max(task.tip_thickness, task.tip_thickness_wanted)
     if thickness < 0:
-        text = f"the tooth is pointed below its tip circle (margin: thickness {thickness:.4g})"
+        text = Phrase(
+            "the tooth is pointed below its tip circle (margin: thickness {thickness:.4g})", thickness=thickness
+        )
         yield Check("tip thickness", 1, thickness, limits[0], thickness - limits[0], "fail", text)
         return
     yield at_least("tip thickness", 1, thickness, limits, "tip thickness")
@@ -44,5 +47,5 @@ def _undercut(task: WheelTask, gear: Gear) -> Check:
     if margin >= -NOISE:
         return Check("undercut", 1, task.shift, least, margin, "ok", "")
     verdict: Verdict = "warn" if task.undercut else "fail"
-    text = f"the tooth is undercut: x = {task.shift:.4g} below {least:.4g}"
+    text = Phrase("the tooth is undercut: x = {shift:.4g} below {least:.4g}", shift=task.shift, least=least)
     return Check("undercut", 1, task.shift, least, margin, verdict, text)

@@ -14,7 +14,7 @@ from dataclasses import field
 from typing import NamedTuple
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, Phrase
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.letters import filled
@@ -291,7 +291,9 @@ def _check_range(material: Material, rows: list[BendingRow | ContactRow | None],
     for row in ranged:
         if isinstance(row, BendingRow) and material.row is None and steel_key(material.steel) in row.doubtful:
             designation = latin(steel_key(material.steel))
-            text = f"the designation {designation} is doubtful in the print of Table D.4.3"
+            text = Phrase(
+                "the designation {designation} is doubtful in the print of Table D.4.3", designation=designation
+            )
             told.append(Note("warning", text, of))
     return tuple(told)
 
@@ -300,7 +302,12 @@ def _out_of_row(material: Material, row: BendingRow | ContactRow, of: str) -> No
     """The hardness against the end of the row that it passes."""
     value = _on(material.hardness, row.scale, material.treatment, of)
     limit = row.low if row.low is not None and value < row.low else row.high
-    text = f"a hardness of {material.hardness} is out of {_range(row)} ({row.source})"
+    text = Phrase(
+        "a hardness of {hardness} is out of {range} ({source})",
+        hardness=material.hardness,
+        range=_range(row),
+        source=row.source,
+    )
     return Note("warning", text, of, value, limit, row.scale, "hardness")
 
 
@@ -315,5 +322,9 @@ def _in_range(material: Material, row: BendingRow | ContactRow, of: str) -> bool
 
 def _range(row: BendingRow | ContactRow) -> str:
     if row.low is None:
-        return f"{row.scale} {row.high:g} at most"
-    return f"{row.scale} {row.low:g} to {row.high:g}" if row.high is not None else f"{row.scale} {row.low:g} at least"
+        return Phrase("{scale} {high:g} at most", scale=row.scale, high=row.high)
+    return (
+        Phrase("{scale} {low:g} to {high:g}", scale=row.scale, low=row.low, high=row.high)
+        if row.high is not None
+        else Phrase("{scale} {low:g} at least", scale=row.scale, low=row.low)
+    )

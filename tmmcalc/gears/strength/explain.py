@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, Phrase, listed
 from tmmcalc.core.records import record
 from tmmcalc.gears.letters import teeth_of
 from tmmcalc.gears.model import ToothSets
@@ -165,11 +165,19 @@ def reason(result: Strength, at: int) -> str:
         return text
     required, there = (_in_mm(values[at]) for values in (result.required, result.module))
     if outcome is Outcome.OVERLOADED and result.checked:
-        return f"{text.format(stages=_stages_overloaded(result, at))}: {'; '.join(_causes(result, at))}"
+        stages = _stages_overloaded(result, at)
+        return listed((Phrase(text, stages=stages), listed([*_causes(result, at)], "; ")), ": ")
     if outcome is Outcome.OVERLOADED:
         stages = _stages_overloaded(result, at)
-        return f"{text.format(stages=stages)}: {required} required, {there} there"
-    return f"{text}: {required} required" + (f", {there} given" if result.checked else "")
+        return Phrase(
+            "{text}: {required} required, {there} there",
+            text=Phrase(text, stages=stages),
+            required=required,
+            there=there,
+        )
+    if result.checked:
+        return Phrase("{text}: {required} required, {there} given", text=text, required=required, there=there)
+    return Phrase("{text}: {required} required", text=text, required=required)
 
 
 _REASONS = {
@@ -191,14 +199,24 @@ def _causes(result: Strength, at: int) -> Iterator[str]:
     for k in _overloaded(result, at):
         module, required, width = (float(v[at, k]) for v in (result.module, result.required, result.width))
         if required > module * (1 + SLACK):
-            usual = f"{1000 * required:.4g} mm needed at psi_bd = {psi_bd[k]:.4g}"
-            yield f"stage {k + 1} has the module {1000 * module:.4g} mm, {usual}"
+            yield Phrase(
+                "stage {k} has the module {module:.4g} mm, {required:.4g} mm needed at psi_bd = {psi_bd:.4g}",
+                k=k + 1,
+                module=1000 * module,
+                required=1000 * required,
+                psi_bd=psi_bd[k],
+            )
             continue
         contact = (1 - float(result.contact_margin[at, k])) ** 2, float(result.contact_spread[at, k])
         bending = 1 - float(result.bending_margin[at, k]), float(result.bending_spread[at, k])
         needed = max(width * share / (K - share * (K - 1)) for share, K in (contact, bending))
         whole = math.ceil(needed * PER_MM * (1 - SLACK))
-        yield f"stage {k + 1} has the width {1000 * width:.4g} mm, {whole} mm needed at this module"
+        yield Phrase(
+            "stage {k} has the width {width:.4g} mm, {whole} mm needed at this module",
+            k=k + 1,
+            width=1000 * width,
+            whole=whole,
+        )
 
 
 def _overloaded(result: Strength, at: int) -> list[int]:
@@ -209,7 +227,7 @@ def _overloaded(result: Strength, at: int) -> list[int]:
 
 
 def _stages_overloaded(result: Strength, at: int) -> str:
-    return " and ".join(f"stage {k + 1}" for k in _overloaded(result, at))
+    return listed([Phrase("stage {k}", k=k + 1) for k in _overloaded(result, at)], " and ")
 
 
 def _in_mm(modules: np.ndarray) -> str:
@@ -223,18 +241,22 @@ def remarks(result: Strength, at: int) -> tuple[Remark, ...]:
 
 def _remarks(result: Strength, at: int) -> Iterator[Remark]:
     if result.few_teeth[at]:
-        text = f"a wheel has fewer than {LEAST_TEETH} teeth, for which Y_F is not known"
-        yield Remark("train", text, int(result.least_teeth[at]), LEAST_TEETH, name="teeth")
+        few = Phrase("a wheel has fewer than {least_teeth} teeth, for which Y_F is not known", least_teeth=LEAST_TEETH)
+        yield Remark("train", few, int(result.least_teeth[at]), LEAST_TEETH, name="teeth")
     for k in range(result.module.shape[1]):
-        of = f"stage {k + 1}"
+        of = Phrase("stage {k}", k=k + 1)
         if result.psi_unusual[at, k]:
-            yield Remark(of, f"psi* = {result.psi[at, k]:.3g} is outside Table D.4.2")
+            yield Remark(of, Phrase("psi* = {psi:.3g} is outside Table D.4.2", psi=result.psi[at, k]))
         if result.width_unusual[at, k]:
             ratio = result.width[at, k] / result.module[at, k]
-            word, limit = ("narrow, below", NARROWEST) if ratio < NARROWEST else ("wide, above", WIDEST)
-            yield Remark(of, f"b/m = {ratio:.3g} is {word} {limit:g}", float(ratio), limit, name="b/m")
+            text, limit = "b/m = {ratio:.3g} is wide, above {limit:g}", WIDEST
+            if ratio < NARROWEST:
+                text, limit = "b/m = {ratio:.3g} is narrow, below {limit:g}", NARROWEST
+            yield Remark(of, Phrase(text, ratio=ratio, limit=limit), float(ratio), limit, name="b/m")
         for what, margin in (("contact", result.contact_margin), ("bending", result.bending_margin)):
             if margin[at, k] < -1e-9:
                 over = -100 * float(margin[at, k])
-                text = f"the {what} stress is {over:.2g} % above the permissible one"
-                yield Remark(of, text, over, 0.0, "%", f"{what} stress")
+                text = "the contact stress is {over:.2g} % above the permissible one"
+                if what == "bending":
+                    text = "the bending stress is {over:.2g} % above the permissible one"
+                yield Remark(of, Phrase(text, over=over), over, 0.0, "%", f"{what} stress")

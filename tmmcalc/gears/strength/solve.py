@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, Phrase
 from tmmcalc.gears.model import Integers, ToothSets, Values
 from tmmcalc.gears.scheme import Layout
 from tmmcalc.gears.strength.basis import Basis, basis_of
@@ -182,5 +182,7 @@ def _not_standard(task: StrengthTask) -> tuple[Note, ...]:
     told = []
     for module in task.modules:
         if not any(abs(module * EIGHTHS - entry) < SLACK * entry for entry in eighths()):
-            told.append(Note("warning", f"a module of {module * 1000:g} mm is not in Table D.4.8"))
+            told.append(
+                Note("warning", Phrase("a module of {module:g} mm is not in Table D.4.8", module=module * 1000))
+            )
     return tuple(told)

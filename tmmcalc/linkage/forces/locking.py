@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.forces.friction import Solution
 from tmmcalc.linkage.forces.kinetostatics import Statics
@@ -72,9 +73,13 @@ def magnified(seen: Sequence[Seen], named: Callable[[Real], list[str]]) -> tuple
     return tuple(
         Grade(
             "warning",
-            f"group {name}",
-            f"near to self-locking at {named(np.array([at]))[0]}: errors of the loads and of the friction coefficients "
-            f"grow {factor:.2g}-fold in the reactions",
+            Phrase("group {name}", name=name),
+            Phrase(
+                "near to self-locking at {named}: errors of the loads and of the friction coefficients grow "
+                "{factor:.2g}-fold in the reactions",
+                named=named(np.array([at]))[0],
+                factor=factor,
+            ),
             factor,
             MAGNIFIED,
             name="amplification",
@@ -94,10 +99,13 @@ def further_solutions(
         places = (
             [", ".join(labels[i] for i in rows[:SHOWN]) + (" ..." if len(rows) > SHOWN else "")] if rows.size else []
         )
-        places += [" to ".join(named(np.array(run))) for run in _runs(seen[1:], name)[:SHOWN]]
+        places += [listed(named(np.array(run)), " to ") for run in _runs(seen[1:], name)[:SHOWN]]
         if places:
-            text = f"the friction has a further solution at {'; '.join(places)}"
-            grades.append(Grade("warning", f"group {name}", f"{text}; the one that grows out of no friction is taken"))
+            text = Phrase(
+                "the friction has a further solution at {places}; the one that grows out of no friction is taken",
+                places=listed(places, "; "),
+            )
+            grades.append(Grade("warning", Phrase("group {name}", name=name), text))
     return tuple(grades)
 
 

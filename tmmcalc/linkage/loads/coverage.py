@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.loading import Load
@@ -26,17 +27,21 @@ def of_displacement(
     where, reach = acting.where, displacement.reach
     low, high = x[0] * unit, x[-1] * unit
     said, factor = ("deg", math.degrees(1.0)) if displacement.output.link is not None else ("mm", 1e3)
-    stroke = f"the stroke of {displacement.output.name} is {reach * factor:.5g} {said}"
+    stroke = Phrase(
+        "the stroke of {name} is {reach:.5g} {unit}", name=displacement.output.name, reach=reach * factor, unit=said
+    )
     if high > reach * (1 + EDGE):
-        only = "; the whole table lies beyond it, and its first value holds throughout" if low >= reach else ""
-        text = f"its table goes to {high * factor:.5g} {said}, but {stroke}{only}"
+        values = {"high": high * factor, "unit": said, "stroke": stroke}
+        text = Phrase("its table goes to {high:.5g} {unit}, but {stroke}", **values)
+        if low >= reach:
+            text = Phrase("{text}; the whole table lies beyond it, and its first value holds throughout", text=text)
         numbers = (high, reach, "m") if said == "mm" else (high * factor, reach * factor, said)
         yield Grade("warning", where, text, *numbers, "end of the table")
     whole = _whole(acting.load)
     passed = (0.0, reach) if whole else _passed(acting, displacement.at(acting.dense.configuration))
 
     def named(x: float) -> str:
-        return f"{x * unit * factor:.5g} {said}"
+        return Phrase("{x:.5g} {unit}", x=x * unit * factor, unit=said)
 
     if low < reach:
         over = passed[0] / unit, passed[1] / unit
@@ -52,7 +57,9 @@ def of_range(acting: Acting, x: Real, values: Sequence[float]) -> Iterator[Grade
     def named(at: float) -> str:
         return travel.named(np.array([at]))[0]
 
-    yield from _held(acting.load, x, values, passed, travel.period, named, f"the motion goes from 0 to {end}")
+    yield from _held(
+        acting.load, x, values, passed, travel.period, named, Phrase("the motion goes from 0 to {end}", end=end)
+    )
 
 
 def _whole(load: Load) -> bool:
@@ -85,12 +92,16 @@ def _held(
     first, last, unit = float(x[0]), float(x[-1]), "N" if load.kind == "force" else "N*m"
     ends, held = [], []
     if passed[0] < first - SLACK * way and values[0]:
-        ends.append(f"begins at {named(first)}")
-        held.append(f"before it the first value {values[0]:.5g} {unit} is held")
+        ends.append(Phrase("begins at {named}", named=named(first)))
+        held.append(Phrase("before it the first value {value:.5g} {unit} is held", value=values[0], unit=unit))
     if passed[1] > last + SLACK * way and values[-1]:
-        ends.append(f"ends at {named(last)}")
-        held.append(f"beyond it the last value {values[-1]:.5g} {unit} is held")
+        ends.append(Phrase("ends at {named}", named=named(last)))
+        held.append(Phrase("beyond it the last value {value:.5g} {unit} is held", value=values[-1], unit=unit))
     if ends:
-        text = f"its table {' and '.join(ends)}, but {limit}: {', '.join(held)}"
-        remedy = "extend the table, end it with 0, or give the load a window"
-        yield Grade("warning", f"load {load.name}", f"{text}; {remedy}")
+        text = Phrase(
+            "its table {ends}, but {limit}: {held}; extend the table, end it with 0, or give the load a window",
+            ends=listed(ends, " and "),
+            limit=limit,
+            held=listed(held, ", "),
+        )
+        yield Grade("warning", Phrase("load {name}", name=load.name), text)

@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain
@@ -103,7 +104,9 @@ class Travel(NamedTuple):
 
     def named(self, theta: Real) -> list[str]:
         """Angles (m,) in words."""
-        return [f"{math.degrees(t):.5g} deg" if self.turns else f"{1e3 * t:.5g} mm" for t in theta]
+        return [
+            Phrase("{t:.5g} deg", t=math.degrees(t)) if self.turns else Phrase("{t:.5g} mm", t=1e3 * t) for t in theta
+        ]
 
 
 def travel_of(chain: Chain, kinematics: Kinematics, loads: Sequence[Load], turns: int = 1) -> Travel:

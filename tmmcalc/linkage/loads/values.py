@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.loading import Load
@@ -44,4 +45,4 @@ class Acting(NamedTuple):
     @property
     def where(self) -> str:
         """The load, as errors name it."""
-        return f"load {self.load.name}"
+        return Phrase("load {name}", name=self.load.name)

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain
@@ -39,7 +40,7 @@ class Inside(NamedTuple):
 
 def window_of(chain: Chain, kinematics: Kinematics, travel: Travel, load: Load) -> Inside:
     """The window of a load; raises `NoSolutionError` for a stroke or a position that is not there."""
-    window, where = load.window, f"load {load.name}"
+    window, where = load.window, Phrase("load {name}", name=load.name)
     own = TURN * load.turns
     if window is None:
         edges = travel.repeated([0.0], own) if load.law.counted else []
@@ -93,8 +94,11 @@ def _beyond(travel: Travel, low: float, high: float, where: str) -> Iterator[Gra
         return
     begins, ends, last = travel.named(np.array([low, high, travel.period]))
     severity: Literal["note", "warning"] = "note" if travel.turns else "warning"
-    acts = f"never acts: its window begins at {begins}" if low >= travel.period - EDGE else f"has a window to {ends}"
-    yield Grade(severity, where, f"{acts}, but the motion ends at {last}")
+    if low >= travel.period - EDGE:
+        text = "never acts: its window begins at {begins}, but the motion ends at {last}"
+    else:
+        text = "has a window to {ends}, but the motion ends at {last}"
+    yield Grade(severity, where, Phrase(text, begins=begins, ends=ends, last=last))
 
 
 def _angles(positions: tuple[str, str], travel: Travel, where: str) -> tuple[float, float]:

@@ -6,6 +6,7 @@ from typing import cast
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage import solvers
 from tmmcalc.linkage.assembly import coordinate
@@ -32,21 +33,34 @@ def split_grades(chain: Chain, x: Real) -> tuple[Grade, ...]:
 def _grades(chain: Chain, k: int, x: Real, variant: np.ndarray) -> list[Grade]:
     """How one group is split, and its changes of sign."""
     step = cast(SplitStep, chain.steps[k])
-    split, where = step.split, f"splitting of {step.group.name}"
-    dyads = ", ".join(group.name for group in split.dyads)
-    how = f"link {split.removed} is removed, the angle of link {split.trial} is tried, dyads {dyads}"
+    split, where = step.split, Phrase("splitting of {name}", name=step.group.name)
+    dyads = [group.name for group in split.dyads]
+    how = Phrase(
+        "link {removed} is removed, the angle of link {trial} is tried, dyads {dyads}",
+        removed=split.removed,
+        trial=split.trial,
+        dyads=dyads,
+    )
     found = [Grade("note", where, how)]
     for i in np.flatnonzero(np.diff(variant)):
         at = _change(chain, k, float(x[i]), float(x[i + 1]))
         changed = [
-            f"{one.group.name} from {one.variant:+d} to {other.variant:+d}"
+            Phrase(
+                "{name} from {before:+d} to {after:+d}",
+                name=one.group.name,
+                before=one.variant,
+                after=other.variant,
+            )
             for one, other in zip(split.variants[variant[i]], split.variants[variant[i + 1]], strict=True)
             if one.variant != other.variant
         ]
         regularity = _regularity(chain, k, step.loops, at)
-        message = (
-            f"the sign of {', '.join(changed)} changes at {coordinate(chain, at)}, where the group itself is regular "
-            f"({regularity:.2g}): with frozen signs the iteration ends there or jumps; both signs were tried"
+        message = Phrase(
+            "the sign of {changed} changes at {coordinate}, where the group itself is regular ({regularity:.2g}): "
+            "with frozen signs the iteration ends there or jumps; both signs were tried",
+            changed=changed,
+            coordinate=coordinate(chain, at),
+            regularity=regularity,
         )
         found.append(Grade("warning", where, message))
     return found

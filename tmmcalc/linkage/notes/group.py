@@ -38,9 +38,9 @@ def group_at(chain: Chain, step: Step, result: Kinematics, row: int) -> GroupAt:
     configuration = chain.evaluate(x)
     number = chain.steps.index(step)
     ports = [_single(_timed(port, result.speed, result.acceleration)) for port in configuration.ports[number]]
-    placed = type(configuration.placed[number])(*(_number(each) for each in configuration.placed[number]))
+    placed = type(configuration.placed[number])(*(one_number(each) for each in configuration.placed[number]))
     dyad: Any = step.dyad
-    rates = Rates(*map(_number, dyad.rates(*ports, placed, solvers.closed)))
+    rates = Rates(*map(one_number, dyad.rates(*ports, placed, solvers.closed)))
     return GroupAt(dyad, names_of(chain, step), ports[0], ports[1], placed, rates)
 
 
@@ -55,10 +55,11 @@ def _timed(state: Any, speed: float, acceleration: float) -> Any:
 
 
 def _single(state: Any) -> Any:
-    return type(state)(*(np.asarray(_number(each)) for each in state))
+    return type(state)(*(np.asarray(one_number(each)) for each in state))
 
 
-def _number(value: Any) -> Any:
+def one_number(value: Any) -> Any:
+    """The number of an array of one."""
     return np.ravel(value)[0]
 
 
@@ -69,8 +70,7 @@ def names_of(chain: Chain, step: Step) -> dict[str, str]:
     first, second = (mechanism.joint(name) for name in group.outer)
     inner = mechanism.joint(group.inner[0])
     a, b = group.links
-    positive = getattr(step.dyad, "variant", 1) > 0
-    return {
+    found = {
         "a": str(a),
         "b": str(b),
         "P": _named(pins, first),
@@ -78,11 +78,19 @@ def names_of(chain: Chain, step: Step) -> dict[str, str]:
         "B": _named(pins, inner),
         "f": str(first.other(a)),
         "g": str(second.other(b)),
+    }
+    return found | signs_of(step.dyad, found["P"], found["Q"])
+
+
+def signs_of(dyad: Any, first: str, second: str) -> dict[str, str]:
+    """What the assembly of a dyad makes of its formulas, by the points of its outer joints."""
+    positive = getattr(dyad, "variant", 1) > 0
+    return {
         "sign": "+" if positive else "-",
         "minus": "" if positive else "-",
         "turn": "-" if positive else "+",  # of the line along which a block slides, against that of the pivots
-        "start": _named(pins, second) if positive else _named(pins, first),
-        "end": _named(pins, first) if positive else _named(pins, second),
+        "start": second if positive else first,
+        "end": first if positive else second,
         "left": "+ " if positive else "+ deg(180) - ",
     }
 

@@ -17,14 +17,8 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result, Table
+from tmmcalc.report.optimal import PHASES, by_duration, by_travel, phase_named, quantities
 from tmmcalc.report.telling import column_of, lines, named, pictured, tabulated
-
-ACCELERATED, UNIFORM, SLOWED = 1, 2, 3  # numbers of the phases
-LAWS = {
-    ACCELERATED: ("s = a_m*t**2/2", "v = a_m*t"),
-    UNIFORM: ("s = S_1 + v_p*(t - t_1)", "v = v_p"),
-    SLOWED: ("s = S_m - a_m*(T - t)**2/2", "v = a_m*(T - t)"),
-}
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -44,17 +38,16 @@ def blocks(order: Order) -> Iterator[Block]:
 
 
 def _quantities(result: Unsteady, task: UnsteadyTask) -> Lexicon:
-    """The law, by its letters; of a motion to the negative side the sizes."""
-    law, unit = result.law, "rad" if result.turns else "m"
+    """The law, by its letters, with the ends of the motion."""
+    unit = "rad" if result.turns else "m"
     found = {
-        "S_m": Given(abs(law.travel), unit, tr("travel of the input")),
-        "v_p": Given(law.speed, f"{unit}/s", tr("largest speed of the input that is reached")),
-        "a_m": Given(law.acceleration, f"{unit}/s^2", tr("allowed acceleration of the input")),
-        "t_1": Given(law.ramp, "s", tr("time of the acceleration and of the deceleration")),
-        "t_2": Given(law.uniform, "s", tr("time of the uniform motion")),
-        "T": Given(law.duration, "s", tr("time of the whole motion")),
-        "S_1": Given(law.ramp_travel, unit, tr("travel during the acceleration and during the deceleration")),
-        "S_2": Given(law.uniform_travel, unit, tr("travel during the uniform motion")),
+        **quantities(
+            result.law,
+            unit,
+            travel=tr("travel of the input"),
+            peak=tr("largest speed of the input that is reached"),
+            allowed=tr("allowed acceleration of the input"),
+        ),
         "x_0": Given(result.start, unit, tr("coordinate of the input at the beginning")),
         "x_e": Given(result.end, unit, tr("coordinate of the input at the end")),
     }
@@ -87,33 +80,22 @@ def _law(result: Unsteady, task: UnsteadyTask) -> Iterator[Block]:
 def _texts(law: TimeLaw, task: UnsteadyTask) -> tuple[str, ...]:
     """The formulas of the law: by the time alone, by travel and time, by the travel alone."""
     sign, way = ("+", "x_e - x_0") if law.sense > 0 else ("-", "x_0 - x_e")
-    settled, between = ("t_1 = v_p/a_m", "S_1 = a_m*t_1**2/2"), ("t_2 = T - 2*t_1", "S_2 = v_p*t_2")
     if task.end is None and task.travel is None:
-        speed = ("v_p = v_m", *settled) if law.uniform else ("t_1 = T/2", "v_p = a_m*t_1", settled[1])
-        return (*speed, *between, "S_m = 2*S_1 + S_2", f"x_e = x_0 {sign} S_m")
-    if task.duration is not None:
-        return (f"S_m = {way}", "v_p = a_m*(T - sqrt(T**2 - 4*S_m/a_m))/2", *settled, *between)
-    if not law.uniform:
-        return (f"S_m = {way}", "v_p = sqrt(S_m*a_m)", *settled, "T = 2*t_1")
-    return (f"S_m = {way}", "v_p = v_m", *settled, "t_2 = (S_m - 2*S_1)/v_p", between[1], "T = 2*t_1 + t_2")
+        return (*by_duration(law), f"x_e = x_0 {sign} S_m")
+    return (f"S_m = {way}", *by_travel(law, timed=task.duration is not None))
 
 
 def _phases(result: Unsteady, order: Order) -> Iterator[Block]:
     """The law in every phase with one instant by the numbers."""
     phases = phase_of(result.law, result.t, result.side)
-    names = {
-        ACCELERATED: tr("Acceleration:"),
-        UNIFORM: tr("Uniform motion:"),
-        SLOWED: tr("Deceleration:"),
-    }
     task = to_unsteady(order.spec)
-    for phase, said in names.items():
+    for phase, texts in PHASES.items():
         rows = np.flatnonzero(phases == phase).tolist()
         if rows:
             middle = rows[len(rows) // 2]
             place = Place(tr("in row {label}", label=result.labels[middle]), _at(result, task, middle))
-            yield Paragraph(said)
-            yield from lines(LAWS[phase], [place])
+            yield Paragraph(phase_named(phase))
+            yield from lines(texts, [place], {"t": "t"})
 
 
 def _at(result: Unsteady, task: UnsteadyTask, row: int) -> Lexicon:

@@ -30,22 +30,35 @@ SKIPPED = ("x_E", "y_E", "x_D2", "y_D2", "x_F", "y_F")  # sizes that the key lea
 
 def dwell_drawing(mechanism: Mechanism, design: Design, dwell: Dwell) -> Drawing:
     """A sheet with the mechanism in position 1, and one with the diagrams over the turn of the crank."""
-    motion = solve_kinematics(mechanism)
     drawing, (first, second) = sheets(2)
     angle = minus(number(DEGREE * dwell.dwell_angle, 5))
     title = tr("{name}, dwell of {angle}°", name=tr_name(design.name), angle=angle)
     drawing.add(Words(complex(first.middle.real, first.top), title, 3.5, 1j))
     scheme, key = first.inset(0, 0, 0, 7).split(2.4, 1.0, gap=4, across=True)
-    cycle = whole_cycle(chain_of(mechanism, motion), motion)
-    board = draw_scheme(drawing, scheme, motion, cycle, [0])
+    draw_dwelling(drawing, scheme, mechanism, dwell)
+    write_key(drawing, key, _key(design, dwell))
+    motion, forces = second.split(1, 1, gap=4, across=True)
+    draw_motion(drawing, motion, dwell)
+    draw_forces(drawing, forces, dwell)
+    return drawing
+
+
+def draw_dwelling(drawing: Drawing, box: Box, mechanism: Mechanism, dwell: Dwell) -> None:
+    """The linkage in position 1 to scale, with both branches of Gamma."""
+    motion = solve_kinematics(mechanism)
+    board = draw_scheme(drawing, box, motion, whole_cycle(chain_of(mechanism, motion), motion), [0])
     board.line(dwell.slots.own, OWN, weight=0.3, level=12.5)
     board.line(dwell.slots.other, OTHER, weight=0.3, level=12.4)
-    write_key(drawing, key, _key(design, dwell))
-    for part, graphs in zip(
-        second.split(1, 1, gap=4, across=True), (_of_motion(dwell), _of_forces(dwell)), strict=True
-    ):
-        _panels(drawing, part, graphs, dwell)
-    return drawing
+
+
+def draw_motion(drawing: Drawing, box: Box, dwell: Dwell) -> None:
+    """The diagrams of the output over the turn of the crank, the dwell shaded."""
+    _panels(drawing, box, _of_motion(dwell), dwell)
+
+
+def draw_forces(drawing: Drawing, box: Box, dwell: Dwell) -> None:
+    """The diagrams of forces and moment over the turn of the crank, the dwell shaded."""
+    _panels(drawing, box, _of_forces(dwell), dwell)
 
 
 def _key(design: Design, dwell: Dwell) -> list[Part]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -66,11 +67,22 @@ def dyad_drawing(task: DyadTask, result: DyadState) -> Drawing:
         title = tr("Dyad {kind}, variant {variant}", kind=result.kind, variant=minus(f"{result.variant:+d}"))
     drawing.add(Words(complex(box.middle.real, box.top), title, 3.5, 1j))
     for order, part in enumerate(box.inset(0, 0, 0, 7).split(1, 1, gap=4, across=True)):
-        _draw(drawing, part, task, result, order)
+        draw_dyad(drawing, part, task, result, order)
     return drawing
 
 
-def _draw(drawing: Drawing, box: Box, task: DyadTask, result: DyadState, order: int) -> None:
+def draw_dyad(
+    drawing: Drawing,
+    box: Box,
+    task: DyadTask,
+    result: DyadState,
+    order: int,
+    names: Mapping[str, str] = MappingProxyType({}),
+) -> None:
+    """The dyad to scale with its velocities (order 0) or its accelerations (order 1).
+
+    ``names`` are other ones of the joints first, inner and second.
+    """
     letter, pen = KINDS[order]
     parts, moving = _parts(task, result), _moving(task, result)
     content = np.array([*(end for bars in parts.bars.values() for bar in bars for end in bar), *(p.at for p in moving)])
@@ -101,7 +113,9 @@ def _draw(drawing: Drawing, box: Box, task: DyadTask, result: DyadState, order: 
         if not any(abs(point.at - pin) < SHORT * size for pin in parts.pins):
             board.dot(point.at, level=signs.PINS)
     for point in moving:
-        board.labels.put(point_name(point.name), board.paper([point.at]), gaps=(1.4, 2.2, 3.2, 4.5))
+        board.labels.put(
+            point_name(names.get(point.name, point.name)), board.paper([point.at]), gaps=(1.4, 2.2, 3.2, 4.5)
+        )
     for link, bars in parts.bars.items():
         if bars:
             start, end = max(bars, key=lambda bar: abs(bar[1] - bar[0]))

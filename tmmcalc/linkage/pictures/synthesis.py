@@ -67,7 +67,7 @@ def figure(order: Order) -> Drawing:
 
 def synthesis_drawing(mechanism: Mechanism, result: Synthesis, choose: int = 1) -> Drawing:
     """One sheet: the scheme to scale, beside it sizes and figures of merit, or the function."""
-    design, motion = result.designs[choose - 1], solve_kinematics(mechanism)
+    design = result.designs[choose - 1]
     drawing, (box,) = sheets(1)
     title = tr("Synthesis: {name}", name=tr_name(design.name))
     drawing.add(Words(complex(box.middle.real, box.top), title, 3.5, 1j))
@@ -75,15 +75,28 @@ def synthesis_drawing(mechanism: Mechanism, result: Synthesis, choose: int = 1) 
     precision = design.precision
     if precision is not None and not len(precision.points):
         beside, diagrams = beside.split(1.0, 1.0, gap=2)
-        _function(drawing, diagrams, precision)
-    cycle = whole_cycle(chain_of(mechanism, motion), motion)
-    board = draw_scheme(drawing, scheme, motion, cycle, _positions(motion, precision))
-    if precision is None:
-        _dimensions(board, mechanism, motion, result.kind, design)
-    elif len(precision.points):
-        _wanted(board, precision)
+        draw_function(drawing, diagrams, precision)
+    draw_solution(drawing, scheme, mechanism, result.kind, design)
     write_key(drawing, beside, _parts(design))
     return drawing
+
+
+def proportion(mechanism: Mechanism) -> float:
+    """Height over width of what a linkage reaches."""
+    motion = solve_kinematics(mechanism)
+    reached = np.concatenate((motion.trace.r.ravel(), [*mechanism.frame.points.values()]))
+    return float(np.ptp(reached.imag) / (np.ptp(reached.real) or 1.0))
+
+
+def draw_solution(drawing: Drawing, box: Box, mechanism: Mechanism, kind: str, design: Design) -> None:
+    """The scheme of a linkage to scale, with its dimensions or the wanted points."""
+    motion, precision = solve_kinematics(mechanism), design.precision
+    cycle = whole_cycle(chain_of(mechanism, motion), motion)
+    board = draw_scheme(drawing, box, motion, cycle, _positions(motion, precision))
+    if precision is None:
+        _dimensions(board, mechanism, motion, kind, design)
+    elif len(precision.points):
+        _wanted(board, precision)
 
 
 def _positions(motion: Kinematics, precision: Precision | None) -> list[int]:
@@ -122,7 +135,7 @@ def _dimensions(board: Board, mechanism: Mechanism, motion: Kinematics, kind: st
         off = guide.imag - pivot.imag
         if abs(off) > 3 * board.mu:
             foot = complex(pivot.real, guide.imag)
-            _dimension_line(board, pivot, foot, f"$e$ = {number(1e3 * off, 5)}", -1.0)
+            _dimension_line(board, pivot, foot, f"$e$ = {minus(number(1e3 * off, 5))}", -1.0)
 
 
 def _dimension_line(board: Board, a: complex, b: complex, text: str, side: complex) -> None:
@@ -144,7 +157,7 @@ def _wanted(board: Board, found: Precision) -> None:
             board.labels.put(str(k + 1), board.paper([at]), height=1.9, colour=MARK.colour)
 
 
-def _function(drawing: Drawing, box: Box, found: Precision) -> None:
+def draw_function(drawing: Drawing, box: Box, found: Precision) -> None:
     """The output at the points over the crank's angle, and its error over the range."""
     unit, factor = ("mm", 1e3) if found.unit == "m" else ("°", DEGREE)
     x, fine = DEGREE * found.crank, DEGREE * found.fine

@@ -13,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.stage import Another
 from tmmcalc.feasibility.judge import Feasibility, FeasibilityTask
 from tmmcalc.feasibility.rule import failing, may_hold
@@ -56,9 +57,15 @@ def sifted(task: FeasibilityTask, found: Synthesis, own: frozenset[str], count: 
             )
     if not passed:
         return replace(found, designs=found.designs[:count])
-    told = ", ".join(f"{name} ({number})" for name, number in reasons.items())
+    told = [Phrase("{name} ({number})", name=name, number=number) for name, number in reasons.items()]
     degree = "note" if kept else "warning"
-    note = f"{degree}: {len(passed)} of {len(found.designs)} designs fail constraints and are passed over: {told}"
+    note = Phrase(
+        "{degree}: {passed} of {designs} designs fail constraints and are passed over: {told}",
+        degree=degree,
+        passed=len(passed),
+        designs=len(found.designs),
+        told=told,
+    )
     counters = {**found.counters, "passed over": len(passed)}
     rest = [design for _, design in sorted(passed, key=lambda each: each[0])]
     return replace(found, designs=tuple([*kept, *rest][:count]), notes=(*found.notes, note), counters=counters)

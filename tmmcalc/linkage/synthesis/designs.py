@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from tmmcalc.core.errors import AccuracyError
-from tmmcalc.core.notes import Said
+from tmmcalc.core.notes import Phrase, Said
 from tmmcalc.core.records import record
 from tmmcalc.linkage.model import Grid, Mechanism, Output
 from tmmcalc.linkage.synthesis.builders import Operation
@@ -60,7 +60,7 @@ def closed_form(task: SynthesisTask, kind: str, rule: str, found: Sequence[Close
         )
     notes = [note for closed in found[: task.solutions] for note in closed.notes]
     if task.crank_speed is None and task.working_speed is None:
-        notes.append(f"note: no speed is given: the ready spec turns its crank at {SPEED:g} rad/s")
+        notes.append(Phrase("note: no speed is given: the ready spec turns its crank at {speed:g} rad/s", speed=SPEED))
     return Synthesis(kind, rule, designs, residual, tuple(dict.fromkeys(notes)), {"designs": len(found)})
 
 

@@ -17,6 +17,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.plane import Real
 from tmmcalc.core.progress import tell
 from tmmcalc.linkage.synthesis.freudenstein import closure_of, exact_points, solved_exactly
@@ -79,11 +80,13 @@ def _residual(designs: tuple[Design, ...]) -> float:
 def _notes(asked: FunctionTask, exact: bool, designs: tuple[Design, ...]) -> Iterator[str]:
     count = len(asked.inputs)
     if exact:
-        yield f"note: the {count} precision points are met exactly"
+        yield Phrase("note: the {count} precision points are met exactly", count=count)
     else:
-        yield f"note: {count} points are more than can be met exactly: they are met in the least squares"
+        yield Phrase(
+            "note: {count} points are more than can be met exactly: they are met in the least squares", count=count
+        )
     if designs[0].defects:
-        yield f"warning: the best design has a defect: {'; '.join(designs[0].defects)}"
+        yield Phrase("warning: the best design has a defect: {defects}", defects=listed(designs[0].defects, "; "))
 
 
 def _none(asked: FunctionTask) -> NoSolutionError:

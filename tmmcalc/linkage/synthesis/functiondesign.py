@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmmcalc.core.errors import TmmError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Real
 from tmmcalc.core.quantity import Quantity
 from tmmcalc.linkage.chain import chain_of
@@ -91,7 +92,8 @@ def _mechanism(task: SynthesisTask, closure: Closure, fitted: Fitted, k: int) ->
     low, high = asked.span
     sense = _sense(asked)
     start = u + (low if sense > 0 else high)
-    extra = tuple(float(along) for along in np.sort(sense * (asked.inputs + u - start)) if along > 0)
+    ways = np.minimum(np.sort(sense * (asked.inputs + u - start)), high - low)
+    extra = tuple(float(along) for along in ways if along > 0)
     speed = sense * abs(task.crank_speed or SPEED)
     outputs = (Output("C"),) if closure.slides else (Output(link=3),)
     scene = Operation(speed, start, Grid(task.positions, span=high - low, extra=extra), outputs)
@@ -136,7 +138,9 @@ def _defects(task: SynthesisTask, transmission: float, sizes: tuple[Size, ...], 
     least = task.transmission or POOR
     if transmission < least:
         found, limit = math.degrees(transmission), math.degrees(least)
-        yield f"transmission: the least angle is {found:.4g} deg, below {limit:.4g} deg"
+        yield Phrase(
+            "transmission: the least angle is {found:.4g} deg, below {limit:.4g} deg", found=found, limit=limit
+        )
     lengths = [abs(size.value) for size in sizes if size.symbol in "abcdrl"]
     if max(lengths) > LONG * min(lengths):
-        yield f"sizes: the longest link has {max(lengths) / min(lengths):.3g} times the shortest"
+        yield Phrase("sizes: the longest link has {ratio:.3g} times the shortest", ratio=max(lengths) / min(lengths))

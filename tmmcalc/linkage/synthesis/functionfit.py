@@ -125,7 +125,7 @@ def best_fits(closure: Closure, grid: int) -> Coefficients:
     if not results:
         return Coefficients(np.empty((0, 3)), np.empty((0, 2)))
     sizes, places = (np.array(part) for part in zip(*results, strict=True))
-    return Coefficients(_coefficients_of(closure, sizes), places)
+    return Coefficients(coefficients_of(closure, sizes), places)
 
 
 def _fit(closure: Closure, fitted: Fitted, k: int) -> tuple[Real, Real]:
@@ -155,7 +155,8 @@ def _fit(closure: Closure, fitted: Fitted, k: int) -> tuple[Real, Real]:
     return unpacked(solved.x)
 
 
-def _coefficients_of(closure: Closure, sizes: Real) -> Real:
+def coefficients_of(closure: Closure, sizes: Real) -> Real:
+    """Coefficients K (k, 3) of linkages with these sizes (k, 4)."""
     a, b, c, d = sizes.T
     if closure.slides:
         return np.stack((2 * a, 2 * a * c, a**2 - b**2 + c**2), axis=1)

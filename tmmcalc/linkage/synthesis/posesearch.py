@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.linkage.synthesis.designs import CLOSED
 from tmmcalc.linkage.synthesis.posed import Rated, spread
 from tmmcalc.linkage.synthesis.posedesign import designed
@@ -36,18 +37,19 @@ def search(task: SynthesisTask, kind: str, exact: Callable[[], Found] | None) ->
     designs.sort(key=_by_transmission)
     shown = tuple(designs[: task.solutions])
     residual = max(error_of(design, unit) for design in shown)
-    told = f"note: the {len(asked.points)} {_WHAT[kind]} are met exactly"
+    told = Phrase("note: the {points} {what} are met exactly", points=len(asked.points), what=_WHAT[kind])
     return Synthesis(kind, EXACT, shown, residual, (told, *_defects(shown)), {**counters, "designs": len(designs)})
 
 
 _WHAT = {"path": "points", "motion": "poses"}
+_LINKAGE = {"four_bar": "four-bar", "slider_crank": "slider-crank"}
 
 
 def _nearest(task: SynthesisTask, kind: str, fits: list[Design], few: bool, counters: dict[str, int]) -> Synthesis:
     """The best fits; ``few`` where as many points can be met exactly by other ones."""
     asked: PoseTask = task.asked
     count, what = len(asked.points), _WHAT[kind]
-    linkage = asked.mechanism.replace("_", "-")
+    linkage = _LINKAGE[asked.mechanism]
     if not fits:
         raise NoSolutionError(
             f"no {linkage} was found that passes the {count} {what}",
@@ -56,9 +58,18 @@ def _nearest(task: SynthesisTask, kind: str, fits: list[Design], few: bool, coun
             remedy=f"try another seed, leave out region, or give fewer {what}",
         )
     told = (
-        f"warning: no {linkage} was found that meets the {count} {what} exactly: they are met in the least squares"
+        Phrase(
+            "warning: no {linkage} was found that meets the {count} {what} exactly: they are met in the least squares",
+            linkage=linkage,
+            count=count,
+            what=what,
+        )
         if few
-        else f"note: {count} {what} are more than can be met exactly: they are met in the least squares"
+        else Phrase(
+            "note: {count} {what} are more than can be met exactly: they are met in the least squares",
+            count=count,
+            what=what,
+        )
     )
     shown = tuple(fits[: task.solutions])
     return Synthesis(kind, NEAREST, shown, 0.0, (told, *_defects(shown)), {**counters, "designs": len(fits)})
@@ -107,4 +118,4 @@ def _by_distance(design: Design) -> tuple[int, float]:
 
 def _defects(designs: tuple[Design, ...]) -> Iterator[str]:
     if designs[0].defects:
-        yield f"warning: the best design has a defect: {'; '.join(designs[0].defects)}"
+        yield Phrase("warning: the best design has a defect: {defects}", defects=listed(designs[0].defects, "; "))

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.linkage.synthesis.planar import Bars
 
@@ -49,11 +50,17 @@ class Rating(NamedTuple):
             ("circuit: the crank meets a limit between the positions", self.circuit[k]),
             ("rotatability: the crank does not turn fully", self.turns[k] or not asked.full),
             (
-                f"transmission: the least angle is {np.degrees(self.transmission[k]):.4g} deg, "
-                f"below {np.degrees(transmission):.4g} deg",
+                Phrase(
+                    "transmission: the least angle is {found:.4g} deg, below {limit:.4g} deg",
+                    found=np.degrees(self.transmission[k]),
+                    limit=np.degrees(transmission),
+                ),
                 self.transmission[k] >= transmission,
             ),
-            (f"sizes: the longest link has {self.ratio[k]:.3g} times the shortest", self.ratio[k] <= asked.ratio),
+            (
+                Phrase("sizes: the longest link has {ratio:.3g} times the shortest", ratio=self.ratio[k]),
+                self.ratio[k] <= asked.ratio,
+            ),
         )
         return tuple(words for words, good in found if not good)
 

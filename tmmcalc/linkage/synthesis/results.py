@@ -133,6 +133,7 @@ class Synthesis:
     notes: tuple[Said, ...] = ()
     counters: dict[str, int] = quantity("counters", "counts of the search", default_factory=dict)
     error: float | None = None  # of the sizes, of lengths relative to the longest; None: no equations settle them
+    among: tuple[Design, ...] = ()  # where one alone is left: those that it was taken from
 
     @property
     def best(self) -> Design:

@@ -33,12 +33,17 @@ MASTER, TRAILING = 2, 4  # the rods among the links
 def solve(task: SynthesisTask) -> Synthesis:
     """The trailing rod for the angle between the cylinders; raises `NoSolutionError` where the crank cannot turn."""
     asked: TrailingRodTask = task.asked
-    exact = asked.v_angle + math.asin(asked.crank * math.sin(asked.v_angle) / asked.rod), asked.rod - asked.lug
+    exact = exact_of(asked)
     alpha = exact[0] if asked.lug_angle is None else asked.lug_angle
     length = exact[1] if asked.length is None else asked.length
     sizes = VEngine(asked.crank, asked.rod, asked.lug, alpha, length, asked.v_angle)
     _check_reach(sizes)
     return closed_form(task, KIND, RULE, [_closed(task, sizes, exact)])
+
+
+def exact_of(asked: TrailingRodTask) -> tuple[float, float]:
+    """Angle of the lug [rad] and length of the trailing rod [m] for equally high top dead centres."""
+    return asked.v_angle + math.asin(asked.crank * math.sin(asked.v_angle) / asked.rod), asked.rod - asked.lug
 
 
 def _check_reach(sizes: VEngine) -> None:

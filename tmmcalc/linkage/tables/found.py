@@ -33,7 +33,7 @@ def of_synthesis(spec: LinkageTables, result: Synthesis, choose: int | None = No
     if loads and not spec.loads:
         lines += ["", f"{_LOADS}{loads.rstrip()}"]
     gone = (Change(("synthesis",)), Change(("mechanism",)))
-    alone = replace(result, designs=(design,))
+    alone = replace(result, designs=(design,), among=result.designs)
     return Found(gone, "\n".join(lines) + "\n", which, ("synthesis",), alone)
 
 

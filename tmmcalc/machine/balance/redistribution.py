@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.plane import Real
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
@@ -60,17 +61,26 @@ class Redistribution:
         """Whether the chosen links balance the force, what is left if not, and which links would."""
         chosen = _listed(tuple(body.link for body in self.counterweights))
         if self.exact:
-            return f"counterweights on {chosen} keep the centre of mass at rest"
-        rest = f"{self.before.size.rms:.4g} N rms before, {self.after.size.rms:.4g} N after"
-        would = " or ".join(_listed(some) for some in self.sufficient)
-        remedy = f"counterweights on {would} would" if would else "no counterweights on links can"
-        return f"counterweights on {chosen} do not balance the shaking force: {rest}; {remedy}"
+            return Phrase("counterweights on {chosen} keep the centre of mass at rest", chosen=chosen)
+        text = Phrase(
+            "counterweights on {chosen} do not balance the shaking force: {before:.4g} N rms before, {after:.4g} "
+            "N after",
+            chosen=chosen,
+            before=self.before.size.rms,
+            after=self.after.size.rms,
+        )
+        if not self.sufficient:
+            return Phrase("{text}; no counterweights on links can", text=text)
+        would = listed([_listed(some) for some in self.sufficient], " or ")
+        return Phrase("{text}; counterweights on {would} would", text=text, would=would)
 
 
 def _listed(links: tuple[int, ...]) -> str:
     if not links:
         return "no link"
-    return ("link " if len(links) == 1 else "links ") + " and ".join(map(str, links))
+    if len(links) == 1:
+        return Phrase("link {link}", link=links[0])
+    return Phrase("links {links}", links=listed([str(link) for link in links], " and "))
 
 
 def redistribute(

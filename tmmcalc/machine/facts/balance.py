@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.columns import Column
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.fourier import Magnitude
 from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.machine.balance.columns import FORCE, LEFT, MOMENT, MOMENT_LEFT, ON_LINKS, columns
@@ -245,4 +246,4 @@ def _notes(result: Balancing) -> Iterator[str]:
     if result.shaking.acceleration:
         yield "note: the crank accelerates; the moments that its acceleration gives to the weights are left out"
     if result.redistribution is not None and not result.redistribution.exact:
-        yield f"note: {result.redistribution.message}"
+        yield Phrase("note: {message}", message=result.redistribution.message)

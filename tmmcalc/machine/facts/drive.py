@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import keyed
 from tmmcalc.machine.driveline import Round
 from tmmcalc.machine.settled import Settled
@@ -35,6 +36,9 @@ def turn_notes(in_turn: tuple[str, ...]) -> Iterator[str]:
     """What is to be said where no round settled it."""
     if in_turn:
         yield (
-            f"warning: the motors {', '.join(in_turn)} come in turn, each asked for by the train of another: the "
-            "strongest is taken; give the motor by its name, or ratio in [train]"
+            Phrase(
+                "warning: the motors {in_turn} come in turn, each asked for by the train of another: the "
+                "strongest is taken; give the motor by its name, or ratio in [train]",
+                in_turn=in_turn,
+            )
         )

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, Phrase
 from tmmcalc.core.quantity import keyed, quantities, table
 from tmmcalc.linkage.facts.places import Shaft, extreme_values, place
 from tmmcalc.linkage.results import Extreme
@@ -292,21 +292,30 @@ def _notes(duty: MotorDuty) -> Iterator[str]:
     motor = duty.motor
     yield from turn_notes(duty.in_turn)
     if duty.rounds and duty.judged and duty.judged[-1].reason:
-        yield f"warning: with the ratio {number(duty.ratio)} of the train itself it fails: {duty.judged[-1].reason}"
+        yield Phrase(
+            "warning: with the ratio {ratio} of the train itself it fails: {reason}",
+            ratio=number(duty.ratio),
+            reason=duty.judged[-1].reason,
+        )
     if duty.off_speed is not None:
         yield duty.off_speed
     yield from duty.contradictions
     if duty.mean_load > 1:
-        text = f"the mean load is {number(duty.mean_load, 4)} of the rated moment: the motor is too weak"
-        yield Note("warning", f"{text}, no flywheel helps", value=duty.mean_load, limit=1.0, name="mean_load")
+        text = Phrase(
+            "the mean load is {mean_load} of the rated moment: the motor is too weak, no flywheel helps",
+            mean_load=number(duty.mean_load, 4),
+        )
+        yield Note("warning", text, value=duty.mean_load, limit=1.0, name="mean_load")
     if motor.inertia is None:
         yield (
             "warning: the inertia of the motor's rotor is not known and counts as 0: the speed comes out too "
             "uneven, the flywheel too heavy; give inertia in [motor]"
         )
     if motor.overload is not None and duty.peak_load > motor.overload:
-        text = (
-            f"the peak load, {number(duty.peak_load, 4)} of the rated moment, exceeds the largest moment of the "
-            f"motor, {number(motor.overload, 4)}: kinetic energy has to carry the machine over it"
+        text = Phrase(
+            "the peak load, {peak_load} of the rated moment, exceeds the largest moment of the motor, {overload}: "
+            "kinetic energy has to carry the machine over it",
+            peak_load=number(duty.peak_load, 4),
+            overload=number(motor.overload, 4),
         )
         yield Note("note", text, value=duty.peak_load, limit=motor.overload, name="peak_load")

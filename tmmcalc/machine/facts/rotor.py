@@ -6,6 +6,7 @@ import cmath
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import Quantity, keyed, table
 from tmmcalc.machine.balance.grades import EXAMPLES
 from tmmcalc.machine.balance.rotors import RotorState, RotorVerdict
@@ -133,8 +134,8 @@ def _notes(grades: Sequence[RotorVerdict]) -> Iterator[str]:
     before, static, dynamic = grades
     name = f"G {before.grade:g}"
     if before.passed:
-        yield f"note: the rotor keeps {name} as it is"
+        yield Phrase("note: the rotor keeps {name} as it is", name=name)
     elif static.passed:
-        yield f"note: balancing in one plane is enough for {name}"
+        yield Phrase("note: balancing in one plane is enough for {name}", name=name)
     elif dynamic.passed:
-        yield f"note: balancing in one plane is not enough for {name}, it takes two"
+        yield Phrase("note: balancing in one plane is not enough for {name}, it takes two", name=name)

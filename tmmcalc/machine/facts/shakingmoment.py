@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.fourier import TURN, Magnitude
 from tmmcalc.core.quantity import Quantity
 from tmmcalc.machine.balance.schemes import Balance
@@ -70,7 +71,12 @@ def raised(result: Balancing) -> Iterator[str]:
         if now.largest <= NOISE * result.shaking.scale or not changed(was, now):
             continue
         if now.rms > was.rms or now.largest > was.largest:
-            sizes = (
-                f"rms {number(was.rms)} -> {number(now.rms)} N*m, max {number(was.largest)} -> {number(now.largest)}"
+            yield Phrase(
+                "note: {name}: what takes the force raises the shaking moment: rms {rms} -> {rms_now} N*m, "
+                "max {largest} -> {largest_now} N*m",
+                name=name,
+                rms=number(was.rms),
+                rms_now=number(now.rms),
+                largest=number(was.largest),
+                largest_now=number(now.largest),
             )
-            yield f"note: {name}: what takes the force raises the shaking moment: {sizes} N*m"

@@ -10,6 +10,7 @@ from dataclasses import replace
 from typing import Literal
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.flywheel.materials import MATERIALS, Material
@@ -72,26 +73,42 @@ def _rim(task: FlywheelTask, own: float, fast: float) -> tuple[Rim | None, tuple
     material = _material(task)
     edge = largest_diameter(fast, material)
     if task.diameter is task.width is task.thickness is None and edge < SMALLEST:
-        text = f"no rim is sized: at {fast:.4g} rad/s {material.name} allows {1e3 * edge:.3g} mm of outer diameter"
-        return None, (Verdict("warning", f"{text}; a slower shaft", edge, SMALLEST, "m", "outer diameter"),)
+        text = Phrase(
+            "no rim is sized: at {fast:.4g} rad/s {material} allows {edge:.3g} mm of outer diameter; a slower shaft",
+            fast=fast,
+            material=material.name,
+            edge=1e3 * edge,
+        )
+        return None, (Verdict("warning", text, edge, SMALLEST, "m", "outer diameter"),)
     try:
         rim = _sized(task, own, fast, material)
     except NoSolutionError as fault:
-        return None, (Verdict("warning", f"no such rim: {fault.message}; {fault.remedy}"),)
+        text = Phrase("no such rim: {message}; {remedy}", message=fault.message, remedy=fault.remedy)
+        return None, (Verdict("warning", text),)
     if rim.diameter < SMALLEST:
-        text = f"no rim is sized: for {own:.4g} kg*m^2 its mean diameter would be {1e3 * rim.diameter:.3g} mm"
+        text = Phrase(
+            "no rim is sized: for {own:.4g} kg*m^2 its mean diameter would be {diameter:.3g} mm",
+            own=own,
+            diameter=1e3 * rim.diameter,
+        )
         return None, (Verdict("warning", text, rim.diameter, SMALLEST, "m", "mean diameter"),)
     if rim.thickness > THICK * rim.diameter:
-        text = f"the rim is {rim.thickness / rim.diameter:.2g} of its mean diameter thick, more disk than rim"
-        remedy = "a larger diameter, a wider rim or a faster shaft"
-        return rim, (
-            Verdict("warning", f"{text}: {remedy}", rim.thickness / rim.diameter, THICK, name="thickness/diameter"),
+        text = Phrase(
+            "the rim is {thickness:.2g} of its mean diameter thick, more disk than rim: a larger diameter, a wider rim "
+            "or a faster shaft",
+            thickness=rim.thickness / rim.diameter,
         )
+        return rim, (Verdict("warning", text, rim.thickness / rim.diameter, THICK, name="thickness/diameter"),)
     if rim.allowed:
         return rim, ()
-    text = f"the rim runs at {rim.speed:.4g} m/s, above {material.rim_speed:.4g} m/s, the limit for {material.name}"
-    remedy = "a smaller diameter, a better material or a slower shaft"
-    return rim, (Verdict("warning", f"{text}: {remedy}", rim.speed, material.rim_speed, "m/s", "rim speed"),)
+    text = Phrase(
+        "the rim runs at {speed:.4g} m/s, above {rim_speed:.4g} m/s, the limit for {material}: a smaller diameter, "
+        "a better material or a slower shaft",
+        speed=rim.speed,
+        rim_speed=material.rim_speed,
+        material=material.name,
+    )
+    return rim, (Verdict("warning", text, rim.speed, material.rim_speed, "m/s", "rim speed"),)
 
 
 def _sized(task: FlywheelTask, own: float, fast: float, material: Material) -> Rim:

@@ -13,6 +13,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.collocation import Orbit
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.flywheel.curve import energy_curve
@@ -203,14 +204,26 @@ def result_of(
     rises = [(a, b) for a, b in pairwise(ordered) if _size(b) > _size(a) * (1 + EQUAL) + NOISE]
     remarks = []
     if first.delta is None:
-        least = "" if carrying is None else f"; {carrying:.4g} kg*m^2 of constant inertia just carry it on"
-        remarks.append(f"without a flywheel the machine stalls or runs away{least}")
+        text = "without a flywheel the machine stalls or runs away"
+        if carrying is not None:
+            text = Phrase(
+                "without a flywheel the machine stalls or runs away; {carrying:.4g} kg*m^2 of constant inertia "
+                "just carry "
+                "it on",
+                carrying=carrying,
+            )
+        remarks.append(text)
     for a, b in rises:
-        risen = "to a stall" if b.delta is None else f"to {b.delta:.4g}"
-        remarks.append(
-            f"delta rises from {a.delta:.4g} at {a.inertia:.5g} kg*m^2 {risen} at {b.inertia:.5g} kg*m^2: "
-            "more inertia is not always better here"
+        text = (
+            "delta rises from {low:.4g} at {less:.5g} kg*m^2 to {high:.4g} at {more:.5g} kg*m^2: more inertia is not "
+            "always better here"
         )
+        if b.delta is None:
+            text = (
+                "delta rises from {low:.4g} at {less:.5g} kg*m^2 to a stall at {more:.5g} kg*m^2: more inertia is not "
+                "always better here"
+            )
+        remarks.append(Phrase(text, low=a.delta, less=a.inertia, high=b.delta or 0.0, more=b.inertia))
     return RequiredInertia(
         root.inertia,
         root.inertia - first.inertia,

@@ -17,6 +17,7 @@ import math
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
@@ -131,7 +132,12 @@ def rim_of_section(
     diameter = _cubic(q, thickness)
     if diameter <= thickness:
         raise NoSolutionError(
-            f"a section of {width:.4g} x {thickness:.4g} m is too heavy: it asks for a diameter of {diameter:.4g} m",
+            Phrase(
+                "a section of {width:.4g} x {thickness:.4g} m is too heavy: it asks for a diameter of {diameter:.4g} m",
+                width=width,
+                thickness=thickness,
+                diameter=diameter,
+            ),
             where="flywheel rim",
             value=diameter,
             limit=thickness,
@@ -176,7 +182,11 @@ def rim_of_diameter_and_thickness(
     _check(inertia=inertia, diameter=diameter, thickness=thickness, speed=speed)
     if thickness >= diameter:
         raise NoSolutionError(
-            f"a rim {thickness:.4g} m thick leaves no hole in a mean diameter of {diameter:.4g} m",
+            Phrase(
+                "a rim {thickness:.4g} m thick leaves no hole in a mean diameter of {diameter:.4g} m",
+                thickness=thickness,
+                diameter=diameter,
+            ),
             where="flywheel rim",
             value=thickness,
             limit=diameter,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.extended import EPS
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
@@ -142,8 +143,10 @@ def _nodal(cycle: Cycle, at_hand: float, delta: float, speed: float, steps: int)
 def _verdicts(addition: float, existing: float, required: RequiredInertia | None) -> list[Verdict]:
     said = [Verdict("note", remark) for remark in required.remarks] if required is not None else []
     if existing and existing < addition * (1 - 1e-12):
-        text = (
-            f"the flywheel of {existing:.6g} kg*m^2 at the input shaft is too light: {addition:.6g} kg*m^2 are needed"
+        text = Phrase(
+            "the flywheel of {existing:.6g} kg*m^2 at the input shaft is too light: {addition:.6g} kg*m^2 are needed",
+            existing=existing,
+            addition=addition,
         )
         said.append(Verdict("warning", text, existing, addition, "kg*m^2", "J_F"))
     return said
@@ -159,8 +162,9 @@ def _resisted_verdicts(cycle: Cycle, inertia: float, speed: float) -> list[Verdi
         reached = positional(cycle, inertia, speed).delta
     except (NoSolutionError, AccuracyError):
         return []
-    text = (
-        "all methods take the loads that depend on the speed at the mean speed; with their real course over the cycle "
-        f"delta is {reached:.7g}, as the motion under a constant driving moment has it"
+    text = Phrase(
+        "all methods take the loads that depend on the speed at the mean speed; with their real course over the "
+        "cycle delta is {reached:.7g}, as the motion under a constant driving moment has it",
+        reached=reached,
     )
     return [Verdict("note", text)]

@@ -12,6 +12,7 @@ import math
 from collections.abc import Callable, Collection, Iterator, Sequence
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 from tmmcalc.machine.motors.model import Motor
 
@@ -120,16 +121,24 @@ def _objections(demand: Demand, motor: Motor) -> Iterator[str]:
     """What speaks against a motor, the plainest first."""
     wanted, has = demand.synchronous, motor.synchronous
     if wanted is not None and not _runs_at(motor, wanted):
-        yield f"its synchronous speed is {_rpm(has)}, not {_rpm(wanted)}" if has else "it has no synchronous speed"
+        text = "its synchronous speed is {has}, not {wanted}"
+        yield Phrase(text, has=_rpm(has), wanted=_rpm(wanted)) if has else "it has no synchronous speed"
     if motor.power < demand.whole:
-        more = f" with {100 * demand.reserve:.3g}% in reserve" if demand.reserve else ""
-        yield f"its {_kw(motor.power)} are less than the required {_kw(demand.power)}{more}"
+        text = "its {power} are less than the required {required}"
+        if demand.reserve:
+            text = "its {power} are less than the required {required} with {reserve:.3g}% in reserve"
+        yield Phrase(text, power=_kw(motor.power), required=_kw(demand.power), reserve=100 * demand.reserve)
     ratio = _ratio(demand, motor)
     if ratio is None:
         return
     if demand.speed is not None and not _in_reach(demand.speed, motor, ratio):
         turns = _rpm(motor.speed / ratio)
-        yield f"through the ratio {ratio:.4g} it turns the input shaft at {turns}, not {_rpm(demand.speed)}"
+        yield Phrase(
+            "through the ratio {ratio:.4g} it turns the input shaft at {turns}, not {wanted}",
+            ratio=ratio,
+            turns=turns,
+            wanted=_rpm(demand.speed),
+        )
     moments = (
         (demand.peak, motor.overload, "overload ratio", "peak of the load", "break-down moment"),
         (demand.start, motor.start, "starting moment", "load at standstill", "starting moment"),
@@ -138,11 +147,16 @@ def _objections(demand: Demand, motor: Motor) -> Iterator[str]:
         if load is None:
             continue
         if times is None:
-            yield f"its {unknown} is not known"
+            yield Phrase("its {unknown} is not known", unknown=unknown)
         elif load / ratio > times * motor.nominal_moment:
             yield (
-                f"the {what}, {load / ratio:.4g} N*m at its shaft, exceeds its {against} of "
-                f"{times * motor.nominal_moment:.4g} N*m"
+                Phrase(
+                    "the {what}, {load:.4g} N*m at its shaft, exceeds its {against} of {times:.4g} N*m",
+                    what=what,
+                    load=load / ratio,
+                    against=against,
+                    times=times * motor.nominal_moment,
+                )
             )
 
 
@@ -154,10 +168,10 @@ def _in_reach(speed: float, motor: Motor, ratio: float) -> bool:
 
 def _second(chosen: Motor, motor: Motor) -> str:
     if motor.power > chosen.power:
-        return f"{_kw(motor.power)} where {_kw(chosen.power)} suffice"
+        return Phrase("{power} where {least} suffice", power=_kw(motor.power), least=_kw(chosen.power))
     if motor.inertia is None and chosen.inertia is not None:
-        return f"it suffices too, but unlike that of {chosen.name} its rotor inertia is not known"
-    return f"it suffices too; {chosen.name} of the same power comes first"
+        return Phrase("it suffices too, but unlike that of {name} its rotor inertia is not known", name=chosen.name)
+    return Phrase("it suffices too; {name} of the same power comes first", name=chosen.name)
 
 
 def _reasons(

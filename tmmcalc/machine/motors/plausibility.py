@@ -89,7 +89,7 @@ def _of_circuit(motor: Motor, kind: CharacteristicKind) -> Iterator[Note]:
         if drop > 1 - motor.efficiency + FAR:
             text = (
                 "its windings lose {value:.3g} % of the rated input, more than all the losses that the efficiency "
-                f"{motor.efficiency:g} leaves"
+                "{efficiency:g} leaves"
             )
             numbers = 100 * drop, 100 * (1 - motor.efficiency), "%"
-            yield held("warning", text, *numbers, name="loss of the windings", place=PLACE)
+            yield held("warning", text, *numbers, name="loss of the windings", place=PLACE, efficiency=motor.efficiency)

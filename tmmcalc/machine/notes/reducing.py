@@ -21,7 +21,7 @@ from tmmcalc.linkage.forces.friction import size_of
 from tmmcalc.linkage.forces.further import FRICTION_REDUCED
 from tmmcalc.linkage.forces.kinetostatics import Reaction
 from tmmcalc.linkage.forces.wrench import Slideway, sliding
-from tmmcalc.linkage.loading import Load, Loading, Pair
+from tmmcalc.linkage.loading import Body, Load, Loading, Pair
 from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.loads.sources import Place, same_place
 from tmmcalc.linkage.model import FRAME, Joint
@@ -181,7 +181,7 @@ def moment_lines(told: Reducing) -> Iterator[Block]:
     names, causes = told.names, [*map(told.names.cause, told.result.contributions)]
     for heading, texts in (
         (tr("Given loads"), [_load_line(told, load) for load in told.loading.loads if load.factor]),
-        (tr("Weights"), [_weight_line(told)] if told.loading.gravity else []),
+        (tr("Weights"), [_weight_line(told)] if told.loading.gravity and _heavy(told) else []),
         (tr("Friction"), _friction_lines(told)),
         (tr("Sum of all forces"), [f"{names.total} = {' + '.join(causes)}"] if len(causes) > 1 else []),
     ):
@@ -217,13 +217,18 @@ def _load_line(told: Reducing, load: Load) -> str:
 def _weight_line(told: Reducing) -> str:
     """All weights in one sum."""
     terms = []
-    for mass in masses_of(told.moving, [body for body in told.loading.bodies if body.mass]):
+    for mass in masses_of(told.moving, _heavy(told)):
         weight, said = mass.body.mass * told.loading.gravity, tr("weight of link {link}", link=mass.body.link)
         for axis, part in (("x", weight.real), ("y", weight.imag)):
             key = f"G_{{{mass.index}{axis}}}"
             told.moving.give(key, np.asarray(part), "N", said)
             terms.append(f"{key}*v_{{{mass.centre}{axis}}}")
     return f"{told.names.moment}_G = ({' + '.join(terms)})/<w>"
+
+
+def _heavy(told: Reducing) -> list[Body]:
+    """The bodies that have a mass."""
+    return [body for body in told.loading.bodies if body.mass]
 
 
 def _friction_lines(told: Reducing) -> list[str]:

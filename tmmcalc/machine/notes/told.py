@@ -9,27 +9,17 @@ from tmmcalc.machine.driver import ConstantInertia
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.shapes import Drawing
-from tmmcalc.report.formula.digits import Given, significant
+from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Figure, Lexicon, Paragraph
+from tmmcalc.report.manuscript import Figure, Lexicon
 from tmmcalc.report.printing import printed_as
-from tmmcalc.report.telling import WIDE, column_of
+from tmmcalc.report.telling import DIGITS, WIDE, column_of
+from tmmcalc.report.telling import held as held
+from tmmcalc.report.telling import numeral as numeral
 
 ANGLE = 6  # decimals of an angle that are no rounding [deg]
-DIGITS = 5  # of a number within a sentence
 LETTERED = 1.15  # words of a picture against those of a drawing on screen
-SIGNS = ("<=", ">=", "<", ">")
-
-
-def numeral(value: float, digits: int = DIGITS) -> str:
-    """A number within a formula of a sentence.
-
-    >>> numeral(0.0125), numeral(1 / 3), numeral(2.5e-7)
-    ('0.0125', '0.33333', '2.5*10**(-7)')
-    """
-    mantissa, _, exponent = significant(value, digits).partition("e")
-    return f"{mantissa}*10**({exponent})" if exponent else mantissa
 
 
 def degrees(angle: float) -> str:
@@ -49,16 +39,6 @@ def plainly(value: float, digits: int = DIGITS) -> str:
     '−12.5'
     """
     return spelt(f"{value:.{digits}g}")
-
-
-def held(condition: str, sides: tuple[float, float], unit: str, *, holds: bool) -> Paragraph:
-    """A condition ``a <= b`` with the numbers of both sides, and whether it holds."""
-    sign = next(each for each in SIGNS if each in condition)
-    unit, factor = printed_as(unit)
-    first, second = (numeral(factor * side) for side in sides)
-    told = f"${condition}$: ${first} {sign} {second}$" + (f" {tr_unit(unit)}" if unit else "")
-    said = tr("The condition holds.") if holds else tr("The condition fails.")
-    return Paragraph(f"{told}. {said}")
 
 
 def row_of(name: str, unit: str, values: Sequence[float]) -> tuple[str, ...]:

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.linkage.loading import Load
@@ -44,9 +45,12 @@ def _of_work(load: Load, dense: Panels, part: Values) -> Grade | None:
     against = -work if load.role == "drive" else work
     if against <= NOTHING * float(dense.total(np.abs(part))):
         return None
-    does = "drives" if work > 0 else "resists"
-    text = f"is called a {load.role} but {does}: {work:+.6g} J a cycle; turn its direction or its sign, or its role"
-    return Grade("warning", f"load {load.name}", text)
+    text = (
+        "is called a {role} but drives: {work:+.6g} J a cycle; turn its direction or its sign, or its role"
+        if work > 0
+        else "is called a {role} but resists: {work:+.6g} J a cycle; turn its direction or its sign, or its role"
+    )
+    return Grade("warning", Phrase("load {name}", name=load.name), Phrase(text, role=load.role, work=work))
 
 
 def _of_part(travel: Travel, load: Load, dense: Panels, part: Values) -> Grade | None:
@@ -58,25 +62,32 @@ def _of_part(travel: Travel, load: Load, dense: Panels, part: Values) -> Grade |
     share = gained / (gained - work) if gained else 0.0
     if share < TOLD:
         return None
-    net = f"does {work:+.6g} J in all" if work < -NOTHING * gained else "does no work in all"
-    text = f"is called a resistance but drives {_named(travel, ranges)}: {gained:+.6g} J, {100 * share:.3g} % of what"
+    net = Phrase("does {work:+.6g} J in all", work=work) if work < -NOTHING * gained else "does no work in all"
+    text = Phrase(
+        "is called a resistance but drives {named}: {gained:+.6g} J, {share:.3g} % of what it takes elsewhere, so that "
+        "it {net}",
+        named=_named(travel, ranges),
+        gained=gained,
+        share=100 * share,
+        net=net,
+    )
     remedy = (
         'is the window of its stroke missing (stroke = "working"), or is a sign wrong? If it is meant so, write '
         'role = "drive", or "neutral" for what is lifted and let down'
     )
     return Grade(
         "warning" if share > GRAVE else "note",
-        f"load {load.name}",
-        f"{text} it takes elsewhere, so that it {net}; {remedy}",
+        Phrase("load {name}", name=load.name),
+        Phrase("{text}; {remedy}", text=text, remedy=remedy),
     )
 
 
 def _named(travel: Travel, ranges: Sequence[Range]) -> str:
     """Ranges of angles in words."""
     if len(ranges) > SHOWN:
-        return f"on {len(ranges)} parts of the cycle"
+        return Phrase("on {ranges} parts of the cycle", ranges=len(ranges))
     named = (travel.named(np.array([low, high])) for low, high, _ in ranges)
-    return " and ".join(f"from {low} to {high}" for low, high in named)
+    return listed([Phrase("from {low} to {high}", low=low, high=high) for low, high in named], " and ")
 
 
 def driving(dense: Panels, part: Values, *, whole: bool) -> list[Range]:

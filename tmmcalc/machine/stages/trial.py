@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from tmmcalc.core.errors import AccuracyError, NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.machine.judged import Judged, decided, kept, taken
 from tmmcalc.machine.motors.model import with_lag
 from tmmcalc.machine.onemass import vanishing
@@ -63,7 +64,7 @@ class Trials:
             try:
                 against = self._start(motor, found.ratio or 1.0)
             except (AccuracyError, NoSolutionError) as error:
-                against = f"a start with it is not found: {error.message}"
+                against = Phrase("a start with it is not found: {message}", message=error.message)
             found = self.done[motor] = replace(found, starts=not against, reason=found.reason or against)
         return found
 
@@ -72,7 +73,7 @@ class Trials:
         try:
             moments = self._moments(motor, ratio)
         except (NoSolutionError, AccuracyError) as error:
-            return replace(judged, reason=f"with it there is no steady motion: {error.message}")
+            return replace(judged, reason=Phrase("with it there is no steady motion: {message}", message=error.message))
         except UsageError as error:  # a datum that the characteristic or the lag asks for
             return replace(judged, reason=error.message)
         rated, overload = motor.nominal_moment, motor.overload
@@ -88,17 +89,20 @@ class Trials:
         """Which of the limits of the steady motion the motor does not keep; empty: none."""
         rated, reserve = judged.motor.nominal_moment, self.wish.reserve
         if kept(judged.heating, reserve) is False:
-            more = f" with {100 * reserve:.3g}% in reserve" if reserve else ""
-            return (
-                f"it overheats: the rms moment of {moments.rms:.4g} N*m is {judged.heating:.3g} of the rated "
-                f"{rated:.4g} N*m{more}"
-            )
+            text = "it overheats: the rms moment of {rms:.4g} N*m is {part:.3g} of the rated {rated:.4g} N*m"
+            if reserve:
+                text = (
+                    "it overheats: the rms moment of {rms:.4g} N*m is {part:.3g} of the rated {rated:.4g} N*m with "
+                    "{reserve:.3g}% in reserve"
+                )
+            return Phrase(text, rms=moments.rms, part=judged.heating, rated=rated, reserve=100 * reserve)
         if judged.largest is None and self.overload:
             return "its overload ratio is not known"
         if kept(judged.largest) is False:
-            return (
-                f"overload: {moments.largest:.4g} N*m are asked of it, its break-down moment is "
-                f"{(judged.motor.overload or 0.0) * rated:.4g} N*m"
+            return Phrase(
+                "overload: {largest:.4g} N*m are asked of it, its break-down moment is {most:.4g} N*m",
+                largest=moments.largest,
+                most=(judged.motor.overload or 0.0) * rated,
             )
         return ""
 
@@ -175,10 +179,11 @@ class Trials:
             end, last = float(found.t[-1]), float(found.omega[0, -1])
             curve = drive.characteristic
             if found.end == "stall":
-                return f"{start.scenario.name}: it stalls at t = {end:.3g} s"
+                return Phrase("{name}: it stalls at t = {end:.3g} s", name=start.scenario.name, end=end)
             late = curve is not None and curve.critical is not None and last < curve.critical
             if late and found.end in ("time", "steady") and scenario.motor_on(end):
-                return f"{start.scenario.name}: at its end, t = {end:.3g} s, it has not come past its break-down speed"
+                text = "{name}: at its end, t = {end:.3g} s, it has not come past its break-down speed"
+                return Phrase(text, name=start.scenario.name, end=end)
         return ""
 
     def _method(self, start: TransientTask, usual: Any) -> Any:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.machine.motors.braking import Braking, braking, critical_speed
 from tmmcalc.machine.motors.model import RPM, Motor
 from tmmcalc.machine.verdicts import Verdict
@@ -49,17 +50,22 @@ def excitation(motor: Motor, how: Braking, found: Transient, ratio: float) -> tu
     speed = float(np.interp(begin, found.t, found.omega[0])) * ratio
     resistance = _circuit(motor, how)
     critical = resistance * speed / least
-    at = f"at the {speed * RPM:.5g} rpm of the motor at which it begins to brake"
     numbers = resistance, critical, "ohm", "R + R_a"
+    values = {"resistance": resistance, "critical": critical, "speed": speed * RPM, "least": least * RPM}
     if resistance >= critical:
-        text = f"the motor does not excite itself: the {resistance:.5g} ohm of its circuit are not below the critical"
-        remedy = "less resistance, or a source of its own for the field"
-        return (
-            Verdict("warning", f"{text} {critical:.5g} ohm {at}, and nothing but the load brakes: {remedy}", *numbers),
+        text = (
+            "the motor does not excite itself: the {resistance:.5g} ohm of its circuit are not below the critical "
+            "{critical:.5g} ohm at the {speed:.5g} rpm of the motor at which it begins to brake, and nothing but the "
+            "load brakes: less resistance, or a source of its own for the field"
         )
-    text = f"the motor excites itself, for the {resistance:.5g} ohm of its circuit are below the critical"
-    end = f"it does so down to {least * RPM:.5g} rpm, below which nothing but the load brakes"
-    return (Verdict("note", f"{text} {critical:.5g} ohm {at}; {end}", *numbers),)
+        return (Verdict("warning", Phrase(text, **values), *numbers),)
+    text = (
+        "the motor excites itself, for the {resistance:.5g} ohm of its circuit are below the critical {critical:.5g} "
+        "ohm at the {speed:.5g} rpm of the motor at which it begins to brake; it does so down to {least:.5g} rpm, "
+        "below "
+        "which nothing but the load brakes"
+    )
+    return (Verdict("note", Phrase(text, **values), *numbers),)
 
 
 def _circuit(motor: Motor, how: Braking) -> float:

@@ -10,11 +10,11 @@ from tmmcalc.machine.transient.pointwise import Stretch
 from tmmcalc.machine.transient.scenario import Scenario
 
 PASSED = {
-    "target": "speed of the crank {:.6g} rad/s",
-    "overload": "the motor falls below its rated speed, {:.6g} rad/s at the crank",
-    "pull-out": "the motor falls below the speed of its largest moment, {:.6g} rad/s at the crank",
+    "target": "speed of the crank {level:.6g} rad/s",
+    "overload": "the motor falls below its rated speed, {level:.6g} rad/s at the crank",
+    "pull-out": "the motor falls below the speed of its largest moment, {level:.6g} rad/s at the crank",
     "reversal": "the crank turns back",
-    "runaway": "the crank runs away: {:.6g} rad/s",
+    "runaway": "the crank runs away: {level:.6g} rad/s",
     "cycle": "the motion repeats itself from cycle to cycle",
 }
 

@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.errors import AccuracyError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.timescales import TimeScales, time_scales
 from tmmcalc.machine.transient.equations import Regime, System, derivative
@@ -71,8 +72,13 @@ def plan(
         ripple += size.moment / (swing.inertia * swing.rate)
         rigid |= {swing.shaft}
         notes.append(
-            f"shaft {swing.shaft + 1} is taken as rigid, for it would swing {swing.periods:.3g} periods at "
-            f"{swing.rate:.3g} rad/s; its moment is that of the rigid drive, and one that comes suddenly can double it"
+            Phrase(
+                "shaft {shaft} is taken as rigid, for it would swing {periods:.3g} periods at {rate:.3g} rad/s; "
+                "its moment is that of the rigid drive, and one that comes suddenly can double it",
+                shaft=swing.shaft + 1,
+                periods=swing.periods,
+                rate=swing.rate,
+            )
         )
 
 

@@ -12,6 +12,7 @@ from functools import cache
 from typing import NamedTuple
 
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.steps import Derivative, State
 from tmmcalc.machine.transient.equations import Regime, System, derivative
 from tmmcalc.machine.transient.events import Hit, Watch, extreme, hits, level
@@ -164,7 +165,7 @@ class Run:
                 return
             self._armed, self._factor = False, step.factor
             self._loads.pop(0)
-            self.note("load", f"load factor {step.factor:g}", self.t, self.y)
+            self.note("load", Phrase("load factor {factor:g}", factor=step.factor), self.t, self.y)
 
     def _over(self, regime: Regime) -> End | None:
         """What ended the run: its time, or that nothing will ever move again."""
@@ -258,7 +259,7 @@ class Run:
             if self._repeats.steady:
                 self.note("steady", PASSED["cycle"], hit.t, hit.y)
             return
-        self.note(watch.kind, PASSED[watch.kind].format(watch.level), hit.t, hit.y)
+        self.note(watch.kind, Phrase(PASSED[watch.kind], level=watch.level), hit.t, hit.y)
         if watch.kind != "reversal":
             self._passed.add((watch.kind, watch.level))
             watches.remove(watch)
@@ -269,13 +270,18 @@ class Run:
         if kind in ("above", "below"):
             self._place = self.ways.of(self._way).turned(index + (1 if kind == "above" else -1), base)
         elif kind == "speed":
-            self.note("target", PASSED["target"].format(hit.watch.level), self.t, self.y)
+            self.note("target", Phrase(PASSED["target"], level=hit.watch.level), self.t, self.y)
             return "speed"
         elif kind == "angle":
-            self.note("angle", f"the crank has turned by {self.scenario.end_angle:g} rad", self.t, self.y)
+            self.note(
+                "angle",
+                Phrase("the crank has turned by {end_angle:g} rad", end_angle=self.scenario.end_angle),
+                self.t,
+                self.y,
+            )
             return "angle"
         elif kind == "runaway":
-            self.note("runaway", PASSED["runaway"].format(hit.watch.level), self.t, self.y)
+            self.note("runaway", Phrase(PASSED["runaway"], level=hit.watch.level), self.t, self.y)
             return "runaway"
         elif kind == "rest" and hit.watch.component == self._crank:
             self._rests = True

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.verdicts import SLACK, Verdict
 
@@ -53,16 +54,18 @@ def verdicts(
     found += _heating(curves, drive)
     found += _length(scenario, curves, events, end)
     if imbalance > UNBALANCED:
-        text = f"energy and work differ by {imbalance:.2g} of the energy turned over"
-        found.append(
-            Verdict("warning", f"{text}: take smaller steps, or step control", imbalance, UNBALANCED, name="imbalance")
+        text = (
+            "energy and work differ by {imbalance:.2g} of the energy turned over: take smaller steps, or step control"
         )
+        said = Phrase(text, imbalance=imbalance)
+        found.append(Verdict("warning", said, imbalance, UNBALANCED, name="imbalance"))
     factors = sorted({float(u) for u in curves.load_factor} - {0.0, 1.0})
     if drive.back is not None and drive.idle is not drive.cycle and factors:
-        text = f"friction at the load factor {', '.join(f'{u:g}' for u in factors)} is taken on the straight line"
-        found.append(
-            Verdict("note", f"{text} through the friction without load and with it, which is an approximation")
+        text = (
+            "friction at the load factor {factors} is taken on the straight line through the friction without load and "
+            "with it, which is an approximation"
         )
+        found.append(Verdict("note", Phrase(text, factors=[f"{u:g}" for u in factors])))
     found += [Verdict("note", note) for note in notes]
     return tuple(sorted(found, key=lambda verdict: verdict.severity == "note"))
 
@@ -85,10 +88,18 @@ def _ran_away(scenario: Scenario, curves: Curves, drive: Drive, end: End) -> lis
         return []
     t, speed = float(curves.t[-1]), float(curves.omega[-1, -1])
     powered = drive.characteristic is not None and scenario.motor_on(t)
-    motor = "motor and loads drive" if powered else "without a motor its loads drive"
-    text = f"the machine runs away: {motor} it faster and faster, after {t:.5g} s it has {speed:.6g} rad/s"
-    remedy = "is the sign of a load wrong? If not, add what resists, or give the duration that is of interest"
-    return [Verdict("warning", f"{text}; {remedy}")]
+    if powered:
+        text = (
+            "the machine runs away: motor and loads drive it faster and faster, after {t:.5g} s it has {speed:.6g} "
+            "rad/s; is the sign of a load wrong? If not, add what resists, or give the duration that is of interest"
+        )
+    else:
+        text = (
+            "the machine runs away: without a motor its loads drive it faster and faster, after {t:.5g} s it has "
+            "{speed:.6g} rad/s; is the sign of a load wrong? If not, add what resists, or give the duration that is of "
+            "interest"
+        )
+    return [Verdict("warning", Phrase(text, t=t, speed=speed))]
 
 
 def _turned_back(scenario: Scenario, system: System, events: list[Event], drive: Drive) -> list[Verdict]:
@@ -96,16 +107,24 @@ def _turned_back(scenario: Scenario, system: System, events: list[Event], drive:
     first = next((event for event in events if event.kind == "reversal"), None)
     if first is None:
         return []
-    at = f"the crank turns back at t = {first.time:.5g} s, crank angle {math.degrees(first.angle) % 360:.5g} deg"
+    at = Phrase(
+        "the crank turns back at t = {time:.5g} s, crank angle {angle:.5g} deg",
+        time=first.time,
+        angle=math.degrees(first.angle) % 360,
+    )
     found = []
     if system.moment is not None and scenario.motor_on(first.time):
         static = system.moment(0.0)
         if static > 0:
-            text = f"{at}: the load drives it against the {static:.5g} N*m of the motor at standstill"
-            found.append(Verdict("warning", f"{text}: a stronger motor, a larger ratio, or a brake"))
+            text = (
+                "{at}: the load drives it against the {static:.5g} N*m of the motor at standstill: a stronger motor, a "
+                "larger ratio, or a brake"
+            )
+            found.append(Verdict("warning", Phrase(text, at=at, static=static)))
     if not found:
-        rubs = "; friction of the pairs is that of the crank turning back" if drive.back is not None else ""
-        found.append(Verdict("note", at + rubs))
+        if drive.back is not None:
+            at = Phrase("{at}; friction of the pairs is that of the crank turning back", at=at)
+        found.append(Verdict("note", at))
     return found
 
 
@@ -114,8 +133,11 @@ def _pulls_back(scenario: Scenario, system: System, curves: Curves, end: End) ->
     static = system.moment(0.0) if system.moment and scenario.motor_on(float(curves.t[-1])) else 0.0
     if end != "standstill" or static >= 0:
         return []
-    text = f"at rest the motor still pulls back with {-static:.5g} N*m at the crank"
-    return [Verdict("note", f'{text}: it is to be switched off there; standstill = "pass" shows the crank turn back')]
+    text = (
+        "at rest the motor still pulls back with {static:.5g} N*m at the crank: it is to be switched off there; "
+        'standstill = "pass" shows the crank turn back'
+    )
+    return [Verdict("note", Phrase(text, static=-static))]
 
 
 def _crawls(scenario: Scenario, curves: Curves, drive: Drive, end: End) -> list[Verdict]:
@@ -127,9 +149,13 @@ def _crawls(scenario: Scenario, curves: Curves, drive: Drive, end: End) -> list[
     fastest = float(curves.omega[0, late].max())
     if not scenario.motor_on(float(curves.t[-1])) or last <= 0 or fastest >= motor.critical:
         return []
-    text = f"the motor, at {last:.6g} rad/s, has not come past its break-down speed {motor.critical:.6g} rad/s"
-    remedy = "the start takes longer than this, or the load is too large for it"
-    return [Verdict("warning", f"{text}: {remedy}", last, motor.critical, "rad/s", "omega")]
+    text = Phrase(
+        "the motor, at {last:.6g} rad/s, has not come past its break-down speed {critical:.6g} rad/s: the start takes "
+        "longer than this, or the load is too large for it",
+        last=last,
+        critical=motor.critical,
+    )
+    return [Verdict("warning", text, last, motor.critical, "rad/s", "omega")]
 
 
 def _heating(curves: Curves, drive: Drive) -> list[Verdict]:
@@ -139,20 +165,28 @@ def _heating(curves: Curves, drive: Drive) -> list[Verdict]:
     if rated is None or rated <= 0 or mean <= rated * (1 + SLACK) or not time:
         return []
     pause = time * ((mean / rated) ** 2 - 1)
-    text = f"heating: the root mean square of the motor's moment {mean:.5g} N*m over {time:.4g} s exceeds the rated"
-    remedy = f"repeated, this motion needs pauses of {pause:.3g} s without current, or a stronger motor"
-    return [Verdict("warning", f"{text} {rated:.5g} N*m: {remedy}", mean, rated, "N*m", "M_motor_rms")]
+    text = Phrase(
+        "heating: the root mean square of the motor's moment {mean:.5g} N*m over {time:.4g} s exceeds the rated "
+        "{rated:.5g} N*m: repeated, this motion needs pauses of {pause:.3g} s without current, or a stronger motor",
+        mean=mean,
+        time=time,
+        rated=rated,
+        pause=pause,
+    )
+    return [Verdict("warning", text, mean, rated, "N*m", "M_motor_rms")]
 
 
 def _length(scenario: Scenario, curves: Curves, events: list[Event], end: End) -> list[Verdict]:
     """A duration that is much too long, or none that ended the motion."""
     steady = next((event for event in reversed(events) if event.kind == "steady"), None)
     if end == "time" and scenario.until_steady:
-        text = f"after {curves.t[-1]:g} s the motion does not repeat itself yet"
-        return [Verdict("warning", f"{text}, and is ended: give the duration that is of interest")]
+        text = (
+            "after {t:g} s the motion does not repeat itself yet, and is ended: give the duration that is of interest"
+        )
+        return [Verdict("warning", Phrase(text, t=curves.t[-1]))]
     if end == "time" and steady and steady.time < EARLY * scenario.duration:
-        text = f"the motion repeats itself from t = {steady.time:.4g} s on"
-        return [Verdict("note", f"{text}: without a duration the run ends there")]
+        text = "the motion repeats itself from t = {time:.4g} s on: without a duration the run ends there"
+        return [Verdict("note", Phrase(text, time=steady.time))]
     return []
 
 
@@ -161,12 +195,12 @@ def _missed(scenario: Scenario, curves: Curves, events: list[Event], end: End) -
     if end == "speed":
         return []
     reached = [event.speed for event in events if event.kind == "target"]
-    last = f"after {curves.t[-1]:.4g} s it has {curves.omega[-1, -1]:.6g} rad/s"
+    text = "the crank does not reach {speed:.6g} rad/s: after {t:.4g} s it has {omega:.6g} rad/s"
     asked = [*scenario.targets] if scenario.end_speed is None else [scenario.end_speed, *scenario.targets]
     return [
         Verdict(
             "warning" if speed == scenario.end_speed else "note",
-            f"the crank does not reach {speed:.6g} rad/s: {last}",
+            Phrase(text, speed=speed, t=curves.t[-1], omega=curves.omega[-1, -1]),
             *(float(curves.omega[-1, -1]), speed, "rad/s", "omega"),
         )
         for speed in asked
@@ -191,23 +225,37 @@ def _stall(scenario: Scenario, system: System, curves: Curves) -> Verdict:
     braked = scenario.brake_on(float(curves.t[-1])) and system.grip > 0
     asked = (system.grip if braked else 0.0) - curves.load_moment[-1]
     began = "the motor stalls" if curves.omega[-1].any() else "the motor cannot start"
+    text = (
+        "{began} at the crank angle {theta:.5g} deg: at standstill it gives {static:.5g} N*m at the crank, the load "
+        "asks for {asked:.5g} N*m: a larger starting moment, a larger ratio, more inertia, or a start without load"
+    )
+    if braked:
+        text = (
+            "{began} at the crank angle {theta:.5g} deg: at standstill it gives {static:.5g} N*m at the crank, "
+            "load and "
+            "brake ask for {asked:.5g} N*m: a larger starting moment, a larger ratio, more inertia, or a start without "
+            "load"
+        )
     return Verdict(
         "warning",
-        f"{began} at the crank angle {math.degrees(curves.theta[-1, -1]) % 360:.5g} deg: at standstill it gives "
-        f"{static:.5g} N*m at the crank, {'load and brake ask' if braked else 'the load asks'} for {asked:.5g} N*m: "
-        "a larger starting moment, a larger ratio, more inertia, or a start without load",
+        Phrase(text, began=began, theta=math.degrees(curves.theta[-1, -1]) % 360, static=static, asked=asked),
     )
 
 
 def _slow(event: Event, scenario: Scenario, curves: Curves) -> Verdict:
     driven = [event.time <= t and scenario.motor_on(t) for t in curves.t.tolist()]
     speeds = curves.omega[0, driven]
-    lowest = f"; its lowest speed afterwards is {float(np.min(speeds)):.6g} rad/s" if len(speeds) else ""
-    return Verdict(
-        "warning" if event.kind == "pull-out" else "note",
-        f"{event.kind} at t = {event.time:.5g} s, crank angle {math.degrees(event.angle) % 360:.4g} deg: "
-        f"{event.message}{lowest}",
+    text = Phrase(
+        "{kind} at t = {time:.5g} s, crank angle {angle:.4g} deg: {message}",
+        kind=event.kind,
+        time=event.time,
+        angle=math.degrees(event.angle) % 360,
+        message=event.message,
     )
+    if len(speeds):
+        lowest = float(np.min(speeds))
+        text = Phrase("{text}; its lowest speed afterwards is {lowest:.6g} rad/s", text=text, lowest=lowest)
+    return Verdict("warning" if event.kind == "pull-out" else "note", text)
 
 
 def _extrapolated(scenario: Scenario, curves: Curves, drive: Drive, rated: float | None) -> list[Verdict]:
@@ -223,12 +271,32 @@ def _extrapolated(scenario: Scenario, curves: Curves, drive: Drive, rated: float
         return []
     lowest, largest = float(curves.omega[0, slow].min()), float(curves.motor_moment[slow].max())
     time = float(np.diff(curves.t)[slow[:-1]].sum())
-    times = f", {largest / rated:.3g} times the rated" if rated else ""
     whole = 'with overload an induction motor takes its whole curve (Kloss); of a shunt motor characteristic = "shunt"'
     remedy = "give points for these speeds" if motor.name == "table" else whole
-    text = f"the {motor.name} characteristic holds from {motor.least:.6g} rad/s up, the speed is as low as {lowest:.6g}"
-    more = f"below, for {time:.4g} s, it is extrapolated to {largest:.5g} N*m{times}: these times and moments are no"
-    return [Verdict("warning", f"{text} rad/s; {more} prediction; {remedy}", lowest, motor.least, "rad/s", "omega")]
+    if rated:
+        text = (
+            "the {characteristic} holds from {least:.6g} rad/s up, the speed is as low as {lowest:.6g} rad/s; "
+            "below, for {time:.4g} s, it is extrapolated to {largest:.5g} N*m, {times:.3g} times the rated: these "
+            "times "
+            "and moments are no prediction; {remedy}"
+        )
+    else:
+        text = (
+            "the {characteristic} holds from {least:.6g} rad/s up, the speed is as low as {lowest:.6g} rad/s; "
+            "below, for {time:.4g} s, it is extrapolated to {largest:.5g} N*m: these times and moments are no "
+            "prediction; {remedy}"
+        )
+    said = Phrase(
+        text,
+        characteristic=f"{motor.name} characteristic",
+        least=motor.least,
+        lowest=lowest,
+        time=time,
+        largest=largest,
+        times=largest / rated if rated else 0.0,
+        remedy=remedy,
+    )
+    return [Verdict("warning", said, lowest, motor.least, "rad/s", "omega")]
 
 
 def _without_quiet(scenario: Scenario, shape: Profile, events: list[Event]) -> list[Verdict]:
@@ -240,8 +308,12 @@ def _without_quiet(scenario: Scenario, shape: Profile, events: list[Event]) -> l
     found = []
     for k, step in enumerate(steps):
         if step.quiet:
-            at = f"at {math.degrees(taken[k].angle) % 360:.5g} deg" if k < len(taken) else "as soon as it is due"
-            text = f"the load factor {step.factor:g} does not wait (quiet): no part of the cycle is without load; it is"
-            remedy = "give the load a window, or leave quiet out"
-            found.append(Verdict("warning", f"{text} applied {at}: {remedy}"))
+            at = "as soon as it is due"
+            if k < len(taken):
+                at = Phrase("at {angle:.5g} deg", angle=math.degrees(taken[k].angle) % 360)
+            text = (
+                "the load factor {factor:g} does not wait (quiet): no part of the cycle is without load; it is applied "
+                "{at}: give the load a window, or leave quiet out"
+            )
+            found.append(Verdict("warning", Phrase(text, factor=step.factor, at=at)))
     return found

@@ -25,6 +25,7 @@ from tmmcalc.report.drawing.polar import AROUND, name_axes
 from tmmcalc.report.drawing.shapes import Area, Drawing, Hatching, Words
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
+from tmmcalc.report.sheets.piece import Piece
 
 UNIFORM = 2  # number of the phase
 SMOOTH = 400  # steps of the curves
@@ -45,14 +46,39 @@ def figure(order: Order) -> Drawing:
     return manipulator_drawing(to_manipulator(order.spec), order.results["manipulator"])
 
 
+def pieces_of(order: Order) -> tuple[Piece, Piece]:
+    """The path with the arm and what is in the way; gripper and joints over the time."""
+    from tmmcalc.manipulators.tables.tasks.manipulator import to_manipulator
+
+    task, result = to_manipulator(order.spec), order.results["manipulator"]
+    dense = _dense(task)
+
+    def views(drawing: Drawing, box: Box) -> None:
+        _draw_views(drawing, box, task, result, dense)
+
+    def graphs(drawing: Drawing, box: Box) -> None:
+        _draw_graphs(drawing, box, result, dense)
+
+    path = tr("Path of the gripper with points equally spaced in time, the arm")
+    return (
+        Piece("linkage", path, views, (150.0, 80.0), (160.0, 85.0 if result.arm.spatial else 130.0)),
+        Piece("linkage", tr("Gripper and joints over the time"), graphs, (150.0, 120.0), (160.0, 150.0)),
+    )
+
+
 def manipulator_drawing(task: ManipulatorTask, result: Manipulator) -> Drawing:
     """A sheet with the path, and one with gripper and joints over the time."""
     drawing, (first, second) = sheets(2)
-    dense = solve_manipulator(replace(task, steps=task.steps * -(-SMOOTH // task.steps)))
+    dense = _dense(task)
     drawing.add(Words(complex(first.middle.real, first.top), _heading(result), 3.2, 1j))
     _draw_views(drawing, first.inset(0, 0, 0, HEADING), task, result, dense)
     _draw_graphs(drawing, second, result, dense)
     return drawing
+
+
+def _dense(task: ManipulatorTask) -> Manipulator:
+    """The motion at so many rows that curves through them are smooth."""
+    return solve_manipulator(replace(task, steps=task.steps * -(-SMOOTH // task.steps)))
 
 
 def _heading(result: Manipulator) -> str:

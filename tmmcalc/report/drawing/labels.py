@@ -204,7 +204,8 @@ class Labels:
     ) -> tuple[Plane, Real, Real]:
         """Centres of the name around an anchor, what each would cover, and what else is said against it."""
         centres = np.concatenate([anchor + _outward(AROUND, half, gap) for gap in gaps])
-        liking = np.tile((AROUND * np.conj(prefer / abs(prefer))).real, len(gaps))
+        way = prefer / abs(prefer) if prefer else 0.0
+        liking = np.tile((AROUND * np.conj(way)).real, len(gaps))
         distance = np.repeat(np.arange(len(gaps)), len(AROUND))
         return centres, self._covered(centres, half), 0.8 * distance - 0.5 * liking
 

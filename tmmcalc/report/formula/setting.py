@@ -39,6 +39,7 @@ from tmmcalc.report.formula.tree import (
 )
 from tmmcalc.report.language import spoken, tr_number
 
+RADIANS = 7  # digits at least of an angle in rad: a round one in degrees has few
 RELATIONS = {"=": "=", "<": "<", "<=": "≤", ">": ">", ">=": "≥", "~": "≈"}
 ROUNDED = {"floor": "⌊⌋", "ceil": "⌈⌉"}
 POWERED = ("sin", "cos", "tan")  # functions whose power stands before the argument
@@ -270,11 +271,11 @@ def _call(function: str, arguments: Sequence[Node], values: Values, power: Box |
 
 
 def _in_rad(shown: Shown) -> Shown:
-    """An angle in rad, with one digit more than in degrees."""
+    """An angle in rad, with one digit more than in degrees, and no fewer than its line needs."""
     if not shown.degrees:
         return shown
     figures = sum(map(str.isdigit, shown.digits))
-    return Shown(f"{math.radians(float(shown.digits)):.{figures + 1}g}")
+    return Shown(f"{math.radians(float(shown.digits)):.{max(figures + 1, RADIANS)}g}")
 
 
 def _signed(box: Box) -> bool:

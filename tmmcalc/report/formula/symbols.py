@@ -14,6 +14,7 @@ GREEK = {
     "zeta": "ζ",
     "eta": "η",
     "theta": "θ",
+    "vartheta": "ϑ",
     "kappa": "κ",
     "lambda": "λ",
     "mu": "μ",

@@ -29,6 +29,7 @@ from tmmcalc.report.formula.tree import (
 
 RELATION = re.compile(r"<=|>=|=|<|>|~")
 FUNCTION = re.compile(r"[A-Za-z]\w*(?=\()")
+LARGE = 1e6  # numbers from which on a decimal one has a power of ten
 NUMBER = re.compile(r"\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 
 
@@ -83,7 +84,7 @@ class _Reader:
     def node(self, tree: ast.expr) -> Node:
         match tree:
             case ast.Constant(value=int() | float()) if not isinstance(tree.value, bool):
-                return Number(ast.unparse(tree))
+                return Number(_written(tree.value))
             case ast.Name(id=word):
                 return Name(self.words[int(word[1:-1])])
             case ast.UnaryOp(op=ast.USub(), operand=inner):
@@ -112,6 +113,18 @@ class _Reader:
             case ast.Pow():
                 return Power(left, right)
         raise FormulaError(f"{self.text!r}: {type(operator).__name__} is nothing of a formula")
+
+
+def _written(number: float) -> str:
+    """A number as it is written, a large one with a power of ten.
+
+    >>> _written(2), _written(0.5), _written(2.06e11)
+    ('2', '0.5', '2.06e11')
+    """
+    if isinstance(number, int) or abs(number) < LARGE:
+        return repr(number)
+    mantissa, _, exponent = f"{number:.15e}".partition("e")
+    return f"{mantissa.rstrip('0').rstrip('.')}e{int(exponent)}"
 
 
 def negative(node: Node) -> Node:

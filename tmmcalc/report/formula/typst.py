@@ -7,6 +7,8 @@ from tmmcalc.report.formula.setting import spelt
 
 OPERATORS = {"·": "dot.op", ";": "\\;", "=": "=", "<": "<", "≤": "<=", ">": ">", "≥": ">=", "≈": "approx"}
 
+UNARY = 'class("unary", −)'  # a minus before a whole
+
 
 def typst(box: layout.Box) -> str:
     """The source, without the signs that enclose it.
@@ -23,16 +25,16 @@ upright("2")), 2)'
         case layout.Word(text):
             return f'upright("{text}")' if text.strip(",") == text else f'class("normal", upright("{text}"))'
         case layout.Digits(text):
-            number = spelt(text)
-            return f'"{number}"' if "," in number else number
+            return spelt(text).replace(",", '","')  # the comma alone: a text of several letters has gaps around it
         case layout.Sign("−", leads=True):
-            return 'class("normal", −)'
+            return UNARY
         case layout.Sign(text):
             return OPERATORS.get(text, text)
         case layout.Gap():
             return "thin"
         case layout.Row(boxes):
-            return _row(boxes)
+            # a space before a text would be set as one
+            return " ".join(map(typst, boxes)).replace(f'{UNARY} "', f'{UNARY}"')
         case layout.Fraction(over, under):
             return f"frac({typst(over)}, {typst(under)})"
         case layout.Marked(inner, mark):
@@ -54,13 +56,3 @@ upright("2")), 2)'
             return f"sum_({typst(lower)}) {typst(body)}"
         case layout.Arrowed(inner):
             return f"arrow({typst(inner)})"
-
-
-def _row(boxes: tuple[layout.Box, ...]) -> str:
-    """Boxes one after another; a number in quotes follows its minus at once, where Typst would keep a space."""
-    found = ""
-    for k, box in enumerate(boxes):
-        piece = typst(box)
-        close = k and isinstance(boxes[k - 1], layout.Sign) and boxes[k - 1].leads and piece.startswith('"')
-        found += piece if close or not k else f" {piece}"
-    return found

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import pi, sqrt
+from typing import NamedTuple
 
 import numpy as np
 
@@ -149,15 +150,30 @@ def _normalised(shapes: Values) -> Values:
     return found
 
 
+class RigidBody(NamedTuple):
+    """The rotor as a rigid pendulum."""
+
+    inertia: float  # I_t about a horizontal axis through the joint [kg*m^2]
+    polar: float  # I_p about the rod [kg*m^2]
+    stiffness: float  # K_t against a tilt [N*m/rad]
+
+
+def rigid_body(task: PendulumTask) -> RigidBody:
+    """Inertia and stiffness of the rotor that does not bend."""
+    rod, disc = task.rod, task.disc
+    line = rod.density * rod.length
+    return RigidBody(
+        line * rod.length**2 / 3 + line * rod.radius[0] ** 2 + disc.mass * rod.length**2 + disc.diametral[0],
+        2 * line * rod.radius[0] ** 2 + disc.polar,
+        (line / 2 + disc.mass) * rod.length * task.gravity + (task.pivot or 0.0),
+    )
+
+
 def _rigid(task: PendulumTask) -> tuple[float, float] | None:
     """Frequencies of the rigid gyroscopic pendulum, forward and backward: I_t w^2 - I_p Omega w - K_t = 0."""
-    rod, disc = task.rod, task.disc
     if task.pivot is None or not task.axisymmetric:
         return None
-    line = rod.density * rod.length
-    inertia = line * rod.length**2 / 3 + line * rod.radius[0] ** 2 + disc.mass * rod.length**2 + disc.diametral[0]
-    polar = 2 * line * rod.radius[0] ** 2 + disc.polar
-    stiffness = (line / 2 + disc.mass) * rod.length * task.gravity + task.pivot
+    inertia, polar, stiffness = rigid_body(task)
     half = polar * abs(task.spin) / (2 * inertia)
     high = half + sqrt(half**2 + stiffness / inertia)
     low = stiffness / inertia / high

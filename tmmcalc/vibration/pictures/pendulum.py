@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -17,9 +18,10 @@ from tmmcalc.report.drawing.polar import AROUND, name_axes
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
+from tmmcalc.report.sheets.piece import Piece
 from tmmcalc.vibration.pendulum.results import Campbell, PendulumResult
 from tmmcalc.vibration.pendulum.swing import SwingCourse
-from tmmcalc.vibration.pictures.sheets import Sheet, sheets_of
+from tmmcalc.vibration.pictures.sheets import sheets_of
 
 RPM = 30 / np.pi
 SPIN = Pen("SPIN", 0.35, colour=INK)
@@ -33,12 +35,22 @@ def figure(order: Order) -> Drawing:
 
 def pendulum_drawing(result: PendulumResult) -> Drawing:
     """A sheet each of shapes, Campbell diagram and motion, as far as there are results."""
-    content: list[Sheet] = [(tr("Mode shapes"), partial(_shapes, result=result))]
+    return sheets_of([(piece.heading, piece.draw) for piece in pieces_of(result).values()])
+
+
+def pieces_of(result: PendulumResult) -> dict[str, Piece]:
+    """Shapes, Campbell diagram and motion, as far as there are results."""
+    found = {"modes": _piece(tr("Mode shapes"), partial(_shapes, result=result), 100.0)}
     if result.campbell is not None:
-        content.append((tr("Campbell diagram"), partial(_campbell, result=result, campbell=result.campbell)))
+        drawn = partial(_campbell, result=result, campbell=result.campbell)
+        found["campbell"] = _piece(tr("Campbell diagram"), drawn, 150.0 if len(result.campbell.whirl) else 90.0)
     if result.swing is not None:
-        content.append((tr("Motion of the lower end"), partial(_swing, swing=result.swing)))
-    return sheets_of(content)
+        found["swing"] = _piece(tr("Motion of the lower end"), partial(_swing, swing=result.swing), 85.0)
+    return found
+
+
+def _piece(heading: str, draw: Callable[[Drawing, Box], None], high: float) -> Piece:
+    return Piece("linkage", heading, draw, (150.0, 80.0), (160.0, high))
 
 
 def _shapes(drawing: Drawing, box: Box, result: PendulumResult) -> None:
@@ -66,7 +78,7 @@ def _campbell(drawing: Drawing, box: Box, result: PendulumResult, campbell: Camp
     top = max(1.6 * float(spin[-1]), 1.3 * float(campbell.forward[0, -1]) * RPM)
     along = Axis(tr("spin, rpm"), float(spin[0]), float(spin[-1]))
     parts = box.split(1, 1) if len(campbell.whirl) else [box]
-    frame = parts[0].inset(16, 12, 2, 7)
+    frame = parts[0].inset(16, 12, 5, 7)
     field = Diagram(drawing, frame, along, Axis(tr("whirl, 1/min"), 0.0, top))
     for k in range(campbell.modes):
         field.curve(spin + 1j * campbell.forward[k] * RPM, CURVES[0])
@@ -80,7 +92,7 @@ def _campbell(drawing: Drawing, box: Box, result: PendulumResult, campbell: Camp
         size = 1e3 * np.abs(campbell.whirl)
         low, high = 1e-2 * float(np.median(size)), 1e2 * float(np.median(size))
         whirl = Axis(tr("whirl of the unbalance, mm"), low, high, log=True)
-        below = Diagram(drawing, part.inset(16, 12, 2, 3), along, whirl)
+        below = Diagram(drawing, part.inset(16, 12, 5, 3), along, whirl)
         below.curve(spin + 1j * np.clip(size, low, high), CURVES[2])
 
 

@@ -9,7 +9,7 @@ from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.shapes import Drawing, Words
 
 HEADING = 7.0  # room of a title [mm]
-Sheet = tuple[str, Callable[[Drawing, Box], None]]  # title, and what draws it
+Sheet = tuple[str, Callable[[Drawing, Box], object]]  # title, and what draws it
 
 
 def sheets_of(content: Sequence[Sheet]) -> Drawing:

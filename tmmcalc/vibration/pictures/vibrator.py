@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -17,7 +18,8 @@ from tmmcalc.report.drawing.polar import AROUND, name_axes
 from tmmcalc.report.drawing.shapes import Area, Drawing, Words
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
-from tmmcalc.vibration.pictures.sheets import Sheet, sheets_of
+from tmmcalc.report.sheets.piece import Piece
+from tmmcalc.vibration.pictures.sheets import sheets_of
 from tmmcalc.vibration.vibrator.results import Curve, MotorStart, Start, VibratorResult
 from tmmcalc.vibration.vibrator.task import COORDINATES, UNITS
 
@@ -39,18 +41,30 @@ def figure(order: Order) -> Drawing:
 
 def vibrator_drawing(result: VibratorResult) -> Drawing:
     """A sheet each of modes, resonance curve, starts and paths, as far as there are results."""
-    content: list[Sheet] = [(tr("Natural modes"), partial(_modes, result=result))]
+    return sheets_of([(piece.heading, piece.draw) for piece in pieces_of(result).values()])
+
+
+def pieces_of(result: VibratorResult) -> dict[str, Piece]:
+    """Modes, resonance curve, starts and paths, as far as there are results."""
+    found = {"modes": _piece(tr("Natural modes"), partial(_modes, result=result), 110.0)}
     if result.curve is not None:
-        content.append((tr("Resonance curve"), partial(_curve, result=result, curve=result.curve)))
+        drawn = partial(_curve, result=result, curve=result.curve)
+        found["curve"] = _piece(tr("Resonance curve"), drawn, 130.0)
     if result.run_up is not None:
-        content.append(
-            (tr("Start with a given angle of the rotor"), partial(_start, result=result, start=result.run_up))
-        )
+        drawn = partial(_start, result=result, start=result.run_up)
+        found["start"] = _piece(tr("Start with a given angle of the rotor"), drawn, 150.0)
     if result.drive is not None:
-        content.append((tr("Start by the motor"), partial(_start, result=result, start=result.drive)))
+        drawn = partial(_start, result=result, start=result.drive)
+        found["drive"] = _piece(tr("Start by the motor"), drawn, 150.0)
     if result.paths:
-        content.append((tr("Paths of points of the part in steady motion"), partial(_paths, result=result)))
-    return sheets_of(content)
+        found["paths"] = _piece(
+            tr("Paths of points of the part in steady motion"), partial(_paths, result=result), 95.0
+        )
+    return found
+
+
+def _piece(heading: str, draw: Callable[[Drawing, Box], None], high: float) -> Piece:
+    return Piece("linkage", heading, draw, (150.0, 80.0), (160.0, high))
 
 
 def _modes(drawing: Drawing, box: Box, result: VibratorResult) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.notes import Said, held
+from tmmcalc.core.notes import Phrase, Said, held
 from tmmcalc.vibration.vibrator.energies import Excitation, excitation_of, mass_matrix, stiffness_matrix
 from tmmcalc.vibration.vibrator.errors import Device, amplitude_errors, power_error, relative
 from tmmcalc.vibration.vibrator.forced import Steady, amplitudes, peaks, steady
@@ -226,5 +226,8 @@ def _undamped(task: VibratorTask, modes: Modes) -> Iterator[Said]:
     inside = (modes.frequency >= task.curve.low) & (modes.frequency <= task.curve.high)
     bare = np.flatnonzero(inside & (np.diagonal(modes.damping) == 0)) + 1
     if len(bare):
-        listed = ", ".join(map(str, bare.tolist()))
-        yield f"warning: no damping in mode {listed}: at its resonance the curve has no bound, its peaks are arbitrary"
+        modes_without = bare.tolist()
+        yield Phrase(
+            "warning: no damping in mode {modes}: at its resonance the curve has no bound, its peaks are arbitrary",
+            modes=list(map(str, modes_without)),
+        )

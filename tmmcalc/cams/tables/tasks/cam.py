@@ -26,6 +26,7 @@ from tmmcalc.cams.task import (
     Spring,
 )
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import names_of
 
 if TYPE_CHECKING:
@@ -115,9 +116,13 @@ def _speed(spec: CamTables, table: CamTable, ratio: float) -> tuple[float | None
     if not shaft:
         return None, ()
     speed *= ratio
-    how = f"as the {shaft} does" if ratio == 1 else f"at {ratio:.6g} of the speed of the {shaft}"
-    why = "[cam] has no speed" if table.shaft is None else f'[cam] shaft = "{table.shaft}"'
-    return speed, (f"{why}: the cam turns {how}, at {speed * 30 / pi:.6g} rpm",)
+    how = (
+        Phrase("as the {shaft} does", shaft=shaft)
+        if ratio == 1
+        else Phrase("at {ratio:.6g} of the speed of the {shaft}", ratio=ratio, shaft=shaft)
+    )
+    why = "[cam] has no speed" if table.shaft is None else Phrase('[cam] shaft = "{shaft}"', shaft=table.shaft)
+    return speed, (Phrase("{why}: the cam turns {how}, at {speed:.6g} rpm", why=why, how=how, speed=speed * 30 / pi),)
 
 
 def _slides(spec: CamTables) -> bool:

@@ -7,6 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.contour.bounds import LOWER, UPPER, cuts, edge_names
 from tmmcalc.gears.involute.contour.frame import Frame
@@ -92,7 +93,7 @@ def _none(frame: Frame, total: float, strict: bool) -> NoSolutionError:
     if not w[0] > 0:
         least = float(frame.sums(np.array([0.0])).total[0])
         return NoSolutionError(
-            f"there is no pair with the sum of shifts {total:.4f}: the base circles would overlap",
+            Phrase("there is no pair with the sum of shifts {total:.4f}: the base circles would overlap", total=total),
             where="blocking contour",
             value=total,
             limit=least,
@@ -101,14 +102,21 @@ def _none(frame: Frame, total: float, strict: bool) -> NoSolutionError:
     found = _cut(frame, float(w[0]), total, strict, 0)
     if found.low <= found.high:
         return NoSolutionError(
-            f"the admissible shifts with the sum {total:.4f} lie apart from the main area of the contour",
+            Phrase(
+                "the admissible shifts with the sum {total:.4f} lie apart from the main area of the contour",
+                total=total,
+            ),
             where="blocking contour",
             value=total,
             remedy="another centre distance, or given shifts",
         )
     return NoSolutionError(
-        f"no shifts with the sum {total:.4f} are admissible: {LINES[found.low_line][1]} "
-        f"excludes {LINES[found.high_line][1]}",
+        Phrase(
+            "no shifts with the sum {total:.4f} are admissible: {low} excludes {high}",
+            total=total,
+            low=LINES[found.low_line][1],
+            high=LINES[found.high_line][1],
+        ),
         where="blocking contour",
         value=found.high - found.low,
         limit=0.0,

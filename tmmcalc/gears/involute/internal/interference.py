@@ -15,6 +15,7 @@ from typing import Literal
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.roots import Indices, bracketed
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.function import involute
@@ -57,7 +58,9 @@ def interferences(pair: InternalPair, fillet: Shape = "ellipse") -> tuple[Interf
 
 
 def _told(kind: Kind, margin: float, text: str) -> Interference:
-    return Interference(kind, margin, "" if margin >= -1e-12 else f"{text} (margin {margin:.4g} modules)")
+    if margin >= -1e-12:
+        return Interference(kind, margin, "")
+    return Interference(kind, margin, Phrase("{text} (margin {margin:.4g} modules)", text=text, margin=margin))
 
 
 def _corner(pair: InternalPair) -> Corner:

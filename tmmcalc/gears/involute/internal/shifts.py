@@ -15,6 +15,7 @@ from typing import get_args
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.numerics.roots import Indices, bracketed
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.internal.line import InternalLine, Span, climb, internal_line, intervals, scan
@@ -129,8 +130,8 @@ def _split(line: InternalLine, split: str) -> InternalChoice:
         if split == "equal_strength":
             note = "a ring has no tooth form factor: the middle of the admissible shifts is taken"
     if float(line.at(x1).unequal[0]) < -STEEP:
-        note = f"{note}; " if note else ""
-        note += "the contact begins near the base circle of the pinion, where its specific sliding grows without bound"
+        steep = "the contact begins near the base circle of the pinion, where its specific sliding grows without bound"
+        note = listed([text for text in (note, steep) if text], "; ")
     return InternalChoice(x1, line.total - x1, True, (), note, low, high)
 
 
@@ -149,8 +150,8 @@ def _equal_sliding(line: InternalLine, low: float, high: float) -> tuple[float, 
     first, last = abs(values[[0, -1]])
     end, outside = (low, low - BESIDE) if not first > last else (high, high + BESIDE)
     limit = _first_broken(line, outside)
-    note = f"equal sliding is out of reach at this sum of shifts; x1 = {end:.4f} is nearest to it"
-    return end, f"{note}; beyond it {limit}" if limit else note
+    note = Phrase("equal sliding is out of reach at this sum of shifts; x1 = {end:.4f} is nearest to it", end=end)
+    return end, Phrase("{note}; beyond it {limit}", note=note, limit=limit) if limit else note
 
 
 def _first_broken(line: InternalLine, x1: float) -> str:
@@ -169,11 +170,18 @@ def _none(line: InternalLine) -> NoSolutionError:
     best = climb(line.least, float(x1[max(k - 1, 0)]), float(x1[min(k + 1, x1.size - 1)]))
     margin = float(line.least(np.array([best]))[0])
     sides = dict.fromkeys(filter(None, (_first_broken(line, best + step) for step in (-BESIDE, BESIDE))))
-    told = " and on the other side ".join(sides)
-    teeth = f"{line.pinion.teeth}/{line.ring.teeth} (ring)"
     return NoSolutionError(
-        f"no shifts of z = {teeth} with x1 + x2 = {line.total:.4f} are admissible; "
-        f"the least bad are x1 = {best:.4f}, x2 = {line.total - best:.4f} (margin {margin:.4g}): there {told}",
+        Phrase(
+            "no shifts of z = {pinion}/{ring} (ring) with x1 + x2 = {total:.4f} are admissible; the least bad are "
+            "x1 = {x1:.4f}, x2 = {x2:.4f} (margin {margin:.4g}): there {sides}",
+            pinion=line.pinion.teeth,
+            ring=line.ring.teeth,
+            total=line.total,
+            x1=best,
+            x2=line.total - best,
+            margin=margin,
+            sides=listed([*sides], " and on the other side "),
+        ),
         where=WHERE,
         value=margin,
         limit=0.0,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.involute.internal.contact import internal_contact, internal_extremes
 from tmmcalc.gears.involute.internal.interference import interferences
 from tmmcalc.gears.involute.internal.margins import margin_of
@@ -35,9 +36,13 @@ def internal_checks(
     thickness = float(pair.pinion.thickness_at(pair.tips[0])), pair.ring.thickness_at(pair.tips[1])
     tips = limits.tip_thickness, max(limits.tip_thickness, limits.tip_thickness_wanted)
     for i, (value, clearance) in enumerate(zip(thickness, pair.clearances, strict=True), 1):
-        found.append(at_least("tip thickness", i, value, tips, f"tip thickness of gear {i}"))
+        found.append(at_least("tip thickness", i, value, tips, Phrase("tip thickness of gear {wheel}", wheel=i)))
         c = pair.pinion.rack.clearance
-        found.append(at_least("clearance", i, clearance, (0.0, c), f"radial clearance at the root of gear {i}"))
+        found.append(
+            at_least(
+                "clearance", i, clearance, (0.0, c), Phrase("radial clearance at the root of gear {wheel}", wheel=i)
+            )
+        )
     return (*found, *_sliding(pair, meeting.segment, limits))
 
 
@@ -46,7 +51,7 @@ def _above_base(pair: InternalPair) -> tuple[Check, ...]:
     found = []
     for i, (tip, base) in enumerate(zip(pair.tips, (pair.pinion.base, pair.ring.base), strict=True), 1):
         if tip < base:
-            text = f"the tip circle of gear {i} lies within its base circle"
+            text = Phrase("the tip circle of gear {wheel} lies within its base circle", wheel=i)
             found.append(Check("tip circle", i, tip, base, tip - base, "fail", text))
     return tuple(found)
 

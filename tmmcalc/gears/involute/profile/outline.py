@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.curves import Curve, chords, cubics
 from tmmcalc.core.plane import Plane
 from tmmcalc.core.records import record
@@ -63,7 +64,7 @@ def checked(element: Element) -> Element:
     crest, gap = arcs(element)
     if min(crest.sweep, gap.sweep) < -1e-9:
         raise NoSolutionError(
-            f"neighbouring flanks overlap by {-min(crest.sweep, gap.sweep):.3g} rad",
+            Phrase("neighbouring flanks overlap by {overlap:.3g} rad", overlap=-min(crest.sweep, gap.sweep)),
             where="tooth profile",
             value=min(crest.sweep, gap.sweep),
             limit=0.0,

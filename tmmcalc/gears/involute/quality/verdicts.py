@@ -8,6 +8,7 @@ from __future__ import annotations
 from math import degrees, radians
 from typing import Literal
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import quantity
 from tmmcalc.core.records import record
 from tmmcalc.gears.involute.pair import Pair
@@ -73,10 +74,10 @@ def worst(found: tuple[Check, ...]) -> Verdict:
 def at_least(name: str, wheel: int, value: float, limits: tuple[float, float], text: str) -> Check:
     """A value that has to be at least the first of the limits and ought to be at least the second."""
     least, wanted = limits
-    if value < least - NOISE:
-        return Check(name, wheel, value, least, value - least, "fail", f"{text} {value:.4g} below {least:.4g}")
-    if value < wanted - NOISE:
-        return Check(name, wheel, value, wanted, value - wanted, "warn", f"{text} {value:.4g} below {wanted:.4g}")
+    for limit, verdict in ((least, "fail"), (wanted, "warn")):
+        if value < limit - NOISE:
+            said = Phrase("{text} {value:.4g} below {limit:.4g}", text=text, value=value, limit=limit)
+            return Check(name, wheel, value, limit, value - limit, verdict, said)
     return Check(name, wheel, value, wanted, value - wanted, "ok", "")
 
 
@@ -86,8 +87,12 @@ def wanted_angle(value: float, limits: QualityLimits) -> Check:
     margin, limit = min((value - low, low), (high - value, high))
     if margin >= 0:
         return Check("pressure angle", 0, value, limit, margin, "ok", "")
-    span = f"{degrees(low):g}...{degrees(high):g} deg"
-    text = f"operating pressure angle {degrees(value):.4g} deg outside {span}"
+    text = Phrase(
+        "operating pressure angle {value:.4g} deg outside {low:g}...{high:g} deg",
+        value=degrees(value),
+        low=degrees(low),
+        high=degrees(high),
+    )
     return Check("pressure angle", 0, value, limit, margin, "warn", text)
 
 
@@ -105,7 +110,12 @@ def _interference(meeting: Contact, wheel: int) -> Check:
     margin = float(meeting.margins[wheel - 1])
     if margin >= -NOISE:
         return Check("interference", wheel, value, limit, margin, "ok", "")
-    text = f"the tip of gear {3 - wheel} cuts into the fillet of gear {wheel}, {-margin:.4g} modules below its involute"
+    text = Phrase(
+        "the tip of gear {wheel} cuts into the fillet of gear {mate}, {margin:.4g} modules below its involute",
+        wheel=3 - wheel,
+        mate=wheel,
+        margin=-margin,
+    )
     return Check("interference", wheel, value, limit, margin, "fail", text)
 
 
@@ -115,27 +125,36 @@ def _undercut(pair: Pair, meeting: Contact, wheel: int, limits: QualityLimits) -
     if shift >= least - NOISE:
         return Check("undercut", wheel, shift, least, shift - least, "ok", "")
     harmless = limits.undercut and float(meeting.margins[wheel - 1]) >= -NOISE
-    shortens = "; the active flank is left whole" if float(meeting.margins[wheel - 1]) >= -NOISE else ""
-    text = f"gear {wheel} is undercut: x{wheel} = {shift:.4g} below {least:.4g}{shortens}"
+    values = {"wheel": wheel, "index": wheel, "shift": shift, "least": least}
+    text = Phrase("gear {wheel} is undercut: x{index} = {shift:.4g} below {least:.4g}", **values)
+    if float(meeting.margins[wheel - 1]) >= -NOISE:
+        text = Phrase("{text}; the active flank is left whole", text=text)
     return Check("undercut", wheel, shift, least, shift - least, "warn" if harmless else "fail", text)
 
 
 def _tip(pair: Pair, wheel: int, limits: QualityLimits) -> Check:
     tip, cut = pair.tips[wheel - 1], pair.wheels[wheel - 1]
     if float(tip) <= cut.base:
-        text = f"the tip circle of gear {wheel} lies within its base circle"
+        text = Phrase("the tip circle of gear {wheel} lies within its base circle", wheel=wheel)
         return Check("tip thickness", wheel, float(tip), cut.base, float(tip) - cut.base, "fail", text)
     value, wanted = float(cut.thickness_at(tip)), max(limits.tip_thickness, limits.tip_thickness_wanted)
     if value < min(0.0, limits.tip_thickness) - NOISE:
         above = float(tip - cut.pointing)
-        text = f"gear {wheel} is pointed {above:.4g} modules below its tip circle (margin: thickness {value:.4g})"
+        text = Phrase(
+            "gear {wheel} is pointed {above:.4g} modules below its tip circle (margin: thickness {value:.4g})",
+            wheel=wheel,
+            above=above,
+            value=value,
+        )
         return Check("tip thickness", wheel, value, limits.tip_thickness, value - limits.tip_thickness, "fail", text)
-    return at_least("tip thickness", wheel, value, (limits.tip_thickness, wanted), f"tip thickness of gear {wheel}")
+    text = Phrase("tip thickness of gear {wheel}", wheel=wheel)
+    return at_least("tip thickness", wheel, value, (limits.tip_thickness, wanted), text)
 
 
 def _clearance(pair: Pair, wheel: int) -> Check:
     value, standard = float(pair.clearances[wheel - 1]), pair.first.rack.clearance
-    return at_least("clearance", wheel, value, (0.0, standard), f"radial clearance at the root of gear {wheel}")
+    text = Phrase("radial clearance at the root of gear {wheel}", wheel=wheel)
+    return at_least("clearance", wheel, value, (0.0, standard), text)
 
 
 def _sliding(pair: Pair, meeting: Contact, limits: QualityLimits) -> list[Check]:
@@ -154,7 +173,7 @@ def at_most(name: str, wheel: int, value: float, wanted: float | None) -> Check:
         return Check(name, wheel, value, None, 0.0, "ok", "")
     if value <= wanted:
         return Check(name, wheel, value, wanted, wanted - value, "ok", "")
-    whose = f" of gear {wheel}" if wheel else ""
-    return Check(
-        name, wheel, value, wanted, wanted - value, "warn", f"specific {name}{whose} {value:.4g} above {wanted:g}"
-    )
+    what = "specific sliding" if name == "sliding" else "specific pressure"
+    whose = Phrase("{what} of gear {wheel}", what=what, wheel=wheel) if wheel else what
+    text = Phrase("{whose} {value:.4g} above {wanted:g}", whose=whose, value=value, wanted=wanted)
+    return Check(name, wheel, value, wanted, wanted - value, "warn", text)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.gearingtask import GearingTask, layout_task
 from tmmcalc.gears.losses import efficiency_of_mesh, layout_efficiencies, usual_efficiencies
 from tmmcalc.gears.network.model import EXTERNAL, INTERNAL, Body, Mesh, Network
@@ -68,4 +69,4 @@ def _remarks(table: GearingTable) -> list[str]:
     own = bool(table.meshes) and all(mesh.efficiency is not None for mesh in table.meshes)
     if own or table.efficiency is not None or table.friction is not None:
         return []
-    return [f"{usual_efficiencies()}; efficiency or friction gives others"]
+    return [Phrase("{usual}; efficiency or friction gives others", usual=usual_efficiencies())]

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.gears.kinds import kinds_of, turns_back
 from tmmcalc.gears.model import Demands, Interval, Limits, TrainTask
 from tmmcalc.gears.nominal import SPEEDS, with_nominal
@@ -176,4 +177,9 @@ def _remarks(table: TrainTable, task: TrainTask, least: int) -> Iterator[str]:
     if table.z_min is not None and not task.demands.undercut and table.z_min < least:
         slight = table.z_min >= math.ceil(SLIGHT * least)
         degree = "slight undercut" if slight else "undercut"
-        yield f"{degree}: z_min = {table.z_min}, without a profile shift wheels of {least} teeth are free of it"
+        yield Phrase(
+            "{cut}: z_min = {z_min}, without a profile shift wheels of {least} teeth are free of it",
+            cut=degree,
+            z_min=table.z_min,
+            least=least,
+        )

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmmcalc.core.notes import Said, held
+from tmmcalc.core.notes import Phrase, Said, held
 from tmmcalc.linkage.synthesis.dwell.criteria import towards_and_away
 from tmmcalc.linkage.synthesis.dwell.exact import Figures
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
@@ -21,17 +21,29 @@ def advice(asked: DwellTask, found: Figures, n: float | None) -> Iterator[Said]:
     """Remarks on forces, dwell, division of time and sense."""
     working, idle = (math.sqrt(float(part[0])) for part in (found.criteria.f4, found.criteria.f5))
     unit = "" if asked.output == "slider" else "/l_OB"
-    figures = f"sqrt(f4) = {working:.3g}{unit} on the working stroke, sqrt(f5) = {idle:.3g}{unit} on the idle one"
+    figures = Phrase(
+        "sqrt(f4) = {working:.3g}{unit} on the working stroke, sqrt(f5) = {idle:.3g}{unit} on the idle one",
+        working=working,
+        unit=unit,
+        idle=idle,
+    )
     if idle < 0.9 * working:
         other = "away" if asked.working == "towards" else "towards"
         yield (
-            f"note: the bars carry less on the idle stroke ({figures}): the working stroke should be the one with the "
-            f'least forces; write working = "{other}", or mount the linkage so that it drives on that stroke'
+            Phrase(
+                "note: the bars carry less on the idle stroke ({figures}): the working stroke should be the one "
+                'with the least forces; write working = "{other}", or mount the linkage so that it drives on that '
+                "stroke",
+                figures=figures,
+                other=other,
+            )
         )
     elif working > HIGH and asked.output == "slider":
-        yield f"note: bar forces above the resistance are acceptable on the idle stroke only: {figures}"
+        yield Phrase(
+            "note: bar forces above the resistance are acceptable on the idle stroke only: {figures}", figures=figures
+        )
     else:
-        yield f"note: bar forces for a unit resistance: {figures}"
+        yield Phrase("note: bar forces for a unit resistance: {figures}", figures=figures)
     ratio = found.dwell[0] / found.stroke
     if ratio > LONG:
         text = (
@@ -50,12 +62,16 @@ def advice(asked: DwellTask, found: Figures, n: float | None) -> Iterator[Said]:
 def _division(asked: DwellTask, found: Figures, n: float | None) -> Iterator[Said]:
     """How the turn divides into the two strokes and the dwell, and what changes it."""
     towards, away = (float((end - begin)[0]) for begin, end in towards_and_away(asked, np.array([found.far])))
-    text = (
-        f"note: stroke towards the dwell {math.degrees(towards):.5g} deg, dwell {math.degrees(asked.dwell):.5g} deg, "
-        f"stroke away {math.degrees(away):.5g} deg"
+    text = Phrase(
+        "note: stroke towards the dwell {towards:.5g} deg, dwell {dwell:.5g} deg, stroke away {away:.5g} deg",
+        towards=math.degrees(towards),
+        dwell=math.degrees(asked.dwell),
+        away=math.degrees(away),
     )
     if n is not None:
-        text += (
-            "; n moves the division, the sense of the crank exchanges both strokes, k only turns the sign of S about"
+        text = Phrase(
+            "{text}; n moves the division, the sense of the crank exchanges both strokes, k only turns the sign of S "
+            "about",
+            text=text,
         )
     yield text

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmmcalc.core.errors import AccuracyError, AssemblyError, NoSolutionError, SingularityError, UsageError
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Real
 from tmmcalc.core.progress import tell
 from tmmcalc.core.quantity import keyed, quantity_of
@@ -67,7 +68,7 @@ def solve(task: SynthesisTask) -> Synthesis:
             remedy="keep clear of sizes at which the crank only just turns",
         )
     if task.crank_speed is None:
-        notes.append(f"note: no speed is given: the ready spec turns its crank at {SPEED:g} rad/s")
+        notes.append(Phrase("note: no speed is given: the ready spec turns its crank at {speed:g} rad/s", speed=SPEED))
     if asked.frame is None and asked.stroke is None:
         notes.append("note: no length gives the scale: l_OB = 1 m")
     return Synthesis("dwell", rule, tuple(designs), residual, tuple(notes), counters)
@@ -185,8 +186,11 @@ def _defects(task: SynthesisTask, found: Figures) -> Iterator[str]:
     steepest = found.largest["delta"][0]
     if math.pi / 2 - steepest < task.transmission:
         yield (
-            f"transmission: the least angle is {90 - math.degrees(steepest):.4g} deg, "
-            f"below {math.degrees(task.transmission):.4g} deg"
+            Phrase(
+                "transmission: the least angle is {found:.4g} deg, below {limit:.4g} deg",
+                found=90 - math.degrees(steepest),
+                limit=math.degrees(task.transmission),
+            )
         )
 
 

@@ -1,0 +1,25 @@
+"""Pictures to scale at the width of the note: as high as what is drawn, from the top of the most that they may be."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.reach import reach
+from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.manuscript import Figure
+from tmmcalc.report.telling import WIDE
+
+AIR = 1.0  # under the lowest thing drawn [mm]
+
+
+def hung(caption: str, draw: Callable[[Drawing, Box], object], high: float, key: str) -> Figure:
+    """The picture without what it leaves free of ``high`` below; a drawing to a standard scale seldom fills it."""
+    trial = Drawing(WIDE, high, caption)
+    draw(trial, Box(0.0, 0.0, WIDE, high))
+    free = max(min(reach(shape).bottom for shape in trial.shapes) - AIR, 0.0)
+
+    def from_top(drawing: Drawing, box: Box) -> object:
+        return draw(drawing, Box(box.left, box.top - high, box.right, box.top))
+
+    return Figure(caption, from_top, (WIDE, high - free), key)

@@ -1,0 +1,284 @@
+"""Forces along the lift, the reactions with friction, torques, jamming, work: at positions, over the turn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import degrees
+
+import numpy as np
+
+from tmmcalc.cams.forces.results import CamForces, ForceExtreme
+from tmmcalc.cams.notes.lexicon import angle, table_rows
+from tmmcalc.cams.notes.loaded.quantities import Loaded, listed, of_scene, shown_angle
+from tmmcalc.machine.notes.told import plainly
+from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.setting import spelt
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
+from tmmcalc.report.telling import column_of, number_of, tabulated
+
+ALONG = (
+    "<P>_j = -<m>*(<y>''*omega**2 + <y>'*eps)<k>",
+    "<Q>_s = -(<Q>_0 + c*<dy>)",
+    "<P>_c = <P>_j + <Q>_s + <O> + G",
+)
+GUIDE = "H_1 = S_0 + <dy>_max + r_2 + Delta_g"
+FLAT_GUIDE = "H_1 = S_0 + <dy>_max + Delta_g"
+RATIO = {
+    "translating": ("q = H_1 - S", "mu = f*abs(sin(theta))*(1 + 2*q/l)"),
+    "flat": ("mu = 2*f*abs(S')/l",),
+    "oscillating": ("mu = f*r_A/l_2",),
+}
+CONTACT = {  # <g>: friction opposes the motion
+    "translating": "R = -P_c/(cos(theta)<g>)",
+    "flat": "R = -P_c/(1<g>)",
+    "oscillating": "R = -M_c*10**3/(l_2*(cos(theta)<g>))",
+}
+SUPPORTS = {
+    "translating": ("N_2 = <+>R*sin(theta)*q/l", "N_1 = <->R*sin(theta)*(1 + q/l)"),
+    "flat": ("N_1 = <+>R*S'/l", "N_2 = <->R*S'/l"),
+    "oscillating": ("R_Ax = -R*sin(psi - theta)", "R_Ay = <s>R*cos(psi - theta)", "R_A = sqrt(R_Ax**2 + R_Ay**2)"),
+}
+TORQUE = {
+    "translating": ("T = P_c*S'/10**3", "M_d = R*cos(theta)*S'/10**3"),
+    "flat": ("T = P_c*S'/10**3", "M_d = R*S'/10**3"),
+    "oscillating": ("T = M_c*psi'", "M_d = R*l_2*cos(theta)*psi'/10**3"),
+}
+EFFICIENCY = {1: "eta = 1 - mu/cos(theta)", -1: "eta = 1/(1 + mu/cos(theta))"}  # follower driven, and driving
+PERCENT = 100
+
+
+def reactions(of: Loaded) -> Iterator[Block]:
+    """The guide, then the positions with their formulas in the order in which one needs the other."""
+    result = of.result
+    yield Heading(tr("Reactions and torque"), 3)
+    yield from _guide(of)
+    places = [of.at_row(row) for row in of.told.rows]
+    yield Paragraph(
+        tr("Inertia, spring and technological moment add up about the pivot:")
+        if of.turns
+        else tr("Inertia, spring, technological force and weight add up along the lift:")
+    )
+    yield from of.lines(ALONG, places)
+    yield Paragraph(_friction_said(of))
+    yield from of.lines(RATIO[of.kind] if of.carried.rubs else (), places)
+    for way in (1, -1, 0):
+        own = [place for place, lifting in zip(places, _lifting(of), strict=True) if lifting == way]
+        yield from _pressed(of, own, way)
+    if result.guide is not None or of.turns:
+        yield from of.lines(_signed(of, SUPPORTS[of.kind]), places)
+    yield from of.lines(TORQUE[of.kind], places)
+    yield from _efficiency(of, places)
+    yield from _jamming(of)
+
+
+def _lifting(of: Loaded) -> list[int]:
+    """1 where friction adds to what the cam has to press with, -1 where it takes of it, 0 without; at the rows."""
+    rows = of.told.rows
+    sense = [float(of.points(row).sense[0]) for row in rows]
+    load = of.result.load
+    signs = [-own if load[row] > 0 else own for own, row in zip(sense, rows, strict=True)]
+    return [round(sign) if of.carried.rubs else 0 for sign in signs]
+
+
+def _friction_said(of: Loaded) -> str:
+    if not of.carried.rubs:
+        return tr("Without friction the force of the cam is")
+    if of.turns:
+        return tr("Friction in the pivot opposes the motion of the rocker:")
+    return tr("Friction at both edges of the guide opposes the motion of the follower:")
+
+
+def _pressed(of: Loaded, places: Sequence[Place], way: int) -> Iterator[Block]:
+    """R where friction is to be overcome, or helps, or there is none."""
+    words = {1: " - mu", -1: " + mu", 0: ""}
+    yield from of.lines([CONTACT[of.kind].replace("<g>", words[way])], places)
+
+
+def _signed(of: Loaded, texts: Sequence[str]) -> list[str]:
+    """Reactions along the user's axes: a cam that turns the other way is the mirror image."""
+    plus, minus = ("", "-") if of.result.follower.sense > 0 else ("-", "")
+    side = "-" if of.result.follower.sense * of.result.follower.assembly > 0 else ""
+    return [text.replace("<+>", plus).replace("<->", minus).replace("<s>", side) for text in texts]
+
+
+def _guide(of: Loaded) -> Iterator[Block]:
+    """H1, H2 and l."""
+    guide = of.result.guide
+    if guide is None:
+        return
+    place = [Place("", of.named(of_scene(of)))]
+    yield Paragraph(
+        tr("The guide begins above the roller in its highest position:")
+        if of.kind == "translating"
+        else tr("The guide begins above the face in its highest position:")
+    )
+    yield from of.lines([GUIDE if of.kind == "translating" else FLAT_GUIDE], place)
+    yield from of.lines(["H_2 = H_1 + l" if of.task.guide.top is None else "l = H_2 - H_1"], place)
+
+
+def _efficiency(of: Loaded, places: Sequence[Place]) -> Iterator[Block]:
+    """What friction leaves of the torque, where there is some: the follower is driven, or drives the cam back."""
+    if not of.carried.rubs:
+        return
+    driven: list[Place] = []
+    driving: list[Place] = []
+    for place, way in zip(places, _lifting(of), strict=True):
+        torque, moment = number_of(place.lexicon, "T"), number_of(place.lexicon, "M_d")
+        if not torque or not moment:
+            continue
+        parts = (-torque / moment, driven) if way > 0 else (-moment / torque, driving)
+        value, into = parts
+        said = tr("efficiency of the follower's motion")
+        into.append(Place(place.name, place.lexicon | of.named({"eta": Given(value, "", said)})))
+    flat = {way: text.replace("mu/cos(theta)", "mu") for way, text in EFFICIENCY.items()}
+    texts = flat if of.kind == "flat" else EFFICIENCY
+    if driven:
+        yield Paragraph(tr("The camshaft moves the follower against the friction with the efficiency"))
+        yield from of.lines([texts[1]], driven)
+    if driving:
+        yield Paragraph(tr("The spring moves the follower, which drives the cam with the efficiency"))
+        yield from of.lines([texts[-1]], driving)
+
+
+def _jamming(of: Loaded) -> Iterator[Block]:
+    """The place where friction takes the largest part of the useful component, and the critical angle there."""
+    reserve = of.result.reserve
+    if not of.carried.rubs or not reserve.eaten:
+        return
+    said = tr("part of the useful component of R that friction takes")
+    lexicon = of.at(of.found(reserve.phi, reserve.useful, lambda found: found.now.cosine - found.now.ratio))
+    lexicon |= of.named({"chi": Given(reserve.eaten, "", said)})
+    if reserve.critical is not None:
+        lexicon["theta_cr"] = angle(reserve.critical, tr("pressure angle at which the follower would jam"))
+    place = [Place("", lexicon)]
+    yield Paragraph(
+        tr(
+            "The follower is nearest to jamming at φ = {angle}; it would jam where friction takes all of the useful "
+            "component, $chi = 1$:",
+            angle=shown_angle(reserve.phi),
+        )
+    )
+    yield from of.lines([*RATIO[of.kind], "chi = mu" if of.kind == "flat" else "chi = mu/cos(theta)"], place)
+    if reserve.critical is not None:
+        yield from of.lines(["theta_cr = acos(mu)" if of.turns else "theta_cr = atan(1/(f*(1 + 2*q/l)))"], place)
+    yield Result("chi", lexicon["chi"], 1.0, "<=")
+
+
+def course(of: Loaded) -> Iterator[Block]:
+    """The tables of positions and extremes, contact and work."""
+    yield Heading(tr("Forces over the turn"), 3)
+    yield Paragraph(
+        tr(
+            "The forces in all positions are in tables {tab:cam_loads} and {tab:cam_reactions}, their extremes over "
+            "the turn in table {tab:cam_extremes}."
+        )
+    )
+    rows = table_rows(of.told)
+    labels = [of.result.labels[row] for row in rows]
+    first, second = _columns(of, rows)
+    yield tabulated(tr("Forces along the lift"), first, labels, head=tr("No."), key="cam_loads")
+    yield tabulated(tr("Reactions and torques"), second, labels, head=tr("No."), key="cam_reactions")
+    yield _extremes(of.result)
+    yield from _contact(of)
+    yield from _work(of)
+
+
+def _columns(of: Loaded, rows: Sequence[int]) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]]:
+    result, words = of.result, of.words
+    load, spring, own = words["P"], words["Q"], words["O"]
+    unit, size = ("N·m", "deg") if of.turns else ("N", "mm")
+    lift = np.degrees(result.lift) if of.turns else 1e3 * result.lift
+    first = {
+        "$phi$, deg": np.degrees(result.positions.phi),
+        f"${words['dy']}$, {size}": lift,
+        f"${load}_j$, {unit}": result.inertia,
+        f"${spring}_s$, {unit}": result.elastic,
+        f"${own}{'' if not of.loads.gravity else ' + G'}$, {unit}": result.force,
+        f"${load}_c$, {unit}": result.load,
+    }
+    second = {"$phi$, deg": np.degrees(result.positions.phi)}
+    if of.kind != "flat":
+        second["$theta$, deg"] = np.degrees(result.theta)
+    if of.carried.rubs:
+        second["$mu$"] = result.ratio
+    if result.protrusion is not None:
+        second["$q$, mm"] = 1e3 * result.protrusion
+    second["$R$, N"] = result.contact
+    if result.lower is not None and result.upper is not None:
+        second |= {"$N_1$, N": result.lower, "$N_2$, N": result.upper}
+    if result.pivot is not None:
+        second |= {"$R_Ax$, N": result.pivot[0], "$R_Ay$, N": result.pivot[1]}
+    second |= {"$T$, N·m": result.torque, "$M_d$, N·m": result.driving}
+    kept = ({name: np.asarray(values)[rows] for name, values in each.items()} for each in (first, second))
+    filled, other = ({name: v for name, v in each.items() if v.any() or name.startswith("$phi")} for each in kept)
+    return filled, other
+
+
+NAMES = {"P_c": "P_c", "M_c": "M_c", "R": "R", "N1": "N_1", "N2": "N_2", "T": "T", "M_drive": "M_d"}
+
+
+def _extremes(result: CamForces) -> Table:
+    """Least and largest values of the turn with their angles."""
+    rows = [_extreme(each) for each in result.extremes]
+    head = (tr("Quantity"), tr("Least"), "$phi$, °", tr("Largest"), "$phi$, °")
+    return Table(tr("Extremes over the turn"), head, tuple(rows), "cam_extremes")
+
+
+def _extreme(each: ForceExtreme) -> tuple[str, ...]:
+    low, high = column_of([each.least, each.largest])
+    places = [spelt(f"{round(degrees(phi), 4) + 0.0:.6g}") for phi in (each.least_phi, each.largest_phi)]
+    return f"${NAMES[each.name]}$, {tr_unit(each.unit)}", low, places[0], high, places[1]
+
+
+def _contact(of: Loaded) -> Iterator[Block]:
+    """Whether the follower stays on the cam, or goes from wall to wall; the largest force of the cam."""
+    result = of.result
+    if result.closure == "groove":
+        if result.reversals:
+            where = ", ".join(map(shown_angle, result.reversals))
+            yield Paragraph(tr("The roller goes to the other wall of the groove at φ = {where}.", where=where))
+        else:
+            yield Paragraph(tr("The same wall of the groove presses on the roller all over the turn."))
+    elif result.lost:
+        where = listed(result.lost)
+        yield Paragraph(
+            tr("Nothing presses the follower on the cam {where}: the closure of the pair is lost.", where=where)
+        )
+    else:
+        yield Paragraph(tr("The follower stays on the cam all over the turn."))
+    largest = result.extreme("R").size
+    yield Result("R_{max}", Given(largest, "N", tr("largest force of the cam")))
+    driving = result.extreme("M_drive").size
+    yield Result("M_{d,max}", Given(driving, "N*m", tr("largest driving torque of the cam")))
+
+
+def _work(of: Loaded) -> Iterator[Block]:
+    """Energies of a turn, mean torque and power."""
+    work = of.result.work
+    if not work.given and not work.returned:
+        return
+    found: Lexicon = {
+        "W_d": Given(work.driving, "J", tr("work of the camshaft in a turn")),
+        "W_Q": Given(work.force, "J", tr("work of the technological force in a turn")),
+        "W_f": Given(work.friction, "J", tr("work of friction in a turn")),
+        "M_m": Given(work.mean, "N*m", tr("mean driving torque")),
+        "N_m": Given(work.power, "W", tr("mean power of the camshaft")),
+        "omega": Given(_mean_speed(of), "rad/s", tr("mean angular velocity of the cam")),
+    }
+    lexicon = of.named(of_scene(of) | found)
+    yield Paragraph(
+        tr(
+            "In a turn the camshaft gives {given} J to the follower and gets {back} J back.",
+            given=plainly(work.given),
+            back=plainly(abs(work.returned)),
+        )
+    )
+    if work.friction or work.force:
+        yield Paragraph(tr("Inertia, spring and weight give no work in a turn, so friction takes what is left:"))
+        yield from of.lines(["W_f = W_d + W_Q"], [Place("", lexicon)])
+    yield from of.lines(["M_m = W_d/(2*pi)", "N_m = M_m*omega"], [Place("", lexicon)])
+
+
+def _mean_speed(of: Loaded) -> float:
+    return of.loads.speed if of.task.turning is None else of.task.turning.mean

@@ -1,0 +1,1 @@
+"""What the note tells of vibration."""

@@ -1,0 +1,242 @@
+"""The chapter on the vibratory device: its data, stiffnesses, matrices and modes, steady vibration, starts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.formula.digits import RESULT, Given, significant
+from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Table
+from tmmcalc.report.telling import lines, named, pictured
+from tmmcalc.vibration.notes.device import device, matrices, modes
+from tmmcalc.vibration.notes.forced import forced
+from tmmcalc.vibration.notes.starts import driven, given_angle
+from tmmcalc.vibration.pictures.vibrator import pieces_of
+from tmmcalc.vibration.tables.tasks.vibration import to_vibrator
+from tmmcalc.vibration.vibrator.results import VibratorResult
+from tmmcalc.vibration.vibrator.springs import torsion_coefficient
+from tmmcalc.vibration.vibrator.task import VibratorTask
+
+Row = tuple[str, str, str, str]
+
+
+def blocks(order: Order) -> Iterator[Block]:
+    """The device as a calculation by hand finds it."""
+    task, result = to_vibrator(order.spec), order.results["vibrator"]
+    pieces = pieces_of(result)
+    known = device(task, result)
+    yield Heading(tr("The device and its data"), 2)
+    yield from _given(task)
+    yield Heading(tr("Stiffnesses of the springs"), 2)
+    yield from _springs(task, result)
+    yield from matrices(task, result, known)
+    yield from modes(task, result, known)
+    yield pictured(pieces["modes"], key="vibrator_modes")
+    if result.steady is not None:
+        yield from forced(task, result, known)
+        if "paths" in pieces:
+            yield pictured(pieces["paths"], key="vibrator_paths")
+    if result.curve is not None:
+        yield from _curve(result)
+        yield pictured(pieces["curve"], key="vibrator_curve")
+    if result.run_up is not None and task.run_up is not None:
+        yield from given_angle(task, result.run_up)
+        yield pictured(pieces["start"], key="vibrator_start")
+    if result.drive is not None and task.drive is not None:
+        yield from driven(task, result, result.drive)
+        yield pictured(pieces["drive"], key="vibrator_drive")
+
+
+def _given(task: VibratorTask) -> Iterator[Block]:
+    """The coordinates, and what is given as a table."""
+    yield Paragraph(
+        tr(
+            "The device has a ring on four rods, a gripper with the part that hangs in the ring on four crossed flat "
+            "springs, and an exciter, whose motor with the unbalance sits on an elastic plate; the axis of the motor "
+            "is inclined by 45°. Its seven coordinates are the displacements $q_1 = x$, $q_2 = y$ of the ring and its "
+            "turn $q_3 = phi$ about the vertical, the tilts $q_4 = theta_x$, $q_5 = theta_y$ of the gripper about the "
+            "horizontal axes and its vertical displacement $q_6 = z$, the turn $q_7 = gamma$ of the exciter about its "
+            "hinge. The given data are in table {table}.",
+            table="{tab:vibrator_data}",
+        )
+    )
+    head = (tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value"))
+    yield Table(tr("Given data of the vibratory device"), head, tuple(_rows(task)), "vibrator_data")
+
+
+def _row(said: str, name: str, unit: str, value: float) -> Row:
+    return said, f"${name}$" if name else "", "°" if unit == "deg" else tr_unit(unit), _number(value)
+
+
+def _number(value: float) -> str:
+    return f"${significant(value, RESULT)}$"
+
+
+def _rows(task: VibratorTask) -> Iterator[Row]:
+    ring, gripper, exciter, rods = task.ring, task.gripper, task.exciter, task.rods
+    inertia = "kg*m^2"
+    yield _row(tr("Mass of the ring"), "m_1", "kg", ring.mass)
+    yield _row(tr("Moment of inertia of the ring about the vertical"), "J_z1", inertia, ring.inertia)
+    yield _row(tr("Mass of the gripper with the part"), "m_2", "kg", gripper.mass)
+    yield _row(tr("Its centre of mass below the flat springs"), "l", "m", gripper.drop)
+    yield _row(tr("Its moment of inertia about the axis along x"), "J_ξ", inertia, gripper.inertia_x)
+    yield _row(tr("Its moment of inertia about the axis along y"), "J_η", inertia, gripper.inertia_y)
+    yield _row(tr("Its moment of inertia about the vertical"), "J_ζ", inertia, gripper.inertia_z)
+    yield _row(tr("Mass of the exciter"), "m_3", "kg", exciter.mass)
+    yield _row(tr("Its centre of mass from the vertical axis"), "R_0", "m", exciter.radius)
+    yield _row(tr("Its centre of mass from the hinge"), "R^{*}", "m", exciter.arm)
+    yield _row(tr("Angle of this arm above the horizontal"), "beta", "deg", math.degrees(exciter.arm_angle))
+    yield _row(tr("Its moment of inertia about the line along the hinge"), "J_x3", inertia, exciter.inertia_hinge)
+    yield _row(tr("Its moment of inertia about the vertical"), "J_z3", inertia, exciter.inertia_z)
+    yield _row(tr("Stiffness of the plate against a turn"), "c_2", "N*m/rad", task.plate)
+    yield _row(tr("Ends of the rods from the vertical axis"), "R_2", "m", rods.radius)
+    if rods.stiffness is not None:
+        yield _row(tr("Stiffness across one rod"), "c", "N/m", rods.stiffness)
+    else:
+        yield _row(tr("Diameter of a rod"), "d_c", "m", rods.diameter)
+        yield _row(tr("Length of a rod"), "l_c", "m", rods.length)
+        yield _row(tr("Modulus of elasticity of the rods"), "E_c", "Pa", rods.young)
+    yield from _of_flats(task)
+    if task.damping.direct:
+        units = ["N*s/m", "N*s/m", *["N*m*s/rad"] * 3, "N*s/m", "N*m*s/rad"]
+        for k, (value, unit) in enumerate(zip(task.damping.direct, units, strict=True), 1):
+            if value:
+                yield _row(tr("Damping coefficient of coordinate {k}", k=k), f"b_{k}", unit, value)
+    else:
+        yield _row(tr("Part of critical damping of every mode"), "zeta", "", task.damping.ratio)
+    if task.unbalance is not None:
+        unbalance = task.unbalance
+        yield _row(tr("Static moment of the unbalance"), "m_r", "kg*m", unbalance.moment)
+        yield _row(tr("Centre of its path from the vertical axis"), "R", "m", unbalance.radius)
+        yield _row(tr("Centre of its path from the hinge"), "R_u", "m", unbalance.arm)
+        yield _row(tr("Angle of that arm above the horizontal"), "delta", "deg", math.degrees(unbalance.arm_angle))
+        if unbalance.rotor:
+            yield _row(tr("Moment of inertia of the rotor"), "J_r", inertia, unbalance.rotor)
+    if task.speed is not None:
+        yield _row(tr("Speed of the rotor"), "Omega", "rad/s", task.speed)
+
+
+def _of_flats(task: VibratorTask) -> Iterator[Row]:
+    flats = task.flats
+    if flats.vertical is not None:
+        yield _row(tr("Vertical stiffness of one flat spring"), "c_1", "N/m", flats.vertical)
+    if flats.tilt is not None:
+        yield _row(tr("Stiffness of the flat springs against a tilt"), "c_t", "N*m/rad", flats.tilt)
+    if flats.width:
+        yield _row(tr("Width of a flat spring"), "b", "m", flats.width)
+        yield _row(tr("Thickness of a flat spring"), "h", "m", flats.thickness)
+        yield _row(tr("Length of a flat spring"), "l_1", "m", flats.length)
+        yield _row(tr("Inner end of a flat spring from the axis"), "l_2", "m", flats.offset)
+        yield _row(tr("Modulus of elasticity of the flat springs"), "E", "Pa", flats.young)
+        yield _row(tr("Shear modulus"), "G", "Pa", flats.shear)
+
+
+def _springs(task: VibratorTask, result: VibratorResult) -> Iterator[Block]:
+    """Rods as beams clamped at both ends, flat springs bent and twisted."""
+    springs, flats = result.springs, task.flats
+    known = named(_spring_quantities(task, result))
+    place = [Place("", known)]
+    if task.rods.stiffness is None:
+        yield Paragraph(tr("Across itself a rod is a round beam clamped at both ends:"))
+        yield from lines(["c = 12*E_c/l_c**3*(pi*d_c**4/64)"], place)
+    if flats.vertical is None:
+        yield Paragraph(tr("A flat spring is a beam clamped at both ends:"))
+        yield from lines(["c_1 = 12*E/l_1**3*(b*h**3/12)"], place)
+    if springs.push is not None:
+        yield Paragraph(
+            tr(
+                "When the gripper tilts, the inner end of two springs is pushed by $l_2*theta$ and turned by "
+                "$theta$, the two others are twisted; the weight has the arm $l*theta$:"
+            )
+        )
+        if flats.torsion is None:
+            value = tr_number(significant(torsion_coefficient(flats.width, flats.thickness), RESULT))
+            yield Paragraph(
+                tr("The torsion of the rectangle by the series of Saint-Venant gives $alpha_t$ = {value}.", value=value)
+            )
+        yield from lines(
+            [
+                "a = E*b*h**3*(l_1/2 + l_2)/l_1**3",
+                "d = E*b*h**3*(4*l_1 + 6*l_2)/(12*l_1**2)",
+                "d_1 = G*alpha_t*b*h**3/l_1",
+                "M_g = m_2*g*l",
+                "c_t = 2*a*l_2 + 2*d + 2*d_1 + M_g",
+            ],
+            place,
+        )
+    if task.rods.stiffness is not None and flats.vertical is not None and springs.push is None:
+        yield Paragraph(tr("The stiffnesses of rods and springs are given."))
+
+
+def _spring_quantities(task: VibratorTask, result: VibratorResult) -> Lexicon:
+    """Springs by their letters."""
+    springs, flats, rods = result.springs, task.flats, task.rods
+    found = {
+        "c": Given(springs.rod, "N/m", tr("stiffness across one rod")),
+        "E_c": Given(rods.young, "Pa", tr("modulus of elasticity of the rods")),
+        "l_c": Given(rods.length, "m", tr("length of a rod")),
+        "d_c": Given(rods.diameter, "m", tr("diameter of a rod")),
+        "c_1": Given(springs.vertical, "N/m", tr("vertical stiffness of one flat spring")),
+        "E": Given(flats.young, "Pa", tr("modulus of elasticity of the flat springs")),
+        "G": Given(flats.shear, "Pa", tr("shear modulus")),
+        "b": Given(flats.width, "m", tr("width of a flat spring")),
+        "h": Given(flats.thickness, "m", tr("thickness of a flat spring")),
+        "l_1": Given(flats.length, "m", tr("length of a flat spring")),
+        "l_2": Given(flats.offset, "m", tr("distance of its inner end from the axis")),
+        "m_2": Given(task.gripper.mass, "kg", tr("mass of the gripper with the part")),
+        "g": Given(task.gravity, "m/s^2", tr("acceleration of free fall")),
+        "l": Given(task.gripper.drop, "m", tr("distance of its centre of mass below the flat springs")),
+        "c_t": Given(springs.tilt, "N*m/rad", tr("stiffness of the flat springs against a tilt")),
+    }
+    parts = {
+        "a": (springs.push, "N/rad", tr("force of a bent spring over the tilt")),
+        "d": (springs.bend, "N*m/rad", tr("moment at the inner end of a bent spring over the tilt")),
+        "d_1": (springs.twist, "N*m/rad", tr("moment of a twisted spring over the tilt")),
+        "M_g": (springs.weight, "N*m/rad", tr("moment of the weight over the tilt")),
+    }
+    found |= {key: Given(value, unit, said) for key, (value, unit, said) in parts.items() if value is not None}
+    if springs.push is not None:
+        alpha = flats.torsion if flats.torsion is not None else torsion_coefficient(flats.width, flats.thickness)
+        found["alpha_t"] = Given(alpha, "", tr("torsion coefficient of the section"))
+    return found
+
+
+def _curve(result: VibratorResult) -> Iterator[Block]:
+    """The largest amplitudes over the speed."""
+    curve = result.curve
+    assert curve is not None
+    yield Heading(tr("Resonance curve"), 2)
+    yield Paragraph(
+        tr(
+            "The same system, solved at {count} speeds, gives the resonance curve in figure {figure}; the largest "
+            "amplitudes are in table {table}.",
+            count=len(curve.omega),
+            figure="{fig:vibrator_curve}",
+            table="{tab:vibrator_peaks}",
+        )
+    )
+    units = dict(zip(NAMES_OF, ("mm", "mm", "deg", "deg", "deg", "mm", "deg"), strict=True))
+    rows = []
+    for peak in curve.peaks:
+        unit = units[peak.coordinate]
+        factor = 1e3 if unit == "mm" else 180 / np.pi
+        shown = "°" if unit == "deg" else f" {tr_unit(unit)}"
+        amplitude, omega, rpm = (_number(v) for v in (factor * peak.amplitude, peak.speed, peak.speed * 30 / np.pi))
+        rows.append((f"${NAMES_OF[peak.coordinate]}$", f"{amplitude}{shown}", omega, rpm))
+    head = (tr("Coordinate"), tr("Amplitude"), f"$Omega$, {tr_unit('rad/s')}", f"$n$, {tr_unit('rpm')}")
+    yield Table(tr("Largest amplitudes on the resonance curve"), head, tuple(rows), "vibrator_peaks")
+
+
+NAMES_OF = {
+    "x": "x",
+    "y": "y",
+    "phi": "phi",
+    "tilt_x": "theta_x",
+    "tilt_y": "theta_y",
+    "z": "z",
+    "gamma": "gamma",
+}
