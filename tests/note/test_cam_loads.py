@@ -219,7 +219,7 @@ def test_every_kind_is_exact_and_works_out_as_printed(kind: str, tmp_path: Path)
 def test_the_worked_cam_with_friction() -> None:
     """Case cams-s20: offset stem, cosine rise, shun return; table positions 3 (20 deg), 6 (40 deg), 19 (145 deg)."""
     found = values(told("cam-translating", "3,6,19", ONLY))
-    at = [f"in position {label}" for label in (3, 6, 19)]
+    at = [f"pos. {label}" for label in (3, 6, 19)]
     for name, three, tolerance in (
         ("P_c", (-137.0473, -101.25, -101.25), 5e-5),
         ("R", (160.4557, 121.187, 100.5552), 5e-5),
