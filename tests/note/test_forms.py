@@ -13,12 +13,14 @@ from xml.etree import ElementTree
 import pytest
 
 from note.scenes import CONFIGS, SPECS, written
+from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.docx import document
 from tmmcalc.note.html import page
 from tmmcalc.note.tree import Contents, Cover, Equation, Grid, Image, Points, Text, Title, Written
 from tmmcalc.note.typst import pdf, source
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.language import speaking
+from tmmcalc.report.manuscript import Chapter, Paragraph, Table
 
 LATIN = re.compile(r"[A-Za-z]{3,}")
 KINDS = {"RRR", "RRP", "RPR", "PRP", "RPP"}  # of dyads
@@ -145,3 +147,9 @@ def test_formulas_are_numbered_in_a_row(spoken: Any) -> None:
         by_chapter.setdefault(chapter, []).append(int(rest))
     assert [*by_chapter] == sorted(by_chapter)
     assert all(found == list(range(1, len(found) + 1)) for found in by_chapter.values())
+
+
+def test_a_semicolon_behind_a_reference_stays() -> None:
+    """In Typst the first one behind a call ends it and is not set."""
+    blocks = (Paragraph("In table {tab:a}; see there."), Table("A", ("B",), (("c",),), "a"))
+    assert "[1.1];; see there." in source(Assembler().written([Chapter("x", "X", blocks)]), "en", "X")

@@ -69,7 +69,7 @@ def test_values_of_a_phrase_are_said_in_the_language() -> None:
     with speaking("uk"):
         assert tr_name(graded(note)[1]) == (
             "група RRR(2,3): віддалення: кут тиску за модулем сягає 35,25°, перевищуючи границю 30°, "
-            "за φ від 1,5 до 30°; 40 до 50°"
+            "за φ у межах 1,5…30°; 40…50°"
         )
         assert tr_name(
             graded(

@@ -75,7 +75,7 @@ def why_none(variant: Variant) -> list[str]:
     request = variant.request
     steps = removals(variant)
     if not steps:
-        lines = [Phrase("{title}: the tooth limits leave no candidates", title=request.title)]
+        lines: list[str] = [Phrase("{title}: the tooth limits leave no candidates", title=request.title)]
         if request.method == "textbook":
             lines = [Phrase("{title}: the textbook's program finds no tooth set", title=request.title)]
     else:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 from tmmcalc.gears.model import Interval, ToothSets, TrainTask
 from tmmcalc.gears.radial import RadialShape
@@ -42,9 +43,13 @@ class Request:
     @property
     def title(self) -> str:
         """The layout in a sentence, with the number of planets."""
-        parallel = "planets" if self.scheme.planetary else "layshafts"
-        branches = f" with {self.task.planets} {parallel if self.task.planets > 1 else parallel[:-1]}"
-        return f"{self.task.layout}{branches if self.scheme.branched else ''}"
+        if not self.scheme.branched:
+            return self.task.layout
+        one, more = "{layout} with {count} layshaft", "{layout} with {count} layshafts"
+        if self.scheme.planetary:
+            one, more = "{layout} with {count} planet", "{layout} with {count} planets"
+        text = more if self.task.planets > 1 else one
+        return Phrase(text, layout=self.task.layout, count=self.task.planets)
 
 
 @record

@@ -14,6 +14,7 @@ import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
+from decimal import Decimal
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -25,7 +26,7 @@ LANGUAGES = {"en": "English", "uk": "Ukrainian"}
 PLACE = re.compile(r"\{(\w+)\}")
 UNIT = re.compile(r"[A-Za-z°%]+")
 POINT = re.compile(r"(?<=\d)\.(?=\d)")
-MEASURED = re.compile(r"([-+−]?\d[\d.,]*(?:e[-+]?\d+)?) (%|°|[A-Za-z][\w*/^²³·]*)")  # a number with its unit
+NUMBER = re.compile(r"([-+−]?\d+(?:[.,]\d+)?(?:e[-+]?\d{1,2})?)(?: (%|°|[A-Za-z][\w*/^²³·]*))?")  # and its unit
 
 _spoken: ContextVar[str] = ContextVar("language", default="en")
 
@@ -98,10 +99,12 @@ def _value(name: str, value: str | Sequence[str]) -> str:
         return tr_unit(value)
     if (found := tr_name(value)) != value or isinstance(value, Phrase):
         return found
-    if (measured := MEASURED.fullmatch(value)) is None:
+    if (number := NUMBER.fullmatch(value)) is None:
         return tr_number(value)
-    number, unit = measured.groups()
-    return f"{tr_number(number)}°" if unit == "deg" else f"{tr_number(number)} {tr_unit(unit)}"
+    digits, unit = number.groups()
+    said = tr_number(f"{Decimal(digits.replace(',', '.').replace('−', '-')):f}").replace("-", "−")
+    sign = "+" if digits.startswith("+") else ""
+    return f"{sign}{said}°" if unit == "deg" else f"{sign}{said} {tr_unit(unit)}" if unit else sign + said
 
 
 def tr_unit(unit: str) -> str:

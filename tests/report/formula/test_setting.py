@@ -66,6 +66,12 @@ def test_numbers_have_points_between_and_brackets_about_negative_ones() -> None:
         assert plain(side(read("gcd(x, y)").sides[0])) == "НСД(x; y)"
 
 
+def test_an_angle_has_its_sign_within_a_power_and_enough_digits_in_rad() -> None:
+    values = {"phi": Shown("90", degrees=True)}
+    assert plain(statement(read("phi**2"), values)) == "(90°)^2"
+    assert plain(statement(read("rad(phi)"), values)) == "1.570796"
+
+
 def test_a_power_of_ten_stands_beside_its_number() -> None:
     assert plain(side(read("E*a").sides[0], {"E": Shown("2.1e11"), "a": Shown("-1e-7")})) == "2.1·10^11·(−1·10^−7)"
 

@@ -76,7 +76,7 @@ def _scene(told: Told, result: ElasticResult) -> Lexicon:
         "zeta": Given(result.damping, "", tr("damping as a part of the critical one")),
         "omega_0": Given(result.frequency, "rad/s", tr("natural angular frequency")),
         "omega_d": Given(rate.imag, "rad/s", tr("angular frequency of the damped vibration")),
-        "f_e": Given(result.hertz, "Hz", tr("natural frequency")),
+        "f_e": Given(result.hertz, "Hz", tr("natural frequency of the train")),
         "omega_m": Given(speed, "rad/s", tr("mean angular velocity of the cam")),
         "nu": Given(result.multiple, "", tr("natural frequency over that of the cam")),
     }

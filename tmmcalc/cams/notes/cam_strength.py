@@ -62,7 +62,7 @@ def _course(of: Judging) -> Iterator[Block]:
     """The table over the turn, and the diagrams."""
     table = _table(of)
     if table is not None:
-        yield Paragraph(tr("Table {tab:cam_judged} has their values over the turn."))
+        yield Paragraph(tr("Table {tab:cam_judged} has their values in the positions $i$."))
         yield table
     found = of.found
     count = sum(values is not None for values in (found.slip, found.stress, found.reduced))
@@ -89,4 +89,4 @@ def _table(of: Judging) -> Table | None:
     shown = {"$phi$, deg": np.degrees(found.positions.phi)[rows], **columns}
     labels = [found.positions.labels[row] for row in rows]
     caption = tr("What is judged over the turn")
-    return tabulated(caption, shown, labels, head=tr("No."), key="cam_judged")
+    return tabulated(caption, shown, labels, head="$i$", key="cam_judged")

@@ -36,6 +36,7 @@ KINDS = {  # modules that tell of them
 LOW, HIGH, AROUND = 75.0, 115.0, 35.0  # heights of the picture, and what is above and below the linkage [mm]
 SHOWN = 6  # linkages side by side
 FIGURES = 6  # digits of a size
+DEFECTS = ("order", "branch", "circuit", "rotatability", "transmission", "sizes")  # as the ratings name them
 WORDED = ("grashof",)  # sizes that are told by their meaning
 
 
@@ -83,6 +84,13 @@ def _listed(told: Told) -> Iterator[Block]:
     )
     rows = {*range(SHOWN - 1), told.number - 1} if len(told.listed) > SHOWN else {*range(len(told.listed))}
     yield _side_by_side(told.listed, sorted(rows))
+    if passed := told.found.counters.get("passed over"):
+        yield Paragraph(
+            tr(
+                "Linkages that fail the constraints of the spec stand after the others; there are {count}.",
+                count=passed,
+            )
+        )
     yield Paragraph(tr("Linkage {number} is taken; its dimensions are worked out above.", number=told.number))
 
 
@@ -98,7 +106,7 @@ def _side_by_side(designs: Sequence[Design], rows: Sequence[int]) -> Table:
             continue
         said = Quantity(key, "")
         cells.append((_merit(said.name), *_row([design.merits[key] for design in shown], said.unit)))
-    defects = ["; ".join(tr_name(words.partition(":")[0]) for words in design.defects) for design in shown]
+    defects = ["; ".join(_defects(design)) for design in shown]
     if any(defects):
         cells.append((tr("defects"), "", *(each or "–" for each in defects)))
     head = tr("Quantity"), tr("Unit"), *(str(k + 1) for k in rows)
@@ -124,6 +132,12 @@ def _row(values: Sequence[float], unit: str) -> list[str]:
     return ["°" if printed == "deg" else tr_unit(printed), *numbers]
 
 
+def _defects(design: Design) -> list[str]:
+    """The defects of a linkage of a search, each in a few words."""
+    heads = [words.partition(":")[0] for words in design.defects]
+    return [tr_name(head) for head in heads if head in DEFECTS]
+
+
 def _checked(told: Told) -> Iterator[Block]:
     """What the simulated linkage has beside what was asked."""
     rows = []
@@ -140,6 +154,8 @@ def _checked(told: Told) -> Iterator[Block]:
     )
     head = tr("Quantity"), tr("Unit"), tr("Asked"), tr("Computed"), tr("Relative difference")
     yield Table(tr("Check of the linkage"), head, tuple(rows), "synthesis_checks")
+    if defects := _defects(told.design):
+        yield Paragraph(tr("The linkage has defects: {defects}.", defects="; ".join(defects)))
 
 
 def _pictured(told: Told) -> Iterator[Block]:

@@ -79,7 +79,7 @@ def _listed(links: tuple[int, ...]) -> str:
     if not links:
         return "no link"
     if len(links) == 1:
-        return Phrase("link {link}", link=links[0])
+        return Phrase("link {body}", body=links[0])
     return Phrase("links {links}", links=listed([str(link) for link in links], " and "))
 
 

@@ -11,16 +11,16 @@ from tmmcalc.machine.balance.engines import EngineBalance, ShaftWeights
 from tmmcalc.machine.balance.enginetask import Engine
 from tmmcalc.machine.notes.shaking import signed
 from tmmcalc.machine.notes.told import drawn
-from tmmcalc.machine.pictures.engine import engine_sheet
+from tmmcalc.machine.pictures.engine import draw_engine
 from tmmcalc.machine.tables.tasks.balance import to_engine
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place
+from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result
 from tmmcalc.report.numbers import NOISE
 from tmmcalc.report.telling import lines, named, tabulated, vector
 
-HIGH = 130.0  # of the picture [mm]
+HIGH = 145.0  # of the picture [mm]
 PLANES = (  # of a shaft: the projections of its weights
     "U_{<k>,I%} = -((z_II - z_0)*F_{<k>,%} - C_{<k>,%})/((z_II - z_I)*<rate>**2)",
     "U_{<k>,II%} = -((z_0 - z_I)*F_{<k>,%} + C_{<k>,%})/((z_II - z_I)*<rate>**2)",
@@ -47,7 +47,7 @@ def engine_blocks(order: Order, result: Engine) -> Iterator[Block]:
     if _alike(task.cylinders):
         yield from _sums(task.cylinders, balance, lexicon)
     yield from _shafts(result, lexicon)
-    sheet = partial(engine_sheet, result=result)
+    sheet = partial(draw_engine, result=result, across=False)
     yield Paragraph(tr("Forces and couples before and after balancing are shown in figure {fig:engine}."))
     yield drawn(tr("Force and couple of the engine"), sheet, HIGH, "engine")
 
@@ -164,6 +164,10 @@ def _shafts(result: Engine, lexicon: Lexicon) -> Iterator[Block]:
     }
     labels = [name for name, _ in rows]
     yield tabulated(tr("Force and couple that are left"), columns, labels, head=tr("Balancing"), key="engine_left")
+    for head, unit, said in (("F_{max}", "N", tr("largest force")), ("C_{max}", "N*m", tr("largest couple"))):
+        largest = columns[f"${head}$, {unit}"]
+        if any(largest):
+            yield from (Result(head, Given(largest[k], unit, said), place=labels[k]) for k in (0, -1))
 
 
 def _needed(balance: EngineBalance, shaft: ShaftWeights) -> bool:

@@ -18,7 +18,7 @@ from tmmcalc.machine.tables.tasks.balance import to_rotor
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Table
+from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.numbers import NOISE
 from tmmcalc.report.telling import column_of, lines, named, tabulated
 
@@ -66,10 +66,11 @@ def rotor_blocks(order: Order, result: BalancedRotor) -> Iterator[Block]:
     made = [] if result.static is None else ["m_s = U_s/r_k"]
     yield from lines([*STATIC, *made], [place])
     yield Heading(tr("Balancing in two planes"))
-    yield Paragraph(tr("Weights in the planes $I$ and $II$ take resultant and couple away:"))
+    yield Paragraph(tr("Weights in the planes I and II take resultant and couple away:"))
     for p, far in (("I", "z_II"), ("II", "z_I")):
         made = [f"m_{p} = U_{p}/r_k"] if result.dynamic else []
         yield from lines([*PLANES, *made], [place], {"p": p, "far": far})
+        yield from (Result(f"{name}_{p}", place.lexicon[f"{name}_{p}"]) for name in ("m", "U") if made or name == "U")
     yield from _states(task.rotor, result)
     yield from _grade(task.rotor, result.grade, place)
 
@@ -192,6 +193,13 @@ def _grade(rotor: Rotor, grades: Sequence[RotorVerdict], place: Place) -> Iterat
     }
     cells = tuple(zip(*found.values(), strict=True))
     yield Table(tr("Unbalance against the permissible one"), tuple(found), cells, "rotor_grade")
+    for bearing, part in (("A", grades[-1].part_a), ("B", grades[-1].part_b)):
+        left = Given(
+            _told(part, 100.0),
+            "%",
+            tr("unbalance over the permissible one in the plane of bearing {bearing}", bearing=bearing),
+        )
+        yield Result(f"U_{bearing}/U_{{p{bearing}}}", left, 100.0, "<=", tr("two planes"))
 
 
 def _in_plane(bearing: str) -> str:

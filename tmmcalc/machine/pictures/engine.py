@@ -47,10 +47,15 @@ def engine_sheet(drawing: Drawing, box: Box, result: Engine) -> None:
         **values,
     )
     drawing.add(Words(complex(box.middle.real, box.top), title, 3.0, 1j))
+    draw_engine(drawing, box.inset(0, 0, 0, HEADING), result)
+
+
+def draw_engine(drawing: Drawing, box: Box, result: Engine, *, across: bool = True) -> None:
+    """Hodographs and sizes of force and couple, those that there are; beside each other or one under another."""
     views = [_view(result, kind) for kind in (FORCE, COUPLE)]
     seen = [view for view in views if any(view[1].levels)] or views[:1]
     polars, sizes = [polar for polar, _ in seen], [each for _, each in seen]
-    shaking_sheet(drawing, box.inset(0, 0, 0, HEADING), polars, sizes, (1.5, 1.0)[: len(seen)])
+    shaking_sheet(drawing, box, polars, sizes, (1.5, 1.0)[: len(seen)], across=across)
 
 
 def _view(result: Engine, kind: Kind) -> tuple[Polar, Sizes]:

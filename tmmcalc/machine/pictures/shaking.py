@@ -141,13 +141,19 @@ class Sizes:
 
 
 def shaking_sheet(
-    drawing: Drawing, box: Box, polar: Sequence[Polar], diagrams: Sequence[Sizes], heights: Sequence[float]
+    drawing: Drawing,
+    box: Box,
+    polar: Sequence[Polar],
+    diagrams: Sequence[Sizes],
+    heights: Sequence[float],
+    *,
+    across: bool = True,
 ) -> None:
-    """Hodographs on the left, sizes on the right."""
-    left, right = box.split(1.0, 1.45, gap=4, across=True)
-    for part, hodograph in zip(left.split(*(1.0 for _ in polar), gap=2), polar, strict=True):
+    """Hodographs on the left, sizes on the right; or hodographs above, sizes below at the whole width."""
+    first, second = box.split(1.0, 1.45, gap=4, across=across)
+    for part, hodograph in zip(first.split(*(1.0 for _ in polar), gap=2, across=not across), polar, strict=True):
         hodograph.draw(drawing, part)
-    draw_sizes(drawing, right, diagrams, heights)
+    draw_sizes(drawing, second, diagrams, heights)
 
 
 def draw_sizes(drawing: Drawing, box: Box, diagrams: Sequence[Sizes], heights: Sequence[float]) -> list[Diagram]:

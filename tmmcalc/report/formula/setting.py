@@ -58,7 +58,7 @@ PRINTED = {
 }
 
 
-PARTS = re.compile(r"[a-zа-яіїєґ]{2,}|[A-Za-zα-ωΑ-Ω]|[^A-Za-zα-ωΑ-Ω]+")  # of an index
+PARTS = re.compile(r"(?<![A-Za-z])I{1,3}(?=[xy]?$)|[a-zа-яіїєґ]{2,}|[A-Za-zα-ωΑ-Ω]|[^A-Za-zα-ωΑ-Ω]+")  # of an index
 ROMAN = re.compile(r"I|[IVX]{2,}|[IVX]+,[IVX]+")
 BELOW, ABOVE = "xyzijkn", "ijk"  # single letters of an index that are axes or counters
 
@@ -109,8 +109,9 @@ def _index(text: str, slanted: str) -> Box:
     if ROMAN.fullmatch(text):
         return Word(text)
     boxes: list[Box] = []
-    for part in PARTS.findall(text):
-        if len(part) == 1 and (part.isupper() or part in slanted or part in GREEK.values()):
+    for found in PARTS.finditer(text):
+        part, counted = found[0], ROMAN.fullmatch(found[0]) and (not found.start() or text[found.start() - 1] == ",")
+        if not counted and len(part) == 1 and (part.isupper() or part in slanted or part in GREEK.values()):
             boxes.append(Letter(part))
         elif boxes and isinstance(boxes[-1], Word):  # words beside each other are one, with no gap between them
             boxes[-1] = Word(boxes[-1].text + part)
@@ -232,7 +233,8 @@ def _power(base: Node, exponent: Node, values: Values) -> Box:
     if isinstance(base, Call) and base.function in POWERED and isinstance(exponent, Number):
         return _call(base.function, base.arguments, values, raised)
     box = _box(base, values)
-    simple = isinstance(base, Number) or (isinstance(base, Name) and not _signed(box) and not isinstance(box, Row))
+    plain = not _signed(box) and not isinstance(box, Row | Marked)
+    simple = isinstance(base, Number) or (isinstance(base, Name) and plain)
     if not simple and not (isinstance(base, Call) and base.function == "abs"):
         box = Fenced(box)
     if isinstance(box, Script) and box.upper is None and not box.primes:

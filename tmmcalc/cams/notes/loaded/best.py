@@ -144,11 +144,11 @@ def constraints(result: CamOptimum) -> Iterator[Block]:
     least = {each.number: each for each in result.least.checks}
     rows = [_row(result, each, least[each.number]) for each in result.chosen.checks if each.judged]
     head = (
-        tr("No."),
+        tr("Number"),
         tr("Design constraint"),
         tr("Condition"),
         tr("In whole steps"),
-        tr("Margin, %"),
+        tr("Margin of the limit, %"),
         tr("Margin of any sizes, %"),
     )
     yield Paragraph(

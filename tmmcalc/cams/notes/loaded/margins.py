@@ -52,7 +52,7 @@ def margins(of: Judging) -> Iterator[Block]:
             "displacement and its second derivative; the margin is what is left of the limit."
         )
     )
-    head = (tr("Requirement"), tr("Condition"), tr("In numbers"), tr("Margin, %"), tr("Verdict"))
+    head = (tr("Requirement"), tr("Condition"), tr("In numbers"), tr("Margin of the limit, %"), tr("Verdict"))
     yield Table(tr("Requirements and their limits"), head, tuple(_row(of, each) for each in shown), "cam_margins")
     for each in slips:
         yield Paragraph(

@@ -266,4 +266,4 @@ def shown_angle(phi: float) -> str:
 
 def listed(spans: Iterable[tuple[float, float]]) -> str:
     """Intervals of angles of the cam [rad] in a sentence."""
-    return ", ".join(tr("from {low} to {high}", low=shown_angle(a), high=shown_angle(b)) for a, b in spans)
+    return ", ".join(tr("between {low} and {high}", low=shown_angle(a), high=shown_angle(b)) for a, b in spans)

@@ -170,15 +170,15 @@ def course(of: Loaded) -> Iterator[Block]:
     yield Heading(tr("Forces over the turn"), 3)
     yield Paragraph(
         tr(
-            "The forces in all positions are in tables {tab:cam_loads} and {tab:cam_reactions}, their extremes over "
-            "the turn in table {tab:cam_extremes}."
+            "The forces in the positions $i$ are in tables {tab:cam_loads} and {tab:cam_reactions}, their extremes "
+            "over the turn in table {tab:cam_extremes}."
         )
     )
     rows = table_rows(of.told)
     labels = [of.result.labels[row] for row in rows]
     first, second = _columns(of, rows)
-    yield tabulated(tr("Forces along the lift"), first, labels, head=tr("No."), key="cam_loads")
-    yield tabulated(tr("Reactions and torques"), second, labels, head=tr("No."), key="cam_reactions")
+    yield tabulated(tr("Forces along the lift"), first, labels, head="$i$", key="cam_loads")
+    yield tabulated(tr("Reactions and torques"), second, labels, head="$i$", key="cam_reactions")
     yield _extremes(of.result)
     yield from _contact(of)
     yield from _work(of)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from tmmcalc.cams.notes.lexicon import degrees_of
 from tmmcalc.cams.notes.loaded.judged import Judging
 from tmmcalc.cams.notes.loaded.quantities import Found, listed, shown_angle
 from tmmcalc.cams.strength.case import contact_curvature, roller_acceleration
@@ -71,12 +72,14 @@ def rolling_blocks(of: Judging) -> Iterator[Block]:
         yield from of.lines(["J_r = pi*b*rho_s*(r_2**4 - r_0**4)/(2*10**15)"], {})
     texts = ("C_1 = (k_r + f_0*r_0)/(f_r*r_2)", "C_2 = 10**3*J_r*omega_m**2/(f_r*r_2**2)")
     yield from of.lines(texts, {})
-    yield Paragraph(tr("The roller rolls where the slip function $D$ is at most 1:"))
+    said = tr("The roller rolls where the slip function $D$ is at most 1.")
     places = [of.row(row) for row in of.of.told.rows if of.found.touching[row]]
     worst = of.margin("no slip")
     if worst is not None and worst.phi is not None and worst.value is not None:
+        said += " " + tr("It is largest at φ = {angle}, where it is worked out too.", angle=shown_angle(worst.phi))
         there = of.of.found(worst.phi, worst.value, lambda found: _slip_at(of, found))
-        places.append(Place(largest_at(worst.phi), of.at(there, slip=worst.value)))
+        places.append(Place(at_angle(worst.phi), of.at(there, slip=worst.value)))
+    yield Paragraph(said)
     yield from _slipped(of, places)
     if rolls.slipping:
         yield Paragraph(tr("The roller slips {where}.", where=listed(rolls.slipping)))
@@ -120,15 +123,21 @@ def contact(of: Judging, steel: CamMaterialTable | None) -> Iterator[Block]:
     yield Heading(tr("Contact stress"), 3)
     if steel is not None:
         yield from _permissible(steel)
+    yield Paragraph(
+        tr(
+            "The contact stress is largest at φ = {angle}; it is worked out there and in the positions that are shown.",
+            angle=shown_angle(worst.phi),
+        )
+    )
     there = of.of.found(worst.phi, worst.value, lambda found: _stress_at(of, found))
     rows = [] if of.found.stress is None else [row for row in of.of.told.rows if of.found.touching[row]]
-    places = [Place(largest_at(worst.phi), of.at(there, stress=worst.value))]
+    places = [Place(at_angle(worst.phi), of.at(there, stress=worst.value))]
     yield from _stressed(of, [*map(of.row, rows), *places])
 
 
-def largest_at(phi: float) -> str:
-    """The place of a line where its value is largest over the turn."""
-    return tr("largest, at φ = {angle}", angle=shown_angle(phi))
+def at_angle(phi: float) -> str:
+    """A place of a line by its angle."""
+    return tr("at φ = {angle}°", angle=degrees_of(phi))
 
 
 def _stress_at(of: Judging, found: Found) -> np.ndarray:

@@ -149,7 +149,9 @@ def _flank(drive: Drive, table: FlankTable, part: float, row: int) -> Lexicon:
             degrees(table.pressure[row]), "deg", tr("pressure angle of flank {flank}", flank=name)
         ),
         f"D_{name}": Given(
-            MM**2 * speed**3 * float(table.curvature[row]), "mm^2", tr("denominator of the radius of curvature")
+            MM**2 * speed**3 * float(table.curvature[row]),
+            "mm^2",
+            tr("denominator of the radius of curvature of its pitch curve"),
         ),
         f"rho_{name}": Given(
             MM * float(table.bend[row]),

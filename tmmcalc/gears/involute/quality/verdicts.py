@@ -74,7 +74,8 @@ def worst(found: tuple[Check, ...]) -> Verdict:
 def at_least(name: str, wheel: int, value: float, limits: tuple[float, float], text: str) -> Check:
     """A value that has to be at least the first of the limits and ought to be at least the second."""
     least, wanted = limits
-    for limit, verdict in ((least, "fail"), (wanted, "warn")):
+    grades: tuple[tuple[float, Verdict], ...] = ((least, "fail"), (wanted, "warn"))
+    for limit, verdict in grades:
         if value < limit - NOISE:
             said = Phrase("{text} {value:.4g} below {limit:.4g}", text=text, value=value, limit=limit)
             return Check(name, wheel, value, limit, value - limit, verdict, said)

@@ -62,6 +62,24 @@ def searched(told: Told, asked: DwellTask) -> Iterator[Block]:
     if refused:
         yield Paragraph(tr("The others were refused:"))
         yield Listing(tuple(f"{tr_name(reason)}: {count}" for reason, count in refused.items()))
+    yield from _sifted(told)
+
+
+def _sifted(told: Told) -> Iterator[Block]:
+    """How many linkages of the search keep the constraints of the spec, and which of them fail."""
+    counters = told.found.counters
+    if "kept the constraints" in counters:
+        yield Paragraph(
+            tr(
+                "The constraints of the spec are kept by {count} linkages of the search; those that break them come "
+                "after all others.",
+                count=counters["kept the constraints"],
+            )
+        )
+        failing = {key.removeprefix("failed "): count for key, count in counters.items() if key.startswith("failed ")}
+        if failing:
+            yield Paragraph(tr("Constraints that fail:"))
+            yield Listing(tuple(f"{name}: {count}" for name, count in failing.items()))
 
 
 def _ranges(told: Told, asked: DwellTask) -> Iterator[tuple[str, ...]]:
