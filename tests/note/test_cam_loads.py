@@ -51,6 +51,7 @@ NEEDS = (
     'pin_friction = 0.1\npin_pressure = "5 MPa"\nspan = "100 mm"\nbending = "100 MPa"\ndeflection = "0.01 mm"\n'
     'guide_pressure = "5 MPa"\n'
 )
+NUMBER = re.compile(r"−?\d+(\.\d+)?(·10\^\S+)?(°| |$)")  # what an equation with its result ends with
 
 
 OF_ROCKER = NEEDS.replace('guide_pressure = "5 MPa"\n', "")
@@ -203,7 +204,7 @@ def values(chapters: list[Chapter]) -> dict[tuple[str, str], float]:
     """What the lines give, by their left sides and places; the last of each."""
     found: dict[tuple[str, str], float] = {}
     for each in Assembler().written(chapters):
-        if isinstance(each, Equation) and not each.number and len(each.parts) > 1:
+        if isinstance(each, Equation) and NUMBER.match(plain(each.parts[-1])):
             number = re.split(r"[ °]", plain(each.parts[-1]).replace("−", "-").replace("·10^", "e"))[0]
             found[plain(each.parts[0]), each.lead] = float(number)
     return found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from functools import cache
 from pathlib import Path
 
@@ -91,6 +92,7 @@ KINDS |= {
 QUICK = ("stem, free, counter-clockwise", "rocker, against", "flat, counter-clockwise", "law modified_sine")
 FILE = Path(__file__).parents[1] / "cases" / "cams.json"
 CASES = {case["id"]: case for case in json.loads(FILE.read_text(encoding="utf-8"))}
+NUMBER = re.compile(r"−?\d+(\.\d+)?(·10\^\S+)?(°| |$)")  # what an equation with its result ends with
 
 
 def blocks_of(spec: Path, positions: str | None = None) -> list[Chapter]:
@@ -130,7 +132,7 @@ def values(name: str, positions: str) -> dict[tuple[str, str], float]:
     """What the lines of a ready spec give, by their left sides and places; the first of each."""
     found: dict[tuple[str, str], float] = {}
     for each in Assembler().written(blocks_of(CONFIGS / f"{name}.toml", positions)):
-        if isinstance(each, Equation) and not each.number and len(each.parts) > 1:
+        if isinstance(each, Equation) and NUMBER.match(plain(each.parts[-1])):
             number = plain(each.parts[-1]).split()[0].rstrip("°").replace("−", "-").replace("·10^", "e")
             found.setdefault((plain(each.parts[0]), each.lead), float(number))
     return found

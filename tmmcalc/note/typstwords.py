@@ -42,6 +42,6 @@ def quoted(text: str) -> str:
 def escaped(text: str) -> str:
     """A text without signs of the language; primes after a number, as of a row 3'', are no quotation marks."""
     text = PRIMES.sub(lambda found: "′" * len(found[0]), text)
-    for sign in "\\#$*_`<>@[]~;":
+    for sign in "\\#$*_`<>@[]~":
         text = text.replace(sign, "\\" + sign)
     return text.replace("/", "/\u2060")  # a unit is not broken
