@@ -120,7 +120,7 @@ def _on_shaft(task: CamTask, *courses: TurnForces) -> tuple[Panels, Values]:
 def _notes(task: CamTask, course: TurnForces) -> list[str]:
     """What is taken, and what does not hold."""
     shaft = "as it turns" if task.ratio == 1 else Phrase("at {ratio:.6g} of its speed", ratio=task.ratio)
-    notes = [
+    notes: list[str] = [
         Phrase(
             "it loads the crank, {shaft}: J_red has its follower, M_red its forces; its friction is that of the "
             "mean speed. The forces in the linkage, and its balancing moment, are those without it",

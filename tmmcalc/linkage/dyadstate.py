@@ -147,11 +147,9 @@ class DyadState:
             found.append(Note("warning", text, place, amplified, most, name="amplification"))
         if self.transmission < MODEST:
             severity, limit = ("warning", 20) if self.transmission < POOR else ("note", 30)
-            text = "transmission angle {value:.4g} deg, below {limit:g} deg"
-            numbers = math.degrees(self.transmission), limit, "deg"
-            found.append(
-                held(severity, text, *numbers, name="transmission", place=Phrase("dyad {kind}", kind=self.kind))
-            )
+            weak = "transmission angle {value:.4g} deg, below {limit:g} deg"
+            numbers, place = (math.degrees(self.transmission), limit, "deg"), Phrase("dyad {kind}", kind=self.kind)
+            found.append(held(severity, weak, *numbers, name="transmission", place=place))
         return tuple(found)
 
 

@@ -36,10 +36,8 @@ def force_notes(
             )
         )
     if reversals:
-        where = [f"{degrees(phi):.6g}" for phi in reversals]
-        yield Phrase(
-            "note: the roller goes to the other wall of the groove at phi = {where} deg, with an impact", where=where
-        )
+        text = "note: the roller goes to the other wall of the groove at phi = {where} deg, with an impact"
+        yield Phrase(text, where=[f"{degrees(phi):.6g}" for phi in reversals])
     if reserve.eaten > EATEN:
         grade = "warning" if reserve.eaten > MUCH else "note"
         text = (

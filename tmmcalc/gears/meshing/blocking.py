@@ -72,7 +72,7 @@ def solve_blocking(pair: Pairs) -> Blocking:
 
 
 def _remarks(found: Pairs) -> list[str]:
-    remarks = []
+    remarks: list[str] = []
     for pair in found.pairs:
         task = pair.task
         if task.kind != "external":

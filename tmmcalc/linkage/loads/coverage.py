@@ -31,8 +31,8 @@ def of_displacement(
         "the stroke of {name} is {reach:.5g} {unit}", name=displacement.output.name, reach=reach * factor, unit=said
     )
     if high > reach * (1 + EDGE):
-        values = {"high": high * factor, "unit": said, "stroke": stroke}
-        text = Phrase("its table goes to {high:.5g} {unit}, but {stroke}", **values)
+        end = high * factor
+        text = Phrase("its table goes to {high:.5g} {unit}, but {stroke}", high=end, unit=said, stroke=stroke)
         if low >= reach:
             text = Phrase("{text}; the whole table lies beyond it, and its first value holds throughout", text=text)
         numbers = (high, reach, "m") if said == "mm" else (high * factor, reach * factor, said)

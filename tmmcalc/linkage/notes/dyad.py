@@ -284,7 +284,7 @@ def _results(alone: Alone) -> Iterator[Block]:
     result, places = alone.result, alone.at.places
     rows = [
         (
-            tr("link {link}", link=each.link),
+            each.link,
             *(cell(value) for value in (math.degrees(each.angle), each.omega, each.eps)),
         )
         for each in result.links

@@ -196,11 +196,12 @@ def largest(told: Told) -> Iterator[tuple[str, Given, float | None]]:
     """The extremes of the gripper with what they are held to: name, quantity, limit."""
     asked = told.task.motion
     drive = asked.drive if isinstance(asked, PathTask) else None
+    limits = (drive.speed, drive.total, drive.acceleration, drive.normal) if drive is not None else (None,) * 4
     said = {
-        "speed": ("v_{max}", tr("largest speed of the gripper"), drive and drive.speed),
-        "acceleration": ("a_{Σ,max}", tr("largest acceleration of the gripper"), drive and drive.total),
-        "a_tangential": ("a_{max}", tr("largest tangential acceleration of the gripper"), drive and drive.acceleration),
-        "a_normal": ("a_{n,max}", tr("largest normal acceleration of the gripper"), drive and drive.normal),
+        "speed": ("v_{max}", tr("largest speed of the gripper"), limits[0]),
+        "acceleration": ("a_{Σ,max}", tr("largest acceleration of the gripper"), limits[1]),
+        "a_tangential": ("a_{max}", tr("largest tangential acceleration of the gripper"), limits[2]),
+        "a_normal": ("a_{n,max}", tr("largest normal acceleration of the gripper"), limits[3]),
     }
     for each in told.result.extremes:
         if each.name in said:

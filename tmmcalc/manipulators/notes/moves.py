@@ -255,9 +255,8 @@ def _between(told: Told, joint: Joint, curve: tuple[Values, Values, Values]) -> 
     places = [_inside(told, joint, row, curve) for row in told.rows]
     yield Paragraph(tr("Between two rows of the table:"))
     value, rate, second = joint[:3]
-    rise = "b_k*xi*(w_k + xi*(3*g_k - 2*w_k - w_{k+1}) + xi**2*(w_k + w_{k+1} - 2*g_k))"
-    if joint.turns:
-        rise = f"deg(180*{rise}/pi)"
+    parts = ("w_k*xi", "(3*g_k - 2*w_k - w_{k+1})*xi**2", "(w_k + w_{k+1} - 2*g_k)*xi**3")
+    rise = " + ".join(f"deg(180*b_k*{part}/pi)" if joint.turns else f"b_k*{part}" for part in parts)
     texts = (
         "xi = (t - t_k)/b_k",
         "g_k = rad(p_{k+1} - p_k)/b_k",

@@ -33,8 +33,9 @@ def _extremes(told: Told) -> Iterator[Block]:
     result = told.result
     yield Result("T", Given(result.duration, "s", tr("time of the whole motion")))
     for key, given, limit in largest(told):
-        kept = None if limit is None else max(limit, float(given.value) * (1 - SLACK))  # type: ignore[arg-type]
-        yield Result(key, given, limit if kept is None or kept > limit * (1 + SLACK) else kept, "<=" if limit else "")
+        assert isinstance(given.value, float)
+        edge = None if limit is None else _edge(given.value, limit)
+        yield Result(key, given, edge, "" if edge is None else "<=")
     yield Paragraph(
         tr("Table {table} has the extremes of the motion, between the rows too.", table="{tab:manipulator_extremes}")
     )
@@ -80,8 +81,12 @@ def _ranges(told: Told) -> Iterator[Block]:
             if edge is not None:
                 said = tr("least value: {what}", what=what) if end == "min" else tr("largest value: {what}", what=what)
                 shown = Given(factor * value, unit, said)
-                within = abs(value - edge) <= SLACK * max(abs(value), abs(edge))
-                yield Result(_ending(joint, end), shown, factor * (value if within else edge), sense)
+                yield Result(_ending(joint, end), shown, factor * _edge(value, edge), sense)
+
+
+def _edge(value: float, limit: float) -> float:
+    """A limit; what is beyond it by rounding alone is at it."""
+    return value if abs(value - limit) <= SLACK * max(abs(value), abs(limit)) else limit
 
 
 def _ending(joint: Joint, end: str) -> str:

@@ -83,8 +83,8 @@ class _Reader:
 
     def node(self, tree: ast.expr) -> Node:
         match tree:
-            case ast.Constant(value=int() | float()) if not isinstance(tree.value, bool):
-                return Number(_written(tree.value))
+            case ast.Constant(value=int() | float() as number) if not isinstance(number, bool):
+                return Number(_written(number))
             case ast.Name(id=word):
                 return Name(self.words[int(word[1:-1])])
             case ast.UnaryOp(op=ast.USub(), operand=inner):

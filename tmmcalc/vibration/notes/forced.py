@@ -77,13 +77,15 @@ def _dynamic(result: VibratorResult) -> tuple[Values, Values]:
     """D and H (7, 7); what is rounding beside the diagonals is none."""
     steady = result.steady
     assert steady is not None
-    found = []
     sizes = np.diagonal(result.stiffness) + steady.speed**2 * np.diagonal(result.mass)
-    for matrix in (result.stiffness - steady.speed**2 * result.mass, steady.speed * result.damping):
-        own = np.diagonal(result.damping) * steady.speed if matrix is not found and found else sizes
-        least = NOTHING * np.sqrt(np.outer(own, own))
-        found.append(np.where(np.abs(matrix) > least, matrix, 0.0))
-    return found[0], found[1]
+    stiff, damped = result.stiffness - steady.speed**2 * result.mass, steady.speed * result.damping
+    return _cleaned(stiff, sizes), _cleaned(damped, np.diagonal(damped))
+
+
+def _cleaned(matrix: Values, sizes: Values) -> Values:
+    """A matrix (7, 7) without what is rounding beside the sizes (7,) of its diagonal."""
+    found: Values = np.where(np.abs(matrix) > NOTHING * np.sqrt(np.outer(sizes, sizes)), matrix, 0.0)
+    return found
 
 
 def _quantities(task: VibratorTask, result: VibratorResult) -> Lexicon:
@@ -206,7 +208,7 @@ def _points(task: VibratorTask, result: VibratorResult) -> Iterator[Block]:
     )
     places = [_point(task, result, path) for path in result.paths[:POINTS]]
     for part in "cs":
-        yield from lines(MOVED.values(), places, {"p": part})  # type: ignore[arg-type]
+        yield from lines([*MOVED.values()], places, {"p": part})
     yield from lines([f"A_{axis} = sqrt({axis}_c**2 + {axis}_s**2)" for axis in "xyz"], places)
     yield Paragraph(
         tr(
