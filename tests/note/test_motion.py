@@ -55,11 +55,12 @@ ratio = 14.66
 
 
 def of_text(spec: str, tmp_path: Path) -> list[Chapter]:
-    """The chapter on motion of a spec."""
+    """The chapters on reduction, with the motor, and on motion of a spec."""
     file = tmp_path / "spec.toml"
     file.write_text(spec, encoding="utf-8")
-    done = run(load_spec(file), target=stages_of(["motion"]))
-    return chapters_of({"motion": CHAPTERS["motion"]}, done.spec, done.results, {**NONE, POSITIONS: None})
+    titles = {name: CHAPTERS[name] for name in ("reduction", "motion")}
+    done = run(load_spec(file), target=stages_of([*titles]))
+    return chapters_of(titles, done.spec, done.results, {**NONE, POSITIONS: None})
 
 
 def values(chapters: list[Chapter]) -> dict[str, float]:
@@ -80,7 +81,7 @@ def said(name: str) -> str:
 
 
 def test_the_parabola_of_the_shaper_is_that_of_the_textbook() -> None:
-    found, book = values(told("shaper", only=("motion",))), CASES["dyn-shaper-motion-idle"]
+    found, book = values(told("shaper", only=("reduction", "motion"))), CASES["dyn-shaper-motion-idle"]
     for name, key in (
         ("A_M", "A"),
         ("B_M", "B"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from math import degrees
 from pathlib import Path
@@ -48,9 +49,10 @@ def worked(name: str) -> dict[str, float]:
     """What the lines of a ready spec give, by their left sides; the first of each."""
     found: dict[str, float] = {}
     for each in Assembler().written(told(name, only=ONLY)):
-        if isinstance(each, Equation) and not each.number and len(each.parts) > 1:
+        if isinstance(each, Equation) and len(each.parts) > 1:
             number = plain(each.parts[-1]).split()[0].rstrip("°").replace("−", "-")
-            found.setdefault(plain(each.parts[0]), float(number))
+            if re.fullmatch(r"-?\d+(\.\d+)?", number):
+                found.setdefault(plain(each.parts[0]), float(number))
     return found
 
 
@@ -79,7 +81,7 @@ def test_the_inverse_involute_is_checked_by_its_own_line() -> None:
     """inv(alpha_tw) stands twice: by the shifts, and by the angle that was found."""
     said = text(written("pair-spur", only=ONLY))
     lines = [line for line in said.splitlines() if line.startswith("    inv α_tw = ") and "°" in line]
-    by_shifts, by_angle = (line.rpartition(" = ")[2] for line in lines)
+    by_shifts, by_angle = (line.rpartition(" = ")[2].partition("    (")[0] for line in lines)
     assert by_shifts == by_angle
 
 
@@ -119,7 +121,7 @@ def test_a_wheel_of_two_meshes_is_told_once() -> None:
 
 def test_the_open_pair_on_the_crank() -> None:
     said = text(written("geared-press", only=ONLY))
-    assert "u = 60/18 = 3.3333" in said
+    assert " = 60/18 = 3.3333" in said
     assert "J_ab = J_a u^2 + J_b" in said
     assert all(f"{name} = " in said for name in ("T_a", "F_t", "F_r", "F_n"))
     assert "Open pair" not in text(written("pair-helical", only=ONLY))

@@ -27,7 +27,7 @@ def test_the_moments_of_the_press_are_those_of_the_textbook() -> None:
     found = results("8,10,11", "reduction")
     for position, moments in MOMENTS.items():
         for name, value in zip(("M_G", "M_Q3", "M_F"), moments, strict=True):
-            assert found[name, f"in position {position}"] == pytest.approx(value, rel=1e-4)
+            assert found[name, f"pos. {position}"] == pytest.approx(value, rel=1e-4)
 
 
 def test_works_by_simpson_and_the_efficiency_are_those_of_the_textbook() -> None:
@@ -39,7 +39,7 @@ def test_works_by_simpson_and_the_efficiency_are_those_of_the_textbook() -> None
 
 def test_the_counterweight_of_the_press_is_that_of_the_textbook() -> None:
     found = results("2", "balance")
-    assert found["R", "in position 2"] == pytest.approx(15.4165, rel=1e-4)
+    assert found["R", "pos. 2"] == pytest.approx(15.4165, rel=1e-4)
     assert found["U_1", ""] == pytest.approx(0.826339, rel=1e-4)
     assert found["D_1", ""] == pytest.approx(13.7444, rel=1e-4)
     assert found["D_L", ""] == pytest.approx(4.18569, rel=1e-4)

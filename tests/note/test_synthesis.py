@@ -225,11 +225,14 @@ def worked(name: str) -> dict[str, float]:
     return of_lines(Assembler().written(told(name, only=ONLY)))
 
 
+RESULT = re.compile(r"−?\d+(\.\d+)?(·10\^\S+)?(°| |$)")  # what an equation with its result ends with
+
+
 def of_lines(note: list[Written]) -> dict[str, float]:
     """The results of lines by their left sides, the first of each."""
     found: dict[str, float] = {}
     for each in note:
-        if isinstance(each, Equation) and not each.number and len(each.parts) > 1:
+        if isinstance(each, Equation) and RESULT.match(plain(each.parts[-1])):
             number = plain(each.parts[-1]).split()[0].rstrip("°").replace("−", "-")
             found.setdefault(plain(each.parts[0]), float(number))
     return found

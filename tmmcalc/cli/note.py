@@ -75,7 +75,7 @@ def command(
     from tmmcalc.note.forms import check_form, formed
     from tmmcalc.note.own import own_texts
     from tmmcalc.note.whole import Work, whole
-    from tmmcalc.pipeline.chapters import chapters_of, errors_of, stages_of, warnings_of
+    from tmmcalc.pipeline.chapters import chapters_of, errors_of, sought_in, stages_of, task_of, warnings_of
     from tmmcalc.project.found import text_of
     from tmmcalc.report.language import speaking
     from tmmcalc.report.printing import printing
@@ -101,7 +101,9 @@ def command(
                 note = Assembler(depth or said.depth).written(chapters)
             else:
                 warnings, errors = warnings_of(run, stages), errors_of(run, stages)
-                work = Work(scene.project.title, _who(scene, said), own, warnings, errors, text_of(scene))
+                task = task_of(run.spec, run.results, _flags(positions, said))
+                sought = sought_in(run.results, stages)
+                work = Work(scene.project.title, _who(scene, said), own, warnings, errors, text_of(scene), task, sought)
                 note = whole(work, chapters, depth or said.depth)
         written = formed(note, form, scene.project.title, _frame(scene, said))
     if file == STDOUT:

@@ -11,6 +11,7 @@ A room is a package with a module ``room``, whose ``ROOM`` is a `Room`. What it 
     its facts       <room>.facts.<name>          summary(result, title)
     its picture     <room>.pictures.<name>       figure(order)
     its note        <room>.notes.<name>          blocks(order)
+    what is given   <room>.notes.task            blocks(order)
     its studies     <room>.accuracy.<name>       studies(scene)
     command         cli.<name>, cli.<group>.<name>
 
@@ -146,6 +147,7 @@ class Room:
         section: str = "",
         group: Group | None = None,
         chapters: Mapping[str, str] = NO_CHAPTERS,
+        gives: bool = False,
     ) -> None:
         self.name = name
         self.home = f"tmmcalc.{name}"
@@ -156,6 +158,7 @@ class Room:
         self.section = section  # of the list of commands
         self.group = group
         self.chapters = chapters  # of the note: their titles by their names, in their order
+        self.task = f"{self.home}.notes.task:blocks" if gives else ""  # what its scenes are given, for the note
 
     def _at_home(self, stage: Stage) -> Stage:
         """The stage with the places of its functions."""

@@ -175,4 +175,5 @@ ROOM = Room(
         "tmmcalc gears synth my.toml",
     ),
     chapters={"gears": "Gears"},
+    gives=True,
 )

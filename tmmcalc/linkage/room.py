@@ -156,4 +156,5 @@ ROOM = Room(
         "unsteady": "Unsteady motion of the mechanism",
         "dyad": "Motion of the dyad",
     },
+    gives=True,
 )

@@ -184,4 +184,5 @@ ROOM = Room(
         "motion": "Motion of the machine and flywheel",
         "balance": "Balancing",
     },
+    gives=True,
 )

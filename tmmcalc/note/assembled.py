@@ -20,6 +20,7 @@ from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import (
     Block,
     Chapter,
+    Datum,
     Display,
     Figure,
     Heading,
@@ -60,7 +61,7 @@ class Assembler:
         self._chapters = 0
         self._prefix = ""  # of numbers in this chapter
         self._parts = [0, 0]  # how many of levels 2 and 3 there were
-        self._counts: Counter[str] = Counter()  # of tables, figures and formulas in a chapter
+        self._counts: Counter[tuple[str, str]] = Counter()  # of tables, figures and formulas by chapter
         self._explained: dict[str, tuple[str, str]] = {}  # meaning and unit of a name
 
     def written(self, chapters: Iterable[Chapter]) -> list[Written]:
@@ -88,7 +89,7 @@ class Assembler:
                     yield from self._line(block)
                 case Listing(items):
                     yield Points(tuple(inline(item) for item in items))
-                case Result():
+                case Result() | Datum():
                     continue
                 case Verbatim(text):
                     yield Source(text)
@@ -100,7 +101,6 @@ class Assembler:
 
     def _chapter(self, chapter: Chapter) -> Title:
         """Its title; what stands in it is numbered by the chapter."""
-        self._counts.clear()
         self._parts = [0, 0]
         if chapter.number is not None:
             self._prefix = chapter.number
@@ -117,31 +117,40 @@ class Assembler:
         return Title(".".join([self._prefix, *map(str, self._parts[: level - 1])]), text, level)
 
     def _numbered(self, kind: str, key: str) -> str:
-        self._counts[kind] += 1
-        number = f"{self._prefix}.{self._counts[kind]}".removeprefix(".")
+        self._counts[self._prefix, kind] += 1
+        number = f"{self._prefix}.{self._counts[self._prefix, kind]}".removeprefix(".")
         if key:
             self._numbers[f"{kind}:{key}"] = number
         return number
 
     def _line(self, line: Line) -> Iterator[Written]:
+        """The formula, what its letters are, its numbers at each place; those that are one everywhere go on from it."""
         left, right = line.formula.sides
-        yield Equation((setting.side(left), setting.side(right)), self._numbered("eq", line.key), key=line.key)
+        letters = setting.side(left), setting.side(right)
+        number = self._numbered("eq", line.key)
+        places = line.places[: 1 if self.depth == SHORT else None]
+        found = [self._numbers_of(line, place) for place in places]
+        own = {plain(setting.side(_indexed(left, place.index))) for place in places}
+        if own == {plain(letters[0])} and len(set(found)) == 1 and (len(places) > 1 or not places[0].name):
+            yield Equation((*letters, *found[0]), number, key=line.key)
+            yield from self._where(line)
+            return
+        yield Equation(letters, number, key=line.key)
         yield from self._where(line)
-        for place in line.places[: 1 if self.depth == SHORT else None]:
-            given = result_of(left, place.lexicon)
-            assert isinstance(given.value, float)
-            found = worked(right, place.lexicon, given.value, unit=given.unit, digits=line.digits)
-            self.lines.append(Checked(line.formula, place.name, found))
-            numbers = setting.side(found.tree, found.shown)
-            result = with_unit(found.result, given.unit)
-            same = not found.shown or plain(numbers) == plain(result.boxes[0])
-            parts = (
-                setting.side(_indexed(left, place.index)),
-                *(() if same else (numbers,)),
-                result,
-                *_converted(given),
-            )
-            yield Equation(parts, lead=place.name)
+        for place, parts in zip(places, found, strict=True):
+            yield Equation((setting.side(_indexed(left, place.index)), *parts), lead=place.name)
+
+    def _numbers_of(self, line: Line, place: Place) -> tuple[Row, ...]:
+        """The right side with the numbers of a place, and the result; the result alone where they are one."""
+        left, right = line.formula.sides
+        given = result_of(left, place.lexicon)
+        assert isinstance(given.value, float)
+        found = worked(right, place.lexicon, given.value, unit=given.unit, digits=line.digits)
+        self.lines.append(Checked(line.formula, place.name, found))
+        numbers = setting.side(found.tree, found.shown)
+        result = with_unit(found.result, given.unit)
+        same = not found.shown or plain(numbers) == plain(result.boxes[0])
+        return (*(() if same else (numbers,)), result, *_converted(given))
 
     def _where(self, line: Line) -> Iterator[Written]:
         """The names that stand for the first time, or for something else than before, with meaning and unit.
@@ -163,7 +172,7 @@ class Assembler:
                 parts += [", "] * bool(j) + [quantity(key)]
             parts.append(f" – {meaning}" + (f", {shown_unit(unit)}" if unit else ""))
         if parts:
-            yield Text((*parts, "."))
+            yield Text((*parts, "."), explains=True)
 
 
 def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
@@ -267,7 +276,7 @@ def _referring(text: Text, numbers: Mapping[str, str]) -> Text:
             continue
         for k, piece in enumerate(REFERENCE.split(part)):
             parts += [Reference(piece, numbers[piece]) if k % 2 else piece] if piece else []
-    return Text(tuple(parts))
+    return Text(tuple(parts), text.explains)
 
 
 def drawn(figure: Figure) -> Drawing:

@@ -22,9 +22,9 @@ from tmmcalc.note.tree import (
     Text,
     Title,
     Written,
-    letters_wide,
-    longest_word,
+    numeric,
     plain_text,
+    widest,
 )
 from tmmcalc.report.drawing.pdf import png
 from tmmcalc.report.drawing.shapes import Drawing
@@ -46,7 +46,7 @@ LEAD, FORMULA, NUMBER = 36, 121, 18  # widths of the words before a formula, of 
 ACROSS, ALONG = 175.0, 257.0  # widths of a table, and of one that is turned [mm]
 LETTER, PADDING = 2.45, 4.5  # of a column: by letter, and between its texts and lines [mm]
 TWIPS = 1440 / 25.4  # to a mm
-TURNED = 92  # letters in a row from which on a table stands turned
+CELLS = (12, 11, 10, 9)  # sizes of tables [pt], the first in which one fits; one that does not stands turned
 SPACES = {
     "w": "http://schemas.openxmlformats.org/wordprocessingml/2006/main",
     "m": "http://schemas.openxmlformats.org/officeDocument/2006/math",
@@ -54,6 +54,7 @@ SPACES = {
     "r": "http://schemas.openxmlformats.org/officeDocument/2006/relationships",
     "asvg": "http://schemas.microsoft.com/office/drawing/2016/SVG/main",
 }
+MILLIMETRE = 25.4 / 72.0  # of a point
 SVG = "{96DAC541-7B7A-43D3-8B79-37D633B846F1}"  # the extension of a picture that is beside it as SVG
 LEVELS = "".join(
     f'<w:lvl w:ilvl="{k}"><w:start w:val="1"/><w:numFmt w:val="decimal"/><w:pStyle w:val="Heading{k + 1}"/>'
@@ -110,6 +111,7 @@ def _elements(text: str) -> list[Any]:
 
 def _styled(found: Document) -> None:
     """Page, fonts and paragraphs of all styles, the numbers of headings."""
+    from docx.enum.style import WD_STYLE_TYPE
     from docx.enum.text import WD_PARAGRAPH_ALIGNMENT as TO
     from docx.shared import Mm, Pt, RGBColor
 
@@ -136,6 +138,9 @@ def _styled(found: Document) -> None:
             fonts.attrib.pop(f"{{{SPACES['w']}}}{script}", None)
         for script in ("eastAsia", "cs"):
             fonts.set(f"{{{SPACES['w']}}}{script}", FONT)
+    for size in CELLS:
+        cell = styles.add_style(f"Cell{size}", WD_STYLE_TYPE.PARAGRAPH)
+        cell.base_style, cell.font.size = styles["Normal"], Pt(size)
     normal = styles["Normal"].paragraph_format
     normal.space_after, normal.line_spacing = Pt(0), 1.5
     for level in (1, 2, 3):
@@ -173,9 +178,10 @@ def _run(text: str, size: float | None = None) -> str:
     return f'<w:r>{sized}<w:t xml:space="preserve">{escape(text)}</w:t></w:r>' if text else ""
 
 
-def _paragraph(runs: str, to: str = "left") -> str:
+def _paragraph(runs: str, to: str = "left", style: str = "") -> str:
     """A paragraph of single lines in a cell."""
-    return f'<w:p><w:pPr><w:spacing w:line="240" w:lineRule="auto"/><w:jc w:val="{to}"/></w:pPr>{runs}</w:p>'
+    styled = f'<w:pStyle w:val="{style}"/>' if style else ""
+    return f'<w:p><w:pPr>{styled}<w:spacing w:line="240" w:lineRule="auto"/><w:jc w:val="{to}"/></w:pPr>{runs}</w:p>'
 
 
 def _table(widths: Sequence[float], rows: Sequence[tuple[str, Sequence[str]]], style: str = "") -> str:
@@ -205,8 +211,11 @@ class _Writer:
         self.found = found
         self.titles = titles
         self.marks = 0  # bookmarks so far
+        self.lying = False  # whether the page is turned
 
     def block(self, block: Written) -> None:
+        if self.lying and not (isinstance(block, Grid) and _size_of(block, ACROSS) is None):
+            self.turn()
         match block:
             case Cover():
                 self.cover(block)
@@ -308,7 +317,7 @@ class _Writer:
             key = f"eq:{equation.key}" if equation.key else ""
             number = f"{_run('(')}{self.number('Formula', equation.number, key)}{_run(')')}"
         cells = [_paragraph(_run(equation.lead, SMALL)), "".join(rows), _paragraph(number, "right")]
-        sizes = (LEAD, FORMULA, NUMBER) if equation.lead else (NUMBER, FORMULA + LEAD - NUMBER, NUMBER)
+        sizes: tuple[int, ...] = (LEAD, FORMULA, NUMBER) if equation.lead else (NUMBER, FORMULA + LEAD - NUMBER, NUMBER)
         if equation.lead and not equation.number:
             del cells[2:]
             sizes = (LEAD, FORMULA + NUMBER)
@@ -338,19 +347,30 @@ class _Writer:
         return paragraph
 
     def grid(self, grid: Grid) -> None:
-        """A table with lines, whose head is repeated on every page; a wide one on a page of its own, turned."""
-        turned = letters_wide(grid) > TURNED
-        if turned:
+        """A table with lines, whose head is repeated on every page; a wide one on a turned page."""
+        size = _size_of(grid, ACROSS)
+        turned = size is None
+        follows = turned and self.lying
+        if turned and not self.lying:
             self.turn()
-        self.caption(grid.caption, "Table", "tab")
+        self.caption(grid.caption, "Table", "tab").paragraph_format.page_break_before = follows
+        size = size or _size_of(grid, ALONG) or CELLS[-1]
+        right = [numeric(column) for column in zip(*grid.rows, strict=True)]
         rows = [
-            ("" if k else "<w:tblHeader/>", [_paragraph(_runs(cell, SMALL)) for cell in row])
-            for k, row in enumerate((grid.head, *grid.rows))
+            ("<w:tblHeader/>", [_paragraph(_runs(cell), "center", f"Cell{size}") for cell in grid.head]),
+            *(
+                (
+                    "",
+                    [
+                        _paragraph(_runs(cell), "right" if to else "left", f"Cell{size}")
+                        for cell, to in zip(row, right, strict=True)
+                    ],
+                )
+                for row in grid.rows
+            ),
         ]
-        self.add(_table(_widths(grid, ALONG if turned else ACROSS), rows, "TableGrid"))
-        if turned:
-            self.turn()
-        else:
+        self.add(_table(_widths(grid, size, ALONG if turned else ACROSS), rows, "TableGrid"))
+        if not turned:
             self.found.add_paragraph()
 
     def turn(self) -> None:
@@ -361,6 +381,7 @@ class _Writer:
         section.page_width, section.page_height = section.page_height, section.page_width
         lying = section.page_width > section.page_height
         section.orientation = WD_ORIENTATION.LANDSCAPE if lying else WD_ORIENTATION.PORTRAIT
+        self.lying = lying
         section.different_first_page_header_footer = False
 
     def image(self, caption: Caption, drawing: Drawing) -> None:
@@ -368,7 +389,7 @@ class _Writer:
         from docx.enum.text import WD_PARAGRAPH_ALIGNMENT as TO
         from docx.opc.packuri import PackURI
         from docx.opc.part import Part
-        from docx.shared import Mm
+        from docx.shared import Mm, Pt
 
         self.found.add_picture(BytesIO(png(drawing)), width=Mm(drawing.width))
         paragraph = self.found.paragraphs[-1]
@@ -383,7 +404,9 @@ class _Writer:
         blip.append(_xml(f'<a:extLst><a:ext uri="{SVG}">{held}</a:ext></a:extLst>'))
         for told in paragraph._p.iter("{http://schemas.openxmlformats.org/drawingml/2006/wordprocessingDrawing}docPr"):
             told.set("descr", drawing.title)
-        self.caption(caption, "Figure", "fig").alignment = TO.CENTER
+        said = self.caption(caption, "Figure", "fig")
+        said.alignment, said.paragraph_format.space_after = TO.CENTER, Pt(SMALL)
+        said.paragraph_format.keep_with_next = False
 
     def source(self, text: str) -> None:
         """Lines as they are."""
@@ -410,10 +433,21 @@ def _runs(text: Text, size: float | None = None) -> str:
     return "".join(found)
 
 
-def _widths(grid: Grid, whole: float) -> list[float]:
+def _size_of(grid: Grid, room: float) -> int | None:
+    """The size of letters [pt] in which a table fits so much room [mm], if there is one."""
+    return next((size for size in CELLS if sum(_least(grid, size)) <= room), None)
+
+
+def _least(grid: Grid, size: float) -> list[float]:
+    """How wide columns are at least in letters of a size [mm]: as what cannot be broken in them asks."""
+    columns = zip(grid.head, *grid.rows, strict=True)
+    return [widest(column) * size * MILLIMETRE + PADDING for column in columns]
+
+
+def _widths(grid: Grid, size: float, whole: float) -> list[float]:
     """How wide columns are [mm]: each as its longest word asks, and what is left by the lengths of their texts."""
-    columns = list(zip(grid.head, *grid.rows, strict=True))
-    least = [LETTER * max(longest_word(cell) for cell in column) + PADDING for column in columns]
+    least = _least(grid, size)
+    columns = zip(grid.head, *grid.rows, strict=True)
     wished = [LETTER * max(len(plain_text(cell)) for cell in column) + PADDING for column in columns]
     more = [max(wish - need, 0.0) for wish, need in zip(wished, least, strict=True)]
     left = whole - sum(least)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from xml.sax.saxutils import escape, quoteattr
+from zlib import crc32
 
 from tmmcalc.note.tree import (
     Caption,
@@ -65,7 +66,8 @@ def _block(block: Written, titles: Sequence[Title]) -> str:
             return f'<div class="wide"{_of(caption, "tab")}><p>{escape(str(caption))}</p><table>{cells}</table></div>'
         case Image(caption, drawing):
             said = f"<figcaption>{escape(str(caption))}</figcaption>"
-            return f"<figure{_of(caption, 'fig')}>{svg(drawing).decode()}{said}</figure>"
+            picture = svg(drawing).decode().partition("?>")[2].strip()  # without what begins a file
+            return f"<figure{_of(caption, 'fig')}>{picture}{said}</figure>"
         case Points(items):
             return f"<ul>{''.join(f'<li>{_words(item)}</li>' for item in items)}</ul>"
         case Source(text):
@@ -77,7 +79,7 @@ def _titled(title: Title) -> str:
 
 
 def _anchor(title: Title) -> str:
-    return f"part-{title.number}" if title.number else f"part-{abs(hash(title.text))}"
+    return f"part-{title.number}" if title.number else f"part-{crc32(title.text.encode())}"
 
 
 def _of(caption: Caption, kind: str) -> str:

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.formula.breaking import width
 from tmmcalc.report.formula.layout import Box, Row
 from tmmcalc.report.formula.plain import plain
+
+LETTER = 0.53  # of an em, of words
+NUMERIC = re.compile(r"[-−+–\d.,  %°]*")  # what a cell of numbers has
 
 
 class Cover(NamedTuple):
@@ -45,6 +51,7 @@ class Text(NamedTuple):
     """A paragraph: words, formulas and references in turn."""
 
     parts: tuple[str | Box | Reference, ...]
+    explains: bool = False  # what the letters of the formula before it are
 
 
 class Equation(NamedTuple):
@@ -106,13 +113,31 @@ def plain_text(text: Text) -> str:
     )
 
 
-def letters_wide(grid: Grid) -> int:
-    """How many letters a row of a table takes at least, its longest words one beside another."""
-    columns = zip(grid.head, *grid.rows, strict=True)
-    return sum(2 + max(map(longest_word, column)) for column in columns)
+def widest(cells: Sequence[Text]) -> float:
+    """The width of what cannot be broken in a column [em]: a word, or a formula with what is written to it."""
+    return max(map(_unbroken, cells), default=0.0)
 
 
-def longest_word(cell: Text) -> int:
-    """The length of the longest word, a formula being one."""
-    words = plain_text(cell).split() if all(isinstance(part, str) for part in cell.parts) else [plain_text(cell)]
-    return max(map(len, words), default=0)
+def part_width(part: str | Box | Reference) -> float:
+    """About how wide a part of a text is [em]."""
+    match part:
+        case str():
+            return LETTER * len(part)
+        case Reference(_, number):
+            return LETTER * len(number)
+    return width(part)
+
+
+def _unbroken(cell: Text) -> float:
+    found, here = 0.0, 0.0
+    for part in cell.parts:
+        words = part.split(" ") if isinstance(part, str) else [part]
+        for k, word in enumerate(words):
+            here = part_width(word) + (0.0 if k else here)
+            found = max(found, here)
+    return found
+
+
+def numeric(cells: Sequence[Text]) -> bool:
+    """Whether a column is of numbers."""
+    return all(NUMERIC.fullmatch(plain_text(cell)) for cell in cells)

@@ -2,74 +2,124 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from tmmcalc.note.tree import (
-    Caption,
     Contents,
     Cover,
     Equation,
     Grid,
     Image,
     Points,
-    Reference,
     Source,
     Text,
     Title,
     Written,
-    letters_wide,
 )
+from tmmcalc.note.typstlines import set_lines
+from tmmcalc.note.typsttables import beside, set_tables
+from tmmcalc.note.typstwords import GAP, WIDE, escaped, label, quoted, set_text
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.lettering import FONTS
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.drawing.svg import svg
-from tmmcalc.report.formula.breaking import broken
-from tmmcalc.report.formula.layout import Box
-from tmmcalc.report.formula.typst import typst as formula
-from tmmcalc.report.language import tr
 from tmmcalc.report.sheets.gosttext import FIRST, OTHERS, PAGE, TextTitles, text_frame
 
-SIZE = 12.0  # of letters [pt]
-WIDE = 158.0  # that a formula may have, of 165 of the text [mm]
-MM = 72.0 / 25.4  # points to a mm
-LETTER = 0.55  # of the words before a formula [em]
-NUMBER = 16.0  # room for the number of a formula [mm]
-PRIMES = re.compile(r"(?<=\d)'+")
-TURNED = 92  # letters in a row from which on a table stands turned
-HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 20mm, top: 20mm, bottom: 20mm), numbering: "1")
+HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 15mm, bottom: 18mm), numbering: "1")
 #set document(title: "TITLE")
 #set text(font: "TMM Text", size: 12pt, lang: "LANGUAGE")
-#set par(justify: true, leading: 0.8em, spacing: 0.8em, first-line-indent: (amount: 12.5mm, all: true))
-#show heading: set block(above: 1.4em, below: 0.9em)
-#show heading.where(level: 1): it => { pagebreak(weak: true); it }
-#show raw: set text(size: 8pt)
-#show outline.entry: set block(spacing: 0.7em)
-#set table(stroke: 0.5pt, inset: 4pt)
-#let line(lead, body, number) = block(width: 100%, breakable: false, grid(columns: (auto, 1fr, auto),
-  align: (left + horizon, center + horizon, right + horizon), lead, body, number))
-#let listed(key, caption, continued, columns, heads, cells) = block(breakable: true, width: 100%, below: 1.2em)[
-  #set par(justify: false, first-line-indent: 0pt)
-  #metadata(none) #label(key)
-  #table(columns: columns, table.header(table.cell(colspan: columns, stroke: none, inset: (x: 0pt), align: left,
-    context { if here().page() == query(label(key)).first().location().page() { caption } else { continued } }),
-    ..heads), ..cells)]
+#set par(justify: true, leading: 0.68em, spacing: 0.68em, first-line-indent: (amount: 12.5mm, all: true))
+#show heading: set block(above: 1.15em, below: 0.8em)
+#show heading.where(level: 1): it => { block(breakable: false, sticky: true, below: 0pt, height: 45mm)
+  v(-45mm); it }
+#show raw: set text(size: 7.5pt)
+#show math.equation.where(block: true): set align(left)
+#show math.equation.where(block: true): set block(spacing: 0.6em)
+#show outline.entry: set block(spacing: 0.52em)
+#set table(stroke: 0.5pt, inset: (x: 3pt, y: 3pt))
+#let line(columns, holds, ..cells) = block(width: 100%, breakable: false, sticky: holds, spacing: 0.55em,
+  { set par(first-line-indent: 0pt); grid(columns: columns, align: horizon, ..cells) })
+#let explained(body) = par(first-line-indent: 0pt, body)
+#let listed(key, caption, continued, columns, aligned, size, wide, breaks, heads, cells) = {
+  let above = context {
+    let said = block(width: wide, text(size: 12pt,
+      if here().page() == query(label(key)).first().location().page() { caption } else { continued }))
+    block(height: measure(said).height, width: 0pt, place(said))
+  }
+  block(breakable: breaks, width: 100%, above: 1em, below: 1em)[
+    #set par(justify: false, first-line-indent: 0pt, leading: 0.5em)
+    #set text(size: size)
+    #set align(left)
+    #metadata(none) #label(key)
+    #table(columns: columns, align: aligned, table.header(table.cell(colspan: columns, stroke: none,
+      inset: (x: 0pt, y: 4pt), align: left, above), ..heads), ..cells)]
+}
+#let stood(columns, ..tables) = grid(columns: columns, column-gutter: 3mm, align: top, ..tables)
+#let floated(body) = place(bottom, float: true, clearance: 1em, body)
 #let turned(body) = page(flipped: true, body)
-#let pictured(key, body, caption) = [#block(breakable: false, width: 100%, above: 1.2em, below: 1.2em,
-  align(center)[#body #v(2mm, weak: true) #caption]) #label(key)]
+#let pictured(key, body, caption) = [#metadata(none) #label(key) #align(center)[#body #v(2mm, weak: true) #caption]]
+#let shown(..pictures) = place(bottom, float: true, clearance: 1.2em,
+  block(width: 100%, { set par(first-line-indent: 0pt, justify: false, leading: 0.5em)
+  grid(columns: pictures.pos().len() * (1fr,), column-gutter: 3mm, align: bottom + center, ..pictures.pos()) }))
 """
 
 
 def source(blocks: Iterable[Written], language: str, title: str, frame: TextTitles | None = None) -> str:
     """The text of the note, its pages after the title page in frames with these titles."""
-    head = HEAD.replace("LANGUAGE", language).replace("TITLE", _quoted(title))
+    head = HEAD.replace("LANGUAGE", language).replace("TITLE", quoted(title))
     found = [head]
-    for block in blocks:
-        if isinstance(block, Contents) and frame is not None:
-            found += [_framed(frame, first=True), _block(block), "#pagebreak(weak: true)", _framed(frame, first=False)]
+    for group in _grouped(blocks):
+        if isinstance(group[0], Contents) and frame is not None:
+            opened, others = _framed(frame, first=True), _framed(frame, first=False)
+            found += [opened, _block(group[0]), "#pagebreak(weak: true)", others]
         else:
-            found.append(_block(block))
+            found += _group(group)
     return "\n".join(found) + "\n"
+
+
+def _grouped(blocks: Iterable[Written]) -> Iterator[list[Written]]:
+    """What may stand beside each other: a formula and its explanation, its numbers at places, pictures."""
+    group: list[Written] = []
+    for block in blocks:
+        if group and not _joins(group, block):
+            yield group
+            group = []
+        group.append(block)
+    if group:
+        yield group
+
+
+def _joins(group: Sequence[Written], block: Written) -> bool:
+    """Whether a block stands beside those before it."""
+    last = group[-1]
+    match block:
+        case Text(_, explains):
+            return explains and isinstance(last, Equation) and bool(last.number)
+        case Equation(_, number):
+            return not number and isinstance(last, Equation | Text) and isinstance(group[0], Equation)
+        case Image(_, drawing):
+            drawings = [each.drawing for each in group if isinstance(each, Image)]
+            free = WIDE - sum(each.width + GAP for each in drawings)
+            return len(drawings) == len(group) and drawing.width <= free
+        case Grid():
+            grids = [each for each in (*group, block) if isinstance(each, Grid)]
+            return len(grids) > len(group) and beside(grids)
+    return False
+
+
+def _group(group: Sequence[Written]) -> Iterator[str]:
+    """A formula with what belongs to it, pictures beside each other, or a block by itself."""
+    if isinstance(group[0], Image):
+        yield f"#shown({', '.join(_picture(each) for each in group if isinstance(each, Image))})"
+        return
+    if isinstance(group[0], Grid):
+        yield set_tables([each for each in group if isinstance(each, Grid)])
+        return
+    if not isinstance(group[0], Equation):
+        yield _block(group[0])
+        return
+    said = next((each for each in group if isinstance(each, Text)), None)
+    yield from set_lines([each for each in group if isinstance(each, Equation)], said)
 
 
 def _framed(titles: TextTitles, *, first: bool) -> str:
@@ -111,27 +161,29 @@ def _block(block: Written) -> str:
         case Cover():
             return _cover(block)
         case Contents(title):
-            return f"#outline(title: [{_escaped(title)}], depth: 2, indent: 5mm)"
+            return f"#outline(title: [{escaped(title)}], depth: 2, indent: 5mm)"
         case Title(number, text, level):
             numbered = f"{number} {text}".strip()
-            return f"{'=' * level} {_escaped(numbered)}"
+            before = "#place.flush()\n" if level == 1 else ""  # what floats stands with its chapter
+            before += "#pagebreak(weak: true)\n" if level == 1 and not number[:1].isdigit() else ""
+            return f"{before}{'=' * level} {escaped(numbered)}"
         case Text():
-            return _text(block) + "\n"
+            return set_text(block) + "\n"
         case Equation():
-            return _equation(block)
+            return "\n".join(set_lines([block], None))
         case Grid():
-            return _grid(block)
-        case Image(caption, drawing):
-            return f"#pictured({_label('fig', caption)}, {_image(drawing)}, [{_escaped(str(caption))}])"
+            return set_tables([block])
+        case Image():
+            return f"#shown({_picture(block)})"
         case Points(items):
-            return "\n".join(f"- {_text(item)}" for item in items) + "\n"
+            return "\n".join(f"- {set_text(item)}" for item in items) + "\n"
         case Source(text):
-            return f'#raw(block: true, "{_quoted(text)}")'
+            return f'#columns(2, gutter: 5mm)[#raw(block: true, "{quoted(text)}")]'
 
 
 def _cover(cover: Cover) -> str:
     """The title page, which is not numbered."""
-    people = ", ".join(f"[{_escaped(each)}]" for pair in cover.people for each in pair)
+    people = ", ".join(f"[{escaped(each)}]" for pair in cover.people for each in pair)
     groups = (
         _lines(cover.head),
         "v(1fr)",
@@ -153,61 +205,17 @@ def _cover(cover: Cover) -> str:
 
 
 def _lines(lines: Sequence[str], style: str = "") -> str:
-    said = " \\ ".join(_escaped(line) for line in lines if line)
+    said = " \\ ".join(escaped(line) for line in lines if line)
     if not said:
         return ""
     return f"text({style})[{said}]" if style else f"[{said}]"
 
 
-def _text(text: Text) -> str:
-    return "".join(map(_part, text.parts))
-
-
-def _part(part: str | Box | Reference) -> str:
-    match part:
-        case str():
-            return _escaped(part)
-        case Reference(key, number):
-            return f'#link(label("{key}"))[{number}];'  # which ends the code: a semicolon of the text stays one
-    return f"${formula(part)}$"
-
-
-def _equation(equation: Equation) -> str:
-    number, lead = equation.number, equation.lead
-    wide = (WIDE - (NUMBER if number else 0.0)) * MM / SIZE - LETTER * len(lead)
-    body = " \\\n ".join(formula(row) for row in broken(equation.parts, wide))
-    label = f" <eq:{equation.key}>" if equation.key else ""
-    return f"#line[{_escaped(lead)}][$ {body} $][{f'({number})' if number else ''}]{label}"
-
-
-def _grid(grid: Grid) -> str:
-    caption = grid.caption
-    heads = "".join(f"[{_text(cell)}], " for cell in grid.head)
-    cells = "".join(f"[{_text(cell)}], " for row in grid.rows for cell in row)
-    continued = tr("Continuation of table {number}", number=caption.number)
-    said = f"[{_escaped(str(caption))}], [{_escaped(continued)}]"
-    table = f"#listed({_label('tab', caption)}, {said}, {len(grid.head)}, ({heads}), ({cells}))"
-    return f"#turned[{table}]" if letters_wide(grid) > TURNED else table
+def _picture(image: Image) -> str:
+    caption = image.caption
+    return f"pictured({label('fig', caption)}, {_image(image.drawing)}, [{escaped(str(caption))}])"
 
 
 def _image(drawing: Drawing) -> str:
-    picture = _quoted(svg(drawing).decode())
-    return f'image(bytes("{picture}"), format: "svg", width: {drawing.width:g}mm, alt: "{_quoted(drawing.title)}")'
-
-
-def _label(kind: str, caption: Caption) -> str:
-    """The name by which texts refer to a table or a figure."""
-    return f'"{kind}:{caption.key or caption.number}"'
-
-
-def _quoted(text: str) -> str:
-    """A text as it stands between quotes in code."""
-    return text.replace("\\", "\\\\").replace('"', '\\"')
-
-
-def _escaped(text: str) -> str:
-    """A text without signs of the language; primes after a number, as of a row 3'', are no quotation marks."""
-    text = PRIMES.sub(lambda found: "′" * len(found[0]), text)
-    for sign in "\\#$*_`<>@[]~;":
-        text = text.replace(sign, "\\" + sign)
-    return text
+    picture = quoted(svg(drawing).decode())
+    return f'image(bytes("{picture}"), format: "svg", width: {drawing.width:g}mm, alt: "{quoted(drawing.title)}")'

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from tmmcalc.note.appendix import appendix
 from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.conclusions import conclusions
+from tmmcalc.note.task import task
 from tmmcalc.note.tree import Contents, Cover, Written
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Chapter
@@ -23,13 +24,16 @@ class Work(NamedTuple):
     warnings: Sequence[str]
     errors: Mapping[str, Mapping[str, float]]  # estimates by title of the stage and quantity
     source: str  # the spec
+    task: Sequence[Block] = ()  # what is given: pictures and data
+    sought: Sequence[str] = ()  # what is to be found
 
 
 def whole(work: Work, chapters: Sequence[Chapter], depth: str) -> list[Written]:
     """The whole note."""
     told = [each._replace(blocks=(*each.blocks, *work.own.get(each.name, ()))) for each in chapters]
     parts = [
-        *_own(work, {"task": tr("Task"), "introduction": tr("Introduction")}),
+        *task(work.task, work.sought, work.own.get("task", ())),
+        *_own(work, {"introduction": tr("Introduction")}),
         *told,
         conclusions(chapters, work.warnings, work.own.get("conclusions", ())),
         *_own(work, {"literature": tr("References")}),

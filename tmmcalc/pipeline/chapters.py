@@ -31,6 +31,19 @@ def chapters_of(
     return found
 
 
+def task_of(spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | None] = NONE) -> list[Block]:
+    """What is given, by all rooms, in the language in force."""
+    from tmmcalc.rooms import ROOMS
+
+    order = order_of(spec, results, flags)
+    return [block for room in ROOMS if room.task for block in resolve(room.task)(order)]
+
+
+def sought_in(results: Mapping[str, Any], stages: Sequence[str]) -> list[str]:
+    """What is to be found: what the stages that the note tells of are for, in the language in force."""
+    return [tr_name(STAGES[name].title) for name in stages if name in results]
+
+
 def _titled(chapter: Chapter) -> Chapter:
     """A chapter of one part alone has the title of that part, and its parts stand one level higher."""
     first, *rest = chapter.blocks

@@ -97,13 +97,23 @@ class Result(NamedTuple):
     place: str = ""  # what it is of, where several have one: ``wheel 1``
 
 
+class Datum(NamedTuple):
+    """What is given: its names in formulas with their values, or a text. It stands in the table of the task."""
+
+    what: str
+    keys: tuple[str, ...] = ()
+    values: tuple[float, ...] = ()
+    unit: str = ""
+    text: str = ""
+
+
 class Verbatim(NamedTuple):
     """Lines as they are."""
 
     text: str
 
 
-Block = Heading | Paragraph | Display | Line | Listing | Table | Figure | Result | Verbatim
+Block = Heading | Paragraph | Display | Line | Listing | Table | Figure | Result | Datum | Verbatim
 
 
 class Chapter(NamedTuple):

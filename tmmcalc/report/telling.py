@@ -26,7 +26,7 @@ from tmmcalc.report.sheets.piece import Piece
 
 STILL = 1e-12  # a value this small in every shown place is nothing
 DIGITS = 5  # of the largest number of a column, of a number within a sentence
-WIDE, HIGH = 160.0, 220.0  # that a picture may be [mm]
+WIDE, HIGH = 160.0, 130.0  # that a picture may be [mm]
 SIGNS = ("<=", ">=", "<", ">")
 
 
@@ -97,13 +97,19 @@ def _turned(given: Given, near: float) -> Given:
 
 
 def tabulated(
-    caption: str, columns: Mapping[str, ArrayLike], labels: Sequence[str], *, head: str, key: str = ""
+    caption: str,
+    columns: Mapping[str, ArrayLike],
+    labels: Sequence[str],
+    *,
+    head: str,
+    key: str = "",
+    digits: int = DIGITS,
 ) -> Table:
-    """A table of columns over labelled rows; the numbers of a column have one last digit.
+    """A table of columns over labelled rows; the numbers of a column have one last digit, the largest ``digits``.
 
     ``columns`` are headed by what they are, ``"$phi_3$, deg"`` with the unit of the values after the comma.
     """
-    found = {head: list(labels), **dict(column(name, values) for name, values in columns.items())}
+    found = {head: list(labels), **dict(column(name, values, digits) for name, values in columns.items())}
     return Table(caption, tuple(found), tuple(zip(*found.values(), strict=True)), key)
 
 

@@ -57,7 +57,7 @@ class Told(NamedTuple):
 
     def labelled(self, row: int) -> str:
         """``in position 4``."""
-        return tr("in position {label}", label=self.law.labels[row])
+        return tr("pos. {label}", label=self.law.labels[row])
 
     def places(self, common: Lexicon, of_row: Sequence[Lexicon]) -> tuple[Place, ...]:
         """The rows that are worked out, each with its quantities and those that all have in common."""

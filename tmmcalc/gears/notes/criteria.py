@@ -202,7 +202,7 @@ def _distance(mesh: Mesh) -> str:
     return f"a_{{{joined((mesh.first, mesh.second))}}}"
 
 
-def _layout(key: str) -> str:
+def layout_word(key: str) -> str:
     """A layout in a word, a planetary one by its designation; a number of planets as it is."""
     scheme = known_layouts().get(key)
     return normalize("NFC", scheme.designation) if scheme is not None and scheme.planetary else tr_name(key)
@@ -262,7 +262,7 @@ def _sizes(selection: Selection, row: int) -> tuple[str, ...]:
         for values in (of.module, of.width)
     ]
     mark = "*" if row == selection.winner.place else ""
-    return f"{row + 1}{mark}", f"{_layout(of.sets.layout)} {name}" if several else name, *sizes
+    return f"{row + 1}{mark}", f"{layout_word(of.sets.layout)} {name}" if several else name, *sizes
 
 
 def _criteria(selection: Selection, row: int) -> tuple[str, ...]:
@@ -305,7 +305,9 @@ def _options(key: str, found: Sequence[Comparison]) -> Iterator[Block]:
             _shown(each.criterion, each.options[k].values[each.criterion]) if each.options[k].values else "–"
             for each in found
         ]
-        rows.append((" + ".join(_layout(part) for part in str(option.option).split(" + ")), str(option.count), *values))
+        rows.append(
+            (" + ".join(layout_word(part) for part in str(option.option).split(" + ")), str(option.count), *values)
+        )
     tab = f"{{tab:criteria_{key}}}"
     yield Paragraph(tr("The best values by option are in table {tab}.", tab=tab))
     head = (tr("Option"), tr("Trains"), *(short_name(each.criterion) for each in found))
@@ -333,7 +335,7 @@ def _series(selection: Selection) -> Iterator[Block]:
 def _why(selection: Selection) -> Iterator[Block]:
     """What decided."""
     winner, reason = selection.winner, selection.reason
-    name = f"{_layout(winner.layout)} {teeth_text(winner.teeth)}"
+    name = f"{layout_word(winner.layout)} {teeth_text(winner.teeth)}"
     sizes = [
         tr_number("; ".join(significant(MM * value, RESULT) for value in each))
         for each in (winner.modules, winner.widths)

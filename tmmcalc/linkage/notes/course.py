@@ -20,13 +20,12 @@ from tmmcalc.linkage.pictures.pieces import of_outputs
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.setting import spelt
-from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
+from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.numbers import number
 from tmmcalc.report.telling import column_of, filled, lines, named, pictured, tabulated
 
-COLUMNS = 7  # of a table beside the positions
+COLUMNS, DIGITS = 13, 4  # of a table beside the positions, and of the largest number of one
 
 DIFFERENCES = (
     "<S>'_{<D>} = (<S>_{<D>}^{+} - <S>_{<D>}^{−})/(2*theta)",
@@ -57,78 +56,63 @@ def _analogues(told: Told) -> Iterator[Block]:
         return
     yield Paragraph(
         tr(
-            "Of all positions tables {tab:course_position}, {tab:course_velocity} and {tab:course_acceleration} give "
-            "dimensionless values: lengths in units of the crank $l_1$, velocities in those of $l_1*omega_1$, "
-            "accelerations in those of $l_1*omega_1**2$. At constant speed these are the analogues of velocity and "
-            "acceleration, derivatives by the angle of the crank that do not depend on its speed:"
+            "Table {tab:course} gives dimensionless values of all positions: lengths in units of the crank $l_1$, "
+            "velocities in those of $l_1*omega_1$, accelerations in those of $l_1*omega_1**2$; table {tab:course_si} "
+            "the same with units. At constant speed the dimensionless values are the analogues of velocity and "
+            "acceleration, derivatives by the angle of the crank that do not depend on its speed: "
+            "$v/(l_1*omega_1) = S'/l_1$, $a/(l_1*omega_1**2) = S''/l_1$."
         )
     )
-    yield Display(read("v/(l_1*omega_1) = S'/l_1"))
-    yield Display(read("a/(l_1*omega_1**2) = S''/l_1"))
 
 
-def _tables(told: Told) -> Iterator[Block]:
+def _tables(told: Told) -> Iterator[Table]:
     """All positions, dimensionless where there is a crank, and with units."""
-    crank = told.result.crank_length is not None
-    if crank:
-        yield from _kinds(told, dimensionless=True)
-        yield Paragraph(tr("The same with units:"))
-    yield from _kinds(told, dimensionless=False)
-
-
-def _kinds(told: Told, *, dimensionless: bool) -> Iterator[Table]:
-    """A table of positions, one of velocities, one of accelerations."""
-    texts = (
-        ("position", tr("Coordinates and angles in all positions")),
-        ("velocity", tr("Velocities in all positions")),
-        ("acceleration", tr("Accelerations in all positions")),
-    )
-    for (kind, caption), columns in zip(texts, _columns(told, dimensionless), strict=True):
-        key = f"course_{kind}" if dimensionless or told.result.crank_length is None else f"course_{kind}_si"
-        said = f"{caption}, {tr('dimensionless')}" if dimensionless else caption
-        yield from _split(told, said, columns, key)
+    caption = tr("Positions, velocities and accelerations over the cycle")
+    if told.result.crank_length is None:
+        yield from _split(told, caption, _columns(told, False), "course")
+        return
+    yield from _split(told, f"{caption}, {tr('dimensionless')}", _columns(told, True), "course")
+    yield from _split(told, caption, _columns(told, False), "course_si")
 
 
 def _split(told: Told, caption: str, columns: Mapping[str, Real], key: str) -> Iterator[Table]:
-    """The columns over the positions, in as many tables as keep them narrow."""
+    """The columns over the positions, in as many tables as keep them narrow enough."""
     parts = math.ceil(len(columns) / COLUMNS)
     for k, names in enumerate(np.array_split([*columns], parts)):
         shown = {name: columns[name] for name in names.tolist()}
-        yield tabulated(caption, shown, told.result.labels, head=tr("Position"), key=key if not k else "")
+        own = key if not k else f"{key}_{k}"
+        yield tabulated(caption, shown, told.result.labels, head=tr("No."), key=own, digits=DIGITS)
 
 
-def _columns(told: Told, dimensionless: bool) -> tuple[Columns, Columns, Columns]:
+def _columns(told: Told, dimensionless: bool) -> Columns:
     """Coordinates, velocities and accelerations of the outputs, the links that turn, the sliders."""
     result = told.result
     units = units_of(result, dimensionless)
-    places: Columns = {}
-    places["$phi$, deg" if result.turns else "$Deltas$, m"] = np.degrees(result.phi) if result.turns else result.phi
-    rates: Columns = {}
-    rates2: Columns = {}
+    found: Columns = {"$phi$, deg": np.degrees(result.phi)} if result.turns else {"$Deltas$, m": result.phi}
     for k, output in enumerate(result.outputs):
         if result.angular[k]:
             continue
         name = plain_name(output)
-        places[_headed(f"S_{{{name}}}", units.length[0])] = result.s[k] * units.length[1]
         first, second = result.in_time(result.ds[k], result.dds[k])
-        rates[_headed(f"v_{{{name}}}", units.velocity[0])] = first * units.velocity[1]
-        rates2[_headed(f"a_{{{name}}}", units.acceleration[0])] = second * units.acceleration[1]
+        found[_headed(f"S_{{{name}}}", units.length[0])] = result.s[k] * units.length[1]
+        found[_headed(f"v_{{{name}}}", units.velocity[0])] = first * units.velocity[1]
+        found[_headed(f"a_{{{name}}}", units.acceleration[0])] = second * units.acceleration[1]
     trace = result.trace
     for k, link in enumerate(trace.link_ids):
         if link in told.turning:
-            places[f"$phi_{link}$, deg"] = np.degrees(trace.angle[k]) + _line(told, k, link)
             omega, eps = result.in_time(trace.dangle[k], trace.ddangle[k])
-            rates[_headed(f"omega_{link}", units.omega[0])] = omega * units.omega[1]
-            rates2[_headed(f"eps_{link}", units.eps[0])] = eps * units.eps[1]
+            found[f"$phi_{link}$, deg"] = np.degrees(trace.angle[k]) + _line(told, k, link)
+            found[_headed(f"omega_{link}", units.omega[0])] = omega * units.omega[1]
+            found[_headed(f"eps_{link}", units.eps[0])] = eps * units.eps[1]
     for k, joint in enumerate(trace.joint_names):
         slider, guide = told.chain.mechanism.joint(joint).links
         if guide == 0 or joint == result.input_joint:
             continue
-        places[_headed(f"s_{slider}", units.length[0])] = trace.s[k] * units.length[1]
         first, second = result.in_time(trace.ds[k], trace.dds[k])
-        rates[_headed(f"v_{{{slider}{guide}}}", units.velocity[0])] = first * units.velocity[1]
-        rates2[_headed(f"a_{{{slider}{guide}}}", units.acceleration[0])] = second * units.acceleration[1]
-    return places, rates, rates2
+        found[_headed(f"s_{slider}", units.length[0])] = trace.s[k] * units.length[1]
+        found[_headed(f"v_{{{slider}{guide}}}", units.velocity[0])] = first * units.velocity[1]
+        found[_headed(f"a_{{{slider}{guide}}}", units.acceleration[0])] = second * units.acceleration[1]
+    return found
 
 
 def _line(told: Told, k: int, link: int) -> float:
@@ -142,8 +126,7 @@ def _line(told: Told, k: int, link: int) -> float:
 def _headed(name: str, unit: str) -> str:
     """A quantity with its unit, or over the one that is made of the crank."""
     if unit.startswith(("l_1", "omega_1")):
-        under = unit.replace("^", "**")
-        return f"${name}$/($" + under + "$)" if "*" in under else f"${name}$/${under}$"
+        return f"${name}/({unit.replace('^', '**')})$"
     return f"${name}$, {unit}"
 
 
@@ -214,10 +197,12 @@ def _compared(told: Told, found: Kinematics, k: int, name: str) -> Iterator[Bloc
     letters = (("omega", "rad/s"), ("eps", "rad/s^2")) if result.angular[k] else (("v", "m/s"), ("a", "m/s^2"))
     exact = result.in_time(result.ds[k], result.dds[k])
     near = found.in_time(found.ds[k], found.dds[k])
-    heads, columns, worst = [tr("Position")], [list(result.labels)], []
+    heads, columns, worst = [tr("No.")], [list(result.labels)], []
     for (letter, unit), one, other in zip(letters, exact, near, strict=True):
         share = 100 * np.abs(other - one) / (float(np.max(np.abs(one))) or 1.0)
-        worst.append(spelt(f"{np.max(share):.2g}"))
+        worst.append(float(np.max(share)))
+        largest = tr("largest magnitude of {quantity}", quantity=f"${letter}_{{{name}}}$")
+        yield Result(f"{letter}_{{{name}}}", Given(float(np.max(np.abs(one))), unit, largest), place=tr("by positions"))
         symbol = f"${letter}_{{{name}}}$"
         by = tr("{quantity} by differences", quantity=symbol)
         heads += [f"{symbol}, {tr_unit(unit)}", f"{by}, {tr_unit(unit)}", f"{tr('Difference')}, %"]
@@ -228,9 +213,11 @@ def _compared(told: Told, found: Kinematics, k: int, name: str) -> Iterator[Bloc
             "Table {table} compares all positions: the largest difference is {first} % of the largest velocity and "
             "{second} % of the largest acceleration.",
             table=f"{{tab:{key}}}",
-            first=worst[0],
-            second=worst[1],
+            first=spelt(f"{worst[0]:.2g}"),
+            second=spelt(f"{worst[1]:.2g}"),
         )
     )
+    apart = Given(max(worst), "%", tr("largest difference of numerical differentiation"))
+    yield Result("Delta", apart, place=name)
     caption = tr("Numerical differentiation of output {output}", output=name)
     yield Table(caption, tuple(heads), tuple(zip(*columns, strict=True)), key)

@@ -214,7 +214,8 @@ def _joined(moves: Sequence[_Move]) -> list[_Move]:
     for move in moves:
         if found and found[-1].turning == move.turning:
             last = found.pop()
-            move = _Move(move.turning, last.fixed + move.fixed, last.slid + move.slid, move.end or last.end)
+            end = move.end if move.slid else move.end or last.end  # what slides on leaves the point before it
+            move = _Move(move.turning, last.fixed + move.fixed, last.slid + move.slid, end)
         found.append(move)
     return [move for move in found if abs(move.fixed) > NOTHING or move.slid]
 

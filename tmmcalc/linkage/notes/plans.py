@@ -26,8 +26,8 @@ from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
 from tmmcalc.report.telling import WIDE, number_of
 
 SIDE_BY_SIDE = 3  # positions whose segments stand in one table
-LEAST, MOST = 60.0, 130.0  # height of a plan [mm]
-TEXTS = 30.0  # of it that words take [mm]
+LEAST, MOST = (70.0, 45.0), 110.0  # width and height of a plan, the largest height [mm]
+TEXTS = 50.0, 36.0  # of it that words take [mm]
 UNITS = {"v": "m/s", "a": "m/s^2"}
 TURNS = {"v": ("omega", "rad/s"), "a": ("eps", "rad/s^2")}
 READ = 0.1  # to which a segment is read off the plan [mm]
@@ -65,7 +65,7 @@ def blocks(told: Told) -> Iterator[Block]:
 def _plan(told: Told, found: Sequence[VectorPolygons], letter: str) -> Plan:
     """The plans of a kind, each in a figure of its own, to one scale."""
     polygons = tuple(plan.velocity if letter == "v" else plan.acceleration for plan in found)
-    size = WIDE, max(map(_height, polygons))
+    size = WIDE, MOST
     draws = [partial(draw_plans_of_kind, result=told.result, plans=[plan], letter=letter) for plan in found]
     mu = max(draw(Drawing(*size, ""), Box(0.0, 0.0, *size))[0].mu for draw in draws)
     figures = []
@@ -75,15 +75,15 @@ def _plan(told: Told, found: Sequence[VectorPolygons], letter: str) -> Plan:
             "v": tr("Plan of velocities in position {label}", label=label),
             "a": tr("Plan of accelerations in position {label}", label=label),
         }
-        figures.append(Figure(captions[letter], partial(draw, mu=mu), size, f"plan_{letter}{k}"))
+        figures.append(Figure(captions[letter], partial(draw, mu=mu), _size(polygons[k], mu), f"plan_{letter}{k}"))
     return Plan(letter, polygons, tuple(figures), mu)
 
 
-def _height(polygon: Polygon) -> float:
-    """The height [mm] at which a plan fills the width of the note."""
-    tips = np.array([*polygon.vertices.values()])
-    wide, high = float(np.ptp(tips.real)), float(np.ptp(tips.imag))
-    return min(max(WIDE * high / wide + TEXTS, LEAST), MOST) if wide else MOST
+def _size(polygon: Polygon, mu: float) -> tuple[float, float]:
+    """Width and height [mm] that a plan takes to scale, with its words."""
+    tips = np.array([*polygon.vertices.values()]) / mu
+    wide, high = float(np.ptp(tips.real)) + TEXTS[0], float(np.ptp(tips.imag)) + TEXTS[1]
+    return min(max(wide, LEAST[0]), WIDE), min(max(high, LEAST[1]), MOST)
 
 
 def _segments(told: Told, plan: Plan) -> Iterator[Table]:
@@ -165,6 +165,16 @@ def _compared(told: Told, found: Sequence[VectorPolygons], plans: Sequence[Plan]
         tr("Difference") + ", %",
     )
     yield Table(tr("Comparison with the plans"), heads, tuple(rows), "plan_compared")
+    largest = max((row for row in rows if row[-1] != "–"), key=lambda row: float(row[-1].replace(",", ".")), default=())
+    if largest:
+        said = tr(
+            "The largest difference, {part} %, is that of {quantity} in position {label}; the shorter a segment, the "
+            "larger what reading it off leaves.",
+            part=largest[-1],
+            quantity=largest[1].partition("$ ")[0].partition("$,")[0].rstrip("$") + "$",
+            label=largest[0],
+        )
+        yield Paragraph(said)
 
 
 def _turned(told: Told, found: VectorPolygons, plan: Plan, k: int) -> Iterator[tuple[str, ...]]:

@@ -15,8 +15,9 @@ from tmmcalc.linkage.pictures.pieces import of_scheme
 from tmmcalc.linkage.results import Kinematics, OutputSummary
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.setting import spelt
+from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Lexicon, Paragraph, Place
+from tmmcalc.report.manuscript import Block, Lexicon, Paragraph, Place, Result
 from tmmcalc.report.numbers import number
 from tmmcalc.report.telling import lines, named, pictured, tabulated
 
@@ -77,12 +78,14 @@ def _extremes(told: Told, summary: OutputSummary) -> Iterator[Block]:
         left = f"psi_{{{name}}}" if summary.angular else f"H_{{{name}}}"
         letter = "phi" if summary.angular else "S"
         yield from lines([f"{left} = abs({letter}_{{{name}}}^{{II}} - {letter}_{{{name}}}^I)"], place)
+        yield Result(left, lexicon[canonical(left)])
     if summary.working_angle is not None and summary.idle_angle is not None and summary.time_ratio is not None:
         names = _names(result, name)
         lexicon |= named(_angles(told, summary, names))
         ends = f"phi_{index}^{{II}} - phi_{index}^I" if result.speed > 0 else f"phi_{index}^I - phi_{index}^{{II}}"
         texts = (f"{names[0]} = {ends}", f"{names[1]} = {names[0]}/(deg(360) - {names[0]})")
         yield from lines(texts, place)
+        yield Result(names[1], lexicon[canonical(names[1])])
 
 
 def _names(result: Kinematics, name: str) -> tuple[str, str]:

@@ -68,8 +68,12 @@ class Told(NamedTuple):
     @property
     def places(self) -> list[Place]:
         """The positions as places of lines."""
-        names = [tr("in position {label}", label=self.result.labels[row]) for row in self.rows]
+        names = [tr("pos. {label}", label=self.result.labels[row]) for row in self.rows]
         return [*map(Place, names, self.lexicons)]
+
+    def there(self, k: int) -> str:
+        """The shown position ``k`` in a sentence."""
+        return tr("in position {label}", label=self.result.labels[self.rows[k]])
 
     def lines(self, texts: Sequence[str], words: Mapping[str, str]) -> Iterator[Block]:
         """The formulas with their links and points, worked out at the positions."""

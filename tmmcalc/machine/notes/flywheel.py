@@ -29,7 +29,7 @@ from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragrap
 from tmmcalc.report.telling import lines, named, tabulated
 
 SAME = 1e-4  # of the inertia: trials nearer than this are one
-AROUND, ORDINATES = 60.0, 130.0  # above and below the energy-mass curve; height of the ordinates [mm]
+AROUND, ORDINATES = 60.0, 105.0  # above and below the energy-mass curve; height of the ordinates [mm]
 DIVISOR = "(delta_0*omega_m**2)"
 
 
@@ -120,7 +120,7 @@ def _excess(told: Told) -> Iterator[Block]:
         )
     )
     caption = tr("Excess work and kinetic energy of the links")
-    yield tabulated(caption, columns, reduction.labels, head=tr("Position"), key="flywheel_work")
+    yield tabulated(caption, columns, reduction.labels, head=tr("No."), key="flywheel_work")
 
 
 def _curve(told: Told) -> Iterator[Block]:
@@ -165,6 +165,7 @@ def _curve(told: Told) -> Iterator[Block]:
     yield from lines(segment, place)
     yield Paragraph(tr("The constant moment of inertia that the machine must have"))
     yield from lines((f"J_F = mu_A*l_GH/{DIVISOR}",), place)
+    yield Result("J_F", lexicon["J_F"])
     draw = partial(
         draw_energy_mass,
         picture=told.result.picture,
@@ -180,7 +181,9 @@ def _lexicon(told: Told, found: Worked, index: str) -> Lexicon:
     mark = f"^{{({index})}}" if index else ""
     cut = tr("what the tangent cuts off on the axis of energies")
     needed = tr("constant moment of inertia that is needed, reduced to the input link")
-    work = links = ""  # told once
+    if index not in ("", "2"):  # told with the first of the methods
+        cut = needed = ""
+    work = links = ""
     if not index:
         work, links = tr("excess work where the tangent touches"), tr("reduced moment of inertia of the links there")
     return named(

@@ -25,7 +25,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
 from tmmcalc.report.telling import filled, lines, named, tabulated
 
-SPEED = 95.0  # height of the picture [mm]
+SPEED = 78.0  # height of the picture [mm]
 TURNS = 6  # of the iteration that are shown in the table of turns
 NOTHING = 1e-6  # of a deviation after a cycle: less is nothing
 EVEN = 1e-9  # coefficient of speed fluctuation below which the speed is constant
@@ -129,7 +129,7 @@ def _recurrence(result: Motion, order: Order) -> Iterator[Block]:
         )
     )
     rows = _shown(result, order)
-    places = [Place(tr("in position {label}", label=result.labels[row]), _step(run, row)) for row in rows]
+    places = [Place(tr("pos. {label}", label=result.labels[row]), _step(run, row)) for row in rows]
     before, gained = "(J_{i−1} - B_M*Deltaphi)*omega_{i−1}**2", "(M_{c,i−1} + M_{c,i} + 2*A_M)*Deltaphi"
     yield Display(read(f"omega_i**2 = ({before} + {gained})/(J_i + B_M*Deltaphi)"), key="motion_recurrence")
     yield Paragraph(tr("Part by part:"))
@@ -195,7 +195,7 @@ def _turns(result: Motion, run: Run, idle: Run | None) -> Iterator[Block]:
         columns["$omega_x$, rad/s"] = idle.regime.omega
         yield Paragraph(tr("In the table $omega_x$ is the angular velocity without technological loads."))
     caption = tr("Angular velocity by the recurrence, turn by turn")
-    yield tabulated(caption, columns, result.labels, head=tr("Position"), key="motion_turns")
+    yield tabulated(caption, columns, result.labels, head=tr("No."), key="motion_turns")
 
 
 def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
@@ -233,7 +233,7 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
             "J_i": Given(float(inertia[row]), "kg*m^2", tr("moment of inertia of the machine")),
             "omega_i": Given(float(found.omega[row]), "rad/s", tr("angular velocity of the input link")),
         }
-        places.append(Place(tr("in position {label}", label=result.labels[row]), named(lexicon)))
+        places.append(Place(tr("pos. {label}", label=result.labels[row]), named(lexicon)))
     yield from lines(("T_0 = J_{(0)}*omega_m**2/2",), [Place("", places[0].lexicon)])
     texts = (
         "A_i = A_{i−1} + (M_{c,i−1} + M_{c,i} + 2*M_dm)*Deltaphi/2",
@@ -249,7 +249,7 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
         "$omega$, rad/s": found.omega,
     }
     caption = tr("Kinetic energy and angular velocity at the positions")
-    yield tabulated(caption, columns, result.labels, head=tr("Position"), key="motion_energies")
+    yield tabulated(caption, columns, result.labels, head=tr("No."), key="motion_energies")
 
 
 def _exact(result: Motion, order: Order) -> Iterator[Block]:
@@ -278,7 +278,7 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
                 float(slopes[row]), "kg*m^2/rad", tr("derivative of the reduced moment of inertia by the angle")
             ),
         }
-        places.append(Place(tr("in position {label}", label=result.labels[row]), named(lexicon)))
+        places.append(Place(tr("pos. {label}", label=result.labels[row]), named(lexicon)))
     yield from lines(("eps = (M_d + M_c - 0.5*<dJ>*omega**2)/(J_c + <J>)",), places, letters)
     columns: dict[str, Values] = {
         "$phi$, deg": np.degrees(result.phi),
@@ -292,7 +292,7 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
         columns["$omega_x$, rad/s"] = result.omega_idle
         yield Paragraph(tr("In the table $omega_x$ is the angular velocity without technological loads."))
     caption = tr("Steady motion of the machine")
-    yield tabulated(caption, columns, result.labels, head=tr("Position"), key="motion_exact")
+    yield tabulated(caption, columns, result.labels, head=tr("No."), key="motion_exact")
     draw = partial(draw_speed, result=result, cycle=reduction.cycle)
     yield drawn(tr("Angular speed of the input link"), draw, SPEED, "motion_speed")
 
@@ -368,6 +368,7 @@ def _regulation(result: Motion, order: Order) -> Iterator[Block]:
     rated = found[1].speed / power.duty.ratio
     yield Paragraph(tr("The least angular velocity against the rated one:"))
     yield held("omega_min >= omega_N", (regime.omega_min, rated), "rad/s", holds=regime.omega_min >= rated)
+    yield Result("omega_min", Given(regime.omega_min, "rad/s", tr("least angular velocity")), rated, ">=")
     yield from _heating(result)
 
 

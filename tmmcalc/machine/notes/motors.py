@@ -26,7 +26,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place
 from tmmcalc.report.telling import lines, named, tabulated
 
-NEAR, WHOLE = 80.0, 75.0  # heights of the diagrams of the working part and of the whole characteristic [mm]
+NEAR, WHOLE = 62.0, 58.0  # heights of the diagrams of the working part and of the whole characteristic [mm]
 NAMELESS = "motor"  # what a motor without a name is called
 FREQUENCY = 50.0  # of the mains, by which a lag follows from the critical slip [Hz]
 
@@ -100,14 +100,14 @@ def of_motor(order: Order, stage: str) -> Iterator[Block]:
 
 
 def of_form(kind: CharacteristicKind, motor: Motor, power: Power) -> Iterator[Block]:
-    """One form of the characteristic: what it is, its coefficients, its law."""
+    """One form of the characteristic: what it is, its coefficients, its law; the rated point stands with the power."""
     assert power.duty is not None
     curve = driver_of(motor, kind, power.duty.ratio, power.line.efficiency).characteristic
     yield Paragraph(_said(kind, motor))
     texts, laws = LAWS[_form(kind, motor)]
     lexicon = named({**motor_data(motor, power), **_coefficients(kind, motor, curve, power)})
     eta = "*eta_u" if power.line.efficiency < 1 else ""
-    yield from lines(texts, [Place("", lexicon)], {"eta": eta})
+    yield from lines([text for text in texts if text not in RATED], [Place("", lexicon)], {"eta": eta})
     if kind == "table":
         speeds = np.array([speed for speed, _ in motor.points]) / power.duty.ratio
         columns = {"$omega$, rad/s": speeds, "$M_d$, N*m": curve.moment(speeds)}

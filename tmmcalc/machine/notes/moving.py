@@ -67,9 +67,7 @@ class Moving(NamedTuple):
     def places(self) -> list[Place]:
         """The positions as places of lines."""
         labels = (self.kinematics.labels[row] for row in self.rows)
-        return [
-            Place(tr("in position {label}", label=label), own) for label, own in zip(labels, self.lexicons, strict=True)
-        ]
+        return [Place(tr("pos. {label}", label=label), own) for label, own in zip(labels, self.lexicons, strict=True)]
 
     def timed(self, at: Point) -> tuple[Plane, Plane, Plane]:
         """A point (n,) in time: place [m], velocity [m/s], acceleration [m/s^2]."""

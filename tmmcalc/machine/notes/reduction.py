@@ -26,11 +26,11 @@ from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
 from tmmcalc.report.numbers import NOISE
-from tmmcalc.report.telling import column, lines, named, tabulated
+from tmmcalc.report.telling import column_of, lines, named, tabulated
 
 POWER = "<M>*<w> = sum(F_i*v_i*cos(alpha_i), i) + sum(M_i*omega_i, i)"
 ENERGY = "<J>*<w>**2/2 = sum(m_i*v_{Si}**2/2 + J_{Si}*omega_i**2/2, i)"
-HIGH = 200.0  # of the picture [mm]
+HIGH = 155.0  # of the picture [mm]
 CANCELLED = 1e-5  # of the largest sum of ordinates: a work that is nothing but what Simpson's rule leaves
 SIMPSON = "A^S = h/3*(Y_0 + 4*Y_1 + 2*Y_2)"
 
@@ -94,13 +94,35 @@ def _moments_table(result: Reduction, names: Names) -> Iterator[Table]:
     if len(result.contributions) > 1:
         columns[f"${names.total}$, {names.unit}"] = result.total
     caption = tr("Reduced moments of forces") if result.turns else tr("Reduced forces")
-    yield tabulated(caption, columns, result.labels, head=tr("Position"), key="reduction_moments")
+    table = tabulated(caption, columns, result.labels, head=tr("No."), key="reduction_moments")
+    yield _with_factors(table, result) if _simple(result) else table
+
+
+def _simple(result: Reduction) -> bool:
+    """Whether the positions are fit for Simpson's rule."""
+    return all(each.simpson is not None for each in result.contributions)
+
+
+def _cleaned(ordinates: Real) -> str:
+    """The sum of ordinates as it is printed, nothing where it is but rounding."""
+    found = float(np.sum(ordinates))
+    return column_of([found if abs(found) > NOISE * float(np.sum(np.abs(ordinates))) else 0.0])[0]
+
+
+def _with_factors(table: Table, result: Reduction) -> Table:
+    """The table with the factors of Simpson's rule, and a row of the sums of its ordinates with them."""
+    weights = simpson_weights(len(result.phi))
+    factors = ("$k_i$", *map(str, weights.astype(int)), "")
+    sums = [_cleaned(weights * moment) for moment in result.moment]
+    last = (tr("Sum"), "", *sums, *("" for _ in table.head[len(sums) + 2 :]))
+    rows = [(*row[:1], factor, *row[1:]) for factor, row in zip(factors, (table.head, *table.rows, last), strict=True)]
+    return table._replace(head=rows[0], rows=tuple(rows[1:]))
 
 
 def _works(result: Reduction, names: Names) -> Iterator[Block]:
     """Works by Simpson's rule where the positions are fit for it, and exactly."""
     yield Heading(tr("Works over a cycle") if result.whole else tr("Works over the range"))
-    simple = all(each.simpson is not None for each in result.contributions)
+    simple = _simple(result)
     if simple:
         yield from _by_simpson(result, names)
     works = np.array([each.work for each in result.contributions])
@@ -131,19 +153,9 @@ def _by_simpson(result: Reduction, names: Names) -> Iterator[Block]:
         tr(
             "The work of a force is the integral of its reduced value over the way of the input link; by Simpson's "
             "rule with the step $h$ it is $A^S = h/3*sum(k_i*Y_i, i)$, where $Y_i$ are the ordinates and $k_i$ = 1, 4, "
-            "2, ..., 4, 1 their factors (table {tab:reduction_simpson})."
+            "2, ..., 4, 1 their factors; the last row of table {tab:reduction_moments} has the sums of $k_i*Y_i$."
         )
     )
-    weights = simpson_weights(len(result.phi))
-    columns = [
-        column(f"$k_i*{key}$, {names.unit}", np.append(each, each.sum()))
-        for key, each in zip(keys.values(), weights * result.moment, strict=True)
-    ]
-    cells = zip(
-        [*result.labels, tr("Sum")], [*map(str, weights.astype(int)), "–"], *(each for _, each in columns), strict=True
-    )
-    head = (tr("Position"), "$k_i$", *(each for each, _ in columns))
-    yield Table(tr("Ordinates of Simpson's rule"), head, tuple(cells), "reduction_simpson")
     some = {
         key: cause_name(each.name)
         for key, each in zip(keys, result.contributions, strict=True)
@@ -188,11 +200,10 @@ def _inertia_table(result: Reduction, names: Names, further: Mapping[str, Real])
     if result.other is not None:
         columns[f"${names.part('l')}$, {names.mass_unit}"] = result.other
     caption = tr("Reduced moment of inertia") if result.turns else tr("Reduced mass")
-    yield tabulated(caption, columns, result.labels, head=tr("Position"), key="reduction_inertia")
+    yield tabulated(caption, columns, result.labels, head=tr("No."), key="reduction_inertia")
     if result.other is not None:
-        rods = ", ".join(map(str, result.rod_links))
-        one = len(result.rod_links) == 1
-        pins = (
-            tr("link {rods} lumped in the pins", rods=rods) if one else tr("links {rods} lumped in the pins", rods=rods)
+        name, rods = f"${names.part('l')}$", ", ".join(map(str, result.rod_links))
+        lumped = tr("In column {name} the masses of the rods ({rods}) are lumped in their pins.", name=name, rods=rods)
+        yield Paragraph(
+            lumped if result.rods == "exact" else tr("In column {name} the rods are taken exactly.", name=name)
         )
-        yield Paragraph(f"${names.part('l')}$ – {pins if result.rods == 'exact' else tr('exact')}.")

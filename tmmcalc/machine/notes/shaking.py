@@ -40,7 +40,7 @@ from tmmcalc.report.telling import lines, named, number_of, tabulated, vector
 ON_LINE = 1e-12  # of a rod: a centre of mass so near to its line lies on it
 MARKS = {"least squares": "1", "minimax": "m", "lanchester": "L", "lanchester 2": "LL", "given": "z"}
 HIGHEST = 4  # order of harmonics that are told
-HODOGRAPHS, HIGH = 200.0, 120.0  # heights of the pictures [mm]
+HODOGRAPHS, HIGH = 140.0, 95.0  # heights of the pictures [mm]
 
 
 def linkage_blocks(order: Order, result: Balancing) -> Iterator[Block]:
@@ -207,7 +207,7 @@ def _table(result: Balancing) -> Iterator[Block]:
     }
     caption = tr("Shaking force and moment")
     yield Paragraph(tr("Values in all positions are in table {tab:balance_shaking}."))
-    yield tabulated(caption, columns, result.labels, head=tr("Position"), key="balance_shaking")
+    yield tabulated(caption, columns, result.labels, head=tr("No."), key="balance_shaking")
 
 
 def _harmonics(found: Shaking) -> Iterator[Block]:
@@ -265,6 +265,8 @@ def _means(result: Balancing, link: int) -> Lexicon:
     for k in (-1, 2, -2):
         said = tr("projection of the harmonic of the shaking force of order {order}", order=signed(k))
         quantities |= vector(f"C_{{{k},%}}", found.series.coefficient(k), "N", said)
+        size = tr("size of the harmonic of the shaking force of order {order}", order=signed(k))
+        quantities[f"C_{{{k}}}"] = Given(abs(found.series.coefficient(k)), "N", size)
     if result.radius is not None:
         quantities["r_w"] = Given(result.radius, "m", tr("radius of the weights"))
     if result.mass is not None:
@@ -402,8 +404,7 @@ def _left_terms(scheme: Scheme) -> str:
     """The mean square that a scheme leaves."""
     if scheme.name == "minimax":
         return "R_q**2 - X_0**2 - Y_0**2 + (X_m - X_0)**2 + (Y_m - Y_0)**2"
-    taken = ["X_0**2 - Y_0**2"]
-    taken += [f"C_{{{w.order},x}}**2 - C_{{{w.order},y}}**2" for w in scheme.balance.weights if w.order != 1]
+    taken = ["X_0**2 - Y_0**2", *(f"C_{{{w.order}}}**2" for w in scheme.balance.weights if w.order != 1)]
     return " - ".join(("R_q**2", *taken))
 
 

@@ -7,9 +7,10 @@ from collections.abc import Collection, Iterable, Sequence
 from tmmcalc.report.formula import layout
 
 SMALL = 0.7  # size of an index against its letter
-GAP, SPACE = 0.17, 0.56  # a thin space, a relation with its spaces, and such [em]
-WIDE = {"m": 0.88, "w": 0.72, "M": 0.92, "W": 1.03, "i": 0.28, "l": 0.3, "·": 0.56, ".": 0.28, ",": 0.28}
-LETTER = 0.57
+GAP, SPACE = 0.17, 0.5  # a thin space, a relation with its spaces, and such [em]
+DIGIT, CAPITAL, LETTER = 0.5, 0.78, 0.55
+WIDE = {"m": 0.88, "w": 0.72, "M": 0.97, "H": 0.9, "W": 1.03, "i": 0.28, "l": 0.3, "ш": 0.85, "ж": 0.8}
+WIDE |= {"·": 0.28, ".": 0.28, ",": 0.28, "−": 0.78, "I": 0.38}
 
 TERMS = {"+", "−"}
 
@@ -18,9 +19,9 @@ def width(box: layout.Box) -> float:
     """About how wide it is [em], rather more than less."""
     match box:
         case layout.Letter(text) | layout.Word(text) | layout.Digits(text):
-            return sum(WIDE.get(letter, LETTER) for letter in text)
-        case layout.Sign(text):
-            return {"·": 0.5, ";": 0.5}.get(text, 0.78 + SPACE)
+            return sum(map(_letter, text))
+        case layout.Sign(text, leads=leads):
+            return {"·": 0.73, ";": 0.45}.get(text, 0.78 + (0.0 if leads else SPACE))
         case layout.Gap():
             return GAP
         case layout.Row(boxes):
@@ -36,11 +37,16 @@ def width(box: layout.Box) -> float:
             above = 0.3 * primes + (0.0 if upper is None else width(upper))
             return width(base) + SMALL * max(below, above)
         case layout.Fenced(inner):
-            return width(inner) + 0.9
+            return width(inner) + 0.85
         case layout.Big(_, lower, body):
             return max(1.5, SMALL * width(lower)) + width(body)
         case layout.Arrowed(inner):
             return width(inner) + 0.2
+
+
+def _letter(letter: str) -> float:
+    """About how wide a letter is [em]."""
+    return WIDE.get(letter, DIGIT if letter.isdigit() else CAPITAL if letter.isupper() else LETTER)
 
 
 def broken(parts: Sequence[layout.Row], wide: float) -> list[layout.Row]:

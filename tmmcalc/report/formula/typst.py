@@ -23,7 +23,7 @@ upright("2")), 2)'
         case layout.Letter(text):
             return text
         case layout.Word(text):
-            return f'upright("{text}")'
+            return f'upright("{text}")' if text.strip(",") == text else f'class("normal", upright("{text}"))'
         case layout.Digits(text):
             return spelt(text).replace(",", '","')  # the comma alone: a text of several letters has gaps around it
         case layout.Sign("−", leads=True):

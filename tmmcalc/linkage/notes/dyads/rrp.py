@@ -20,8 +20,8 @@ VELOCITY = (
     "/(l_<a>*cos(phi_<a> - gamma_<b>))",
     "v_{<b><g>} = (v_{<P>x} - v_{<B>x}^e)*cos(gamma_<b>) + (v_{<P>y} - v_{<B>y}^e)*sin(gamma_<b>)"
     " - l_<a>*omega_<a>*sin(phi_<a> - gamma_<b>)",
-    "v_{<B>x} = v_{<P>x} - l_<a>*omega_<a>*sin(phi_<a>)",
-    "v_{<B>y} = v_{<P>y} + l_<a>*omega_<a>*cos(phi_<a>)",
+    "v_{<B>x} = v_{<B>x}^e + v_{<b><g>}*cos(gamma_<b>)",
+    "v_{<B>y} = v_{<B>y}^e + v_{<b><g>}*sin(gamma_<b>)",
 )
 ACCELERATION = (
     "a_{<B>x}^e = a_{<Q>x} - eps_<g>*(y_{<B>} - y_{<Q>}) - omega_<g>**2*(x_{<B>} - x_{<Q>})",
@@ -30,8 +30,8 @@ ACCELERATION = (
     " + 2*omega_<g>*v_{<b><g>} + l_<a>*omega_<a>**2*sin(phi_<a> - gamma_<b>))/(l_<a>*cos(phi_<a> - gamma_<b>))",
     "a_{<b><g>} = (a_{<P>x} - a_{<B>x}^e)*cos(gamma_<b>) + (a_{<P>y} - a_{<B>y}^e)*sin(gamma_<b>)"
     " - l_<a>*eps_<a>*sin(phi_<a> - gamma_<b>) - l_<a>*omega_<a>**2*cos(phi_<a> - gamma_<b>)",
-    "a_{<B>x} = a_{<P>x} - l_<a>*(eps_<a>*sin(phi_<a>) + omega_<a>**2*cos(phi_<a>))",
-    "a_{<B>y} = a_{<P>y} + l_<a>*(eps_<a>*cos(phi_<a>) - omega_<a>**2*sin(phi_<a>))",
+    "a_{<B>x} = a_{<B>x}^e + a_{<b><g>}*cos(gamma_<b>) - 2*omega_<g>*v_{<b><g>}*sin(gamma_<b>)",
+    "a_{<B>y} = a_{<B>y}^e + a_{<b><g>}*sin(gamma_<b>) + 2*omega_<g>*v_{<b><g>}*cos(gamma_<b>)",
 )
 REACTIONS = (
     "R_{<a><f>}^t = M_<a>^{<B>}/l_<a>",

@@ -26,8 +26,8 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Result, Table
 from tmmcalc.report.telling import WIDE, tabulated
 
-GRAPH = 58.0  # height of a diagram [mm]
-SQUARE = 88.0  # height of a hodograph [mm]
+GRAPH, HALF = 46.0, (84.0, 52.0)  # height of a diagram of reactions, size of one of the drive [mm]
+SQUARE = 80.0  # height of a hodograph [mm]
 NOISE = 1e-12  # of the largest: less is nothing
 
 
@@ -96,7 +96,7 @@ def _tables(
         for i, part in enumerate(packed(parts)):
             said = caption.replace("{group}", name)
             labels = [label.replace("-", "−") for label in loaded.result.labels]
-            yield tabulated(said, part, labels, head=tr("Position"), key=f"forces_{key}_{k}_{i}")
+            yield tabulated(said, part, labels, head=tr("No."), key=f"forces_{key}_{k}_{i}")
 
 
 def _columns(loaded: Loaded, pair: ToldPair, values: Values) -> dict[str, Real]:
@@ -154,8 +154,9 @@ def _pictures(loaded: Loaded) -> Iterator[Block]:
         drive="M_d" if result.turns else "F_d",
     )
     yield Paragraph(said)
-    for key, (caption, graph) in zip(keys, graphs, strict=True):
-        yield Figure(caption, partial(_diagram, graph=graph), (WIDE, GRAPH), key)
+    for k, (key, (caption, graph)) in enumerate(zip(keys, graphs, strict=True)):
+        size = (WIDE, GRAPH) if k < len(reactions) else HALF
+        yield Figure(caption, partial(_diagram, graph=graph), size, key)
     shown = hodographs_of(loaded.told.chain.mechanism, result)
     link = loaded.told.result.structure.input_link
 

@@ -138,7 +138,6 @@ def _put(loaded: Loaded, dyad: Dyad, pair: ToldPair, bodies: Bodies, lexicon: Le
 def _parts(dyad: Dyad, pair: ToldPair, value: complex, lexicon: Lexicon) -> dict[str, Given]:
     """The parts of an outer reaction along and across the line that its equations take."""
     places, kind, index = dyad.places, dyad.step.group.kind, pair.ij
-    along = tr("parts of the reaction along and across link {link}", link=pair.link)
     if kind == "RPP":
         lines = {"I": number_of(lexicon, f"gamma_{places['b']}")}
         lines["{II}"] = lines["I"] + number_of(lexicon, f"delta_{places['b']}")
@@ -148,11 +147,13 @@ def _parts(dyad: Dyad, pair: ToldPair, value: complex, lexicon: Lexicon) -> dict
             for mark, angle in lines.items()
         }
     link = places["b"] if kind == "RPR" else pair.link
+    along = tr("part of the reaction along link {link}", link=link)
+    across = tr("part of the reaction across link {link}", link=link)
     if canonical(f"phi_{link}") not in lexicon:
         return {}
     local = value * cmath.exp(-1j * np.radians(number_of(lexicon, f"phi_{link}")))
     first, second = ("e", "n") if kind == "RPR" else ("n", "t")
     return {
         f"R_{{{index}}}^{first}": Given(float(local.real), "N", along),
-        f"R_{{{index}}}^{second}": Given(float(local.imag), "N", along),
+        f"R_{{{index}}}^{second}": Given(float(local.imag), "N", across),
     }

@@ -16,7 +16,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Paragraph
 from tmmcalc.report.telling import WIDE
 
-HIGH = 80.0  # of a picture [mm]
+HIGH = 64.0  # of a picture [mm]
 PARTS = (0.8, 1.0)  # of the load diagram and the polygon, which may have details beside it
 
 
@@ -29,7 +29,7 @@ class Cut:
         self.bodies = cleared(free_bodies(loaded.statics, theta, side), SEEN)
         self.motion = motion_at(chain, loaded.statics.scene.travel.x(loaded.result.theta[[row]]))
         self.cycle = whole_cycle(chain, loaded.told.result)
-        self.place = loaded.told.places[0].name
+        self.place = loaded.told.there(0)
 
     def pictured(self, links: Sequence[int]) -> Iterator[Block]:
         """The picture of each body of these links."""

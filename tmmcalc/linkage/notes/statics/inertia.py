@@ -69,7 +69,7 @@ def _tables(loaded: Loaded) -> Iterator[Block]:
         yield Paragraph(tr("At all positions they are as follows."))
     for k, part in enumerate(packed(columns)):
         caption = tr("Inertia forces and couples of the links")
-        yield tabulated(caption, part, [labels[row] for row in whole], head=tr("Position"), key=f"forces_inertia_{k}")
+        yield tabulated(caption, part, [labels[row] for row in whole], head=tr("No."), key=f"forces_inertia_{k}")
 
 
 def _columns(loaded: Loaded, body: Body, rows: list[int]) -> dict[str, Real]:

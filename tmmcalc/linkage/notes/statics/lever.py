@@ -21,7 +21,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
 from tmmcalc.report.telling import WIDE, named
 
-SIZE = (WIDE, 125.0)  # of the picture [mm]
+SIZE = (WIDE, 105.0)  # of the picture [mm]
 KEY = "forces_lever"
 DIGITS = 5  # of a number in the table
 
@@ -46,7 +46,7 @@ def lever(loaded: Loaded) -> Iterator[Block]:
         )
     )
     yield from _pairs(loaded, found)
-    caption = tr("Lever of Zhukovsky {place}", place=told.places[0].name)
+    caption = tr("Lever of Zhukovsky {place}", place=told.there(0))
     draw = partial(draw_lever, statics=loaded.statics, kinematics=told.result, result=result, row=row, tabled=False)
     yield Figure(caption, draw, SIZE, KEY)
     tables = [_table(loaded, each, k) for k, each in enumerate(found)]
@@ -57,7 +57,7 @@ def lever(loaded: Loaded) -> Iterator[Block]:
 
 
 def _pairs(loaded: Loaded, found: Sequence[Lever]) -> Iterator[Block]:
-    """The forces that stand for the couples."""
+    """The forces that stand for the couples, the first by its formula."""
     texts = []
     mechanism = loaded.told.chain.mechanism
     seen = dict.fromkeys((f.link, f.name, f.kind) for each in found for f in working(each.forces) if f.point)
@@ -78,7 +78,9 @@ def _pairs(loaded: Loaded, found: Sequence[Lever]) -> Iterator[Block]:
                 }
             )
         texts.append(f"{_pair_name(key)} = abs({key})/l_{{{points}}}")
-    yield from loaded.lines(texts)
+    yield from loaded.lines(texts[:1])
+    if texts[1:]:
+        yield Paragraph(tr("The forces of the other pairs are found in the same way."))
 
 
 def _pair_name(key: str) -> str:
@@ -102,7 +104,7 @@ def _table(loaded: Loaded, found: Lever, k: int) -> Table:
     for symbol, unit, part in (("F_i", "N", "force"), ("h_i", "mm", "arm"), ("F_i*h_i", "N*mm", "moment")):
         head, factor = printed_head(symbol, unit)
         columns[head] = [number_cell(factor * _seen(getattr(force, part)), DIGITS) for force in forces]
-    caption = tr("Moments on the lever {place}", place=loaded.told.places[k].name)
+    caption = tr("Moments on the lever {place}", place=loaded.told.there(k))
     return Table(caption, tuple(columns), tuple(zip(*columns.values(), strict=True)), f"{KEY}_{loaded.rows[k]}")
 
 

@@ -31,7 +31,7 @@ from tmmcalc.report.manuscript import Block, Lexicon
 from tmmcalc.report.printing import printed_as
 from tmmcalc.report.telling import named, number_of, vector
 
-COLUMNS = 8  # of numbers in a table
+COLUMNS = 12  # of numbers in a table
 NOTHING = 1e-12  # of the largest force, or couple: less is not told
 
 Bodies = Mapping[int, FreeBody]  # every moving link by itself

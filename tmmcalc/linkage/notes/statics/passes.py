@@ -27,10 +27,12 @@ def passes(loaded: Loaded, plan: Plan, pairs: Sequence[ToldPair]) -> Iterator[Bl
         return
     by_joint = {pair.joint.name: pair for pair in pairs}
     tables = []
-    for place, row in zip(loaded.told.places, loaded.rows, strict=True):
+    for shown, row in enumerate(loaded.rows):
         theta, side = float(loaded.result.theta[row]), side_of(loaded.result, row)
         found = textbook_iteration(loaded.statics, plan.group.name, theta, side, STOP, MOST)
-        caption = tr("Successive approximations of group {name} {place}", name=plan.group.name, place=place.name)
+        caption = tr(
+            "Successive approximations of group {name} {place}", name=plan.group.name, place=loaded.told.there(shown)
+        )
         tables.append(_table(found, by_joint, loaded, caption, f"forces_passes_{plan.group.links[0]}_{row}"))
     yield Paragraph(
         tr(

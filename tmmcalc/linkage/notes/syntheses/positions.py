@@ -137,7 +137,7 @@ def _places(told: Told, drawn: Drawn, scale: float) -> list[Place]:
             "delta_i": angle(float(np.angle(gap)), tr("angle of the line {first}{second}", first="A", second="B")),
             "gamma_i": angle(abs(float(np.angle(reach))), tr("angle of the triangle at A")),
         }
-        name = tr("in position {label}", label=k + 1)
+        name = tr("pos. {label}", label=k + 1)
         found.append(Place(name, told.lexicon | named(own), str(k + 1)))
     return found
 

@@ -1,0 +1,67 @@
+"""The task at the beginning of a note: the scheme, the data that the textbook gives, what is to be found."""
+
+from __future__ import annotations
+
+import pytest
+
+from note.scenes import written
+from tmmcalc.note.plaintext import text
+from tmmcalc.note.tree import Equation, Grid, Image, Title, plain_text
+
+
+def given(name: str) -> dict[str, str]:
+    """The values of the table by their designations."""
+    (table,) = (each for each in written(name) if isinstance(each, Grid) and each.caption.key == "given")
+    return {plain_text(row[1]): plain_text(row[2]) for row in table.rows}
+
+
+def test_the_shaper_has_the_data_of_the_textbook() -> None:
+    """Appendix 2: lengths, masses, moments of inertia, cutting force and where it acts, motor, flywheel."""
+    wanted = {
+        "n_1": "55 rpm",
+        "x_O, y_O": "0; 0.62 m",
+        "l_OA": "0.2 m",
+        "l_BC": "1.02 m",
+        "l_CD": "0.29 m",
+        "l_BS3": "0.5 m",
+        "l_CS4": "0.12 m",
+        "m_3": "55 kg",
+        "J_3": "4.5 kg·m²",
+        "m_5": "190 kg",
+        "Q_5": "7500 N",
+        "φ": "30°; 180°",
+        "f": "0.1",
+        "P_N": "7500 W",
+        "δ_0": "0.08",
+        "J_f": "186 kg·m²",
+    }
+    found = given("shaper")
+    assert {key: found[key] for key in wanted} == wanted
+
+
+def test_a_train_is_given_by_its_layout_and_ratio() -> None:
+    found = given("gears-pairs")
+    assert found["u"] == "6"
+    assert found["T_1"] == "40 N·m"
+
+
+@pytest.mark.parametrize("name", ["shaper", "gears-pairs"])
+def test_the_task_stands_before_the_chapters(name: str) -> None:
+    note = written(name)
+    titles = [each.text for each in note if isinstance(each, Title) and each.level == 1]
+    assert titles[0] == "Task"
+    assert titles[-2:] == ["Conclusions", "Appendix A"]
+    assert "To be found:" in text(note)
+
+
+def test_numbers_of_tables_and_figures_are_found_once() -> None:
+    for kind in (Grid, Image):
+        numbers = [each.caption.number for each in written("shaper") if isinstance(each, kind)]
+        assert len(numbers) == len(set(numbers))
+
+
+def test_what_is_the_same_in_all_positions_stands_once() -> None:
+    formulas = [each for each in written("shaper") if isinstance(each, Equation)]
+    (line,) = (k for k, each in enumerate(formulas) if text([each]).strip().startswith("G_3 = "))
+    assert text([formulas[line]]).strip().startswith("G_3 = m_3 g = 55·9.81 = 539.55 N")
+    assert not formulas[line].lead

@@ -1,0 +1,146 @@
+"""What is given of a linkage: its scheme with the letters, its metric, its masses, what acts on it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from functools import partial
+from itertools import combinations
+
+from tmmcalc.linkage.chain import chain_of
+from tmmcalc.linkage.loading import Body, Loading, Pair
+from tmmcalc.linkage.model import FRAME, Mechanism
+from tmmcalc.linkage.notes.group import guide_name, plain_name
+from tmmcalc.linkage.notes.statics.loaded import force_key
+from tmmcalc.linkage.pictures.choice import at_parts
+from tmmcalc.linkage.pictures.cycle import whole_cycle
+from tmmcalc.linkage.pictures.scheme import draw_scheme
+from tmmcalc.linkage.pins import Pin, find_pins
+from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.tables.tasks.loading import to_loading
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.language import tr
+from tmmcalc.report.manuscript import Block, Datum, Figure
+
+SIZE = (150.0, 95.0)  # of the scheme [mm]
+SHOWN = ((1 / 4,), (1 / 4,))  # parts of the strokes: the position that is drawn
+NEAR = 1e-9  # [m] within which points are one
+SIDES = 3  # pins of a link up to which all distances are given
+
+
+def blocks(order: Order) -> Iterator[Block]:
+    """The scheme in a position, then the data."""
+    if "kinematics" not in order.results:
+        return
+    mechanism, result = to_linkage(order.spec.linkage), order.results["kinematics"]
+    chain = chain_of(mechanism, result)
+    row = at_parts(chain, result, *SHOWN)[0]
+    draw = partial(draw_scheme, result=result, cycle=whole_cycle(chain, result), positions=[row])
+    yield Figure(tr("Scheme of the mechanism"), draw, SIZE, "task_scheme")
+    yield from _motion(result)
+    yield from _metric(mechanism)
+    if {"forces", "reduction", "balance"} & set(order.results):
+        yield from _loading(order, mechanism, to_loading(order.spec))
+
+
+def _motion(result: Kinematics) -> Iterator[Datum]:
+    """The speed of the input, the positions."""
+    if result.turns:
+        name = f"n_{result.structure.input_link}"
+        yield Datum(tr("speed of the crank"), (name,), (abs(result.speed) * 30 / math.pi,), "rpm")
+    yield Datum(tr("number of equal steps of the cycle"), ("n",), (float(len(result.labels) - 1),))
+
+
+def _metric(mechanism: Mechanism) -> Iterator[Datum]:
+    """Points of the frame, guides on it, distances of the pins of every link."""
+    pins = [pin for pin in find_pins(mechanism) if pin.joints]
+    for pin in pins:
+        if pin.fixed:
+            name = plain_name(pin.name)
+            yield _point(tr("coordinates of point {point}", point=name), name, pin.at[FRAME])
+    for joint in mechanism.joints:
+        if joint.kind == "prismatic" and FRAME in joint.links:
+            side, link = joint.links.index(FRAME), joint.other(FRAME)
+            said = tr("coordinates of a point of the guide of link {link}", link=link)
+            yield _point(said, guide_name(tuple(pins), joint), joint.points[side])
+            turned = joint.directions[side]
+            angle = math.degrees(math.atan2(turned.imag, turned.real))
+            yield Datum(tr("angle of the guide of link {link}", link=link), (f"gamma_{link}",), (angle,), "deg")
+    for own in mechanism.links:
+        for first, second in _distances([pin for pin in pins if own.id in pin.at]):
+            yield _distance(plain_name(first.name), plain_name(second.name), second.at[own.id] - first.at[own.id])
+
+
+def _distances(pins: Sequence[Pin]) -> Iterator[tuple[Pin, Pin]]:
+    """The pins between which distances are given: all of a triangle, those to the first two of more."""
+    for first, second in combinations(pins, 2):
+        if len(pins) <= SIDES or first in pins[:2]:
+            yield first, second
+
+
+def _point(said: str, name: str, at: complex) -> Datum:
+    return Datum(said, (f"x_{{{name}}}", f"y_{{{name}}}"), (at.real, at.imag), "m")
+
+
+def _distance(first: str, second: str, vector: complex) -> Datum:
+    said = tr("distance of points {first} and {second}", first=first, second=second)
+    return Datum(said, (f"l_{{{first}{second}}}",), (abs(vector),), "m")
+
+
+def _loading(order: Order, mechanism: Mechanism, loading: Loading) -> Iterator[Datum]:
+    """Masses with their centres, gravity, loads, friction with the sizes of the pairs."""
+    pins = [pin for pin in find_pins(mechanism) if pin.joints]
+    for body in loading.bodies:
+        if body.mass:
+            yield Datum(tr("mass of link {link}", link=body.link), (f"m_{body.link}",), (body.mass,), "kg")
+            yield from _centre(body, [pin for pin in pins if body.link in pin.at])
+        if body.inertia:
+            said = tr("moment of inertia of link {link} about its centre of mass", link=body.link)
+            yield Datum(said, (f"J_{body.link}",), (body.inertia,), "kg*m^2")
+    if loading.gravity:
+        yield Datum(tr("acceleration of gravity"), ("g",), (abs(loading.gravity),), "m/s^2")
+    for table, load in zip(order.spec.loads, loading.loads, strict=True):
+        yield from _load(table, load.name)
+    rubbing = [pair for pair in loading.pairs if pair.friction]
+    yield from _alike(rubbing, "f", [pair.friction for pair in rubbing], "")
+    round_ = [pair for pair in rubbing if pair.radius]
+    yield from _alike(round_, "r", [pair.radius for pair in round_], "m")
+    for pair in loading.pairs:
+        if pair.length:
+            link = mechanism.joint(pair.joint).links[0]
+            yield Datum(tr("length of the slider of link {link}", link=link), (f"l_{link}",), (pair.length,), "m")
+
+
+def _centre(body: Body, pins: Sequence[Pin]) -> Iterator[Datum]:
+    """Where the centre of mass lies: its distances from the first pins of the link."""
+    for pin in pins[:2]:
+        vector = body.center - pin.at[body.link]
+        if abs(vector) < NEAR:
+            return
+        yield _distance(plain_name(pin.name), f"S{body.link}", vector)
+        if len(pins) > 1 and abs((vector / (pins[1].at[body.link] - pins[0].at[body.link])).imag) < NEAR:
+            return
+
+
+def _load(table: object, name: str) -> Iterator[Datum]:
+    """A constant load, and where it acts."""
+    for kind, unit in (("force", "N"), ("moment", "N*m")):
+        value = getattr(table, kind, None)
+        if isinstance(value, float):
+            yield Datum(f"{tr('given load')} {name}", (force_key(name),), (value,), unit)
+    between = getattr(table, "between", None)
+    if between is not None:
+        said = tr("where load {name} begins and ends, by the angle of the crank from the first position", name=name)
+        yield Datum(said, ("phi",), tuple(map(math.degrees, between)), "deg")
+
+
+def _alike(pairs: Sequence[Pair], letter: str, values: Sequence[float], unit: str) -> Iterator[Datum]:
+    """A quantity of several pairs, those with one value together."""
+    for value in dict.fromkeys(values):
+        names = ", ".join(pair.joint for pair, own in zip(pairs, values, strict=True) if own == value)
+        said = {
+            "f": tr("coefficient of friction: {pairs}", pairs=names),
+            "r": tr("radius of the pins: {pairs}", pairs=names),
+        }[letter]
+        yield Datum(said, (letter,), (value,), unit)

@@ -1,0 +1,101 @@
+"""Formulas in a source of Typst: with what their letters are, with their numbers, broken where they are too wide."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from tmmcalc.note.tree import Equation, Text, part_width
+from tmmcalc.note.typstwords import EM, GAP, SIZE, WIDE, escaped, set_text
+from tmmcalc.report.formula.breaking import broken, width
+from tmmcalc.report.formula.layout import Row
+from tmmcalc.report.formula.typst import typst as typeset
+
+NUMBERS, WORDS = 10.5, 9.0  # sizes of formulas with numbers, and of words before these [pt]
+INDENT, NUMBER = 13.0, 12.0  # room before a formula, and for its number [mm]
+NEARLY = 1.04  # of the estimated width: what a formula may take
+
+
+def set_lines(group: Sequence[Equation], said: Text | None) -> Iterator[str]:
+    """A formula with its number and what its letters are, then its numbers at places, two beside each other."""
+    formulas = [*group]
+    if formulas[0].number:
+        yield from _formula(formulas.pop(0), said, holds=len(group) > 1)
+    while formulas:
+        two = formulas[:2]
+        beside = _beside(two) if len(two) == 2 else None
+        yield beside or _line([two[0]], WIDE)
+        del formulas[: 2 if beside else 1]
+
+
+def _formula(formula: Equation, said: Text | None, *, holds: bool) -> Iterator[str]:
+    """A formula with its number; what its letters are beside it, where there is room, or under it."""
+    (row, *more) = _broken(formula, WIDE)
+    free = WIDE - INDENT - NUMBER - width(row) * EM - 2 * GAP
+    if said is not None and not more and sum(map(part_width, said.parts)) * EM <= free:
+        cells = f"[], [$ {typeset(row)} $], [,], [{set_text(said)}], [({formula.number})]"
+        columns = f"({INDENT:g}mm, auto, auto, 1fr, auto)"
+        gutter = f"column-gutter: (0mm, 0mm, {GAP:g}mm, 0mm)"
+        yield f"#line({columns}, {str(holds).lower()}, {gutter}, {cells}){_eq(formula)}"
+        return
+    yield _line([formula], WIDE, holds=holds)
+    if said is not None:
+        yield f"#explained[{set_text(said)}]"
+
+
+def _beside(two: Sequence[Equation]) -> str | None:
+    """Two formulas beside each other, where they take fewer rows so."""
+    half = (WIDE - GAP) / 2
+    halves, wholes = [_broken(each, half) for each in two], [_broken(each, WIDE) for each in two]
+    rooms = [half - _lead(each) for each in two]
+    fits = all(
+        width(row) * _em(each) <= room for each, rows, room in zip(two, halves, rooms, strict=True) for row in rows
+    )
+    if not fits or max(map(len, halves)) >= sum(map(len, wholes)):
+        return None
+    return _line(two, half)
+
+
+def _line(formulas: Sequence[Equation], wide: float, *, holds: bool = False) -> str:
+    """Formulas in a row, each in so much room, with the words before it and its number."""
+    columns, cells = [], []
+    for formula in formulas:
+        rows = _broken(formula, wide)
+        body = " \\\n quad ".join(map(typeset, rows))
+        numbered = f"({formula.number})" if formula.number else ""
+        columns += [f"{_lead(formula):g}mm", "1fr", "auto"]
+        cells += [
+            f"text(size: {WORDS}pt)[{escaped(formula.lead)}]",
+            _sized(f"$ {body} $", rows, formula, wide),
+            f"[{numbered}]",
+        ]
+    label = _eq(formulas[0])
+    return f"#line(({', '.join(columns)}), {str(holds).lower()}, {', '.join(cells)}){label}"
+
+
+def _sized(body: str, rows: Sequence[Row], formula: Equation, wide: float) -> str:
+    """The rows in letters in which even those that cannot be broken have room."""
+    room = wide - _lead(formula) - (NUMBER if formula.number else 0.0)
+    size = SIZE if formula.number else NUMBERS
+    needed = (max(map(width, rows)) + (1.0 if rows[1:] else 0.0)) * _em(formula)
+    return f"text(size: {size * min(1.0, room / needed):.4g}pt)[{body}]"
+
+
+def _broken(formula: Equation, wide: float) -> list[Row]:
+    """The rows of a formula in so much room [mm]."""
+    room = wide - _lead(formula) - (NUMBER if formula.number else 0.0)
+    whole = broken(formula.parts, room / _em(formula))
+    return whole if len(whole) == 1 else broken(formula.parts, room / _em(formula) - 1.0)  # what goes on stands in
+
+
+def _em(formula: Equation) -> float:
+    """The letter M of a formula [mm]."""
+    return EM * NEARLY * (1.0 if formula.number else NUMBERS / SIZE)
+
+
+def _lead(formula: Equation) -> float:
+    """The room of the words before a formula [mm]."""
+    return max(INDENT, part_width(formula.lead) * EM * WORDS / SIZE + 1.0)
+
+
+def _eq(formula: Equation) -> str:
+    return f" <eq:{formula.key}>" if formula.key else ""

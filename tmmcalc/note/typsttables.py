@@ -1,0 +1,88 @@
+"""Tables in a source of Typst: in letters in which they fit, beside each other, whole on a page where they can be."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from tmmcalc.note.tree import Grid, Text, numeric, widest
+from tmmcalc.note.typstwords import EM, GAP, SIZE, WIDE, escaped, label, set_text
+from tmmcalc.report.formula.layout import Box, Fraction, Row, Script, inner
+from tmmcalc.report.language import tr
+
+SMALL = (9.5, 9.0, 8.5, 8.0)  # sizes of tables [pt], the first in which one fits
+CELL = 2.4  # beside the letters of a cell, with its line [mm]
+WHOLE = (12, 28)  # rows: up to the first a table stands where it is told of, up to the second on one page
+CHAPTER = re.compile(r"\d+\.")  # what the number of a table in a numbered chapter begins with
+SCRIPTED = "3.6pt"  # over and under the letters of a cell with indices
+
+
+def beside(grids: Sequence[Grid]) -> bool:
+    """Whether tables stand beside each other: alike long, and with room in letters that are not too small."""
+    return len(set(map(_stands, grids))) == 1 and _size_of(grids, SMALL[:2]) > 0
+
+
+def set_tables(grids: Sequence[Grid]) -> str:
+    """Tables beside each other, or one, in letters as small as they need.
+
+    A short table stands where it is told of, a longer one whole where there is room, one of many rows over pages; one
+    that is too wide in small letters stands turned on a page of its own.
+    """
+    size = _size_of(grids, SMALL)
+    if not size:
+        return f"#turned[#{_grid(grids[0], SMALL[0], WIDE)}]"
+    free = (WIDE - GAP * (len(grids) - 1) - sum(_width_at(each, size) for each in grids)) / len(grids)
+    shares = [_width_at(each, size) + free for each in grids]
+    tables = [_grid(each, size, wide) for each, wide in zip(grids, shares, strict=True)]
+    stood = f"stood(({', '.join(f'{wide:g}mm' for wide in shares)}), {', '.join(tables)})" if tables[1:] else tables[0]
+    return f"#floated({stood})" if _stands(grids[0]) == "whole" else f"#{stood}"
+
+
+def _stands(grid: Grid) -> str:
+    """Where a table stands by the number of its rows."""
+    rows = len(grid.rows)
+    if not CHAPTER.match(grid.caption.number):
+        return "on"
+    return "here" if rows <= WHOLE[0] else "whole" if rows <= WHOLE[1] and _size_of([grid], SMALL) else "on"
+
+
+def _size_of(grids: Sequence[Grid], sizes: Sequence[float]) -> float:
+    """The size of letters [pt] in which tables have room beside each other, or 0."""
+    room = WIDE - GAP * (len(grids) - 1)
+    return next((size for size in sizes if sum(_width_at(each, size) for each in grids) <= room), 0.0)
+
+
+def _width_at(grid: Grid, size: float) -> float:
+    """How wide a table is at least, in letters of this size [mm]."""
+    return _table_width(grid) * size / SIZE + CELL * len(grid.head)
+
+
+def _grid(grid: Grid, size: float, wide: float) -> str:
+    """A table in letters of a size, its caption no wider than so much [mm]."""
+    caption = grid.caption
+    heads = "".join(_cell(cell, "center + horizon") for cell in grid.head)
+    cells = "".join(_cell(cell) for row in grid.rows for cell in row)
+    columns = zip(*grid.rows, strict=True)
+    aligned = "".join("right + horizon, " if numeric(column) else "left + horizon, " for column in columns)
+    continued = tr("Continuation of table {number}", number=caption.number)
+    said = f"[{escaped(str(caption))}], [{escaped(continued)}]"
+    breaks = str(_stands(grid) == "on").lower()
+    laid = f"{len(grid.head)}, ({aligned}), {size}pt, {wide:g}mm, {breaks}"
+    return f"listed({label('tab', caption)}, {said}, {laid}, ({heads}), ({cells}))"
+
+
+def _table_width(grid: Grid) -> float:
+    """How wide the letters of a table are at least, at the size of the text [mm]."""
+    return sum(map(widest, zip(grid.head, *grid.rows, strict=True))) * EM
+
+
+def _cell(cell: Text, align: str = "") -> str:
+    """A cell, with room for indices."""
+    said = [f"align: {align}"] if align else []
+    if any(isinstance(part, Row) and _scripted(part) for part in cell.parts):
+        said.append(f"inset: (x: 3pt, y: {SCRIPTED})")
+    return f"table.cell({', '.join(said)})[{set_text(cell)}], " if said else f"[{set_text(cell)}], "
+
+
+def _scripted(box: Box) -> bool:
+    return isinstance(box, Script | Fraction) or any(map(_scripted, inner(box)))
