@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, Phrase
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.meshing.task import PairTask
 
@@ -51,7 +51,7 @@ def plain_everywhere(value: Any, path: str = "") -> None:
         assert value.ndim == 1, path
         assert value.dtype == np.bool_ or np.isfinite(value).all(), path
     else:
-        assert value is None or type(value) in (int, float, str, bool, Note), path
+        assert value is None or type(value) in (int, float, str, bool, Note, Phrase), path
         assert type(value) is not float or np.isfinite(value), path
 
 
