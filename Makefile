@@ -50,7 +50,7 @@ accuracy-draw: $(VENV)/.run
 	$(BIN)/python docs/make_accuracy.py --draw
 
 # the pictures of the README and the guide
-pictures: $(VENV)/.run
+pictures: $(VENV)/.dev
 	$(BIN)/python docs/make_pictures.py
 
 format: $(VENV)/.dev

@@ -1,13 +1,15 @@
 """Write the pictures of the README and of the guide: ``make pictures``.
 
 Each is that of ``tmmcalc plot configs/NAME.toml STAGE``, with the flags below, its text as text; a sheet that of
-``tmmcalc sheet configs/NAME.toml --as svg``.
+``tmmcalc sheet configs/NAME.toml --as svg``, a page one of ``tmmcalc note configs/NAME.toml``.
 """
 
 from __future__ import annotations
 
 import subprocess
+from io import BytesIO
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from tmmcalc import load_spec
 from tmmcalc.cli.plot import PICTURES
@@ -22,6 +24,8 @@ DRAWN = {  # file: ready spec, stage, flags
     "shaper.svg": ("shaper", "kinematics", {POSITIONS: "0:20:5"}),
     "guide/cam.svg": ("cam", "cam_profile", {}),
 }
+PAGES = {"guide/note.png": ("shaper", 7)}  # file: ready spec, page of its note
+RESOLUTION, GREYS = 110, 16  # of a page: dots to an inch, and shades
 SHEETS = {"guide/linkage.svg": "shaper"}  # file, called as its sheet: ready spec
 
 
@@ -35,9 +39,27 @@ def drawing(name: str, stage: str, given: dict[str, str]) -> bytes:
     return written("svg", resolve(shown.figure)(order))
 
 
+def page(name: str, number: int) -> bytes:
+    """A page of the note of a ready spec in shades of grey."""
+    from pypdfium2 import PdfDocument
+
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / "note.pdf"
+        spec = str(HOME.parent / "configs" / f"{name}.toml")
+        subprocess.run(["tmmcalc", "note", spec, "-o", str(file), "--no-store", "-q"], check=True)
+        document = PdfDocument(file)
+        picture = document[number - 1].render(scale=RESOLUTION / 72).to_pil()
+        document.close()
+    buffer = BytesIO()
+    picture.convert("L").quantize(GREYS).save(buffer, format="png", optimize=True)
+    return buffer.getvalue()
+
+
 if __name__ == "__main__":
     for file, (name, stage, given) in DRAWN.items():
         replace_file(HOME / file, drawing(name, stage, given))
+    for file, (name, number) in PAGES.items():
+        replace_file(HOME / file, page(name, number))
     for file, name in SHEETS.items():
         spec = str(HOME.parent / "configs" / f"{name}.toml")
         flags = ("--only", Path(file).stem, "--as", "svg", "--no-store", "-q")

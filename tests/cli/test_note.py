@@ -12,7 +12,7 @@ from .conftest import CONFIGS, Cli
 def test_a_note_is_printed(cli: Cli) -> None:
     code, out, err = cli("note", str(CONFIGS / "shaper.toml"), "-o", "-", "--no-store", "--only", "structure", "-q")
     assert (code, err) == (0, "")
-    assert "W = 3·5 − 2·7 = 1" in out
+    assert "= 3·5 − 2·7 = 1" in out
 
 
 @pytest.mark.parametrize("form", ["pdf", "docx", "html", "typ", "txt"])

@@ -118,11 +118,11 @@ def test_mutants_are_caught() -> None:
         for mutant, found in judged(name, changed).items():
             caught[mutant] = caught.get(mutant, False) or found
     missed = [mutant for mutant, found in caught.items() if not found]
-    assert len(caught) > 5000
+    assert len(caught) > 2500
     assert len(missed) <= 0.01 * len(caught), missed
 
 
-@pytest.mark.parametrize("name", QUICK)
+@pytest.mark.parametrize("name", ["shaper", "press"])
 def test_most_mutants_are_caught_in_one_scene(name: str) -> None:
     """A factor of 1 or a term of 0 hides some."""
     caught = judged(name)

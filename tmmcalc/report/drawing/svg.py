@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from itertools import groupby, pairwise
 from typing import NamedTuple
 from xml.sax.saxutils import escape, quoteattr
@@ -170,6 +171,7 @@ def _after(text: str) -> str:
     return text if text.startswith("-") else f" {text}"
 
 
+@lru_cache(1 << 16)
 def _hundredths(value: int) -> str:
     """A whole number of hundredths without needless zeros.
 

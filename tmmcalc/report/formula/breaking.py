@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from functools import cache
 
 from tmmcalc.report.formula import layout
 
@@ -44,6 +45,7 @@ def width(box: layout.Box) -> float:
             return width(inner) + 0.2
 
 
+@cache
 def _letter(letter: str) -> float:
     """About how wide a letter is [em]."""
     return WIDE.get(letter, DIGIT if letter.isdigit() else CAPITAL if letter.isupper() else LETTER)
