@@ -44,7 +44,7 @@ def blocks(order: Order) -> Iterator[Block]:
     rows = [_at(told, result, row) for row in told.rows]
     yield from lines((*formulas, *TRANSMITTED), told.places(sizes, rows), told.words)
     phases = ("rise", result.rise), ("return", result.back)
-    yield Paragraph(tr("Its extremes on the rise and on the return:"))
+    yield Paragraph(tr("The extremes of the pressure angle on the rise and on the return:"))
     places = [place for kind, on in phases for place in _extremes(told, kind, on, told.named(sizes))]
     yield from lines(formulas, places, told.words)
     for kind, on in phases:

@@ -62,7 +62,7 @@ def _course(of: Judging) -> Iterator[Block]:
     """The table over the turn, and the diagrams."""
     table = _table(of)
     if table is not None:
-        yield Paragraph(tr("Table {tab:cam_judged} has their values in the positions $i$."))
+        yield Paragraph(tr("Table {tab:cam_judged} has the values in the positions $i$."))
         yield table
     found = of.found
     count = sum(values is not None for values in (found.slip, found.stress, found.reduced))

@@ -8,7 +8,7 @@ from math import nan
 from tmmcalc.gears.involute.contour.task import LINES
 from tmmcalc.gears.meshing.contours import UNBOUNDED, ContourPoint, PairContour
 from tmmcalc.gears.notes.pairs.tables import decimals
-from tmmcalc.gears.pictures.contourlines import Stroke, chosen, number_of
+from tmmcalc.gears.pictures.contourlines import Stroke, chosen, indexed, number_of
 from tmmcalc.gears.pictures.contourplane import draw_plane
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
@@ -96,7 +96,9 @@ def _points(found: PairContour, key: str) -> Iterator[Block]:
     rows = []
     for point in found.points:
         values = point.x1, point.x2, point.contact_ratio, *point.tip_thickness, *map(_sliding, point.sliding)
-        name = tr_name(point.name) if point.name == "chosen" else f"{tr_name(point.name)}: {tr_name(point.title)}"
+        name = (
+            tr_name(point.name) if point.name == "chosen" else f"{tr_name(point.name)}: {indexed(tr_name(point.title))}"
+        )
         rows.append((name, *(decimals(value, PLACES - 1) for value in values)))
     yield Paragraph(tr("Points of the contour are in table {table}.", table=f"{{tab:{key}_points}}"))
     yield Table(tr("Points of the blocking contour"), (tr("Point"), *HEADS), tuple(rows), f"{key}_points")

@@ -86,9 +86,14 @@ def _materials(sized: Sized) -> Iterator[Block]:
         if not material.steel:
             yield Paragraph(tr("The wheels are {treatment}, of hardness {hardness}.", **told))
             continue
-        key = steel_key(material.steel)
-        told["steel"] = key if spoken() == "uk" else latin(key)
+        told["steel"] = steel_word(material.steel)
         yield Paragraph(tr("Wheels of steel {steel}, {treatment}, of hardness {hardness}.", **told))
+
+
+def steel_word(steel: str) -> str:
+    """The designation of a steel in the letters of the language."""
+    key = steel_key(steel)
+    return key if spoken() == "uk" else latin(key)
 
 
 def _of(factors: Sequence[Factor], kind: str) -> dict[str, list[Factor]]:
@@ -322,7 +327,9 @@ def _required(meshes: Mapping[str, list[Factor]], scheme: Layout) -> Iterator[Bl
         yield Paragraph(tr("Of the ring {wheel} $Y_F$ = {value}, as of a rack.", wheel=", ".join(rings), value=said))
     for mesh, factors in meshes.items():
         told = {"mesh": mesh.replace("-", "–"), "wheel": _weaker(mesh, factors)}
-        yield Paragraph(tr("In the mesh {mesh} wheel {wheel} with the larger $Y_F/sigma_{FP}$ decides.", **told))
+        yield Paragraph(
+            tr("In the mesh {mesh} wheel {wheel} with the larger ratio of $Y_F$ to $sigma_{FP}$ decides.", **told)
+        )
     for symbol in ("A_F", "m_H", "m_F"):
         yield from _lines(symbol, [Own(own.of, _plain(own.factor)) for own in _owned(meshes, symbol)])
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from tmmcalc.gears.notes.criteria import layout_word
+from tmmcalc.gears.notes.strength import steel_word
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Datum
@@ -27,4 +28,6 @@ def blocks(order: Order) -> Iterator[Block]:
     material = None if strength is None else strength.material
     if material is not None and material.treatment is not None:
         said = tr_name(material.treatment)
-        yield Datum(tr("material of the wheels"), text=f"{material.steel}, {said}" if material.steel else said)
+        yield Datum(
+            tr("material of the wheels"), text=f"{steel_word(material.steel)}, {said}" if material.steel else said
+        )

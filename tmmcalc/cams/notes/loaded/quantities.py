@@ -231,6 +231,9 @@ def _forces(of: Loaded, found: Mapping[str, float], given: float) -> Lexicon:
             tr("technological force along the lift"),
             tr("resultant along the lift; it presses on the cam where it is negative"),
         )  # fmt: skip
+    driving = tr("driving torque of the camshaft")
+    if of.carried.rubs:
+        driving = tr("driving torque of the camshaft, with friction")
     values = (found["inertia"], found["elastic"], own, found["load"])
     quantities = {
         name: Given(value, unit, meaning)
@@ -241,7 +244,7 @@ def _forces(of: Loaded, found: Mapping[str, float], given: float) -> Lexicon:
         "mu": Given(found["ratio"], "", tr("friction over the force of the cam")),
         "R": Given(found["contact"], "N", tr("force of the cam on the follower")),
         "T": Given(found["torque"], "N*m", tr("torque of the follower on the camshaft, without friction")),
-        "M_d": Given(found["driving"], "N*m", tr("driving torque of the camshaft, with friction")),
+        "M_d": Given(found["driving"], "N*m", driving),
     }
     if "lower" in found:
         quantities["N_1"] = Given(found["lower"], "N", tr("reaction of the lower edge of the guide"))

@@ -177,7 +177,8 @@ def course(of: Loaded) -> Iterator[Block]:
     rows = table_rows(of.told)
     labels = [of.result.labels[row] for row in rows]
     first, second = _columns(of, rows)
-    yield tabulated(tr("Forces along the lift"), first, labels, head="$i$", key="cam_loads")
+    along = tr("Moments about the pivot of the rocker") if of.turns else tr("Forces along the lift")
+    yield tabulated(along, first, labels, head="$i$", key="cam_loads")
     yield tabulated(tr("Reactions and torques"), second, labels, head="$i$", key="cam_reactions")
     yield _extremes(of.result)
     yield from _contact(of)

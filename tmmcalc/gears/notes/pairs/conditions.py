@@ -59,7 +59,7 @@ def judged(
     for check in shown:
         whose = wheels[check.wheel - 1] if check.wheel else ""
         rows.append((check_called(check), whose, _relation(check, lexicon, words), verdicts[check.verdict]))
-    head = tr("Figure of quality"), tr("wheel"), tr("Condition"), tr("Verdict")
+    head = tr("Figure of quality"), tr("Wheel"), tr("Condition"), tr("Verdict")
     yield Paragraph(tr("The figures of quality and their limits are in table {table}.", table=f"{{tab:{key}}}"))
     yield Table(tr("Figures of quality"), head, tuple(rows), key=key)
     yield Paragraph(_concluded(shown, wheels))

@@ -155,7 +155,7 @@ def _involute_point(tables: BookTables) -> Lexicon:
 def _rounding(tables: BookTables) -> Lexicon:
     """The rounding of the rack that cuts the fillet: a circle about S."""
     tool, m = rounding(tables.member.wheel, "circle"), tables.member.module
-    centre = tr("coordinate of the centre S of the rounding on the rack")
+    centre = tr("coordinates of the centre S of the rounding on the rack")
     return {
         "rho_t": length(tables.radius, tr("radius of the rounding of the rack")),
         "x_{1S}": length(m * float(tool.x), centre),
