@@ -294,7 +294,8 @@ def _of_wind(name: str, wind: Wind, lexicon: Lexicon) -> Place:
 def _cases(result: Transloader) -> Iterator[Block]:
     """The cases, and which load acts in each."""
     yield Paragraph(tr("The loads act together in these cases:"))
-    yield Listing(tuple(f"{case} – {tr_name(meaning)}" for case, meaning in CASES.items()))
+    said = [f"{case} – {tr_name(meaning)}" for case, meaning in CASES.items()]
+    yield Listing((*(f"{each};" for each in said[:-1]), f"{said[-1]}."))
     yield Paragraph(
         tr(
             "The loads of each case are in table {tab:transloader_loads}. A question mark is a load that is left "

@@ -179,9 +179,11 @@ def _stencil(
     unit = "rad" if angular else "m"
     per = "rad" if turns else "m"
     own, own2 = ("", "") if unit == per else (f"{unit}/{per}", f"{unit}/{per}^2")
-    said = tr("displacement of output {output} in the position and a step to both sides", output=words["D"])
+    there = tr("displacement of output {output} in the position", output=words["D"])
+    aside = tr("displacement of output {output} a step after the position and a step before it", output=words["D"])
     found: Lexicon = {
-        f"<S>_{{<D>}}^{{{mark}}}": Given(value, unit, said) for mark, value in zip("−0+", values, strict=True)
+        f"<S>_{{<D>}}^{{{mark}}}": Given(value, unit, there if mark == "0" else aside)
+        for mark, value in zip("−0+", values, strict=True)
     }
     found |= {
         "<S>'_{<D>}": Given(rates[0], own, tr("analogue of the velocity by differences")),

@@ -138,12 +138,13 @@ def _told(name: str) -> str:
 
 def _compared(told: Told, found: Sequence[VectorPolygons], plans: Sequence[Plan]) -> Iterator[Block]:
     """What follows from the segments beside what the formulas give."""
-    rows = [
+    every = (
         row
         for k in range(len(found))
         for plan in plans
         for row in (*_turned(told, found[k], plan, k), *_moved(told, plan, k))
-    ]
+    )
+    rows = [*dict.fromkeys(every)]  # both projections of a point are outputs, its vector is one
     if not rows:
         return
     yield Paragraph(
@@ -200,8 +201,8 @@ def _turned(told: Told, found: VectorPolygons, plan: Plan, k: int) -> Iterator[t
         )
         length = math.hypot(across, up)
         exact = number_of(lexicon, f"{symbol}_{link}")
-        sense = SENSES[exact > 0] if size else ""
-        name = f"${symbol}_{link}$ {sense}, {tr_unit(unit)}"
+        sense = f" {SENSES[exact > 0]}" if size else ""
+        name = f"${symbol}_{link}${sense}, {tr_unit(unit)}"
         yield _row(told, k, (name, ends(vector)), size, length, (plan.mu * size / length, abs(exact)))
 
 

@@ -49,7 +49,8 @@ def _motion(result: Kinematics) -> Iterator[Datum]:
     if result.turns:
         name = f"n_{result.structure.input_link}"
         yield Datum(tr("speed of the crank"), (name,), (abs(result.speed) * 30 / math.pi,), "rpm")
-    yield Datum(tr("number of equal steps of the cycle"), ("n",), (float(len(result.labels) - 1),))
+    even = [label for label in result.labels if label.isdigit()]  # without those between, as 7'
+    yield Datum(tr("number of equal steps of the cycle"), ("n",), (float(len(even) - 1),))
 
 
 def _metric(mechanism: Mechanism) -> Iterator[Datum]:

@@ -337,7 +337,7 @@ def _against(result: Motion, order: Order) -> Iterator[Block]:
     if nodal is not None and result.regime.delta:
         off = 100 * (nodal / result.regime.delta - 1)
         said = tr(
-            "By the positions alone it is {nodal}, the difference amounts to {off} %.",
+            "By the positions alone $delta$ = {nodal}, the difference amounts to {off} %.",
             nodal=plainly(nodal),
             off=plainly(off, 3),
         )

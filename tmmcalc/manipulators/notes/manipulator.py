@@ -178,13 +178,23 @@ def _tables(told: Told) -> Iterator[Block]:
     """The motion over all rows: gripper, joints, elbow."""
     result = told.result
     yield Heading(tr("Motion over the time"), 2)
+    where = {
+        "gripper": "{tab:manipulator_gripper}",
+        "joints": "{tab:manipulator_joints}",
+        "figure": "{fig:manipulator_time}",
+    }
     yield Paragraph(
         tr(
+            "Tables {way}, {gripper} and {joints} and figure {figure} have the motion over the time; a minus after the "
+            "number of a row marks the limit before a jump of the acceleration.",
+            way="{tab:manipulator_way}",
+            **where,
+        )
+        if result.inverse
+        else tr(
             "Tables {gripper} and {joints} and figure {figure} have the motion over the time; a minus after the number "
             "of a row marks the limit before a jump of the acceleration.",
-            gripper="{tab:manipulator_gripper}",
-            joints="{tab:manipulator_joints}",
-            figure="{fig:manipulator_time}",
+            **where,
         )
     )
     if result.inverse:

@@ -220,7 +220,7 @@ def _points(task: VibratorTask, result: VibratorResult) -> Iterator[Block]:
     round_ = [place for place, path in zip(places, result.paths, strict=False) if path.minor]
     if round_:
         yield from lines([f"n_{axis} = {product}/(a_e*b_e)" for axis, product in products.items()], round_)
-        yield from lines(["n_x**2 + n_y**2 + n_z**2 = 1"], round_)
+        yield Display(read("n_x**2 + n_y**2 + n_z**2 = 1"))
     yield from lines(["a_e = sqrt(A_x**2 + A_y**2 + A_z**2 - b_e**2)"], places)
     columns = {
         f"$A_x$, {tr_unit('mm')}": [1e3 * path.amplitude[0] for path in result.paths],

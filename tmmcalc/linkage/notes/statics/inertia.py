@@ -65,9 +65,11 @@ def _tables(loaded: Loaded) -> Iterator[Block]:
     labels = loaded.result.labels
     whole = [k for k, label in enumerate(labels) if not label.endswith("-")]  # inertia does not jump with friction
     columns = [each for body in loaded.loading.heavy if (each := _columns(loaded, body, whole))]
-    if columns:
-        yield Paragraph(tr("At all positions they are as follows."))
-    for k, part in enumerate(packed(columns)):
+    parts = [*packed(columns)] if columns else []
+    if parts:
+        ends = dict.fromkeys(f"{{tab:forces_inertia_{k}}}" for k in (0, len(parts) - 1))
+        yield Paragraph(tr("Their values at all positions: tab. {tables}.", tables="–".join(ends)))
+    for k, part in enumerate(parts):
         caption = tr("Inertia forces and couples of the links")
         yield tabulated(caption, part, [labels[row] for row in whole], head=tr("No."), key=f"forces_inertia_{k}")
 
