@@ -75,7 +75,7 @@ def _modes(drawing: Drawing, box: Box, result: VibratorResult) -> None:
     for k, part in enumerate(places[: len(COORDINATES)]):
         hertz = float(result.frequency[k]) / (2 * np.pi)
         title = tr("{k}: {hertz} Hz, {rpm} rpm", k=k + 1, hertz=number(hertz, 5), rpm=number(60 * hertz, 5))
-        drawing.add(Words(complex(part.middle.real, part.top), title, 2.4, 1j))
+        drawing.add(Words(complex(part.middle.real, part.top), title, 2.2, 1j))
         _bars(drawing, part.inset(2, 8, 2, 7), result.shapes[:, k] * weights)
 
 
