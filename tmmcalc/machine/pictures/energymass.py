@@ -83,13 +83,14 @@ def _tangent(picture: EnergyMass, k: int, mu_j: float) -> Plane:
 def _meeting(picture: EnergyMass) -> str:
     factor, unit = suited(picture.energy, "J")
     inertia, energy = (minus(number(-value, 4)) for value in (picture.inertia, picture.energy * factor))
+    peak = max(abs(picture.upper), abs(picture.lower))
     return (
         tr("Energy-mass curve; numbers: degrees of $φ$; tan $ψ$ = $ω^2 μ_J/(2 μ_A)$")
         + "\n"
         + tr(
             "$G$: {upper} J, $H$: {lower} J; the tangents meet at $J$ = {inertia} kg·m², $A$ = {energy}",
-            upper=minus(number(picture.upper, 5)),
-            lower=minus(number(picture.lower, 5)),
+            upper=minus(number(picture.upper, 5, peak)),
+            lower=minus(number(picture.lower, 5, peak)),
             inertia=inertia,
             energy=f"{energy} {unit}",
         )
