@@ -32,6 +32,7 @@ FLOORS = (
     "project",
     "pipeline",
     "note",
+    "page",
     "accuracy",
     "batch",
     "stress",

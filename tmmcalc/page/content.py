@@ -1,0 +1,224 @@
+"""What stands on a page: stages with their facts and columns, given data, what moves; as plain values for JSON."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.facts import named
+from tmmcalc.core.notes import graded
+from tmmcalc.core.stage import STAGES, arguments, resolve
+from tmmcalc.naming.table import Table, table_of
+from tmmcalc.naming.told import Extent, Told, listed
+from tmmcalc.page.packing import ERROR, Block
+from tmmcalc.page.said import alike, name_of, unit_of, words
+from tmmcalc.pipeline.chapters import task_of, warnings_of
+from tmmcalc.pipeline.picturing import order_of
+from tmmcalc.report.language import LANGUAGES, speaking
+from tmmcalc.report.manuscript import Datum
+from tmmcalc.report.moving import Body, Mark, Track, View
+
+if TYPE_CHECKING:
+    from tmmcalc.pipeline.outcome import RunResult
+
+POSITIONS = 360  # that a page solves of its own
+
+
+def content(run: RunResult, source: str, language: str, positions: int = POSITIONS) -> dict[str, Any]:
+    """All that a page holds; ``source`` is the text of the spec."""
+    block = Block()
+    dense = _dense(run, positions)
+    found = {
+        "title": run.spec.project.title,
+        "languages": dict(LANGUAGES),
+        "language": language,
+        "words": words(),
+        "error": ERROR,
+        "stages": [_stage(stage, run, dense, block) for stage in run.outcomes],
+        "given": _given(run),
+        "source": source,
+        "views": [*_views(run, dense, block)],
+    }
+    return {**found, "block": block.text()}
+
+
+def _dense(run: RunResult, positions: int) -> dict[str, Any]:
+    """Results over many equal steps, of the stages whose rows are places that can be asked for."""
+    results: dict[str, Any] = dict(run.results)
+    found: dict[str, Any] = {}
+    for name in run.outcomes:
+        own = STAGES[name]
+        make = own.part("dense")
+        if make is None or own.unwanted(run.spec) is not None:
+            continue
+        try:
+            spec = make(run.spec, positions)
+        except UsageError:
+            continue  # there is no mechanism: a diagram stands in its place
+        results[name] = found[name] = own.solve(*arguments(own.inputs(spec)), **own.given(results), **own.settings)
+    return found
+
+
+def _stage(name: str, run: RunResult, dense: Mapping[str, Any], block: Block) -> dict[str, Any]:
+    """A stage: facts of the run, columns over many positions where it has them, warnings, errors."""
+    stage, result = STAGES[name], run.results[name]
+    table = table_of(name, dense.get(name, result))
+    facts = [_fact(each) for each in listed(name, result) if isinstance(each, Told) and math.isfinite(each.value)]
+    errors = {key: each for key, each in run.outcomes[name].record.error.items() if isinstance(each, float) and each}
+    return {
+        "name": name,
+        "title": name_of(stage.title),
+        "facts": facts,
+        "rows": _rows(table, block) if table is not None else None,
+        "columns": [*_columns(name, dense.get(name, result), table, block)] if table is not None else [],
+        "warnings": [name_of(graded(each)[1]) for each in warnings_of(run, [name])],
+        "errors": {key: float(f"{each:.3g}") for key, each in errors.items()},
+    }
+
+
+def _fact(told: Told) -> dict[str, Any]:
+    return {
+        "name": told.quantity,
+        "symbol": told.symbol,
+        "meaning": name_of(told.meaning),
+        "value": told.value,
+        "unit": unit_of(told.unit),
+    }
+
+
+def _rows(table: Table, block: Block) -> dict[str, Any]:
+    """What the rows of a table are: the column that they go along, and their labels where these are few."""
+    header = table.headers[0] if table.headers else ""
+    name, unit = named(header) if header else ("", "")
+    numbers = table.column(header) if header else np.arange(len(table.first), dtype=float)
+    return {"header": header, "name": name, "unit": unit_of(unit), "values": block.put(numbers)}
+
+
+def _columns(name: str, result: Any, table: Table, block: Block) -> Iterator[dict[str, Any]]:
+    known = {each.quantity: each for each in listed(name, result) if isinstance(each, Extent)}
+    for header in table.headers[1:]:
+        column, unit = named(header)
+        if column in known:
+            values = table.column(header)
+            if values.size > 1:
+                yield {
+                    "name": column,
+                    "unit": unit_of(unit),
+                    "symbol": known[column].symbol,
+                    "meaning": name_of(known[column].meaning),
+                    "values": block.put(values),
+                }
+
+
+def _given(run: RunResult) -> list[dict[str, Any]]:
+    """The given data, as the note lists them."""
+    spoken = []
+    for language in LANGUAGES:
+        with speaking(language):
+            spoken.append([block for block in task_of(run.spec, run.results) if isinstance(block, Datum)])
+    return [
+        {
+            "what": alike([each.what for each in same]),
+            "keys": same[0].keys,
+            "values": same[0].values,
+            "unit": unit_of(same[0].unit),
+            "text": alike([each.text for each in same]),
+        }
+        for same in zip(*spoken, strict=True)
+    ]
+
+
+def _views(run: RunResult, dense: Mapping[str, Any], block: Block) -> Iterator[dict[str, Any]]:
+    """What moves, by the rooms."""
+    order = order_of(run.spec, {**run.results, **dense})
+    for name in run.outcomes:
+        if STAGES[name].view:
+            spoken = []
+            for language in LANGUAGES:
+                with speaking(language):
+                    spoken.append([*resolve(f"{STAGES[name].view}:views")(order)])
+            for same in zip(*spoken, strict=True):
+                yield _view(same, run, name, block)
+
+
+def _view(same: Sequence[View], run: RunResult, stage: str, block: Block) -> dict[str, Any]:
+    """A view that was made in all languages."""
+    view = same[0]
+    steps = _steps(run, stage, view.column)
+    return {
+        "name": view.name,
+        "title": alike([each.title for each in same]),
+        "symbol": view.symbol,
+        "unit": unit_of(view.unit),
+        "values": block.put(view.values),
+        "whole": view.whole,
+        "column": view.column,
+        "steps": steps,
+        "box": [*_pair(view.box[0]), *_pair(view.box[1])],
+        "bodies": [_body(body, block) for body in view.bodies],
+        "frame": [_mark(mark) for mark in view.frame],
+        "spots": [{**spot._asdict(), "at": _pair(spot.at)} for spot in view.spots],
+        "handle": view.handle
+        and {
+            "body": view.handle.body,
+            "pivot": None if view.handle.pivot is None else _pair(view.handle.pivot),
+            "direction": None if view.handle.direction is None else _pair(view.handle.direction),
+        },
+        "layers": [
+            {
+                "name": layer.name,
+                "title": alike([each.layers[k].title for each in same]),
+                "unit": unit_of(layer.unit),
+                "arrows": [each._asdict() for each in layer.arrows],
+            }
+            for k, layer in enumerate(view.layers)
+        ],
+        "centres": [
+            {"name": each.name, "x": block.put(each.at.real), "y": block.put(each.at.imag)} for each in view.centres
+        ],
+        "stops": [
+            {"title": alike([each.stops[k].title for each in same]), "at": stop.at} for k, stop in enumerate(view.stops)
+        ],
+        "shown": view.shown,
+        "reach": view.reach,
+    }
+
+
+def _steps(run: RunResult, stage: str, column: str) -> list[list[Any]]:
+    """The positions of the spec: labels, and where the input stands there."""
+    table = table_of(stage, run.results[stage])
+    if table is None or column not in table.headers:
+        return []
+    return [[label, float(at)] for label, at in zip(table.labels, table.column(column), strict=True)]
+
+
+def _body(body: Body, block: Block) -> dict[str, Any]:
+    return {
+        "name": body.name,
+        "x": _track(body.x, block),
+        "y": _track(body.y, block),
+        "angle": _track(body.angle, block),
+        "marks": [_mark(mark) for mark in body.marks],
+        "number": body.number,
+        "beside": [_pair(each) for each in body.beside],
+    }
+
+
+def _track(track: Track, block: Block) -> Any:
+    """A track, or a single number of what does not move."""
+    if not np.any(track.rates) and np.ptp(track.values) == 0:
+        return float(track.values[0])
+    return [block.put(track.values), block.put(track.rates)]
+
+
+def _mark(mark: Mark) -> list[Any]:
+    return [mark.kind, [part for point in mark.points for part in _pair(point)], *([mark.size] if mark.size else [])]
+
+
+def _pair(z: complex) -> list[float]:
+    """Coordinates to a nanometre."""
+    return [round(z.real, 9) + 0.0, round(z.imag, 9) + 0.0]

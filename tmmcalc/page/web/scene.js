@@ -1,0 +1,298 @@
+// The machine drawn to scale: bodies that move, names, paths, vectors; the input link is dragged by hand.
+import { columnOf, numbers } from "./data.js";
+import { between, placed, poseOf, STILL } from "./motion.js";
+import { centreOfMass, draw, drawn, named, PIN } from "./marks.js";
+import { parted, saying, told, word, written } from "./words.js";
+
+const WIDE = 760;
+const HIGH = 560;
+const MARGIN = 56;
+const LONGEST = 110; // of a vector, in pixels
+const CENTIMETRE = 37.8; // in pixels of a screen
+const COLOURS = ["blue", "orange", "green", "purple"];
+
+export class Scene {
+  /**
+   * @param {Element} parent
+   * @param {import("./state.js").State} state
+   */
+  constructor(parent, state) {
+    this.state = state;
+    this.view = state.view;
+    const [left, bottom, right, top] = this.view.box;
+    const wide = Math.max(right - left, 1e-9);
+    const high = Math.max(top - bottom, 1e-9);
+    this.scale = Math.min((WIDE - 2 * MARGIN) / wide, (HIGH - 2 * MARGIN) / high);
+    const height = Math.max(260, high * this.scale + 2 * MARGIN);
+    this.x0 = WIDE / 2 - ((left + right) / 2) * this.scale;
+    this.y0 = height / 2 + ((top + bottom) / 2) * this.scale;
+    this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
+    const title = drawn("title", {}, this.svg);
+    saying(() => (title.textContent = `${told(this.view.title)}. ${word("drag")}`));
+    this.heads();
+    const world = drawn("g", { transform: `translate(${this.x0} ${this.y0})` }, this.svg);
+    this.paths = drawn("g", { class: "paths" }, world);
+    const frame = drawn("g", { class: "frame" }, world);
+    for (const mark of this.view.frame) draw(frame, mark, this.scale);
+    this.bodies = this.view.bodies.map((body) => this.made(body, world));
+    this.spots = this.view.spots.map((spot) => this.spotted(spot, world));
+    this.rings = this.view.bodies.map((body) => this.ringed(body, world));
+    this.centres = this.view.centres.map((centre) => this.centred(centre, world));
+    this.layers = this.view.layers.map((layer, k) => this.layered(layer, COLOURS[k % COLOURS.length], world));
+    this.trace();
+    this.dragged();
+    state.follow(() => this.update());
+  }
+
+  /** Heads of arrows, one for each colour. */
+  heads() {
+    const defs = drawn("defs", {}, this.svg);
+    for (const colour of COLOURS) {
+      const marker = drawn(
+        "marker",
+        { id: `head-${colour}`, viewBox: "0 0 10 6", refX: 9.5, refY: 3, markerWidth: 9, markerHeight: 6, orient: "auto", markerUnits: "userSpaceOnUse" },
+        defs,
+      );
+      drawn("path", { d: "M0,0L10,3L0,6z", class: `fill-${colour}` }, marker);
+    }
+  }
+
+  /**
+   * @param {import("./data.js").Body} body
+   * @param {Element} world
+   */
+  made(body, world) {
+    const handle = this.view.handle !== null && this.view.handle.body === body.name;
+    const group = drawn("g", { class: handle ? "body handle" : "body", "data-body": body.name }, world);
+    for (const mark of body.marks) draw(group, mark, this.scale);
+    if (handle) for (const mark of body.marks) draw(group, mark, this.scale).classList.add("grip");
+    return group;
+  }
+
+  /**
+   * @param {import("./data.js").Spot} spot
+   * @param {Element} world
+   */
+  spotted(spot, world) {
+    const group = drawn("g", { class: `spot ${spot.kind}`, "data-spot": spot.name }, world);
+    if (spot.kind === "pin") drawn("circle", { r: PIN, class: "joint" }, group);
+    else if (spot.kind === "mass") centreOfMass(group);
+    else drawn("circle", { r: 2, class: "dot" }, group);
+    named(group, ...lettered(spot.name), { class: "name", x: 9, y: -8 });
+    return group;
+  }
+
+  /**
+   * @param {import("./data.js").Body} body
+   * @param {Element} world
+   */
+  ringed(body, world) {
+    const group = drawn("g", { class: "number" }, world);
+    if (body.number) {
+      drawn("circle", { r: 9 }, group);
+      drawn("text", { "text-anchor": "middle", dy: "0.35em" }, group).textContent = body.number;
+    }
+    return group;
+  }
+
+  /**
+   * @param {{name: string}} centre
+   * @param {Element} world
+   */
+  centred(centre, world) {
+    const group = drawn("g", { class: "centre" }, world);
+    drawn("path", { d: "M-5,-5L5,5M5,-5L-5,5" }, group);
+    named(group, ...parted(centre.name), { class: "name", x: 8, y: 14 });
+    return group;
+  }
+
+  /**
+   * @param {import("./data.js").Layer} layer
+   * @param {string} colour
+   * @param {Element} world
+   */
+  layered(layer, colour, world) {
+    const group = drawn("g", { class: `layer ${colour}`, "data-layer": layer.name }, world);
+    const arrows = layer.arrows.flatMap((arrow) => {
+      const [x, y] = [columnOf(arrow.x), columnOf(arrow.y)];
+      if (!x || !y || !x.stage.rows) return [];
+      const line = drawn("line", { "marker-end": `url(#head-${colour})` }, group);
+      const name = named(group, ...parted(arrow.sign), { class: "name" });
+      const rows = numbers(x.stage.rows.values);
+      return [{ arrow, line, name, rows, x: numbers(x.column.values), y: numbers(y.column.values) }];
+    });
+    let largest = 0;
+    for (const { x, y } of arrows) x.forEach((_, k) => (largest = Math.max(largest, Math.hypot(x[k], y[k]) || 0)));
+    const per = largest ? standard((largest / LONGEST) * CENTIMETRE) / CENTIMETRE : 1; // of the unit to a pixel
+    return { layer, colour, group, arrows, per, largest };
+  }
+
+  /** Paths of the named points over all positions. */
+  trace() {
+    const count = this.state.values.length;
+    for (const spot of this.view.spots.filter((each) => each.path)) {
+      const body = this.view.bodies.find((each) => each.name === spot.body);
+      if (!body) continue;
+      let d = "";
+      for (let k = 0; k < count; k++) {
+        const there = { from: k, to: k, t: 0, near: k };
+        const [x, y] = placed(poseOf(body, this.state.values, there), spot.at[0], spot.at[1]);
+        d += `${k ? "L" : "M"}${(x * this.scale).toFixed(1)},${(-y * this.scale).toFixed(1)}`;
+      }
+      drawn("path", { d }, this.paths);
+    }
+  }
+
+  /** Draw all where it is now. */
+  update() {
+    const { values, there } = this.state;
+    const poses = new Map(this.view.bodies.map((body) => [body.name, poseOf(body, values, there)]));
+    this.poses = poses;
+    this.view.bodies.forEach((body, k) => {
+      const pose = /** @type {import("./motion.js").Pose} */ (poses.get(body.name));
+      const { x, y, cos, sin } = pose;
+      const s = this.scale;
+      const matrix = [cos, -sin, sin, cos, x * s, -y * s].map((each) => each.toFixed(5)).join(" ");
+      this.bodies[k].setAttribute("transform", `matrix(${matrix})`);
+      const [bx, by] = placed(pose, body.beside[0]?.[0] ?? 0, body.beside[0]?.[1] ?? 0);
+      this.rings[k].setAttribute("transform", this.shifted(bx, by));
+    });
+    this.view.spots.forEach((spot, k) => {
+      const [x, y] = placed(poses.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
+      this.spots[k].setAttribute("transform", this.shifted(x, y));
+    });
+    this.view.centres.forEach((centre, k) => {
+      const x = numbers(centre.x)[there.near];
+      const y = numbers(centre.y)[there.near];
+      this.centres[k].classList.toggle("lost", !Number.isFinite(x));
+      if (Number.isFinite(x)) this.centres[k].setAttribute("transform", this.shifted(x, y));
+    });
+    for (const layer of this.layers) if (!layer.group.classList.contains("off")) this.point(layer);
+  }
+
+  /**
+   * Vectors of a layer from their spots, at the nearest solved position.
+   * @param {ReturnType<Scene["layered"]>} layer
+   */
+  point(layer) {
+    for (const { arrow, line, name, rows, x, y } of layer.arrows) {
+      const spot = this.view.spots.find((each) => each.name === arrow.spot);
+      if (!spot) continue;
+      const [px, py] = placed(this.poses?.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
+      const k = between(rows, this.state.at).near;
+      const [dx, dy] = [(arrow.sense * x[k]) / layer.per, (-arrow.sense * y[k]) / layer.per];
+      const long = Math.hypot(dx, dy);
+      const [ax, ay] = [px * this.scale, -py * this.scale];
+      const seen = long > 1;
+      line.classList.toggle("lost", !seen);
+      name.classList.toggle("lost", !seen);
+      if (!seen) continue;
+      for (const [key, value] of Object.entries({ x1: ax, y1: ay, x2: ax + dx, y2: ay + dy })) line.setAttribute(key, value.toFixed(1));
+      name.setAttribute("x", (ax + dx + (9 * dx) / long - 6).toFixed(1));
+      name.setAttribute("y", (ay + dy + (9 * dy) / long + 5).toFixed(1));
+    }
+  }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
+  shifted(x, y) {
+    return `translate(${(x * this.scale).toFixed(2)} ${(-y * this.scale).toFixed(2)})`;
+  }
+
+  /**
+   * Show or hide what belongs together.
+   * @param {string} name
+   * @param {boolean} shown
+   */
+  show(name, shown) {
+    const layer = this.layers.find((each) => each.layer.name === name);
+    if (layer) {
+      layer.group.classList.toggle("off", !shown);
+      if (shown) this.point(layer);
+    } else this.svg.classList.toggle(`no-${name}`, !shown);
+  }
+
+  /**
+   * The scale of a layer in words.
+   * @param {ReturnType<Scene["layered"]>} layer
+   */
+  scaleOf(layer) {
+    return word("arrow", { value: `${written(layer.per * CENTIMETRE, 3)} ${told(layer.layer.unit)}` });
+  }
+
+  /** The place of the machine under a pointer. @param {PointerEvent} event @returns {[number, number]} */
+  pointed(event) {
+    const box = this.svg.getBoundingClientRect();
+    const view = /** @type {SVGSVGElement} */ (this.svg).viewBox.baseVal;
+    const factor = Math.min(box.width / view.width, box.height / view.height);
+    const x = (event.clientX - box.left - (box.width - view.width * factor) / 2) / factor;
+    const y = (event.clientY - box.top - (box.height - view.height * factor) / 2) / factor;
+    return [(x - this.x0) / this.scale, -(y - this.y0) / this.scale];
+  }
+
+  /** The input link follows the pointer that holds it. */
+  dragged() {
+    const handle = this.view.handle;
+    const body = handle && this.view.bodies.find((each) => each.name === handle.body);
+    if (!handle || !body) return;
+    const grip = this.bodies[this.view.bodies.indexOf(body)];
+    let last = 0;
+    /** @param {PointerEvent} event */
+    const measure = (event) => {
+      const [x, y] = this.pointed(event);
+      if (handle.pivot) return Math.atan2(y - handle.pivot[1], x - handle.pivot[0]);
+      const [ex, ey] = handle.direction ?? [1, 0];
+      return x * ex + y * ey;
+    };
+    grip.addEventListener("pointerdown", (event) => {
+      last = measure(event);
+      grip.setPointerCapture(event.pointerId);
+      grip.classList.add("held");
+      event.preventDefault();
+    });
+    grip.addEventListener("pointermove", (event) => {
+      if (!grip.classList.contains("held")) return;
+      const now = measure(event);
+      const way = handle.pivot ? Math.atan2(Math.sin(now - last), Math.cos(now - last)) : now - last;
+      if (this.state.move(this.state.at + way / this.rate(body))) last = now;
+    });
+    const leave = () => grip.classList.remove("held");
+    grip.addEventListener("pointerup", leave);
+    grip.addEventListener("pointercancel", leave);
+  }
+
+  /**
+   * How far the input link goes with a unit of the input [rad or m].
+   * @param {import("./data.js").Body} body
+   */
+  rate(body) {
+    const handle = this.view.handle;
+    const near = this.state.near;
+    /** @param {import("./data.js").Track} track */
+    const rate = (track) => (typeof track === "number" ? 0 : numbers(track[1])[near]);
+    if (handle?.pivot) return rate(body.angle) || 1;
+    const [ex, ey] = handle?.direction ?? [1, 0];
+    return rate(body.x) * ex + rate(body.y) * ey || 1;
+  }
+}
+
+/**
+ * The letter of a point and its number: S3 has an index.
+ * @param {string} name
+ * @returns {[string, string]}
+ */
+function lettered(name) {
+  const found = /^([A-Za-z]+)_?(\d+)$/.exec(name);
+  return found ? [found[1], found[2]] : [name, ""];
+}
+
+/**
+ * The next standard scale above a value: 1, 2, 5 by powers of ten.
+ * @param {number} value
+ */
+export function standard(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return [1, 2, 5, 10].map((each) => each * power).find((each) => each >= value * (1 - 1e-9)) ?? value;
+}
