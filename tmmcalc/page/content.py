@@ -12,7 +12,7 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import named
 from tmmcalc.core.notes import graded
 from tmmcalc.core.stage import STAGES, arguments, resolve
-from tmmcalc.naming.table import Table, table_of
+from tmmcalc.naming.table import Values, table_of
 from tmmcalc.naming.told import Extent, Told, listed
 from tmmcalc.page.packing import ERROR, Block
 from tmmcalc.page.said import alike, name_of, unit_of, words
@@ -66,15 +66,13 @@ def _dense(run: RunResult, positions: int) -> dict[str, Any]:
 def _stage(name: str, run: RunResult, dense: Mapping[str, Any], block: Block) -> dict[str, Any]:
     """A stage: facts of the run, columns over many positions where it has them, warnings, errors."""
     stage, result = STAGES[name], run.results[name]
-    table = table_of(name, dense.get(name, result))
     facts = [_fact(each) for each in listed(name, result) if isinstance(each, Told) and math.isfinite(each.value)]
     errors = {key: each for key, each in run.outcomes[name].record.error.items() if isinstance(each, float) and each}
     return {
         "name": name,
         "title": name_of(stage.title),
         "facts": facts,
-        "rows": _rows(table, block) if table is not None else None,
-        "columns": [*_columns(name, dense.get(name, result), table, block)] if table is not None else [],
+        **_table(name, dense.get(name, result), block),
         "warnings": [name_of(graded(each)[1]) for each in warnings_of(run, [name])],
         "errors": {key: float(f"{each:.3g}") for key, each in errors.items()},
     }
@@ -90,28 +88,38 @@ def _fact(told: Told) -> dict[str, Any]:
     }
 
 
-def _rows(table: Table, block: Block) -> dict[str, Any]:
-    """What the rows of a table are: the column that they go along, and their labels where these are few."""
-    header = table.headers[0] if table.headers else ""
-    name, unit = named(header) if header else ("", "")
-    numbers = table.column(header) if header else np.arange(len(table.first), dtype=float)
-    return {"header": header, "name": name, "unit": unit_of(unit), "values": block.put(numbers)}
-
-
-def _columns(name: str, result: Any, table: Table, block: Block) -> Iterator[dict[str, Any]]:
+def _table(name: str, result: Any, block: Block) -> dict[str, Any]:
+    """The columns of numbers, and the first of them that its rows go along; without one they are counted."""
+    table = table_of(name, result)
     known = {each.quantity: each for each in listed(name, result) if isinstance(each, Extent)}
-    for header in table.headers[1:]:
-        column, unit = named(header)
-        if column in known:
-            values = table.column(header)
-            if values.size > 1:
-                yield {
-                    "name": column,
-                    "unit": unit_of(unit),
-                    "symbol": known[column].symbol,
-                    "meaning": name_of(known[column].meaning),
-                    "values": block.put(values),
-                }
+    headers = [header for header in table.headers if named(header)[0] in known] if table is not None else []
+    if table is None or not headers or len(table.first) < 2:
+        return {"rows": None, "columns": []}
+    along, *others = headers
+    values = table.column(along)
+    if not _ordered(values):
+        along, others, values = "", headers, np.arange(1.0, len(table.first) + 1)
+    row, unit = named(along) if along else ("", "")
+    return {
+        "rows": {"header": along, "name": row, "unit": unit_of(unit), "values": block.put(values)},
+        "columns": [_column(known[named(header)[0]], table.column(header), block) for header in others],
+    }
+
+
+def _ordered(values: Values) -> bool:
+    """Whether rows go along a column, one way."""
+    steps = np.diff(values)
+    return bool(values[0] != values[-1] and ((steps >= 0).all() or (steps <= 0).all()))
+
+
+def _column(column: Extent, values: Values, block: Block) -> dict[str, Any]:
+    return {
+        "name": column.quantity,
+        "unit": unit_of(column.unit),
+        "symbol": column.symbol,
+        "meaning": name_of(column.meaning),
+        "values": block.put(values),
+    }
 
 
 def _given(run: RunResult) -> list[dict[str, Any]]:
