@@ -83,5 +83,5 @@ def _words() -> dict[str, str]:
         "precision": tr("Numbers of diagrams are stored with a relative error of {error}; results are whole."),
         "arrow": tr("1 cm: {value}"),
         "none": tr("nothing is found"),
-        "drag": tr("Drag the input link, or turn it by the arrow keys."),
+        "drag": tr("Drag a link, or turn the input by the arrow keys."),
     }
