@@ -87,6 +87,6 @@ export function numbers([at, count]) {
 export function columnOf(name) {
   const [first, ...rest] = name.split(".");
   const stage = content.stages.find((each) => each.name === first);
-  const column = stage && stage.columns.find((each) => each.name === rest.join("."));
+  const column = stage?.columns.find((each) => each.name === rest.join("."));
   return stage && column ? { stage, column } : null;
 }

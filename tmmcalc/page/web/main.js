@@ -17,7 +17,7 @@ tools(/** @type {HTMLElement} */ (document.getElementById("tools")));
 
 const states = content.views.map((view) => new State(view));
 const left = states.length ? made("div", { class: "moving" }, main) : null;
-states.forEach((state) => left && moved(left, state));
+if (left) for (const state of states) moved(left, state);
 
 const right = made("div", { class: "read" }, main);
 const diagrams = made("section", { class: "diagrams" }, right);

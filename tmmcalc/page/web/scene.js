@@ -122,7 +122,7 @@ export class Scene {
       return [{ arrow, line, name, rows, x: numbers(x.column.values), y: numbers(y.column.values) }];
     });
     let largest = 0;
-    for (const { x, y } of arrows) x.forEach((_, k) => (largest = Math.max(largest, Math.hypot(x[k], y[k]) || 0)));
+    for (const { x, y } of arrows) largest = x.reduce((most, _, k) => Math.max(most, Math.hypot(x[k], y[k]) || 0), largest);
     const per = largest ? standard((largest / LONGEST) * CENTIMETRE) / CENTIMETRE : 1; // of the unit to a pixel
     return { layer, colour, group, arrows, per, largest };
   }
