@@ -18,9 +18,11 @@ MODULES = (  # in this order: each imports from those before it
     "motion",
     "state",
     "marks",
+    "labels",
     "scene",
     "player",
     "charts",
+    "plans",
     "facts",
     "main",
 )

@@ -8,6 +8,11 @@
 /** @typedef {{name: string, body: string, at: number[], kind: "pin" | "mass" | "point", path: boolean}} Spot */
 /** @typedef {{sign: string, spot: string, x: string, y: string, sense: number}} Arrow */
 /** @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[]}} Layer */
+/** @typedef {[number, number, string, string]} Edge tail, head, sign, kind */
+/**
+ * @typedef {{name: string, title: Said, unit: Said, vertices: [string, Ref, Ref][], edges: Edge[], places: Ref | null,
+ *   note: Said}} Plan
+ */
 /**
  * @typedef {object} View
  * @property {string} name
@@ -25,6 +30,7 @@
  * @property {{body: string, pivot: number[] | null, direction: number[] | null} | null} handle
  * @property {Layer[]} layers
  * @property {{name: string, x: Ref, y: Ref}[]} centres
+ * @property {Plan[]} plans
  * @property {{title: Said, at: number}[]} stops
  * @property {string[]} shown
  * @property {[number, number][]} reach
