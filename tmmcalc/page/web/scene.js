@@ -201,6 +201,7 @@ export class Scene {
     const found = [];
     /** @param {import("./motion.js").Pose} pose @param {number[]} flat @param {boolean} closed */
     const add = (pose, flat, closed) => {
+      /** @type {[number, number][]} */
       const points = [];
       for (let k = 0; k + 1 < flat.length; k += 2) {
         const [x, y] = placed(pose, flat[k], flat[k + 1]);
