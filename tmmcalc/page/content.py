@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import named
@@ -26,6 +27,9 @@ if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
 
 POSITIONS = 360  # that a page solves of its own
+ROWS = 1000  # of a longer table so many are shown, and those of extremes
+
+Indices = NDArray[np.intp]
 
 
 def content(run: RunResult, source: str, language: str, positions: int = POSITIONS) -> dict[str, Any]:
@@ -100,10 +104,24 @@ def _table(name: str, result: Any, block: Block) -> dict[str, Any]:
     if not _ordered(values):
         along, others, values = "", headers, np.arange(1.0, len(table.first) + 1)
     row, unit = named(along) if along else ("", "")
+    columns = {header: table.column(header) for header in others}
+    kept = _kept(values, [*columns.values()], along != "")
+    rows = {"header": along, "name": row, "unit": unit_of(unit), "values": block.put(values[kept])}
     return {
-        "rows": {"header": along, "name": row, "unit": unit_of(unit), "values": block.put(values)},
-        "columns": [_column(known[named(header)[0]], table.column(header), block) for header in others],
+        "rows": {**rows, "kept": len(kept), "of": len(values)},
+        "columns": [_column(known[named(header)[0]], each[kept], block) for header, each in columns.items()],
     }
+
+
+def _kept(values: Values, columns: Sequence[Values], ordered: bool) -> Indices:
+    """Of many rows those that are shown: of a list the first, along a column equal steps with ends and extremes."""
+    count = len(values)
+    if count <= ROWS:
+        return np.arange(count)
+    if not ordered:
+        return np.arange(ROWS)
+    peaks = [k for each in columns if np.isfinite(each).any() for k in (np.nanargmin(each), np.nanargmax(each))]
+    return np.unique([*np.linspace(0, count - 1, ROWS).round().astype(int), *peaks])
 
 
 def _ordered(values: Values) -> bool:

@@ -75,6 +75,7 @@ def _words() -> dict[str, str]:
         "language": tr("Language"),
         "theme": tr("Light or dark"),
         "print": tr("Print"),
+        "kept": tr("{kept} rows of {of}"),
         "lowest": tr("least"),
         "highest": tr("greatest"),
         "spec": tr("The spec"),

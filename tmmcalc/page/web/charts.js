@@ -148,7 +148,9 @@ class Chart {
     const [letter, index] = parted(this.column.name);
     this.name.replaceChildren(letter);
     if (index) made("sub", {}, this.name).textContent = index;
-    this.meaning.textContent = told(this.column.meaning);
+    const { kept, of } = this.rows;
+    const part = kept < of ? ` (${word("kept", { kept: String(kept), of: String(of) })})` : "";
+    this.meaning.textContent = told(this.column.meaning) + part;
     this.svg.setAttribute("aria-label", `${this.column.name}: ${told(this.column.meaning)}`);
     this.back?.remove();
     const back = drawn("g");

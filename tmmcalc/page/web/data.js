@@ -42,7 +42,7 @@
  * @property {string} name
  * @property {Said} title
  * @property {Fact[]} facts
- * @property {{header: string, name: string, unit: Said, values: Ref} | null} rows
+ * @property {{header: string, name: string, unit: Said, values: Ref, kept: number, of: number} | null} rows
  * @property {Column[]} columns
  * @property {Said[]} warnings
  * @property {Record<string, number>} errors
