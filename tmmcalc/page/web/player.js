@@ -95,7 +95,7 @@ export class Player {
     saying(() => this.tell());
     state.follow(() => this.tell());
     state.refused.push((asked) => {
-      this.wrong.textContent = Number.isNaN(asked) ? "" : `${state.view.symbol} = ${this.measured(asked)}: ${word("unreached")}`;
+      this.wrong.textContent = Number.isNaN(asked) ? "" : `${state.view.symbol} = ${this.measured(asked)}: ${word(state.closes(asked) ? "beyond" : "unreached")}`;
     });
   }
 

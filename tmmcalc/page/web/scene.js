@@ -357,6 +357,7 @@ export class Scene {
     if (!handle || !body) return;
     const grip = this.bodies[this.view.bodies.indexOf(body)];
     let last = 0;
+    let wanted = 0; // where the input would be if nothing stopped it
     /** @param {PointerEvent} event */
     const measure = (event) => {
       const [x, y] = this.pointed(event);
@@ -366,6 +367,7 @@ export class Scene {
     };
     grip.addEventListener("pointerdown", (event) => {
       last = measure(event);
+      wanted = this.state.at;
       grip.setPointerCapture(event.pointerId);
       grip.classList.add("held");
       event.preventDefault();
@@ -374,7 +376,9 @@ export class Scene {
       if (!grip.classList.contains("held")) return;
       const now = measure(event);
       const way = handle.pivot ? Math.atan2(Math.sin(now - last), Math.cos(now - last)) : now - last;
-      if (this.state.move(this.state.at + way / this.rate(body))) last = now;
+      wanted += way / this.rate(body);
+      last = now;
+      this.state.move(wanted);
     });
     const leave = () => grip.classList.remove("held");
     grip.addEventListener("pointerup", leave);
