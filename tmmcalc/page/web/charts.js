@@ -1,10 +1,10 @@
 // Diagrams of columns over the rows of their stage, with the place of the input, extremes and dead centres.
 import { columnOf, content, numbers, scene } from "./data.js";
 import { between } from "./motion.js";
-import { drawn, named } from "./marks.js";
+import { drawn } from "./marks.js";
 import { button, made } from "./player.js";
 import { standard } from "./scene.js";
-import { language, parted, saying, told, word, written } from "./words.js";
+import { parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 560;
 const HIGH = 190;
@@ -57,7 +57,7 @@ export class Charts {
     const known = this.shown.get(name);
     if (known) return known.card.scrollIntoView({ block: "nearest" });
     const found = columnOf(name);
-    if (!found || !found.stage.rows) return;
+    if (!found?.stage.rows) return;
     const header = found.stage.rows.header;
     const state = this.states.find((each) => each.view.column === header) ?? null;
     const chart = new Chart(this.list, name, found, state, () => this.shown.delete(name));
@@ -66,6 +66,12 @@ export class Charts {
 }
 
 class Chart {
+  step = 1; // between the lines of the grid
+  low = 0;
+  high = 1;
+  start = 0;
+  end = 1;
+
   /**
    * @param {Element} parent
    * @param {string} name
@@ -81,6 +87,9 @@ class Chart {
     this.y = cleared(numbers(column.values));
     this.card = made("figure", { class: "chart", "data-column": name }, parent);
     this.caption = made("figcaption", {}, this.card);
+    this.name = made("strong", {}, this.caption);
+    this.value = made("button", { type: "button", class: "value" }, this.caption);
+    this.meaning = made("span", { class: "meaning" }, this.caption);
     this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img", tabindex: 0 }, this.card);
     this.others = content.scenes.filter((each) => each !== scene()).flatMap((each) => {
       const found = columnOf(name, each);
@@ -137,11 +146,8 @@ class Chart {
 
   /** @param {() => void} gone */
   head(gone) {
-    this.name = made("strong", {}, this.caption);
-    this.value = made("button", { type: "button", class: "value" }, this.caption);
     saying(() => (this.value.title = word("copy")));
     this.value.addEventListener("click", () => copied(this.value));
-    this.meaning = made("span", { class: "meaning" }, this.caption);
     button(this.caption, "close", () => word("remove"), () => {
       gone();
       this.card.remove();
@@ -266,7 +272,7 @@ class Chart {
  * @param {Float32Array} values
  */
 function cleared(values) {
-  const largest = values.reduce((size, value) => (Math.abs(value) > size ? Math.abs(value) : size), 0);
+  const largest = values.reduce((size, value) => Math.max(size, Math.abs(value) || 0), 0);
   return values.map((value) => (Math.abs(value) < 1e-12 * largest ? 0 : value));
 }
 

@@ -104,6 +104,6 @@ export function choose(k) {
 export function columnOf(name, { stages } = scene()) {
   const [first, ...rest] = name.split(".");
   const stage = stages.find((each) => each.name === first);
-  const column = stage && stage.columns.find((each) => each.name === rest.join("."));
+  const column = stage?.columns.find((each) => each.name === rest.join("."));
   return stage && column ? { stage, column } : null;
 }

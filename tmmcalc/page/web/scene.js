@@ -128,7 +128,7 @@ export class Scene {
       return [{ arrow, line, name, rows, x: numbers(x.column.values), y: numbers(y.column.values) }];
     });
     let largest = 0;
-    for (const { x, y } of arrows) x.forEach((_, k) => (largest = Math.max(largest, Math.hypot(x[k], y[k]) || 0)));
+    for (const { x, y } of arrows) largest = x.reduce((most, _, k) => Math.max(most, Math.hypot(x[k], y[k]) || 0), largest);
     const per = largest ? standard((largest / LONGEST) * CENTIMETRE) / CENTIMETRE : 1; // of the unit to a pixel
     return { layer, colour, group, arrows, per, largest };
   }
@@ -201,6 +201,7 @@ export class Scene {
     const found = [];
     /** @param {import("./motion.js").Pose} pose @param {number[]} flat @param {boolean} closed */
     const add = (pose, flat, closed) => {
+      /** @type {[number, number][]} */
       const points = [];
       for (let k = 0; k + 1 < flat.length; k += 2) {
         const [x, y] = placed(pose, flat[k], flat[k + 1]);
@@ -355,18 +356,32 @@ export class Scene {
       const grip = this.bodies[k];
       /** @type {[number, number] | null} */
       let held = null; // the point of the body, in its axes
+      let [last, wanted] = [0, 0]; // of a crank the angle of the pointer, and where the input would be without its ends
+      const pivot = this.view.handle?.body === body.name ? this.view.handle.pivot : null;
+      /** @param {PointerEvent} event @param {number[]} about */
+      const angle = (event, about) => {
+        const [x, y] = this.pointed(event);
+        return Math.atan2(y - about[1], x - about[0]);
+      };
       grip.addEventListener("pointerdown", (event) => {
         const pose = this.poses?.get(body.name);
         if (!pose) return;
         const [x, y] = this.pointed(event);
         const [dx, dy] = [x - pose.x, y - pose.y];
         held = [pose.cos * dx + pose.sin * dy, pose.cos * dy - pose.sin * dx];
+        if (pivot) [last, wanted] = [angle(event, pivot), this.state.at];
         grip.setPointerCapture(event.pointerId);
         grip.classList.add("held");
         event.preventDefault();
       });
       grip.addEventListener("pointermove", (event) => {
-        if (held) this.state.move(this.state.at + this.way(body, held, this.pointed(event)));
+        if (!held) return;
+        if (pivot) {
+          const now = angle(event, pivot);
+          wanted += Math.atan2(Math.sin(now - last), Math.cos(now - last)) / (this.rate(body.angle) || 1);
+          last = now;
+          this.state.move(wanted);
+        } else this.state.move(this.state.at + this.way(body, held, this.pointed(event)));
       });
       const leave = () => {
         held = null;
@@ -378,6 +393,14 @@ export class Scene {
   }
 
   /**
+   * The rate of a track by the input.
+   * @param {import("./data.js").Track} track
+   */
+  rate(track) {
+    return typeof track === "number" ? 0 : numbers(track[1])[this.state.near];
+  }
+
+  /**
    * How far the input goes so that a point of a body comes nearest to a place.
    * @param {import("./data.js").Body} body
    * @param {[number, number]} held
@@ -385,19 +408,9 @@ export class Scene {
    */
   way(body, held, wanted) {
     const pose = poseOf(body, this.state.values, this.state.there);
-    const near = this.state.near;
-    /** @param {import("./data.js").Track} track */
-    const rate = (track) => (typeof track === "number" ? 0 : numbers(track[1])[near]);
-    const handle = this.view.handle;
-    if (handle?.pivot && handle.body === body.name && rate(body.angle)) {
-      const [px, py] = handle.pivot;
-      const [x, y] = placed(pose, held[0], held[1]);
-      const turn = Math.atan2(wanted[1] - py, wanted[0] - px) - Math.atan2(y - py, x - px);
-      return Math.atan2(Math.sin(turn), Math.cos(turn)) / rate(body.angle);
-    }
     const [x, y] = placed(pose, held[0], held[1]);
-    const vx = rate(body.x) - rate(body.angle) * (y - pose.y);
-    const vy = rate(body.y) + rate(body.angle) * (x - pose.x);
+    const vx = this.rate(body.x) - this.rate(body.angle) * (y - pose.y);
+    const vy = this.rate(body.y) + this.rate(body.angle) * (x - pose.x);
     const size = vx * vx + vy * vy;
     const way = size ? ((wanted[0] - x) * vx + (wanted[1] - y) * vy) / size : 0;
     const most = this.state.span / 24;
