@@ -262,23 +262,37 @@ def _work(of: Loaded) -> Iterator[Block]:
     found: Lexicon = {
         "W_d": Given(work.driving, "J", tr("work of the camshaft in a turn")),
         "W_Q": Given(work.force, "J", tr("work of the technological force in a turn")),
+        "W_g": Given(work.given, "J", tr("work that the camshaft gives to the follower in a turn")),
+        "W_b": Given(-work.returned, "J", tr("work that the follower gives back to the camshaft in a turn")),
         "W_f": Given(work.friction, "J", tr("work of friction in a turn")),
         "M_m": Given(work.mean, "N*m", tr("mean driving torque")),
         "N_m": Given(work.power, "W", tr("mean power of the camshaft")),
         "omega": Given(_mean_speed(of), "rad/s", tr("mean angular velocity of the cam")),
     }
-    lexicon = of.named(of_scene(of) | found)
-    yield Paragraph(
-        tr(
-            "In a turn the camshaft gives {given} J to the follower and gets {back} J back.",
-            given=plainly(work.given),
-            back=plainly(abs(work.returned)),
+    if work.efficiency is not None:
+        found["eta_m"] = Given(work.efficiency, "", tr("mean efficiency of the cam mechanism in a turn"))
+    place = [Place("", of.named(of_scene(of) | found))]
+    if not work.driving:
+        yield Paragraph(
+            tr(
+                "In a turn the camshaft gives {given} J to the follower and gets as much back.",
+                given=plainly(work.given),
+            )
         )
-    )
-    if work.friction or work.force:
+        return
+    yield Paragraph(tr("The work of the camshaft in a turn is what it gives to the follower less what it gets back:"))
+    yield from of.lines(["W_d = W_g - W_b"], place)
+    if work.friction and work.force:
         yield Paragraph(tr("Inertia, spring and weight give no work in a turn, so friction takes what is left:"))
-        yield from of.lines(["W_f = W_d + W_Q"], [Place("", lexicon)])
-    yield from of.lines(["M_m = W_d/(2*pi)", "N_m = M_m*omega"], [Place("", lexicon)])
+    elif work.friction:
+        yield Paragraph(tr("Inertia, spring and weight give no work in a turn, so friction takes all of it:"))
+    elif work.force:
+        yield Paragraph(tr("Inertia, spring and weight give no work in a turn, so the technological load takes it:"))
+    yield from of.lines(["W_f = W_d + W_Q"] if work.friction else ["W_d = -W_Q"], place)
+    if work.efficiency is not None:
+        yield Paragraph(tr("Useful is the work done against the technological load:"))
+        yield from of.lines(["eta_m = -W_Q/W_d"], place)
+    yield from of.lines(["M_m = W_d/(2*pi)", "N_m = M_m*omega"], place)
 
 
 def _mean_speed(of: Loaded) -> float:
