@@ -39,7 +39,7 @@ def blocks(order: Order) -> Iterator[Block]:
 
 def _data(of: Loaded) -> Iterator[Block]:
     """Masses, loads, friction, what is said of the spring and of the speed."""
-    known = of.named(_given(of))
+    known = of.named(given_loads(of))
     yield Paragraph(tr("The given data of the forces are in table {tab:cam_loads_given}."))
     names = [name for name in GIVEN if name in known and known[name].value]
     yield quantities_table(tr("Given data of the forces"), names, known, "cam_loads_given")
@@ -55,7 +55,7 @@ def _data(of: Loaded) -> Iterator[Block]:
         )
 
 
-def _given(of: Loaded) -> Lexicon:
+def given_loads(of: Loaded) -> Lexicon:
     """What the spec says of loads, friction and the spring."""
     loads, asked = of.loads, of.loads.spring
     scene = of_scene(of)

@@ -60,7 +60,7 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from _worked(task, follower, result)
     if result.flat is not None:
         yield from _chart(task, result, result.flat)
-    yield from constraints(result)
+    yield from constraints(result, concave=task.limits.allow_concave)
     yield from _pressed(task, result)
     yield from search(result)
     yield from relaxations(result)

@@ -150,12 +150,13 @@ def _roller(result: Synthesis, lexicon: Lexicon) -> Iterator[Block]:
     yield Heading(tr("Roller"), 3)
     said = tr("The least radius of convex parts of the pitch curve is $rho_2$ = {convex} mm at φ = {angle}°",
               convex=number(mm(choice.convex.value)), angle=degrees_of(choice.convex.phi))  # fmt: skip
-    if choice.concave is not None:
+    walled = any("rho_1" in RULES[rule.name] for rule in choice.rules)
+    if choice.concave is not None and walled:
         said += tr(", that of concave parts $rho_1$ = {concave} mm at φ = {angle}°",
                    concave=number(mm(choice.concave.value)), angle=degrees_of(choice.concave.phi))  # fmt: skip
     yield Paragraph(f"{said}.")
     lexicon["rho_2"] = mm(choice.convex.value, tr("least radius of curvature of convex parts of the pitch curve"))
-    if choice.concave is not None:
+    if choice.concave is not None and walled:
         lexicon["rho_1"] = mm(choice.concave.value, tr("least radius of curvature of concave parts of the pitch curve"))
     yield Paragraph(tr("The radius of the roller is bounded by these rules:"))
     names = []

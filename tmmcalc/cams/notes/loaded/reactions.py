@@ -45,7 +45,7 @@ TORQUE = {
     "oscillating": ("T = M_c*psi'", "M_d = R*l_2*cos(theta)*psi'/10**3"),
 }
 EFFICIENCY = {1: "eta = 1 - mu/cos(theta)", -1: "eta = 1/(1 + mu/cos(theta))"}  # follower driven, and driving
-PERCENT = 100
+COLUMNS = 11  # of a table that is no broader than a page
 
 
 def reactions(of: Loaded) -> Iterator[Block]:
@@ -166,20 +166,29 @@ def _jamming(of: Loaded) -> Iterator[Block]:
 
 
 def course(of: Loaded) -> Iterator[Block]:
-    """The tables of positions and extremes, contact and work."""
+    """The forces in positions, in one table where it is no broader than a page, and extremes; contact and work."""
     yield Heading(tr("Forces over the turn"), 3)
-    yield Paragraph(
-        tr(
-            "The forces in the positions $i$ are in tables {tab:cam_loads} and {tab:cam_reactions}, their extremes "
-            "over the turn in table {tab:cam_extremes}."
-        )
-    )
     rows = table_rows(of.told)
     labels = [of.result.labels[row] for row in rows]
     first, second = _columns(of, rows)
-    along = tr("Moments about the pivot of the rocker") if of.turns else tr("Forces along the lift")
-    yield tabulated(along, first, labels, head="$i$", key="cam_loads")
-    yield tabulated(tr("Reactions and torques"), second, labels, head="$i$", key="cam_reactions")
+    if len(first | second) < COLUMNS:
+        yield Paragraph(
+            tr(
+                "The forces in the positions $i$ are in table {tab:cam_loads}, their extremes over the turn in table "
+                "{tab:cam_extremes}."
+            )
+        )
+        yield tabulated(tr("Forces and torques"), first | second, labels, head="$i$", key="cam_loads")
+    else:
+        yield Paragraph(
+            tr(
+                "The forces in the positions $i$ are in tables {tab:cam_loads} and {tab:cam_reactions}, their extremes "
+                "over the turn in table {tab:cam_extremes}."
+            )
+        )
+        along = tr("Moments about the pivot of the rocker") if of.turns else tr("Forces along the lift")
+        yield tabulated(along, first, labels, head="$i$", key="cam_loads")
+        yield tabulated(tr("Reactions and torques"), second, labels, head="$i$", key="cam_reactions")
     yield _extremes(of.result)
     yield from _contact(of)
     yield from _work(of)
@@ -188,19 +197,15 @@ def course(of: Loaded) -> Iterator[Block]:
 def _columns(of: Loaded, rows: Sequence[int]) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]]:
     result, words = of.result, of.words
     load, spring, own = words["P"], words["Q"], words["O"]
-    unit, size = ("N·m", "deg") if of.turns else ("N", "mm")
-    lift = np.degrees(result.lift) if of.turns else 1e3 * result.lift
+    unit = "N·m" if of.turns else "N"
     first = {
         "$phi$, deg": np.degrees(result.positions.phi),
-        f"${words['dy']}$, {size}": lift,
         f"${load}_j$, {unit}": result.inertia,
         f"${spring}_s$, {unit}": result.elastic,
         f"${own}{'' if not of.loads.gravity else ' + G'}$, {unit}": result.force,
         f"${load}_c$, {unit}": result.load,
     }
     second = {"$phi$, deg": np.degrees(result.positions.phi)}
-    if of.kind != "flat":
-        second["$theta$, deg"] = np.degrees(result.theta)
     if of.carried.rubs:
         second["$mu$"] = result.ratio
     if result.protrusion is not None:
@@ -210,7 +215,9 @@ def _columns(of: Loaded, rows: Sequence[int]) -> tuple[dict[str, np.ndarray], di
         second |= {"$N_1$, N": result.lower, "$N_2$, N": result.upper}
     if result.pivot is not None:
         second |= {"$R_Ax$, N": result.pivot[0], "$R_Ay$, N": result.pivot[1]}
-    second |= {"$T$, N·m": result.torque, "$M_d$, N·m": result.driving}
+    if of.carried.rubs:  # else it is M_d with the other sign
+        second["$T$, N·m"] = result.torque
+    second["$M_d$, N·m"] = result.driving
     kept = ({name: np.asarray(values)[rows] for name, values in each.items()} for each in (first, second))
     filled, other = ({name: v for name, v in each.items() if v.any() or name.startswith("$phi")} for each in kept)
     return filled, other

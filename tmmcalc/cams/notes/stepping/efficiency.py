@@ -67,10 +67,26 @@ def _means(of: Stepping, cam: Cam) -> Iterator[Block]:
     """Sums of the integrals over the parts of the step in which A and B drive."""
     table = cam.efficiency
     lexicon: Lexicon = {
-        "I_1A": Given(table.against_a, "", tr("integral of {eta} over the part of the step before the tip, where A drives", eta="η₁")),
-        "I_1B": Given(table.against_b, "", tr("integral of {eta} over the part of the step after the tip, where B drives", eta="η₁")),
-        "I_2A": Given(table.aiding_a, "", tr("integral of {eta} over the part of the step before the tip, where A drives", eta="η₂")),
-        "I_2B": Given(table.aiding_b, "", tr("integral of {eta} over the part of the step after the tip, where B drives", eta="η₂")),
+        "I_1A": Given(
+            table.against_a,
+            "",
+            tr("integral of {eta} over the part of the step before the tip, where A drives", eta="η₁"),
+        ),
+        "I_1B": Given(
+            table.against_b,
+            "",
+            tr("integral of {eta} over the part of the step after the tip, where B drives", eta="η₁"),
+        ),
+        "I_2A": Given(
+            table.aiding_a,
+            "",
+            tr("integral of {eta} over the part of the step before the tip, where A drives", eta="η₂"),
+        ),
+        "I_2B": Given(
+            table.aiding_b,
+            "",
+            tr("integral of {eta} over the part of the step after the tip, where B drives", eta="η₂"),
+        ),
         "eta_1m": Given(table.mean_against, "", tr("mean efficiency of the step with the load against the motion")),
         "eta_2m": Given(table.mean_aiding, "", tr("mean efficiency of the step with the load along the motion")),
         "eta_12": Given(
