@@ -27,6 +27,7 @@ from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Lexicon, 
 from tmmcalc.report.telling import WIDE, column_of, filled, lines, named, tabulated
 
 PERCENT = 100
+TRAIN = ("m_e", "k_e", "zeta")  # what is given of the train
 TURN, SPECTRA = (WIDE, 120.0), (WIDE, 85.0)  # sizes of the pictures [mm]
 LOAD = "<P>_c = <O> + G - (<Q>_0 + c*<dy>) - m_e*a_x"
 RIGID = "<P>_r = <O> + G - (<Q>_0 + c*<dy>) - m_e*a_y"
@@ -36,7 +37,7 @@ NAMES = {"rise": "y", "return": "c"}  # indices of the moving phases
 def blocks(order: Order) -> Iterator[Block]:
     """The vibration of the follower of the spec."""
     told, result = told_of(order), order.results["cam_elastic"]
-    scene = told.named(_scene(told, result))
+    scene = told.named(train_scene(told, result))
     yield Heading(tr("Vibration of the elastic follower"))
     yield Paragraph(
         tr(
@@ -46,7 +47,7 @@ def blocks(order: Order) -> Iterator[Block]:
     )
     yield Display(read("m_e*x'' + 2*zeta*omega_0*m_e*(x' - y') + k_e*(x - y) = 0"))
     yield Paragraph(tr("The given data of the train are in table {tab:cam_train}."))
-    yield quantities_table(tr("Given data of the elastic train"), ("m_e", "k_e", "zeta"), scene, "cam_train")
+    yield quantities_table(tr("Given data of the elastic train"), TRAIN, scene, "cam_train")
     yield Paragraph(tr("Natural frequency, without the damping and with it, and its ratio to that of the cam:"))
     frequency = "omega_0 = sqrt(k_e/m_e)" if told.turns else "omega_0 = sqrt(10**3*k_e/m_e)"
     damped = ("omega_d = omega_0*sqrt(1 - zeta**2)",) * bool(result.damping)
@@ -58,7 +59,7 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from _pictures(told, result)
 
 
-def _scene(told: Told, result: ElasticResult) -> Lexicon:
+def train_scene(told: Told, result: ElasticResult) -> Lexicon:
     """The train, its frequencies, the speed."""
     turning = told.task.turning
     speed = loads_of(told.task).speed if turning is None else turning.mean

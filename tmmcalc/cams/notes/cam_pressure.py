@@ -57,7 +57,8 @@ def blocks(order: Order) -> Iterator[Block]:
     }
     yield Paragraph(
         tr(
-            "The pressure angle in the positions $i$ is in table {tab:cam_pressure}, over the turn in figure {fig:cam_pressure}."
+            "The pressure angle in the positions $i$ is in table {tab:cam_pressure}, over the turn in figure "
+            "{fig:cam_pressure}."
         )
     )
     labels = [result.labels[row] for row in shown]

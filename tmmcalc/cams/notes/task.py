@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from math import degrees
 
+from tmmcalc.cams.notes.cam_elastic import TRAIN, train_scene
 from tmmcalc.cams.notes.cam_forces import GIVEN as LOADS
 from tmmcalc.cams.notes.cam_forces import given_loads
 from tmmcalc.cams.notes.cam_law import described, laws_described
@@ -12,7 +13,7 @@ from tmmcalc.cams.notes.cam_synthesis import SIZES, of_limits
 from tmmcalc.cams.notes.indexing import given_names, law_name
 from tmmcalc.cams.notes.lexicon import of_follower, of_task, told_of
 from tmmcalc.cams.notes.loaded.judged import of_needs
-from tmmcalc.cams.notes.loaded.quantities import loaded_of
+from tmmcalc.cams.notes.loaded.quantities import loaded_of, of_scene
 from tmmcalc.cams.notes.stepping.quantities import stepping_of
 from tmmcalc.cams.tables.tasks.indexing import to_indexing
 from tmmcalc.report.drawing.order import Order
@@ -45,7 +46,9 @@ NEEDS = {  # keys of [cam.requirements]
     "torsion": "alpha_e",
     "guide_pressure": "p_gP",
 }
-GUIDE = {"stem_radius": "r_T", "land": "l_H"}  # keys of [cam.guide]
+STEM = {"stem_radius": "r_T", "land": "l_H"}  # keys of [cam.guide]
+GUIDE = {"top": "H_2", "length": "l", "gap": "Delta_g"}
+SPRING = {"safety": "K_1", "least_contact": "F_min"}  # keys of [cam.spring] that have defaults
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -68,9 +71,12 @@ def _cam(order: Order) -> Iterator[Datum]:
     yield from _data(of_limits(told), _written(table.limits, LIMITS))
     if "cam_forces" in order.results:
         of = loaded_of(order)
-        yield from _data(of.named(given_loads(of)), (name for name in LOADS if name != "omega"))
-    needs = of_needs(told.task)
-    yield from _data(needs, (*_written(table.requirements, NEEDS), *_written(table.guide, GUIDE)))
+        left_out = {"omega", *SPRING.values()} - {*_written(table.spring, SPRING)}
+        yield from _data(of.named(given_loads(of)), (name for name in LOADS if name not in left_out))
+        yield from _data(of.named(of_scene(of)), _written(table.guide, GUIDE))
+    yield from _data(of_needs(told.task), (*_written(table.requirements, NEEDS), *_written(table.guide, STEM)))
+    if "cam_elastic" in order.results:
+        yield from _data(train_scene(told, order.results["cam_elastic"]), TRAIN)
 
 
 def _drive(order: Order) -> Iterator[Datum]:
