@@ -13,6 +13,7 @@ from tmmcalc.cams.forces.turn import at_rows, loads_of, weight
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.notes.laws import named_title
 from tmmcalc.cams.notes.lexicon import ANGLES, Told, degrees_of, mm, of_task, quantities_table, told_of
+from tmmcalc.cams.notes.loaded.duhamel import integrals
 from tmmcalc.cams.notes.loaded.quantities import ROCKER, STEM, listed
 from tmmcalc.cams.pictures.cam_elastic import draw_spectra, draw_vibration
 from tmmcalc.cams.response import rate_of, residual, steady
@@ -21,6 +22,7 @@ from tmmcalc.cams.speed import constant_speed
 from tmmcalc.machine.notes.told import plainly
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Lexicon, Paragraph, Place, Result, Table
@@ -115,9 +117,14 @@ def _phases(told: Told, result: ElasticResult, scene: Lexicon) -> Iterator[Block
             "omega_d": scene["omega_d"]._replace(meaning=tr("angular frequency of the damped vibration")),
         }
         timed = (f"t_{i} = {ANGLES[phase.kind]}/omega_m",) if task.turning is None else ()
-        texts = (*timed, f"tau_{i} = t_{i}*f_e", f"A_{i} = sqrt(a_c{i}**2 + a_s{i}**2)/omega_d")
         name = tr("rise") if found.kind == "rise" else tr("return")
-        yield from lines(texts, [Place(name, scene | named(values))])
+        place = Place(name, scene | named(values))
+        yield from lines((*timed, f"tau_{i} = t_{i}*f_e"), [place])
+        if task.turning is None and phase.law is not None:
+            letter, back = canonical(told.words["h"]), found.kind == "return"
+            first = found is result.phases[0]
+            yield from integrals(phase.law, i, result.damping, place.lexicon, letter, back=back, first=first)
+        yield from lines((f"A_{i} = sqrt(a_c{i}**2 + a_s{i}**2)/omega_d",), [place])
     yield Paragraph(tr("Table {tab:cam_residual} compares them with what is left in the steady motion, turn by turn."))
     yield _residual_table(told, result)
 

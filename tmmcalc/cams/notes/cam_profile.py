@@ -400,7 +400,11 @@ def _unsound(wall: Wall) -> str:
 
 def _pictures(order: Order, told: Told, result: Profile) -> Iterator[Block]:
     """The cam to scale with its dimensions, its curvature over the turn."""
-    yield Paragraph(tr("The cam is drawn to scale in figure {fig:cam_profile}."))
+    yield Paragraph(
+        tr("The cam is drawn to scale in figure {fig:cam_profile}.")
+        if result.flat
+        else tr("The cam is drawn to scale in figure {fig:cam_profile}, its curvature in figure {fig:cam_curvature}.")
+    )
     caption = tr("Profile of the cam, which turns {sense}", sense=sense_of(told.follower))
     size = WIDE, height_of(told.task, result, Box(0.0, 0.0, WIDE, HIGH))
     yield Figure(caption, partial(draw_cam, task=told.task, result=result, to_scale=True), size, "cam_profile")

@@ -210,6 +210,15 @@ def _candidate(each: SizeCandidate, stem: bool) -> Iterator[str]:
 def _pictures(order: Order) -> Iterator[Block]:
     """The admissible places of the axis of the cam."""
     first, *others = synthesis_pieces(order)
+    if others:
+        yield Paragraph(
+            tr(
+                "The admissible places of the axis of the cam are shown in figure {fig:cam_region}, the sum of the "
+                "displacement and the analogue of acceleration in figure {fig:cam_convexity}."
+            )
+        )
+    else:
+        yield Paragraph(tr("The admissible places of the axis of the cam are shown in figure {fig:cam_region}."))
     yield hung(message(first.heading), first.draw, HIGH, "cam_region")
     for piece in others:
         yield pictured(piece, key="cam_convexity")
