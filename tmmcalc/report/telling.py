@@ -117,11 +117,11 @@ def tabulated(
 def folded(table: Table) -> Table:
     """A table of few columns and many rows with parts of it side by side, each under the head; the last may be shorter.
 
-    >>> folded(Table("t", ("i", "x"), tuple((str(k), "") for k in range(14)))).rows[6]
-    ('6', '', '13', '')
+    >>> folded(Table("t", ("i", "x", "y", "z"), tuple((str(k), "", "", "") for k in range(14)))).rows[4]
+    ('4', '', '', '', '9', '', '', '', '', '', '', '')
     """
     columns, count = len(table.head), len(table.rows)
-    parts = max(1, min(math.ceil(count / FOLDED), BROAD // columns))
+    parts = max(1, BROAD // columns) if count > FOLDED else 1
     high = math.ceil(count / parts)
     padded = (*table.rows, *((("",) * columns,) * (parts * high - count)))
     rows = (sum((padded[k + part * high] for part in range(parts)), ()) for k in range(high))

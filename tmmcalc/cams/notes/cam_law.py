@@ -62,8 +62,10 @@ def blocks(order: Order) -> Iterator[Block]:
 
 
 def _given(told: Told) -> Iterator[Block]:
-    """The kind of the mechanism and its motion as a table."""
-    rows = [(what, "", "", said) for what, said in described(told)]
+    """The kind of the mechanism in a sentence, its motion as a table."""
+    said = "; ".join(f"{what} – {text}" for what, text in described(told))
+    yield Paragraph(tr("The cam mechanism: {said}.", said=said))
+    rows: list[tuple[str, ...]] = []
     given = told.named(of_task(told))
     for name, each in given.items():
         assert isinstance(each.value, float)
@@ -72,10 +74,9 @@ def _given(told: Told) -> Iterator[Block]:
             rows.append((each.meaning, f"${name}$", "° (rad)".replace("rad", shown_unit("rad")), value))
         else:
             rows.append((each.meaning, f"${name}$", shown_unit(each.unit), _short(each.value)))
-    rows += [(what, "", "", said) for what, said in laws_described(told)]
-    yield Paragraph(tr("The given data are in table {tab:cam_given}."))
+    yield Paragraph(tr("Its motion is given in table {tab:cam_given}."))
     head = tr("Quantity"), tr("Symbol"), tr("Unit"), tr("Value")
-    yield Table(tr("Given data of the cam mechanism"), head, tuple(rows), key="cam_given")
+    yield Table(tr("Given data of the motion"), head, tuple(rows), key="cam_given")
 
 
 def described(told: Told) -> Iterator[tuple[str, str]]:

@@ -71,7 +71,7 @@ def _cam(order: Order) -> Iterator[Datum]:
     yield from _data(of_limits(told), _written(table.limits, LIMITS))
     if "cam_forces" in order.results:
         of = loaded_of(order)
-        left_out = {"omega", *SPRING.values()} - {*_written(table.spring, SPRING)}
+        left_out = {*SPRING.values()} - {*_written(table.spring, SPRING)}
         yield from _data(of.named(given_loads(of)), (name for name in LOADS if name not in left_out))
         yield from _data(of.named(of_scene(of)), _written(table.guide, GUIDE))
     yield from _data(of_needs(told.task), (*_written(table.requirements, NEEDS), *_written(table.guide, STEM)))
