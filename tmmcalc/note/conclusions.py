@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from math import isclose
 
 from tmmcalc.core.notes import Note, graded
 from tmmcalc.note.assembled import shown_unit
 from tmmcalc.report.formula.digits import RESULT, significant
+from tmmcalc.report.formula.symbols import GREEK
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Chapter, Listing, Paragraph, Result, Table
 from tmmcalc.report.printing import printed_as
 
+LETTER = re.compile(rf"\b({'|'.join(GREEK)})(?=\b|_)")
+DEGREES = re.compile(r"(?<=\d) deg\b")
 SAME = 1e-9  # relative
 SENSES = {"<=": "≤", ">=": "≥"}
 
@@ -35,7 +39,7 @@ def _blocks(results: Sequence[Result], warnings: Sequence[str]) -> Iterator[Bloc
         yield Listing(tuple(_sentence(each) for each in failing))
     if told:
         yield Paragraph(tr("To be borne in mind:"))
-        yield Listing(tuple(tr_name(graded(each)[1]) for each in told))
+        yield Listing(tuple(_lettered(tr_name(graded(each)[1])) for each in told))
 
 
 def _once(warnings: Sequence[str]) -> Iterator[str]:
@@ -48,6 +52,15 @@ def _once(warnings: Sequence[str]) -> Iterator[str]:
                 continue
             known.add(about)
         yield each
+
+
+def _lettered(text: str) -> str:
+    """A sentence of the program with Greek letters for their names, and the sign of degrees.
+
+    >>> _lettered("|theta| reaches 47.3 deg at phi = 25.4 deg")
+    '|θ| reaches 47.3° at φ = 25.4°'
+    """
+    return DEGREES.sub("°", LETTER.sub(lambda name: GREEK[name[0]], text))
 
 
 def _warned(result: Result, parts: Sequence[float]) -> bool:

@@ -48,7 +48,7 @@ PEAKS = {
 NAMES = (4.0, 4.0, 2.0, 0.0)  # room that names of axes take around the phase portrait [mm]
 ROWS = 40  # pieces of a law that are listed
 LIKE = 1e-9  # of the largest: a law that brakes as hard as it speeds up
-DIAGRAMS, PORTRAIT, CONSTRUCTION = (WIDE, 150.0), (WIDE, 75.0), (WIDE, 160.0)  # sizes of the pictures [mm]
+DIAGRAMS, PORTRAIT, CONSTRUCTION = (WIDE, 138.0), (WIDE, 66.0), (WIDE, 160.0)  # sizes of the pictures [mm]
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -319,18 +319,18 @@ def _course(told: Told) -> Iterator[Block]:
     labels = [law.labels[row] for row in rows]
     yield tabulated(tr("Motion of the follower"), shown, labels, head=tr("Position"), key="cam_motion")
     yield from _shocks(told)
-    yield Figure(
-        message(tr("Diagrams of {names}", names=", ".join(f"${symbol(law, order)}$" for order in range(ORDERS)))),
-        partial(draw_laws, program=task.program, result=law, orders=range(ORDERS)),
-        DIAGRAMS,
-        "cam_law",
-    )
     signs = {"ordinate": symbol(law, 1), "abscissa": symbol(law, 0)}
     yield Paragraph(
         tr(
             "The phase portrait in figure {fig:cam_portrait} is the analogue of velocity over the displacement: the "
             "rise runs above the axis, the return below it."
         )
+    )
+    yield Figure(
+        message(tr("Diagrams of {names}", names=", ".join(f"${symbol(law, order)}$" for order in range(ORDERS)))),
+        partial(draw_laws, program=task.program, result=law, orders=range(ORDERS)),
+        DIAGRAMS,
+        "cam_law",
     )
     portrait = partial(_draw_portrait, task=task, result=law)
     title = tr("Phase portrait ${ordinate}$(${abscissa}$)", **signs)

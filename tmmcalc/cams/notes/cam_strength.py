@@ -49,15 +49,16 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from shaft(of)
     yield from stem(of)
     yield from contact(of, order.spec.cam.requirements.material)
-    yield from margins(of)
     yield from _course(of)
+    yield from margins(of)
 
 
 def _course(of: Judging) -> Iterator[Block]:
     """The table over the turn, and the diagrams."""
     table = _table(of)
     if table is not None:
-        yield Paragraph(tr("Table {tab:cam_judged} has the values in the positions $i$."))
+        yield Heading(tr("Requirements over the turn"), 3)
+        yield Paragraph(tr("The values that are judged stand in table {tab:cam_judged}, for the positions $i$."))
         yield table
     found = of.found
     count = sum(values is not None for values in (found.slip, found.stress, found.reduced))
@@ -83,5 +84,5 @@ def _table(of: Judging) -> Table | None:
         return None
     shown = {"$phi$, deg": np.degrees(found.positions.phi)[rows], **columns}
     labels = [found.positions.labels[row] for row in rows]
-    caption = tr("What is judged over the turn")
+    caption = tr("Values over the turn")
     return folded(tabulated(caption, shown, labels, head="$i$", key="cam_judged"))

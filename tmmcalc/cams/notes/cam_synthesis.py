@@ -111,7 +111,7 @@ def _governed(result: Synthesis) -> Iterator[Block]:
         "second wall": tr("The cam is made larger for the radius of curvature of the second wall of the groove."),
         "no concave parts": tr("The cam is made larger so that its profile has no concave parts."),
         "shaft": tr("The cam is made larger so that it has room for the camshaft."),
-        PIVOT_ROOM: tr("The cam is placed so that it passes the pivot of the rocker."),
+        PIVOT_ROOM: tr("The cam is placed so that it clears the pivot of the rocker."),
         GIVEN: tr("The sizes are given."),
     }
     if result.governs in said:
