@@ -45,10 +45,11 @@ PEAKS = {
     "rise": ("<y>'_{max} = C_v*<h>/phi_y", "<y>''_{max} = C_a*<h>/phi_y**2", "<y>''_{min} = -<C>*<h>/phi_y**2"),
     "return": ("<y>'_{min} = -C_v*<h>/phi_c", "<y>''_{max} = C_a*<h>/phi_c**2", "<y>''_{min} = -<C>*<h>/phi_c**2"),
 }
-NAMES = (4.0, 4.0, 2.0, 0.0)  # room that names of axes take around the phase portrait [mm]
+NAMES = (4.0, 4.0, 2.0, 2.0)  # room that names of axes take around the phase portrait [mm]
 ROWS = 40  # pieces of a law that are listed
 LIKE = 1e-9  # of the largest: a law that brakes as hard as it speeds up
-DIAGRAMS, PORTRAIT, CONSTRUCTION = (WIDE, 138.0), (WIDE, 66.0), (WIDE, 160.0)  # sizes of the pictures [mm]
+DIAGRAMS, CONSTRUCTION = (WIDE, 138.0), (WIDE, 160.0)  # sizes of the pictures [mm]
+PORTRAIT = {True: (WIDE, 66.0), False: (80.0, 72.0)}  # by whether the follower turns; a stem has one scale
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -334,7 +335,7 @@ def _course(told: Told) -> Iterator[Block]:
     )
     portrait = partial(_draw_portrait, task=task, result=law)
     title = tr("Phase portrait ${ordinate}$(${abscissa}$)", **signs)
-    yield Figure(message(title), portrait, PORTRAIT, "cam_portrait")
+    yield Figure(message(title), portrait, PORTRAIT[told.turns], "cam_portrait")
     yield Paragraph(tr("The graphical integration of the law is shown in figure {fig:cam_integration}."))
     made = constructed(task.program, INTERVALS)
     draw = partial(draw_integration, program=task.program, result=law, made=made)

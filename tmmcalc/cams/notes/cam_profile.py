@@ -350,7 +350,7 @@ def _shaft(told: Told, result: Profile, lexicon: Lexicon) -> Iterator[Block]:
     if not told.task.limits.shaft:
         return
     lexicon |= named({"r_{min}": mm(result.nearest.value, tr("least radius of the working profile"))})
-    yield Paragraph(tr("The camshaft has to have room within the profile:"))
+    yield Paragraph(tr("The camshaft has to have room within the profile, whose least radius is $r_min$:"))
     yield from _held("r_{min}", lexicon, "r_1")
 
 

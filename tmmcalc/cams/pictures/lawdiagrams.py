@@ -25,6 +25,7 @@ JUMP = Pen("JUMPS", 0.2, (0.8, 0.8), "#6b6b6b")
 JUMP_ON_FRAME = Pen("JUMPS_ON_FRAME", 0.35, (0.8, 0.8), WHITE)  # gaps in the frame's line
 STROKE = Pen("STROKE", 0.25, colour=MARK.colour)
 ENDS = Pen("ENDS_OF_PHASES", 0.18, colour="#b8b8b8")
+POINT = 2.5  # between the names of the phases and the highest curve, for the names of its points [mm]
 AIR = 0.16  # of the height of a curve, above and below it
 
 Pieces = list[tuple[Values, Values]]
@@ -79,7 +80,8 @@ def draw_laws(
 def _row(result: LawResult, room: float) -> PhaseRow:
     """The names of the phases over a diagram as wide as ``room`` [mm]."""
     ends = np.degrees([result.phases[0].begin, *(phase.end for phase in result.phases)])
-    return phase_row([phase.kind for phase in result.phases], ends, room)
+    row = phase_row([phase.kind for phase in result.phases], ends, room)
+    return row._replace(height=row.height + POINT)
 
 
 def symbol(result: LawResult, order: int) -> str:

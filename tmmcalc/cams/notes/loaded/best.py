@@ -16,7 +16,7 @@ from tmmcalc.machine.notes.told import plainly
 from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Heading, Listing, Paragraph, Table
+from tmmcalc.report.manuscript import Block, Heading, Paragraph, Table
 from tmmcalc.report.telling import column_of
 
 FIGURES, PERCENT = 5, 100
@@ -211,9 +211,8 @@ def search(result: CamOptimum) -> Iterator[Block]:
         )
     )
     if result.passed:
-        left = [f"{constraint_name(number)} – {count}" for number, count in result.passed]
-        yield Paragraph(tr("Each constraint alone leaves of them:"))
-        yield Listing(tuple(left))
+        left = "; ".join(f"{constraint_name(number)} – {count}" for number, count in result.passed)
+        yield Paragraph(tr("Each constraint alone leaves of them: {left}.", left=left))
 
 
 def relaxations(result: CamOptimum) -> Iterator[Block]:
