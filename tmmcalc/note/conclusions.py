@@ -66,7 +66,10 @@ def _lettered(text: str) -> str:
 def _warned(result: Result, parts: Sequence[float]) -> bool:
     """Whether a warning is about a result: its value in parts of its limit, in whatever unit."""
     assert isinstance(result.given.value, float)
-    return bool(result.limit) and any(isclose(result.given.value / result.limit, part, rel_tol=SAME) for part in parts)
+    if not result.limit:
+        return False
+    own = result.given.value / result.limit
+    return any(isclose(own, part, rel_tol=SAME) for part in parts)
 
 
 def _row(result: Result) -> tuple[str, ...]:

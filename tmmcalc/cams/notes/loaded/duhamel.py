@@ -54,8 +54,8 @@ def integrals(
         yield from _said()
     scene = known | named(_rates(rate, phase, damping))
     words = {"p": phase, "h": letter, "W": f"Omega_{'d' if damping else ''}{phase}"}
-    texts = [text for text, damped in RATES.items() if damping or not damped]
-    yield from lines(texts, [Place("", scene)], words)
+    rates = [text for text, damped in RATES.items() if damping or not damped]
+    yield from lines(rates, [Place("", scene)], words)
     whole = len(found) == WORKED
     places = [_place(each, i, scene, whole=whole) for i, each in enumerate(found, 1)]
     shown = places[:WORKED]
@@ -176,6 +176,7 @@ def _left(
 
 def _harmonic(share: Share) -> Lexicon:
     """The harmonic of a piece."""
+    assert share.harmonic is not None
     size, speed, ratio, apart = share.harmonic
     return {
         "B_s": Given(size, "", tr("largest acceleration of the harmonic of the law")),
