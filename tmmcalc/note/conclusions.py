@@ -14,7 +14,8 @@ from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Chapter, Listing, Paragraph, Result, Table
 from tmmcalc.report.printing import printed_as
 
-LETTER = re.compile(rf"\b({'|'.join(GREEK)})(?=\b|_)")
+LETTER = re.compile(rf"(?<!\$)\b({'|'.join(GREEK)})\b")
+INDEXED = re.compile(rf"\b(?:[A-Za-z]|{'|'.join(GREEK)})_[A-Za-z0-9]+\b")
 DEGREES = re.compile(r"(?<=\d) deg\b")
 SAME = 1e-9  # relative
 SENSES = {"<=": "≤", ">=": "≥"}
@@ -55,12 +56,12 @@ def _once(warnings: Sequence[str]) -> Iterator[str]:
 
 
 def _lettered(text: str) -> str:
-    """A sentence of the program with Greek letters for their names, and the sign of degrees.
+    """A sentence of the program with Greek letters for their names, indices as formulas, and the sign of degrees.
 
-    >>> _lettered("|theta| reaches 47.3 deg at phi = 25.4 deg")
-    '|θ| reaches 47.3° at φ = 25.4°'
+    >>> _lettered("|theta| reaches 47.3 deg at phi = 25.4 deg, r_i = 75 mm")
+    '|θ| reaches 47.3° at φ = 25.4°, $r_i$ = 75 mm'
     """
-    return DEGREES.sub("°", LETTER.sub(lambda name: GREEK[name[0]], text))
+    return DEGREES.sub("°", LETTER.sub(lambda name: GREEK[name[0]], INDEXED.sub(r"$\g<0>$", text)))
 
 
 def _warned(result: Result, parts: Sequence[float]) -> bool:

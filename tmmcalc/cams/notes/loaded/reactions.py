@@ -67,7 +67,8 @@ def reactions(of: Loaded) -> Iterator[Block]:
         yield from _pressed(of, own, way)
     if result.guide is not None or of.turns:
         yield from of.lines(_signed(of, SUPPORTS[of.kind]), places)
-    yield from of.lines(TORQUE[of.kind], places)
+    torque, driving = TORQUE[of.kind]
+    yield from of.lines((torque, driving if of.carried.rubs else "M_d = -T"), places)
     yield from _efficiency(of, places)
     yield from _jamming(of)
 
@@ -189,7 +190,7 @@ def course(of: Loaded) -> Iterator[Block]:
         along = tr("Moments about the pivot of the rocker") if of.turns else tr("Forces along the lift")
         yield tabulated(along, first, labels, head="$i$", key="cam_loads")
         yield tabulated(tr("Reactions and torques"), second, labels, head="$i$", key="cam_reactions")
-    yield _extremes(of.result)
+    yield _extremes(of.result, rubs=of.carried.rubs)
     yield from _contact(of)
     yield from _work(of)
 
@@ -226,9 +227,9 @@ def _columns(of: Loaded, rows: Sequence[int]) -> tuple[dict[str, np.ndarray], di
 NAMES = {"P_c": "P_c", "M_c": "M_c", "R": "R", "N1": "N_1", "N2": "N_2", "T": "T", "M_drive": "M_d"}
 
 
-def _extremes(result: CamForces) -> Table:
-    """Least and largest values of the turn with their angles."""
-    rows = [_extreme(each) for each in result.extremes]
+def _extremes(result: CamForces, *, rubs: bool) -> Table:
+    """Least and largest values of the turn with their angles; without friction T is the driving torque turned back."""
+    rows = [_extreme(each) for each in result.extremes if rubs or each.name != "T"]
     head = (tr("Quantity"), tr("Least"), "$phi$, °", tr("Largest"), "$phi$, °")
     return Table(tr("Extremes over the turn"), head, tuple(rows), "cam_extremes")
 
