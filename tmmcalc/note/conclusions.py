@@ -8,8 +8,9 @@ from tmmcalc.core.notes import Note, graded
 from tmmcalc.note.assembled import shown_unit
 from tmmcalc.report.formula.digits import RESULT, significant
 from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.manuscript import Block, Chapter, Listing, Paragraph, Result, Table
+from tmmcalc.report.manuscript import Block, Chapter, Paragraph, Result, Table
 from tmmcalc.report.printing import printed_as
+from tmmcalc.report.telling import points
 
 SENSES = {"<=": "≤", ">=": "≥"}
 
@@ -29,10 +30,10 @@ def _blocks(results: Sequence[Result], warnings: Sequence[str]) -> Iterator[Bloc
     failing = [each for each in results if _kept(each) is False and (each.given.value, each.limit) not in known]
     if failing:
         yield Paragraph(tr("Limits that are not kept:"))
-        yield Listing(tuple(_sentence(each) for each in failing))
+        yield points([_sentence(each) for each in failing])
     if warnings:
         yield Paragraph(tr("To be borne in mind:"))
-        yield Listing(tuple(tr_name(graded(each)[1]) for each in warnings))
+        yield points([tr_name(graded(each)[1]) for each in warnings])
 
 
 def _row(result: Result) -> tuple[str, ...]:
