@@ -14,13 +14,12 @@ from tmmcalc.extras.notes.told import course, given
 from tmmcalc.extras.pictures.contact import draw_contact
 from tmmcalc.extras.tables.contact import ContactTable
 from tmmcalc.extras.tables.tasks.contact import to_contact
-from tmmcalc.machine.notes.told import drawn, numeral, plainly
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import FormulaError, read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result, Table, Verbatim
-from tmmcalc.report.telling import column, column_of, lines, named, tabulated
+from tmmcalc.report.telling import column, column_of, drawn, lines, named, numeral, plainly, tabulated
 
 MM, MEGA = 1e3, 1e6  # formulas hold in N, mm, MPa
 MODULUS = "E^{*} = 1/((1 - nu_1**2)/E_1 + (1 - nu_2**2)/E_2)"

@@ -26,12 +26,11 @@ from tmmcalc.extras.transloader import (
     Way,
     Wind,
 )
-from tmmcalc.machine.notes.told import drawn, numeral, plainly
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Listing, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import lines, named
+from tmmcalc.report.telling import drawn, lines, named, numeral, plainly
 
 KILO, MEGA = 1e3, 1e6
 PEAK = "v_{p<i>} = sqrt(<L>*j_<i>)"

@@ -19,7 +19,7 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
-from tmmcalc.report.telling import WIDE, named
+from tmmcalc.report.telling import WIDE, located, named
 
 SIZE = (WIDE, 105.0)  # of the picture [mm]
 KEY = "forces_lever"
@@ -38,7 +38,7 @@ def lever(loaded: Loaded) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "The force analysis is checked by the lever of Zhukovsky: the plan of velocities is turned by 90° "
-            "clockwise (fig. {figure}), every given force is applied at the end of the velocity of its point, and "
+            "clockwise (figure {figure}), every given force is applied at the end of the velocity of its point, and "
             "the moments of all forces about the pole sum up to zero with that of the balancing one. Reactions do no "
             "work together and stay away. A couple acts as a pair of forces at two points of its link; in the figure "
             "it is marked as the couple over the distance of the points, $M_k/l_k$.",
@@ -50,8 +50,8 @@ def lever(loaded: Loaded) -> Iterator[Block]:
     draw = partial(draw_lever, statics=loaded.statics, kinematics=told.result, result=result, row=row, tabled=False)
     yield Figure(caption, draw, SIZE, KEY)
     tables = [_table(loaded, each, k) for k, each in enumerate(found)]
-    numbers = ", ".join(f"{{tab:{table.key}}}" for table in tables)
-    yield Paragraph(tr("The forces with their arms and moments about the pole: tab. {tables}.", tables=numbers))
+    said = tr("The forces with their arms and moments about the pole are {where}.", where=located(tables))
+    yield Paragraph(said)
     yield from tables
     yield from _drive(loaded, found)
 

@@ -49,6 +49,7 @@ class Loaded(NamedTuple):
     bodies: Sequence[Bodies]  # of the shown positions
     names: Mapping[tuple[int, str, Kind], str]  # of what acts, by link, name and kind
     largest: tuple[float, float]  # force and couple of the shown positions
+    powered: bool  # whether a chapter on works tells the mean power too
 
     @property
     def labels(self) -> list[str]:
@@ -98,7 +99,8 @@ def loaded_of(order: Order) -> Loaded:
     names = {(a.link, a.name, a.kind): name for a, name in zip(acting, told_apart(acting), strict=True)}
     force = max((abs(f.value) for each in bodies for body in each.values() for f in body.forces), default=0.0)
     couple = max((abs(c.value) for each in bodies for body in each.values() for c in body.couples), default=0.0)
-    return Loaded(told, loading, result, rows, statics, every, bodies, names, (force, couple))
+    powered = "power" in order.results
+    return Loaded(told, loading, result, rows, statics, every, bodies, names, (force, couple), powered)
 
 
 def given_forces(body: FreeBody, own: set[str]) -> list[Acting]:

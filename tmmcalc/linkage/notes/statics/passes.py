@@ -13,7 +13,7 @@ from tmmcalc.linkage.notes.statics.loaded import Loaded, number_cell, printed_he
 from tmmcalc.linkage.notes.statics.pairs import ToldPair, along
 from tmmcalc.report.language import tr, tr_number
 from tmmcalc.report.manuscript import Block, Paragraph, Table
-from tmmcalc.report.telling import column_of
+from tmmcalc.report.telling import column_of, located
 
 STOP = 1e-3  # relative change at which the passes end
 FIRST, LAST = 3, 3  # passes that a long table shows
@@ -37,10 +37,10 @@ def passes(loaded: Loaded, plan: Plan, pairs: Sequence[ToldPair]) -> Iterator[Bl
     yield Paragraph(
         tr(
             "The reactions are first found without friction; they give friction forces and moments, with which the "
-            "reactions are found again, until no unknown changes by more than {stop} % (tab. {tables}). The formulas "
-            "below hold for the solution to which these successive approximations lead.",
+            "reactions are found again, until no unknown changes by more than {stop} %; the passes are {where}. The "
+            "formulas below hold for the solution to which these successive approximations lead.",
             stop=tr_number(f"{100 * STOP:g}"),
-            tables=", ".join(f"{{tab:{table.key}}}" for table in tables),
+            where=located(tables),
         )
     )
     yield from tables
