@@ -108,8 +108,8 @@ def _hertz(found: Hertz, task: ContactTask, place: Place) -> Iterator[Block]:
 def _of_hertz(found: Hertz) -> Lexicon:
     integral = integrals(found)
     return {
-        "a_x": Given(MM * found.along_x, "mm", tr("half-axis of the contact along x")),
-        "a_y": Given(MM * found.along_y, "mm", tr("half-axis of the contact along y")),
+        "a_x": Given(MM * found.along_x, "mm", tr("half-axis of the contact along $x$")),
+        "a_y": Given(MM * found.along_y, "mm", tr("half-axis of the contact along $y$")),
         "e": Given(integral.eccentricity, "", tr("eccentricity of the ellipse of contact")),
         "K_e": Given(integral.first, "", tr("complete elliptic integral of the first kind")),
         "E_e": Given(integral.second, "", tr("complete elliptic integral of the second kind")),

@@ -121,7 +121,7 @@ def _pressure(told: Told) -> Iterator[Block]:
             continue
         said = tr("largest pressure angle of group {group}", group=quality.group)
         given = Given(math.degrees(quality.pressure), "deg", said)
-        words = {"group": quality.group, "angle": spelt(f"{number(math.degrees(quality.pressure), 4)}°")}
+        words = {"group": quality.group, "angle": spelt(f"{number(math.degrees(quality.pressure), 5)}°")}
         if quality.transmission_at is None:
             yield Paragraph(tr("The pressure angle of group {group} is {angle} in all positions.", **words))
         else:

@@ -70,7 +70,7 @@ def _special(plans: Sequence[Plan]) -> Iterator[Block]:
     """What the special points are, where a group has some."""
     points = {v.point: v.link for plan in plans for p in plan.polygons for v in p.vectors if v.kind == "special"}
     if points:
-        names = ", ".join(f"${_told(name)}$" for name in points)
+        names = ", ".join(SPECIAL.sub(r"$\1_{\2(\3,\4)}$", name) for name in points)
         yield Paragraph(
             tr(
                 "The special points {points} belong to the basic link with the first number; the lines of the two "

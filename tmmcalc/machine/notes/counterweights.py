@@ -23,7 +23,7 @@ from tmmcalc.report.printing import printed_as
 from tmmcalc.report.telling import drawn, lines, named, number_of, tabulated, vector
 
 MARKS = {"least squares": "1", "minimax": "m", "lanchester": "L", "lanchester 2": "LL", "given": "z"}
-HIGH = 120.0  # of the picture [mm]
+HIGH = 95.0  # of the picture [mm]
 
 
 def balanced(result: Balancing, link: int) -> Iterator[Block]:
@@ -183,14 +183,14 @@ def _side_words(order: int, *, opposite: bool) -> str:
             else tr("The weight is on the side of the crank pin.")
         )
     if opposite:
-        return tr("When the crank lies along the x axis, the weight is opposite to it.")
-    return tr("When the crank lies along the x axis, the weight is on the same side.")
+        return tr("When the crank lies along the $x$ axis, the weight is opposite to it.")
+    return tr("When the crank lies along the $x$ axis, the weight is on the same side.")
 
 
 def _angle_words(order: int) -> str:
     if order == 1:
         return tr("angle of the weight from the crank")
-    return tr("angle of the weight from the x axis where the crank lies along it")
+    return tr("angle of the weight from the $x$ axis where the crank lies along it")
 
 
 def _left_terms(scheme: Scheme) -> str:

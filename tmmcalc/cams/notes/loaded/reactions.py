@@ -145,7 +145,7 @@ def _jamming(of: Loaded) -> Iterator[Block]:
     reserve = of.result.reserve
     if not of.carried.rubs or not reserve.eaten:
         return
-    said = tr("part of the useful component of R that friction takes")
+    said = tr("part of the useful component of $R$ that friction takes")
     lexicon = of.at(of.found(reserve.phi, reserve.useful, lambda found: found.now.cosine - found.now.ratio))
     lexicon |= of.named({"chi": Given(reserve.eaten, "", said)})
     if reserve.critical is not None:
