@@ -25,6 +25,7 @@ from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place,
 from tmmcalc.report.numbers import number
 from tmmcalc.report.telling import column_of, filled, lines, located, named, pictured, tabulated
 
+ROUND, NOISE = 8, 1e-9  # decimals of a place that are no rounding; a pressure angle that is none [rad]
 COLUMNS, DIGITS = 13, 4  # of a table beside the positions, and of the largest number of one
 
 DIFFERENCES = (
@@ -111,13 +112,13 @@ def _extremes(told: Told) -> Iterator[Block]:
 def _place(told: Told, x: float) -> str:
     """An input coordinate as it is counted from position 0 [deg or m]."""
     counted = along(told.result, x, closed(told.chain))
-    return spelt(number(math.degrees(counted) if told.result.turns else counted, 5))
+    return spelt(number(round(math.degrees(counted) if told.result.turns else counted, ROUND) + 0.0, 5))
 
 
 def _pressure(told: Told) -> Iterator[Block]:
     """The largest pressure angle of every group that has one."""
     for quality in told.result.qualities:
-        if quality.pressure is None:
+        if quality.pressure is None or quality.pressure < NOISE:
             continue
         said = tr("largest pressure angle of group {group}", group=quality.group)
         given = Given(math.degrees(quality.pressure), "deg", said)

@@ -73,6 +73,10 @@ def _summed(terms: list[tuple[int, Node]]) -> Node:
     """The terms that are left, with those of a sum within that has no sign before it among them."""
     flat: list[tuple[int, Node]] = []
     for sign, term in terms:
+        if isinstance(term, Sum) and len(term.terms) == 1:
+            ((own, inner),) = term.terms
+            flat.append((sign * own, inner))
+            continue
         flat += term.terms if isinstance(term, Sum) and sign > 0 and not flat else [(sign, term)]
     if not flat:
         return ZERO

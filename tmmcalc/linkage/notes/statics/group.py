@@ -12,7 +12,6 @@ from tmmcalc.linkage.notes.statics.loaded import (
     NOTHING,
     Loaded,
     moments,
-    number_cell,
     point_of,
     printed_head,
     put_reaction,
@@ -24,7 +23,7 @@ from tmmcalc.report.formula.digits import Given, value_of
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Paragraph, Table
-from tmmcalc.report.telling import located, named, number_of
+from tmmcalc.report.telling import cell, located, named, number_of
 
 DIGITS = 5  # of the unknowns and right sides in tables
 COEFFICIENTS = 4  # digits of coefficients
@@ -174,9 +173,8 @@ def _system(loaded: Loaded, name: str, equations: list[Equations], unknowns: lis
     rows = []
     for unknown in unknowns:
         head, factor = printed_head(unknown, "N*m" if unknown.startswith("M_") else "N")
-        rows.append(
-            (head, *(number_cell(factor * number_of(lexicon, unknown), DIGITS) for lexicon in loaded.told.lexicons))
-        )
+        found = (_clean(loaded, number_of(lexicon, unknown)) for lexicon in loaded.told.lexicons)
+        rows.append((head, *(cell(factor * each, DIGITS) for each in found)))
     yield Table(
         tr("Reactions of group {name} at the positions", name=name),
         (tr("Unknown"), *loaded.labels),
@@ -200,8 +198,8 @@ def _coefficients(loaded: Loaded, each: Equations, unknowns: list[str]) -> Table
             for unknown in unknowns:
                 own = [term for term in each.terms[which] if term.unknown == unknown]
                 found = sum(term.sign * value_of(read(term.factor).sides[0], place.lexicon, "") for term in own)
-                cells.append(number_cell(found if abs(found) > STILL else 0.0, COEFFICIENTS))
-            rows.append((f"${each.left(which)}$ ({label})", *cells, number_cell(_clean(loaded, right), DIGITS)))
+                cells.append(cell(found if abs(found) > STILL else 0.0, COEFFICIENTS))
+            rows.append((f"${each.left(which)}$ ({label})", *cells, cell(_clean(loaded, right), DIGITS)))
     head = (tr("Equation"), *(f"${unknown}$" for unknown in unknowns), "$b$")
     caption = tr("Coefficients of the equations of link {link}", link=each.link)
     return Table(caption, head, tuple(rows), f"forces_system_{each.link}")

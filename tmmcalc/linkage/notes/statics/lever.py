@@ -12,14 +12,14 @@ from tmmcalc.linkage.forces.results import side_of
 from tmmcalc.linkage.freebody import Acting, Couple
 from tmmcalc.linkage.lever import LEAST_ARM, Lever, LeverForce, levers, replaced_at, working
 from tmmcalc.linkage.notes.group import plain_name
-from tmmcalc.linkage.notes.statics.loaded import Loaded, number_cell, printed_head, said
+from tmmcalc.linkage.notes.statics.loaded import Loaded, printed_head, said
 from tmmcalc.linkage.pictures.lever import draw_lever, lever_scale
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
-from tmmcalc.report.telling import WIDE, located, named
+from tmmcalc.report.telling import WIDE, cell, located, named
 
 SIZE = (WIDE, 105.0)  # of the picture [mm]
 KEY = "forces_lever"
@@ -103,7 +103,7 @@ def _table(loaded: Loaded, found: Lever, k: int) -> Table:
     columns = {tr("Force"): [_name(loaded, force) for force in forces]}
     for symbol, unit, part in (("F_i", "N", "force"), ("h_i", "mm", "arm"), ("F_i*h_i", "N*mm", "moment")):
         head, factor = printed_head(symbol, unit)
-        columns[head] = [number_cell(factor * _seen(getattr(force, part)), DIGITS) for force in forces]
+        columns[head] = [cell(factor * _seen(getattr(force, part)), DIGITS) for force in forces]
     caption = tr("Moments on the lever {place}", place=loaded.told.there(k))
     return Table(caption, tuple(columns), tuple(zip(*columns.values(), strict=True)), f"{KEY}_{loaded.rows[k]}")
 

@@ -24,9 +24,9 @@ from tmmcalc.linkage.notes.told import Told, told_of
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.formula.digits import Given, significant
+from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
-from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Lexicon
 from tmmcalc.report.printing import printed_as
 from tmmcalc.report.telling import named, number_of, vector
@@ -215,12 +215,6 @@ def packed(parts: Sequence[Mapping[str, Real]]) -> list[dict[str, Real]]:
             found.append({})
         found[-1] |= part
     return [part for part in found if part]
-
-
-def number_cell(value: float, digits: int) -> str:
-    """A number with so many significant digits as the cell of a table."""
-    text = significant(value, digits)
-    return f"${text}$" if "e" in text else tr_number(text)
 
 
 def point_of(loaded: Loaded, joint: str) -> str:
