@@ -7,10 +7,11 @@ from typing import Any
 
 import pytest
 
-from note.scenes import told
+from note.scenes import blocks, told
 from tmmcalc.note.assembled import Assembler
 from tmmcalc.report.formula.digits import RESULT
 from tmmcalc.report.formula.tree import Name
+from tmmcalc.report.manuscript import Paragraph
 
 MOMENTS = {8: (1.48464, -3.44517, -1.16916), 10: (-1.48464, -38.9661, -3.42309), 11: (-2.57147, -42.8954, -6.31186)}
 
@@ -52,3 +53,11 @@ def test_the_counterweight_of_the_press_is_that_of_the_textbook() -> None:
     assert found["U_1", ""] == printed(0.826339)
     assert found["D_1", ""] == printed(13.7444)
     assert found["D_L", ""] == printed(4.18569)
+
+
+def test_what_is_zero_in_the_shown_positions_is_told() -> None:
+    """The weights of the press do no work in the middle of the strokes; their column has a name all the same."""
+    said = [each.text for each in blocks(told("press", "3,9", ("reduction",))) if isinstance(each, Paragraph)]
+    assert any("$M_{G}$ (weights)" in each for each in said)
+    said = [each.text for each in blocks(told("press", "8", ("reduction",))) if isinstance(each, Paragraph)]
+    assert not any("are zero" in each for each in said)

@@ -36,6 +36,8 @@ def without(node: Node, zeros: Container[str]) -> Node:
             return ZERO if ZERO in factors else ONE if not left else left[0] if len(left) == 1 else _signed(left)
         case Quotient(over, under):
             return ZERO if over == ZERO else over if under == ONE else node
+        case Power(Sum(((-1, inner),)), Number("2") as two):
+            return Power(inner, two)
         case Power(base, _):
             return base if base in (ZERO, ONE) else node
         case Call(function, (argument,)) if argument == ZERO:
