@@ -23,7 +23,7 @@ from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
-from tmmcalc.report.telling import WIDE, located, number_of
+from tmmcalc.report.telling import WIDE, cell, located, number_of
 
 SIDE_BY_SIDE = 3  # positions whose segments stand in one table
 LEAST, MOST = (70.0, 45.0), 110.0  # width and height of a plan, the largest height [mm]
@@ -48,7 +48,7 @@ def blocks(told: Told) -> Iterator[Block]:
     yield Heading(tr("Plans of velocities and accelerations"), 2)
     plans = [_plan(told, found, letter) for letter in "va"]
     segments = [[*_segments(told, plan)] for plan in plans]
-    words = {plan.letter: f"{spelt(significant(plan.mu, 5))} {tr_unit(f'({UNITS[plan.letter]})/mm')}" for plan in plans}
+    words = {plan.letter: f"{cell(plan.mu)} {tr_unit(f'({UNITS[plan.letter]})/mm')}" for plan in plans}
     yield Paragraph(
         tr(
             "The vector equations of the groups are solved by plans to the scale factors $mu_v$ = {v}, $mu_a$ = {a}. "

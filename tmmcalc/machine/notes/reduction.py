@@ -22,10 +22,10 @@ from tmmcalc.machine.reduction.results import Reduction
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
 from tmmcalc.report.numbers import NOISE
-from tmmcalc.report.telling import column_of, drawn, lines, named, tabulated
+from tmmcalc.report.telling import cell, column_of, drawn, lines, named, tabulated
 
 POWER = "<M>*<w> = sum(F_i*v_i*cos(alpha_i), i) + sum(M_i*omega_i, i)"
 ENERGY = "<J>*<w>**2/2 = sum(m_i*v_{Si}**2/2 + J_{Si}*omega_i**2/2, i)"
@@ -56,11 +56,6 @@ def blocks(order: Order) -> Iterator[Block]:
             energy = ENERGY.replace("<J>", names.inertia).replace("<w>", told.moving.rate)
             yield Display(read(energy), "reduction_energy")
             yield from inertia_lines(told)
-        yield Paragraph(
-            tr("The reduced moment of inertia in all positions is in table {tab:reduction_inertia}.")
-            if result.turns
-            else tr("The reduced mass in all positions is in table {tab:reduction_inertia}.")
-        )
         yield from _inertia_table(result, names, {} if told is None else told.columns)
     yield Paragraph(tr("Diagrams of the reduced values and of the works are in figure {fig:reduction_course}."))
     draw = partial(draw_course, result=result, flywheel=order.results.get("flywheel"))
@@ -152,7 +147,8 @@ def _works(result: Reduction, names: Names) -> Iterator[Block]:
     if not simple:
         yield Paragraph(tr("The works of the reduced forces are in table {tab:reduction_works}."))
     if simple:
-        columns["$Delta$, %"] = np.where(some, 100 * (found / np.where(some, works, 1.0) - 1), np.nan)
+        apart = np.where(some, found / np.where(some, works, 1.0) - 1, np.nan)
+        columns["$Delta$, %"] = np.where(np.abs(apart) < NOISE, 0.0, 100 * apart)
         yield Paragraph(
             tr(
                 "Table {tab:reduction_works} compares them with the exact works $A$, integrated between all places "
@@ -207,6 +203,17 @@ def _sums(found: Ordinates) -> Lexicon:
 
 def _inertia_table(result: Reduction, names: Names, further: Mapping[str, Real]) -> Iterator[Block]:
     """What the links add, the sum, its derivative; with the rods the other way where there are some."""
+    if np.ptp(result.inertia) <= NOISE * np.max(result.inertia):
+        words = {"name": f"${names.inertia}$", "value": cell(float(result.inertia[0]))}
+        yield Paragraph(
+            tr("Its value is constant over the cycle: {name} = {value} {unit}.", unit=tr_unit(names.mass_unit), **words)
+        )
+        return
+    yield Paragraph(
+        tr("The reduced moment of inertia in all positions is in table {tab:reduction_inertia}.")
+        if result.turns
+        else tr("The reduced mass in all positions is in table {tab:reduction_inertia}.")
+    )
     columns = _coordinate(result, names)
     first = f"{names.letter}_red_"
     for key, values in further.items():

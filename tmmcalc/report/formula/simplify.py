@@ -42,7 +42,7 @@ def without(node: Node, zeros: Container[str]) -> Node:
             return base if base in (ZERO, ONE) else node
         case Call(function, (argument,)) if argument == ZERO:
             return AT_ZERO.get(function, node)
-        case Call("abs", (Sum(((_, term),)),)):
+        case Call("abs", (Sum(((_, term),)),)) | Call("sqrt", (Power(term, Number("2")),)):
             return Call("abs", (term,))
         case Call("atan2", (first, _)) if first == ZERO:
             return ZERO
