@@ -16,7 +16,7 @@ from note.scenes import CONFIGS, SPECS, written
 from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.docx import document
 from tmmcalc.note.html import page
-from tmmcalc.note.tree import Contents, Cover, Equation, Grid, Image, Points, Text, Title, Written
+from tmmcalc.note.tree import Contents, Cover, Equation, Grid, Image, Points, Text, Title, Written, plain_text
 from tmmcalc.note.typst import pdf, source
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.language import speaking
@@ -72,12 +72,14 @@ def words(note: list[Written]) -> Iterator[str]:
     """The words of a note without its formulas."""
     for each in note:
         match each:
-            case Title(_, said) | Contents(said):
+            case Title(_, said):
+                yield from said_in(said)
+            case Contents(said):
                 yield said
             case Cover(head, kind, _, people, foot):
                 yield from (*head, *kind, foot, *(each for pair in people for each in pair))
             case Image(caption):
-                yield str(caption)
+                yield from said_in(caption.whole)
             case Equation(_, _, lead):
                 yield lead
             case Text():
@@ -85,7 +87,7 @@ def words(note: list[Written]) -> Iterator[str]:
             case Points(items):
                 yield from (part for item in items for part in said_in(item))
             case Grid(caption, head, rows):
-                yield str(caption)
+                yield from said_in(caption.whole)
                 yield from (part for row in (head, *rows) for cell in row for part in said_in(cell))
 
 
@@ -137,7 +139,7 @@ def test_a_page_is_whole_and_asks_for_nothing(spoken: Any) -> None:
     assert not read.open
     assert not read.links
     assert f'lang="{language}"' in found
-    assert all(each.text in found for each in note if isinstance(each, Title))
+    assert all(plain_text(each.text) in found for each in note if isinstance(each, Title))
 
 
 def test_formulas_are_numbered_in_a_row(spoken: Any) -> None:

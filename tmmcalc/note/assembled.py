@@ -7,7 +7,19 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from tmmcalc.note.tree import Caption, Equation, Grid, Image, Points, Reference, Source, Text, Title, Written
+from tmmcalc.note.tree import (
+    Caption,
+    Equation,
+    Grid,
+    Image,
+    Points,
+    Reference,
+    Source,
+    Text,
+    Title,
+    Written,
+    plain_text,
+)
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula import setting
@@ -94,27 +106,27 @@ class Assembler:
                 case Verbatim(text):
                     yield Source(text)
                 case Table(caption, head, rows, key):
-                    said = Caption(tr("Table"), self._numbered("tab", key), caption, key)
+                    said = Caption(tr("Table"), self._numbered("tab", key), inline(caption), key)
                     yield Grid(said, tuple(map(inline, head)), tuple(tuple(map(inline, row)) for row in rows))
                 case Figure(caption, _, _, key):
-                    yield Image(Caption(tr("Figure"), self._numbered("fig", key), caption, key), drawn(block))
+                    yield Image(Caption(tr("Figure"), self._numbered("fig", key), inline(caption), key), drawn(block))
 
     def _chapter(self, chapter: Chapter) -> Title:
         """Its title; what stands in it is numbered by the chapter."""
         self._parts = [0, 0]
         if chapter.number is not None:
             self._prefix = chapter.number
-            return Title("", chapter.title, 1)
+            return Title("", inline(chapter.title), 1)
         self._chapters += 1
         self._prefix = str(self._chapters)
-        return Title(self._prefix, chapter.title, 1)
+        return Title(self._prefix, inline(chapter.title), 1)
 
     def _title(self, text: str, level: int) -> Title:
         if not self._prefix:
-            return Title("", text, level)
+            return Title("", inline(text), level)
         self._parts[level - 2] += 1
         self._parts[level - 1 :] = [0] * (3 - level)
-        return Title(".".join([self._prefix, *map(str, self._parts[: level - 1])]), text, level)
+        return Title(".".join([self._prefix, *map(str, self._parts[: level - 1])]), inline(text), level)
 
     def _numbered(self, kind: str, key: str) -> str:
         self._counts[self._prefix, kind] += 1
@@ -281,7 +293,7 @@ def _referring(text: Text, numbers: Mapping[str, str]) -> Text:
 
 def drawn(figure: Figure) -> Drawing:
     """The picture at its size."""
-    drawing = Drawing(*figure.size, figure.caption)
+    drawing = Drawing(*figure.size, plain_text(inline(figure.caption)))
     figure.draw(drawing, Rectangle(0.0, 0.0, *figure.size))
     return drawing
 

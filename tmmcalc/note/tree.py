@@ -36,8 +36,11 @@ class Title(NamedTuple):
     """A heading with its number: ``2.3`` of level 2; introduction and conclusions have none."""
 
     number: str
-    text: str
+    text: Text
     level: int
+
+    def __str__(self) -> str:
+        return f"{self.number} {plain_text(self.text)}".strip()
 
 
 class Reference(NamedTuple):
@@ -68,11 +71,16 @@ class Caption(NamedTuple):
 
     word: str
     number: str
-    text: str
+    text: Text
     key: str = ""
 
     def __str__(self) -> str:
-        return f"{self.word} {self.number} – {self.text}"
+        return plain_text(self.whole)
+
+    @property
+    def whole(self) -> Text:
+        """All of its line."""
+        return Text((f"{self.word} {self.number} – ", *self.text.parts))
 
 
 class Grid(NamedTuple):

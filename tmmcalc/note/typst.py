@@ -163,10 +163,10 @@ def _block(block: Written) -> str:
         case Contents(title):
             return f"#outline(title: [{escaped(title)}], depth: 2, indent: 5mm)"
         case Title(number, text, level):
-            numbered = f"{number} {text}".strip()
+            numbered = f"{escaped(number)} {set_text(text)}".strip()
             before = "#place.flush()\n" if level == 1 else ""  # what floats stands with its chapter
             before += "#pagebreak(weak: true)\n" if level == 1 and not number[:1].isdigit() else ""
-            return f"{before}{'=' * level} {escaped(numbered)}"
+            return f"{before}{'=' * level} {numbered}"
         case Text():
             return set_text(block) + "\n"
         case Equation():
@@ -213,7 +213,7 @@ def _lines(lines: Sequence[str], style: str = "") -> str:
 
 def _picture(image: Image) -> str:
     caption = image.caption
-    return f"pictured({label('fig', caption)}, {_image(image.drawing)}, [{escaped(str(caption))}])"
+    return f"pictured({label('fig', caption)}, {_image(image.drawing)}, [{set_text(caption.whole)}])"
 
 
 def _image(drawing: Drawing) -> str:

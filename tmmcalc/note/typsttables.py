@@ -65,7 +65,7 @@ def _grid(grid: Grid, size: float, wide: float) -> str:
     columns = zip(*grid.rows, strict=True)
     aligned = "".join("right + horizon, " if numeric(column) else "left + horizon, " for column in columns)
     continued = tr("Continuation of table {number}", number=caption.number)
-    said = f"[{escaped(str(caption))}], [{escaped(continued)}]"
+    said = f"[{set_text(caption.whole)}], [{escaped(continued)}]"
     breaks = str(_stands(grid) == "on").lower()
     laid = f"{len(grid.head)}, ({aligned}), {size}pt, {wide:g}mm, {breaks}"
     return f"listed({label('tab', caption)}, {said}, {laid}, ({heads}), ({cells}))"

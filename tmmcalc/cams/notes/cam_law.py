@@ -19,14 +19,13 @@ from tmmcalc.cams.pictures.integration import INTERVALS, draw_integration, integ
 from tmmcalc.cams.pictures.lawdiagrams import draw_laws, shown_scale, symbol, unit_of
 from tmmcalc.cams.pictures.wording import sense_of
 from tmmcalc.cams.program import PhaseKind
-from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_number
 from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Lexicon, Paragraph, Place, Table
-from tmmcalc.report.telling import WIDE, filled, lines, named, tabulated
+from tmmcalc.report.telling import WIDE, filled, lines, named, tabulated, titled
 
 PART = {"rise": ("k = phi/phi_y",), "return": ("phi_e = phi_y + phi_d + phi_c", "k = (phi_e - phi)/phi_c")}
 MOTION = {
@@ -300,7 +299,7 @@ def _course(told: Told) -> Iterator[Block]:
     yield tabulated(tr("Motion of the follower"), shown, labels, head=tr("Position"), key="cam_motion")
     yield from _shocks(told)
     yield Figure(
-        message(tr("Diagrams of {names}", names=", ".join(f"${symbol(law, order)}$" for order in range(3)))),
+        titled(tr("Diagrams of {names}", names=", ".join(f"${symbol(law, order)}$" for order in range(3)))),
         partial(draw_laws, program=task.program, result=law, orders=(0, 1, 2)),
         DIAGRAMS,
         "cam_law",
@@ -308,7 +307,7 @@ def _course(told: Told) -> Iterator[Block]:
     yield Paragraph(tr("The graphical integration of the law is shown in figure {fig:cam_integration}."))
     made = constructed(task.program, INTERVALS)
     draw = partial(draw_integration, program=task.program, result=law, made=made)
-    yield Figure(message(integration_heading(law)), draw, CONSTRUCTION, "cam_integration")
+    yield Figure(titled(integration_heading(law)), draw, CONSTRUCTION, "cam_integration")
 
 
 def _shocks(told: Told) -> Iterator[Block]:

@@ -32,13 +32,12 @@ from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.split import equal_diameters, exponents
 from tmmcalc.gears.tables.tasks.sizing import to_selection
 from tmmcalc.gears.trains import Request, Variant
-from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_name, tr_number
 from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Paragraph, Place, Table
-from tmmcalc.report.telling import lines, named, tabulated
+from tmmcalc.report.telling import lines, named, tabulated, titled
 
 FIRST = 10  # sets of the table
 DIGITS = 6  # of numbers in sentences
@@ -246,7 +245,7 @@ def _chosen(
     """Everything of one set."""
     chosen = moving.chosen
     assert chosen is not None
-    yield Heading(message(train_name(chosen.sets)), 2)
+    yield Heading(titled(train_name(chosen.sets)), 2)
     yield from told_conditions(chosen, f"{key}_conditions")
     yield _scheme(chosen, widths, f"{key}_scheme")
     found = _driven(moving, meshes, torque)
