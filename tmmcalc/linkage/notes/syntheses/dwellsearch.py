@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from tmmcalc.linkage.notes.syntheses.told import Told, angle, ratio, turned
+from tmmcalc.linkage.notes.syntheses.told import Told, angle, course_of, ratio, turned
+from tmmcalc.linkage.synthesis.dwell.optimum import STEPS
 from tmmcalc.linkage.synthesis.dwell.parameters import NAMES, RANGES, given
 from tmmcalc.linkage.synthesis.dwell.results import BarForce, Dwell
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
@@ -78,6 +79,16 @@ def searched(told: Told, asked: DwellTask) -> Iterator[Block]:
         yield Paragraph(tr("The others were refused:"))
         yield Listing(tuple(f"{tr_name(reason)}: {count}" for reason, count in refused.items()))
     yield from _sifted(told)
+    best = tr("least sum of the criteria")
+    methods = tr("differential evolution"), tr("Nelder’s and Mead’s method")
+    yield from course_of(told, best, of=tr("linkages tried"), run=tr("Method"), called=methods)
+    if told.found.course:
+        said = tr(
+            "The search takes the criteria at {count} places of a turn; below they are found exactly.", count=STEPS
+        )
+        if asked.exact and asked.working_angle is not None and asked.n is None:
+            said += " " + tr("Before that $n$ is corrected to the turn of the crank that is asked, which changes them.")
+        yield Paragraph(said)
 
 
 def _sifted(told: Told) -> Iterator[Block]:
