@@ -84,7 +84,10 @@ def told_of(order: Order) -> Told:
     listed = found.among or found.designs
     design = found.designs[0]
     if not found.among:
-        design = listed[min(order.spec.synthesis.choose or 1, len(listed)) - 1]
+        chosen = order.spec.synthesis.choose
+        if not chosen and order.spec.constraints and len(listed) > 1:
+            chosen = order.solved("feasibility").chosen
+        design = listed[min(chosen or 1, len(listed)) - 1]
     told = Told(order, to_synthesis(order.spec), found, listed, design, {})
     meaning, own = "", meanings()
     for size in design.sizes:
