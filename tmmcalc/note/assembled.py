@@ -28,7 +28,7 @@ from tmmcalc.report.formula.layout import Box, Gap, Row, Word
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
 from tmmcalc.report.formula.tree import Name, Node, Statement, mapped, names
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import several, tr, tr_unit
 from tmmcalc.report.manuscript import (
     Block,
     Chapter,
@@ -175,14 +175,16 @@ class Assembler:
             _, unit, meaning = lexicon[key]
             if meaning and self._explained.get(key) != (meaning, unit):
                 for each in _both(key, lexicon):
-                    self._explained[each] = meaning, unit
+                    indices = ("", *(place.index for place in line.places))  # of r_i also r_1 and r_2
+                    self._explained |= {indexed(each, index): (meaning, unit) for index in indices}
                     groups.setdefault((meaning, unit), []).append(each)
         parts: list[str | Box] = []
         for k, ((meaning, unit), keys) in enumerate(groups.items()):
             parts.append("; " if k else tr("where") + " ")
             for j, key in enumerate(keys):
                 parts += [", "] * bool(j) + [quantity(key)]
-            parts.append(f" – {meaning}" + (f", {shown_unit(unit)}" if unit else ""))
+            said = several(meaning) if len(keys) > 1 and not _projections(keys) else meaning
+            parts.append(f" – {said}" + (f", {shown_unit(unit)}" if unit else ""))
         if parts:
             yield Text((*parts, "."), explains=True)
 
@@ -195,6 +197,11 @@ def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
     }
     same = (o for o in others if o in lexicon and (lexicon[o].meaning, lexicon[o].unit) == (said.meaning, said.unit))
     yield from sorted((key, *same))
+
+
+def _projections(keys: Sequence[str]) -> bool:
+    """Whether names are those of one vector, but for the axis."""
+    return len({re.sub("[xy]", "x", key) for key in keys}) == 1
 
 
 def _indexed(node: Node, index: str) -> Node:

@@ -61,8 +61,7 @@ def _pair(told: Told, key: str) -> Iterator[Block]:
     if task.kind == "rack":
         yield from told.lines(*SECTION * bool(task.helix))
     yield from circles(told)
-    for wheels in told.wheels:
-        yield from teeth(wheels, helical=bool(task.helix))
+    yield from teeth(told.shared, told.wheels, helical=bool(task.helix))
     yield Heading(tr("Contact"), 3)
     yield from contact(told)
     yield from quality(told)

@@ -51,7 +51,7 @@ def blocks(order: Order) -> Iterator[Block]:
         yield from wheel.lines(ROOT)
         yield from limits(wheel, [found.limit or 0.0])
     yield from wheel.lines(*(PLAIN_TIP,) * (task.tip is None), RING_HEIGHT if ring else HEIGHT)
-    yield from teeth(wheel, helical=bool(task.helix))
+    yield from teeth([wheel], [wheel], helical=bool(task.helix))
     yield from judged(found.checks, lexicon, wheel.words, (task.measuring.name,), "wheel_quality")
     yield Heading(tr("Measures"), 3)
     yield from measured(wheel, [found.measures], [task.measuring])
