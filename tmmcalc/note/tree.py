@@ -12,7 +12,7 @@ from tmmcalc.report.formula.layout import Box, Row
 from tmmcalc.report.formula.plain import plain
 
 LETTER = 0.53  # of an em, of words
-NUMERIC = re.compile(r"[-−+–\d.,  %°]*")  # what a cell of numbers has
+NUMERIC = re.compile(r"[-−+–\d.,  \u202f%°]*")  # what a cell of numbers has
 
 
 class Cover(NamedTuple):

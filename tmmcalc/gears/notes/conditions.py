@@ -162,7 +162,7 @@ def _axes(meshes: list[str]) -> str:
 
 
 def _distance() -> str:
-    return tr("doubled distance of the axes in parts to which the modules stand")
+    return tr("doubled distance of the axes, in units of the common measure of the modules")
 
 
 def _verdict(each: Condition) -> str:
@@ -212,7 +212,7 @@ def _meaning(name: str, chosen: Chosen) -> str:
 def _table(found: tuple[Condition, ...], key: str) -> Table:
     """All conditions with both sides and their verdicts; those that are good custom in brackets."""
     head = (tr("Condition"), tr("Wheels"), tr("With numbers"), tr("Verdict"))
-    return Table(tr("Conditions on the numbers of teeth"), head, tuple(map(_row, found)), key)
+    return Table(tr("Conditions on the numbers of teeth"), head, tuple(dict.fromkeys(map(_row, found))), key)
 
 
 def _row(each: Condition) -> tuple[str, ...]:

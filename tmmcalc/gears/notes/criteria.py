@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import partial
-from unicodedata import normalize
 
 import numpy as np
 
@@ -14,21 +13,20 @@ from tmmcalc.gears.criteria.size import orbits
 from tmmcalc.gears.criteria.speeds import speeds
 from tmmcalc.gears.criteria.wheels import Build, radii, stage_of, wheels
 from tmmcalc.gears.model import ToothSets
-from tmmcalc.gears.notes.letters import joined, lowered, noted, teeth
+from tmmcalc.gears.notes.letters import joined, layout_word, noted, short_train, teeth
 from tmmcalc.gears.pictures.front import draw_pareto
-from tmmcalc.gears.pictures.words import CRITERIA, short_name, teeth_text, train_name
-from tmmcalc.gears.scheme import CARRIER, Mesh, known_layouts
+from tmmcalc.gears.pictures.words import CRITERIA, short_name, teeth_text
+from tmmcalc.gears.scheme import CARRIER, Mesh
 from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.selection.solve import assumptions_of
 from tmmcalc.gears.selection.task import WEIGHTED
 from tmmcalc.gears.sizing import rows_of
 from tmmcalc.gears.tables.tasks.sizing import to_selection
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import RESULT, Given, significant
-from tmmcalc.report.language import tr, tr_name, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_number, tr_unit
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import lines, named
 
@@ -52,7 +50,7 @@ def blocks(order: Order) -> Iterator[Block]:
     to = assumptions_of(request, to_selection(order.spec)).reduced_to or one.scheme.output
     yield Heading(tr("Choice of the train by its criteria"), 2)
     yield Heading(tr("Masses, inertia, size"), 3)
-    yield Paragraph(tr("The chosen train: {train}.", train=lowered(message(train_name(one)))))
+    yield Paragraph(tr("The chosen train: {train}.", train=short_train(one)))
     chosen = _Chosen(selection, one, variant.criteria.centre_distances[row].tolist(), request.task.pressure_angle, to)
     yield from chosen.distances()
     yield from chosen.wheels()
@@ -200,12 +198,6 @@ class _Chosen:
 
 def _distance(mesh: Mesh) -> str:
     return f"a_{{{joined((mesh.first, mesh.second))}}}"
-
-
-def layout_word(key: str) -> str:
-    """A layout in a word, a planetary one by its designation; a number of planets as it is."""
-    scheme = known_layouts().get(key)
-    return normalize("NFC", scheme.designation) if scheme is not None and scheme.planetary else tr_name(key)
 
 
 def _shown(key: str, value: float) -> str:

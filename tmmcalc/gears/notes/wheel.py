@@ -40,7 +40,7 @@ def blocks(order: Order) -> Iterator[Block]:
     wheel, task = alone(found), found.task
     lexicon = wheel.places[0].lexicon
     ring = task.kind == "internal"
-    yield Heading(tr("Ring, z = {teeth}", teeth=task.teeth) if ring else tr("Wheel, z = {teeth}", teeth=task.teeth))
+    yield Heading(tr("Ring, $z$ = {teeth}", teeth=task.teeth) if ring else tr("Wheel, $z$ = {teeth}", teeth=task.teeth))
     yield Paragraph(tr("The given data of the wheel are in table {table}.", table="{tab:wheel_data}"))
     names = [*GIVEN, *["r_a"] * (task.tip is not None)]
     yield parameters(tr("Given data of the wheel"), names, lexicon, "wheel_data")
