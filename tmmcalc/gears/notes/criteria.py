@@ -32,7 +32,7 @@ from tmmcalc.report.telling import lines, named
 
 MM = 1e3
 SHOWN = 12  # trains of the table
-PARETO, UNDER = (160.0, 118.0), 3.0  # size of the picture, and room below its axis [mm]
+PARETO, SIDE, UNDER = (160.0, 118.0), 5.0, 3.0  # size of the picture, and room beside and below its axes [mm]
 SHAPES = {  # mass [kg] and inertia [kg*m^2] of a wheel, lengths in mm (4.43), (4.44)
     "pinion": ("M = pi*rho*b*r**2/10**9", "J = M*r**2/(2*10**6)"),
     "wheel": ("M = alpha_1*pi*rho*b*r**2/10**9", "J = alpha_2*M*r**2/(2*10**6)"),
@@ -239,7 +239,7 @@ def _compared(selection: Selection) -> Iterator[Block]:
 
 
 def _front(drawing: Drawing, box: Box, found: Selection) -> None:
-    draw_pareto(drawing, box.inset(0, UNDER, 0, 0), found, found.winner.place)
+    draw_pareto(drawing, box.inset(SIDE, UNDER, 0, 0), found, found.winner.place)
 
 
 def _sizes(selection: Selection, row: int) -> tuple[str, ...]:

@@ -113,5 +113,7 @@ def layout_word(key: str) -> str:
 
 
 def short_train(sets: ToothSets) -> str:
-    """A train by its layout in a word and its teeth."""
-    return f"{layout_word(sets.scheme.key)} {teeth_text(sets.teeth[0].tolist())}"
+    """A train by its layout, a planetary one by its designation, and its teeth."""
+    scheme = sets.scheme
+    word = layout_word(scheme.key) if scheme.planetary else lowered(tr_name(scheme.title))
+    return f"{word} {teeth_text(sets.teeth[0].tolist())}"

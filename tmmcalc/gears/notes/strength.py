@@ -72,6 +72,10 @@ def blocks(order: Order) -> Iterator[Block]:
     yield Heading(tr("Stresses"), 3)
     yield from spreads if real else ()
     yield from _stresses(meshes, scheme)
+    for symbol in ("m", "b"):
+        for own in _owned(stages, symbol):
+            place = _owners(own.of, stage=True) if own.of else ""
+            yield Result(symbol, Given(1e3 * own.factor.told.value, "mm", _meaning(symbol)), place=place)
     if not told.accepted:
         yield Paragraph(tr("The train is not strong enough."))
 
