@@ -17,7 +17,7 @@ from tmmcalc.note.tree import (
     Written,
 )
 from tmmcalc.note.typstlines import set_lines
-from tmmcalc.note.typsttables import beside, set_tables
+from tmmcalc.note.typsttables import beside, has_room, set_pictured, set_tables
 from tmmcalc.note.typstwords import GAP, WIDE, escaped, label, quoted, set_text
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.lettering import FONTS
@@ -78,7 +78,7 @@ def source(blocks: Iterable[Written], language: str, title: str, frame: TextTitl
 
 
 def _grouped(blocks: Iterable[Written]) -> Iterator[list[Written]]:
-    """What may stand beside each other: a formula and its explanation, its numbers at places, pictures."""
+    """What may stand beside each other: a formula and its explanation, its numbers at places, tables and pictures."""
     group: list[Written] = []
     for block in blocks:
         if group and not _joins(group, block):
@@ -97,6 +97,8 @@ def _joins(group: Sequence[Written], block: Written) -> bool:
             return explains and isinstance(last, Equation) and bool(last.number)
         case Equation(_, number):
             return not number and isinstance(last, Equation | Text) and isinstance(group[0], Equation)
+        case Image(_, drawing) if isinstance(last, Grid):
+            return len(group) == 1 and has_room(last, drawing.width)
         case Image(_, drawing):
             drawings = [each.drawing for each in group if isinstance(each, Image)]
             free = WIDE - sum(each.width + GAP for each in drawings)
@@ -111,6 +113,9 @@ def _group(group: Sequence[Written]) -> Iterator[str]:
     """A formula with what belongs to it, pictures beside each other, or a block by itself."""
     if isinstance(group[0], Image):
         yield f"#shown({', '.join(_picture(each) for each in group if isinstance(each, Image))})"
+        return
+    if isinstance(group[0], Grid) and isinstance(group[-1], Image):
+        yield set_pictured(group[0], _picture(group[-1]), group[-1].drawing.width)
         return
     if isinstance(group[0], Grid):
         yield set_tables([each for each in group if isinstance(each, Grid)])

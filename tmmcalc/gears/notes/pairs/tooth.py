@@ -16,9 +16,9 @@ from tmmcalc.gears.pictures.toothpoints import INTERVALS, draw_tooth, textbook_p
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Lexicon, Paragraph, Place
-from tmmcalc.report.telling import WIDE, named, tabulated
+from tmmcalc.report.telling import named, tabulated
 
-SIZE = WIDE, 95.0  # of the picture of a tooth [mm]
+SIZE = 96.0, 72.0  # of the picture of a tooth, which stands beside the table of its points [mm]
 PSI = "psi = (pi/2 + 2*x*tan(alpha))/z"
 TIP = "phi_A = tan(alpha_a) - tan(<t>)"
 LIMIT = "phi_L = m*(x - <hl>)/(r*sin(<t>)*cos(<t>))"
