@@ -202,7 +202,7 @@ def _meaning(name: str, chosen: Chosen) -> str:
         pairs = {f"{mesh.first}{mesh.second}": f"{mesh.first}–{mesh.second}" for mesh in chosen.sets.scheme.meshes}
         return tr("operating pressure angle of the pair {pair}", pair=pairs[name[8:-1]])
     return {
-        "alpha": tr("pressure angle of the basic rack"),
+        "alpha": tr("profile angle of the rack"),
         "h_a^{*}": tr("addendum coefficient"),
         "c_g": tr("least gap between the tips of neighbours, in modules"),
         "K": tr("number of planets") if chosen.sets.scheme.planetary else tr("number of layshafts"),

@@ -99,7 +99,7 @@ class _Chosen:
             if mesh in self.raised:
                 said = tr("operating pressure angle of the pair {pair}", pair=f"{mesh.first}–{mesh.second}")
                 found = {angle: Given(float(np.degrees(self.raised[mesh])), "deg", said)}
-                found["alpha"] = Given(float(np.degrees(self.rack)), "deg", tr("pressure angle of the basic rack"))
+                found["alpha"] = Given(float(np.degrees(self.rack)), "deg", tr("profile angle of the rack"))
                 self.lexicon |= named(found)
             yield from self.lines(f"{_distance(mesh)} = m_{mesh.stage + 1}*({total})/2{stretch}")
 
@@ -171,6 +171,7 @@ class _Chosen:
             "J_c": (winner.on_crank, "kg*m^2", tr("inertia reduced to the crank")),
         }
         self.lexicon |= named({name: Given(*value) for name, value in found.items()})
+        yield Paragraph(tr("The moving wheels are in table {tab}.", tab="{tab:criteria_wheels}"))
         yield self._table(moving)
         yield from self.lines("M_Σ = sum(n_j*M_j, j)")
         whole = "J_Σ = sum(n_j*J_j*i_j**2, j)"
@@ -218,8 +219,8 @@ def _compared(selection: Selection) -> Iterator[Block]:
     weak = sum(each.weak + each.locking for each in selection.variants)
     yield Paragraph(
         tr(
-            "{count} trains are strong enough and are compared by: {criteria}. No other train is better in all of "
-            "these criteria than {front} of them, the Pareto front (figure {fig}, table {tab}).",
+            "{count} trains are strong enough; they are compared by: {criteria}. The Pareto front has {front} of them: "
+            "no other train is better in all of these criteria (figure {fig}, table {tab}).",
             fig="{fig:criteria_front}",
             tab="{tab:criteria_front}",
             **told,

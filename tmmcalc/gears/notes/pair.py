@@ -172,7 +172,7 @@ def _distance(told: Told, span: tuple[float, float] | None) -> Iterator[Block]:
     else:
         yield Paragraph(
             tr(
-                "The sum of the shifts is nothing: the pitch circles are the reference circles, {relations}.",
+                "The sum of the shifts is zero: the pitch circles are the reference circles, {relations}.",
                 relations=f"$a_w = a$, $alpha_tw = {told.words['t']}$",
             )
         )

@@ -248,6 +248,7 @@ def _chosen(
     yield Heading(titled(train_name(chosen.sets)), 2)
     yield from told_conditions(chosen, f"{key}_conditions")
     yield from _reached(chosen, several=several)
+    yield Paragraph(tr("Figure {fig} shows the train from two sides.", fig=f"{{fig:{key}_scheme}}"))
     yield _scheme(chosen, widths, f"{key}_scheme")
     found = _driven(moving, meshes, torque)
     told = told_motion(Moving(found.task, found.motion, chosen, moving.remarks))
