@@ -114,8 +114,9 @@ def _group(group: Sequence[Written]) -> Iterator[str]:
     if isinstance(group[0], Image):
         yield f"#shown({', '.join(_picture(each) for each in group if isinstance(each, Image))})"
         return
-    if isinstance(group[0], Grid) and isinstance(group[-1], Image):
-        yield set_pictured(group[0], _picture(group[-1]), group[-1].drawing.width)
+    first, last = group[0], group[-1]
+    if isinstance(first, Grid) and isinstance(last, Image):
+        yield set_pictured(first, _picture(last), last.drawing.width)
         return
     if isinstance(group[0], Grid):
         yield set_tables([each for each in group if isinstance(each, Grid)])

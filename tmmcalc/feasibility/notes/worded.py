@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping, Sequence
 
 from tmmcalc.core.notes import Phrase
 from tmmcalc.feasibility.judge import ASKED
@@ -36,7 +37,7 @@ def worded(quantity: str) -> str:
 def _named(stage: str, column: str) -> str:
     """A column in words with its letter; empty where there are none."""
     link, point, pin = "{link}", "{point}", "{pin}"
-    words = {
+    words: Mapping[str, Sequence[tuple[str, str, str]]] = {
         "kinematics": (
             (r"omega_(\w+)", tr("angular velocity of link {link}", link=link), "omega_<>"),
             (r"eps_(\w+)", tr("angular acceleration of link {link}", link=link), "eps_<>"),
@@ -56,8 +57,8 @@ def _named(stage: str, column: str) -> str:
     for pattern, said, letter in words:
         if found := re.fullmatch(pattern, column):
             name = found[1] if found.groups() else ""
-            told = titled(point_name(name))
-            place = {link: name, point: told, pin: told}
+            of_point = titled(point_name(name)) if name else ""
+            place = {link: name, point: of_point, pin: of_point}
             for key, put in place.items():
                 said = said.replace(key, put)
             symbol = letter.replace("<>", f"{{{name}}}" if "_" in letter else name)

@@ -51,14 +51,10 @@ def blocks(order: Order) -> Iterator[Block]:
     pairs = order.results["pair"].pairs
     contours = order.results["blocking"].pairs if "blocking" in order.results else ()
     for k, found in enumerate(pairs, 1):
-        span = next((_span(each, found) for each in contours if _of(each) == _of(found)), None)
+        own = found.task
+        same = (each for each in contours if (each.name, tuple(each.teeth)) == (own.name, tuple(own.teeth)))
+        span = next((_span(each, found) for each in same), None)
         yield from _pair(told_of(found), span, f"pair{k}", _teeth(found.task) if pairs[1:] else "")
-
-
-def _of(found: MeshPair | PairContour) -> tuple[str, tuple[int, ...]]:
-    """The name and the teeth of a pair."""
-    task = found.task if isinstance(found, MeshPair) else found
-    return task.name, tuple(task.teeth)
 
 
 def _teeth(task: PairTask) -> str:

@@ -41,8 +41,8 @@ def search(task: SynthesisTask, kind: str, exact: Callable[[], Found] | None) ->
         fits = _designs(task, kind, near)
         designs = _distinct([*designs, *_met(fits, unit)])
         if not designs:
-            found = Found(near, {**counters, "designs": len(fits)}, fitting)
-            return _nearest(task, kind, sorted(fits, key=_by_distance), exact is not None, found)
+            nearly = Found(near, {**counters, "designs": len(fits)}, fitting)
+            return _nearest(task, kind, sorted(fits, key=_by_distance), exact is not None, nearly)
     designs.sort(key=_by_transmission)
     shown = tuple(designs[: task.solutions])
     residual = max(error_of(design, unit) for design in shown)

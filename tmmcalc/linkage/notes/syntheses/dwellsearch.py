@@ -209,7 +209,7 @@ def _loaded(told: Told, each: BarForce, *, rocks: bool) -> dict[str, Given]:
     pins = dict(zip("ABCDE", zip(each.x, each.y, strict=True), strict=True))
     if rocks:
         pins["F"] = size("x_F") / size("l_OB"), size("y_F") / size("l_OB")
-    found = {}
+    found: dict[str, Given] = {}
     for pin, (x, y) in pins.items():
         found |= {f"xi_{pin}": ratio(x, coordinates), f"eta_{pin}": ratio(y, coordinates)}
     for k, (bar, index) in enumerate(BAR.items()):
