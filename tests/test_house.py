@@ -34,6 +34,7 @@ FLOORS = (
     "note",
     "accuracy",
     "batch",
+    "page",
     "stress",
     "api",
     "cli",

@@ -47,6 +47,7 @@ SECTIONS = {
             Command("plot", "Draw the result of a stage to an svg, png, pdf or dxf file."),
             Command("sheet", "Draw the sheets that are handed in: A1, with frame and title block."),
             Command("note", "The explanatory note: every formula in letters, in numbers, checked."),
+            Command("page", "One HTML file in which the machine moves, with diagrams and all results."),
             Command("accuracy", "Error against run time of every method of the stages."),
             Command("stress", "Ladders of extremes: where every stage loses its digits."),
         )

@@ -11,6 +11,7 @@ A room is a package with a module ``room``, whose ``ROOM`` is a `Room`. What it 
     its facts       <room>.facts.<name>          summary(result, title)
     its picture     <room>.pictures.<name>       figure(order)
     its note        <room>.notes.<name>          blocks(order)
+    what moves      <room>.views.<name>          views(order)
     what is given   <room>.notes.task            blocks(order)
     its studies     <room>.accuracy.<name>       studies(scene)
     command         cli.<name>, cli.<group>.<name>
@@ -174,6 +175,7 @@ class Room:
             facts=f"{self.home}.facts.{name}",
             picture=picture,
             note=f"{self.home}.notes.{name}" if stage.chapter else "",
+            view=f"{self.home}.views.{name}" if stage.moves else "",
             studies=f"{self.home}.accuracy.{name}:studies" if stage.studied else "",
         )
 

@@ -17,6 +17,8 @@ from dataclasses import MISSING, field
 from math import pi
 from typing import Any, Generic, NamedTuple, TypeVar, get_args, get_origin, get_type_hints, overload
 
+from tmmcalc.core.notes import Phrase
+
 T = TypeVar("T")
 
 # what a value in the first unit is multiplied by for the second, the unit of people
@@ -34,7 +36,7 @@ class Quantity(NamedTuple):
     """A quantity by its key for programs, with its unit: ``M[m]``."""
 
     key: str
-    meaning: str  # a few English words
+    meaning: str  # a few English words; a `Phrase` where they name something of the scene
     symbol: str = ""  # as it is typeset where that is not its name: ``W^*`` of ``W_star[m]``
     source: str = ""  # the textbook's formula or the rule that it is from
     header: str = ""  # as it heads a column of the table of its records, where that is not the key
@@ -62,7 +64,10 @@ class Quantity(NamedTuple):
         >>> Quantity("{name}_max[{unit}]", "largest {name}").of(name="K", unit="").key
         'K_max'
         """
-        return Quantity(*(text and text.format(**places).removesuffix("[]") for text in self)) if places else self
+        if not places:
+            return self
+        found = Quantity(*(text and text.format(**places).removesuffix("[]") for text in self))
+        return found._replace(meaning=Phrase(self.meaning, **places)) if "{" in self.meaning else found
 
     def marked(self, word: str) -> Quantity:
         """The same of its extreme, mean, error ...: a word after the name.
@@ -71,7 +76,8 @@ class Quantity(NamedTuple):
         'P_max[W]'
         """
         name, bracket, unit = self.key.partition("[")
-        return Quantity(f"{name}_{word}{bracket}{unit}", f"{self.meaning}: {word}", source=self.source)
+        meaning = Phrase("{quantity}: {word}", quantity=self.meaning, word=word)
+        return Quantity(f"{name}_{word}{bracket}{unit}", meaning, source=self.source)
 
     def shown(self, unit: str) -> tuple[str, float]:
         """The header in a unit for people, and the factor of the values.

@@ -65,6 +65,7 @@ class Stage:
                           spec names none, None: the best; ``another`` as ``solve`` has it
     ``placed(spec, value)``  the spec with one row more, where the first of its columns has this value (a number with a
                           unit or without): of stages whose rows are places that can be asked for, for `tmmcalc.naming`
+    ``dense(spec, count)``   the spec with so many equal steps of its rows: of the same stages, for what moves smoothly
     ``unfit(spec, plan)``  an error of what it is asked about stages that the plan leaves out, raised before any runs;
                           None if there is none
     ``further(spec, results)``  columns by choice of the rows of its table, a sequence of `Column`: they stand in no
@@ -105,6 +106,8 @@ class Stage:
     picture: Picture | None = None
     chapter: str = ""  # of the note in which it is told of, by the function ``blocks`` of ``note``; empty: in none
     note: str = ""  # module with ``blocks(order)``: what the note tells of it, see `tmmcalc.report.manuscript`
+    moves: bool = False  # whether a page shows it moving
+    view: str = ""  # module with ``views(order)``: what moves, see `tmmcalc.report.moving`
     studied: bool = False  # whether it has several methods, which are studied
     studies: str = ""  # "module:function", (scene) -> the studies of its methods
 

@@ -101,6 +101,7 @@ ROOM = Room(
             wanted="moves",
             settings={"method": "closed", "step": 0.0, "decimals": 0},  # 0: the default step, no rounding
             chapter="kinematics",
+            moves=True,
             picture=Picture(
                 "scheme in its positions, paths of points, diagrams of the outputs; with --polygons plans of "
                 "velocities and accelerations",

@@ -11,6 +11,7 @@ import numpy as np
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import labelled, named
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import STAGES
 from tmmcalc.naming.choice import Chosen, chosen_facts, error_meaning, forms_of_details, of_itself
@@ -212,7 +213,7 @@ def _of_fact(known: Callable[[str, str], tuple[str, str]], name: str, unit: str)
     found = known(name, unit)
     of, at, along = name.rpartition("_at_")
     if at and not found[0] and (meaning := known(of, ANY)[0]):
-        return f"{meaning}: {along} there", ""
+        return Phrase("{quantity}: {place} there", quantity=meaning, place=along), ""
     return found
 
 

@@ -21,6 +21,7 @@ from tmmcalc.note.tree import (
     plain_text,
 )
 from tmmcalc.report.drawing.box import Box as Rectangle
+from tmmcalc.report.drawing.reach import trimmed
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula import setting
 from tmmcalc.report.formula.digits import RESULT, Given, Worked, result_of, significant, worked
@@ -299,10 +300,10 @@ def _referring(text: Text, numbers: Mapping[str, str]) -> Text:
 
 
 def drawn(figure: Figure) -> Drawing:
-    """The picture at its size."""
+    """The picture in its width, as high as it needs within its size."""
     drawing = Drawing(*figure.size, plain_text(inline(figure.caption)))
     figure.draw(drawing, Rectangle(0.0, 0.0, *figure.size))
-    return drawing
+    return trimmed(drawing)
 
 
 def shown_unit(unit: str) -> str:

@@ -41,18 +41,19 @@ HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 15mm, bo
   { set par(first-line-indent: 0pt); grid(columns: columns, align: horizon, ..cells) })
 #let explained(body) = par(first-line-indent: 0pt, body)
 #let listed(key, caption, continued, columns, aligned, size, wide, breaks, heads, cells) = {
+  let said(words) = block(width: wide, spacing: 4pt, text(size: 12pt, words))
   let above = context {
-    let said = block(width: wide, text(size: 12pt,
-      if here().page() == query(label(key)).first().location().page() { caption } else { continued }))
-    block(height: measure(said).height, width: 0pt, place(said))
+    let words = said(if here().page() == query(label(key)).first().location().page() { caption } else { continued })
+    block(height: measure(words).height, width: 0pt, place(words))
   }
+  let named = if breaks { (table.cell(colspan: columns, stroke: none, inset: (x: 0pt, y: 4pt), align: left, above),) }
   block(breakable: breaks, width: 100%, above: 1em, below: 1em)[
     #set par(justify: false, first-line-indent: 0pt, leading: 0.5em)
     #set text(size: size)
     #set align(left)
     #metadata(none) #label(key)
-    #table(columns: columns, align: aligned, table.header(table.cell(colspan: columns, stroke: none,
-      inset: (x: 0pt, y: 4pt), align: left, above), ..heads), ..cells)]
+    #if not breaks { said(caption) }
+    #table(columns: columns, align: aligned, table.header(..named, ..heads), ..cells)]
 }
 #let stood(columns, ..tables) = grid(columns: columns, column-gutter: 3mm, align: top, ..tables)
 #let floated(body) = place(bottom, float: true, clearance: 1em, body)

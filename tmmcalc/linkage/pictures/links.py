@@ -32,11 +32,11 @@ def draw_link(board: Board, body: LinkOutline, motion: LinkageMotion, k: int = 0
         board.line(placed(bar), THICK, level=signs.LINK)
     for block in body.blocks:
         signs.block(board, placed((block.centre,))[0], block.direction * turn)
-    for at, first, second in _corners(body):
+    for at, first, second in corners_of(body):
         signs.weld(board, placed((at,))[0], first * turn, second * turn)
 
 
-def _corners(body: LinkOutline) -> Iterator[tuple[complex, complex, complex]]:
+def corners_of(body: LinkOutline) -> Iterator[tuple[complex, complex, complex]]:
     """Where two bars of a link meet at an angle: the point, and the directions of both from there."""
     lines: tuple[Segment, ...] = (*body.bars, *body.slots)
     for one, other in combinations(lines, 2):

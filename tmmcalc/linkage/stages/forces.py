@@ -25,6 +25,7 @@ solve = "tmmcalc.linkage.forces.solve:solve_forces"
 kind = Forces
 columns = "tmmcalc.linkage.forces.columns:columns"
 placed = "tmmcalc.linkage.tables.tasks.placed:with_position"
+dense = "tmmcalc.linkage.tables.tasks.placed:with_positions"
 words = "tmmcalc.linkage.tables.tasks.words:words_of"
 declares = ("tmmcalc.linkage.columns:PHI", "tmmcalc.linkage.forces.further", "tmmcalc.linkage.forces.terms")
 

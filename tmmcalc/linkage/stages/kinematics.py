@@ -31,6 +31,7 @@ solve = "tmmcalc.linkage.kinematics:solve_kinematics"
 kind = Kinematics
 columns = "tmmcalc.linkage.columns:columns"
 placed = "tmmcalc.linkage.tables.tasks.placed:with_position"
+dense = "tmmcalc.linkage.tables.tasks.placed:with_positions"
 words = "tmmcalc.linkage.tables.tasks.words:words_of"
 declares = ("tmmcalc.linkage.relative", "tmmcalc.linkage.special", "tmmcalc.linkage.further")
 

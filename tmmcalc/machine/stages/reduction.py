@@ -43,6 +43,7 @@ declares = (
     "tmmcalc.linkage.forces.further:FRICTION_REDUCED",
 )
 placed = "tmmcalc.linkage.tables.tasks.placed:with_position"
+dense = "tmmcalc.linkage.tables.tasks.placed:with_positions"
 
 
 def inputs(spec: MachineTables) -> Given:

@@ -1,4 +1,4 @@
-"""How far shapes reach on paper."""
+"""How far shapes reach on paper, and drawings without the blank over and under them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.shapes import Arc, Dimension, Shape, Words
+from tmmcalc.report.drawing.shapes import Arc, Dimension, Drawing, Hatching, Shape, Words
 from tmmcalc.report.drawing.wording import corners
 
 
@@ -39,3 +39,27 @@ def _extremes(arc: Arc) -> Plane:
     quarters = np.arange(math.ceil(2 * arc.start / math.pi), math.floor(2 * arc.end / math.pi) + 1) * math.pi / 2
     angles = np.concatenate([[arc.start, arc.end], quarters])
     return np.asarray(arc.centre + arc.radius * np.exp(1j * angles))
+
+
+def trimmed(drawing: Drawing, margin: float = 1.0) -> Drawing:
+    """The drawing on paper that is no higher than its shapes need, with a margin [mm]."""
+    box = around(map(reach, drawing.shapes))
+    low, high = max(0.0, box.bottom - margin), min(drawing.height, box.top + margin)
+    found = Drawing(drawing.width, math.ceil(10 * (high - low)) / 10, drawing.title)
+    found.add(*(lowered(shape, low) for shape in drawing.shapes))
+    return found
+
+
+def lowered(shape: Shape, by: float) -> Shape:
+    """The shape so much lower on the paper [mm]."""
+    down = 1j * by
+    match shape:
+        case Arc():
+            return shape._replace(centre=shape.centre - down)
+        case Words():
+            return shape._replace(at=shape.at - down)
+        case Hatching():
+            return shape._replace(loops=tuple(loop - down for loop in shape.loops))
+        case Dimension(first, second, line):
+            return shape._replace(first=first - down, second=second - down, line=line - down)
+    return shape._replace(points=shape.points - down)

@@ -1,4 +1,4 @@
-"""One position more than those of ``[mechanism.grid]``: where a result is asked for between them."""
+"""Other positions than those of ``[mechanism.grid]``: one more, where a result is asked for between them; many."""
 
 from __future__ import annotations
 
@@ -30,3 +30,13 @@ def with_position(spec: LinkageTables, value: str) -> LinkageTables:
     whole: Any = spec  # the root of the spec, which is put together of the rooms
     placed: LinkageTables = whole.model_copy(update={"mechanism": mechanism.model_copy(update={"grid": grid})})
     return placed
+
+
+def with_positions(spec: LinkageTables, count: int) -> LinkageTables:
+    """The spec with so many equal steps over the same travel."""
+    mechanism = spec.linkage
+    steps: dict[str, Any] = {"positions": count, "working": None, "idle": None, "extra": [], "extremes": False}
+    grid = mechanism.grid.model_copy(update=steps)
+    whole: Any = spec  # the root of the spec, which is put together of the rooms
+    dense: LinkageTables = whole.model_copy(update={"mechanism": mechanism.model_copy(update={"grid": grid})})
+    return dense

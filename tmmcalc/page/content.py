@@ -1,0 +1,278 @@
+"""What stands on a page: stages with their facts and columns, given data, what moves; as plain values for JSON."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmmcalc.core.errors import UsageError
+from tmmcalc.core.facts import named
+from tmmcalc.core.notes import graded
+from tmmcalc.core.stage import STAGES, arguments, resolve
+from tmmcalc.naming.table import Values, table_of
+from tmmcalc.naming.told import Extent, Told, listed
+from tmmcalc.page.packing import ERROR, Block
+from tmmcalc.page.said import alike, name_of, unit_of, words
+from tmmcalc.pipeline.chapters import task_of, warnings_of
+from tmmcalc.pipeline.picturing import order_of
+from tmmcalc.report.language import LANGUAGES, speaking
+from tmmcalc.report.manuscript import Datum
+from tmmcalc.report.moving import Body, Mark, Plan, Track, View
+
+if TYPE_CHECKING:
+    from tmmcalc.pipeline.outcome import RunResult
+
+POSITIONS = 360  # that a page solves of its own
+ROWS = 1000  # of a longer table so many are shown, and those of extremes
+
+Indices = NDArray[np.intp]
+Content = dict[str, Any]
+
+
+class Variant(NamedTuple):
+    """A run, what tells it from the others on the page, and the text of its spec."""
+
+    name: str
+    run: RunResult
+    source: str
+
+
+def content(variants: Sequence[Variant], title: str, key: str, language: str, positions: int = POSITIONS) -> Content:
+    """All that a page holds; ``key`` is what the variants differ in. Of several plans of vectors are left out."""
+    block = Block()
+    scenes = [_scene(each, block, positions, planned=len(variants) == 1) for each in variants]
+    found = {
+        "title": title,
+        "key": key,
+        "languages": dict(LANGUAGES),
+        "language": language,
+        "words": words(),
+        "error": ERROR,
+        "scenes": scenes,
+    }
+    return {**found, "block": block.text()}
+
+
+def _scene(variant: Variant, block: Block, positions: int, *, planned: bool) -> Content:
+    run = variant.run
+    dense = _dense(run, positions)
+    return {
+        "name": variant.name,
+        "stages": [_stage(stage, run, dense, block) for stage in run.outcomes],
+        "given": _given(run),
+        "source": variant.source,
+        "views": [*_views(run, dense, block, planned=planned)],
+    }
+
+
+def _dense(run: RunResult, positions: int) -> Content:
+    """Results over many equal steps, of the stages whose rows are places that can be asked for."""
+    results: dict[str, Any] = dict(run.results)
+    found: dict[str, Any] = {}
+    for name in run.outcomes:
+        own = STAGES[name]
+        make = own.part("dense")
+        if make is None or own.unwanted(run.spec) is not None:
+            continue
+        try:
+            spec = make(run.spec, positions)
+        except UsageError:
+            continue  # there is no mechanism: a diagram stands in its place
+        results[name] = found[name] = own.solve(*arguments(own.inputs(spec)), **own.given(results), **own.settings)
+    return found
+
+
+def _stage(name: str, run: RunResult, dense: Mapping[str, Any], block: Block) -> Content:
+    """A stage: facts of the run, columns over many positions where it has them, warnings, errors."""
+    stage, result = STAGES[name], run.results[name]
+    facts = [_fact(each) for each in listed(name, result) if isinstance(each, Told) and math.isfinite(each.value)]
+    errors = {key: each for key, each in run.outcomes[name].record.error.items() if isinstance(each, float) and each}
+    return {
+        "name": name,
+        "title": name_of(stage.title),
+        "facts": facts,
+        **_table(name, dense.get(name, result), block),
+        "warnings": [name_of(graded(each)[1]) for each in warnings_of(run, [name])],
+        "errors": {key: float(f"{each:.3g}") for key, each in errors.items()},
+    }
+
+
+def _fact(told: Told) -> Content:
+    return {
+        "name": told.quantity,
+        "symbol": told.symbol,
+        "meaning": name_of(told.meaning),
+        "value": told.value,
+        "unit": unit_of(told.unit),
+    }
+
+
+def _table(name: str, result: Any, block: Block) -> Content:
+    """The columns of numbers, and the first of them that its rows go along; without one they are counted."""
+    table = table_of(name, result)
+    known = {each.quantity: each for each in listed(name, result) if isinstance(each, Extent)}
+    headers = [header for header in table.headers if named(header)[0] in known] if table is not None else []
+    if table is None or not headers or len(table.first) < 2:
+        return {"rows": None, "columns": []}
+    along, *others = headers
+    values = table.column(along)
+    if not _ordered(values):
+        along, others, values = "", headers, np.arange(1.0, len(table.first) + 1)
+    row, unit = named(along) if along else ("", "")
+    columns = {header: table.column(header) for header in others}
+    kept = _kept(values, [*columns.values()], along != "")
+    rows = {"header": along, "name": row, "unit": unit_of(unit), "values": block.put(values[kept])}
+    return {
+        "rows": {**rows, "kept": len(kept), "of": len(values)},
+        "columns": [_column(known[named(header)[0]], each[kept], block) for header, each in columns.items()],
+    }
+
+
+def _kept(values: Values, columns: Sequence[Values], ordered: bool) -> Indices:
+    """Of many rows those that are shown: of a list the first, along a column equal steps with ends and extremes."""
+    count = len(values)
+    if count <= ROWS:
+        return np.arange(count)
+    if not ordered:
+        return np.arange(ROWS)
+    peaks = [k for each in columns if np.isfinite(each).any() for k in (np.nanargmin(each), np.nanargmax(each))]
+    return np.unique([*np.linspace(0, count - 1, ROWS).round().astype(int), *peaks])
+
+
+def _ordered(values: Values) -> bool:
+    """Whether rows go along a column, one way."""
+    steps = np.diff(values)
+    return bool(values[0] != values[-1] and ((steps >= 0).all() or (steps <= 0).all()))
+
+
+def _column(column: Extent, values: Values, block: Block) -> Content:
+    return {
+        "name": column.quantity,
+        "unit": unit_of(column.unit),
+        "symbol": column.symbol,
+        "meaning": name_of(column.meaning),
+        "values": block.put(values),
+    }
+
+
+def _given(run: RunResult) -> list[Content]:
+    """The given data, as the note lists them."""
+    spoken = []
+    for language in LANGUAGES:
+        with speaking(language):
+            spoken.append([block for block in task_of(run.spec, run.results) if isinstance(block, Datum)])
+    return [
+        {
+            "what": alike([each.what for each in same]),
+            "keys": same[0].keys,
+            "values": same[0].values,
+            "unit": unit_of(same[0].unit),
+            "text": alike([each.text for each in same]),
+        }
+        for same in zip(*spoken, strict=True)
+    ]
+
+
+def _views(run: RunResult, dense: Mapping[str, Any], block: Block, *, planned: bool) -> Iterator[Content]:
+    """What moves, by the rooms."""
+    order = order_of(run.spec, {**run.results, **dense})
+    for name in run.outcomes:
+        if STAGES[name].view:
+            for view in resolve(f"{STAGES[name].view}:views")(order):
+                plans = view.plans() if planned else ()
+                yield {
+                    **_view(view, _steps(run, name, view.column), block),
+                    "plans": [_plan(each, block) for each in plans],
+                }
+
+
+def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
+    handle = view.handle
+    return {
+        "name": view.name,
+        "title": name_of(view.title),
+        "symbol": view.symbol,
+        "unit": unit_of(view.unit),
+        "values": block.put(view.values),
+        "whole": view.whole,
+        "column": view.column,
+        "steps": steps,
+        "box": [*_pair(view.box[0]), *_pair(view.box[1])],
+        "bodies": [_body(body, block) for body in view.bodies],
+        "frame": [_mark(mark) for mark in view.frame],
+        "spots": [{**spot._asdict(), "at": _pair(spot.at)} for spot in view.spots],
+        "handle": None
+        if handle is None
+        else {
+            "body": handle.body,
+            "pivot": None if handle.pivot is None else _pair(handle.pivot),
+            "direction": None if handle.direction is None else _pair(handle.direction),
+        },
+        "layers": [
+            {
+                "name": layer.name,
+                "title": name_of(layer.title),
+                "unit": unit_of(layer.unit),
+                "arrows": [each._asdict() for each in layer.arrows],
+            }
+            for layer in view.layers
+        ],
+        "centres": [
+            {"name": each.name, "x": block.put(each.at.real), "y": block.put(each.at.imag)} for each in view.centres
+        ],
+        "stops": [{"title": name_of(stop.title), "at": stop.at} for stop in view.stops],
+        "shown": view.shown,
+        "reach": view.reach,
+    }
+
+
+def _plan(plan: Plan, block: Block) -> Content:
+    return {
+        "name": plan.name,
+        "title": name_of(plan.title),
+        "unit": unit_of(plan.unit),
+        "vertices": [[name, block.put(z.real), block.put(z.imag)] for name, z in plan.vertices],
+        "edges": [list(edge) for edge in plan.edges],
+        "places": None if plan.places is None else block.put(plan.places),
+        "note": name_of(plan.note),
+    }
+
+
+def _steps(run: RunResult, stage: str, column: str) -> list[list[Any]]:
+    """The positions of the spec: labels, and where the input stands there."""
+    table = table_of(stage, run.results[stage])
+    if table is None or column not in table.headers:
+        return []
+    return [[label, float(at)] for label, at in zip(table.labels, table.column(column), strict=True)]
+
+
+def _body(body: Body, block: Block) -> Content:
+    return {
+        "name": body.name,
+        "x": _track(body.x, block),
+        "y": _track(body.y, block),
+        "angle": _track(body.angle, block),
+        "marks": [_mark(mark) for mark in body.marks],
+        "number": body.number,
+        "beside": [_pair(each) for each in body.beside],
+    }
+
+
+def _track(track: Track, block: Block) -> Any:
+    """A track, or a single number of what does not move."""
+    if not np.any(track.rates) and np.ptp(track.values) == 0:
+        return float(track.values[0])
+    return [block.put(track.values), block.put(track.rates)]
+
+
+def _mark(mark: Mark) -> list[Any]:
+    return [mark.kind, [part for point in mark.points for part in _pair(point)], *([mark.size] if mark.size else [])]
+
+
+def _pair(z: complex) -> list[float]:
+    """Coordinates to a nanometre."""
+    return [round(z.real, 9) + 0.0, round(z.imag, 9) + 0.0]

@@ -1,0 +1,88 @@
+"""Texts of a page in all its languages: a list with one of each, or the text alone where they are the same."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from tmmcalc.report.language import LANGUAGES, speaking, tr, tr_name, tr_unit
+
+Said = str | list[str]
+
+
+def said(say: Callable[[], str]) -> Said:
+    """What ``say`` gives in each language."""
+    found = []
+    for language in LANGUAGES:
+        with speaking(language):
+            found.append(say())
+    return alike(found)
+
+
+def alike(texts: list[str]) -> Said:
+    """A text in all languages, or once where they say the same."""
+    return texts[0] if len(set(texts)) == 1 else texts
+
+
+def name_of(text: str) -> Said:
+    """A text that the program says elsewhere: a meaning, a warning."""
+    return said(lambda: tr_name(text))
+
+
+def unit_of(unit: str) -> Said:
+    """A unit; of an angle the sign of degrees."""
+    return "°" if unit == "deg" else said(lambda: tr_unit(unit))
+
+
+def words() -> dict[str, Said]:
+    """What the page itself says, by the names that its scripts know."""
+    spoken = []
+    for language in LANGUAGES:
+        with speaking(language):
+            spoken.append(_words())
+    return {key: alike([each[key] for each in spoken]) for key in spoken[0]}
+
+
+def _words() -> dict[str, str]:
+    return {
+        "play": tr("Play"),
+        "pause": tr("Pause"),
+        "speed": tr("Speed"),
+        "back": tr("Back one position"),
+        "on": tr("On one position"),
+        "input": tr("Position of the input"),
+        "solved": tr("values at the nearest solved position, {value}"),
+        "unreached": tr("cannot be reached: the links do not close there"),
+        "beyond": tr("beyond the range that is analysed"),
+        "step": tr("in position {label}"),
+        "show": tr("Show"),
+        "paths": tr("Paths"),
+        "numbers": tr("Numbers of links"),
+        "names": tr("Names of points"),
+        "masses": tr("Centres of mass"),
+        "centres": tr("Instant centres"),
+        "diagrams": tr("Diagrams"),
+        "add": tr("Add a diagram"),
+        "remove": tr("Take away"),
+        "copy": tr("Copy the value"),
+        "facts": tr("Results"),
+        "find": tr("Find"),
+        "variant": tr("Variant"),
+        "plans": tr("Plans of vectors"),
+        "given": tr("Given data"),
+        "quantity": tr("Quantity"),
+        "designation": tr("Designation"),
+        "value": tr("Value"),
+        "diagram": tr("Diagram"),
+        "errors": tr("Estimated relative errors"),
+        "language": tr("Language"),
+        "theme": tr("Light or dark"),
+        "print": tr("Print"),
+        "kept": tr("{kept} rows of {of}"),
+        "lowest": tr("least"),
+        "highest": tr("greatest"),
+        "spec": tr("The spec"),
+        "precision": tr("Numbers of diagrams are stored with a relative error of {error}; results are whole."),
+        "arrow": tr("1 cm: {value}"),
+        "none": tr("nothing is found"),
+        "drag": tr("Drag a link, or turn the input by the arrow keys."),
+    }

@@ -1,0 +1,323 @@
+// Diagrams of columns over the rows of their stage, with the place of the input, extremes and dead centres.
+import { columnOf, content, numbers, scene } from "./data.js";
+import { between } from "./motion.js";
+import { drawn } from "./marks.js";
+import { button, made } from "./player.js";
+import { standard } from "./scene.js";
+import { parted, saying, told, word, written } from "./words.js";
+
+const WIDE = 560;
+const HIGH = 190;
+const LEFT = 62;
+const RIGHT = 14;
+const TOP = 12;
+const BOTTOM = 26;
+const MANY = 200; // rows, of which neighbours lie so near
+const STEEP = 0.2; // that a step of this part of the height is a jump
+
+export class Charts {
+  /**
+   * @param {Element} parent
+   * @param {import("./state.js").State[]} states
+   */
+  constructor(parent, states) {
+    this.states = states;
+    this.parent = parent;
+    const bar = made("div", { class: "adding" }, parent);
+    const label = made("label", {}, bar);
+    const said = made("span", {}, label);
+    saying(() => (said.textContent = word("add")));
+    this.choice = made("select", {}, label);
+    saying(() => this.choices());
+    this.choice.addEventListener("change", () => {
+      if (this.choice.value) this.add(this.choice.value);
+      this.choice.value = "";
+    });
+    this.list = made("div", { class: "charts" }, parent);
+    /** @type {Map<string, Chart>} */
+    this.shown = new Map();
+  }
+
+  /** All columns, by stage. */
+  choices() {
+    this.choice.replaceChildren(made("option", { value: "" }));
+    for (const stage of scene().stages.filter((each) => each.columns.length && each.rows)) {
+      const group = made("optgroup", { label: told(stage.title) }, this.choice);
+      for (const column of stage.columns) {
+        const meaning = told(column.meaning);
+        const option = made("option", { value: `${stage.name}.${column.name}` }, group);
+        option.textContent = meaning ? `${column.name}: ${meaning}` : column.name;
+      }
+    }
+  }
+
+  /**
+   * Show the diagram of a column; one that is there comes into sight.
+   * @param {string} name
+   */
+  add(name) {
+    const known = this.shown.get(name);
+    if (known) return known.card.scrollIntoView({ block: "nearest" });
+    const found = columnOf(name);
+    if (!found?.stage.rows) return;
+    const header = found.stage.rows.header;
+    const state = this.states.find((each) => each.view.column === header) ?? null;
+    const chart = new Chart(this.list, name, found, state, () => this.shown.delete(name));
+    this.shown.set(name, chart);
+  }
+}
+
+class Chart {
+  step = 1; // between the lines of the grid
+  low = 0;
+  high = 1;
+  start = 0;
+  end = 1;
+
+  /**
+   * @param {Element} parent
+   * @param {string} name
+   * @param {NonNullable<ReturnType<typeof columnOf>>} found
+   * @param {import("./state.js").State | null} state
+   * @param {() => void} gone
+   */
+  constructor(parent, name, { stage, column }, state, gone) {
+    this.column = column;
+    this.rows = /** @type {NonNullable<import("./data.js").Stage["rows"]>} */ (stage.rows);
+    this.state = state;
+    this.x = numbers(this.rows.values);
+    this.y = cleared(numbers(column.values));
+    this.card = made("figure", { class: "chart", "data-column": name }, parent);
+    this.caption = made("figcaption", {}, this.card);
+    this.name = made("strong", {}, this.caption);
+    this.value = made("button", { type: "button", class: "value" }, this.caption);
+    this.meaning = made("span", { class: "meaning" }, this.caption);
+    this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img", tabindex: 0 }, this.card);
+    this.others = content.scenes.filter((each) => each !== scene()).flatMap((each) => {
+      const found = columnOf(name, each);
+      if (!found?.stage.rows) return [];
+      return [{ name: each.name, x: numbers(found.stage.rows.values), y: cleared(numbers(found.column.values)) }];
+    });
+    this.scaled();
+    this.head(gone);
+    saying(() => this.draw());
+    if (state) {
+      this.cursor = drawn("line", { class: "cursor", y1: TOP, y2: HIGH - BOTTOM }, this.svg);
+      this.dot = drawn("circle", { class: "dot", r: 4 }, this.svg);
+      state.follow(() => this.follow());
+      /** @param {Event} event */
+      const turn = (event) => this.turn(/** @type {PointerEvent} */ (event));
+      this.svg.addEventListener("pointerdown", turn);
+      this.svg.addEventListener("pointermove", (event) => {
+        if (/** @type {PointerEvent} */ (event).buttons) turn(event);
+      });
+    }
+  }
+
+  /** Ends of both axes. */
+  scaled() {
+    let [least, greatest] = [Infinity, -Infinity];
+    for (const y of [this.y, ...this.others.map((each) => each.y)]) {
+      for (const value of y) {
+        if (value < least) least = value;
+        if (value > greatest) greatest = value;
+      }
+    }
+    if (least > greatest) [least, greatest] = [0, 0];
+    const flat = greatest - least <= 1e-9 * Math.max(Math.abs(least), Math.abs(greatest));
+    if (flat) [least, greatest] = [least - (Math.abs(least) || 1), greatest + (Math.abs(greatest) || 1)];
+    else if (least > 0 && least < 0.4 * greatest) least = 0;
+    else if (greatest < 0 && greatest > 0.4 * least) greatest = 0;
+    const step = standard((greatest - least) / 4.5);
+    this.step = step;
+    this.low = Math.floor(least / step + 1e-9) * step;
+    this.high = Math.ceil(greatest / step - 1e-9) * step;
+    this.start = Math.min(this.x[0], this.x[this.x.length - 1]);
+    this.end = Math.max(this.x[0], this.x[this.x.length - 1]) || 1;
+  }
+
+  /** @param {number} x */
+  across(x) {
+    return LEFT + ((x - this.start) / (this.end - this.start || 1)) * (WIDE - LEFT - RIGHT);
+  }
+
+  /** @param {number} y */
+  up(y) {
+    return HIGH - BOTTOM - ((y - this.low) / (this.high - this.low || 1)) * (HIGH - TOP - BOTTOM);
+  }
+
+  /** @param {() => void} gone */
+  head(gone) {
+    saying(() => (this.value.title = word("copy")));
+    this.value.addEventListener("click", () => copied(this.value));
+    button(this.caption, "close", () => word("remove"), () => {
+      gone();
+      this.card.remove();
+    }).classList.add("close");
+  }
+
+  /** Axes, curve, extremes, dead centres, in the language. */
+  draw() {
+    const [letter, index] = parted(this.column.name);
+    this.name.replaceChildren(letter);
+    if (index) made("sub", {}, this.name).textContent = index;
+    const { kept, of } = this.rows;
+    const part = kept < of ? ` (${word("kept", { kept: String(kept), of: String(of) })})` : "";
+    this.meaning.textContent = told(this.column.meaning) + part;
+    this.svg.setAttribute("aria-label", `${this.column.name}: ${told(this.column.meaning)}`);
+    this.back?.remove();
+    const back = drawn("g");
+    this.back = back;
+    this.svg.prepend(back);
+    const grid = drawn("g", { class: "grid" }, back);
+    const digits = 3;
+    for (let k = Math.round(this.low / this.step); k <= Math.round(this.high / this.step); k++) {
+      const y = this.up(k * this.step);
+      drawn("line", { x1: LEFT, x2: WIDE - RIGHT, y1: y, y2: y, class: k === 0 ? "zero" : "" }, grid);
+      drawn("text", { x: LEFT - 6, y: y + 4, "text-anchor": "end" }, grid).textContent = written(k * this.step, digits);
+    }
+    const turns = told(this.rows.unit) === "°";
+    const along = turns && this.end - this.start > 200 ? 60 : standard((this.end - this.start) / 6);
+    for (let k = Math.ceil(this.start / along - 1e-6); k * along <= this.end + 1e-6 * along; k++) {
+      const x = this.across(k * along);
+      drawn("line", { x1: x, x2: x, y1: TOP, y2: HIGH - BOTTOM }, grid);
+      drawn("text", { x, y: HIGH - BOTTOM + 15, "text-anchor": "middle" }, grid).textContent = written(k * along, digits);
+    }
+    const unit = told(this.rows.unit);
+    drawn("text", { x: WIDE - RIGHT, y: HIGH - 1, "text-anchor": "end", class: "axis" }, grid).textContent =
+      `${parted(this.rows.name).filter(Boolean).join(" ")}${unit ? `, ${unit}` : ""}`;
+    if (this.state) {
+      for (const stop of this.state.view.stops) {
+        const x = this.across(stop.at);
+        const line = drawn("line", { x1: x, x2: x, y1: TOP, y2: HIGH - BOTTOM, class: "stop" }, back);
+        drawn("title", {}, line).textContent = told(stop.title);
+      }
+    }
+    this.others.forEach((other) => {
+      const curve = drawn("path", { class: "curve other", d: this.path(other.x, other.y) }, back);
+      drawn("title", {}, curve).textContent = other.name;
+    });
+    drawn("path", { class: "curve", d: this.path(this.x, this.y) }, back);
+    drawn("path", { class: "curve jump", d: this.jumps() }, back);
+    this.extremes(back);
+    if (this.state) this.follow();
+    else this.value.hidden = true;
+  }
+
+  /**
+   * A curve; two rows at one place are a jump.
+   * @param {Float32Array} x
+   * @param {Float32Array} y
+   */
+  path(x, y) {
+    let d = "";
+    let pen = false;
+    for (let k = 0; k < x.length; k++) {
+      if (!Number.isFinite(y[k])) {
+        pen = false;
+        continue;
+      }
+      const jump = k > 0 && this.jumped(x, y, k);
+      d += `${pen && !jump ? "L" : "M"}${this.across(x[k]).toFixed(1)},${this.up(y[k]).toFixed(1)}`;
+      pen = true;
+    }
+    return d;
+  }
+
+  /**
+   * Whether a curve jumps before a row: two rows at one place, or between neighbours of many a large part of its height.
+   * @param {Float32Array} x
+   * @param {Float32Array} y
+   * @param {number} k
+   */
+  jumped(x, y, k) {
+    return x[k] === x[k - 1] || (x.length > MANY && Math.abs(y[k] - y[k - 1]) > STEEP * (this.high - this.low));
+  }
+
+  /** The jumps as lines of their own. */
+  jumps() {
+    let d = "";
+    for (let k = 1; k < this.x.length; k++) {
+      if (!this.jumped(this.x, this.y, k) || !Number.isFinite(this.y[k - 1] + this.y[k])) continue;
+      const ends = [k - 1, k].map((j) => `${this.across(this.x[j]).toFixed(1)},${this.up(this.y[j]).toFixed(1)}`);
+      d += `M${ends.join("L")}`;
+    }
+    return d;
+  }
+
+  /** @param {Element} back */
+  extremes(back) {
+    let [least, greatest] = [-1, -1];
+    this.y.forEach((y, k) => {
+      if (!Number.isFinite(y)) return;
+      if (least < 0 || y < this.y[least]) least = k;
+      if (greatest < 0 || y > this.y[greatest]) greatest = k;
+    });
+    if (least < 0 || this.y[greatest] - this.y[least] <= 1e-9 * Math.abs(this.y[greatest])) return;
+    for (const [key, k] of /** @type {[string, number][]} */ ([["lowest", least], ["highest", greatest]])) {
+      const at = [this.across(this.x[k]), this.up(this.y[k])];
+      const mark = drawn("circle", { class: "extreme", cx: at[0], cy: at[1], r: 3 }, back);
+      const said = `${word(key)}: ${written(this.y[k])} ${told(this.column.unit)}`;
+      drawn("title", {}, mark).textContent = said;
+      const inside = at[0] > WIDE - 110;
+      const y = key === "lowest" ? at[1] - 7 : at[1] + 15;
+      drawn("text", { class: "extreme", x: at[0] + (inside ? -6 : 6), y, "text-anchor": inside ? "end" : "start" }, back).textContent =
+        written(this.y[k], 4);
+    }
+  }
+
+  /** The cursor and the value at the nearest solved position. */
+  follow() {
+    if (!this.state || !this.cursor || !this.dot) return;
+    const k = between(this.x, this.state.at).near;
+    const x = this.across(this.state.at);
+    this.cursor.setAttribute("x1", String(x));
+    this.cursor.setAttribute("x2", String(x));
+    const known = Number.isFinite(this.y[k]);
+    this.dot.classList.toggle("lost", !known);
+    if (known) {
+      this.dot.setAttribute("cx", String(this.across(this.x[k])));
+      this.dot.setAttribute("cy", String(this.up(this.y[k])));
+    }
+    this.value.textContent = `${written(this.y[k])} ${told(this.column.unit)}`;
+  }
+
+  /** @param {PointerEvent} event */
+  turn(event) {
+    const box = this.svg.getBoundingClientRect();
+    const x = ((event.clientX - box.left) / box.width) * WIDE;
+    const part = (x - LEFT) / (WIDE - LEFT - RIGHT);
+    if (part > -0.05 && part < 1.05) this.state?.move(this.start + Math.min(1, Math.max(0, part)) * (this.end - this.start));
+  }
+}
+
+/**
+ * Values without what rounding leaves of nothing.
+ * @param {Float32Array} values
+ */
+function cleared(values) {
+  const largest = values.reduce((size, value) => Math.max(size, Math.abs(value) || 0), 0);
+  return values.map((value) => (Math.abs(value) < 1e-12 * largest ? 0 : value));
+}
+
+/**
+ * Copy what an element says.
+ * @param {HTMLElement} element
+ */
+export function copied(element) {
+  const text = element.textContent ?? "";
+  const done = () => {
+    element.classList.add("done");
+    setTimeout(() => element.classList.remove("done"), 900);
+  };
+  if (navigator.clipboard) navigator.clipboard.writeText(text).then(done, () => selected(element));
+  else selected(element);
+}
+
+/**
+ * Where there is no clipboard the text is selected.
+ * @param {HTMLElement} element
+ */
+function selected(element) {
+  getSelection()?.selectAllChildren(element);
+}

@@ -1,0 +1,109 @@
+// What the page holds: the content as JSON, numbers in one block of single floats.
+
+/** @typedef {string | string[]} Said a text, or one in each language */
+/** @typedef {[number, number]} Ref place and count in the block */
+/** @typedef {number | [Ref, Ref]} Track a number that stands, or values and rates over the input */
+/** @typedef {[string, number[], number?]} Mark kind, coordinates of its points, size */
+/** @typedef {{name: string, x: Track, y: Track, angle: Track, marks: Mark[], number: string, beside: number[][]}} Body */
+/** @typedef {{name: string, body: string, at: number[], kind: "pin" | "mass" | "point", path: boolean}} Spot */
+/** @typedef {{sign: string, spot: string, x: string, y: string, sense: number}} Arrow */
+/** @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[]}} Layer */
+/** @typedef {[number, number, string, string]} Edge tail, head, sign, kind */
+/**
+ * @typedef {{name: string, title: Said, unit: Said, vertices: [string, Ref, Ref][], edges: Edge[], places: Ref | null,
+ *   note: Said}} Plan
+ */
+/**
+ * @typedef {object} View
+ * @property {string} name
+ * @property {Said} title
+ * @property {string} symbol
+ * @property {Said} unit
+ * @property {Ref} values
+ * @property {boolean} whole
+ * @property {string} column
+ * @property {[string, number][]} steps
+ * @property {number[]} box
+ * @property {Body[]} bodies
+ * @property {Mark[]} frame
+ * @property {Spot[]} spots
+ * @property {{body: string, pivot: number[] | null, direction: number[] | null} | null} handle
+ * @property {Layer[]} layers
+ * @property {{name: string, x: Ref, y: Ref}[]} centres
+ * @property {Plan[]} plans
+ * @property {{title: Said, at: number}[]} stops
+ * @property {string[]} shown
+ * @property {[number, number][]} reach
+ */
+/** @typedef {{name: string, symbol: string, meaning: Said, value: number, unit: Said}} Fact */
+/** @typedef {{name: string, symbol: string, meaning: Said, unit: Said, values: Ref}} Column */
+/**
+ * @typedef {object} Stage
+ * @property {string} name
+ * @property {Said} title
+ * @property {Fact[]} facts
+ * @property {{header: string, name: string, unit: Said, values: Ref, kept: number, of: number} | null} rows
+ * @property {Column[]} columns
+ * @property {Said[]} warnings
+ * @property {Record<string, number>} errors
+ */
+/** @typedef {{what: Said, keys: string[], values: number[], unit: Said, text: Said}} Datum */
+/** @typedef {{name: string, stages: Stage[], given: Datum[], source: string, views: View[]}} Variant */
+/**
+ * @typedef {object} Content
+ * @property {string} title
+ * @property {string} key what the variants differ in
+ * @property {Record<string, string>} languages
+ * @property {string} language
+ * @property {Record<string, Said>} words
+ * @property {number} error
+ * @property {Variant[]} scenes
+ * @property {string} block
+ */
+
+/** @type {Content} */
+export const content = JSON.parse(/** @type {HTMLElement} */ (document.getElementById("content")).textContent || "{}");
+
+const block = decoded(content.block);
+
+/**
+ * The numbers of a text in base64.
+ * @param {string} text
+ */
+function decoded(text) {
+  const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const view = new DataView(bytes.buffer);
+  return Float32Array.from({ length: bytes.length / 4 }, (_, k) => view.getFloat32(4 * k, true));
+}
+
+/**
+ * The numbers that a reference stands for.
+ * @param {Ref} ref
+ */
+export function numbers([at, count]) {
+  return block.subarray(at, at + count);
+}
+
+let shown = 0;
+
+/** The variant that is shown. */
+export function scene() {
+  return content.scenes[shown];
+}
+
+/** @param {number} k */
+export function choose(k) {
+  shown = k;
+}
+
+/**
+ * A column by the name of its stage and its own.
+ * @param {string} name
+ * @returns {{stage: Stage, column: Column} | null}
+ */
+export function columnOf(name, { stages } = scene()) {
+  const [first, ...rest] = name.split(".");
+  const stage = stages.find((each) => each.name === first);
+  const column = stage?.columns.find((each) => each.name === rest.join("."));
+  return stage && column ? { stage, column } : null;
+}

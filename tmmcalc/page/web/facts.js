@@ -1,0 +1,152 @@
+// Results of the stages in tables: found by a word, copied, each with its diagram; warnings, errors, the given data.
+import { content, scene } from "./data.js";
+import { copied } from "./charts.js";
+import { button, made } from "./player.js";
+import { parted, saying, told, word, written } from "./words.js";
+
+/**
+ * All results under a field to find some.
+ * @param {Element} parent
+ * @param {(column: string) => void} show the diagram of a column
+ */
+export function facts(parent, show) {
+  const label = made("label", { class: "find" }, parent);
+  const said = made("span", {}, label);
+  const field = made("input", { type: "search" }, label);
+  saying(() => (said.textContent = word("find")));
+  /** @type {{row: HTMLElement, text: () => string, part: HTMLDetailsElement}[]} */
+  const rows = [];
+  const nothing = made("p", { class: "nothing", hidden: "" }, parent);
+  saying(() => (nothing.textContent = word("none")));
+  if (scene().given.length) given(parent);
+  for (const stage of scene().stages) {
+    const part = made("details", { class: "stage", "data-stage": stage.name }, parent);
+    const title = made("summary", {}, part);
+    saying(() => (title.textContent = told(stage.title)));
+    for (const warning of stage.warnings) {
+      const line = made("p", { class: "warning" }, part);
+      saying(() => (line.textContent = told(warning)));
+      part.open = true;
+    }
+    if (stage.facts.length) {
+      const table = made("table", {}, part);
+      header(table, ["quantity", "designation", "value"]);
+      const body = made("tbody", {}, table);
+      for (const fact of stage.facts) {
+        const row = made("tr", { "data-fact": `${stage.name}.${fact.name}` }, body);
+        listed(row, fact, () => columnFor(stage, fact.name), show);
+        rows.push({ row, part, text: () => `${fact.name} ${told(fact.meaning)} ${told(stage.title)}`.toLowerCase() });
+      }
+    }
+    const errors = Object.entries(stage.errors);
+    if (errors.length) {
+      const line = made("p", { class: "errors" }, part);
+      saying(() => (line.textContent = `${word("errors")}: ${errors.map(([key, value]) => `${key} ${written(value, 2)}`).join("; ")}`));
+    }
+  }
+  field.addEventListener("input", () => {
+    const asked = field.value.trim().toLowerCase();
+    let found = 0;
+    const open = new Set();
+    for (const { row, part, text } of rows) {
+      row.hidden = asked !== "" && !text().includes(asked);
+      if (!row.hidden) {
+        found += 1;
+        open.add(part);
+      }
+    }
+    for (const part of parent.querySelectorAll("details.stage")) {
+      /** @type {HTMLDetailsElement} */ (part).hidden = asked !== "" && !open.has(part);
+      if (asked) /** @type {HTMLDetailsElement} */ (part).open = open.has(part);
+    }
+    nothing.hidden = found > 0;
+  });
+  source(parent);
+}
+
+/**
+ * @param {HTMLTableElement} table
+ * @param {string[]} keys
+ */
+function header(table, keys) {
+  const row = made("tr", {}, made("thead", {}, table));
+  for (const key of keys) {
+    const cell = made("th", { scope: "col" }, row);
+    saying(() => (cell.textContent = word(key)));
+  }
+}
+
+/**
+ * @param {HTMLElement} row
+ * @param {import("./data.js").Fact} fact
+ * @param {() => string | null} column
+ * @param {(column: string) => void} show
+ */
+function listed(row, fact, column, show) {
+  const meaning = made("td", {}, row);
+  const sign = made("td", { class: "sign", title: fact.name }, row);
+  const value = made("td", { class: "number" }, row);
+  const [letter, index] = parted(fact.name);
+  sign.append(letter);
+  if (index) made("sub", {}, sign).textContent = index;
+  const copy = made("button", { type: "button", class: "value" }, value);
+  saying(() => {
+    const unit = told(fact.unit);
+    meaning.textContent = told(fact.meaning);
+    copy.textContent = `${written(fact.value)}${unit === "°" ? "°" : unit ? ` ${unit}` : ""}`;
+    copy.title = word("copy");
+  });
+  copy.addEventListener("click", () => copied(copy));
+  const name = column();
+  if (name) {
+    button(value, "curve", () => word("diagram"), () => show(name)).classList.add("show");
+  }
+}
+
+/**
+ * The column that a fact is an extreme of, or belongs to: whose name begins it.
+ * @param {import("./data.js").Stage} stage
+ * @param {string} name
+ */
+function columnFor(stage, name) {
+  const found = stage.columns.filter((each) => name === each.name || name.startsWith(`${each.name}_`));
+  found.sort((a, b) => b.name.length - a.name.length);
+  return found.length ? `${stage.name}.${found[0].name}` : null;
+}
+
+/** @param {Element} parent */
+function given(parent) {
+  const part = made("details", { class: "given" }, parent);
+  const title = made("summary", {}, part);
+  saying(() => (title.textContent = word("given")));
+  const table = made("table", {}, part);
+  header(table, ["quantity", "designation", "value"]);
+  const body = made("tbody", {}, table);
+  for (const datum of scene().given) {
+    const row = made("tr", {}, body);
+    const what = made("td", {}, row);
+    const sign = made("td", { class: "sign" }, row);
+    const value = made("td", { class: "number" }, row);
+    datum.keys.forEach((key, k) => {
+      const [letter, index] = parted(key);
+      sign.append(k ? ", " : "", letter);
+      if (index) made("sub", {}, sign).textContent = index;
+    });
+    saying(() => {
+      const unit = told(datum.unit);
+      what.textContent = told(datum.what).replaceAll("$", "");
+      const values = datum.values.map((each) => written(each) + (unit === "°" ? "°" : "")).join("; ");
+      value.textContent = told(datum.text).replaceAll("$", "") || `${values}${unit && unit !== "°" ? ` ${unit}` : ""}`;
+    });
+  }
+}
+
+/** @param {Element} parent */
+function source(parent) {
+  const part = made("details", { class: "source" }, parent);
+  const title = made("summary", {}, part);
+  saying(() => (title.textContent = word("spec")));
+  made("pre", {}, part).textContent = scene().source;
+  const line = made("p", { class: "errors" }, part);
+  saying(() => (line.textContent = word("precision", { error: written(content.error, 2) })));
+}

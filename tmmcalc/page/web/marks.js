@@ -1,0 +1,223 @@
+// The signs of schemes as SVG: shapes to scale, signs in pixels, whatever the size of the machine.
+
+const SVG = "http://www.w3.org/2000/svg";
+export const PIN = 5;
+const BLOCK = [34, 19];
+const PIVOT = [22, 17];
+
+/**
+ * An element of SVG with attributes.
+ * @param {string} name
+ * @param {Record<string, string | number>} attributes
+ * @param {Element} [parent]
+ * @returns {SVGElement}
+ */
+export function drawn(name, attributes = {}, parent) {
+  const found = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) found.setAttribute(key, String(value));
+  if (parent) parent.append(found);
+  return found;
+}
+
+/**
+ * Draw a mark in pixels: `scale` pixels are one metre, y goes down.
+ * @param {Element} parent
+ * @param {import("./data.js").Mark} mark
+ * @param {number} scale
+ */
+export function draw(parent, mark, scale) {
+  const [kind, flat, size = 0] = mark;
+  /** @type {[number, number][]} */
+  const points = [];
+  for (let k = 0; k < flat.length; k += 2) points.push([flat[k] * scale, -flat[k + 1] * scale]);
+  const path = points.map(([x, y]) => `${round(x)},${round(y)}`).join(" ");
+  const [x, y] = points[0];
+  switch (kind) {
+    case "plate":
+    case "outline":
+      return drawn("polygon", { class: kind, points: path }, parent);
+    case "bar":
+    case "slot":
+    case "line":
+      return drawn("polyline", { class: kind, points: path }, parent);
+    case "circle":
+    case "pitch":
+      return drawn("circle", { class: kind, cx: x, cy: y, r: size * scale }, parent);
+    case "block":
+      return block(parent, x, y, flat[2], flat[3]);
+    case "weld":
+      return weld(parent, x, y, flat);
+    case "pivot":
+      return pivot(parent, x, y, flat[2], flat[3]);
+    case "guide":
+      return guide(parent, points[0], points[1], flat[4], flat[5]);
+    case "sleeve": {
+      const group = drawn("g", {}, parent);
+      guide(group, points[0], points[0], flat[4], flat[5]);
+      return block(group, x, y, flat[2], flat[3]);
+    }
+    default:
+      return drawn("path", { class: "cross", d: `M${x - 5},${y - 5}l10,10m0,-10l-10,10` }, parent);
+  }
+}
+
+/** @param {number} value */
+function round(value) {
+  return Math.round(value * 100) / 100;
+}
+
+/**
+ * @param {Element} parent
+ * @param {number} x
+ * @param {number} y
+ * @param {number} ex
+ * @param {number} ey
+ */
+function block(parent, x, y, ex, ey) {
+  const turn = (Math.atan2(-ey, ex) * 180) / Math.PI;
+  const [wide, high] = BLOCK;
+  const place = `translate(${round(x)} ${round(y)}) rotate(${round(turn)})`;
+  return drawn("rect", { class: "block", x: -wide / 2, y: -high / 2, width: wide, height: high, transform: place }, parent);
+}
+
+/**
+ * @param {Element} parent
+ * @param {number} x
+ * @param {number} y
+ * @param {number[]} flat
+ */
+function weld(parent, x, y, flat) {
+  const first = Math.atan2(-flat[3], flat[2]);
+  let turn = Math.atan2(-flat[5], flat[4]) - first;
+  turn = Math.atan2(Math.sin(turn), Math.cos(turn));
+  if (Math.abs(turn) < 0.05 || Math.abs(turn) > 2.2) return drawn("g", {}, parent);
+  const r = 16;
+  const end = first + turn;
+  const d =
+    `M${x},${y}L${x + r * Math.cos(first)},${y + r * Math.sin(first)}` +
+    `A${r},${r} 0 0 ${turn > 0 ? 1 : 0} ${x + r * Math.cos(end)},${y + r * Math.sin(end)}z`;
+  return drawn("path", { class: "weld", d }, parent);
+}
+
+/**
+ * @param {Element} parent
+ * @param {number} x
+ * @param {number} y
+ * @param {number} dx
+ * @param {number} dy
+ */
+function pivot(parent, x, y, dx, dy) {
+  const turn = (Math.atan2(-dy, dx) * 180) / Math.PI - 90;
+  const group = drawn("g", { transform: `translate(${round(x)} ${round(y)}) rotate(${round(turn)})` }, parent);
+  const [wide, high] = PIVOT;
+  drawn("path", { class: "support", d: `M0,0L${wide / 2},${high}H${-wide / 2}z` }, group);
+  hatched(group, -0.75 * wide, 0.75 * wide, high);
+  return group;
+}
+
+/**
+ * @param {Element} parent
+ * @param {[number, number]} a
+ * @param {[number, number]} b
+ * @param {number} ox
+ * @param {number} oy
+ */
+function guide(parent, a, b, ox, oy) {
+  const turn = (Math.atan2(-oy, ox) * 180) / Math.PI - 90;
+  const group = drawn("g", { transform: `translate(${round(a[0])} ${round(a[1])}) rotate(${round(turn)})` }, parent);
+  const c = Math.cos((turn * Math.PI) / 180);
+  const s = Math.sin((turn * Math.PI) / 180);
+  const along = (b[0] - a[0]) * c + (b[1] - a[1]) * s;
+  const over = BLOCK[0] / 2 + 8;
+  hatched(group, Math.min(0, along) - over, Math.max(0, along) + over, BLOCK[1] / 2);
+  return group;
+}
+
+/**
+ * A ground line along x with hatching below it.
+ * @param {Element} parent
+ * @param {number} from
+ * @param {number} to
+ * @param {number} y
+ */
+function hatched(parent, from, to, y) {
+  let d = `M${round(from)},${y}H${round(to)}`;
+  for (let x = from + 6; x <= to; x += 6) d += `M${round(x)},${y}l-6,6`;
+  drawn("path", { class: "ground", d }, parent);
+}
+
+/**
+ * The sign of a centre of mass.
+ * @param {Element} parent
+ */
+export function centreOfMass(parent) {
+  const group = drawn("g", { class: "mass" }, parent);
+  drawn("circle", { r: 4.5 }, group);
+  drawn("path", { d: "M0,0V-4.5A4.5,4.5 0 0 1 4.5,0zM0,0V4.5A4.5,4.5 0 0 1 -4.5,0z" }, group);
+  return group;
+}
+
+/**
+ * A name with its index, in an element of text.
+ * @param {Element} parent
+ * @param {string} letter
+ * @param {string} index
+ * @param {Record<string, string | number>} attributes
+ */
+export function named(parent, letter, index, attributes = {}) {
+  const found = drawn("text", attributes, parent);
+  found.append(letter);
+  if (index) {
+    const below = drawn("tspan", { dy: "0.3em", "font-size": "72%" }, found);
+    below.textContent = index;
+  }
+  return found;
+}
+
+/**
+ * A sign as the program writes it, with braces: `v_{BA}`, `a^{n}_{B_{2}A}`.
+ * @param {Element} parent
+ * @param {string} sign
+ * @param {Record<string, string | number>} attributes
+ */
+export function texted(parent, sign, attributes = {}) {
+  const found = drawn("text", attributes, parent);
+  let level = 0;
+  /** @param {string} text @param {number} wanted */
+  const put = (text, wanted) => {
+    if (!text) return;
+    const part = drawn("tspan", { "font-size": wanted ? "72%" : "100%", dy: (wanted - level) * 5 }, found);
+    part.textContent = text;
+    level = wanted;
+  };
+  /** @param {string} text @param {number} wanted */
+  const read = (text, wanted) => {
+    let rest = text;
+    while (rest) {
+      const cut = rest.search(/[_^]/);
+      if (cut < 0) return put(rest.replaceAll(/[{}]/g, ""), wanted);
+      put(rest.slice(0, cut).replaceAll(/[{}]/g, ""), wanted);
+      const lower = rest[cut] === "_";
+      const [inner, after] = braced(rest.slice(cut + 1));
+      read(inner, wanted + (lower ? 1 : -1));
+      rest = after;
+    }
+  };
+  read(sign, 0);
+  return found;
+}
+
+/**
+ * What stands in braces at the beginning, or the first letter, and what comes after it.
+ * @param {string} text
+ * @returns {[string, string]}
+ */
+function braced(text) {
+  if (text[0] !== "{") return [text.slice(0, 1), text.slice(1)];
+  let depth = 0;
+  for (let k = 0; k < text.length; k++) {
+    depth += text[k] === "{" ? 1 : text[k] === "}" ? -1 : 0;
+    if (!depth) return [text.slice(1, k), text.slice(k + 1)];
+  }
+  return [text.slice(1), ""];
+}

@@ -1,0 +1,182 @@
+// What moves the scene: play, speed, steps, a slider, keys.
+import { saying, told, word, written } from "./words.js";
+import { numbers } from "./data.js";
+import { drawn } from "./marks.js";
+
+const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
+const PERIOD = 4000; // of the whole travel at speed 1 [ms]
+
+/**
+ * An element of HTML with classes and attributes.
+ * @template {keyof HTMLElementTagNameMap} K
+ * @param {K} name
+ * @param {Record<string, string>} [attributes]
+ * @param {Element} [parent]
+ */
+export function made(name, attributes = {}, parent) {
+  const found = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) found.setAttribute(key, value);
+  if (parent) parent.append(found);
+  return found;
+}
+
+// drawn here, for no font has them everywhere
+const ICONS = {
+  play: "M6,3L18,11L6,19z",
+  pause: "M5,3h4v16h-4zM13,3h4v16h-4z",
+  back: "M16,4v14L7,11zM5,4h2v14h-2z",
+  on: "M6,4v14L15,11zM15,4h2v14h-2z",
+  close: "M5,6.5L6.5,5L11,9.5L15.5,5L17,6.5L12.5,11L17,15.5L15.5,17L11,12.5L6.5,17L5,15.5L9.5,11z",
+  curve: "M3,3h1.6v14.4h14.4v1.6h-16zM6,14q3,-11 6,-5t7,-4l1.3,1.2q-5,8 -8.4,3.6t-4.3,4.6z",
+  theme: "M11,2a9,9 0 1 0 0.01,0zM11,4.2v13.6a6.8,6.8 0 0 1 0,-13.6z",
+  print: "M6,2h10v5h-10zM3,8h16v8h-3v4h-10v-4h-3zM7.6,13v5.4h6.8v-5.4z",
+};
+
+/** @param {keyof typeof ICONS} name */
+export function icon(name) {
+  const found = drawn("svg", { viewBox: "0 0 22 22", class: "icon", "aria-hidden": "true" });
+  drawn("path", { d: ICONS[name], "fill-rule": "evenodd" }, found);
+  return found;
+}
+
+/**
+ * A button that says what it does, in each language.
+ * @param {Element} parent
+ * @param {keyof typeof ICONS} sign
+ * @param {() => string} says
+ * @param {() => void} act
+ */
+export function button(parent, sign, says, act) {
+  const found = made("button", { type: "button" }, parent);
+  found.append(icon(sign));
+  saying(() => {
+    found.title = says();
+    found.setAttribute("aria-label", says());
+  });
+  found.addEventListener("click", act);
+  return found;
+}
+
+export class Player {
+  /**
+   * @param {Element} parent
+   * @param {import("./state.js").State} state
+   * @param {Element} keys what listens to keys beside the slider
+   */
+  constructor(parent, state, keys) {
+    this.state = state;
+    this.playing = false;
+    this.speed = 1;
+    this.sense = 1;
+    const bar = made("div", { class: "player", role: "group" }, parent);
+    this.toggle = button(bar, "play", () => word(this.playing ? "pause" : "play"), () => this.play(!this.playing));
+    this.toggle.classList.add("main");
+    button(bar, "back", () => word("back"), () => this.step(-1));
+    button(bar, "on", () => word("on"), () => this.step(1));
+    this.slider = made("input", { type: "range", step: "any" }, bar);
+    this.slider.min = String(state.low);
+    this.slider.max = String(state.high);
+    saying(() => this.slider.setAttribute("aria-label", word("input")));
+    this.slider.addEventListener("input", () => {
+      this.play(false);
+      state.move(Number(this.slider.value));
+    });
+    this.slider.addEventListener("keydown", (event) => this.key(event));
+    keys.addEventListener("keydown", (event) => this.key(/** @type {KeyboardEvent} */ (event)));
+    const label = made("label", { class: "speed" }, bar);
+    const said = made("span", {}, label);
+    saying(() => (said.textContent = word("speed")));
+    const choice = made("select", {}, label);
+    for (const speed of SPEEDS) made("option", { value: String(speed) }, choice).textContent = `${speed}×`;
+    choice.value = "1";
+    choice.addEventListener("change", () => (this.speed = Number(choice.value)));
+    this.told = made("output", { class: "told", "aria-live": "off" }, parent);
+    this.wrong = made("p", { class: "wrong", role: "status" }, parent);
+    saying(() => this.tell());
+    state.follow(() => this.tell());
+    state.refused.push((asked) => {
+      this.wrong.textContent = Number.isNaN(asked) ? "" : `${state.view.symbol} = ${this.measured(asked)}: ${word(state.closes(asked) ? "beyond" : "unreached")}`;
+    });
+  }
+
+  /** @param {number} value */
+  measured(value) {
+    const unit = told(this.state.view.unit);
+    return `${written(value, 5)}${unit === "°" ? "°" : ` ${unit}`}`;
+  }
+
+  /** Say where the input stands, and whose values are shown. */
+  tell() {
+    const { state } = this;
+    this.slider.value = String(state.at);
+    const small = 1e-5 * state.span;
+    const step = state.view.steps.find(([, at]) => Math.abs(at - state.at) <= small);
+    const here = `${state.view.symbol} = ${this.measured(state.at)}`;
+    const near = numbers(state.view.values)[state.near];
+    this.slider.setAttribute("aria-valuetext", here);
+    this.told.textContent =
+      `${here}${step ? ` ${word("step", { label: step[0] })}` : ""}; ` +
+      word("solved", { value: `${state.view.symbol} = ${this.measured(near)}` });
+  }
+
+  /** @param {number} sense */
+  step(sense) {
+    this.play(false);
+    this.state.step(sense);
+  }
+
+  /** @param {KeyboardEvent} event */
+  key(event) {
+    const { state } = this;
+    const small = state.span / 360;
+    const acts = {
+      ArrowRight: () => this.turn(small),
+      ArrowLeft: () => this.turn(-small),
+      ArrowUp: () => this.step(1),
+      ArrowDown: () => this.step(-1),
+      PageUp: () => this.step(1),
+      PageDown: () => this.step(-1),
+      Home: () => state.move(state.values[0]),
+      " ": () => this.play(!this.playing),
+    };
+    const act = acts[/** @type {keyof typeof acts} */ (event.key)];
+    if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    act();
+  }
+
+  /** @param {number} way */
+  turn(way) {
+    this.play(false);
+    const sense = Math.sign(this.state.values[this.state.values.length - 1] - this.state.values[0]) || 1;
+    this.state.move(this.state.at + sense * way);
+  }
+
+  /**
+   * Let it go, or stop it.
+   * @param {boolean} playing
+   */
+  play(playing) {
+    if (playing === this.playing) return;
+    this.playing = playing;
+    this.toggle.replaceChildren(icon(playing ? "pause" : "play"));
+    this.toggle.title = word(playing ? "pause" : "play");
+    this.toggle.setAttribute("aria-label", this.toggle.title);
+    if (!playing) return;
+    let last = performance.now();
+    /** @param {number} now */
+    const frame = (now) => {
+      if (!this.playing) return;
+      const { state } = this;
+      const way = (Math.min(Math.max(now - last, 0), 100) / PERIOD) * this.speed * state.span;
+      const along = Math.sign(state.values[state.values.length - 1] - state.values[0]) || 1;
+      last = now;
+      if (!state.view.whole && (state.at + this.sense * along * way > state.high || state.at + this.sense * along * way < state.low)) {
+        this.sense = -this.sense; // to and fro
+      }
+      state.move(state.at + this.sense * along * way);
+      requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  }
+}

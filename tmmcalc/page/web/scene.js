@@ -1,0 +1,438 @@
+// The machine drawn to scale: bodies that move, names, paths, vectors; the input link is dragged by hand.
+import { columnOf, numbers } from "./data.js";
+import { between, placed, poseOf, STILL } from "./motion.js";
+import { around, settled } from "./labels.js";
+import { centreOfMass, draw, drawn, named, PIN } from "./marks.js";
+import { parted, saying, told, word, written } from "./words.js";
+
+const WIDE = 760;
+const HIGH = 560;
+const MARGIN = 56;
+const LONGEST = 110; // of a vector, in pixels
+const CENTIMETRE = 37.8; // in pixels of a screen
+const RING = 9; // radius of the ring of a number
+const MOMENTS = 25; // of the motion that places of names are chosen by
+const LINES = new Set(["plate", "bar", "slot", "outline", "line"]);
+const COLOURS = ["blue", "orange", "green", "purple"];
+
+export class Scene {
+  /**
+   * @param {Element} parent
+   * @param {import("./state.js").State} state
+   */
+  constructor(parent, state) {
+    this.state = state;
+    this.view = state.view;
+    const [left, bottom, right, top] = this.view.box;
+    const wide = Math.max(right - left, 1e-9);
+    const high = Math.max(top - bottom, 1e-9);
+    this.scale = Math.min((WIDE - 2 * MARGIN) / wide, (HIGH - 2 * MARGIN) / high);
+    const height = Math.max(260, high * this.scale + 2 * MARGIN);
+    this.x0 = WIDE / 2 - ((left + right) / 2) * this.scale;
+    this.y0 = height / 2 + ((top + bottom) / 2) * this.scale;
+    this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
+    const title = drawn("title", {}, this.svg);
+    saying(() => (title.textContent = `${told(this.view.title)}. ${word("drag")}`));
+    this.heads();
+    const world = drawn("g", { transform: `translate(${this.x0} ${this.y0})` }, this.svg);
+    this.paths = drawn("g", { class: "paths" }, world);
+    const frame = drawn("g", { class: "frame" }, world);
+    for (const mark of this.view.frame) draw(frame, mark, this.scale);
+    this.bodies = this.view.bodies.map((body) => this.made(body, world));
+    this.spots = this.view.spots.map((spot) => this.spotted(spot, world));
+    this.rings = this.view.bodies.map((body) => this.ringed(body, world));
+    this.centres = this.view.centres.map((centre) => this.centred(centre, world));
+    this.layers = this.view.layers.map((layer, k) => this.layered(layer, COLOURS[k % COLOURS.length], world));
+    this.trace();
+    this.named();
+    this.dragged();
+    state.follow(() => this.update());
+  }
+
+  /** Heads of arrows, one for each colour. */
+  heads() {
+    const defs = drawn("defs", {}, this.svg);
+    for (const colour of COLOURS) {
+      const marker = drawn(
+        "marker",
+        { id: `head-${colour}`, viewBox: "0 0 10 6", refX: 9.5, refY: 3, markerWidth: 9, markerHeight: 6, orient: "auto", markerUnits: "userSpaceOnUse" },
+        defs,
+      );
+      drawn("path", { d: "M0,0L10,3L0,6z", class: `fill-${colour}` }, marker);
+    }
+  }
+
+  /**
+   * @param {import("./data.js").Body} body
+   * @param {Element} world
+   */
+  made(body, world) {
+    const handle = this.view.handle !== null && this.view.handle.body === body.name;
+    const group = drawn("g", { class: handle ? "body handle" : "body", "data-body": body.name }, world);
+    for (const mark of body.marks) draw(group, mark, this.scale);
+    for (const mark of body.marks) draw(group, mark, this.scale).classList.add("grip");
+    return group;
+  }
+
+  /**
+   * @param {import("./data.js").Spot} spot
+   * @param {Element} world
+   */
+  spotted(spot, world) {
+    const group = drawn("g", { class: `spot ${spot.kind}`, "data-spot": spot.name }, world);
+    if (spot.kind === "pin") drawn("circle", { r: PIN, class: "joint" }, group);
+    else if (spot.kind === "mass") centreOfMass(group);
+    else drawn("circle", { r: 2, class: "dot" }, group);
+    named(group, ...lettered(spot.name), { class: "name", "text-anchor": "middle" });
+    return group;
+  }
+
+  /**
+   * @param {import("./data.js").Body} body
+   * @param {Element} world
+   */
+  ringed(body, world) {
+    const group = drawn("g", { class: "number" }, world);
+    if (body.number) {
+      const ring = drawn("g", {}, group);
+      drawn("circle", { r: RING }, ring);
+      drawn("text", { "text-anchor": "middle", dy: "0.35em" }, ring).textContent = body.number;
+    }
+    return group;
+  }
+
+  /**
+   * @param {{name: string}} centre
+   * @param {Element} world
+   */
+  centred(centre, world) {
+    const group = drawn("g", { class: "centre" }, world);
+    drawn("path", { d: "M-5,-5L5,5M5,-5L-5,5" }, group);
+    named(group, ...parted(centre.name), { class: "name", x: 8, y: 14 });
+    return group;
+  }
+
+  /**
+   * @param {import("./data.js").Layer} layer
+   * @param {string} colour
+   * @param {Element} world
+   */
+  layered(layer, colour, world) {
+    const group = drawn("g", { class: `layer ${colour}`, "data-layer": layer.name }, world);
+    const arrows = layer.arrows.flatMap((arrow) => {
+      const [x, y] = [columnOf(arrow.x), columnOf(arrow.y)];
+      if (!x || !y || !x.stage.rows) return [];
+      const line = drawn("line", { "marker-end": `url(#head-${colour})` }, group);
+      const name = named(group, ...parted(arrow.sign), { class: "name" });
+      const rows = numbers(x.stage.rows.values);
+      return [{ arrow, line, name, rows, x: numbers(x.column.values), y: numbers(y.column.values) }];
+    });
+    let largest = 0;
+    for (const { x, y } of arrows) largest = x.reduce((most, _, k) => Math.max(most, Math.hypot(x[k], y[k]) || 0), largest);
+    const per = largest ? standard((largest / LONGEST) * CENTIMETRE) / CENTIMETRE : 1; // of the unit to a pixel
+    return { layer, colour, group, arrows, per, largest };
+  }
+
+  /** Paths of the named points over all positions. */
+  trace() {
+    const count = this.state.values.length;
+    for (const spot of this.view.spots.filter((each) => each.path)) {
+      const body = this.view.bodies.find((each) => each.name === spot.body);
+      if (!body) continue;
+      let d = "";
+      for (let k = 0; k < count; k++) {
+        const there = { from: k, to: k, t: 0, near: k };
+        const [x, y] = placed(poseOf(body, this.state.values, there), spot.at[0], spot.at[1]);
+        d += `${k ? "L" : "M"}${(x * this.scale).toFixed(1)},${(-y * this.scale).toFixed(1)}`;
+      }
+      drawn("path", { d }, this.paths);
+    }
+  }
+
+  /** Names and numbers at places that suit the whole motion. */
+  named() {
+    const { values } = this.state;
+    const moments = Array.from({ length: MOMENTS }, (_, k) => Math.round((k * (values.length - 1)) / (MOMENTS - 1)));
+    const poses = moments.map((k) => this.posed({ from: k, to: k, t: 0, near: k }));
+    /** @param {string} body @param {number[]} at @returns {import("./labels.js").Pair[]} */
+    const over = (body, at) =>
+      poses.map((pose) => {
+        const [x, y] = placed(pose.get(body) ?? STILL, at[0], at[1]);
+        return [x * this.scale, -y * this.scale];
+      });
+    const rings = this.view.bodies.filter((body) => body.number);
+    /** @type {import("./labels.js").Item[]} */
+    const items = [];
+    for (const spot of this.view.spots) {
+      const [letter, index] = lettered(spot.name);
+      /** @type {import("./labels.js").Pair} */
+      const size = [9.5 * letter.length + 6 * index.length, 14];
+      items.push({ at: over(spot.body, spot.at), size, choices: around(...size) });
+    }
+    for (const body of rings) {
+      const first = body.beside[0] ?? [0, 0];
+      const start = over(body.name, first);
+      const choices = /** @type {import("./labels.js").Pair[]} */ ([[0, 0], ...around(0, 0).map(([x, y]) => [1.6 * x, 1.6 * y])]);
+      items.push({ at: start, size: [2 * RING, 2 * RING], choices });
+    }
+    const shifts = settled(items, poses.map((pose) => this.lines(pose)));
+    this.spots.forEach((group, k) => {
+      const [x, y] = shifts[k];
+      const name = /** @type {Element} */ (group.querySelector(".name"));
+      name.setAttribute("x", x.toFixed(1));
+      name.setAttribute("y", (y + 5).toFixed(1));
+    });
+    rings.forEach((body, k) => {
+      const [x, y] = shifts[this.spots.length + k];
+      const group = this.rings[this.view.bodies.indexOf(body)];
+      const ring = /** @type {Element} */ (group.firstElementChild);
+      ring.setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
+      if (x || y) group.prepend(drawn("line", { class: "leader", x2: x.toFixed(1), y2: y.toFixed(1) }));
+    });
+  }
+
+  /**
+   * All lines that names should keep off, in pixels.
+   * @param {Map<string, import("./motion.js").Pose>} poses
+   * @returns {[number, number, number, number][]}
+   */
+  lines(poses) {
+    /** @type {[number, number, number, number][]} */
+    const found = [];
+    /** @param {import("./motion.js").Pose} pose @param {number[]} flat @param {boolean} closed */
+    const add = (pose, flat, closed) => {
+      /** @type {[number, number][]} */
+      const points = [];
+      for (let k = 0; k + 1 < flat.length; k += 2) {
+        const [x, y] = placed(pose, flat[k], flat[k + 1]);
+        points.push([x * this.scale, -y * this.scale]);
+      }
+      points.forEach(([x, y], k) => {
+        const next = points[k + 1] ?? (closed ? points[0] : null);
+        if (next) found.push([x, y, next[0], next[1]]);
+      });
+    };
+    for (const body of this.view.bodies) {
+      const pose = /** @type {import("./motion.js").Pose} */ (poses.get(body.name));
+      for (const [kind, flat] of body.marks) {
+        if (LINES.has(kind)) add(pose, flat, kind === "plate" || kind === "outline");
+        else if (kind === "block") this.blocked(found, pose, flat);
+      }
+    }
+    for (const [kind, flat] of this.view.frame) {
+      if (kind === "guide") add(STILL, flat.slice(0, 4), false);
+      if (kind === "pivot") {
+        const [x, y] = [flat[0] * this.scale, -flat[1] * this.scale];
+        found.push([x, y, x + 20 * flat[2], y - 20 * flat[3]]);
+        for (const [far, half] of [[10, 7], [20, 15]]) {
+          const [cx, cy] = [x + far * flat[2], y - far * flat[3]];
+          found.push([cx - half * flat[3], cy - half * flat[2], cx + half * flat[3], cy + half * flat[2]]);
+        }
+      }
+    }
+    for (const spot of this.view.spots) {
+      const [x, y] = placed(poses.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
+      found.push([x * this.scale - 3, -y * this.scale, x * this.scale + 3, -y * this.scale]);
+    }
+    return found;
+  }
+
+  /**
+   * A block as the line of its middle and its two long sides.
+   * @param {[number, number, number, number][]} found
+   * @param {import("./motion.js").Pose} pose
+   * @param {number[]} flat
+   */
+  blocked(found, pose, flat) {
+    const [x, y] = placed(pose, flat[0], flat[1]);
+    const ex = pose.cos * flat[2] - pose.sin * flat[3];
+    const ey = pose.sin * flat[2] + pose.cos * flat[3];
+    for (const side of [-10, 0, 10]) {
+      const [px, py] = [x * this.scale - ey * side, -y * this.scale - ex * side];
+      found.push([px - 17 * ex, py + 17 * ey, px + 17 * ex, py - 17 * ey]);
+    }
+  }
+
+  /**
+   * The poses of all bodies there.
+   * @param {import("./motion.js").Between} there
+   */
+  posed(there) {
+    return new Map(this.view.bodies.map((body) => [body.name, poseOf(body, this.state.values, there)]));
+  }
+
+  /** Draw all where it is now. */
+  update() {
+    const { there } = this.state;
+    const poses = this.posed(there);
+    this.poses = poses;
+    this.view.bodies.forEach((body, k) => {
+      const pose = /** @type {import("./motion.js").Pose} */ (poses.get(body.name));
+      const { x, y, cos, sin } = pose;
+      const s = this.scale;
+      const matrix = [cos, -sin, sin, cos, x * s, -y * s].map((each) => each.toFixed(5)).join(" ");
+      this.bodies[k].setAttribute("transform", `matrix(${matrix})`);
+      const [bx, by] = placed(pose, body.beside[0]?.[0] ?? 0, body.beside[0]?.[1] ?? 0);
+      this.rings[k].setAttribute("transform", this.shifted(bx, by));
+    });
+    this.view.spots.forEach((spot, k) => {
+      const [x, y] = placed(poses.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
+      this.spots[k].setAttribute("transform", this.shifted(x, y));
+    });
+    this.view.centres.forEach((centre, k) => {
+      const x = numbers(centre.x)[there.near];
+      const y = numbers(centre.y)[there.near];
+      this.centres[k].classList.toggle("lost", !Number.isFinite(x));
+      if (Number.isFinite(x)) this.centres[k].setAttribute("transform", this.shifted(x, y));
+    });
+    for (const layer of this.layers) if (!layer.group.classList.contains("off")) this.point(layer);
+  }
+
+  /**
+   * Vectors of a layer from their spots, at the nearest solved position.
+   * @param {ReturnType<Scene["layered"]>} layer
+   */
+  point(layer) {
+    for (const { arrow, line, name, rows, x, y } of layer.arrows) {
+      const spot = this.view.spots.find((each) => each.name === arrow.spot);
+      if (!spot) continue;
+      const [px, py] = placed(this.poses?.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
+      const k = between(rows, this.state.at).near;
+      const [dx, dy] = [(arrow.sense * x[k]) / layer.per, (-arrow.sense * y[k]) / layer.per];
+      const long = Math.hypot(dx, dy);
+      const [ax, ay] = [px * this.scale, -py * this.scale];
+      const seen = long > 1;
+      line.classList.toggle("lost", !seen);
+      name.classList.toggle("lost", !seen);
+      if (!seen) continue;
+      for (const [key, value] of Object.entries({ x1: ax, y1: ay, x2: ax + dx, y2: ay + dy })) line.setAttribute(key, value.toFixed(1));
+      name.setAttribute("x", (ax + dx + (9 * dx) / long - 6).toFixed(1));
+      name.setAttribute("y", (ay + dy + (9 * dy) / long + 5).toFixed(1));
+    }
+  }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
+  shifted(x, y) {
+    return `translate(${(x * this.scale).toFixed(2)} ${(-y * this.scale).toFixed(2)})`;
+  }
+
+  /**
+   * Show or hide what belongs together.
+   * @param {string} name
+   * @param {boolean} shown
+   */
+  show(name, shown) {
+    const layer = this.layers.find((each) => each.layer.name === name);
+    if (layer) {
+      layer.group.classList.toggle("off", !shown);
+      if (shown) this.point(layer);
+    } else this.svg.classList.toggle(`no-${name}`, !shown);
+  }
+
+  /**
+   * The scale of a layer in words.
+   * @param {ReturnType<Scene["layered"]>} layer
+   */
+  scaleOf(layer) {
+    return word("arrow", { value: `${written(layer.per * CENTIMETRE, 3)} ${told(layer.layer.unit)}` });
+  }
+
+  /** The place of the machine under a pointer. @param {PointerEvent} event @returns {[number, number]} */
+  pointed(event) {
+    const box = this.svg.getBoundingClientRect();
+    const view = /** @type {SVGSVGElement} */ (this.svg).viewBox.baseVal;
+    const factor = Math.min(box.width / view.width, box.height / view.height);
+    const x = (event.clientX - box.left - (box.width - view.width * factor) / 2) / factor;
+    const y = (event.clientY - box.top - (box.height - view.height * factor) / 2) / factor;
+    return [(x - this.x0) / this.scale, -(y - this.y0) / this.scale];
+  }
+
+  /** Every body follows the pointer that holds it, as far as the input lets it. */
+  dragged() {
+    this.view.bodies.forEach((body, k) => {
+      const grip = this.bodies[k];
+      /** @type {[number, number] | null} */
+      let held = null; // the point of the body, in its axes
+      let [last, wanted] = [0, 0]; // of a crank the angle of the pointer, and where the input would be without its ends
+      const pivot = this.view.handle?.body === body.name ? this.view.handle.pivot : null;
+      /** @param {PointerEvent} event @param {number[]} about */
+      const angle = (event, about) => {
+        const [x, y] = this.pointed(event);
+        return Math.atan2(y - about[1], x - about[0]);
+      };
+      grip.addEventListener("pointerdown", (event) => {
+        const pose = this.poses?.get(body.name);
+        if (!pose) return;
+        const [x, y] = this.pointed(event);
+        const [dx, dy] = [x - pose.x, y - pose.y];
+        held = [pose.cos * dx + pose.sin * dy, pose.cos * dy - pose.sin * dx];
+        if (pivot) [last, wanted] = [angle(event, pivot), this.state.at];
+        grip.setPointerCapture(event.pointerId);
+        grip.classList.add("held");
+        event.preventDefault();
+      });
+      grip.addEventListener("pointermove", (event) => {
+        if (!held) return;
+        if (pivot) {
+          const now = angle(event, pivot);
+          wanted += Math.atan2(Math.sin(now - last), Math.cos(now - last)) / (this.rate(body.angle) || 1);
+          last = now;
+          this.state.move(wanted);
+        } else this.state.move(this.state.at + this.way(body, held, this.pointed(event)));
+      });
+      const leave = () => {
+        held = null;
+        grip.classList.remove("held");
+      };
+      grip.addEventListener("pointerup", leave);
+      grip.addEventListener("pointercancel", leave);
+    });
+  }
+
+  /**
+   * The rate of a track by the input.
+   * @param {import("./data.js").Track} track
+   */
+  rate(track) {
+    return typeof track === "number" ? 0 : numbers(track[1])[this.state.near];
+  }
+
+  /**
+   * How far the input goes so that a point of a body comes nearest to a place.
+   * @param {import("./data.js").Body} body
+   * @param {[number, number]} held
+   * @param {[number, number]} wanted
+   */
+  way(body, held, wanted) {
+    const pose = poseOf(body, this.state.values, this.state.there);
+    const [x, y] = placed(pose, held[0], held[1]);
+    const vx = this.rate(body.x) - this.rate(body.angle) * (y - pose.y);
+    const vy = this.rate(body.y) + this.rate(body.angle) * (x - pose.x);
+    const size = vx * vx + vy * vy;
+    const way = size ? ((wanted[0] - x) * vx + (wanted[1] - y) * vy) / size : 0;
+    const most = this.state.span / 24;
+    return Math.min(most, Math.max(-most, way));
+  }
+}
+
+/**
+ * The letter of a point and its number: S3 has an index.
+ * @param {string} name
+ * @returns {[string, string]}
+ */
+function lettered(name) {
+  const found = /^([A-Za-z]+)_?(\d+)$/.exec(name);
+  return found ? [found[1], found[2]] : [name, ""];
+}
+
+/**
+ * The next standard scale above a value: 1, 2, 5 by powers of ten.
+ * @param {number} value
+ */
+export function standard(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return [1, 2, 5, 10].map((each) => each * power).find((each) => each >= value * (1 - 1e-9)) ?? value;
+}

@@ -1,0 +1,78 @@
+// Where the input stands, and who is told when it moves.
+import { numbers } from "./data.js";
+import { between } from "./motion.js";
+
+export class State {
+  /** @param {import("./data.js").View} view */
+  constructor(view) {
+    this.view = view;
+    this.values = numbers(view.values);
+    this.low = Math.min(this.values[0], this.values[this.values.length - 1]);
+    this.high = Math.max(this.values[0], this.values[this.values.length - 1]);
+    this.at = this.values[0];
+    /** @type {((at: number) => void)[]} */
+    this.listeners = [];
+    /** @type {((asked: number) => void)[]} */
+    this.refused = [];
+  }
+
+  get span() {
+    return this.high - this.low;
+  }
+
+  get there() {
+    return between(this.values, this.at);
+  }
+
+  /** The row whose values are shown. */
+  get near() {
+    return this.there.near;
+  }
+
+  /**
+   * Move the input; what lies beyond its ends is refused, of a whole turn it comes round.
+   * @param {number} asked
+   */
+  move(asked) {
+    const turned = this.view.whole ? this.low + ((((asked - this.low) % this.span) + this.span) % this.span) : asked;
+    this.at = Math.min(this.high, Math.max(this.low, turned));
+    const beyond = Math.abs(turned - this.at) > 1e-6 * this.span;
+    for (const each of this.listeners) each(this.at);
+    for (const each of this.refused) each(beyond ? asked : NaN);
+    return !beyond;
+  }
+
+  /**
+   * Whether the links close there, be it within the travel or not.
+   * @param {number} asked
+   */
+  closes(asked) {
+    const { reach, unit } = this.view;
+    const turns = unit === "°" ? [-360, 0, 360] : [0];
+    return !reach.length || turns.some((turn) => reach.some(([low, high]) => low <= asked + turn && asked + turn <= high));
+  }
+
+  /**
+   * Move to the next position of the spec, or the one before.
+   * @param {number} sense
+   */
+  step(sense) {
+    const way = Math.sign(this.values[this.values.length - 1] - this.values[0]) || 1;
+    const places = this.view.steps.map((step) => step[1] * way).sort((a, b) => a - b);
+    const at = this.at * way;
+    const small = 1e-5 * this.span;
+    const next =
+      sense > 0 ? places.find((place) => place > at + small) : places.findLast((place) => place < at - small);
+    if (next !== undefined) this.move(next * way);
+    else if (this.view.whole) this.move(sense > 0 ? this.values[0] : (places.at(-2) ?? 0) * way);
+  }
+
+  /**
+   * Call now and whenever the input moves.
+   * @param {(at: number) => void} act
+   */
+  follow(act) {
+    this.listeners.push(act);
+    act(this.at);
+  }
+}

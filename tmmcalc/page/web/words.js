@@ -1,0 +1,95 @@
+// Texts in the language that is chosen, numbers and names as they are written in it.
+import { content } from "./data.js";
+
+const languages = Object.keys(content.languages);
+let spoken = content.language;
+/** @type {(() => void)[]} */
+const listeners = [];
+let kept = 0;
+
+export function language() {
+  return spoken;
+}
+
+/**
+ * Choose a language: all that listens says its texts anew.
+ * @param {string} chosen
+ */
+export function speak(chosen) {
+  spoken = chosen;
+  document.documentElement.lang = chosen;
+  for (const each of listeners) each();
+}
+
+/**
+ * Call now and whenever the language changes.
+ * @param {() => void} say
+ */
+export function saying(say) {
+  listeners.push(say);
+  say();
+}
+
+/** Listeners that are there stay for good: `forget` keeps them. */
+export function remember() {
+  kept = listeners.length;
+}
+
+/** Let go those that listen since, for what they told of is gone. */
+export function forget() {
+  listeners.length = kept;
+}
+
+/**
+ * A text of the content in the language.
+ * @param {import("./data.js").Said} text
+ */
+export function told(text) {
+  return Array.isArray(text) ? text[languages.indexOf(spoken)] : text;
+}
+
+/**
+ * A text of the page itself, with values in its places.
+ * @param {string} key
+ * @param {Record<string, string>} values
+ */
+export function word(key, values = {}) {
+  return told(content.words[key]).replace(/\{(\w+)\}/g, (_, name) => values[name] ?? "");
+}
+
+/**
+ * A number with so many digits, no exponent where it is of usual size, a true minus, the decimal sign of the language.
+ * @param {number} value
+ */
+export function written(value, digits = 6) {
+  if (!Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  let text = size && (size < 1e-4 || size >= 1e7) ? value.toExponential(digits - 1) : value.toPrecision(digits);
+  if (text.includes(".")) text = text.replace(/\.?0+(?=e|$)/, "");
+  const [mantissa, power] = (text.includes("e") && !(size < 1e-4 || size >= 1e7) ? String(Number(text)) : text).split("e");
+  const shown = mantissa.replace("-", "−");
+  const signed = spoken === "en" ? shown : shown.replace(".", ",");
+  return power === undefined ? signed : `${signed}·10${raised(power)}`;
+}
+
+/** @param {string} power */
+function raised(power) {
+  const signs = { "-": "⁻", "+": "" };
+  return [...power].map((sign) => signs[/** @type {"-"} */ (sign)] ?? "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)]).join("");
+}
+
+const GREEK = {
+  omega: "ω", eps: "ε", phi: "φ", eta: "η", angle: "φ", mu: "μ", delta: "δ", alpha: "α", beta: "β", gamma: "γ",
+  rho: "ρ", sigma: "σ", tau: "τ", theta: "θ", psi: "ψ", lambda: "λ", nu: "ν", xi: "ξ", chi: "χ",
+};
+
+/**
+ * A name as it is set: its letter and its index.
+ * @param {string} name
+ * @returns {[string, string]}
+ */
+export function parted(name) {
+  const [letter, ...index] = name.replaceAll(/[{}]/g, "").split("_");
+  const greek = GREEK[/** @type {keyof typeof GREEK} */ (letter)];
+  return [greek ?? letter, index.join(", ")];
+}

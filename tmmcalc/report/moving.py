@@ -1,0 +1,168 @@
+"""What a page moves: bodies with their poses over an input, points of them, vectors at these points.
+
+Texts are English, or a `Phrase` of `tmmcalc.core.notes`; the page says them in each language, by ``[names]``.
+
+A view is what a room says of a stage whose scene moves, in metres or other true units; how it is drawn on a screen the
+page knows. Over the n solved places of the input everything has a value and its rate by the input, so that between two
+places a pose is a cubic that fits both: rigid bodies stay rigid, whatever the step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from tmmcalc.core.plane import Plane, Real
+
+FRAME = ""  # the body that stands still
+
+Kind = Literal[
+    "plate",  # a filled polygon: its corners
+    "bar",  # a main line
+    "slot",  # a main line that a block of another body runs on, beneath it
+    "block",  # a slider: its centre, its direction
+    "weld",  # bars that are one body: the corner, the directions of both
+    "pivot",  # a hatched support of a pin: the pin, the direction downwards
+    "guide",  # a hatched line that blocks run along: its ends, the outward direction
+    "sleeve",  # a block that stands: its centre, its direction, the outward direction
+    "cross",  # a point of the frame
+    "circle",  # a main line: the centre; with its radius
+    "pitch",  # a circle that is thought: the centre; with its radius
+    "outline",  # a closed main line
+    "line",  # a thin line
+]
+
+SpotKind = Literal["pin", "mass", "point"]
+
+
+class Mark(NamedTuple):
+    """Something drawn of a body, in its own axes."""
+
+    kind: Kind
+    points: tuple[complex, ...]
+    size: float = 0.0  # radius [m]
+
+
+class Track(NamedTuple):
+    """Values (n,) over the input, and their rates by it."""
+
+    values: Real
+    rates: Real
+
+
+class Body(NamedTuple):
+    """A rigid body: the track of its origin [m], and of the angle of its axes [rad]."""
+
+    name: str
+    x: Track
+    y: Track
+    angle: Track
+    marks: tuple[Mark, ...]
+    number: str = ""  # in its ring
+    beside: tuple[complex, ...] = ()  # where that may stand, in its axes, the best first
+
+
+class Spot(NamedTuple):
+    """A named point of a body."""
+
+    name: str
+    body: str  # `FRAME` or the name of a body
+    at: complex  # in its axes [m]
+    kind: SpotKind
+    path: bool = False  # whether it goes along a path that is shown
+
+
+class Arrow(NamedTuple):
+    """A vector at a spot: its sign, and the columns of its projections, as ``kinematics.vx_B``."""
+
+    sign: str
+    spot: str
+    x: str
+    y: str
+    sense: int = 1  # -1: against the columns
+
+
+class Layer(NamedTuple):
+    """Vectors that are shown together."""
+
+    name: str
+    title: str
+    unit: str
+    arrows: tuple[Arrow, ...]
+
+
+class Edge(NamedTuple):
+    """A vector of a plan from one vertex to another: its sign, its kind, by which it has its colour."""
+
+    tail: int
+    head: int
+    sign: str
+    kind: str
+
+
+class Plan(NamedTuple):
+    """A plan of vectors at every place: vertices (n,) with their names, the vectors between them.
+
+    ``places`` are those of the input, where they are others than those of the view.
+    """
+
+    name: str
+    title: str
+    unit: str
+    vertices: tuple[tuple[str, Plane], ...]
+    edges: tuple[Edge, ...]
+    places: Real | None = None
+    note: str = ""
+
+
+class Centre(NamedTuple):
+    """A point that moves by itself, as an instant centre: NaN where there is none."""
+
+    name: str
+    at: Plane  # (n,) [m]
+
+
+class Handle(NamedTuple):
+    """What the input is moved by: a body that turns about a place, or slides along a direction."""
+
+    body: str
+    pivot: complex | None = None
+    direction: complex | None = None
+
+
+class Stop(NamedTuple):
+    """A place of the input that is marked: a dead centre, an end."""
+
+    title: str
+    at: float
+
+
+class View(NamedTuple):
+    """A scene that moves."""
+
+    name: str
+    title: str
+    symbol: str  # of the input
+    unit: str
+    values: Real  # (n,) of the input, in this unit, from one end to the other
+    whole: bool  # whether its end is its beginning
+    column: str  # the header of the input in the tables of stages, ``phi[deg]``
+    steps: tuple[tuple[str, float], ...]  # the positions of the spec: label and input
+    box: tuple[complex, complex]  # lower left and upper right corner of all that moves [m]
+    bodies: tuple[Body, ...]
+    frame: tuple[Mark, ...]
+    spots: tuple[Spot, ...]
+    handle: Handle | None = None
+    layers: tuple[Layer, ...] = ()
+    centres: tuple[Centre, ...] = ()
+    plans: Callable[[], Iterable[Plan]] = tuple  # made where they are shown
+    stops: tuple[Stop, ...] = ()
+    shown: tuple[str, ...] = ()  # columns whose diagrams stand beside it at first
+    reach: tuple[tuple[float, float], ...] = ()  # where it assembles, counted as the input; empty: everywhere
+
+
+def track_of(values: Real, rates: Real, count: int) -> Track:
+    """A track from arrays (n,) or single values."""
+    return Track(np.broadcast_to(values, (count,)), np.broadcast_to(rates, (count,)))
