@@ -144,9 +144,10 @@ def _output_facts(result: Kinematics, summary: OutputSummary) -> list[Fact]:
         shown = [math.degrees(x) if result.turns else x for x in at]
         facts.append(Fact(f"dead centres of {called}", _place(result, *at), {told.key: shown}))
     facts += _stroke_facts(summary)
-    for name, pair in (("velocity", summary.velocity), ("acceleration", summary.acceleration)):
-        label = Phrase(f"{name} of {{output}}", output=called)
-        facts.append(_extreme_fact(result, label, quantity_of(OutputSummary, name, **places), pair))
+    velocity, acceleration = (quantity_of(OutputSummary, name, **places) for name in ("velocity", "acceleration"))
+    facts.append(_extreme_fact(result, Phrase("velocity of {output}", output=called), velocity, summary.velocity))
+    label = Phrase("acceleration of {output}", output=called)
+    facts.append(_extreme_fact(result, label, acceleration, summary.acceleration))
     return facts
 
 

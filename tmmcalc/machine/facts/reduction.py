@@ -154,7 +154,8 @@ def _moment_facts(result: Reduction) -> list[Fact]:
         return facts
     for c in result.contributions:
         own = told.of_cause.of(cause=contribution_name(result, c))
-        label = Phrase(f"{told.force} of {{cause}}", cause=called(c))
+        cause = called(c)
+        label = Phrase("moment of {cause}", cause=cause) if result.turns else Phrase("force of {cause}", cause=cause)
         facts.append(span_fact(result, label, own.name, own.unit, (c.least, c.largest)))
     return facts
 
