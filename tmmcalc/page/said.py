@@ -66,6 +66,7 @@ def _words() -> dict[str, str]:
         "copy": tr("Copy the value"),
         "facts": tr("Results"),
         "find": tr("Find"),
+        "variant": tr("Variant"),
         "plans": tr("Plans of vectors"),
         "given": tr("Given data"),
         "quantity": tr("Quantity"),
@@ -83,5 +84,5 @@ def _words() -> dict[str, str]:
         "precision": tr("Numbers of diagrams are stored with a relative error of {error}; results are whole."),
         "arrow": tr("1 cm: {value}"),
         "none": tr("nothing is found"),
-        "drag": tr("Drag the input link, or turn it by the arrow keys."),
+        "drag": tr("Drag a link, or turn the input by the arrow keys."),
     }

@@ -1,5 +1,5 @@
 // Diagrams of columns over the rows of their stage, with the place of the input, extremes and dead centres.
-import { columnOf, content, numbers } from "./data.js";
+import { columnOf, content, numbers, scene } from "./data.js";
 import { between } from "./motion.js";
 import { drawn } from "./marks.js";
 import { button, made } from "./player.js";
@@ -39,7 +39,7 @@ export class Charts {
   /** All columns, by stage. */
   choices() {
     this.choice.replaceChildren(made("option", { value: "" }));
-    for (const stage of content.stages.filter((each) => each.columns.length && each.rows)) {
+    for (const stage of scene().stages.filter((each) => each.columns.length && each.rows)) {
       const group = made("optgroup", { label: told(stage.title) }, this.choice);
       for (const column of stage.columns) {
         const meaning = told(column.meaning);
@@ -91,6 +91,11 @@ class Chart {
     this.value = made("button", { type: "button", class: "value" }, this.caption);
     this.meaning = made("span", { class: "meaning" }, this.caption);
     this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img", tabindex: 0 }, this.card);
+    this.others = content.scenes.filter((each) => each !== scene()).flatMap((each) => {
+      const found = columnOf(name, each);
+      if (!found || !found.stage.rows) return [];
+      return [{ name: each.name, x: numbers(found.stage.rows.values), y: cleared(numbers(found.column.values)) }];
+    });
     this.scaled();
     this.head(gone);
     saying(() => this.draw());
@@ -109,8 +114,14 @@ class Chart {
 
   /** Ends of both axes. */
   scaled() {
-    const finite = this.y.filter(Number.isFinite);
-    let [least, greatest] = [Math.min(...finite), Math.max(...finite)];
+    let [least, greatest] = [Infinity, -Infinity];
+    for (const y of [this.y, ...this.others.map((each) => each.y)]) {
+      for (const value of y) {
+        if (value < least) least = value;
+        if (value > greatest) greatest = value;
+      }
+    }
+    if (least > greatest) [least, greatest] = [0, 0];
     const flat = greatest - least <= 1e-9 * Math.max(Math.abs(least), Math.abs(greatest));
     if (flat) [least, greatest] = [least - (Math.abs(least) || 1), greatest + (Math.abs(greatest) || 1)];
     else if (least > 0 && least < 0.4 * greatest) least = 0;
@@ -180,23 +191,31 @@ class Chart {
         drawn("title", {}, line).textContent = told(stop.title);
       }
     }
-    drawn("path", { class: "curve", d: this.path() }, back);
+    this.others.forEach((other) => {
+      const curve = drawn("path", { class: "curve other", d: this.path(other.x, other.y) }, back);
+      drawn("title", {}, curve).textContent = other.name;
+    });
+    drawn("path", { class: "curve", d: this.path(this.x, this.y) }, back);
     this.extremes(back);
     if (this.state) this.follow();
     else this.value.hidden = true;
   }
 
-  /** The curve; two rows at one place are a jump. */
-  path() {
+  /**
+   * A curve; two rows at one place are a jump.
+   * @param {Float32Array} x
+   * @param {Float32Array} y
+   */
+  path(x, y) {
     let d = "";
     let pen = false;
-    for (let k = 0; k < this.x.length; k++) {
-      if (!Number.isFinite(this.y[k])) {
+    for (let k = 0; k < x.length; k++) {
+      if (!Number.isFinite(y[k])) {
         pen = false;
         continue;
       }
-      const jump = k > 0 && this.x[k] === this.x[k - 1];
-      d += `${pen && !jump ? "L" : "M"}${this.across(this.x[k]).toFixed(1)},${this.up(this.y[k]).toFixed(1)}`;
+      const jump = k > 0 && x[k] === x[k - 1];
+      d += `${pen && !jump ? "L" : "M"}${this.across(x[k]).toFixed(1)},${this.up(y[k]).toFixed(1)}`;
       pen = true;
     }
     return d;

@@ -70,7 +70,7 @@ export class Scene {
     const handle = this.view.handle !== null && this.view.handle.body === body.name;
     const group = drawn("g", { class: handle ? "body handle" : "body", "data-body": body.name }, world);
     for (const mark of body.marks) draw(group, mark, this.scale);
-    if (handle) for (const mark of body.marks) draw(group, mark, this.scale).classList.add("grip");
+    for (const mark of body.marks) draw(group, mark, this.scale).classList.add("grip");
     return group;
   }
 
@@ -350,53 +350,71 @@ export class Scene {
     return [(x - this.x0) / this.scale, -(y - this.y0) / this.scale];
   }
 
-  /** The input link follows the pointer that holds it. */
+  /** Every body follows the pointer that holds it, as far as the input lets it. */
   dragged() {
-    const handle = this.view.handle;
-    const body = handle && this.view.bodies.find((each) => each.name === handle.body);
-    if (!handle || !body) return;
-    const grip = this.bodies[this.view.bodies.indexOf(body)];
-    let last = 0;
-    let wanted = 0; // where the input would be if nothing stopped it
-    /** @param {PointerEvent} event */
-    const measure = (event) => {
-      const [x, y] = this.pointed(event);
-      if (handle.pivot) return Math.atan2(y - handle.pivot[1], x - handle.pivot[0]);
-      const [ex, ey] = handle.direction ?? [1, 0];
-      return x * ex + y * ey;
-    };
-    grip.addEventListener("pointerdown", (event) => {
-      last = measure(event);
-      wanted = this.state.at;
-      grip.setPointerCapture(event.pointerId);
-      grip.classList.add("held");
-      event.preventDefault();
+    this.view.bodies.forEach((body, k) => {
+      const grip = this.bodies[k];
+      /** @type {[number, number] | null} */
+      let held = null; // the point of the body, in its axes
+      let [last, wanted] = [0, 0]; // of a crank the angle of the pointer, and where the input would be without its ends
+      const pivot = this.view.handle?.body === body.name ? this.view.handle.pivot : null;
+      /** @param {PointerEvent} event @param {number[]} about */
+      const angle = (event, about) => {
+        const [x, y] = this.pointed(event);
+        return Math.atan2(y - about[1], x - about[0]);
+      };
+      grip.addEventListener("pointerdown", (event) => {
+        const pose = this.poses?.get(body.name);
+        if (!pose) return;
+        const [x, y] = this.pointed(event);
+        const [dx, dy] = [x - pose.x, y - pose.y];
+        held = [pose.cos * dx + pose.sin * dy, pose.cos * dy - pose.sin * dx];
+        if (pivot) [last, wanted] = [angle(event, pivot), this.state.at];
+        grip.setPointerCapture(event.pointerId);
+        grip.classList.add("held");
+        event.preventDefault();
+      });
+      grip.addEventListener("pointermove", (event) => {
+        if (!held) return;
+        if (pivot) {
+          const now = angle(event, pivot);
+          wanted += Math.atan2(Math.sin(now - last), Math.cos(now - last)) / (this.rate(body.angle) || 1);
+          last = now;
+          this.state.move(wanted);
+        } else this.state.move(this.state.at + this.way(body, held, this.pointed(event)));
+      });
+      const leave = () => {
+        held = null;
+        grip.classList.remove("held");
+      };
+      grip.addEventListener("pointerup", leave);
+      grip.addEventListener("pointercancel", leave);
     });
-    grip.addEventListener("pointermove", (event) => {
-      if (!grip.classList.contains("held")) return;
-      const now = measure(event);
-      const way = handle.pivot ? Math.atan2(Math.sin(now - last), Math.cos(now - last)) : now - last;
-      wanted += way / this.rate(body);
-      last = now;
-      this.state.move(wanted);
-    });
-    const leave = () => grip.classList.remove("held");
-    grip.addEventListener("pointerup", leave);
-    grip.addEventListener("pointercancel", leave);
   }
 
   /**
-   * How far the input link goes with a unit of the input [rad or m].
-   * @param {import("./data.js").Body} body
+   * The rate of a track by the input.
+   * @param {import("./data.js").Track} track
    */
-  rate(body) {
-    const handle = this.view.handle;
-    const near = this.state.near;
-    /** @param {import("./data.js").Track} track */
-    const rate = (track) => (typeof track === "number" ? 0 : numbers(track[1])[near]);
-    if (handle?.pivot) return rate(body.angle) || 1;
-    const [ex, ey] = handle?.direction ?? [1, 0];
-    return rate(body.x) * ex + rate(body.y) * ey || 1;
+  rate(track) {
+    return typeof track === "number" ? 0 : numbers(track[1])[this.state.near];
+  }
+
+  /**
+   * How far the input goes so that a point of a body comes nearest to a place.
+   * @param {import("./data.js").Body} body
+   * @param {[number, number]} held
+   * @param {[number, number]} wanted
+   */
+  way(body, held, wanted) {
+    const pose = poseOf(body, this.state.values, this.state.there);
+    const [x, y] = placed(pose, held[0], held[1]);
+    const vx = this.rate(body.x) - this.rate(body.angle) * (y - pose.y);
+    const vy = this.rate(body.y) + this.rate(body.angle) * (x - pose.x);
+    const size = vx * vx + vy * vy;
+    const way = size ? ((wanted[0] - x) * vx + (wanted[1] - y) * vy) / size : 0;
+    const most = this.state.span / 24;
+    return Math.min(most, Math.max(-most, way));
   }
 }
 
