@@ -29,11 +29,16 @@ FOCUSED = """() => {
 COLOURS = ("ink", "faint", "accent", "blue", "orange", "green", "purple", "warn")
 
 
-def luminance(colour: str) -> float:
-    """Of a colour as #rrggbb or #rgb, by WCAG 2."""
+def channels(colour: str) -> list[int]:
+    """Of a colour as #rrggbb or #rgb."""
     digits = colour.strip().lstrip("#")
     digits = "".join(2 * digit for digit in digits) if len(digits) == 3 else digits
-    parts = [int(digits[k : k + 2], 16) / 255 for k in (0, 2, 4)]
+    return [int(digits[k : k + 2], 16) for k in (0, 2, 4)]
+
+
+def luminance(colour: str) -> float:
+    """By WCAG 2."""
+    parts = (part / 255 for part in channels(colour))
     red, green, blue = (part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts)
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue
 
@@ -66,7 +71,9 @@ def test_the_language_is_switched(name: str, open_page: Open) -> None:
         assert "12,5°" in found.told
         assert re.fullmatch(r"−?[\d,]+(·10\S+)? м", page.locator(".chart button.value").first.inner_text())
     page.get_by_label("Мова").select_option("en")
-    assert page.evaluate(CONTROLS)[: len(english) // 2] == english[: len(english) // 2]
+    if name == "shaper":
+        found.move(0)
+    assert page.evaluate(CONTROLS) == english
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
@@ -77,18 +84,13 @@ def test_light_and_dark_can_be_read(scheme: str, open_page: Open) -> None:
         of = colours(found)
         assert (luminance(of["paper"]) > 0.5) == (now == "light")
         body = found.page.evaluate("getComputedStyle(document.body).backgroundColor")
-        assert body == "rgb({})".format(", ".join(str(int(_long(of["paper"])[k : k + 2], 16)) for k in (0, 2, 4)))
+        assert body == "rgb({}, {}, {})".format(*channels(of["paper"]))
         assert {
             name: contrast(of[name], of["paper"]) for name in COLOURS if contrast(of[name], of["paper"]) < 4.5
         } == {}
         assert contrast(of["ink"], of["soft"]) > 7
         assert contrast(of["ink"], of["warn-soft"]) > 7
         button.click()
-
-
-def _long(colour: str) -> str:
-    digits = colour.strip().lstrip("#")
-    return "".join(2 * digit for digit in digits) if len(digits) == 3 else digits
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -158,7 +160,7 @@ def test_tab_goes_through_all_in_the_order_of_reading(open_page: Open) -> None:
     page = found.page
     expected = page.evaluate(
         """() => [...document.querySelectorAll("button, input, select, summary, [tabindex]")]
-          .filter((each) => each.getClientRects().length && !each.disabled && each.tabIndex >= 0).length"""
+          .filter((each) => each.checkVisibility() && !each.disabled && each.tabIndex >= 0).length"""
     )
     seen = []
     for _ in range(expected + 3):

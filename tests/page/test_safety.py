@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import threading
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -12,7 +13,7 @@ import pytest
 
 from page.conftest import Open
 from page.opened import opened
-from page.scenes import page_of
+from page.scenes import CONFIGS, write
 
 HOSTILE = (
     "</script><script>alert(1)</script>",
@@ -29,10 +30,11 @@ HOSTILE = (
 def test_a_hostile_title_is_shown(title: str, open_page: Open, tmp_path: Path) -> None:
     """In the heading, the name of the window and the text of the spec; nothing of it runs."""
     quoted = "".join(f"\\U{ord(sign):08x}" if sign in '"\\' or not sign.isprintable() else sign for sign in title)
-    file = tmp_path / "page.html"
-    source = f"# {title}\n"
-    file.write_text(page_of("extra-tie-down", [f'project.title="{quoted}"'], source=source), encoding="utf-8")
-    page = open_page(file).page
+    source = (CONFIGS / "extra-tie-down.toml").read_text(encoding="utf-8")
+    source = re.sub(r"^title = .*$", lambda _: f'title = "{quoted}"  # {title}', source, flags=re.MULTILINE)
+    (tmp_path / "my.toml").write_text(source, encoding="utf-8")
+    write(tmp_path / "my.toml", tmp_path / "page.html")
+    page = open_page(tmp_path / "page.html").page
     assert page.locator("h1").evaluate("each => each.textContent") == title
     assert page.evaluate("document.querySelector('title').textContent") == title
     assert page.locator("pre").evaluate("each => each.textContent") == source
@@ -53,7 +55,8 @@ def server() -> Iterator[tuple[str, list[str]]]:
             self.send_header("Access-Control-Allow-Origin", "*")
             self.end_headers()
 
-        do_POST = do_GET
+        def do_POST(self) -> None:
+            self.do_GET()
 
         def log_message(self, *_: Any) -> None:
             """Nothing is written to the terminal."""
@@ -65,19 +68,30 @@ def server() -> Iterator[tuple[str, list[str]]]:
     listening.server_close()
 
 
+LOADED = "new Promise((yes, no) => {{ const x = {}; x.onload = yes; x.onerror = no; {} }})"
+OPENED = "new Promise((yes, no) => {{ const x = {}; x.onopen = x.onmessage = yes; x.onerror = no; }})"
+LEFT = "new Promise((yes, no) => {{ const x = document.createElement('{}'); {}; setTimeout(no, 300); }})"
 WAYS = {
     "fetch": "fetch(at)",
-    "request": "new Promise((yes, no) => { const x = new XMLHttpRequest(); x.onload = yes; x.onerror = no; x.open('GET', at); x.send(); })",
-    "socket": "new Promise((yes, no) => { const x = new WebSocket(at.replace('http', 'ws')); x.onopen = yes; x.onerror = no; })",
-    "events": "new Promise((yes, no) => { const x = new EventSource(at); x.onopen = yes; x.onerror = no; })",
-    "image": "new Promise((yes, no) => { const x = new Image(); x.onload = yes; x.onerror = no; x.src = at; })",
-    "script": "new Promise((yes, no) => { const x = document.createElement('script'); x.onload = yes; x.onerror = no; x.src = at; document.body.append(x); })",
-    "style": "new Promise((yes, no) => { const x = document.createElement('link'); x.rel = 'stylesheet'; x.onload = yes; x.onerror = no; x.href = at; document.body.append(x); })",
     "module": "import(at)",
-    "worker": "new Promise((yes, no) => { const x = new Worker(URL.createObjectURL(new Blob([`fetch('${at}')`]))); x.onmessage = yes; x.onerror = no; })",
-    "frame": "new Promise((yes, no) => { const x = document.createElement('iframe'); x.onload = () => setTimeout(no, 300); x.src = at; document.body.append(x); })",
-    "form": "new Promise((yes, no) => { const x = document.createElement('form'); x.action = at; x.method = 'post'; document.body.append(x); x.submit(); setTimeout(no, 300); })",
+    "request": LOADED.format("new XMLHttpRequest()", "x.open('GET', at); x.send();"),
+    "image": LOADED.format("new Image()", "x.src = at;"),
+    "script": LOADED.format("document.createElement('script')", "x.src = at; document.body.append(x);"),
+    "style": LOADED.format(
+        "document.createElement('link')", "x.rel = 'stylesheet'; x.href = at; document.body.append(x);"
+    ),
+    "socket": OPENED.format("new WebSocket(at.replace('http', 'ws'))"),
+    "events": OPENED.format("new EventSource(at)"),
+    "worker": OPENED.format("new Worker(URL.createObjectURL(new Blob([`fetch('${at}')`])))"),
+    "frame": LEFT.format("iframe", "x.src = at; document.body.append(x)"),
+    "form": LEFT.format("form", "x.action = at; x.method = 'post'; document.body.append(x); x.submit()"),
 }
+CODES = (
+    "Function('1')()",
+    "eval('1')",
+    "setTimeout('document.title = 1')",
+    "document.body.setAttribute('onclick', 'document.title = 1'); document.body.click()",
+)
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -92,15 +106,7 @@ def test_no_way_leads_to_the_network(way: str, browser: Any, server: tuple[str, 
     found.page.context.close()
 
 
-@pytest.mark.parametrize(
-    "code",
-    [
-        "Function('1')()",
-        "eval('1')",
-        "setTimeout('document.title = 1')",
-        "document.body.setAttribute('onclick', 'document.title = 1') ?? document.body.click()",
-    ],
-)
+@pytest.mark.parametrize("code", CODES)
 def test_no_text_becomes_code(code: str, browser: Any, written: Any) -> None:
     """Run after the call of the test itself, which a browser lets evaluate what it will."""
     found = opened(browser, written("extra-tie-down"), (900, 700))

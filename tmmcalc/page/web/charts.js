@@ -93,7 +93,7 @@ class Chart {
     this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img", tabindex: 0 }, this.card);
     this.others = content.scenes.filter((each) => each !== scene()).flatMap((each) => {
       const found = columnOf(name, each);
-      if (!found || !found.stage.rows) return [];
+      if (!found?.stage.rows) return [];
       return [{ name: each.name, x: numbers(found.stage.rows.values), y: cleared(numbers(found.column.values)) }];
     });
     this.scaled();
