@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import os
-import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from page.chromium import CHROMIUM
 from page.opened import Opened, opened
 from page.scenes import CONFIGS, write
-
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 
 Written = Callable[..., Path]
 Open = Callable[..., Opened]
