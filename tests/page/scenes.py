@@ -53,8 +53,13 @@ Real = NDArray[np.float64]
 
 
 def write(spec: Path, file: Path, *options: str) -> None:
-    """The page of a spec, as ``tmmcalc page`` writes it, in this process."""
-    kept, sys.argv = sys.argv, ["tmmcalc", "page", str(spec), "-o", str(file), "--no-store", "--quiet", *options]
+    """The page of a spec, as ``tmmcalc page`` writes it."""
+    command("page", str(spec), "-o", str(file), "--no-store", "--quiet", *options)
+
+
+def command(*argv: str) -> None:
+    """A command, in this process."""
+    kept, sys.argv = sys.argv, ["tmmcalc", *argv]
     try:
         with pytest.raises(SystemExit) as ended:
             main()

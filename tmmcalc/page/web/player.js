@@ -188,7 +188,7 @@ export class Player {
     let last = performance.now();
     /** @param {number} now */
     const frame = (now) => {
-      if (!this.playing) return;
+      if (!this.playing || !this.toggle.isConnected) return; // another variant may stand in its place
       const { state } = this;
       const way = (Math.min(Math.max(now - last, 0), 100) / PERIOD) * this.speed * state.span;
       const along = Math.sign(state.values[state.values.length - 1] - state.values[0]) || 1;
