@@ -117,7 +117,7 @@ def test_a_value_is_copied(open_page: Open) -> None:
     copy = found.page.locator('.chart[data-column="kinematics.S_D"] button.value')
     click(found, "kinematics.S_D", 0.4)
     copy.click()
-    found.page.wait_for_timeout(50)
+    found.page.wait_for_selector("button.value.done")
     assert found.page.evaluate("navigator.clipboard.readText()") == copy.inner_text()
 
 

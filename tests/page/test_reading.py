@@ -26,6 +26,7 @@ FOCUSED = """() => {
   const box = each.getBoundingClientRect();
   return [all.indexOf(each), each.tagName, getComputedStyle(each).outlineStyle, box.width * box.height];
 }"""
+SEEN = "each => each.getBoundingClientRect().top >= 0 && each.getBoundingClientRect().bottom <= innerHeight"
 COLOURS = ("ink", "faint", "accent", "blue", "orange", "green", "purple", "warn")
 
 
@@ -102,15 +103,11 @@ def test_it_starts_still_and_pause_is_in_sight(size: tuple[int, int], motion: st
     page.wait_for_timeout(250)
     assert found.at == start
     page.get_by_role("button", name="Play").click()
-    page.wait_for_timeout(250)
-    assert found.at > start
+    found.wait(beyond=start)
     pause = page.get_by_role("button", name="Pause")
     for scrolled in (0, 600, 10_000):  # wherever one reads on
         page.evaluate("(y) => scrollTo(0, y)", scrolled)
-        page.wait_for_timeout(50)
-        box = pause.bounding_box()
-        assert box["y"] >= 0
-        assert box["y"] + box["height"] <= size[1]
+        page.wait_for_function(SEEN, arg=pause.element_handle())
     pause.click()
     stopped = found.at
     page.wait_for_timeout(150)
