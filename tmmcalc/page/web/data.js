@@ -45,7 +45,7 @@
  * @property {{header: string, name: string, unit: Said, values: Ref, kept: number, of: number} | null} rows
  * @property {Column[]} columns
  * @property {Said[]} warnings
- * @property {Record<string, number>} errors
+ * @property {[Said, number][]} errors
  */
 /** @typedef {{what: Said, keys: string[], values: number[], unit: Said, text: Said}} Datum */
 /** @typedef {{name: string, stages: Stage[], given: Datum[], source: string, views: View[]}} Variant */

@@ -381,7 +381,7 @@ export class Scene {
           wanted += Math.atan2(Math.sin(now - last), Math.cos(now - last)) / (this.rate(body.angle) || 1);
           last = now;
           this.state.move(wanted);
-        } else this.state.move(this.state.at + this.way(body, held, this.pointed(event)));
+        } else this.state.move(this.sought(body, held, this.pointed(event)));
       });
       const leave = () => {
         held = null;
@@ -396,25 +396,39 @@ export class Scene {
    * The rate of a track by the input.
    * @param {import("./data.js").Track} track
    */
-  rate(track) {
-    return typeof track === "number" ? 0 : numbers(track[1])[this.state.near];
+  rate(track, near = this.state.near) {
+    return typeof track === "number" ? 0 : numbers(track[1])[near];
   }
 
   /**
-   * How far the input goes so that a point of a body comes nearest to a place.
+   * Where the input stands when a point of a body is nearest to a place, found by steps that come nearer each.
    * @param {import("./data.js").Body} body
    * @param {[number, number]} held
    * @param {[number, number]} wanted
    */
-  way(body, held, wanted) {
-    const pose = poseOf(body, this.state.values, this.state.there);
-    const [x, y] = placed(pose, held[0], held[1]);
-    const vx = this.rate(body.x) - this.rate(body.angle) * (y - pose.y);
-    const vy = this.rate(body.y) + this.rate(body.angle) * (x - pose.x);
-    const size = vx * vx + vy * vy;
-    const way = size ? ((wanted[0] - x) * vx + (wanted[1] - y) * vy) / size : 0;
-    const most = this.state.span / 24;
-    return Math.min(most, Math.max(-most, way));
+  sought(body, held, wanted) {
+    const { state } = this;
+    const most = state.span / 24;
+    let at = state.at;
+    let left = Infinity;
+    let next = at;
+    for (let k = 0; k < 24; k++) {
+      const there = between(state.values, state.turned(next));
+      const pose = poseOf(body, state.values, there);
+      const [x, y] = placed(pose, held[0], held[1]);
+      const [dx, dy] = [wanted[0] - x, wanted[1] - y];
+      if (Math.hypot(dx, dy) >= left) break;
+      left = Math.hypot(dx, dy);
+      at = next;
+      const turn = this.rate(body.angle, there.near);
+      const vx = this.rate(body.x, there.near) - turn * (y - pose.y);
+      const vy = this.rate(body.y, there.near) + turn * (x - pose.x);
+      const size = vx * vx + vy * vy;
+      if (!size) break;
+      next = at + Math.min(most, Math.max(-most, (dx * vx + dy * vy) / size));
+      if (!state.view.whole && (next < state.low || next > state.high)) return next;
+    }
+    return at;
   }
 }
 
