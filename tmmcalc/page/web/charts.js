@@ -12,6 +12,8 @@ const LEFT = 62;
 const RIGHT = 14;
 const TOP = 12;
 const BOTTOM = 26;
+const MANY = 200; // rows, of which neighbours lie so near
+const STEEP = 0.2; // that a step of this part of the height is a jump
 
 export class Charts {
   /**
@@ -196,6 +198,7 @@ class Chart {
       drawn("title", {}, curve).textContent = other.name;
     });
     drawn("path", { class: "curve", d: this.path(this.x, this.y) }, back);
+    drawn("path", { class: "curve jump", d: this.jumps() }, back);
     this.extremes(back);
     if (this.state) this.follow();
     else this.value.hidden = true;
@@ -214,9 +217,30 @@ class Chart {
         pen = false;
         continue;
       }
-      const jump = k > 0 && x[k] === x[k - 1];
+      const jump = k > 0 && this.jumped(x, y, k);
       d += `${pen && !jump ? "L" : "M"}${this.across(x[k]).toFixed(1)},${this.up(y[k]).toFixed(1)}`;
       pen = true;
+    }
+    return d;
+  }
+
+  /**
+   * Whether a curve jumps before a row: two rows at one place, or between neighbours of many a large part of its height.
+   * @param {Float32Array} x
+   * @param {Float32Array} y
+   * @param {number} k
+   */
+  jumped(x, y, k) {
+    return x[k] === x[k - 1] || (x.length > MANY && Math.abs(y[k] - y[k - 1]) > STEEP * (this.high - this.low));
+  }
+
+  /** The jumps as lines of their own. */
+  jumps() {
+    let d = "";
+    for (let k = 1; k < this.x.length; k++) {
+      if (!this.jumped(this.x, this.y, k) || !Number.isFinite(this.y[k - 1] + this.y[k])) continue;
+      const ends = [k - 1, k].map((j) => `${this.across(this.x[j]).toFixed(1)},${this.up(this.y[j]).toFixed(1)}`);
+      d += `M${ends.join("L")}`;
     }
     return d;
   }

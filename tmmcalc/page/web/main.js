@@ -16,8 +16,22 @@ const main = /** @type {HTMLElement} */ (document.getElementById("main"));
 title.textContent = content.title;
 tools(/** @type {HTMLElement} */ (document.getElementById("tools")));
 
+printed();
 remember();
 shown([], 0);
+
+/** What is folded is printed all the same: data, results; not the spec. */
+function printed() {
+  /** @type {HTMLDetailsElement[]} */
+  let opened = [];
+  addEventListener("beforeprint", () => {
+    opened = [...document.querySelectorAll("details")].filter((each) => !each.open && !each.matches(".source, .plans"));
+    for (const each of opened) each.open = true;
+  });
+  addEventListener("afterprint", () => {
+    for (const each of opened) each.open = false;
+  });
+}
 
 /**
  * Show the variant that is chosen, with diagrams of these columns (those that it asks for, if none), at a place.

@@ -89,7 +89,7 @@ const GREEK = {
  * @returns {[string, string]}
  */
 export function parted(name) {
-  const [letter, ...index] = name.split("_");
+  const [letter, ...index] = name.replaceAll(/[{}]/g, "").split("_");
   const greek = GREEK[/** @type {keyof typeof GREEK} */ (letter)];
   return [greek ?? letter, index.join(", ")];
 }
