@@ -111,6 +111,7 @@ ROOM = Room(
                 pieces="tmmcalc.gears.pictures.pieces:pair",
             ),
             chapter="gears",
+            moves=True,
             studied=True,
         ),
         Stage(

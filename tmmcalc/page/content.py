@@ -156,7 +156,7 @@ def _views(run: RunResult, dense: Mapping[str, Any], block: Block) -> Iterator[d
 def _view(same: Sequence[View], run: RunResult, stage: str, block: Block) -> dict[str, Any]:
     """A view that was made in all languages."""
     view = same[0]
-    steps = _steps(run, stage, view.column)
+    steps = _steps(run, stage, view.column) or [list(step) for step in view.steps]
     return {
         "name": view.name,
         "title": alike([each.title for each in same]),
@@ -182,6 +182,10 @@ def _view(same: Sequence[View], run: RunResult, stage: str, block: Block) -> dic
                 "title": alike([each.layers[k].title for each in same]),
                 "unit": unit_of(layer.unit),
                 "arrows": [each._asdict() for each in layer.arrows],
+                "vectors": [
+                    {**each._asdict(), "x": _track(each.x, block), "y": _track(each.y, block)} for each in layer.vectors
+                ],
+                "tone": layer.tone,
             }
             for k, layer in enumerate(view.layers)
         ],
@@ -193,6 +197,16 @@ def _view(same: Sequence[View], run: RunResult, stage: str, block: Block) -> dic
         ],
         "shown": view.shown,
         "reach": view.reach,
+        "readings": [
+            {
+                **each._asdict(),
+                "name": name_of(each.name),
+                "unit": unit_of(each.unit),
+                "value": _track(each.value, block),
+            }
+            for each in view.readings
+        ],
+        "seconds": view.seconds,
     }
 
 
@@ -213,6 +227,8 @@ def _body(body: Body, block: Block) -> dict[str, Any]:
         "marks": [_mark(mark) for mark in body.marks],
         "number": body.number,
         "beside": [_pair(each) for each in body.beside],
+        "on": body.on,
+        "there": body.there,
     }
 
 
@@ -224,7 +240,8 @@ def _track(track: Track, block: Block) -> Any:
 
 
 def _mark(mark: Mark) -> list[Any]:
-    return [mark.kind, [part for point in mark.points for part in _pair(point)], *([mark.size] if mark.size else [])]
+    points = [part for point in mark.points for part in _pair(point)]
+    return [mark.kind, points, *([mark.size, *([mark.tone] if mark.tone else [])] if mark.size or mark.tone else [])]
 
 
 def _pair(z: complex) -> list[float]:

@@ -20,6 +20,7 @@ MODULES = (  # in this order: each imports from those before it
     "marks",
     "scene",
     "player",
+    "readings",
     "charts",
     "facts",
     "main",

@@ -52,6 +52,7 @@ def _words() -> dict[str, str]:
         "input": tr("Position of the input"),
         "solved": tr("values at the nearest solved position, {value}"),
         "unreached": tr("cannot be reached: the links do not close there"),
+        "ends": tr("the travel that is shown ends there"),
         "step": tr("in position {label}"),
         "show": tr("Show"),
         "paths": tr("Paths"),

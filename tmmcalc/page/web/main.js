@@ -3,6 +3,7 @@ import { Charts } from "./charts.js";
 import { content } from "./data.js";
 import { facts } from "./facts.js";
 import { button, made, Player } from "./player.js";
+import { readings } from "./readings.js";
 import { Scene } from "./scene.js";
 import { State } from "./state.js";
 import { language, saying, speak, told, word } from "./words.js";
@@ -52,14 +53,31 @@ function moved(parent, state) {
   const scene = new Scene(stage, state);
   const player = new Player(section, state, scene.svg);
   scene.svg.addEventListener("pointerdown", () => player.play(false));
+  readings(section, state);
   const layers = made("fieldset", { class: "layers" }, section);
   const legend = made("legend", {}, layers);
   saying(() => (legend.textContent = word("show")));
-  const known = SHOWN.filter((name) => name !== "centres" || state.view.centres.length);
+  const known = SHOWN.filter((name) => shown(state.view, name));
   for (const name of known) tick(layers, scene, name, () => word(name));
   for (const layer of scene.layers) {
     tick(layers, scene, layer.layer.name, () => `${told(layer.layer.title)} (${scene.scaleOf(layer)})`, layer.colour);
   }
+}
+
+/**
+ * Whether a view has what may be shown or hidden by this name.
+ * @param {import("./data.js").View} view
+ * @param {string} name
+ */
+function shown(view, name) {
+  const has = {
+    paths: view.spots.some((spot) => spot.path),
+    numbers: view.bodies.some((body) => body.number),
+    names: view.spots.some((spot) => spot.kind !== "mass"),
+    masses: view.spots.some((spot) => spot.kind === "mass"),
+    centres: view.centres.length > 0,
+  };
+  return has[/** @type {keyof typeof has} */ (name)];
 }
 
 /**

@@ -4,7 +4,6 @@ import { numbers } from "./data.js";
 import { drawn } from "./marks.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
-const PERIOD = 4000; // of the whole travel at speed 1 [ms]
 
 /**
  * An element of HTML with classes and attributes.
@@ -95,7 +94,7 @@ export class Player {
     saying(() => this.tell());
     state.follow(() => this.tell());
     state.refused.push((asked) => {
-      this.wrong.textContent = Number.isNaN(asked) ? "" : `${state.view.symbol} = ${this.measured(asked)}: ${word("unreached")}`;
+      this.wrong.textContent = Number.isNaN(asked) ? "" : `${state.view.symbol} = ${this.measured(asked)}: ${word(state.view.reach.length ? "unreached" : "ends")}`;
     });
   }
 
@@ -114,9 +113,8 @@ export class Player {
     const here = `${state.view.symbol} = ${this.measured(state.at)}`;
     const near = numbers(state.view.values)[state.near];
     this.slider.setAttribute("aria-valuetext", here);
-    this.told.textContent =
-      `${here}${step ? ` ${word("step", { label: step[0] })}` : ""}; ` +
-      word("solved", { value: `${state.view.symbol} = ${this.measured(near)}` });
+    const solved = state.view.column ? `; ${word("solved", { value: `${state.view.symbol} = ${this.measured(near)}` })}` : "";
+    this.told.textContent = `${here}${step?.[0] ? ` ${word("step", { label: step[0] })}` : ""}${solved}`;
   }
 
   /** @param {number} sense */
@@ -168,7 +166,7 @@ export class Player {
     const frame = (now) => {
       if (!this.playing) return;
       const { state } = this;
-      const way = (Math.min(now - last, 100) / PERIOD) * this.speed * state.span;
+      const way = (Math.min(now - last, 100) / (1000 * state.view.seconds)) * this.speed * state.span;
       const along = Math.sign(state.values[state.values.length - 1] - state.values[0]) || 1;
       last = now;
       if (!state.view.whole && (state.at + this.sense * along * way > state.high || state.at + this.sense * along * way < state.low)) {
