@@ -183,7 +183,7 @@ class Rolling:
         return Body(name, self._even(at.real, 0.0), self._even(at.imag, 0.0), still, marks, number, (beside,))
 
     def _numbers(self) -> Iterator[Body]:
-        """Numbers of the wheels beside the line of centres, with arrows in their sense: teeth come round, they may not."""
+        """Numbers of the wheels beside the line of centres, with arrows in their sense: teeth come round, they not."""
         size = self.high - self.low
         for name, body in zip(self.found.task.wheels, self.pair.bodies, strict=True):
             y = self._beside(body, EDGE * size.imag)
