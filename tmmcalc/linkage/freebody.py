@@ -100,8 +100,13 @@ def free_bodies(statics: Statics, theta: float, side: float) -> tuple[FreeBody, 
 
     Where friction jumps, ``side`` -1 is the limit before, +1 after.
     """
-    cut = _Cut(solved(statics, np.array([theta]), np.array([side])), 0, FAR)
-    structure = statics.scene.chain.structure
+    return bodies_at(solved(statics, np.array([theta]), np.array([side])), 0)
+
+
+def bodies_at(found: Solved, row: int) -> tuple[FreeBody, ...]:
+    """`free_bodies` at one of the positions."""
+    cut = _Cut(found, row, FAR)
+    structure = found.statics.scene.chain.structure
     bodies = [] if structure.driven else [cut.input_link()]
     for group in structure.groups:
         bodies += [cut.dyad(group)] if group.kind else [cut.alone(f"{group.name}, {k}", k) for k in group.links]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from tmmcalc.core.plane import LinkMotion
@@ -36,12 +38,17 @@ class LinkState:
         return self.base + (place - self.r) / self.u
 
 
-def in_time(motion: LinkMotion, result: Kinematics) -> LinkState:
-    """The motion of a link at one position, at the speed and acceleration of the result."""
-    r, u = (complex(np.ravel(z)[0]) for z in (motion.r, motion.u))
-    v, a = (complex(np.ravel(z)[0]) for z in result.in_time(motion.v, motion.a))
-    omega, eps = (float(np.ravel(z)[0]) for z in result.in_time(motion.omega, motion.eps))
+def in_time(motion: LinkMotion, result: Kinematics, row: int = 0) -> LinkState:
+    """The motion of a link at one of its positions, at the speed and acceleration of the result."""
+    r, u, v, a = (complex(_at(z, row)) for z in (motion.r, motion.u, *result.in_time(motion.v, motion.a)))
+    omega, eps = (float(_at(z, row)) for z in result.in_time(motion.omega, motion.eps))
     return LinkState(motion.base, r, v, a, u, omega, eps)
+
+
+def _at(z: Any, row: int) -> Any:
+    """The value at the position of what may be the same at all."""
+    values = np.ravel(z)
+    return values[row if len(values) > 1 else 0]
 
 
 def turning_links(mechanism: Mechanism) -> set[int]:

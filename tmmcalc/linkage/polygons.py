@@ -20,7 +20,7 @@ from math import isnan
 
 import numpy as np
 
-from tmmcalc.linkage.chain import chain_of
+from tmmcalc.linkage.chain import Configuration, chain_of
 from tmmcalc.linkage.instant import LinkState, in_time, turning_links
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.pins import Pin, find_pins
@@ -37,19 +37,31 @@ def polygons(mechanism: Mechanism, result: Kinematics, position: int, *, special
     of the result. With ``special`` those of groups of class III and IV have their special points, each seen from the
     pole and from the pins of its legs. Raises `IndexError` for an index that the result does not have.
     """
-    chain = chain_of(mechanism, result)
-    configuration = chain.evaluate(np.atleast_1d(result.x[position]))
-    plan = _Plan(mechanism, result, {k: in_time(motion, result) for k, motion in configuration.motions.items()})
-    plan.name_vertices()
-    plan.add_turning()
-    plan.add_sliding()
-    plan.add_rest()
+    configuration = chain_of(mechanism, result).evaluate(np.atleast_1d(result.x[position]))
+    plan = _planned(mechanism, result, configuration, 0)
     if special:
         for point in special_points(mechanism, result.structure):
             place = complex(meeting(configuration, point).r[0])
             if not isnan(place.real):
                 plan.add_special(point, place)
     return plan.finished(position)
+
+
+def polygons_of_all(mechanism: Mechanism, result: Kinematics) -> list[VectorPolygons]:
+    """The polygons of every position, which have the same vertices and vectors."""
+    configuration = chain_of(mechanism, result).evaluate(result.x)
+    return [_planned(mechanism, result, configuration, row).finished(row) for row in range(len(result.x))]
+
+
+def _planned(mechanism: Mechanism, result: Kinematics, configuration: Configuration, row: int) -> _Plan:
+    """Both polygons at one of the positions."""
+    states = {k: in_time(motion, result, row) for k, motion in configuration.motions.items()}
+    plan = _Plan(mechanism, result, states)
+    plan.name_vertices()
+    plan.add_turning()
+    plan.add_sliding()
+    plan.add_rest()
+    return plan
 
 
 class _Plan:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,7 +20,7 @@ from tmmcalc.pipeline.chapters import task_of, warnings_of
 from tmmcalc.pipeline.picturing import order_of
 from tmmcalc.report.language import LANGUAGES, speaking
 from tmmcalc.report.manuscript import Datum
-from tmmcalc.report.moving import Body, Mark, Track, View
+from tmmcalc.report.moving import Body, Mark, Plan, Track, View
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
@@ -145,21 +145,15 @@ def _views(run: RunResult, dense: Mapping[str, Any], block: Block) -> Iterator[d
     order = order_of(run.spec, {**run.results, **dense})
     for name in run.outcomes:
         if STAGES[name].view:
-            spoken = []
-            for language in LANGUAGES:
-                with speaking(language):
-                    spoken.append([*resolve(f"{STAGES[name].view}:views")(order)])
-            for same in zip(*spoken, strict=True):
-                yield _view(same, run, name, block)
+            for view in resolve(f"{STAGES[name].view}:views")(order):
+                yield _view(view, _steps(run, name, view.column) or [list(step) for step in view.steps], block)
 
 
-def _view(same: Sequence[View], run: RunResult, stage: str, block: Block) -> dict[str, Any]:
-    """A view that was made in all languages."""
-    view = same[0]
-    steps = _steps(run, stage, view.column) or [list(step) for step in view.steps]
+def _view(view: View, steps: list[list[Any]], block: Block) -> dict[str, Any]:
+    handle = view.handle
     return {
         "name": view.name,
-        "title": alike([each.title for each in same]),
+        "title": name_of(view.title),
         "symbol": view.symbol,
         "unit": unit_of(view.unit),
         "values": block.put(view.values),
@@ -170,16 +164,17 @@ def _view(same: Sequence[View], run: RunResult, stage: str, block: Block) -> dic
         "bodies": [_body(body, block) for body in view.bodies],
         "frame": [_mark(mark) for mark in view.frame],
         "spots": [{**spot._asdict(), "at": _pair(spot.at)} for spot in view.spots],
-        "handle": view.handle
-        and {
-            "body": view.handle.body,
-            "pivot": None if view.handle.pivot is None else _pair(view.handle.pivot),
-            "direction": None if view.handle.direction is None else _pair(view.handle.direction),
+        "handle": None
+        if handle is None
+        else {
+            "body": handle.body,
+            "pivot": None if handle.pivot is None else _pair(handle.pivot),
+            "direction": None if handle.direction is None else _pair(handle.direction),
         },
         "layers": [
             {
                 "name": layer.name,
-                "title": alike([each.layers[k].title for each in same]),
+                "title": name_of(layer.title),
                 "unit": unit_of(layer.unit),
                 "arrows": [each._asdict() for each in layer.arrows],
                 "vectors": [
@@ -187,14 +182,13 @@ def _view(same: Sequence[View], run: RunResult, stage: str, block: Block) -> dic
                 ],
                 "tone": layer.tone,
             }
-            for k, layer in enumerate(view.layers)
+            for layer in view.layers
         ],
         "centres": [
             {"name": each.name, "x": block.put(each.at.real), "y": block.put(each.at.imag)} for each in view.centres
         ],
-        "stops": [
-            {"title": alike([each.stops[k].title for each in same]), "at": stop.at} for k, stop in enumerate(view.stops)
-        ],
+        "plans": [_plan(plan, block) for plan in view.plans],
+        "stops": [{"title": name_of(stop.title), "at": stop.at} for stop in view.stops],
         "shown": view.shown,
         "reach": view.reach,
         "readings": [
@@ -207,6 +201,18 @@ def _view(same: Sequence[View], run: RunResult, stage: str, block: Block) -> dic
             for each in view.readings
         ],
         "seconds": view.seconds,
+    }
+
+
+def _plan(plan: Plan, block: Block) -> dict[str, Any]:
+    return {
+        "name": plan.name,
+        "title": name_of(plan.title),
+        "unit": unit_of(plan.unit),
+        "vertices": [[name, block.put(z.real), block.put(z.imag)] for name, z in plan.vertices],
+        "edges": [list(edge) for edge in plan.edges],
+        "places": None if plan.places is None else block.put(plan.places),
+        "note": name_of(plan.note),
     }
 
 

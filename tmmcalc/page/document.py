@@ -18,10 +18,12 @@ MODULES = (  # in this order: each imports from those before it
     "motion",
     "state",
     "marks",
+    "labels",
     "scene",
     "player",
     "readings",
     "charts",
+    "plans",
     "facts",
     "main",
 )

@@ -66,6 +66,7 @@ def _words() -> dict[str, str]:
         "copy": tr("Copy the value"),
         "facts": tr("Results"),
         "find": tr("Find"),
+        "plans": tr("Plans of vectors"),
         "given": tr("Given data"),
         "quantity": tr("Quantity"),
         "designation": tr("Designation"),

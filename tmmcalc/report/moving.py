@@ -1,5 +1,7 @@
 """What a page moves: bodies with their poses over an input, points of them, vectors at these points.
 
+Texts are English, or a `Phrase` of `tmmcalc.core.notes`; the page says them in each language, by ``[names]``.
+
 A view is what a room says of a stage whose scene moves, in metres or other true units; how it is drawn on a screen the
 page knows. Over the n solved places of the input everything has a value and its rate by the input, so that between two
 places a pose is a cubic that fits both: rigid bodies stay rigid, whatever the step.
@@ -114,6 +116,30 @@ class Layer(NamedTuple):
     tone: int = 0  # number of their colour, from 1; 0: by the place of the layer
 
 
+class Edge(NamedTuple):
+    """A vector of a plan from one vertex to another: its sign, its kind, by which it has its colour."""
+
+    tail: int
+    head: int
+    sign: str
+    kind: str
+
+
+class Plan(NamedTuple):
+    """A plan of vectors at every place: vertices (n,) with their names, the vectors between them.
+
+    ``places`` are those of the input, where they are others than those of the view.
+    """
+
+    name: str
+    title: str
+    unit: str
+    vertices: tuple[tuple[str, Plane], ...]
+    edges: tuple[Edge, ...]
+    places: Real | None = None
+    note: str = ""
+
+
 class Centre(NamedTuple):
     """A point that moves by itself, as an instant centre: NaN where there is none."""
 
@@ -164,6 +190,7 @@ class View(NamedTuple):
     handle: Handle | None = None
     layers: tuple[Layer, ...] = ()
     centres: tuple[Centre, ...] = ()
+    plans: tuple[Plan, ...] = ()
     stops: tuple[Stop, ...] = ()
     shown: tuple[str, ...] = ()  # columns whose diagrams stand beside it at first
     reach: tuple[tuple[float, float], ...] = ()  # where it assembles, counted as the input; empty: everywhere

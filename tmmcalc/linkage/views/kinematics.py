@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.forces.results import Forces
@@ -17,10 +18,24 @@ from tmmcalc.linkage.pictures.links import corners_of
 from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+from tmmcalc.linkage.views.plans import plans_of_forces, plans_of_motion
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.language import tr
 from tmmcalc.report.moving import FRAME as STANDING
-from tmmcalc.report.moving import Arrow, Body, Centre, Handle, Layer, Mark, Spot, SpotKind, Stop, Track, View, track_of
+from tmmcalc.report.moving import (
+    Arrow,
+    Body,
+    Centre,
+    Handle,
+    Layer,
+    Mark,
+    Plan,
+    Spot,
+    SpotKind,
+    Stop,
+    Track,
+    View,
+    track_of,
+)
 
 REACH = 0.04  # of the size: how far slots go beyond the ends of sliders
 FAR = 30.0  # times the size: an instant centre beyond is not shown
@@ -35,7 +50,7 @@ class _Linkage:
     """The linkage while its view is made."""
 
     def __init__(self, result: Kinematics, order: Order) -> None:
-        self.result, self.forces = result, order.results.get("forces")
+        self.result, self.forces, self.spec = result, order.results.get("forces"), order.spec
         self.mechanism = to_linkage(order.spec.linkage)
         self.chain = chain_of(self.mechanism, result)
         self.motion = motion_at(self.chain, result.x)
@@ -54,7 +69,7 @@ class _Linkage:
         result = self.result
         return View(
             name="kinematics",
-            title=tr("Mechanism"),
+            title="Mechanism",
             symbol="φ" if result.turns else "s",
             unit="deg" if result.turns else "m",
             values=result.phi / self.per,
@@ -68,6 +83,7 @@ class _Linkage:
             handle=self._handle(),
             layers=tuple(self._layers()),
             centres=tuple(self._centres()),
+            plans=tuple(self._plans()),
             stops=tuple(self._stops()),
             shown=tuple(self._shown()),
             reach=self._reach(),
@@ -165,8 +181,8 @@ class _Linkage:
         moving = [pin for pin in self.pins if not pin.fixed]
         known = set(self.result.trace.point_names)
         for name, letter, title, unit in (
-            ("velocity", "v", tr("Velocities"), "m/s"),
-            ("acceleration", "a", tr("Accelerations"), "m/s^2"),
+            ("velocity", "v", "Velocities", "m/s"),
+            ("acceleration", "a", "Accelerations", "m/s^2"),
         ):
             arrows = tuple(
                 Arrow(
@@ -181,7 +197,7 @@ class _Linkage:
             if arrows:
                 yield Layer(name, title, unit, arrows)
         if isinstance(self.forces, Forces):
-            yield Layer("reaction", tr("Reactions"), "N", tuple(self._reactions()))
+            yield Layer("reaction", "Reactions", "N", tuple(self._reactions()))
 
     def _reactions(self) -> Iterator[Arrow]:
         """The force of the lower-numbered link on the higher-numbered one in every pair."""
@@ -212,6 +228,16 @@ class _Linkage:
                 at[lost] = complex(np.nan, np.nan)
                 yield Centre(f"P_{outline.link}0", at)
 
+    def _plans(self) -> Iterator[Plan]:
+        """Plans of velocities and accelerations; of forces, where they are computed."""
+        yield from plans_of_motion(self.mechanism, self.result)
+        if isinstance(self.forces, Forces):
+            from tmmcalc.linkage.pictures.course import statics_of
+            from tmmcalc.linkage.tables.tasks.loading import to_loading
+
+            statics = statics_of(self.mechanism, to_loading(self.spec), self.result)
+            yield from plans_of_forces(statics, self.result, self.forces, self.per)
+
     def _stops(self) -> Iterator[Stop]:
         """Dead centres of the outputs."""
         start, turn = float(self.result.x[0]), 2 * math.pi
@@ -219,7 +245,7 @@ class _Linkage:
             for centre in summary.dead_centres:
                 along = centre.x - start
                 along = along % math.copysign(turn, self.result.speed) if self.result.turns else along
-                yield Stop(tr("dead centre of {output}", output=summary.name), along / self.per)
+                yield Stop(Phrase("dead centre of {output}", output=summary.name), along / self.per)
 
     def _shown(self) -> Iterator[str]:
         """Motion of the first output, and the drive."""

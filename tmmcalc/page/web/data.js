@@ -22,6 +22,11 @@
 /** @typedef {{sign: string, body: string, x: Track, y: Track}} Vector */
 /** @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[], vectors: Vector[], tone: number}} Layer */
 /** @typedef {{name: Said, sign: string, unit: Said, value: Track, there: Range}} Reading */
+/** @typedef {[number, number, string, string]} Edge tail, head, sign, kind */
+/**
+ * @typedef {{name: string, title: Said, unit: Said, vertices: [string, Ref, Ref][], edges: Edge[], places: Ref | null,
+ *   note: Said}} Plan
+ */
 /**
  * @typedef {object} View
  * @property {string} name
@@ -39,6 +44,7 @@
  * @property {{body: string, pivot: number[] | null, direction: number[] | null} | null} handle
  * @property {Layer[]} layers
  * @property {{name: string, x: Ref, y: Ref}[]} centres
+ * @property {Plan[]} plans
  * @property {{title: Said, at: number}[]} stops
  * @property {string[]} shown
  * @property {[number, number][]} reach

@@ -2,6 +2,7 @@
 import { Charts } from "./charts.js";
 import { content } from "./data.js";
 import { facts } from "./facts.js";
+import { Plans } from "./plans.js";
 import { button, made, Player } from "./player.js";
 import { readings } from "./readings.js";
 import { Scene } from "./scene.js";
@@ -62,6 +63,7 @@ function moved(parent, state) {
   for (const layer of scene.layers) {
     tick(layers, scene, layer.layer.name, () => `${told(layer.layer.title)} (${scene.scaleOf(layer)})`, layer.colour);
   }
+  if (state.view.plans.length) new Plans(section, state);
 }
 
 /**

@@ -250,3 +250,51 @@ export function named(parent, letter, index, attributes = {}) {
   }
   return found;
 }
+
+/**
+ * A sign as the program writes it, with braces: `v_{BA}`, `a^{n}_{B_{2}A}`.
+ * @param {Element} parent
+ * @param {string} sign
+ * @param {Record<string, string | number>} attributes
+ */
+export function texted(parent, sign, attributes = {}) {
+  const found = drawn("text", attributes, parent);
+  let level = 0;
+  /** @param {string} text @param {number} wanted */
+  const put = (text, wanted) => {
+    if (!text) return;
+    const part = drawn("tspan", { "font-size": wanted ? "72%" : "100%", dy: (wanted - level) * 5 }, found);
+    part.textContent = text;
+    level = wanted;
+  };
+  /** @param {string} text @param {number} wanted */
+  const read = (text, wanted) => {
+    let rest = text;
+    while (rest) {
+      const cut = rest.search(/[_^]/);
+      if (cut < 0) return put(rest.replaceAll(/[{}]/g, ""), wanted);
+      put(rest.slice(0, cut).replaceAll(/[{}]/g, ""), wanted);
+      const lower = rest[cut] === "_";
+      const [inner, after] = braced(rest.slice(cut + 1));
+      read(inner, wanted + (lower ? 1 : -1));
+      rest = after;
+    }
+  };
+  read(sign, 0);
+  return found;
+}
+
+/**
+ * What stands in braces at the beginning, or the first letter, and what comes after it.
+ * @param {string} text
+ * @returns {[string, string]}
+ */
+function braced(text) {
+  if (text[0] !== "{") return [text.slice(0, 1), text.slice(1)];
+  let depth = 0;
+  for (let k = 0; k < text.length; k++) {
+    depth += text[k] === "{" ? 1 : text[k] === "}" ? -1 : 0;
+    if (!depth) return [text.slice(1, k), text.slice(k + 1)];
+  }
+  return [text.slice(1), ""];
+}

@@ -1,6 +1,7 @@
 // The machine drawn to scale: bodies that move, names, paths, vectors; the input link is dragged by hand.
 import { columnOf, numbers } from "./data.js";
 import { between, isThere, placed, poseOf, posesOf, STILL, valueOf } from "./motion.js";
+import { around, settled } from "./labels.js";
 import { centreOfMass, COLOURS, draw, drawn, named, PIN } from "./marks.js";
 import { parted, saying, told, word, written } from "./words.js";
 
@@ -9,6 +10,9 @@ const HIGH = 560;
 const MARGIN = 56;
 const LONGEST = 110; // of a vector, in pixels
 const CENTIMETRE = 37.8; // in pixels of a screen
+const RING = 9; // radius of the ring of a number
+const MOMENTS = 25; // of the motion that places of names are chosen by
+const LINES = new Set(["plate", "bar", "slot", "outline", "line"]);
 
 export class Scene {
   /**
@@ -39,6 +43,7 @@ export class Scene {
     this.centres = this.view.centres.map((centre) => this.centred(centre, world));
     this.layers = this.view.layers.map((layer, k) => this.layered(layer, COLOURS[((layer.tone || k + 1) - 1) % COLOURS.length], world));
     this.trace();
+    this.named();
     this.dragged();
     state.follow(() => this.update());
   }
@@ -77,7 +82,7 @@ export class Scene {
     if (spot.kind === "pin") drawn("circle", { r: PIN, class: "joint" }, group);
     else if (spot.kind === "mass") centreOfMass(group);
     else drawn("circle", { r: 2, class: "dot" }, group);
-    named(group, ...lettered(spot.name), { class: "name", x: 9, y: -8 });
+    named(group, ...lettered(spot.name), { class: "name", "text-anchor": "middle" });
     return group;
   }
 
@@ -88,8 +93,9 @@ export class Scene {
   ringed(body, world) {
     const group = drawn("g", { class: "number" }, world);
     if (body.number) {
-      drawn("circle", { r: 9 }, group);
-      drawn("text", { "text-anchor": "middle", dy: "0.35em" }, group).textContent = body.number;
+      const ring = drawn("g", {}, group);
+      drawn("circle", { r: RING }, ring);
+      drawn("text", { "text-anchor": "middle", dy: "0.35em" }, ring).textContent = body.number;
     }
     return group;
   }
@@ -158,10 +164,121 @@ export class Scene {
     }
   }
 
+  /** Names and numbers at places that suit the whole motion. */
+  named() {
+    const { low, span, values } = this.state;
+    const moments = Array.from({ length: MOMENTS }, (_, k) => low + (k * span) / (MOMENTS - 1));
+    const poses = moments.map((at) => this.posed(between(values, at)));
+    /** @param {string} body @param {number[]} at @returns {import("./labels.js").Pair[]} */
+    const over = (body, at) =>
+      poses.map((pose) => {
+        const [x, y] = placed(pose.get(body) ?? STILL, at[0], at[1]);
+        return [x * this.scale, -y * this.scale];
+      });
+    const rings = this.view.bodies.filter((body) => body.number);
+    /** @type {import("./labels.js").Item[]} */
+    const items = [];
+    for (const spot of this.view.spots) {
+      const [letter, index] = lettered(spot.name);
+      /** @type {import("./labels.js").Pair} */
+      const size = [9.5 * letter.length + 6 * index.length, 14];
+      items.push({ at: over(spot.body, spot.at), size, choices: around(...size) });
+    }
+    for (const body of rings) {
+      const first = body.beside[0] ?? [0, 0];
+      const start = over(body.name, first);
+      const choices = /** @type {import("./labels.js").Pair[]} */ ([[0, 0], ...around(0, 0).map(([x, y]) => [1.6 * x, 1.6 * y])]);
+      items.push({ at: start, size: [2 * RING, 2 * RING], choices });
+    }
+    const shifts = settled(items, poses.map((pose) => this.lines(pose)));
+    this.spots.forEach((group, k) => {
+      const [x, y] = shifts[k];
+      const name = /** @type {Element} */ (group.querySelector(".name"));
+      name.setAttribute("x", x.toFixed(1));
+      name.setAttribute("y", (y + 5).toFixed(1));
+    });
+    rings.forEach((body, k) => {
+      const [x, y] = shifts[this.spots.length + k];
+      const group = this.rings[this.view.bodies.indexOf(body)];
+      const ring = /** @type {Element} */ (group.firstElementChild);
+      ring.setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
+      if (x || y) group.prepend(drawn("line", { class: "leader", x2: x.toFixed(1), y2: y.toFixed(1) }));
+    });
+  }
+
+  /**
+   * All lines that names should keep off, in pixels.
+   * @param {Map<string, import("./motion.js").Pose>} poses
+   * @returns {[number, number, number, number][]}
+   */
+  lines(poses) {
+    /** @type {[number, number, number, number][]} */
+    const found = [];
+    /** @param {import("./motion.js").Pose} pose @param {number[]} flat @param {boolean} closed */
+    const add = (pose, flat, closed) => {
+      const points = [];
+      for (let k = 0; k + 1 < flat.length; k += 2) {
+        const [x, y] = placed(pose, flat[k], flat[k + 1]);
+        points.push([x * this.scale, -y * this.scale]);
+      }
+      points.forEach(([x, y], k) => {
+        const next = points[k + 1] ?? (closed ? points[0] : null);
+        if (next) found.push([x, y, next[0], next[1]]);
+      });
+    };
+    for (const body of this.view.bodies) {
+      const pose = /** @type {import("./motion.js").Pose} */ (poses.get(body.name));
+      for (const [kind, flat] of body.marks) {
+        if (LINES.has(kind)) add(pose, flat, kind === "plate" || kind === "outline");
+        else if (kind === "block") this.blocked(found, pose, flat);
+      }
+    }
+    for (const [kind, flat] of this.view.frame) {
+      if (kind === "guide") add(STILL, flat.slice(0, 4), false);
+      if (kind === "pivot") {
+        const [x, y] = [flat[0] * this.scale, -flat[1] * this.scale];
+        found.push([x, y, x + 20 * flat[2], y - 20 * flat[3]]);
+        for (const [far, half] of [[10, 7], [20, 15]]) {
+          const [cx, cy] = [x + far * flat[2], y - far * flat[3]];
+          found.push([cx - half * flat[3], cy - half * flat[2], cx + half * flat[3], cy + half * flat[2]]);
+        }
+      }
+    }
+    for (const spot of this.view.spots) {
+      const [x, y] = placed(poses.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
+      found.push([x * this.scale - 3, -y * this.scale, x * this.scale + 3, -y * this.scale]);
+    }
+    return found;
+  }
+
+  /**
+   * A block as the line of its middle and its two long sides.
+   * @param {[number, number, number, number][]} found
+   * @param {import("./motion.js").Pose} pose
+   * @param {number[]} flat
+   */
+  blocked(found, pose, flat) {
+    const [x, y] = placed(pose, flat[0], flat[1]);
+    const ex = pose.cos * flat[2] - pose.sin * flat[3];
+    const ey = pose.sin * flat[2] + pose.cos * flat[3];
+    for (const side of [-10, 0, 10]) {
+      const [px, py] = [x * this.scale - ey * side, -y * this.scale - ex * side];
+      found.push([px - 17 * ex, py + 17 * ey, px + 17 * ex, py - 17 * ey]);
+    }
+  }
+
+  /**
+   * The poses of all bodies there.
+   * @param {import("./motion.js").Between} there
+   */
+  posed(there) {
+    return posesOf(this.view.bodies, this.state.values, there);
+  }
+
   /** Draw all where it is now. */
   update() {
-    const { at, values, there } = this.state;
-    const poses = posesOf(this.view.bodies, values, there);
+    const { at, there } = this.state;
+    const poses = this.posed(there);
     this.poses = poses;
     const gone = new Set(this.view.bodies.filter((body) => !isThere(body.there, at)).map((body) => body.name));
     this.gone = gone;

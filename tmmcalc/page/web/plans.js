@@ -1,0 +1,149 @@
+// Plans of vectors at the nearest solved position: velocities, accelerations, forces, the lever.
+import { numbers } from "./data.js";
+import { between } from "./motion.js";
+import { around, settled } from "./labels.js";
+import { drawn, texted } from "./marks.js";
+import { made } from "./player.js";
+import { standard } from "./scene.js";
+import { saying, told, word, written } from "./words.js";
+
+const WIDE = 560;
+const HIGH = 360;
+const MARGIN = 36;
+const CENTIMETRE = 37.8;
+const NAMED = 26; // a shorter vector has no room for its sign
+
+export class Plans {
+  /**
+   * @param {Element} parent
+   * @param {import("./state.js").State} state
+   */
+  constructor(parent, state) {
+    this.state = state;
+    const part = made("details", { class: "plans" }, parent);
+    const title = made("summary", {}, part);
+    saying(() => (title.textContent = word("plans")));
+    const label = made("label", {}, part);
+    const said = made("span", {}, label);
+    saying(() => (said.textContent = word("show")));
+    const choice = made("select", { name: "plan" }, label);
+    state.view.plans.forEach((plan, k) => {
+      const option = made("option", { value: String(k) }, choice);
+      saying(() => (option.textContent = told(plan.title)));
+    });
+    this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, class: "plan", role: "img" }, part);
+    this.under = made("p", { class: "errors" }, part);
+    this.part = part;
+    this.chosen = 0;
+    choice.addEventListener("change", () => this.choose(Number(choice.value)));
+    part.addEventListener("toggle", () => this.update());
+    saying(() => this.choose(this.chosen));
+    state.follow(() => this.update());
+  }
+
+  get plan() {
+    return this.state.view.plans[this.chosen];
+  }
+
+  /** @param {number} k */
+  choose(k) {
+    this.chosen = k;
+    const { plan } = this;
+    this.places = plan.places ? numbers(plan.places) : this.state.values;
+    this.corners = plan.vertices.map(([name, x, y]) => ({ name, x: numbers(x), y: numbers(y) }));
+    this.svg.setAttribute("aria-label", told(plan.title));
+    this.update();
+  }
+
+  /**
+   * Names of corners and signs of vectors, each where it covers least.
+   * @param {number[][]} at
+   * @param {Element} names
+   */
+  name(at, names) {
+    /** @type {[number, number, number, number][]} */
+    const lines = this.plan.edges.map(([tail, head]) => [at[tail][0], at[tail][1], at[head][0], at[head][1]]);
+    /** @type {(import("./labels.js").Item & {text: string, kind: string})[]} */
+    const items = [];
+    /** @type {number[][]} */
+    const done = [];
+    this.corners?.forEach(({ name }, k) => {
+      if (!name || done.some(([x, y]) => Math.hypot(x - at[k][0], y - at[k][1]) < 12)) return;
+      done.push(at[k]);
+      const size = sized(name);
+      items.push({ at: [[at[k][0], at[k][1]]], size, choices: around(...size), text: name, kind: "vertex" });
+    });
+    this.plan.edges.forEach(([, , sign, kind], k) => {
+      const [x1, y1, x2, y2] = lines[k];
+      const long = Math.hypot(x2 - x1, y2 - y1);
+      if (!sign || long < NAMED) return;
+      const size = sized(sign);
+      const [ex, ey] = [(x2 - x1) / long, (y2 - y1) / long];
+      const off = (Math.abs(ey) * size[0] + Math.abs(ex) * size[1]) / 2 + 3;
+      /** @type {import("./labels.js").Pair[]} */
+      const choices = [0, 0.15, -0.15, 0.28, -0.28].flatMap((part) =>
+        [1, -1].map((side) => /** @type {import("./labels.js").Pair} */ ([part * long * ex + side * off * ey, part * long * ey - side * off * ex])),
+      );
+      items.push({ at: [[(x1 + x2) / 2, (y1 + y2) / 2]], size, choices, text: sign, kind: `sign ${kind}` });
+    });
+    settled(items, [lines]).forEach(([dx, dy], k) => {
+      const { at: places, text, kind } = items[k];
+      texted(names, text, { class: kind, x: places[0][0] + dx, y: places[0][1] + dy + 5, "text-anchor": "middle" });
+    });
+  }
+
+  /**
+   * The corners in pixels, to the standard scale in which they have room there.
+   * @param {number} k
+   */
+  fitted(k) {
+    const { plan } = this;
+    const corners = this.corners ?? [];
+    const [xs, ys] = [corners.map(({ x }) => x[k]), corners.map(({ y }) => y[k])];
+    const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+    const need = Math.max((right - left) / (WIDE - 2 * MARGIN), (high - low) / (HIGH - 2 * MARGIN));
+    const per = standard((need || 1) * CENTIMETRE) / CENTIMETRE; // of the unit to a pixel
+    const scale = word("arrow", { value: `${written(per * CENTIMETRE, 3)} ${told(plan.unit)}` });
+    this.under.textContent = [scale, told(plan.note)].filter(Boolean).join("; ");
+    const x0 = WIDE / 2 - (left + right) / 2 / per;
+    const y0 = HIGH / 2 + (low + high) / 2 / per;
+    return corners.map(({ x, y }) => [x0 + x[k] / per, y0 - y[k] / per]);
+  }
+
+  /** Draw it where the input stands. */
+  update() {
+    if (!this.part.open || !this.corners || !this.places) return;
+    const k = between(this.places, this.state.at).near;
+    const at = this.fitted(k);
+    this.svg.replaceChildren();
+    const lines = drawn("g", {}, this.svg);
+    const names = drawn("g", {}, this.svg);
+    for (const [tail, head, sign, kind] of this.plan.edges) {
+      const [x1, y1] = at[tail];
+      const [x2, y2] = at[head];
+      const long = Math.hypot(x2 - x1, y2 - y1);
+      if (long < 0.7) continue;
+      const group = drawn("g", { class: `edge ${kind}` }, lines);
+      drawn("line", { x1, y1, x2, y2 }, group);
+      const [ex, ey] = [(x2 - x1) / long, (y2 - y1) / long];
+      const size = Math.min(10, 0.6 * long);
+      if (kind !== "arm" && kind !== "turned") {
+        const [bx, by] = [x2 - size * ex, y2 - size * ey];
+        const wing = 0.3 * size;
+        drawn("path", { d: `M${x2},${y2}L${bx - wing * ey},${by + wing * ex}L${bx + wing * ey},${by - wing * ex}z` }, group);
+      }
+    }
+    this.name(at, names);
+    drawn("circle", { class: "pole", cx: at[0][0], cy: at[0][1], r: 3 }, this.svg);
+  }
+}
+
+/**
+ * About how large a sign is, in pixels.
+ * @param {string} sign
+ * @returns {[number, number]}
+ */
+function sized(sign) {
+  const [letter, ...index] = sign.split(/[_^]/);
+  return [8 * letter.length + 6 * index.join("").replaceAll(/[{}]/g, "").length, index.length ? 19 : 14];
+}
