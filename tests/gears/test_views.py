@@ -7,10 +7,18 @@ import math
 import numpy as np
 import pytest
 
+from tmmcalc.gears.chosen.choice import written_set
+from tmmcalc.gears.chosen.motion import Moving, moving, written
+from tmmcalc.gears.gearing import solve_gearing
+from tmmcalc.gears.gearingtask import GearingTask, layout_task
 from tmmcalc.gears.meshing.halftooth import half_tooth
 from tmmcalc.gears.meshing.members import both
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.meshing.task import PairTask
+from tmmcalc.gears.network.builder import bevel_differential
+from tmmcalc.gears.network.model import INTERNAL, Mesh, Network
+from tmmcalc.gears.network.model import Body as Borne
+from tmmcalc.gears.views.front import Front
 from tmmcalc.gears.views.pair import Rolling
 from tmmcalc.report.moving import Body, Track, View
 
@@ -140,3 +148,112 @@ def test_working_flanks_are_those_of_the_theory(rolling: Rolling) -> None:
     rho = np.sqrt(np.abs(flank) ** 2 - base**2)
     assert sorted((rho[0], rho[-1])) == pytest.approx([found.line.begins, found.line.ends], rel=1e-9)
     assert half_tooth(both(found)[0]).base * found.task.module == pytest.approx(base)
+
+
+RAVIGNEAUX = Network(
+    (
+        Mesh("small", 30, "short", 18),
+        Mesh("short", 18, "long", 19),
+        Mesh("large", 36, "long", 19),
+        Mesh("long", 19, "ring", 74, INTERNAL),
+    ),
+    (Borne("short", "H", 3), Borne("long", "H", 3)),
+)
+LAYOUTS = {  # tooth numbers that fit in with so many planets
+    "single": ("AIbar", (18, 48, 114), 3),
+    "double": ("AI", (22, 118, 17, 97), 3),
+    "carrier turns": ("AIbar", (25, 65, 155), 3),
+    "three centrals": ("AII", (20, 25, 28, 70, 73), 3),
+    "coaxial": ("coaxial", (18, 42, 20, 40), 1),
+    "external": ("AA", (30, 32, 31, 31), 1),
+    "internal": ("II", (60, 25, 20, 55), 1),
+    "paired": ("2A-AA", (18, 24, 60, 66), 3),
+    "unfolded": ("unfolded3", (18, 54, 20, 70, 19, 40), 1),
+}
+
+
+def trains() -> dict[str, Moving]:
+    """Trains of every kind in motion."""
+    found = {}
+    for name, (key, teeth, planets) in LAYOUTS.items():
+        chosen = written_set(layout_task(key, teeth, planets))
+        assert chosen is not None
+        found[name] = moving(chosen, 10.0)
+    task = GearingTask(RAVIGNEAUX, {"small": 100.0, "H": 0.0}, outputs=("ring",))
+    found["written out"] = written(solve_gearing(task))
+    bevel = GearingTask(bevel_differential(16, 10, 16), {"left": 30.0, "right": 10.0})
+    found["bevel"] = written(solve_gearing(bevel))
+    return found
+
+
+@pytest.fixture(params=trains())
+def front(request: pytest.FixtureRequest) -> Front:
+    return Front(trains()[request.param])
+
+
+def test_members_turn_at_their_true_speeds(front: Front) -> None:
+    view, motion = front.view("train"), front.found.motion
+    start, end = view.values
+    driver = motion.speed(front.driver)
+    for member in front.members:
+        if member.tilted or member.name == "frame":
+            continue
+        (_, before), (_, after) = pose(view, member.name, start), pose(view, member.name, start + 1.0)
+        turned = float(np.angle(after / before))
+        assert turned == pytest.approx(math.radians(motion.speed(member.name) / driver), abs=1e-12)
+        if view.whole:
+            assert pose(view, member.name, end) == pytest.approx(pose(view, member.name, start), abs=1e-9)
+
+
+def test_wheels_mesh_wherever_it_stands(front: Front) -> None:
+    """At every pitch point a tooth of one wheel stands in a space of the other, to a millionth of the pitch."""
+    view = front.view("train")
+    members = {member.name: member for member in front.members}
+    fits = front.found.chosen is not None  # three equal angles do not suit the Ravigneaux set
+    seen = 0
+    for at in (0.0, 17.0, 123.4):
+        for first, second in front.meshes:
+            one, other = members[first[0]], members[second[0]]
+            for k in range(max(len(one.axes), len(other.axes)) if fits else 1):
+                a, b = (copy_of(view, each.name, k, len(each.axes)) for each in (one, other))
+                ends = [pose(view, each, at)[0] for each in (a, b)]
+                rings = [members[name].circles[place].ring for name, place in (first, second)]
+                way = (ends[1] - ends[0]) * (-1 if rings[1] else 1)
+                parts = []
+                for name, (member, place), sense in ((a, first, 1), (b, second, -1)):
+                    towards = way if any(rings) or sense == 1 else -way
+                    parts.append(phase(view, name, place, members[member].circles, at, towards))
+                apart = parts[0] - parts[1] if any(rings) else parts[0] + parts[1]
+                assert (apart + 0.5) % 1.0 == pytest.approx(1.0, abs=1e-6) or (apart + 0.5) % 1.0 < 1e-6
+                seen += 1
+    assert seen or front.found.chosen is None
+
+
+def copy_of(view: View, name: str, k: int, count: int) -> str:
+    return f"{name}#{k}" if k and count > 1 else name
+
+
+def phase(view: View, name: str, place: int, circles: tuple[object, ...], at: float, towards: complex) -> float:
+    """Where a tooth is beside a direction, in pitches, counter-clockwise."""
+    marks = [mark for mark in body_of(view, name).marks if mark.kind in ("cog", "rim")]
+    order = sorted(range(len(circles)), key=lambda k: -circles[k].radius)  # type: ignore[attr-defined]
+    mark = marks[order.index(place)]
+    _, axes = pose(view, name, at)
+    return float(np.angle(mark.points[1] * axes / towards)) * mark.size / (2 * math.pi)
+
+
+def test_pitch_circles_touch(front: Front) -> None:
+    """Also while planets go round."""
+    view = front.view("train")
+    members = {member.name: member for member in front.members}
+    for at in (0.0, 200.0):
+        for first, second in front.meshes:
+            apart = abs(pose(view, first[0], at)[0] - pose(view, second[0], at)[0])
+            one, other = members[first[0]].circles[first[1]], members[second[0]].circles[second[1]]
+            reach = abs(one.radius - other.radius) if one.ring or other.ring else one.radius + other.radius
+            assert apart == pytest.approx(reach, rel=1e-9)
+
+
+def test_all_speeds_are_told(front: Front) -> None:
+    told = {reading.sign: float(reading.value.values[0]) for reading in front.view("train").readings}
+    assert list(told.values()) == pytest.approx(front.found.motion.speeds.tolist())

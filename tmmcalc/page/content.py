@@ -201,6 +201,7 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> dict[str, Any]:
             for each in view.readings
         ],
         "seconds": view.seconds,
+        "nudge": view.nudge,
     }
 
 

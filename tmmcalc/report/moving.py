@@ -35,8 +35,8 @@ Kind = Literal[
     "base",  # a dashed circle: the centre; with its radius
     "gear",  # a filled polygon: a toothed wheel, or a part of one whose other edges are out of sight
     "flank",  # a part of its edge that works
-    "disc",  # a filled circle: the centre; with its radius
-    "rim",  # what is between two circles: the centre, a point of the outer one; with the radius of the inner one
+    "cog",  # a toothed wheel that is thought: the centre, the middle of a tooth on its pitch circle; with the teeth
+    "rim",  # a ring like it: the centre, the middle of a tooth, a point of the outer circle; with the teeth
     "spoke",  # a line that shows how a circle turns
     "dot",  # a filled point
     "sense",  # an arrow along a circle: its centre, where it begins; with the angle that it goes through [rad]
@@ -196,6 +196,7 @@ class View(NamedTuple):
     reach: tuple[tuple[float, float], ...] = ()  # where it assembles, counted as the input; empty: everywhere
     readings: tuple[Reading, ...] = ()
     seconds: float = 4.0  # that the whole travel takes when it plays
+    nudge: float | None = None  # how far a press of an arrow key moves the input; None: 1/360 of the travel
 
 
 def track_of(values: Real, rates: Real, count: int) -> Track:

@@ -50,6 +50,7 @@
  * @property {[number, number][]} reach
  * @property {Reading[]} readings
  * @property {number} seconds that the whole travel takes
+ * @property {number | null} nudge of an arrow key
  */
 /** @typedef {{name: string, symbol: string, meaning: Said, value: number, unit: Said}} Fact */
 /** @typedef {{name: string, symbol: string, meaning: Said, unit: Said, values: Ref}} Column */

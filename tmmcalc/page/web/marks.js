@@ -6,6 +6,8 @@ export const COLOURS = ["blue", "orange", "green", "purple"];
 const BLOCK = [34, 19];
 const PIVOT = [22, 17];
 const DOT = 4.5;
+const FINEST = 0.8; // module in pixels below which teeth are not drawn
+const SLOPE = Math.tan(Math.PI / 9); // of their flanks
 
 /**
  * An element of SVG with attributes.
@@ -61,12 +63,13 @@ function shaped(parent, mark, scale) {
     case "circle":
     case "pitch":
     case "base":
-    case "disc":
       return drawn("circle", { class: kind, cx: x, cy: y, r: size * scale }, parent);
     case "dot":
       return drawn("circle", { class: kind, cx: x, cy: y, r: DOT }, parent);
+    case "cog":
+      return drawn("path", { class: kind, d: toothed(points[0], points[1], size, 1) }, parent);
     case "rim":
-      return rim(parent, points, size * scale);
+      return rim(parent, points, size);
     case "sense":
       return sense(parent, points, size);
     case "held":
@@ -90,15 +93,48 @@ function shaped(parent, mark, scale) {
 }
 
 /**
- * What is between two circles, the outer one through the second point.
+ * A ring with teeth inside: its centre, the middle of a tooth, a point of its outer circle.
  * @param {Element} parent
  * @param {[number, number][]} points
- * @param {number} inner
+ * @param {number} teeth
  */
-function rim(parent, [[x, y], [ox, oy]], inner) {
-  const outer = Math.hypot(ox - x, oy - y);
-  const around = [outer, inner].map((r) => `M${round(x - r)},${round(y)}a${r},${r} 0 1 0 ${2 * r},0a${r},${r} 0 1 0 ${-2 * r},0z`);
-  return drawn("path", { class: "rim", d: around.join(""), "fill-rule": "evenodd" }, parent);
+function rim(parent, [centre, tooth, edge], teeth) {
+  const d = circled(centre, Math.hypot(edge[0] - centre[0], edge[1] - centre[1])) + toothed(centre, tooth, teeth, -1);
+  return drawn("path", { class: "rim", d, "fill-rule": "evenodd" }, parent);
+}
+
+/**
+ * @param {[number, number]} centre
+ * @param {number} r
+ */
+function circled([x, y], r) {
+  return `M${round(x - r)},${round(y)}a${r},${r} 0 1 0 ${2 * r},0a${r},${r} 0 1 0 ${-2 * r},0z`;
+}
+
+/**
+ * The outline of a wheel with straight teeth of usual height, one of them through a point of the pitch circle.
+ * @param {[number, number]} centre
+ * @param {[number, number]} tooth
+ * @param {number} teeth
+ * @param {1 | -1} sense outward, or inward
+ */
+function toothed([x, y], tooth, teeth, sense) {
+  const [dx, dy] = [tooth[0] - x, tooth[1] - y];
+  const r = Math.hypot(dx, dy);
+  const module = (2 * r) / teeth;
+  if (module < FINEST) return circled([x, y], r);
+  const [tip, root] = [r + sense * module, r - 1.25 * sense * module];
+  const half = Math.PI / 2 / teeth;
+  const [narrow, wide] = [half - (SLOPE * module) / r, half + (1.25 * SLOPE * module) / r];
+  const start = Math.atan2(dy, dx);
+  let d = "";
+  for (let k = 0; k < teeth; k++) {
+    const at = start + 4 * half * k;
+    for (const [radius, turn] of [[root, -wide], [tip, -narrow], [tip, narrow], [root, wide]]) {
+      d += `${d ? "L" : "M"}${round(x + radius * Math.cos(at + turn))},${round(y + radius * Math.sin(at + turn))}`;
+    }
+  }
+  return `${d}z`;
 }
 
 /**

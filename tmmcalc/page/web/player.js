@@ -126,7 +126,7 @@ export class Player {
   /** @param {KeyboardEvent} event */
   key(event) {
     const { state } = this;
-    const small = state.span / 360;
+    const small = state.view.nudge ?? state.span / 360;
     const acts = {
       ArrowRight: () => this.turn(small),
       ArrowLeft: () => this.turn(-small),
