@@ -184,10 +184,8 @@ def _views(run: RunResult, dense: Mapping[str, Any], block: Block, *, planned: b
         if STAGES[name].view:
             for view in resolve(f"{STAGES[name].view}:views")(order):
                 plans = view.plans() if planned else ()
-                yield {
-                    **_view(view, _steps(run, name, view.column), block),
-                    "plans": [_plan(each, block) for each in plans],
-                }
+                steps = _steps(run, name, view.column) or [list(step) for step in view.steps]
+                yield {**_view(view, steps, block), "plans": [_plan(each, block) for each in plans]}
 
 
 def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
@@ -218,6 +216,10 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
                 "title": name_of(layer.title),
                 "unit": unit_of(layer.unit),
                 "arrows": [each._asdict() for each in layer.arrows],
+                "vectors": [
+                    {**each._asdict(), "x": _track(each.x, block), "y": _track(each.y, block)} for each in layer.vectors
+                ],
+                "tone": layer.tone,
             }
             for layer in view.layers
         ],
@@ -227,6 +229,17 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
         "stops": [{"title": name_of(stop.title), "at": stop.at} for stop in view.stops],
         "shown": view.shown,
         "reach": view.reach,
+        "readings": [
+            {
+                **each._asdict(),
+                "name": name_of(each.name),
+                "unit": unit_of(each.unit),
+                "value": _track(each.value, block),
+            }
+            for each in view.readings
+        ],
+        "seconds": view.seconds,
+        "nudge": view.nudge,
     }
 
 
@@ -259,6 +272,8 @@ def _body(body: Body, block: Block) -> Content:
         "marks": [_mark(mark) for mark in body.marks],
         "number": body.number,
         "beside": [_pair(each) for each in body.beside],
+        "on": body.on,
+        "there": body.there,
     }
 
 
@@ -270,7 +285,8 @@ def _track(track: Track, block: Block) -> Any:
 
 
 def _mark(mark: Mark) -> list[Any]:
-    return [mark.kind, [part for point in mark.points for part in _pair(point)], *([mark.size] if mark.size else [])]
+    points = [part for point in mark.points for part in _pair(point)]
+    return [mark.kind, points, *([mark.size, *([mark.tone] if mark.tone else [])] if mark.size or mark.tone else [])]
 
 
 def _pair(z: complex) -> list[float]:

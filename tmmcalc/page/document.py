@@ -21,6 +21,7 @@ MODULES = (  # in this order: each imports from those before it
     "labels",
     "scene",
     "player",
+    "readings",
     "charts",
     "plans",
     "facts",

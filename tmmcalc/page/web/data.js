@@ -3,11 +3,25 @@
 /** @typedef {string | string[]} Said a text, or one in each language */
 /** @typedef {[number, number]} Ref place and count in the block */
 /** @typedef {number | [Ref, Ref]} Track a number that stands, or values and rates over the input */
-/** @typedef {[string, number[], number?]} Mark kind, coordinates of its points, size */
-/** @typedef {{name: string, x: Track, y: Track, angle: Track, marks: Mark[], number: string, beside: number[][]}} Body */
+/** @typedef {[string, number[], number?, number?]} Mark kind, coordinates of its points, size, number of its colour */
+/** @typedef {[number, number] | null} Range between which places of the input something is there; null: always */
+/**
+ * @typedef {object} Body
+ * @property {string} name
+ * @property {Track} x
+ * @property {Track} y
+ * @property {Track} angle
+ * @property {Mark[]} marks
+ * @property {string} number
+ * @property {number[][]} beside
+ * @property {string} on the body in whose axes its tracks are
+ * @property {Range} there
+ */
 /** @typedef {{name: string, body: string, at: number[], kind: "pin" | "mass" | "point", path: boolean}} Spot */
 /** @typedef {{sign: string, spot: string, x: string, y: string, sense: number}} Arrow */
-/** @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[]}} Layer */
+/** @typedef {{sign: string, body: string, x: Track, y: Track}} Vector */
+/** @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[], vectors: Vector[], tone: number}} Layer */
+/** @typedef {{name: Said, sign: string, unit: Said, value: Track, there: Range}} Reading */
 /** @typedef {[number, number, string, string]} Edge tail, head, sign, kind */
 /**
  * @typedef {{name: string, title: Said, unit: Said, vertices: [string, Ref, Ref][], edges: Edge[], places: Ref | null,
@@ -34,6 +48,9 @@
  * @property {{title: Said, at: number}[]} stops
  * @property {string[]} shown
  * @property {[number, number][]} reach
+ * @property {Reading[]} readings
+ * @property {number} seconds that the whole travel takes
+ * @property {number | null} nudge of an arrow key
  */
 /** @typedef {{name: string, symbol: string, meaning: Said, value: number, unit: Said}} Fact */
 /** @typedef {{name: string, symbol: string, meaning: Said, unit: Said, values: Ref}} Column */

@@ -4,6 +4,7 @@ import { choose, content, scene } from "./data.js";
 import { facts } from "./facts.js";
 import { Plans } from "./plans.js";
 import { button, made, Player } from "./player.js";
+import { readings } from "./readings.js";
 import { Scene } from "./scene.js";
 import { State } from "./state.js";
 import { forget, language, remember, saying, speak, told, word } from "./words.js";
@@ -108,15 +109,32 @@ function moved(parent, state) {
   const drawing = new Scene(stage, state);
   const player = new Player(section, state, drawing.svg);
   drawing.svg.addEventListener("pointerdown", () => player.play(false));
+  readings(section, state);
   const layers = made("fieldset", { class: "layers" }, section);
   const legend = made("legend", {}, layers);
   saying(() => (legend.textContent = word("show")));
-  const known = SHOWN.filter((name) => name !== "centres" || state.view.centres.length);
+  const known = SHOWN.filter((name) => has(state.view, name));
   for (const name of known) tick(layers, drawing, name, () => word(name));
   for (const layer of drawing.layers) {
     tick(layers, drawing, layer.layer.name, () => `${told(layer.layer.title)} (${drawing.scaleOf(layer)})`, layer.colour);
   }
   if (state.view.plans.length) new Plans(section, state);
+}
+
+/**
+ * Whether a view has what may be shown or hidden by this name.
+ * @param {import("./data.js").View} view
+ * @param {string} name
+ */
+function has(view, name) {
+  const found = {
+    paths: view.spots.some((spot) => spot.path),
+    numbers: view.bodies.some((body) => body.number),
+    names: view.spots.some((spot) => spot.kind !== "mass"),
+    masses: view.spots.some((spot) => spot.kind === "mass"),
+    centres: view.centres.length > 0,
+  };
+  return found[/** @type {keyof typeof found} */ (name)];
 }
 
 /**
