@@ -77,6 +77,7 @@ ROOM = Room(
             after="balance",
             picture=Picture("the cam to scale, its curvature", pieces="tmmcalc.cams.pictures.pieces:profile_pieces"),
             chapter="cams",
+            moves=True,
             studied=True,
         ),
         Stage(

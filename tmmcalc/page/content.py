@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import named
 from tmmcalc.core.notes import graded
-from tmmcalc.core.stage import STAGES, arguments, resolve
+from tmmcalc.core.stage import STAGES, arguments, of_scene, resolve
 from tmmcalc.naming.table import Values, table_of
 from tmmcalc.naming.told import Extent, Told, listed
 from tmmcalc.page.packing import ERROR, Block
@@ -73,8 +73,7 @@ def _dense(run: RunResult, positions: int) -> Content:
     """Results over many equal steps, of the stages whose rows are places that can be asked for."""
     results: dict[str, Any] = dict(run.results)
     found: dict[str, Any] = {}
-    for name in run.outcomes:
-        own = STAGES[name]
+    for name, own in of_scene({name: STAGES[name] for name in run.outcomes}, run.spec).items():
         make = own.part("dense")
         if make is None or own.unwanted(run.spec) is not None:
             continue
@@ -202,6 +201,7 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
         "box": [*_pair(view.box[0]), *_pair(view.box[1])],
         "bodies": [_body(body, block) for body in view.bodies],
         "frame": [_mark(mark) for mark in view.frame],
+        "front": [_mark(mark) for mark in view.front],
         "spots": [{**spot._asdict(), "at": _pair(spot.at)} for spot in view.spots],
         "handle": None
         if handle is None
@@ -220,6 +220,10 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
                     {**each._asdict(), "x": _track(each.x, block), "y": _track(each.y, block)} for each in layer.vectors
                 ],
                 "tone": layer.tone,
+                "angles": [
+                    {**each._asdict(), "start": _track(each.start, block), "end": _track(each.end, block)}
+                    for each in layer.angles
+                ],
             }
             for layer in view.layers
         ],

@@ -86,7 +86,7 @@ class CamInMotion:
     def view(self) -> View:
         bodies = [self._cam(), self._moved(), self._touching(), *self._standing()]
         content = np.array([point for body in bodies for point in self._swept(body)])
-        content = np.append(content, [self.pivot, *(point for mark in self._front() for point in mark.points[:2])])
+        content = np.append(content, [self.pivot, *([] if self.rocks else [1j * height for height in self._guide()])])
         return View(
             name="cam_profile",
             title="Cam mechanism",

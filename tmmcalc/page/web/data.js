@@ -20,7 +20,11 @@
 /** @typedef {{name: string, body: string, at: number[], kind: "pin" | "mass" | "point", path: boolean}} Spot */
 /** @typedef {{sign: string, spot: string, x: string, y: string, sense: number}} Arrow */
 /** @typedef {{sign: string, body: string, x: Track, y: Track}} Vector */
-/** @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[], vectors: Vector[], tone: number}} Layer */
+/** @typedef {{sign: string, body: string, start: Track, end: Track, column: string}} Angle */
+/**
+ * @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[], vectors: Vector[], angles: Angle[], tone: number}}
+ *   Layer
+ */
 /** @typedef {{name: Said, sign: string, unit: Said, value: Track, there: Range}} Reading */
 /** @typedef {[number, number, string, string]} Edge tail, head, sign, kind */
 /**
@@ -40,6 +44,7 @@
  * @property {number[]} box
  * @property {Body[]} bodies
  * @property {Mark[]} frame
+ * @property {Mark[]} front of the frame, before all that moves
  * @property {Spot[]} spots
  * @property {{body: string, pivot: number[] | null, direction: number[] | null} | null} handle
  * @property {Layer[]} layers

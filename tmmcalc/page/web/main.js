@@ -116,7 +116,9 @@ function moved(parent, state) {
   const known = SHOWN.filter((name) => has(state.view, name));
   for (const name of known) tick(layers, drawing, name, () => word(name));
   for (const layer of drawing.layers) {
-    tick(layers, drawing, layer.layer.name, () => `${told(layer.layer.title)} (${drawing.scaleOf(layer)})`, layer.colour);
+    /** @param {string} scale */
+    const said = (scale) => told(layer.layer.title) + (scale ? ` (${scale})` : "");
+    tick(layers, drawing, layer.layer.name, () => said(drawing.scaleOf(layer)), layer.colour);
   }
   if (state.view.plans.length) new Plans(section, state);
 }

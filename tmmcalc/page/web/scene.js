@@ -1,6 +1,6 @@
 // The machine drawn to scale: bodies that move, names, paths, vectors; the input link is dragged by hand.
 import { columnOf, numbers } from "./data.js";
-import { between, isThere, placed, poseOf, posesOf, STILL, valueOf } from "./motion.js";
+import { between, isThere, placed, poseOf, posesOf, STILL, trackAt } from "./motion.js";
 import { around, settled } from "./labels.js";
 import { centreOfMass, COLOURS, draw, drawn, named, PIN } from "./marks.js";
 import { parted, saying, told, word, written } from "./words.js";
@@ -10,9 +10,12 @@ const HIGH = 560;
 const MARGIN = 56;
 const LONGEST = 110; // of a vector, in pixels
 const CENTIMETRE = 37.8; // in pixels of a screen
+const CHORDS = 60; // of a curve that names keep off
+const LEG = 96; // of an angle, in pixels
+const ARC = 72;
 const RING = 9; // radius of the ring of a number
 const MOMENTS = 25; // of the motion that places of names are chosen by
-const LINES = new Set(["plate", "bar", "slot", "outline", "line"]);
+const LINES = new Set(["plate", "bar", "slot", "outline", "hole", "line"]);
 
 export class Scene {
   /**
@@ -38,6 +41,8 @@ export class Scene {
     const frame = drawn("g", { class: "frame" }, world);
     for (const mark of this.view.frame) draw(frame, mark, this.scale);
     this.bodies = this.view.bodies.map((body) => this.made(body, world));
+    const front = drawn("g", { class: "frame front" }, world);
+    for (const mark of this.view.front) draw(front, mark, this.scale);
     this.spots = this.view.spots.map((spot) => this.spotted(spot, world));
     this.rings = this.view.bodies.map((body) => this.ringed(body, world));
     this.centres = this.view.centres.map((centre) => this.centred(centre, world));
@@ -130,11 +135,17 @@ export class Scene {
       const line = drawn("line", { "marker-end": `url(#head-${colour})` }, group);
       return { vector, line, name: named(group, ...parted(vector.sign), { class: "name" }) };
     });
+    const angles = layer.angles.map((angle) => {
+      const found = columnOf(angle.column);
+      const legs = [0, 1].map(() => drawn("line", { class: "leg" }, group));
+      const arc = drawn("path", { class: "arc" }, group);
+      return { angle, found, legs, arc, name: drawn("text", { class: "name" }, group) };
+    });
     let largest = 0;
     for (const { x, y } of arrows) largest = x.reduce((most, _, k) => Math.max(most, Math.hypot(x[k], y[k]) || 0), largest);
     for (const { vector } of vectors) largest = Math.max(largest, this.longest(vector));
     const per = largest ? standard((largest / LONGEST) * CENTIMETRE) / CENTIMETRE : 1; // of the unit to a pixel
-    return { layer, colour, group, arrows, vectors, per, largest };
+    return { layer, colour, group, arrows, vectors, angles, per, largest };
   }
 
   /**
@@ -145,7 +156,7 @@ export class Scene {
     const { values, low, high } = this.state;
     const [from, to] = this.view.bodies.find((each) => each.name === vector.body)?.there ?? [low, high];
     const places = [from, ...values.filter((value) => value > from && value < to), to].map((at) => between(values, at));
-    return Math.max(...places.map((each) => Math.hypot(valueOf(vector.x, values, each), valueOf(vector.y, values, each))));
+    return Math.max(...places.map((each) => Math.hypot(trackAt(vector.x, values, each), trackAt(vector.y, values, each))));
   }
 
   /** Paths of the named points over all positions. */
@@ -218,7 +229,8 @@ export class Scene {
     const add = (pose, flat, closed) => {
       /** @type {[number, number][]} */
       const points = [];
-      for (let k = 0; k + 1 < flat.length; k += 2) {
+      const stride = 2 * Math.max(1, Math.floor(flat.length / 2 / CHORDS)); // of a curve some chords do
+      for (let k = 0; k + 1 < flat.length; k += stride) {
         const [x, y] = placed(pose, flat[k], flat[k + 1]);
         points.push([x * this.scale, -y * this.scale]);
       }
@@ -230,12 +242,12 @@ export class Scene {
     for (const body of this.view.bodies) {
       const pose = /** @type {import("./motion.js").Pose} */ (poses.get(body.name));
       for (const [kind, flat] of body.marks) {
-        if (LINES.has(kind)) add(pose, flat, kind === "plate" || kind === "outline");
+        if (LINES.has(kind)) add(pose, flat, kind === "plate" || kind === "outline" || kind === "hole");
         else if (kind === "block") this.blocked(found, pose, flat);
       }
     }
-    for (const [kind, flat] of this.view.frame) {
-      if (kind === "guide") add(STILL, flat.slice(0, 4), false);
+    for (const [kind, flat] of [...this.view.frame, ...this.view.front]) {
+      if (kind === "guide" || kind === "wall") add(STILL, flat.slice(0, 4), false);
       if (kind === "pivot") {
         const [x, y] = [flat[0] * this.scale, -flat[1] * this.scale];
         found.push([x, y, x + 20 * flat[2], y - 20 * flat[3]]);
@@ -319,12 +331,41 @@ export class Scene {
       const k = between(rows, this.state.at).near;
       this.arrow(line, name, [px, py], [(arrow.sense * x[k]) / layer.per, (arrow.sense * y[k]) / layer.per]);
     }
+    for (const each of layer.angles) this.opened(each);
     for (const { vector, line, name } of layer.vectors) {
       const pose = this.gone?.has(vector.body) ? undefined : this.poses?.get(vector.body);
       const { values, there } = this.state;
-      const way = [valueOf(vector.x, values, there) / layer.per, valueOf(vector.y, values, there) / layer.per];
+      const way = [trackAt(vector.x, values, there) / layer.per, trackAt(vector.y, values, there) / layer.per];
       this.arrow(line, name, pose ? [pose.x, pose.y] : [0, 0], pose ? way : [0, 0]);
     }
+  }
+
+  /**
+   * An angle with its legs and its value at the nearest solved position.
+   * @param {ReturnType<Scene["layered"]>["angles"][number]} shown
+   */
+  opened({ angle, found, legs, arc, name }) {
+    const pose = this.poses?.get(angle.body) ?? STILL;
+    const { values, there, at } = this.state;
+    const [from, to] = [trackAt(angle.start, values, there), trackAt(angle.end, values, there)];
+    const [x, y] = [pose.x * this.scale, -pose.y * this.scale];
+    /** @param {number} direction @param {number} far @returns {[number, number]} */
+    const point = (direction, far) => [x + far * Math.cos(direction), y - far * Math.sin(direction)];
+    [from, to].forEach((direction, k) => {
+      const [x1, y1] = point(direction, -LEG / 2);
+      const [x2, y2] = point(direction, LEG);
+      for (const [key, value] of Object.entries({ x1, y1, x2, y2 })) legs[k].setAttribute(key, value.toFixed(1));
+    });
+    const [ends, sweep] = [[point(from, ARC), point(to, ARC)], to > from ? 0 : 1];
+    const [start, end] = ends.map((each) => each.map((value) => value.toFixed(1)).join(","));
+    arc.setAttribute("d", `M${start}A${ARC},${ARC} 0 0 ${sweep} ${end}`);
+    const [tx, ty] = point((from + to) / 2 + (to > from ? 1 : -1) * Math.max(0, 0.16 - Math.abs(to - from) / 2), ARC + 14);
+    const rows = found?.stage.rows;
+    const value = rows ? numbers(found.column.values)[between(numbers(rows.values), at).near] : NaN;
+    name.textContent = `${parted(angle.sign)[0]} = ${written(value, 3)}${told(found?.column.unit ?? "")}`;
+    name.setAttribute("x", tx.toFixed(1));
+    name.setAttribute("y", ty.toFixed(1));
+    name.setAttribute("text-anchor", Math.cos((from + to) / 2) < -0.3 ? "end" : "start");
   }
 
   /**
@@ -369,10 +410,11 @@ export class Scene {
   }
 
   /**
-   * The scale of a layer in words.
+   * The scale of a layer in words, where it has vectors.
    * @param {ReturnType<Scene["layered"]>} layer
    */
   scaleOf(layer) {
+    if (!layer.largest) return "";
     return word("arrow", { value: `${written(layer.per * CENTIMETRE, 3)} ${told(layer.layer.unit)}`.trim() });
   }
 
