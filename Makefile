@@ -7,6 +7,7 @@ DEMO   := demo.out
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 # empty, whatever it is outside: without kept bytecode each process of the tests would compile all modules anew
 export PYTHONDONTWRITEBYTECODE :=
+WEB    := $(VENV)/web
 PYTEST := $(BIN)/python -m pytest -n 2 --dist worksteal
 
 .PHONY: demo test slow estimates lint bench accuracy accuracy-draw pictures docs format schema clean
@@ -33,10 +34,12 @@ slow: $(VENV)/.dev
 estimates: $(VENV)/.dev
 	ESTIMATES=1 $(PYTEST) -m slow -k "estimate or bound or sizes or frequencies"
 
-lint: $(VENV)/.dev
+lint: $(VENV)/.dev $(WEB)/.ready
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+	$(BIN)/node $(WEB)/node_modules/@biomejs/biome/bin/biome lint --config-path=.ci/web --error-on-warnings tmmcalc/page/web/*.js
+	$(BIN)/node $(WEB)/node_modules/typescript/bin/tsc --project .ci/web
 
 bench: $(VENV)/.dev
 	$(BIN)/python tests/bench.py
@@ -75,6 +78,13 @@ $(VENV)/.dev: pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --editable '.[dev]'
 	$(BIN)/python -m compileall -q tmmcalc
 	@touch $@ $(VENV)/.run
+
+# what the scripts of the page are checked with, by the npm that dev brings
+$(WEB)/.ready: .ci/web/package.json .ci/web/package-lock.json | $(VENV)/.dev
+	@mkdir -p $(WEB)
+	@cp .ci/web/package.json .ci/web/package-lock.json $(WEB)
+	$(BIN)/npm ci --prefix $(WEB) --ignore-scripts --no-audit --no-fund --silent
+	@touch $@
 
 $(BIN)/python:
 	$(PYTHON) -m venv $(VENV)

@@ -7,14 +7,18 @@ import csv
 import re
 import tomllib
 from functools import cache
+from inspect import getmodule
 from pathlib import Path
 
 import pytest
 
 import tmmcalc
+import tmmcalc.rooms  # they register their stages
 from report.sentences import key_of, of_ring
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.notes import Phrase
+from tmmcalc.core.quantity import given_out, standing_in
+from tmmcalc.core.stage import STAGES
 from tmmcalc.report.drawing.lettering import pieces
 from tmmcalc.report.language import (
     LANGUAGES,
@@ -61,6 +65,24 @@ def test_every_text_has_its_translation(language: str) -> None:
     words = catalogue(language)
     assert {text: file for text, file in said()["tr"].items() if text not in words.texts} == {}
     assert {text: file for text, file in said()["tr_count"].items() if text not in words.counts} == {}
+
+
+def meant() -> dict[str, str]:
+    """What the results mean, as their fields and the modules of their columns declare it, each with its first stage."""
+    found: dict[str, str] = {}
+    for name, stage in STAGES.items():
+        every = [each for kind in stage.kinds for each in given_out(kind)]
+        if columns := stage.part("columns"):
+            every += standing_in(getmodule(columns))
+        for each in every:
+            found.setdefault(each.meaning, name)
+    return found
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_every_meaning_has_its_translation(language: str) -> None:
+    words = catalogue(language)
+    assert {text: stage for text, stage in meant().items() if text not in words.names and text not in words.texts} == {}
 
 
 @pytest.mark.parametrize("language", OTHERS)

@@ -3,19 +3,27 @@
 from __future__ import annotations
 
 import sys
+from contextlib import nullcontext
+from dataclasses import replace
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from tmmcalc.cli.job import Job
 from tmmcalc.cli.messages import note_written
-from tmmcalc.cli.options import STANDARD_OUTPUT, Fresh, Language, Quiet, Set, SpecFile, Store, language_of
+from tmmcalc.cli.options import STANDARD_OUTPUT, Fresh, Language, Quiet, Set, Store, language_of
 from tmmcalc.cli.output import raise_failures
+from tmmcalc.cli.progress import described
+from tmmcalc.core.errors import UsageError
+
+if TYPE_CHECKING:
+    from tmmcalc.core.errors import TmmError
+    from tmmcalc.page.content import Variant
 
 
 def command(
-    spec: SpecFile,
+    specs: Annotated[list[Path], typer.Argument(help="Project spec (TOML), or several to compare.", metavar="SPEC...")],
     out: Annotated[
         Path | None,
         typer.Option(
@@ -30,6 +38,15 @@ def command(
         int,
         typer.Option("--positions", min=24, max=3600, help="Positions that the page solves over the cycle."),
     ] = 360,
+    sweep: Annotated[
+        Path | None,
+        typer.Option(
+            "--sweep",
+            metavar="FILE",
+            help="CSV of tmmcalc sweep: its variants overlaid, with the swept key as a slider.",
+            show_default=False,
+        ),
+    ] = None,
     language: Language = None,
     store: Store = True,
     fresh: Fresh = False,
@@ -39,26 +56,47 @@ def command(
     """Write a page in which the machine moves: one HTML file that needs no network.
 
     The mechanism turns, or is turned by hand; diagrams, facts and warnings of all stages stand beside it, in both
-    languages. Facts are those of the spec's own positions; what moves is solved anew at many.
+    languages. Facts are those of the spec's own positions; what moves is solved anew at many. Several specs, or the
+    variants of a sweep, are overlaid in the diagrams.
 
     Example: tmmcalc page my.toml -o my.html
     """
-    from tmmcalc.page.content import content
+    from tmmcalc.page.content import Variant, content
     from tmmcalc.page.document import document
+    from tmmcalc.page.swept import swept
     from tmmcalc.project.found import text_of
 
-    job = Job(spec, store=store, fresh=fresh, quiet=quiet, overrides=overrides or (), keep_going=True, csv=False)
-    scene = job.spec()
-    run = job.run(scene, None)
-    with run.believed():
-        written = document(content(run, text_of(scene), language_of(scene, language), positions)).encode()
+    if sweep is not None and len(specs) > 1:
+        raise UsageError("a sweep is of one spec", where="--sweep", remedy="name one spec, or leave --sweep out")
+    own = tuple(overrides or ())
+    if sweep is None:
+        key, wanted = "", [(spec.stem, spec, own) for spec in specs]
+    else:
+        found = swept(sweep)
+        key, wanted = found.key, [(name, specs[0], (*own, *more)) for name, more in found.variants]
+    job = Job(specs[0], store=store, fresh=fresh, quiet=quiet, keep_going=True, csv=False)
+    variants: list[Variant] = []
+    failures: dict[str, TmmError] = {}
+    with nullcontext(lambda words: None) if quiet or not sys.stderr.isatty() else described() as show:
+        for name, spec, changed in wanted:
+            show(f"solving {name}")
+            each = replace(job, file=spec, overrides=changed, store=store and sweep is None)
+            scene = each.spec()
+            run = each.run(scene, None)
+            variants.append(Variant(name, run, text_of(scene)))
+            failures |= run.failures
+        show("drawing")
+        spoken = language_of(variants[0].run.spec, language)
+        title = " – ".join(dict.fromkeys(each.run.spec.project.title for each in variants))
+        with job.believed():
+            written = document(content(variants, title, key, spoken, positions)).encode()
     if out == STANDARD_OUTPUT:
         sys.stdout.buffer.write(written)
     else:
         from tmmcalc.core.atomic import replace_file
 
-        file = out or Path(f"{spec.stem}.html")
+        file = out or Path(f"{specs[0].stem}.html")
         replace_file(file, written)
         if not quiet:
             note_written(file)
-    raise_failures(run.failures)
+    raise_failures(failures)

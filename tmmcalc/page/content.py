@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import named
@@ -26,27 +27,49 @@ if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
 
 POSITIONS = 360  # that a page solves of its own
+ROWS = 1000  # of a longer table so many are shown, and those of extremes
+
+Indices = NDArray[np.intp]
+Content = dict[str, Any]
 
 
-def content(run: RunResult, source: str, language: str, positions: int = POSITIONS) -> dict[str, Any]:
-    """All that a page holds; ``source`` is the text of the spec."""
+class Variant(NamedTuple):
+    """A run, what tells it from the others on the page, and the text of its spec."""
+
+    name: str
+    run: RunResult
+    source: str
+
+
+def content(variants: Sequence[Variant], title: str, key: str, language: str, positions: int = POSITIONS) -> Content:
+    """All that a page holds; ``key`` is what the variants differ in. Of several plans of vectors are left out."""
     block = Block()
-    dense = _dense(run, positions)
+    scenes = [_scene(each, block, positions, planned=len(variants) == 1) for each in variants]
     found = {
-        "title": run.spec.project.title,
+        "title": title,
+        "key": key,
         "languages": dict(LANGUAGES),
         "language": language,
         "words": words(),
         "error": ERROR,
-        "stages": [_stage(stage, run, dense, block) for stage in run.outcomes],
-        "given": _given(run),
-        "source": source,
-        "views": [*_views(run, dense, block)],
+        "scenes": scenes,
     }
     return {**found, "block": block.text()}
 
 
-def _dense(run: RunResult, positions: int) -> dict[str, Any]:
+def _scene(variant: Variant, block: Block, positions: int, *, planned: bool) -> Content:
+    run = variant.run
+    dense = _dense(run, positions)
+    return {
+        "name": variant.name,
+        "stages": [_stage(stage, run, dense, block) for stage in run.outcomes],
+        "given": _given(run),
+        "source": variant.source,
+        "views": [*_views(run, dense, block, planned=planned)],
+    }
+
+
+def _dense(run: RunResult, positions: int) -> Content:
     """Results over many equal steps, of the stages whose rows are places that can be asked for."""
     results: dict[str, Any] = dict(run.results)
     found: dict[str, Any] = {}
@@ -63,7 +86,7 @@ def _dense(run: RunResult, positions: int) -> dict[str, Any]:
     return found
 
 
-def _stage(name: str, run: RunResult, dense: Mapping[str, Any], block: Block) -> dict[str, Any]:
+def _stage(name: str, run: RunResult, dense: Mapping[str, Any], block: Block) -> Content:
     """A stage: facts of the run, columns over many positions where it has them, warnings, errors."""
     stage, result = STAGES[name], run.results[name]
     facts = [_fact(each) for each in listed(name, result) if isinstance(each, Told) and math.isfinite(each.value)]
@@ -78,7 +101,7 @@ def _stage(name: str, run: RunResult, dense: Mapping[str, Any], block: Block) ->
     }
 
 
-def _fact(told: Told) -> dict[str, Any]:
+def _fact(told: Told) -> Content:
     return {
         "name": told.quantity,
         "symbol": told.symbol,
@@ -88,7 +111,7 @@ def _fact(told: Told) -> dict[str, Any]:
     }
 
 
-def _table(name: str, result: Any, block: Block) -> dict[str, Any]:
+def _table(name: str, result: Any, block: Block) -> Content:
     """The columns of numbers, and the first of them that its rows go along; without one they are counted."""
     table = table_of(name, result)
     known = {each.quantity: each for each in listed(name, result) if isinstance(each, Extent)}
@@ -100,10 +123,24 @@ def _table(name: str, result: Any, block: Block) -> dict[str, Any]:
     if not _ordered(values):
         along, others, values = "", headers, np.arange(1.0, len(table.first) + 1)
     row, unit = named(along) if along else ("", "")
+    columns = {header: table.column(header) for header in others}
+    kept = _kept(values, [*columns.values()], along != "")
+    rows = {"header": along, "name": row, "unit": unit_of(unit), "values": block.put(values[kept])}
     return {
-        "rows": {"header": along, "name": row, "unit": unit_of(unit), "values": block.put(values)},
-        "columns": [_column(known[named(header)[0]], table.column(header), block) for header in others],
+        "rows": {**rows, "kept": len(kept), "of": len(values)},
+        "columns": [_column(known[named(header)[0]], each[kept], block) for header, each in columns.items()],
     }
+
+
+def _kept(values: Values, columns: Sequence[Values], ordered: bool) -> Indices:
+    """Of many rows those that are shown: of a list the first, along a column equal steps with ends and extremes."""
+    count = len(values)
+    if count <= ROWS:
+        return np.arange(count)
+    if not ordered:
+        return np.arange(ROWS)
+    peaks = [k for each in columns if np.isfinite(each).any() for k in (np.nanargmin(each), np.nanargmax(each))]
+    return np.unique([*np.linspace(0, count - 1, ROWS).round().astype(int), *peaks])
 
 
 def _ordered(values: Values) -> bool:
@@ -112,7 +149,7 @@ def _ordered(values: Values) -> bool:
     return bool(values[0] != values[-1] and ((steps >= 0).all() or (steps <= 0).all()))
 
 
-def _column(column: Extent, values: Values, block: Block) -> dict[str, Any]:
+def _column(column: Extent, values: Values, block: Block) -> Content:
     return {
         "name": column.quantity,
         "unit": unit_of(column.unit),
@@ -122,7 +159,7 @@ def _column(column: Extent, values: Values, block: Block) -> dict[str, Any]:
     }
 
 
-def _given(run: RunResult) -> list[dict[str, Any]]:
+def _given(run: RunResult) -> list[Content]:
     """The given data, as the note lists them."""
     spoken = []
     for language in LANGUAGES:
@@ -140,16 +177,20 @@ def _given(run: RunResult) -> list[dict[str, Any]]:
     ]
 
 
-def _views(run: RunResult, dense: Mapping[str, Any], block: Block) -> Iterator[dict[str, Any]]:
+def _views(run: RunResult, dense: Mapping[str, Any], block: Block, *, planned: bool) -> Iterator[Content]:
     """What moves, by the rooms."""
     order = order_of(run.spec, {**run.results, **dense})
     for name in run.outcomes:
         if STAGES[name].view:
             for view in resolve(f"{STAGES[name].view}:views")(order):
-                yield _view(view, _steps(run, name, view.column) or [list(step) for step in view.steps], block)
+                plans = view.plans() if planned else ()
+                yield {
+                    **_view(view, _steps(run, name, view.column) or [list(step) for step in view.steps], block),
+                    "plans": [_plan(each, block) for each in plans],
+                }
 
 
-def _view(view: View, steps: list[list[Any]], block: Block) -> dict[str, Any]:
+def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
     handle = view.handle
     return {
         "name": view.name,
@@ -187,7 +228,6 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> dict[str, Any]:
         "centres": [
             {"name": each.name, "x": block.put(each.at.real), "y": block.put(each.at.imag)} for each in view.centres
         ],
-        "plans": [_plan(plan, block) for plan in view.plans],
         "stops": [{"title": name_of(stop.title), "at": stop.at} for stop in view.stops],
         "shown": view.shown,
         "reach": view.reach,
@@ -205,7 +245,7 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> dict[str, Any]:
     }
 
 
-def _plan(plan: Plan, block: Block) -> dict[str, Any]:
+def _plan(plan: Plan, block: Block) -> Content:
     return {
         "name": plan.name,
         "title": name_of(plan.title),
@@ -225,7 +265,7 @@ def _steps(run: RunResult, stage: str, column: str) -> list[list[Any]]:
     return [[label, float(at)] for label, at in zip(table.labels, table.column(column), strict=True)]
 
 
-def _body(body: Body, block: Block) -> dict[str, Any]:
+def _body(body: Body, block: Block) -> Content:
     return {
         "name": body.name,
         "x": _track(body.x, block),

@@ -9,6 +9,7 @@ places a pose is a cubic that fits both: rigid bodies stay rigid, whatever the s
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -190,7 +191,7 @@ class View(NamedTuple):
     handle: Handle | None = None
     layers: tuple[Layer, ...] = ()
     centres: tuple[Centre, ...] = ()
-    plans: tuple[Plan, ...] = ()
+    plans: Callable[[], Iterable[Plan]] = tuple  # made where they are shown
     stops: tuple[Stop, ...] = ()
     shown: tuple[str, ...] = ()  # columns whose diagrams stand beside it at first
     reach: tuple[tuple[float, float], ...] = ()  # where it assembles, counted as the input; empty: everywhere

@@ -77,7 +77,7 @@ def of_pair(found: MeshPair) -> list[Parameter]:
         if racked
         else Parameter(tr("centre distance"), "$a_w$", mm, (_mm(found.distance),)),
         None if racked else Parameter(tr("reference distance"), "$a$", mm, (_mm(found.reference_distance),)),
-        Parameter(tr("pressure angle"), "$α_{tw}$", "", (_degrees(found.angle_w),)),
+        Parameter(tr("operating pressure angle"), "$α_{tw}$", "", (_degrees(found.angle_w),)),
         None if racked else Parameter(tr("modification"), "$y$", "", (_pure(found.modification),)),
         Parameter(tr("tip shortening"), "$Δ$$y$", "", (_pure(found.shortening),)) if external else None,
         Parameter(tr("contact ratio"), "$ε_α$", "", (number(found.contact_ratio, 5),)),

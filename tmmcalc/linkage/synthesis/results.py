@@ -55,7 +55,7 @@ def check_key(name: str) -> str:
 class StrokeTimes:
     """Times, angles and mean speeds of the two strokes at a constant speed of the crank."""
 
-    crank_speed: float = quantity("omega[rad/s]", "speed of the crank")
+    crank_speed: float = quantity("omega[rad/s]", "angular velocity of the crank")
     time_ratio: float  # K
     stroke: float  # S, or the swing 2 phi
     unit: str  # of the stroke, m or rad

@@ -83,7 +83,7 @@ class _Linkage:
             handle=self._handle(),
             layers=tuple(self._layers()),
             centres=tuple(self._centres()),
-            plans=tuple(self._plans()),
+            plans=self._plans,
             stops=tuple(self._stops()),
             shown=tuple(self._shown()),
             reach=self._reach(),

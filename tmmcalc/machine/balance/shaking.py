@@ -50,7 +50,7 @@ class Shaking:
     scale: float  # largest sum of the moduli of all inertia forces [N]: rounding in R is proportional to it
     pivot: complex  # O in the frame [m]
     about: complex  # point of the frame that the moment is taken about [m]
-    speed: float = quantity("speed[rad/s]", "speed of the crank")
+    speed: float = quantity("speed[rad/s]", "angular velocity of the crank")
     acceleration: float  # of the crank [rad/s^2]
     error: float  # estimated error of R and M over the turn, relative to ``scale`` and its like [-]
     mean_error: float  # the same of R, its root mean square

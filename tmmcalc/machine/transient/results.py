@@ -23,7 +23,7 @@ class Event:
     kind: str = quantity("kind", "kind of the event")
     time: float = quantity("t[s]", "time of the event")
     angle: float = quantity("angle[rad]", "angle of the crank")
-    speed: float = quantity("omega[rad/s]", "speed of the crank")
+    speed: float = quantity("omega[rad/s]", "angular velocity of the crank")
     message: str = quantity("message", "what happened", header="event")
 
 

@@ -1,10 +1,10 @@
 // Diagrams of columns over the rows of their stage, with the place of the input, extremes and dead centres.
-import { columnOf, content, numbers } from "./data.js";
+import { columnOf, content, numbers, scene } from "./data.js";
 import { between } from "./motion.js";
-import { drawn, named } from "./marks.js";
+import { drawn } from "./marks.js";
 import { button, made } from "./player.js";
 import { standard } from "./scene.js";
-import { language, parted, saying, told, word, written } from "./words.js";
+import { parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 560;
 const HIGH = 190;
@@ -12,6 +12,8 @@ const LEFT = 62;
 const RIGHT = 14;
 const TOP = 12;
 const BOTTOM = 26;
+const MANY = 200; // rows, of which neighbours lie so near
+const STEEP = 0.2; // that a step of this part of the height is a jump
 
 export class Charts {
   /**
@@ -39,7 +41,7 @@ export class Charts {
   /** All columns, by stage. */
   choices() {
     this.choice.replaceChildren(made("option", { value: "" }));
-    for (const stage of content.stages.filter((each) => each.columns.length && each.rows)) {
+    for (const stage of scene().stages.filter((each) => each.columns.length && each.rows)) {
       const group = made("optgroup", { label: told(stage.title) }, this.choice);
       for (const column of stage.columns) {
         const meaning = told(column.meaning);
@@ -57,7 +59,7 @@ export class Charts {
     const known = this.shown.get(name);
     if (known) return known.card.scrollIntoView({ block: "nearest" });
     const found = columnOf(name);
-    if (!found || !found.stage.rows) return;
+    if (!found?.stage.rows) return;
     const header = found.stage.rows.header;
     const state = this.states.find((each) => each.view.column === header) ?? null;
     const chart = new Chart(this.list, name, found, state, () => this.shown.delete(name));
@@ -66,6 +68,12 @@ export class Charts {
 }
 
 class Chart {
+  step = 1; // between the lines of the grid
+  low = 0;
+  high = 1;
+  start = 0;
+  end = 1;
+
   /**
    * @param {Element} parent
    * @param {string} name
@@ -81,7 +89,15 @@ class Chart {
     this.y = cleared(numbers(column.values));
     this.card = made("figure", { class: "chart", "data-column": name }, parent);
     this.caption = made("figcaption", {}, this.card);
+    this.name = made("strong", {}, this.caption);
+    this.value = made("button", { type: "button", class: "value" }, this.caption);
+    this.meaning = made("span", { class: "meaning" }, this.caption);
     this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img", tabindex: 0 }, this.card);
+    this.others = content.scenes.filter((each) => each !== scene()).flatMap((each) => {
+      const found = columnOf(name, each);
+      if (!found?.stage.rows) return [];
+      return [{ name: each.name, x: numbers(found.stage.rows.values), y: cleared(numbers(found.column.values)) }];
+    });
     this.scaled();
     this.head(gone);
     saying(() => this.draw());
@@ -100,8 +116,14 @@ class Chart {
 
   /** Ends of both axes. */
   scaled() {
-    const finite = this.y.filter(Number.isFinite);
-    let [least, greatest] = [Math.min(...finite), Math.max(...finite)];
+    let [least, greatest] = [Infinity, -Infinity];
+    for (const y of [this.y, ...this.others.map((each) => each.y)]) {
+      for (const value of y) {
+        if (value < least) least = value;
+        if (value > greatest) greatest = value;
+      }
+    }
+    if (least > greatest) [least, greatest] = [0, 0];
     const flat = greatest - least <= 1e-9 * Math.max(Math.abs(least), Math.abs(greatest));
     if (flat) [least, greatest] = [least - (Math.abs(least) || 1), greatest + (Math.abs(greatest) || 1)];
     else if (least > 0 && least < 0.4 * greatest) least = 0;
@@ -126,11 +148,8 @@ class Chart {
 
   /** @param {() => void} gone */
   head(gone) {
-    this.name = made("strong", {}, this.caption);
-    this.value = made("button", { type: "button", class: "value" }, this.caption);
     saying(() => (this.value.title = word("copy")));
     this.value.addEventListener("click", () => copied(this.value));
-    this.meaning = made("span", { class: "meaning" }, this.caption);
     button(this.caption, "close", () => word("remove"), () => {
       gone();
       this.card.remove();
@@ -142,7 +161,9 @@ class Chart {
     const [letter, index] = parted(this.column.name);
     this.name.replaceChildren(letter);
     if (index) made("sub", {}, this.name).textContent = index;
-    this.meaning.textContent = told(this.column.meaning);
+    const { kept, of } = this.rows;
+    const part = kept < of ? ` (${word("kept", { kept: String(kept), of: String(of) })})` : "";
+    this.meaning.textContent = told(this.column.meaning) + part;
     this.svg.setAttribute("aria-label", `${this.column.name}: ${told(this.column.meaning)}`);
     this.back?.remove();
     const back = drawn("g");
@@ -172,24 +193,54 @@ class Chart {
         drawn("title", {}, line).textContent = told(stop.title);
       }
     }
-    drawn("path", { class: "curve", d: this.path() }, back);
+    this.others.forEach((other) => {
+      const curve = drawn("path", { class: "curve other", d: this.path(other.x, other.y) }, back);
+      drawn("title", {}, curve).textContent = other.name;
+    });
+    drawn("path", { class: "curve", d: this.path(this.x, this.y) }, back);
+    drawn("path", { class: "curve jump", d: this.jumps() }, back);
     this.extremes(back);
     if (this.state) this.follow();
     else this.value.hidden = true;
   }
 
-  /** The curve; two rows at one place are a jump. */
-  path() {
+  /**
+   * A curve; two rows at one place are a jump.
+   * @param {Float32Array} x
+   * @param {Float32Array} y
+   */
+  path(x, y) {
     let d = "";
     let pen = false;
-    for (let k = 0; k < this.x.length; k++) {
-      if (!Number.isFinite(this.y[k])) {
+    for (let k = 0; k < x.length; k++) {
+      if (!Number.isFinite(y[k])) {
         pen = false;
         continue;
       }
-      const jump = k > 0 && this.x[k] === this.x[k - 1];
-      d += `${pen && !jump ? "L" : "M"}${this.across(this.x[k]).toFixed(1)},${this.up(this.y[k]).toFixed(1)}`;
+      const jump = k > 0 && this.jumped(x, y, k);
+      d += `${pen && !jump ? "L" : "M"}${this.across(x[k]).toFixed(1)},${this.up(y[k]).toFixed(1)}`;
       pen = true;
+    }
+    return d;
+  }
+
+  /**
+   * Whether a curve jumps before a row: two rows at one place, or between neighbours of many a large part of its height.
+   * @param {Float32Array} x
+   * @param {Float32Array} y
+   * @param {number} k
+   */
+  jumped(x, y, k) {
+    return x[k] === x[k - 1] || (x.length > MANY && Math.abs(y[k] - y[k - 1]) > STEEP * (this.high - this.low));
+  }
+
+  /** The jumps as lines of their own. */
+  jumps() {
+    let d = "";
+    for (let k = 1; k < this.x.length; k++) {
+      if (!this.jumped(this.x, this.y, k) || !Number.isFinite(this.y[k - 1] + this.y[k])) continue;
+      const ends = [k - 1, k].map((j) => `${this.across(this.x[j]).toFixed(1)},${this.up(this.y[j]).toFixed(1)}`);
+      d += `M${ends.join("L")}`;
     }
     return d;
   }
@@ -245,7 +296,7 @@ class Chart {
  * @param {Float32Array} values
  */
 function cleared(values) {
-  const largest = values.reduce((size, value) => (Math.abs(value) > size ? Math.abs(value) : size), 0);
+  const largest = values.reduce((size, value) => Math.max(size, Math.abs(value) || 0), 0);
   return values.map((value) => (Math.abs(value) < 1e-12 * largest ? 0 : value));
 }
 

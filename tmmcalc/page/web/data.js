@@ -59,23 +59,22 @@
  * @property {string} name
  * @property {Said} title
  * @property {Fact[]} facts
- * @property {{header: string, name: string, unit: Said, values: Ref} | null} rows
+ * @property {{header: string, name: string, unit: Said, values: Ref, kept: number, of: number} | null} rows
  * @property {Column[]} columns
  * @property {Said[]} warnings
  * @property {Record<string, number>} errors
  */
 /** @typedef {{what: Said, keys: string[], values: number[], unit: Said, text: Said}} Datum */
+/** @typedef {{name: string, stages: Stage[], given: Datum[], source: string, views: View[]}} Variant */
 /**
  * @typedef {object} Content
  * @property {string} title
+ * @property {string} key what the variants differ in
  * @property {Record<string, string>} languages
  * @property {string} language
  * @property {Record<string, Said>} words
  * @property {number} error
- * @property {Stage[]} stages
- * @property {Datum[]} given
- * @property {string} source
- * @property {View[]} views
+ * @property {Variant[]} scenes
  * @property {string} block
  */
 
@@ -102,14 +101,26 @@ export function numbers([at, count]) {
   return block.subarray(at, at + count);
 }
 
+let shown = 0;
+
+/** The variant that is shown. */
+export function scene() {
+  return content.scenes[shown];
+}
+
+/** @param {number} k */
+export function choose(k) {
+  shown = k;
+}
+
 /**
  * A column by the name of its stage and its own.
  * @param {string} name
  * @returns {{stage: Stage, column: Column} | null}
  */
-export function columnOf(name) {
+export function columnOf(name, { stages } = scene()) {
   const [first, ...rest] = name.split(".");
-  const stage = content.stages.find((each) => each.name === first);
-  const column = stage && stage.columns.find((each) => each.name === rest.join("."));
+  const stage = stages.find((each) => each.name === first);
+  const column = stage?.columns.find((each) => each.name === rest.join("."));
   return stage && column ? { stage, column } : null;
 }

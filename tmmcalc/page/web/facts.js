@@ -1,5 +1,5 @@
 // Results of the stages in tables: found by a word, copied, each with its diagram; warnings, errors, the given data.
-import { content } from "./data.js";
+import { content, scene } from "./data.js";
 import { copied } from "./charts.js";
 import { button, made } from "./player.js";
 import { parted, saying, told, word, written } from "./words.js";
@@ -18,8 +18,8 @@ export function facts(parent, show) {
   const rows = [];
   const nothing = made("p", { class: "nothing", hidden: "" }, parent);
   saying(() => (nothing.textContent = word("none")));
-  if (content.given.length) given(parent);
-  for (const stage of content.stages) {
+  if (scene().given.length) given(parent);
+  for (const stage of scene().stages) {
     const part = made("details", { class: "stage", "data-stage": stage.name }, parent);
     const title = made("summary", {}, part);
     saying(() => (title.textContent = told(stage.title)));
@@ -122,7 +122,7 @@ function given(parent) {
   const table = made("table", {}, part);
   header(table, ["quantity", "designation", "value"]);
   const body = made("tbody", {}, table);
-  for (const datum of content.given) {
+  for (const datum of scene().given) {
     const row = made("tr", {}, body);
     const what = made("td", {}, row);
     const sign = made("td", { class: "sign" }, row);
@@ -146,7 +146,7 @@ function source(parent) {
   const part = made("details", { class: "source" }, parent);
   const title = made("summary", {}, part);
   saying(() => (title.textContent = word("spec")));
-  made("pre", {}, part).textContent = content.source;
+  made("pre", {}, part).textContent = scene().source;
   const line = made("p", { class: "errors" }, part);
   saying(() => (line.textContent = word("precision", { error: written(content.error, 2) })));
 }

@@ -1,13 +1,13 @@
 // The page put together: what moves with its player and layers, diagrams, results.
 import { Charts } from "./charts.js";
-import { content } from "./data.js";
+import { choose, content, scene } from "./data.js";
 import { facts } from "./facts.js";
 import { Plans } from "./plans.js";
 import { button, made, Player } from "./player.js";
 import { readings } from "./readings.js";
 import { Scene } from "./scene.js";
 import { State } from "./state.js";
-import { language, saying, speak, told, word } from "./words.js";
+import { forget, language, remember, saying, speak, told, word } from "./words.js";
 
 const SHOWN = ["paths", "numbers", "names", "masses", "centres"];
 const HIDDEN = new Set(["centres", "acceleration", "reaction"]);
@@ -17,21 +17,76 @@ const main = /** @type {HTMLElement} */ (document.getElementById("main"));
 title.textContent = content.title;
 tools(/** @type {HTMLElement} */ (document.getElementById("tools")));
 
-const states = content.views.map((view) => new State(view));
-const left = states.length ? made("div", { class: "moving" }, main) : null;
-states.forEach((state) => left && moved(left, state));
+printed();
+remember();
+shown([], 0);
 
-const right = made("div", { class: "read" }, main);
-const diagrams = made("section", { class: "diagrams" }, right);
-heading(diagrams, () => word("diagrams"));
-const charts = new Charts(diagrams, states);
-for (const name of content.views.flatMap((view) => view.shown)) charts.add(name);
-if (!states.length) {
-  for (const stage of content.stages) if (stage.columns.length) charts.add(`${stage.name}.${stage.columns[0].name}`);
+/** What is folded is printed all the same: data, results; not the spec. */
+function printed() {
+  /** @type {HTMLDetailsElement[]} */
+  let opened = [];
+  addEventListener("beforeprint", () => {
+    opened = [...document.querySelectorAll("details")].filter((each) => !each.open && !each.matches(".source, .plans"));
+    for (const each of opened) each.open = true;
+  });
+  addEventListener("afterprint", () => {
+    for (const each of opened) each.open = false;
+  });
 }
-const results = made("section", { class: "results" }, right);
-heading(results, () => word("facts"));
-facts(results, (column) => charts.add(column));
+
+/**
+ * Show the variant that is chosen, with diagrams of these columns (those that it asks for, if none), at a place.
+ * @param {string[]} columns
+ * @param {number} part of the travel
+ */
+function shown(columns, part) {
+  forget();
+  main.replaceChildren();
+  const { views, stages } = scene();
+  const states = views.map((view) => new State(view));
+  const left = states.length ? made("div", { class: "moving" }, main) : null;
+  for (const state of states) {
+    if (left) moved(left, state);
+    state.move(state.low + part * state.span);
+  }
+  const right = made("div", { class: "read" }, main);
+  const diagrams = made("section", { class: "diagrams" }, right);
+  heading(diagrams, () => word("diagrams"));
+  const charts = new Charts(diagrams, states);
+  const first = stages.flatMap((stage) => (stage.columns.length ? [`${stage.name}.${stage.columns[0].name}`] : []));
+  const usual = states.length ? views.flatMap((view) => view.shown) : first;
+  for (const name of columns.length ? columns : usual) charts.add(name);
+  const results = made("section", { class: "results" }, right);
+  heading(results, () => word("facts"));
+  facts(results, (column) => charts.add(column));
+  if (content.scenes.length > 1) {
+    const chosen = variants((k) => {
+      choose(k);
+      shown([...charts.shown.keys()], states.length ? (states[0].at - states[0].low) / (states[0].span || 1) : 0);
+      /** @type {HTMLElement | null} */ (main.querySelector(".variants input"))?.focus();
+    });
+    main.prepend(chosen);
+  }
+}
+
+/**
+ * A slider over the variants.
+ * @param {(k: number) => void} act
+ */
+function variants(act) {
+  const section = made("section", { class: "variants" });
+  const label = made("label", {}, section);
+  const said = made("span", {}, label);
+  const slider = made("input", { type: "range", min: "0", max: String(content.scenes.length - 1), step: "1" }, label);
+  const now = content.scenes.indexOf(scene());
+  slider.value = String(now);
+  slider.setAttribute("aria-valuetext", scene().name);
+  saying(() => (said.textContent = `${content.key || word("variant")}: ${scene().name}`));
+  slider.addEventListener("input", () => {
+    if (Number(slider.value) !== now) act(Number(slider.value));
+  });
+  return section;
+}
 
 /**
  * @param {Element} parent
@@ -51,17 +106,17 @@ function moved(parent, state) {
   const section = made("section", { class: "view", "data-view": state.view.name }, parent);
   heading(section, () => told(state.view.title));
   const stage = made("div", { class: "stage" }, section);
-  const scene = new Scene(stage, state);
-  const player = new Player(section, state, scene.svg);
-  scene.svg.addEventListener("pointerdown", () => player.play(false));
+  const drawing = new Scene(stage, state);
+  const player = new Player(section, state, drawing.svg);
+  drawing.svg.addEventListener("pointerdown", () => player.play(false));
   readings(section, state);
   const layers = made("fieldset", { class: "layers" }, section);
   const legend = made("legend", {}, layers);
   saying(() => (legend.textContent = word("show")));
-  const known = SHOWN.filter((name) => shown(state.view, name));
-  for (const name of known) tick(layers, scene, name, () => word(name));
-  for (const layer of scene.layers) {
-    tick(layers, scene, layer.layer.name, () => `${told(layer.layer.title)} (${scene.scaleOf(layer)})`, layer.colour);
+  const known = SHOWN.filter((name) => offers(state.view, name));
+  for (const name of known) tick(layers, drawing, name, () => word(name));
+  for (const layer of drawing.layers) {
+    tick(layers, drawing, layer.layer.name, () => `${told(layer.layer.title)} (${drawing.scaleOf(layer)})`, layer.colour);
   }
   if (state.view.plans.length) new Plans(section, state);
 }
@@ -71,7 +126,7 @@ function moved(parent, state) {
  * @param {import("./data.js").View} view
  * @param {string} name
  */
-function shown(view, name) {
+function offers(view, name) {
   const has = {
     paths: view.spots.some((spot) => spot.path),
     numbers: view.bodies.some((body) => body.number),

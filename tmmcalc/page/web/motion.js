@@ -30,7 +30,7 @@ export function between(values, at) {
  * @param {Float32Array} values of the input
  * @param {Between} there
  */
-export function valueOf(track, values, there) {
+export function trackAt(track, values, there) {
   if (typeof track === "number") return track;
   const y = numbers(track[0]);
   const d = numbers(track[1]);
@@ -50,10 +50,10 @@ export function valueOf(track, values, there) {
  * @returns {Pose}
  */
 export function poseOf(body, values, there) {
-  const angle = valueOf(body.angle, values, there);
+  const angle = trackAt(body.angle, values, there);
   return {
-    x: valueOf(body.x, values, there),
-    y: valueOf(body.y, values, there),
+    x: trackAt(body.x, values, there),
+    y: trackAt(body.y, values, there),
     cos: Math.cos(angle),
     sin: Math.sin(angle),
   };

@@ -98,6 +98,7 @@ export class Plans {
    */
   fitted(k) {
     const { plan } = this;
+    /** @type {{x: Float32Array, y: Float32Array}[]} */
     const corners = this.corners ?? [];
     const [xs, ys] = [corners.map(({ x }) => x[k]), corners.map(({ y }) => y[k])];
     const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
@@ -118,7 +119,7 @@ export class Plans {
     this.svg.replaceChildren();
     const lines = drawn("g", {}, this.svg);
     const names = drawn("g", {}, this.svg);
-    for (const [tail, head, sign, kind] of this.plan.edges) {
+    for (const [tail, head, , kind] of this.plan.edges) {
       const [x1, y1] = at[tail];
       const [x2, y2] = at[head];
       const long = Math.hypot(x2 - x1, y2 - y1);

@@ -94,7 +94,7 @@ export class Player {
     saying(() => this.tell());
     state.follow(() => this.tell());
     state.refused.push((asked) => {
-      this.wrong.textContent = Number.isNaN(asked) ? "" : `${state.view.symbol} = ${this.measured(asked)}: ${word(state.view.reach.length ? "unreached" : "ends")}`;
+      this.wrong.textContent = Number.isNaN(asked) ? "" : `${state.view.symbol} = ${this.measured(asked)}: ${word(state.closes(asked) ? "beyond" : "unreached")}`;
     });
   }
 
@@ -166,7 +166,7 @@ export class Player {
     const frame = (now) => {
       if (!this.playing) return;
       const { state } = this;
-      const way = (Math.min(now - last, 100) / (1000 * state.view.seconds)) * this.speed * state.span;
+      const way = (Math.min(Math.max(now - last, 0), 100) / (1000 * state.view.seconds)) * this.speed * state.span;
       const along = Math.sign(state.values[state.values.length - 1] - state.values[0]) || 1;
       last = now;
       if (!state.view.whole && (state.at + this.sense * along * way > state.high || state.at + this.sense * along * way < state.low)) {

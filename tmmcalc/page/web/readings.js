@@ -1,5 +1,5 @@
 // Numbers that go along with the input, in a table under the scene.
-import { isThere, valueOf } from "./motion.js";
+import { isThere, trackAt } from "./motion.js";
 import { made } from "./player.js";
 import { parted, saying, told, written } from "./words.js";
 
@@ -28,7 +28,7 @@ export function readings(parent, state) {
       const there = isThere(reading.there, state.at);
       const unit = told(reading.unit);
       name.textContent = told(reading.name);
-      value.textContent = there ? `${written(valueOf(reading.value, state.values, state.there), DIGITS)}${unit ? ` ${unit}` : ""}` : "–";
+      value.textContent = there ? `${written(trackAt(reading.value, state.values, state.there), DIGITS)}${unit ? ` ${unit}` : ""}` : "–";
     }
   };
   saying(tell);

@@ -1,6 +1,6 @@
 // The machine drawn to scale: bodies that move, names, paths, vectors; the input link is dragged by hand.
 import { columnOf, numbers } from "./data.js";
-import { between, isThere, placed, poseOf, posesOf, STILL, valueOf } from "./motion.js";
+import { between, isThere, placed, poseOf, posesOf, STILL, trackAt } from "./motion.js";
 import { around, settled } from "./labels.js";
 import { centreOfMass, COLOURS, draw, drawn, named, PIN } from "./marks.js";
 import { parted, saying, told, word, written } from "./words.js";
@@ -9,6 +9,7 @@ const WIDE = 760;
 const HIGH = 560;
 const MARGIN = 56;
 const LONGEST = 110; // of a vector, in pixels
+const SMALL = 1e-5; // of the travel: a step by which velocities are found
 const CENTIMETRE = 37.8; // in pixels of a screen
 const RING = 9; // radius of the ring of a number
 const MOMENTS = 25; // of the motion that places of names are chosen by
@@ -69,7 +70,9 @@ export class Scene {
     const handle = this.view.handle !== null && this.view.handle.body === body.name;
     const group = drawn("g", { class: handle ? "body handle" : "body", "data-body": body.name }, world);
     for (const mark of body.marks) draw(group, mark, this.scale);
-    if (handle) for (const mark of body.marks) draw(group, mark, this.scale).classList.add("grip");
+    const still = !body.on && [body.x, body.y, body.angle].every((track) => typeof track === "number");
+    if (still) group.classList.add("still");
+    else for (const mark of body.marks) draw(group, mark, this.scale).classList.add("grip");
     return group;
   }
 
@@ -131,7 +134,7 @@ export class Scene {
       return { vector, line, name: named(group, ...parted(vector.sign), { class: "name" }) };
     });
     let largest = 0;
-    for (const { x, y } of arrows) x.forEach((_, k) => (largest = Math.max(largest, Math.hypot(x[k], y[k]) || 0)));
+    for (const { x, y } of arrows) largest = x.reduce((most, _, k) => Math.max(most, Math.hypot(x[k], y[k]) || 0), largest);
     for (const { vector } of vectors) largest = Math.max(largest, this.longest(vector));
     const per = largest ? standard((largest / LONGEST) * CENTIMETRE) / CENTIMETRE : 1; // of the unit to a pixel
     return { layer, colour, group, arrows, vectors, per, largest };
@@ -145,7 +148,7 @@ export class Scene {
     const { values, low, high } = this.state;
     const [from, to] = this.view.bodies.find((each) => each.name === vector.body)?.there ?? [low, high];
     const places = [from, ...values.filter((value) => value > from && value < to), to].map((at) => between(values, at));
-    return Math.max(...places.map((each) => Math.hypot(valueOf(vector.x, values, each), valueOf(vector.y, values, each))));
+    return Math.max(...places.map((each) => Math.hypot(trackAt(vector.x, values, each), trackAt(vector.y, values, each))));
   }
 
   /** Paths of the named points over all positions. */
@@ -216,6 +219,7 @@ export class Scene {
     const found = [];
     /** @param {import("./motion.js").Pose} pose @param {number[]} flat @param {boolean} closed */
     const add = (pose, flat, closed) => {
+      /** @type {[number, number][]} */
       const points = [];
       for (let k = 0; k + 1 < flat.length; k += 2) {
         const [x, y] = placed(pose, flat[k], flat[k + 1]);
@@ -321,7 +325,7 @@ export class Scene {
     for (const { vector, line, name } of layer.vectors) {
       const pose = this.gone?.has(vector.body) ? undefined : this.poses?.get(vector.body);
       const { values, there } = this.state;
-      const way = [valueOf(vector.x, values, there) / layer.per, valueOf(vector.y, values, there) / layer.per];
+      const way = [trackAt(vector.x, values, there) / layer.per, trackAt(vector.y, values, there) / layer.per];
       this.arrow(line, name, pose ? [pose.x, pose.y] : [0, 0], pose ? way : [0, 0]);
     }
   }
@@ -385,50 +389,91 @@ export class Scene {
     return [(x - this.x0) / this.scale, -(y - this.y0) / this.scale];
   }
 
-  /** The input link follows the pointer that holds it. */
+  /** Every body follows the pointer that holds it, as far as the input lets it. */
   dragged() {
-    const handle = this.view.handle;
-    const body = handle && this.view.bodies.find((each) => each.name === handle.body);
-    if (!handle || !body) return;
-    const grip = this.bodies[this.view.bodies.indexOf(body)];
-    let last = 0;
-    /** @param {PointerEvent} event */
-    const measure = (event) => {
-      const [x, y] = this.pointed(event);
-      if (handle.pivot) return Math.atan2(y - handle.pivot[1], x - handle.pivot[0]);
-      const [ex, ey] = handle.direction ?? [1, 0];
-      return x * ex + y * ey;
-    };
-    grip.addEventListener("pointerdown", (event) => {
-      last = measure(event);
-      grip.setPointerCapture(event.pointerId);
-      grip.classList.add("held");
-      event.preventDefault();
+    this.view.bodies.forEach((body, k) => {
+      const grip = this.bodies[k];
+      /** @type {[number, number] | null} */
+      let held = null; // the point of the body, in its axes
+      let [last, wanted] = [0, 0]; // of a crank the angle of the pointer, and where the input would be without its ends
+      const about = typeof body.x === "number" && typeof body.y === "number" && !body.on ? [body.x, body.y] : null;
+      const pivot = this.view.handle?.body === body.name ? this.view.handle.pivot : about;
+      /** @param {PointerEvent} event @param {number[]} about */
+      const angle = (event, about) => {
+        const [x, y] = this.pointed(event);
+        return Math.atan2(y - about[1], x - about[0]);
+      };
+      grip.addEventListener("pointerdown", (event) => {
+        const pose = this.poses?.get(body.name);
+        if (!pose) return;
+        held = within(pose, this.pointed(event));
+        if (pivot) [last, wanted] = [angle(event, pivot), this.state.at];
+        grip.setPointerCapture(event.pointerId);
+        grip.classList.add("held");
+        event.preventDefault();
+      });
+      grip.addEventListener("pointermove", (event) => {
+        if (!held) return;
+        if (pivot) {
+          const now = angle(event, pivot);
+          wanted += Math.atan2(Math.sin(now - last), Math.cos(now - last)) / (this.rate(body.angle) || 1);
+          last = now;
+          this.state.move(wanted);
+        } else {
+          const before = this.state.at;
+          this.state.move(before + this.way(body, held, this.pointed(event)));
+          const pose = this.poses?.get(body.name);
+          const round = Math.abs(this.state.at - before) > this.state.span / 2;
+          if (round && pose) held = within(pose, this.pointed(event)); // another tooth is there now
+        }
+      });
+      const leave = () => {
+        held = null;
+        grip.classList.remove("held");
+      };
+      grip.addEventListener("pointerup", leave);
+      grip.addEventListener("pointercancel", leave);
     });
-    grip.addEventListener("pointermove", (event) => {
-      if (!grip.classList.contains("held")) return;
-      const now = measure(event);
-      const way = handle.pivot ? Math.atan2(Math.sin(now - last), Math.cos(now - last)) : now - last;
-      if (this.state.move(this.state.at + way / this.rate(body))) last = now;
-    });
-    const leave = () => grip.classList.remove("held");
-    grip.addEventListener("pointerup", leave);
-    grip.addEventListener("pointercancel", leave);
   }
 
   /**
-   * How far the input link goes with a unit of the input [rad or m].
-   * @param {import("./data.js").Body} body
+   * The rate of a track by the input.
+   * @param {import("./data.js").Track} track
    */
-  rate(body) {
-    const handle = this.view.handle;
-    const near = this.state.near;
-    /** @param {import("./data.js").Track} track */
-    const rate = (track) => (typeof track === "number" ? 0 : numbers(track[1])[near]);
-    if (handle?.pivot) return rate(body.angle) || 1;
-    const [ex, ey] = handle?.direction ?? [1, 0];
-    return rate(body.x) * ex + rate(body.y) * ey || 1;
+  rate(track) {
+    return typeof track === "number" ? 0 : numbers(track[1])[this.state.near];
   }
+
+  /**
+   * How far the input goes so that a point of a body comes nearest to a place.
+   * @param {import("./data.js").Body} body
+   * @param {[number, number]} held
+   * @param {[number, number]} wanted
+   */
+  way(body, held, wanted) {
+    const { at, low, high, span, values } = this.state;
+    /** @param {number} input */
+    const point = (input) =>
+      placed(posesOf(this.view.bodies, values, between(values, input)).get(body.name) ?? STILL, held[0], held[1]);
+    const [before, after] = [Math.max(low, at - SMALL * span), Math.min(high, at + SMALL * span)];
+    const [[x, y], [bx, by], [ax, ay]] = [at, before, after].map(point);
+    const [vx, vy] = [(ax - bx) / (after - before), (ay - by) / (after - before)];
+    const size = vx * vx + vy * vy;
+    const way = size ? ((wanted[0] - x) * vx + (wanted[1] - y) * vy) / size : 0;
+    const most = span / 24;
+    return Math.min(most, Math.max(-most, way));
+  }
+}
+
+/**
+ * A place in the axes of a body.
+ * @param {import("./motion.js").Pose} pose
+ * @param {[number, number]} place
+ * @returns {[number, number]}
+ */
+function within(pose, [x, y]) {
+  const [dx, dy] = [x - pose.x, y - pose.y];
+  return [pose.cos * dx + pose.sin * dy, pose.cos * dy - pose.sin * dx];
 }
 
 /**

@@ -43,6 +43,16 @@ export class State {
   }
 
   /**
+   * Whether the links close there, be it within the travel or not.
+   * @param {number} asked
+   */
+  closes(asked) {
+    const { reach, unit } = this.view;
+    const turns = unit === "°" ? [-360, 0, 360] : [0];
+    return !reach.length || turns.some((turn) => reach.some(([low, high]) => low <= asked + turn && asked + turn <= high));
+  }
+
+  /**
    * Move to the next position of the spec, or the one before.
    * @param {number} sense
    */

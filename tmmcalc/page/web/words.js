@@ -5,6 +5,7 @@ const languages = Object.keys(content.languages);
 let spoken = content.language;
 /** @type {(() => void)[]} */
 const listeners = [];
+let kept = 0;
 
 export function language() {
   return spoken;
@@ -27,6 +28,16 @@ export function speak(chosen) {
 export function saying(say) {
   listeners.push(say);
   say();
+}
+
+/** Listeners that are there stay for good: `forget` keeps them. */
+export function remember() {
+  kept = listeners.length;
+}
+
+/** Let go those that listen since, for what they told of is gone. */
+export function forget() {
+  listeners.length = kept;
 }
 
 /**
@@ -78,7 +89,7 @@ const GREEK = {
  * @returns {[string, string]}
  */
 export function parted(name) {
-  const [letter, ...index] = name.split("_");
+  const [letter, ...index] = name.replaceAll(/[{}]/g, "").split("_");
   const greek = GREEK[/** @type {keyof typeof GREEK} */ (letter)];
   return [greek ?? letter, index.join(", ")];
 }

@@ -1,0 +1,42 @@
+"""Every ready spec in windows of three sizes: nothing is complained of, asked of the network or out of the window."""
+
+from __future__ import annotations
+
+
+import pytest
+
+from page.conftest import Open
+from page.scenes import MOVING, SPECS
+
+SIZES = ((1500, 1000), (900, 1100), (390, 800))
+QUICK = ("shaper", "cam-translating", "extra-tie-down")
+OUTSIDE = """() => [...document.querySelectorAll("body *")].filter((each) => {
+  const box = each.getBoundingClientRect();
+  const inner = each.closest("pre, svg, .unseen") !== null && !each.matches("pre, body > * svg.scene, .chart > svg");
+  return !inner && box.width > 0 && (box.right > innerWidth + 0.5 || box.left < -0.5);
+}).map((each) => each.outerHTML.slice(0, 80))"""
+
+
+@pytest.mark.parametrize("name", [pytest.param(n, marks=() if n in QUICK else pytest.mark.slow) for n in SPECS])
+def test_opens(name: str, open_page: Open) -> None:
+    for size in SIZES:
+        found = open_page(name, size=size)
+        page = found.page
+        assert page.locator("h1").inner_text().strip()
+        assert page.locator("section").count() >= 2 + (name in MOVING)
+        for part in page.locator("details").all():
+            part.evaluate("(part) => { part.open = true; }")
+        assert page.evaluate("document.scrollingElement.scrollWidth <= innerWidth"), page.evaluate(OUTSIDE)
+        assert page.evaluate(OUTSIDE) == []
+        if name in MOVING:
+            assert page.locator("[data-view=kinematics] .spot").count() >= 2
+            assert page.evaluate(LOST) == []
+
+
+LOST = """() => [...document.querySelectorAll("[transform], [d], [points], [x1]")].filter((each) =>
+  [...each.attributes].some((one) => /NaN|Infinity|undefined/.test(one.value))).map((each) => each.outerHTML.slice(0, 99))"""
+
+
+def test_a_machine_moves_wherever_a_linkage_does(open_page: Open) -> None:
+    assert set(MOVING) <= set(SPECS)
+    assert open_page("shaper").page.locator("[data-view=kinematics]").count() == 1
