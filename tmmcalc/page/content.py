@@ -183,8 +183,10 @@ def _views(run: RunResult, dense: Mapping[str, Any], block: Block, *, planned: b
         if STAGES[name].view:
             for view in resolve(f"{STAGES[name].view}:views")(order):
                 plans = view.plans() if planned else ()
-                steps = _steps(run, name, view.column) or [list(step) for step in view.steps]
-                yield {**_view(view, steps, block), "plans": [_plan(each, block) for each in plans]}
+                yield {
+                    **_view(view, _steps(run, name, view.column) or [list(step) for step in view.steps], block),
+                    "plans": [_plan(each, block) for each in plans],
+                }
 
 
 def _view(view: View, steps: list[list[Any]], block: Block) -> Content:

@@ -158,7 +158,7 @@ class Rolling:
         if body.kind == "external":
             return (edge if whole else np.append(edge, 0j)), flanks
         ends = np.angle(one[0]) + step * np.array([places[0], places[-1] + 1])
-        arc = np.exp(1j * np.linspace(*ends[::-1], 2 + int((ends[1] - ends[0]) / STEP)))
+        arc = np.exp(1j * np.linspace(ends[1], ends[0], 2 + int((ends[1] - ends[0]) / STEP)))
         return np.concatenate([edge, abs(body.back[0] - body.centre) * arc]), flanks
 
     def _rack(self, body: placedpair.Body, one: Plane, flank: Plane) -> tuple[Plane, list[Plane]]:

@@ -10,7 +10,7 @@ import { State } from "./state.js";
 import { forget, language, remember, saying, speak, told, word } from "./words.js";
 
 const SHOWN = ["paths", "numbers", "names", "masses", "centres"];
-const HIDDEN = new Set(["centres", "acceleration", "reaction"]);
+const HIDDEN = new Set(["centres", "acceleration", "reaction", "force"]);
 
 const title = /** @type {HTMLElement} */ (document.getElementById("title"));
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
@@ -113,7 +113,7 @@ function moved(parent, state) {
   const layers = made("fieldset", { class: "layers" }, section);
   const legend = made("legend", {}, layers);
   saying(() => (legend.textContent = word("show")));
-  const known = SHOWN.filter((name) => has(state.view, name));
+  const known = SHOWN.filter((name) => offers(state.view, name));
   for (const name of known) tick(layers, drawing, name, () => word(name));
   for (const layer of drawing.layers) {
     /** @param {string} scale */
@@ -128,15 +128,15 @@ function moved(parent, state) {
  * @param {import("./data.js").View} view
  * @param {string} name
  */
-function has(view, name) {
-  const found = {
+function offers(view, name) {
+  const has = {
     paths: view.spots.some((spot) => spot.path),
     numbers: view.bodies.some((body) => body.number),
     names: view.spots.some((spot) => spot.kind !== "mass"),
     masses: view.spots.some((spot) => spot.kind === "mass"),
     centres: view.centres.length > 0,
   };
-  return found[/** @type {keyof typeof found} */ (name)];
+  return has[/** @type {keyof typeof has} */ (name)];
 }
 
 /**

@@ -166,8 +166,7 @@ export class Player {
     const frame = (now) => {
       if (!this.playing) return;
       const { state } = this;
-      const part = Math.min(Math.max(now - last, 0), 100) / (1000 * state.view.seconds);
-      const way = part * this.speed * state.span;
+      const way = (Math.min(Math.max(now - last, 0), 100) / (1000 * state.view.seconds)) * this.speed * state.span;
       const along = Math.sign(state.values[state.values.length - 1] - state.values[0]) || 1;
       last = now;
       if (!state.view.whole && (state.at + this.sense * along * way > state.high || state.at + this.sense * along * way < state.low)) {

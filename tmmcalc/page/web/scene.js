@@ -9,10 +9,11 @@ const WIDE = 760;
 const HIGH = 560;
 const MARGIN = 56;
 const LONGEST = 110; // of a vector, in pixels
+const SMALL = 1e-5; // of the travel: a step by which velocities are found
 const CENTIMETRE = 37.8; // in pixels of a screen
 const CHORDS = 60; // of a curve that names keep off
-const LEG = 96; // of an angle, in pixels
-const ARC = 72;
+const LEG = 110; // of an angle, in pixels
+const ARC = 84;
 const RING = 9; // radius of the ring of a number
 const MOMENTS = 25; // of the motion that places of names are chosen by
 const LINES = new Set(["plate", "bar", "slot", "outline", "hole", "line"]);
@@ -74,7 +75,9 @@ export class Scene {
     const handle = this.view.handle !== null && this.view.handle.body === body.name;
     const group = drawn("g", { class: handle ? "body handle" : "body", "data-body": body.name }, world);
     for (const mark of body.marks) draw(group, mark, this.scale);
-    for (const mark of body.marks) draw(group, mark, this.scale).classList.add("grip");
+    const still = !body.on && [body.x, body.y, body.angle].every((track) => typeof track === "number");
+    if (still) group.classList.add("still");
+    else for (const mark of body.marks) draw(group, mark, this.scale).classList.add("grip");
     return group;
   }
 
@@ -359,13 +362,15 @@ export class Scene {
     const [ends, sweep] = [[point(from, ARC), point(to, ARC)], to > from ? 0 : 1];
     const [start, end] = ends.map((each) => each.map((value) => value.toFixed(1)).join(","));
     arc.setAttribute("d", `M${start}A${ARC},${ARC} 0 0 ${sweep} ${end}`);
-    const [tx, ty] = point((from + to) / 2 + (to > from ? 1 : -1) * Math.max(0, 0.16 - Math.abs(to - from) / 2), ARC + 14);
+    const away = to + (to > from ? 1 : -1) * (Math.PI / 2); // beside the second leg, outside the angle
+    const [ex, ey] = point(to, LEG - 6);
+    const [tx, ty] = [ex + 8 * Math.cos(away), ey - 8 * Math.sin(away) + 5];
     const rows = found?.stage.rows;
     const value = rows ? numbers(found.column.values)[between(numbers(rows.values), at).near] : NaN;
     name.textContent = `${parted(angle.sign)[0]} = ${written(value, 3)}${told(found?.column.unit ?? "")}`;
     name.setAttribute("x", tx.toFixed(1));
     name.setAttribute("y", ty.toFixed(1));
-    name.setAttribute("text-anchor", Math.cos((from + to) / 2) < -0.3 ? "end" : "start");
+    name.setAttribute("text-anchor", Math.cos(away) < 0 ? "end" : "start");
   }
 
   /**
@@ -435,7 +440,8 @@ export class Scene {
       /** @type {[number, number] | null} */
       let held = null; // the point of the body, in its axes
       let [last, wanted] = [0, 0]; // of a crank the angle of the pointer, and where the input would be without its ends
-      const pivot = this.view.handle?.body === body.name ? this.view.handle.pivot : null;
+      const about = typeof body.x === "number" && typeof body.y === "number" && !body.on ? [body.x, body.y] : null;
+      const pivot = this.view.handle?.body === body.name ? this.view.handle.pivot : about;
       /** @param {PointerEvent} event @param {number[]} about */
       const angle = (event, about) => {
         const [x, y] = this.pointed(event);
@@ -444,9 +450,7 @@ export class Scene {
       grip.addEventListener("pointerdown", (event) => {
         const pose = this.poses?.get(body.name);
         if (!pose) return;
-        const [x, y] = this.pointed(event);
-        const [dx, dy] = [x - pose.x, y - pose.y];
-        held = [pose.cos * dx + pose.sin * dy, pose.cos * dy - pose.sin * dx];
+        held = within(pose, this.pointed(event));
         if (pivot) [last, wanted] = [angle(event, pivot), this.state.at];
         grip.setPointerCapture(event.pointerId);
         grip.classList.add("held");
@@ -459,7 +463,13 @@ export class Scene {
           wanted += Math.atan2(Math.sin(now - last), Math.cos(now - last)) / (this.rate(body.angle) || 1);
           last = now;
           this.state.move(wanted);
-        } else this.state.move(this.state.at + this.way(body, held, this.pointed(event)));
+        } else {
+          const before = this.state.at;
+          this.state.move(before + this.way(body, held, this.pointed(event)));
+          const pose = this.poses?.get(body.name);
+          const round = Math.abs(this.state.at - before) > this.state.span / 2;
+          if (round && pose) held = within(pose, this.pointed(event)); // another tooth is there now
+        }
       });
       const leave = () => {
         held = null;
@@ -485,15 +495,29 @@ export class Scene {
    * @param {[number, number]} wanted
    */
   way(body, held, wanted) {
-    const pose = poseOf(body, this.state.values, this.state.there);
-    const [x, y] = placed(pose, held[0], held[1]);
-    const vx = this.rate(body.x) - this.rate(body.angle) * (y - pose.y);
-    const vy = this.rate(body.y) + this.rate(body.angle) * (x - pose.x);
+    const { at, low, high, span, values } = this.state;
+    /** @param {number} input */
+    const point = (input) =>
+      placed(posesOf(this.view.bodies, values, between(values, input)).get(body.name) ?? STILL, held[0], held[1]);
+    const [before, after] = [Math.max(low, at - SMALL * span), Math.min(high, at + SMALL * span)];
+    const [[x, y], [bx, by], [ax, ay]] = [at, before, after].map(point);
+    const [vx, vy] = [(ax - bx) / (after - before), (ay - by) / (after - before)];
     const size = vx * vx + vy * vy;
     const way = size ? ((wanted[0] - x) * vx + (wanted[1] - y) * vy) / size : 0;
-    const most = this.state.span / 24;
+    const most = span / 24;
     return Math.min(most, Math.max(-most, way));
   }
+}
+
+/**
+ * A place in the axes of a body.
+ * @param {import("./motion.js").Pose} pose
+ * @param {[number, number]} place
+ * @returns {[number, number]}
+ */
+function within(pose, [x, y]) {
+  const [dx, dy] = [x - pose.x, y - pose.y];
+  return [pose.cos * dx + pose.sin * dy, pose.cos * dy - pose.sin * dx];
 }
 
 /**
