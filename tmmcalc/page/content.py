@@ -92,12 +92,18 @@ def _stage(name: str, run: RunResult, dense: Mapping[str, Any], block: Block) ->
     errors = {key: each for key, each in run.outcomes[name].record.error.items() if isinstance(each, float) and each}
     return {
         "name": name,
+        "room": _room(name),
         "title": name_of(stage.title),
         "facts": facts,
         **_table(name, dense.get(name, result), block),
         "warnings": [name_of(graded(each)[1]) for each in warnings_of(run, [name])],
         "errors": {key: float(f"{each:.3g}") for key, each in errors.items()},
     }
+
+
+def _room(name: str) -> str:
+    """The room of a stage, whose tables go along the inputs of its views first."""
+    return STAGES[name].home.split(".")[1]
 
 
 def _fact(told: Told) -> Content:
@@ -184,6 +190,7 @@ def _views(run: RunResult, dense: Mapping[str, Any], block: Block, *, planned: b
             for view in resolve(f"{STAGES[name].view}:views")(order):
                 plans = view.plans() if planned else ()
                 yield {
+                    "room": _room(name),
                     **_view(view, _steps(run, name, view.column) or [list(step) for step in view.steps], block),
                     "plans": [_plan(each, block) for each in plans],
                 }
@@ -245,6 +252,7 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
             for each in view.readings
         ],
         "seconds": view.seconds,
+        "driver": None if view.driver is None else view.driver._asdict(),
         "nudge": view.nudge,
     }
 

@@ -110,7 +110,7 @@ class Vector(NamedTuple):
 
 
 class Angle(NamedTuple):
-    """An angle at the origin of a body between two lines through it: their directions [rad], the column of its value."""
+    """An angle at the origin of a body: directions of its legs [rad], the column of its value."""
 
     sign: str
     body: str
@@ -187,6 +187,14 @@ class Stop(NamedTuple):
     at: float
 
 
+class Driver(NamedTuple):
+    """Another view whose input moves that of this one: so many times it, less what that is where this one begins."""
+
+    view: str
+    ratio: float
+    begin: float  # in the unit of both
+
+
 class View(NamedTuple):
     """A scene that moves."""
 
@@ -211,6 +219,7 @@ class View(NamedTuple):
     reach: tuple[tuple[float, float], ...] = ()  # where it assembles, counted as the input; empty: everywhere
     readings: tuple[Reading, ...] = ()
     seconds: float = 4.0  # that the whole travel takes when it plays
+    driver: Driver | None = None
     front: tuple[Mark, ...] = ()  # of the frame, before all that moves
     nudge: float | None = None  # how far a press of an arrow key moves the input; None: 1/360 of the travel
 

@@ -7,7 +7,8 @@ its pivot. The cam turns, the follower stands on it as the law says.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from itertools import pairwise
 
 import numpy as np
 
@@ -24,7 +25,21 @@ from tmmcalc.core.facts import named
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.moving import FRAME, Angle, Arrow, Body, Handle, Layer, Mark, Spot, Stop, Track, Vector, View
+from tmmcalc.report.moving import (
+    FRAME,
+    Angle,
+    Arrow,
+    Body,
+    Driver,
+    Handle,
+    Layer,
+    Mark,
+    Spot,
+    Stop,
+    Track,
+    Vector,
+    View,
+)
 from tmmcalc.report.moving import track_of as track
 
 CHORD = 4e-6  # of the size: how far the drawn curves may be from the true ones
@@ -51,6 +66,7 @@ class CamInMotion:
         self.pressure: Pressure | None = results.get("cam_pressure")
         self.forces: CamForces | None = results.get("cam_forces")
         self.task = cam_of(order)
+        self.crank = order.results.get("kinematics") if order.spec.cam.speed is None else None  # that it turns with
         self.follower = self.profile.follower
         self.rocks = self.follower.kind == "oscillating"
         rows = self.profile.positions
@@ -84,6 +100,7 @@ class CamInMotion:
         return -1j * self._side * np.exp(1j * self.arm) if self.rocks else np.full(len(self.phi), 1j)
 
     def view(self) -> View:
+        """All of it."""
         bodies = [self._cam(), self._moved(), self._touching(), *self._standing()]
         content = np.array([point for body in bodies for point in self._swept(body)])
         content = np.append(content, [self.pivot, *([] if self.rocks else [1j * height for height in self._guide()])])
@@ -107,8 +124,15 @@ class CamInMotion:
             layers=tuple(self._layers()),
             stops=tuple(self._stops()),
             shown=tuple(self._shown()),
+            driver=self._driver(),
             front=tuple(self._front()),
         )
+
+    def _driver(self) -> Driver | None:
+        """The crank, where the cam turns with it."""
+        if self.crank is None or not self.crank.turns:
+            return None
+        return Driver("kinematics", self.task.ratio, math.degrees(self.task.begin))
 
     def _curves(self) -> Iterator[Plane]:
         """The walls of the cam, of a flat face the profile; the pitch curve."""
@@ -154,7 +178,10 @@ class CamInMotion:
         starts = self.task.program.starts[:-1]
         for end in self.follower.placed(self.rim.at(starts).offset(self.profile.working.distance)).tolist():
             marks.append(Mark("line", (0j, end)))
-        still, beside = self._still(0.0), 0.5 * self.profile.nearest.value * np.exp(1j * np.array([-0.8, -2.4, 2.4, 0.8]))
+        still, beside = (
+            self._still(0.0),
+            0.5 * self.profile.nearest.value * np.exp(1j * np.array([-0.8, -2.4, 2.4, 0.8])),
+        )
         return Body("cam", still, still, self._turning(self.turned), tuple(marks), "1", tuple(beside.tolist()))
 
     def _still(self, value: float) -> Track:
@@ -186,8 +213,9 @@ class CamInMotion:
         else:
             marks = (Mark("plate", (*corners, complex(-half, 2 * half), 0j, complex(half, 2 * half))),)
         beside = (1j * (roller + 0.45 * (lower - self.seat.imag.max() - roller)), 1j * (top - OVER * self.size / 2))
-        body = track(self.seat.real, self.rate.real * PER, len(self.phi)), track(
-            self.seat.imag, self.rate.imag * PER, len(self.phi)
+        body = (
+            track(self.seat.real, self.rate.real * PER, len(self.phi)),
+            track(self.seat.imag, self.rate.imag * PER, len(self.phi)),
         )
         return Body("follower", *body, self._still(0.0), marks, number, (beside[1], beside[0]))
 
@@ -219,7 +247,7 @@ class CamInMotion:
     def _front(self) -> Iterator[Mark]:
         """The pivots of cam and rocker, the guide of a stem on both sides of it; how the cam turns."""
         yield Mark("pivot", (0j, -1j))
-        radius, sense = 0.45 * self.profile.nearest.value, self.follower.sense
+        radius, sense = max(0.45 * self.profile.nearest.value, 1.3 * self.task.limits.shaft), self.follower.sense
         yield Mark("sense", (0j, radius * np.exp(1j * math.pi * (0.5 + 0.35 * sense))), -0.7 * math.pi * sense)
         if self.rocks:
             yield Mark("pivot", (self.pivot, -1j))
@@ -254,7 +282,9 @@ class CamInMotion:
             sign = "v" if self.profile.flat else "v_C"
             yield Layer("velocity", "Velocities", "m/s", (), (Vector(sign, "centre", x, y),))
         if self.forces is not None:
-            yield Layer("force", "Forces on the follower", "N", tuple(self._arrows()), tuple(self._vectors(self.forces)))
+            yield Layer(
+                "force", "Forces on the follower", "N", tuple(self._arrows()), tuple(self._vectors(self.forces))
+            )
 
     def _arrows(self) -> Iterator[Arrow]:
         """The force of the frame on a rocker."""
@@ -306,9 +336,9 @@ def rates(at: Values, values: Values) -> Values:
     >>> rates(np.array([0.0, 1.0, 2.0, 2.0, 3.0]), np.array([0.0, 2.0, 4.0, 7.0, 7.0]))
     array([2., 2., 2., 0., 0.])
     """
-    ends: Sequence[int] = [0, *(np.flatnonzero(np.diff(at) == 0) + 1).tolist(), len(at)]
+    ends = [0, *(np.flatnonzero(np.diff(at) == 0) + 1).tolist(), len(at)]
     found = np.zeros(len(at))
-    for begin, end in zip(ends[:-1], ends[1:], strict=True):
+    for begin, end in pairwise(ends):
         if end - begin > 1:
             found[begin:end] = np.gradient(values[begin:end], at[begin:end], edge_order=2 if end - begin > 2 else 1)
     return found

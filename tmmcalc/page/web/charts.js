@@ -56,12 +56,13 @@ export class Charts {
    * @param {string} name
    */
   add(name) {
-    const known = this.shown.get(name);
-    if (known) return known.card.scrollIntoView({ block: "nearest" });
+    const shown = this.shown.get(name);
+    if (shown) return shown.card.scrollIntoView({ block: "nearest" });
     const found = columnOf(name);
     if (!found?.stage.rows) return;
     const header = found.stage.rows.header;
-    const state = this.states.find((each) => each.view.column === header) ?? null;
+    const known = this.states.filter((each) => header && each.view.column === header);
+    const state = known.find((each) => each.view.room === found.stage.room) ?? known[0] ?? null;
     const chart = new Chart(this.list, name, found, state, () => this.shown.delete(name));
     this.shown.set(name, chart);
   }

@@ -34,6 +34,7 @@
 /**
  * @typedef {object} View
  * @property {string} name
+ * @property {string} room of its stage
  * @property {Said} title
  * @property {string} symbol
  * @property {Said} unit
@@ -54,6 +55,7 @@
  * @property {string[]} shown
  * @property {[number, number][]} reach
  * @property {Reading[]} readings
+ * @property {{view: string, ratio: number, begin: number} | null} driver another view that moves it
  * @property {number} seconds that the whole travel takes
  * @property {number | null} nudge of an arrow key
  */
@@ -62,6 +64,7 @@
 /**
  * @typedef {object} Stage
  * @property {string} name
+ * @property {string} room
  * @property {Said} title
  * @property {Fact[]} facts
  * @property {{header: string, name: string, unit: Said, values: Ref, kept: number, of: number} | null} rows

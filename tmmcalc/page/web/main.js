@@ -6,7 +6,7 @@ import { Plans } from "./plans.js";
 import { button, made, Player } from "./player.js";
 import { readings } from "./readings.js";
 import { Scene } from "./scene.js";
-import { State } from "./state.js";
+import { coupled, State } from "./state.js";
 import { forget, language, remember, saying, speak, told, word } from "./words.js";
 
 const SHOWN = ["paths", "numbers", "names", "masses", "centres"];
@@ -49,6 +49,7 @@ function shown(columns, part) {
     if (left) moved(left, state);
     state.move(state.low + part * state.span);
   }
+  coupled(states);
   const right = made("div", { class: "read" }, main);
   const diagrams = made("section", { class: "diagrams" }, right);
   heading(diagrams, () => word("diagrams"));
