@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tmmcalc.cams.views import indexing
 from tmmcalc.cams.views.cam_profile import CamInMotion
 from tmmcalc.pipeline.picturing import order_of
 from tmmcalc.pipeline.runner import run
@@ -196,3 +197,27 @@ def test_every_spec_with_a_cam_moves(path: Path) -> None:
     assert view.whole
     assert len(set(view.shown)) == len(view.shown) >= 3
     assert all(math.isfinite(each) for corner in view.box for each in (corner.real, corner.imag))
+
+
+@pytest.mark.parametrize("name", ["cam-lantern", "cam-lantern-unequal"])
+def test_rollers_of_an_indexing_drive_touch_its_cams(name: str) -> None:
+    """Nowhere does a roller cut into its cam; everywhere one touches the front cam or the one behind."""
+    done = run(load_spec(CONFIGS[0].parent / f"{name}.toml"), target=("indexing",))
+    (view,) = indexing.views(order_of(done.spec, done.results))
+    size = done.results["indexing"].wheel
+    bodies = {body.name: body for body in view.bodies}
+    free = []
+    for cam, row in (("front cam", "front rollers"), ("rear cam", "wheel")):
+        (profile,) = [mark for mark in bodies[cam].marks if mark.kind == "gear"]
+        apart = []
+        for mark in bodies[row].marks:
+            if mark.kind == "roller":
+                at = bodies[row].x.values + np.exp(1j * bodies[row].angle.values) * mark.points[0]
+                in_cam = at * np.exp(-1j * bodies[cam].angle.values)
+                apart.append(distances(in_cam, profile.points) - mark.size)
+        free.append(np.min(apart, axis=0))
+    assert np.min(free) > -2e-5 * size
+    assert np.min(free, axis=0).max() < 2e-5 * size
+    angle = bodies["wheel"].angle.values
+    assert angle[-1] - angle[0] == pytest.approx(-4 * math.pi / done.results["indexing"].rollers)
+    assert view.values[-1] == pytest.approx(360)

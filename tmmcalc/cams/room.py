@@ -137,6 +137,7 @@ ROOM = Room(
             "cam-lantern indexing drive: limits, profiles, pressure angles, efficiency",
             asked=("indexing", "no indexing drive is asked for"),
             chapter="cams",
+            moves=True,
             picture=Picture(
                 "scheme at --phase of a step, pressure angles, tip of the lobe, efficiency, what lambda and the step "
                 "decide",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -60,12 +60,14 @@ def content(variants: Sequence[Variant], title: str, key: str, language: str, po
 def _scene(variant: Variant, block: Block, positions: int, *, planned: bool) -> Content:
     run = variant.run
     dense = _dense(run, positions)
+    views = [*_views(run, dense, block, planned=planned)]
+    inputs = {(view["room"], view["column"]) for view in views}
     return {
         "name": variant.name,
-        "stages": [_stage(stage, run, dense, block) for stage in run.outcomes],
+        "stages": [_stage(stage, run, dense, inputs, block) for stage in run.outcomes],
         "given": _given(run),
         "source": variant.source,
-        "views": [*_views(run, dense, block, planned=planned)],
+        "views": views,
     }
 
 
@@ -85,8 +87,13 @@ def _dense(run: RunResult, positions: int) -> Content:
     return found
 
 
-def _stage(name: str, run: RunResult, dense: Mapping[str, Any], block: Block) -> Content:
-    """A stage: facts of the run, columns over many positions where it has them, warnings, errors."""
+def _stage(
+    name: str, run: RunResult, dense: Mapping[str, Any], inputs: Container[tuple[str, str]], block: Block
+) -> Content:
+    """A stage: facts of the run, columns over many positions where it has them, warnings, errors.
+
+    Its rows go along one of the ``inputs`` of views, each a room and a column, where they have it.
+    """
     stage, result = STAGES[name], run.results[name]
     facts = [_fact(each) for each in listed(name, result) if isinstance(each, Told) and math.isfinite(each.value)]
     errors = {key: each for key, each in run.outcomes[name].record.error.items() if isinstance(each, float) and each}
@@ -95,7 +102,7 @@ def _stage(name: str, run: RunResult, dense: Mapping[str, Any], block: Block) ->
         "room": _room(name),
         "title": name_of(stage.title),
         "facts": facts,
-        **_table(name, dense.get(name, result), block),
+        **_table(name, dense.get(name, result), inputs, block),
         "warnings": [name_of(graded(each)[1]) for each in warnings_of(run, [name])],
         "errors": {key: float(f"{each:.3g}") for key, each in errors.items()},
     }
@@ -116,14 +123,15 @@ def _fact(told: Told) -> Content:
     }
 
 
-def _table(name: str, result: Any, block: Block) -> Content:
+def _table(name: str, result: Any, inputs: Container[tuple[str, str]], block: Block) -> Content:
     """The columns of numbers, and the first of them that its rows go along; without one they are counted."""
     table = table_of(name, result)
     known = {each.quantity: each for each in listed(name, result) if isinstance(each, Extent)}
     headers = [header for header in table.headers if named(header)[0] in known] if table is not None else []
     if table is None or not headers or len(table.first) < 2:
         return {"rows": None, "columns": []}
-    along, *others = headers
+    along = next((header for header in headers if (_room(name), header) in inputs), headers[0])
+    others = [header for header in headers if header != along]
     values = table.column(along)
     if not _ordered(values):
         along, others, values = "", headers, np.arange(1.0, len(table.first) + 1)

@@ -31,6 +31,7 @@ export class Scene {
     const high = Math.max(top - bottom, 1e-9);
     this.scale = Math.min((WIDE - 2 * MARGIN) / wide, (HIGH - 2 * MARGIN) / high);
     const height = Math.max(260, high * this.scale + 2 * MARGIN);
+    this.height = height;
     this.x0 = WIDE / 2 - ((left + right) / 2) * this.scale;
     this.y0 = height / 2 + ((top + bottom) / 2) * this.scale;
     this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
@@ -369,7 +370,7 @@ export class Scene {
     const value = rows ? numbers(found.column.values)[between(numbers(rows.values), at).near] : NaN;
     name.textContent = `${parted(angle.sign)[0]} = ${written(value, 3)}${told(found?.column.unit ?? "")}`;
     name.setAttribute("x", tx.toFixed(1));
-    name.setAttribute("y", ty.toFixed(1));
+    name.setAttribute("y", Math.min(this.height - this.y0 - 6, Math.max(16 - this.y0, ty)).toFixed(1));
     name.setAttribute("text-anchor", Math.cos(away) < 0 ? "end" : "start");
   }
 
