@@ -135,6 +135,7 @@ ROOM = Room(
                 ("--choose",),
                 pieces="tmmcalc.gears.pictures.pieces:blocking",
             ),
+            moves=True,
             chapter="gears",
             studied=True,
         ),

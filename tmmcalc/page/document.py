@@ -22,9 +22,11 @@ MODULES = (  # in this order: each imports from those before it
     "scene",
     "player",
     "readings",
+    "formulas",
     "charts",
     "plans",
     "facts",
+    "trials",
     "main",
 )
 IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+)\.js";\n', re.MULTILINE)

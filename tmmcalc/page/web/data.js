@@ -72,8 +72,24 @@
  * @property {Said[]} warnings
  * @property {Record<string, number>} errors
  */
+/** @typedef {number | string | [string, ...any[]]} Formula as `tmmcalc.report.formula.carried` writes it */
+/** @typedef {[string, string, Formula]} Step name, function of it on the left side or none, formula */
+/**
+ * @typedef {object} Trial a plane of two inputs with a point, sizes that follow by formulas
+ * @property {string} name
+ * @property {Said} title
+ * @property {[string, string]} inputs
+ * @property {[number, number]} start
+ * @property {number[]} box
+ * @property {{kind: "strict" | "tolerated" | "piece", x: Ref, y: Ref}[]} regions
+ * @property {{number: string, title: Said, value: number, x: Ref, y: Ref}[]} curves
+ * @property {{name: Said, title: Said, at: [number, number]}[]} points
+ * @property {Record<string, number>} given
+ * @property {Step[]} steps
+ * @property {{name: string, meaning: Said, unit: Said, least: number | string | null, where: string}[]} shown
+ */
 /** @typedef {{what: Said, keys: string[], values: number[], unit: Said, text: Said}} Datum */
-/** @typedef {{name: string, stages: Stage[], given: Datum[], source: string, views: View[]}} Variant */
+/** @typedef {{name: string, stages: Stage[], given: Datum[], source: string, views: View[], trials: Trial[]}} Variant */
 /**
  * @typedef {object} Content
  * @property {string} title

@@ -7,6 +7,7 @@ import { button, made, Player } from "./player.js";
 import { readings } from "./readings.js";
 import { Scene } from "./scene.js";
 import { coupled, State } from "./state.js";
+import { Plane } from "./trials.js";
 import { forget, language, remember, saying, speak, told, word } from "./words.js";
 
 const SHOWN = ["paths", "numbers", "names", "masses", "centres"];
@@ -42,14 +43,15 @@ function printed() {
 function shown(columns, part) {
   forget();
   main.replaceChildren();
-  const { views, stages } = scene();
+  const { views, trials, stages } = scene();
   const states = views.map((view) => new State(view));
-  const left = states.length ? made("div", { class: "moving" }, main) : null;
+  const left = states.length || trials.length ? made("div", { class: "moving" }, main) : null;
   for (const state of states) {
     if (left) moved(left, state);
     state.move(state.low + part * state.span);
   }
   coupled(states);
+  for (const trial of trials) if (left) new Plane(left, trial);
   const right = made("div", { class: "read" }, main);
   const diagrams = made("section", { class: "diagrams" }, right);
   heading(diagrams, () => word("diagrams"));
