@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from tmmcalc.cams.views import indexing
-from tmmcalc.cams.views.cam_profile import CamInMotion
+from tmmcalc.cams.views.motion import CamInMotion
+from tmmcalc.cams.views.region import region_of_axis
 from tmmcalc.pipeline.picturing import order_of
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
@@ -169,6 +170,20 @@ def test_forces_are_along_the_normal_with_their_parts(scene: Scene) -> None:
     (velocity,) = layers["velocity"].vectors
     size = np.abs(scene.results["cam_law"].in_time[0]) * (scene.made.follower.rocker if scene.made.rocks else 1.0)
     assert np.abs(of(velocity.x) + 1j * of(velocity.y)) == pytest.approx(size, abs=1e-12)
+
+
+def test_the_axis_is_in_its_region_where_the_pressure_angle_is_within_its_limits(scene: Scene) -> None:
+    found = list(region_of_axis(scene.made, scene.results["cam_synthesis"]))
+    if scene.made.follower.kind == "flat":
+        assert not found
+        return
+    (view,) = found
+    (angle,) = view.layers[0].angles
+    opened = np.abs(angle.end.values - angle.start.values)
+    assert opened == pytest.approx(np.abs(scene.results["cam_pressure"].theta), abs=1e-9)
+    (region,) = (mark for body in view.bodies for mark in body.marks if mark.kind == "gear")
+    turns = np.angle(np.roll(region.points, -1) / np.array(region.points)).sum() / (2 * math.pi)
+    assert (abs(turns) > 0.5) == (scene.results["cam_pressure"].verdict == "ok")
 
 
 def of(track: Track) -> np.ndarray:

@@ -6,6 +6,7 @@ import { centreOfMass, COLOURS, draw, drawn, named, PIN } from "./marks.js";
 import { parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 760;
+const LEAST = 480; // width of a tall scene: it is larger on a narrow screen
 const HIGH = 560;
 const MARGIN = 56;
 const LONGEST = 110; // of a vector, in pixels
@@ -14,6 +15,7 @@ const CENTIMETRE = 37.8; // in pixels of a screen
 const CHORDS = 60; // of a curve that names keep off
 const LEG = 110; // of an angle, in pixels
 const ARC = 84;
+const SIGN = 76; // of its sign and value
 const RING = 9; // radius of the ring of a number
 const MOMENTS = 25; // of the motion that places of names are chosen by
 const LINES = new Set(["plate", "bar", "slot", "outline", "hole", "line"]);
@@ -31,10 +33,12 @@ export class Scene {
     const high = Math.max(top - bottom, 1e-9);
     this.scale = Math.min((WIDE - 2 * MARGIN) / wide, (HIGH - 2 * MARGIN) / high);
     const height = Math.max(260, high * this.scale + 2 * MARGIN);
+    const width = Math.min(WIDE, Math.max(LEAST, wide * this.scale + 2 * MARGIN));
+    this.x0 = width / 2 - ((left + right) / 2) * this.scale;
+    this.width = width;
     this.height = height;
-    this.x0 = WIDE / 2 - ((left + right) / 2) * this.scale;
     this.y0 = height / 2 + ((top + bottom) / 2) * this.scale;
-    this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
+    this.svg = drawn("svg", { viewBox: `0 0 ${Math.round(width)} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
     const title = drawn("title", {}, this.svg);
     saying(() => (title.textContent = `${told(this.view.title)}. ${word("drag")}`));
     this.heads();
@@ -369,9 +373,11 @@ export class Scene {
     const rows = found?.stage.rows;
     const value = rows ? numbers(found.column.values)[between(numbers(rows.values), at).near] : NaN;
     name.textContent = `${parted(angle.sign)[0]} = ${written(value, 3)}${told(found?.column.unit ?? "")}`;
-    name.setAttribute("x", tx.toFixed(1));
+    const before = Math.cos(away) < 0;
+    const [left, right] = [-this.x0 + 4 + (before ? SIGN : 0), this.width - this.x0 - 4 - (before ? 0 : SIGN)];
+    name.setAttribute("x", Math.min(right, Math.max(left, tx)).toFixed(1));
     name.setAttribute("y", Math.min(this.height - this.y0 - 6, Math.max(16 - this.y0, ty)).toFixed(1));
-    name.setAttribute("text-anchor", Math.cos(away) < 0 ? "end" : "start");
+    name.setAttribute("text-anchor", before ? "end" : "start");
   }
 
   /**
