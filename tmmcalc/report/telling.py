@@ -7,27 +7,35 @@ A chapter gathers its quantities by their names in formulas in a lexicon for eac
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import message
+from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.drawing.snug import snug
 from tmmcalc.report.formula.digits import PLAIN, Given, result_of, rounded, significant, value_of
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.simplify import ZERO, simplified
-from tmmcalc.report.formula.symbols import canonical
+from tmmcalc.report.formula.symbols import GREEK, NAME, canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Name
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Figure, Lexicon, Line, Paragraph, Place, Table
+from tmmcalc.report.manuscript import Figure, Lexicon, Line, Listing, Paragraph, Place, Table
 from tmmcalc.report.printing import printed_as
 from tmmcalc.report.sheets.piece import Piece
 
+FOLDED, BROAD = 12, 12  # rows up to which a table of few columns is not folded; columns that a folded one has
 STILL = 1e-12  # a value this small in every shown place is nothing
 DIGITS = 5  # of the largest number of a column, of a number within a sentence
 WIDE, HIGH = 160.0, 130.0  # that a picture may be [mm]
+LATIN = {greek: name for name, greek in GREEK.items()}  # names of Greek letters
 SIGNS = ("<=", ">=", "<", ">")
+ANGLE = 6  # decimals of an angle that are no rounding [deg]
+LETTERED = 1.15  # words of a picture against those of a drawing on screen
 
 
 def named(quantities: Lexicon) -> dict[str, Given]:
@@ -113,6 +121,20 @@ def tabulated(
     return Table(caption, tuple(found), tuple(zip(*found.values(), strict=True)), key)
 
 
+def folded(table: Table) -> Table:
+    """A table of few columns and many rows with parts of it side by side, each under the head; the last may be shorter.
+
+    >>> folded(Table("t", ("i", "x", "y", "z"), tuple((str(k), "", "", "") for k in range(14)))).rows[4]
+    ('4', '', '', '', '9', '', '', '', '', '', '', '')
+    """
+    columns, count = len(table.head), len(table.rows)
+    parts = max(1, BROAD // columns) if count > FOLDED else 1
+    high = math.ceil(count / parts)
+    padded = (*table.rows, *((("",) * columns,) * (parts * high - count)))
+    rows = (sum((padded[k + part * high] for part in range(parts)), ()) for k in range(high))
+    return table._replace(head=table.head * parts, rows=tuple(rows))
+
+
 def column(name: str, values: ArrayLike, digits: int = DIGITS) -> tuple[str, list[str]]:
     """The head and the cells of a column ``"$phi_3$, deg"`` in the unit in which it is printed."""
     what, comma, own = name.partition(", ")
@@ -134,6 +156,25 @@ def numeral(value: float, digits: int = DIGITS) -> str:
     """
     mantissa, _, exponent = significant(value, digits).partition("e")
     return f"{mantissa}*10**({exponent})" if exponent else mantissa
+
+
+def degrees(angle: float) -> str:
+    """An angle [rad] within a formula of a sentence, in degrees.
+
+    >>> degrees(math.pi / 8), degrees(-math.pi / 2)
+    ('deg(22.5)', '-deg(90)')
+    """
+    value = round(math.degrees(angle), ANGLE) + 0.0
+    return f"{'-' if value < 0 else ''}deg({numeral(abs(value))})"
+
+
+def plainly(value: float, digits: int = DIGITS) -> str:
+    """A number of a sentence.
+
+    >>> plainly(-12.5)
+    '−12.5'
+    """
+    return spelt(f"{value:.{digits}g}")
 
 
 def cell(value: float, digits: int = DIGITS) -> str:
@@ -169,11 +210,72 @@ def quantities(caption: str, known: Mapping[str, Given], key: str = "", digits: 
     return Table(caption, (tr("Quantity"), tr("Symbol"), tr("Unit"), tr("Value")), tuple(rows), key)
 
 
+def drawn(caption: str, draw: Callable[[Drawing, Box], object], high: float, key: str) -> Figure:
+    """A picture at the width of the note, ``high`` mm high, with words about as large as those of the text."""
+
+    def lettered(drawing: Drawing, box: Box) -> object:
+        with drawing.lettered(LETTERED):
+            return draw(drawing, box)
+
+    return Figure(caption, lettered, (WIDE, high), key)
+
+
+def titled(heading: str) -> str:
+    """What a drawing has as its heading, as the caption of a figure: its letters as those of formulas.
+
+    Letters that make no formula, as those of a name of several, stand as words.
+
+    >>> titled("Diagrams of $ΔS$, $S''$"), titled("at $S_{0}$ = 45 mm"), titled("$ψ$, $M_{54}/l_5$")
+    ("Diagrams of $DeltaS$, $S''$", 'at $S_0$ = 45 mm', '$psi$, M54/l5')
+    """
+    parts = heading.replace("\n", " ").split("$")
+    return "".join(_lettered(part) if k % 2 else part for k, part in enumerate(parts))
+
+
+def _lettered(letters: str) -> str:
+    """A name in letters of a drawing, as a formula has it."""
+    spelt_out = "".join(LATIN.get(letter, letter) for letter in letters)
+    name = re.fullmatch(NAME, spelt_out.replace("′", "'"))
+    return f"${canonical(name[0])}$" if name else message(f"${letters}$")
+
+
 def pictured(piece: Piece, *, key: str = "", wide: float = WIDE) -> Figure:
-    """A picture of a sheet at the width of the note, as high as its proportions want."""
+    """A picture of a sheet at the width of the note, as high as its proportions want and its content needs."""
     least, good = piece.least, piece.good
     factor = max(wide / good[0], least[1] / good[1])
-    return Figure(message(piece.heading), piece.draw, (wide, min(factor * good[1], HIGH)), key)
+    size = snug(piece.draw, (wide, min(factor * good[1], HIGH)))
+    return Figure(titled(piece.heading), piece.draw, size, key)
+
+
+def points(items: Sequence[str]) -> Listing:
+    """Points of a list that end with semicolons, the last with a full stop.
+
+    >>> points(["first", "second."]).items
+    ('first;', 'second.')
+    """
+    bare = [item.rstrip(".;") for item in items]
+    return Listing((*(f"{item};" for item in bare[:-1]), f"{bare[-1]}."))
+
+
+def span(blocks: Sequence[Table | Figure]) -> str:
+    """The numbers of tables, or of figures, that follow each other: ``2.1``, ``2.1–2.4``."""
+    kind = "tab" if isinstance(blocks[0], Table) else "fig"
+    return "–".join(dict.fromkeys(f"{{{kind}:{each.key}}}" for each in (blocks[0], blocks[-1])))
+
+
+def located(blocks: Sequence[Table | Figure]) -> str:
+    """Where tables, or figures, that follow each other are: ``in table 2.1``, ``in figures 2.1–2.4``."""
+    numbers, several = span(blocks), len(blocks) > 1
+    if isinstance(blocks[0], Table):
+        return tr("in tables {numbers}", numbers=numbers) if several else tr("in table {numbers}", numbers=numbers)
+    return tr("in figures {numbers}", numbers=numbers) if several else tr("in figure {numbers}", numbers=numbers)
+
+
+def row_of(name: str, unit: str, values: Sequence[float]) -> tuple[str, ...]:
+    """A row of a table: a quantity with its unit, then its values, each with its own digits."""
+    printed, factor = printed_as(unit)
+    head = f"{name}, {tr_unit(printed)}" if printed else name
+    return head, *(column_of([factor * value])[0] for value in values)
 
 
 def column_of(values: ArrayLike, digits: int = DIGITS) -> list[str]:

@@ -275,12 +275,18 @@ def newton(result: Kinematics, rows: Sequence[int], looped: Looped) -> Iterator[
     for row, (start, unknowns, residuals) in zip(rows, looped.iterations, strict=True):
         columns = [column_of(values) for values in _as_told(looped, unknowns)]
         sizes = [f"${significant(residual, 2)}$" for residual in residuals]
-        began = f"φ = {math.degrees(start):.4g}°" if result.turns else f"Δs = {start:.4g} {tr_unit('m')}"
+        began = f"$phi$ = {math.degrees(start):.4g}°" if result.turns else f"$Deltas$ = {start:.4g} {tr_unit('m')}"
         yield Table(
             tr("Newton's method in position {label}, from {start}", label=result.labels[row], start=tr_number(began)),
             (tr("Step"), *heads, f"{tr('Residual')}, {tr_unit('m')}"),
             tuple(zip(map(str, range(len(sizes))), *columns, sizes, strict=True)),
+            _key(looped, "newton", row),
         )
+
+
+def _key(looped: Looped, kind: str, row: int) -> str:
+    """The key of a table of a group at a position."""
+    return "_".join(["group", *map(str, looped.step.group.links), kind, str(row)])
 
 
 def _as_told(looped: Looped, unknowns: Real) -> Iterator[Real]:
@@ -307,6 +313,7 @@ def systems(result: Kinematics, rows: Sequence[int], looped: Looped, letter: str
             tr("Coefficients of the system and its solution in position {label}", label=result.labels[row]),
             (tr("Equation"), *(f"${name}$" for name in names), tr("Right side")),
             tuple(zip((*heads, tr("Solution")), *columns, [*column_of(right[order]), ""], strict=True)),
+            _key(looped, letter, row),
         )
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.notes.syntheses.fourbar import turning
-from tmmcalc.linkage.notes.syntheses.told import Told, angle, length, quantity_of, ratio, sound, turned
+from tmmcalc.linkage.notes.syntheses.told import Told, angle, course_of, length, quantity_of, ratio, sound, turned
 from tmmcalc.linkage.pictures.synthesis import draw_function
 from tmmcalc.linkage.synthesis.freudenstein import closure_of
 from tmmcalc.linkage.synthesis.function import is_exact
@@ -25,7 +25,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import FormulaError, read
-from tmmcalc.report.language import tr, tr_name
+from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Figure, Paragraph, Place, Result
 from tmmcalc.report.telling import WIDE, cell, lines, named, number_of, tabulated
 
@@ -87,7 +87,7 @@ def given(told: Told) -> dict[str, Given]:
     if asked.input_start is not None:
         found["phi_s"] = angle(asked.input_start, tr_name("crank where x begins"))
     if asked.output_start is not None:
-        said = tr("output where x begins")
+        said = tr("output where $x$ begins")
         found["s_s" if slides else "psi_s"] = quantity_of(asked.output_start, "m" if slides else "rad", said)
     if not slides:
         found["d"] = length(asked.frame, tr("length of the frame"))
@@ -113,6 +113,8 @@ def blocks(told: Told) -> Iterator[Block]:
     else:
         yield Paragraph(tr("with $K_1 = d/a$, $K_2 = d/c$, $K_3 = (a**2 + c**2 + d**2 - b**2)/(2*a*c)$."))
     yield Paragraph(_method(told, asked, exact))
+    best = tr("sum of squares, {unit}", unit=f"{tr_unit('m' if slides else 'rad')}²")
+    yield from course_of(told, best, run=tr("Start"))
     yield from _starts(told, slides)
     _coefficients(told, slides)
     places = [*_places(told, slides)]
@@ -174,9 +176,9 @@ def _points(told: Told, asked: FunctionTask) -> Iterator[Block]:
                 **ends,
                 "x_i": ratio(float(x[k]), tr("abscissa of the point")),
                 "y_i": ratio(float(columns["$y_i$"][k]), tr("value of the function at the point")),
-                "phi'_i": angle(float(asked.inputs[k]), tr("angle of the crank from where x begins")),
+                "phi'_i": angle(float(asked.inputs[k]), tr("angle of the crank from where $x$ begins")),
                 output: quantity_of(
-                    float(asked.outputs[k]), "m" if slides else "rad", tr("output from where x begins")
+                    float(asked.outputs[k]), "m" if slides else "rad", tr("output from where $x$ begins")
                 ),
             }
             rows.append(Place(tr("at point {number}", number=k + 1), told.lexicon | named(own), str(k + 1)))
