@@ -64,7 +64,6 @@ def region_of_axis(made: CamInMotion, result: Synthesis) -> Iterator[View]:
             Spot("K", "end", 0j, "point"),
         ),
         layers=(Layer("pressure", "Pressure angle", "deg", (), angles=(angle,)),),
-        stops=tuple(made.stops()),
         driver=Driver("cam_profile", 1.0, 0.0),
         front=((Mark("pivot", (made.pivot, -1j)),) if made.rocks else ()),
     )
