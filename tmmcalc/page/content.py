@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -12,19 +13,21 @@ from numpy.typing import NDArray
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import named
 from tmmcalc.core.notes import graded
-from tmmcalc.core.stage import STAGES, arguments, resolve
+from tmmcalc.core.stage import STAGES, arguments, of_scene
 from tmmcalc.naming.table import Values, table_of
 from tmmcalc.naming.told import Extent, Told, listed
 from tmmcalc.page.packing import ERROR, Block
 from tmmcalc.page.said import alike, name_of, unit_of, words
 from tmmcalc.pipeline.chapters import task_of, warnings_of
 from tmmcalc.pipeline.picturing import order_of
+from tmmcalc.report.exploring import Trial
 from tmmcalc.report.language import LANGUAGES, speaking
 from tmmcalc.report.manuscript import Datum
 from tmmcalc.report.moving import Body, Mark, Plan, Track, View
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
+    from tmmcalc.report.drawing.order import Order
 
 POSITIONS = 360  # that a page solves of its own
 ROWS = 1000  # of a longer table so many are shown, and those of extremes
@@ -60,12 +63,15 @@ def content(variants: Sequence[Variant], title: str, key: str, language: str, po
 def _scene(variant: Variant, block: Block, positions: int, *, planned: bool) -> Content:
     run = variant.run
     dense = _dense(run, positions)
+    views = [*_views(run, dense, block, planned=planned)]
+    inputs = {(view["room"], view["column"]) for view in views}
     return {
         "name": variant.name,
-        "stages": [_stage(stage, run, dense, block) for stage in run.outcomes],
+        "stages": [_stage(stage, run, dense, inputs, block) for stage in run.outcomes],
         "given": _given(run),
         "source": variant.source,
-        "views": [*_views(run, dense, block, planned=planned)],
+        "views": views,
+        "trials": [*_trials(run, block)],
     }
 
 
@@ -73,8 +79,7 @@ def _dense(run: RunResult, positions: int) -> Content:
     """Results over many equal steps, of the stages whose rows are places that can be asked for."""
     results: dict[str, Any] = dict(run.results)
     found: dict[str, Any] = {}
-    for name in run.outcomes:
-        own = STAGES[name]
+    for name, own in of_scene({name: STAGES[name] for name in run.outcomes}, run.spec).items():
         make = own.part("dense")
         if make is None or own.unwanted(run.spec) is not None:
             continue
@@ -86,19 +91,30 @@ def _dense(run: RunResult, positions: int) -> Content:
     return found
 
 
-def _stage(name: str, run: RunResult, dense: Mapping[str, Any], block: Block) -> Content:
-    """A stage: facts of the run, columns over many positions where it has them, warnings, errors."""
+def _stage(
+    name: str, run: RunResult, dense: Mapping[str, Any], inputs: Container[tuple[str, str]], block: Block
+) -> Content:
+    """A stage: facts of the run, columns over many positions where it has them, warnings, errors.
+
+    Its rows go along one of the ``inputs`` of views, each a room and a column, where they have it.
+    """
     stage, result = STAGES[name], run.results[name]
     facts = [_fact(each) for each in listed(name, result) if isinstance(each, Told) and math.isfinite(each.value)]
     errors = {key: each for key, each in run.outcomes[name].record.error.items() if isinstance(each, float) and each}
     return {
         "name": name,
+        "room": _room(name),
         "title": name_of(stage.title),
         "facts": facts,
-        **_table(name, dense.get(name, result), block),
+        **_table(name, dense.get(name, result), inputs, block),
         "warnings": [name_of(graded(each)[1]) for each in warnings_of(run, [name])],
         "errors": [[name_of(key), float(f"{each:.3g}")] for key, each in errors.items()],
     }
+
+
+def _room(name: str) -> str:
+    """The room of a stage, whose tables go along the inputs of its views first."""
+    return STAGES[name].home.split(".")[1]
 
 
 def _fact(told: Told) -> Content:
@@ -111,14 +127,15 @@ def _fact(told: Told) -> Content:
     }
 
 
-def _table(name: str, result: Any, block: Block) -> Content:
+def _table(name: str, result: Any, inputs: Container[tuple[str, str]], block: Block) -> Content:
     """The columns of numbers, and the first of them that its rows go along; without one they are counted."""
     table = table_of(name, result)
     known = {each.quantity: each for each in listed(name, result) if isinstance(each, Extent)}
     headers = [header for header in table.headers if named(header)[0] in known] if table is not None else []
     if table is None or not headers or len(table.first) < 2:
         return {"rows": None, "columns": []}
-    along, *others = headers
+    along = next((header for header in headers if (_room(name), header) in inputs), headers[0])
+    others = [header for header in headers if header != along]
     values = table.column(along)
     if not _ordered(values):
         along, others, values = "", headers, np.arange(1.0, len(table.first) + 1)
@@ -182,12 +199,78 @@ def _views(run: RunResult, dense: Mapping[str, Any], block: Block, *, planned: b
     order = order_of(run.spec, {**run.results, **dense})
     for name in run.outcomes:
         if STAGES[name].view:
-            for view in resolve(f"{STAGES[name].view}:views")(order):
+            for view in _offered(name, "views")(order):
                 plans = view.plans() if planned else ()
                 yield {
-                    **_view(view, _steps(run, name, view.column), block),
+                    "room": _room(name),
+                    **_view(view, _steps(run, name, view.column) or [list(step) for step in view.steps], block),
                     "plans": [_plan(each, block) for each in plans],
                 }
+
+
+def _offered(stage: str, what: str) -> Callable[[Order], Iterable[Any]]:
+    """What the module of a stage offers of views or trials; nothing where it has none."""
+    found: Callable[[Order], Iterable[Any]] = getattr(import_module(STAGES[stage].view), what, lambda _: ())
+    return found
+
+
+def _trials(run: RunResult, block: Block) -> Iterator[Content]:
+    """What is tried by hand, by the rooms."""
+    order = order_of(run.spec, run.results)
+    for name in run.outcomes:
+        if STAGES[name].view:
+            spoken: list[list[Trial]] = []
+            for language in LANGUAGES:
+                with speaking(language):
+                    spoken.append([*_offered(name, "trials")(order)])
+            for same in zip(*spoken, strict=True):
+                yield _trial(same, block)
+
+
+def _trial(same: Sequence[Trial], block: Block) -> Content:
+    """A plane that was made in all languages."""
+    trial = same[0]
+    return {
+        "name": trial.name,
+        "title": alike([each.title for each in same]),
+        "inputs": trial.inputs,
+        "start": [trial.start.real, trial.start.imag],
+        "box": [*_pair(trial.box[0]), *_pair(trial.box[1])],
+        "regions": [
+            {"kind": each.kind, "x": block.put(each.edge.real), "y": block.put(each.edge.imag)}
+            for each in trial.regions
+        ],
+        "curves": [
+            {
+                "number": curve.number,
+                "title": alike([each.curves[k].title for each in same]),
+                "value": curve.value,
+                "x": block.put(curve.at.real),
+                "y": block.put(curve.at.imag),
+            }
+            for k, curve in enumerate(trial.curves)
+        ],
+        "points": [
+            {
+                "name": alike([each.points[k].name for each in same]),
+                "title": alike([each.points[k].title for each in same]),
+                "at": [point.at.real, point.at.imag],
+            }
+            for k, point in enumerate(trial.points)
+        ],
+        "given": trial.given,
+        "steps": trial.steps,
+        "shown": [
+            {
+                "name": shown.name,
+                "meaning": alike([each.shown[k].meaning for each in same]),
+                "unit": unit_of(shown.unit),
+                "least": shown.least,
+                "where": shown.where,
+            }
+            for k, shown in enumerate(trial.shown)
+        ],
+    }
 
 
 def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
@@ -204,6 +287,7 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
         "box": [*_pair(view.box[0]), *_pair(view.box[1])],
         "bodies": [_body(body, block) for body in view.bodies],
         "frame": [_mark(mark) for mark in view.frame],
+        "front": [_mark(mark) for mark in view.front],
         "spots": [{**spot._asdict(), "at": _pair(spot.at)} for spot in view.spots],
         "handle": None
         if handle is None
@@ -218,6 +302,14 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
                 "title": name_of(layer.title),
                 "unit": unit_of(layer.unit),
                 "arrows": [each._asdict() for each in layer.arrows],
+                "vectors": [
+                    {**each._asdict(), "x": _track(each.x, block), "y": _track(each.y, block)} for each in layer.vectors
+                ],
+                "tone": layer.tone,
+                "angles": [
+                    {**each._asdict(), "start": _track(each.start, block), "end": _track(each.end, block)}
+                    for each in layer.angles
+                ],
             }
             for layer in view.layers
         ],
@@ -227,6 +319,18 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
         "stops": [{"title": name_of(stop.title), "at": stop.at} for stop in view.stops],
         "shown": view.shown,
         "reach": view.reach,
+        "readings": [
+            {
+                **each._asdict(),
+                "name": name_of(each.name),
+                "unit": unit_of(each.unit),
+                "value": _track(each.value, block),
+            }
+            for each in view.readings
+        ],
+        "seconds": view.seconds,
+        "driver": None if view.driver is None else view.driver._asdict(),
+        "nudge": view.nudge,
     }
 
 
@@ -259,6 +363,8 @@ def _body(body: Body, block: Block) -> Content:
         "marks": [_mark(mark) for mark in body.marks],
         "number": body.number,
         "beside": [_pair(each) for each in body.beside],
+        "on": body.on,
+        "there": body.there,
     }
 
 
@@ -270,7 +376,8 @@ def _track(track: Track, block: Block) -> Any:
 
 
 def _mark(mark: Mark) -> list[Any]:
-    return [mark.kind, [part for point in mark.points for part in _pair(point)], *([mark.size] if mark.size else [])]
+    points = [part for point in mark.points for part in _pair(point)]
+    return [mark.kind, points, *([mark.size, *([mark.tone] if mark.tone else [])] if mark.size or mark.tone else [])]
 
 
 def _pair(z: complex) -> list[float]:

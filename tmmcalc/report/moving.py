@@ -32,6 +32,19 @@ Kind = Literal[
     "pitch",  # a circle that is thought: the centre; with its radius
     "outline",  # a closed main line
     "line",  # a thin line
+    "axis",  # a thin line of dashes and dots
+    "base",  # a dashed circle: the centre; with its radius
+    "gear",  # a filled polygon: a toothed wheel, or a part of one whose other edges are out of sight
+    "flank",  # a part of its edge that works
+    "cog",  # a toothed wheel that is thought: the centre, the middle of a tooth on its pitch circle; with the teeth
+    "rim",  # a ring like it: the centre, the middle of a tooth, a point of the outer circle; with the teeth
+    "spoke",  # a line that shows how a circle turns
+    "dot",  # a filled point
+    "sense",  # an arrow along a circle: its centre, where it begins; with the angle that it goes through [rad]
+    "hole",  # a polygon that is cut out of a plate: its corners
+    "roller",  # a circle that hides what is behind it: the centre; with its radius
+    "wall",  # a hatched line that a rod slides along: its ends, the outward direction
+    "held",  # a circle hatched outside: the centre; with its radius
 ]
 
 SpotKind = Literal["pin", "mass", "point"]
@@ -42,7 +55,8 @@ class Mark(NamedTuple):
 
     kind: Kind
     points: tuple[complex, ...]
-    size: float = 0.0  # radius [m]
+    size: float = 0.0  # radius [m], or what its kind says
+    tone: int = 0  # number of its colour, from 1; 0: that of ink
 
 
 class Track(NamedTuple):
@@ -62,6 +76,8 @@ class Body(NamedTuple):
     marks: tuple[Mark, ...]
     number: str = ""  # in its ring
     beside: tuple[complex, ...] = ()  # where that may stand, in its axes, the best first
+    on: str = FRAME  # in whose axes its tracks are
+    there: tuple[float, float] | None = None  # between which places of the input it is there; None: always
 
 
 class Spot(NamedTuple):
@@ -84,13 +100,35 @@ class Arrow(NamedTuple):
     sense: int = 1  # -1: against the columns
 
 
+class Vector(NamedTuple):
+    """A vector at the origin of a body that no column tells, in the unit of its layer, in the axes of the frame."""
+
+    sign: str
+    body: str
+    x: Track
+    y: Track
+
+
+class Angle(NamedTuple):
+    """An angle at the origin of a body: directions of its legs [rad], the column of its value."""
+
+    sign: str
+    body: str
+    start: Track
+    end: Track
+    column: str  # as ``cam_pressure.theta``
+
+
 class Layer(NamedTuple):
-    """Vectors that are shown together."""
+    """Vectors and angles that are shown together."""
 
     name: str
     title: str
     unit: str
     arrows: tuple[Arrow, ...]
+    vectors: tuple[Vector, ...] = ()
+    tone: int = 0  # number of their colour, from 1; 0: by the place of the layer
+    angles: tuple[Angle, ...] = ()
 
 
 class Edge(NamedTuple):
@@ -132,11 +170,29 @@ class Handle(NamedTuple):
     direction: complex | None = None
 
 
+class Reading(NamedTuple):
+    """A number that is told beside the scene: its name, sign and unit, its values over the input."""
+
+    name: str
+    sign: str
+    unit: str
+    value: Track
+    there: tuple[float, float] | None = None  # between which places of the input it has a value; None: always
+
+
 class Stop(NamedTuple):
     """A place of the input that is marked: a dead centre, an end."""
 
     title: str
     at: float
+
+
+class Driver(NamedTuple):
+    """Another view whose input moves that of this one: so many times it, less what that is where this one begins."""
+
+    view: str
+    ratio: float
+    begin: float  # in the unit of both
 
 
 class View(NamedTuple):
@@ -148,8 +204,8 @@ class View(NamedTuple):
     unit: str
     values: Real  # (n,) of the input, in this unit, from one end to the other
     whole: bool  # whether its end is its beginning
-    column: str  # the header of the input in the tables of stages, ``phi[deg]``
-    steps: tuple[tuple[str, float], ...]  # the positions of the spec: label and input
+    column: str  # the header of the input in the tables of stages, ``phi[deg]``; empty: in none, all is exact
+    steps: tuple[tuple[str, float], ...]  # places to step to, label and input, where the spec has no positions
     box: tuple[complex, complex]  # lower left and upper right corner of all that moves [m]
     bodies: tuple[Body, ...]
     frame: tuple[Mark, ...]
@@ -161,6 +217,11 @@ class View(NamedTuple):
     stops: tuple[Stop, ...] = ()
     shown: tuple[str, ...] = ()  # columns whose diagrams stand beside it at first
     reach: tuple[tuple[float, float], ...] = ()  # where it assembles, counted as the input; empty: everywhere
+    readings: tuple[Reading, ...] = ()
+    seconds: float = 4.0  # that the whole travel takes when it plays
+    driver: Driver | None = None
+    front: tuple[Mark, ...] = ()  # of the frame, before all that moves
+    nudge: float | None = None  # how far a press of an arrow key moves the input; None: 1/360 of the travel
 
 
 def track_of(values: Real, rates: Real, count: int) -> Track:

@@ -3,11 +3,29 @@
 /** @typedef {string | string[]} Said a text, or one in each language */
 /** @typedef {[number, number]} Ref place and count in the block */
 /** @typedef {number | [Ref, Ref]} Track a number that stands, or values and rates over the input */
-/** @typedef {[string, number[], number?]} Mark kind, coordinates of its points, size */
-/** @typedef {{name: string, x: Track, y: Track, angle: Track, marks: Mark[], number: string, beside: number[][]}} Body */
+/** @typedef {[string, number[], number?, number?]} Mark kind, coordinates of its points, size, number of its colour */
+/** @typedef {[number, number] | null} Range between which places of the input something is there; null: always */
+/**
+ * @typedef {object} Body
+ * @property {string} name
+ * @property {Track} x
+ * @property {Track} y
+ * @property {Track} angle
+ * @property {Mark[]} marks
+ * @property {string} number
+ * @property {number[][]} beside
+ * @property {string} on the body in whose axes its tracks are
+ * @property {Range} there
+ */
 /** @typedef {{name: string, body: string, at: number[], kind: "pin" | "mass" | "point", path: boolean}} Spot */
 /** @typedef {{sign: string, spot: string, x: string, y: string, sense: number}} Arrow */
-/** @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[]}} Layer */
+/** @typedef {{sign: string, body: string, x: Track, y: Track}} Vector */
+/** @typedef {{sign: string, body: string, start: Track, end: Track, column: string}} Angle */
+/**
+ * @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[], vectors: Vector[], angles: Angle[], tone: number}}
+ *   Layer
+ */
+/** @typedef {{name: Said, sign: string, unit: Said, value: Track, there: Range}} Reading */
 /** @typedef {[number, number, string, string]} Edge tail, head, sign, kind */
 /**
  * @typedef {{name: string, title: Said, unit: Said, vertices: [string, Ref, Ref][], edges: Edge[], places: Ref | null,
@@ -16,6 +34,7 @@
 /**
  * @typedef {object} View
  * @property {string} name
+ * @property {string} room of its stage
  * @property {Said} title
  * @property {string} symbol
  * @property {Said} unit
@@ -26,6 +45,7 @@
  * @property {number[]} box
  * @property {Body[]} bodies
  * @property {Mark[]} frame
+ * @property {Mark[]} front of the frame, before all that moves
  * @property {Spot[]} spots
  * @property {{body: string, pivot: number[] | null, direction: number[] | null} | null} handle
  * @property {Layer[]} layers
@@ -34,12 +54,17 @@
  * @property {{title: Said, at: number}[]} stops
  * @property {string[]} shown
  * @property {[number, number][]} reach
+ * @property {Reading[]} readings
+ * @property {{view: string, ratio: number, begin: number} | null} driver another view that moves it
+ * @property {number} seconds that the whole travel takes
+ * @property {number | null} nudge of an arrow key
  */
 /** @typedef {{name: string, symbol: string, meaning: Said, value: number, unit: Said}} Fact */
 /** @typedef {{name: string, symbol: string, meaning: Said, unit: Said, values: Ref}} Column */
 /**
  * @typedef {object} Stage
  * @property {string} name
+ * @property {string} room
  * @property {Said} title
  * @property {Fact[]} facts
  * @property {{header: string, name: string, unit: Said, values: Ref, kept: number, of: number} | null} rows
@@ -47,8 +72,24 @@
  * @property {Said[]} warnings
  * @property {[Said, number][]} errors
  */
+/** @typedef {number | string | [string, ...any[]]} Formula as `tmmcalc.report.formula.carried` writes it */
+/** @typedef {[string, string, Formula]} Step name, function of it on the left side or none, formula */
+/**
+ * @typedef {object} Trial a plane of two inputs with a point, sizes that follow by formulas
+ * @property {string} name
+ * @property {Said} title
+ * @property {[string, string]} inputs
+ * @property {[number, number]} start
+ * @property {number[]} box
+ * @property {{kind: "strict" | "tolerated" | "piece", x: Ref, y: Ref}[]} regions
+ * @property {{number: string, title: Said, value: number, x: Ref, y: Ref}[]} curves
+ * @property {{name: Said, title: Said, at: [number, number]}[]} points
+ * @property {Record<string, number>} given
+ * @property {Step[]} steps
+ * @property {{name: string, meaning: Said, unit: Said, least: number | string | null, where: string}[]} shown
+ */
 /** @typedef {{what: Said, keys: string[], values: number[], unit: Said, text: Said}} Datum */
-/** @typedef {{name: string, stages: Stage[], given: Datum[], source: string, views: View[]}} Variant */
+/** @typedef {{name: string, stages: Stage[], given: Datum[], source: string, views: View[], trials: Trial[]}} Variant */
 /**
  * @typedef {object} Content
  * @property {string} title

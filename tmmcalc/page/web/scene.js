@@ -1,19 +1,24 @@
 // The machine drawn to scale: bodies that move, names, paths, vectors; the input link is dragged by hand.
 import { columnOf, numbers } from "./data.js";
-import { between, placed, poseOf, STILL } from "./motion.js";
+import { between, isThere, placed, poseOf, posesOf, STILL, trackAt } from "./motion.js";
 import { around, settled } from "./labels.js";
-import { centreOfMass, draw, drawn, named, PIN } from "./marks.js";
+import { centreOfMass, COLOURS, draw, drawn, named, PIN } from "./marks.js";
 import { parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 760;
+const LEAST = 480; // width of a tall scene: it is larger on a narrow screen
 const HIGH = 560;
 const MARGIN = 56;
 const LONGEST = 110; // of a vector, in pixels
+const SMALL = 1e-5; // of the travel: a step by which velocities are found
 const CENTIMETRE = 37.8; // in pixels of a screen
+const CHORDS = 60; // of a curve that names keep off
+const LEG = 110; // of an angle, in pixels
+const ARC = 84;
+const SIGN = 76; // of its sign and value
 const RING = 9; // radius of the ring of a number
 const MOMENTS = 25; // of the motion that places of names are chosen by
-const LINES = new Set(["plate", "bar", "slot", "outline", "line"]);
-const COLOURS = ["blue", "orange", "green", "purple"];
+const LINES = new Set(["plate", "bar", "slot", "outline", "hole", "line"]);
 
 export class Scene {
   /**
@@ -28,9 +33,12 @@ export class Scene {
     const high = Math.max(top - bottom, 1e-9);
     this.scale = Math.min((WIDE - 2 * MARGIN) / wide, (HIGH - 2 * MARGIN) / high);
     const height = Math.max(260, high * this.scale + 2 * MARGIN);
-    this.x0 = WIDE / 2 - ((left + right) / 2) * this.scale;
+    const width = Math.min(WIDE, Math.max(LEAST, wide * this.scale + 2 * MARGIN));
+    this.x0 = width / 2 - ((left + right) / 2) * this.scale;
+    this.width = width;
+    this.height = height;
     this.y0 = height / 2 + ((top + bottom) / 2) * this.scale;
-    this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
+    this.svg = drawn("svg", { viewBox: `0 0 ${Math.round(width)} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
     const title = drawn("title", {}, this.svg);
     saying(() => (title.textContent = `${told(this.view.title)}. ${word("drag")}`));
     this.heads();
@@ -39,10 +47,12 @@ export class Scene {
     const frame = drawn("g", { class: "frame" }, world);
     for (const mark of this.view.frame) draw(frame, mark, this.scale);
     this.bodies = this.view.bodies.map((body) => this.made(body, world));
+    const front = drawn("g", { class: "frame front" }, world);
+    for (const mark of this.view.front) draw(front, mark, this.scale);
     this.spots = this.view.spots.map((spot) => this.spotted(spot, world));
     this.rings = this.view.bodies.map((body) => this.ringed(body, world));
     this.centres = this.view.centres.map((centre) => this.centred(centre, world));
-    this.layers = this.view.layers.map((layer, k) => this.layered(layer, COLOURS[k % COLOURS.length], world));
+    this.layers = this.view.layers.map((layer, k) => this.layered(layer, COLOURS[((layer.tone || k + 1) - 1) % COLOURS.length], world));
     this.trace();
     this.named();
     this.dragged();
@@ -70,7 +80,9 @@ export class Scene {
     const handle = this.view.handle !== null && this.view.handle.body === body.name;
     const group = drawn("g", { class: handle ? "body handle" : "body", "data-body": body.name }, world);
     for (const mark of body.marks) draw(group, mark, this.scale);
-    for (const mark of body.marks) draw(group, mark, this.scale).classList.add("grip");
+    const still = !body.on && [body.x, body.y, body.angle].every((track) => typeof track === "number");
+    if (still) group.classList.add("still");
+    else for (const mark of body.marks) draw(group, mark, this.scale).classList.add("grip");
     return group;
   }
 
@@ -127,10 +139,32 @@ export class Scene {
       const rows = numbers(x.stage.rows.values);
       return [{ arrow, line, name, rows, x: numbers(x.column.values), y: numbers(y.column.values) }];
     });
+    const vectors = layer.vectors.map((vector) => {
+      const line = drawn("line", { "marker-end": `url(#head-${colour})` }, group);
+      return { vector, line, name: named(group, ...parted(vector.sign), { class: "name" }) };
+    });
+    const angles = layer.angles.map((angle) => {
+      const found = columnOf(angle.column);
+      const legs = [0, 1].map(() => drawn("line", { class: "leg" }, group));
+      const arc = drawn("path", { class: "arc" }, group);
+      return { angle, found, legs, arc, name: drawn("text", { class: "name" }, group) };
+    });
     let largest = 0;
     for (const { x, y } of arrows) largest = x.reduce((most, _, k) => Math.max(most, Math.hypot(x[k], y[k]) || 0), largest);
+    for (const { vector } of vectors) largest = Math.max(largest, this.longest(vector));
     const per = largest ? standard((largest / LONGEST) * CENTIMETRE) / CENTIMETRE : 1; // of the unit to a pixel
-    return { layer, colour, group, arrows, per, largest };
+    return { layer, colour, group, arrows, vectors, angles, per, largest };
+  }
+
+  /**
+   * The greatest length of a vector where its body is there, in its unit.
+   * @param {import("./data.js").Vector} vector
+   */
+  longest(vector) {
+    const { values, low, high } = this.state;
+    const [from, to] = this.view.bodies.find((each) => each.name === vector.body)?.there ?? [low, high];
+    const places = [from, ...values.filter((value) => value > from && value < to), to].map((at) => between(values, at));
+    return Math.max(...places.map((each) => Math.hypot(trackAt(vector.x, values, each), trackAt(vector.y, values, each))));
   }
 
   /** Paths of the named points over all positions. */
@@ -151,9 +185,9 @@ export class Scene {
 
   /** Names and numbers at places that suit the whole motion. */
   named() {
-    const { values } = this.state;
-    const moments = Array.from({ length: MOMENTS }, (_, k) => Math.round((k * (values.length - 1)) / (MOMENTS - 1)));
-    const poses = moments.map((k) => this.posed({ from: k, to: k, t: 0, near: k }));
+    const { low, span, values } = this.state;
+    const moments = Array.from({ length: MOMENTS }, (_, k) => low + (k * span) / (MOMENTS - 1));
+    const poses = moments.map((at) => this.posed(between(values, at)));
     /** @param {string} body @param {number[]} at @returns {import("./labels.js").Pair[]} */
     const over = (body, at) =>
       poses.map((pose) => {
@@ -203,7 +237,8 @@ export class Scene {
     const add = (pose, flat, closed) => {
       /** @type {[number, number][]} */
       const points = [];
-      for (let k = 0; k + 1 < flat.length; k += 2) {
+      const stride = 2 * Math.max(1, Math.floor(flat.length / 2 / CHORDS)); // of a curve some chords do
+      for (let k = 0; k + 1 < flat.length; k += stride) {
         const [x, y] = placed(pose, flat[k], flat[k + 1]);
         points.push([x * this.scale, -y * this.scale]);
       }
@@ -215,12 +250,12 @@ export class Scene {
     for (const body of this.view.bodies) {
       const pose = /** @type {import("./motion.js").Pose} */ (poses.get(body.name));
       for (const [kind, flat] of body.marks) {
-        if (LINES.has(kind)) add(pose, flat, kind === "plate" || kind === "outline");
+        if (LINES.has(kind)) add(pose, flat, kind === "plate" || kind === "outline" || kind === "hole");
         else if (kind === "block") this.blocked(found, pose, flat);
       }
     }
-    for (const [kind, flat] of this.view.frame) {
-      if (kind === "guide") add(STILL, flat.slice(0, 4), false);
+    for (const [kind, flat] of [...this.view.frame, ...this.view.front]) {
+      if (kind === "guide" || kind === "wall") add(STILL, flat.slice(0, 4), false);
       if (kind === "pivot") {
         const [x, y] = [flat[0] * this.scale, -flat[1] * this.scale];
         found.push([x, y, x + 20 * flat[2], y - 20 * flat[3]]);
@@ -258,26 +293,30 @@ export class Scene {
    * @param {import("./motion.js").Between} there
    */
   posed(there) {
-    return new Map(this.view.bodies.map((body) => [body.name, poseOf(body, this.state.values, there)]));
+    return posesOf(this.view.bodies, this.state.values, there);
   }
 
   /** Draw all where it is now. */
   update() {
-    const { there } = this.state;
+    const { at, there } = this.state;
     const poses = this.posed(there);
     this.poses = poses;
+    const gone = new Set(this.view.bodies.filter((body) => !isThere(body.there, at)).map((body) => body.name));
+    this.gone = gone;
     this.view.bodies.forEach((body, k) => {
       const pose = /** @type {import("./motion.js").Pose} */ (poses.get(body.name));
       const { x, y, cos, sin } = pose;
       const s = this.scale;
       const matrix = [cos, -sin, sin, cos, x * s, -y * s].map((each) => each.toFixed(5)).join(" ");
       this.bodies[k].setAttribute("transform", `matrix(${matrix})`);
+      for (const each of [this.bodies[k], this.rings[k]]) each.classList.toggle("lost", gone.has(body.name));
       const [bx, by] = placed(pose, body.beside[0]?.[0] ?? 0, body.beside[0]?.[1] ?? 0);
       this.rings[k].setAttribute("transform", this.shifted(bx, by));
     });
     this.view.spots.forEach((spot, k) => {
       const [x, y] = placed(poses.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
       this.spots[k].setAttribute("transform", this.shifted(x, y));
+      this.spots[k].classList.toggle("lost", gone.has(spot.body));
     });
     this.view.centres.forEach((centre, k) => {
       const x = numbers(centre.x)[there.near];
@@ -298,17 +337,67 @@ export class Scene {
       if (!spot) continue;
       const [px, py] = placed(this.poses?.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
       const k = between(rows, this.state.at).near;
-      const [dx, dy] = [(arrow.sense * x[k]) / layer.per, (-arrow.sense * y[k]) / layer.per];
-      const long = Math.hypot(dx, dy);
-      const [ax, ay] = [px * this.scale, -py * this.scale];
-      const seen = long > 1;
-      line.classList.toggle("lost", !seen);
-      name.classList.toggle("lost", !seen);
-      if (!seen) continue;
-      for (const [key, value] of Object.entries({ x1: ax, y1: ay, x2: ax + dx, y2: ay + dy })) line.setAttribute(key, value.toFixed(1));
-      name.setAttribute("x", (ax + dx + (9 * dx) / long - 6).toFixed(1));
-      name.setAttribute("y", (ay + dy + (9 * dy) / long + 5).toFixed(1));
+      this.arrow(line, name, [px, py], [(arrow.sense * x[k]) / layer.per, (arrow.sense * y[k]) / layer.per]);
     }
+    for (const each of layer.angles) this.opened(each);
+    for (const { vector, line, name } of layer.vectors) {
+      const pose = this.gone?.has(vector.body) ? undefined : this.poses?.get(vector.body);
+      const { values, there } = this.state;
+      const way = [trackAt(vector.x, values, there) / layer.per, trackAt(vector.y, values, there) / layer.per];
+      this.arrow(line, name, pose ? [pose.x, pose.y] : [0, 0], pose ? way : [0, 0]);
+    }
+  }
+
+  /**
+   * An angle with its legs and its value at the nearest solved position.
+   * @param {ReturnType<Scene["layered"]>["angles"][number]} shown
+   */
+  opened({ angle, found, legs, arc, name }) {
+    const pose = this.poses?.get(angle.body) ?? STILL;
+    const { values, there, at } = this.state;
+    const [from, to] = [trackAt(angle.start, values, there), trackAt(angle.end, values, there)];
+    const [x, y] = [pose.x * this.scale, -pose.y * this.scale];
+    /** @param {number} direction @param {number} far @returns {[number, number]} */
+    const point = (direction, far) => [x + far * Math.cos(direction), y - far * Math.sin(direction)];
+    [from, to].forEach((direction, k) => {
+      const [x1, y1] = point(direction, -LEG / 2);
+      const [x2, y2] = point(direction, LEG);
+      for (const [key, value] of Object.entries({ x1, y1, x2, y2 })) legs[k].setAttribute(key, value.toFixed(1));
+    });
+    const [ends, sweep] = [[point(from, ARC), point(to, ARC)], to > from ? 0 : 1];
+    const [start, end] = ends.map((each) => each.map((value) => value.toFixed(1)).join(","));
+    arc.setAttribute("d", `M${start}A${ARC},${ARC} 0 0 ${sweep} ${end}`);
+    const away = to + (to > from ? 1 : -1) * (Math.PI / 2); // beside the second leg, outside the angle
+    const [ex, ey] = point(to, LEG - 6);
+    const [tx, ty] = [ex + 8 * Math.cos(away), ey - 8 * Math.sin(away) + 5];
+    const rows = found?.stage.rows;
+    const value = rows ? numbers(found.column.values)[between(numbers(rows.values), at).near] : NaN;
+    name.textContent = `${parted(angle.sign)[0]} = ${written(value, 3)}${told(found?.column.unit ?? "")}`;
+    const before = Math.cos(away) < 0;
+    const [left, right] = [-this.x0 + 4 + (before ? SIGN : 0), this.width - this.x0 - 4 - (before ? 0 : SIGN)];
+    name.setAttribute("x", Math.min(right, Math.max(left, tx)).toFixed(1));
+    name.setAttribute("y", Math.min(this.height - this.y0 - 6, Math.max(16 - this.y0, ty)).toFixed(1));
+    name.setAttribute("text-anchor", before ? "end" : "start");
+  }
+
+  /**
+   * An arrow with its name, none where it is too short to be seen.
+   * @param {Element} line
+   * @param {Element} name
+   * @param {number[]} from a place of the machine
+   * @param {number[]} way in pixels, y upward
+   */
+  arrow(line, name, from, way) {
+    const [dx, dy] = [way[0], -way[1]];
+    const long = Math.hypot(dx, dy);
+    const [ax, ay] = [from[0] * this.scale, -from[1] * this.scale];
+    const seen = long > 1;
+    line.classList.toggle("lost", !seen);
+    name.classList.toggle("lost", !seen);
+    if (!seen) return;
+    for (const [key, value] of Object.entries({ x1: ax, y1: ay, x2: ax + dx, y2: ay + dy })) line.setAttribute(key, value.toFixed(1));
+    name.setAttribute("x", (ax + dx + (9 * dx) / long - 6).toFixed(1));
+    name.setAttribute("y", (ay + dy + (9 * dy) / long + 5).toFixed(1));
   }
 
   /**
@@ -333,11 +422,12 @@ export class Scene {
   }
 
   /**
-   * The scale of a layer in words.
+   * The scale of a layer in words, where it has vectors.
    * @param {ReturnType<Scene["layered"]>} layer
    */
   scaleOf(layer) {
-    return word("arrow", { value: `${written(layer.per * CENTIMETRE, 3)} ${told(layer.layer.unit)}` });
+    if (!layer.largest) return "";
+    return word("arrow", { value: `${written(layer.per * CENTIMETRE, 3)} ${told(layer.layer.unit)}`.trim() });
   }
 
   /** The place of the machine under a pointer. @param {PointerEvent} event @returns {[number, number]} */
@@ -357,7 +447,8 @@ export class Scene {
       /** @type {[number, number] | null} */
       let held = null; // the point of the body, in its axes
       let [last, wanted] = [0, 0]; // of a crank the angle of the pointer, and where the input would be without its ends
-      const pivot = this.view.handle?.body === body.name ? this.view.handle.pivot : null;
+      const about = typeof body.x === "number" && typeof body.y === "number" && !body.on ? [body.x, body.y] : null;
+      const pivot = this.view.handle?.body === body.name ? this.view.handle.pivot : about;
       /** @param {PointerEvent} event @param {number[]} about */
       const angle = (event, about) => {
         const [x, y] = this.pointed(event);
@@ -366,9 +457,7 @@ export class Scene {
       grip.addEventListener("pointerdown", (event) => {
         const pose = this.poses?.get(body.name);
         if (!pose) return;
-        const [x, y] = this.pointed(event);
-        const [dx, dy] = [x - pose.x, y - pose.y];
-        held = [pose.cos * dx + pose.sin * dy, pose.cos * dy - pose.sin * dx];
+        held = within(pose, this.pointed(event));
         if (pivot) [last, wanted] = [angle(event, pivot), this.state.at];
         grip.setPointerCapture(event.pointerId);
         grip.classList.add("held");
@@ -381,7 +470,13 @@ export class Scene {
           wanted += Math.atan2(Math.sin(now - last), Math.cos(now - last)) / (this.rate(body.angle) || 1);
           last = now;
           this.state.move(wanted);
-        } else this.state.move(this.sought(body, held, this.pointed(event)));
+        } else {
+          const before = this.state.at;
+          this.state.move(this.sought(body, held, this.pointed(event)));
+          const pose = this.poses?.get(body.name);
+          const round = Math.abs(this.state.at - before) > this.state.span / 2;
+          if (round && pose) held = within(pose, this.pointed(event)); // another tooth is there now
+        }
       });
       const leave = () => {
         held = null;
@@ -396,8 +491,8 @@ export class Scene {
    * The rate of a track by the input.
    * @param {import("./data.js").Track} track
    */
-  rate(track, near = this.state.near) {
-    return typeof track === "number" ? 0 : numbers(track[1])[near];
+  rate(track) {
+    return typeof track === "number" ? 0 : numbers(track[1])[this.state.near];
   }
 
   /**
@@ -408,28 +503,43 @@ export class Scene {
    */
   sought(body, held, wanted) {
     const { state } = this;
-    const most = state.span / 24;
+    const { low, high, span, values, view } = state;
+    /** @param {number} input */
+    const point = (input) =>
+      placed(posesOf(view.bodies, values, between(values, state.turned(input))).get(body.name) ?? STILL, held[0], held[1]);
+    const most = span / 24;
     let at = state.at;
     let left = Infinity;
     let next = at;
     for (let k = 0; k < 24; k++) {
-      const there = between(state.values, state.turned(next));
-      const pose = poseOf(body, state.values, there);
-      const [x, y] = placed(pose, held[0], held[1]);
+      const [x, y] = point(next);
       const [dx, dy] = [wanted[0] - x, wanted[1] - y];
       if (Math.hypot(dx, dy) >= left) break;
       left = Math.hypot(dx, dy);
       at = next;
-      const turn = this.rate(body.angle, there.near);
-      const vx = this.rate(body.x, there.near) - turn * (y - pose.y);
-      const vy = this.rate(body.y, there.near) + turn * (x - pose.x);
+      const [before, after] = view.whole
+        ? [at - SMALL * span, at + SMALL * span]
+        : [Math.max(low, at - SMALL * span), Math.min(high, at + SMALL * span)];
+      const [[bx, by], [ax, ay]] = [before, after].map(point);
+      const [vx, vy] = [(ax - bx) / (after - before), (ay - by) / (after - before)];
       const size = vx * vx + vy * vy;
       if (!size) break;
       next = at + Math.min(most, Math.max(-most, (dx * vx + dy * vy) / size));
-      if (!state.view.whole && (next < state.low || next > state.high)) return next;
+      if (!view.whole && (next < low || next > high)) return next;
     }
     return at;
   }
+}
+
+/**
+ * A place in the axes of a body.
+ * @param {import("./motion.js").Pose} pose
+ * @param {[number, number]} place
+ * @returns {[number, number]}
+ */
+function within(pose, [x, y]) {
+  const [dx, dy] = [x - pose.x, y - pose.y];
+  return [pose.cos * dx + pose.sin * dy, pose.cos * dy - pose.sin * dx];
 }
 
 /**
