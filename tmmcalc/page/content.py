@@ -205,6 +205,7 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
         "bodies": [_body(body, block) for body in view.bodies],
         "frame": [_mark(mark) for mark in view.frame],
         "spots": [{**spot._asdict(), "at": _pair(spot.at)} for spot in view.spots],
+        "spans": [[span.kind, [[body, *_pair(at)] for body, at in span.points]] for span in view.spans],
         "handle": None
         if handle is None
         else {

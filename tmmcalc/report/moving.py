@@ -32,9 +32,20 @@ Kind = Literal[
     "pitch",  # a circle that is thought: the centre; with its radius
     "outline",  # a closed main line
     "line",  # a thin line
+    "zone",  # a filled polygon where nothing may be
+    "range",  # a closed dashed line: what may be reached
 ]
 
-SpotKind = Literal["pin", "mass", "point"]
+SpotKind = Literal["pin", "mass", "point", "word"]  # a word has no sign, its name alone
+
+SpanKind = Literal[
+    "bar",  # a main line
+    "line",  # a thin line
+    "tube",  # a guide that a bar runs in
+    "rope",  # a thin line that is taut
+    "spring",  # a line that winds
+    "shadow",  # a pale line
+]
 
 
 class Mark(NamedTuple):
@@ -72,6 +83,16 @@ class Spot(NamedTuple):
     at: complex  # in its axes [m]
     kind: SpotKind
     path: bool = False  # whether it goes along a path that is shown
+
+
+class Span(NamedTuple):
+    """A line through points of bodies whose distances may change: a spring, a rod that is seen aslant.
+
+    Each point is the name of a body, or `FRAME`, and a place in its axes [m].
+    """
+
+    kind: SpanKind
+    points: tuple[tuple[str, complex], ...]
 
 
 class Arrow(NamedTuple):
@@ -160,6 +181,7 @@ class View(NamedTuple):
     plans: Callable[[], Iterable[Plan]] = tuple  # made where they are shown
     stops: tuple[Stop, ...] = ()
     shown: tuple[str, ...] = ()  # columns whose diagrams stand beside it at first
+    spans: tuple[Span, ...] = ()
     reach: tuple[tuple[float, float], ...] = ()  # where it assembles, counted as the input; empty: everywhere
 
 

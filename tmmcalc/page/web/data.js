@@ -5,7 +5,8 @@
 /** @typedef {number | [Ref, Ref]} Track a number that stands, or values and rates over the input */
 /** @typedef {[string, number[], number?]} Mark kind, coordinates of its points, size */
 /** @typedef {{name: string, x: Track, y: Track, angle: Track, marks: Mark[], number: string, beside: number[][]}} Body */
-/** @typedef {{name: string, body: string, at: number[], kind: "pin" | "mass" | "point", path: boolean}} Spot */
+/** @typedef {{name: string, body: string, at: number[], kind: "pin" | "mass" | "point" | "word", path: boolean}} Spot */
+/** @typedef {[string, [string, number, number][]]} Span kind; its points, each a body and a place in its axes */
 /** @typedef {{sign: string, spot: string, x: string, y: string, sense: number}} Arrow */
 /** @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[]}} Layer */
 /** @typedef {[number, number, string, string]} Edge tail, head, sign, kind */
@@ -27,6 +28,7 @@
  * @property {Body[]} bodies
  * @property {Mark[]} frame
  * @property {Spot[]} spots
+ * @property {Span[]} spans
  * @property {{body: string, pivot: number[] | null, direction: number[] | null} | null} handle
  * @property {Layer[]} layers
  * @property {{name: string, x: Ref, y: Ref}[]} centres

@@ -111,7 +111,15 @@ function moved(parent, state) {
   const layers = made("fieldset", { class: "layers" }, section);
   const legend = made("legend", {}, layers);
   saying(() => (legend.textContent = word("show")));
-  const known = SHOWN.filter((name) => name !== "centres" || state.view.centres.length);
+  const { bodies, centres, spots } = state.view;
+  const there = {
+    paths: spots.some((spot) => spot.path),
+    numbers: bodies.some((body) => body.number),
+    names: spots.some((spot) => spot.name && spot.kind !== "mass"),
+    masses: spots.some((spot) => spot.kind === "mass"),
+    centres: centres.length > 0,
+  };
+  const known = SHOWN.filter((name) => there[/** @type {keyof typeof there} */ (name)]);
   for (const name of known) tick(layers, drawing, name, () => word(name));
   for (const layer of drawing.layers) {
     tick(layers, drawing, layer.layer.name, () => `${told(layer.layer.title)} (${drawing.scaleOf(layer)})`, layer.colour);

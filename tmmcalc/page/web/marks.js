@@ -4,6 +4,7 @@ const SVG = "http://www.w3.org/2000/svg";
 export const PIN = 5;
 const BLOCK = [34, 19];
 const PIVOT = [22, 17];
+const [COILS, COIL] = [5, 7]; // turns of a spring, half its width
 
 /**
  * An element of SVG with attributes.
@@ -35,6 +36,8 @@ export function draw(parent, mark, scale) {
   switch (kind) {
     case "plate":
     case "outline":
+    case "zone":
+    case "range":
       return drawn("polygon", { class: kind, points: path }, parent);
     case "bar":
     case "slot":
@@ -59,6 +62,33 @@ export function draw(parent, mark, scale) {
     default:
       return drawn("path", { class: "cross", d: `M${x - 5},${y - 5}l10,10m0,-10l-10,10` }, parent);
   }
+}
+
+/**
+ * A line through points in pixels, as a body has it that is drawn out or pressed together.
+ * @param {Element[]} lines
+ * @param {string} kind
+ * @param {[number, number][]} points
+ */
+export function stretch(lines, kind, points) {
+  const path = (kind === "spring" ? wound(points) : points).map(([x, y]) => `${round(x)},${round(y)}`).join(" ");
+  for (const line of lines) line.setAttribute("points", path);
+}
+
+/**
+ * A spring between the first point and the last, with straight ends.
+ * @param {[number, number][]} points
+ * @returns {[number, number][]}
+ */
+function wound(points) {
+  const [ax, ay] = points[0];
+  const [bx, by] = points[points.length - 1];
+  const long = Math.hypot(bx - ax, by - ay) || 1;
+  const [ex, ey] = [(bx - ax) / long, (by - ay) / long];
+  /** @param {number} along @param {number} aside @returns {[number, number]} */
+  const at = (along, aside) => [ax + along * long * ex - aside * ey, ay + along * long * ey + aside * ex];
+  const turns = Array.from({ length: 2 * COILS }, (_, k) => at(0.15 + (0.7 * (k + 0.5)) / (2 * COILS), k % 2 ? -COIL : COIL));
+  return [points[0], at(0.15, 0), ...turns, at(0.85, 0), points[points.length - 1]];
 }
 
 /** @param {number} value */

@@ -2,7 +2,7 @@
 import { columnOf, numbers } from "./data.js";
 import { between, placed, poseOf, STILL } from "./motion.js";
 import { around, settled } from "./labels.js";
-import { centreOfMass, draw, drawn, named, PIN } from "./marks.js";
+import { centreOfMass, draw, drawn, named, PIN, stretch } from "./marks.js";
 import { parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 760;
@@ -10,6 +10,7 @@ const HIGH = 560;
 const MARGIN = 56;
 const LONGEST = 110; // of a vector, in pixels
 const CENTIMETRE = 37.8; // in pixels of a screen
+const REST = 0.05; // of the size of the scene: what goes less in the whole travel at its speed there, rests there
 const RING = 9; // radius of the ring of a number
 const MOMENTS = 25; // of the motion that places of names are chosen by
 const LINES = new Set(["plate", "bar", "slot", "outline", "line"]);
@@ -26,6 +27,7 @@ export class Scene {
     const [left, bottom, right, top] = this.view.box;
     const wide = Math.max(right - left, 1e-9);
     const high = Math.max(top - bottom, 1e-9);
+    this.size = Math.max(wide, high);
     this.scale = Math.min((WIDE - 2 * MARGIN) / wide, (HIGH - 2 * MARGIN) / high);
     const height = Math.max(260, high * this.scale + 2 * MARGIN);
     this.x0 = WIDE / 2 - ((left + right) / 2) * this.scale;
@@ -39,6 +41,7 @@ export class Scene {
     const frame = drawn("g", { class: "frame" }, world);
     for (const mark of this.view.frame) draw(frame, mark, this.scale);
     this.bodies = this.view.bodies.map((body) => this.made(body, world));
+    this.spans = this.view.spans.map((span) => this.spanned(span, world));
     this.spots = this.view.spots.map((spot) => this.spotted(spot, world));
     this.rings = this.view.bodies.map((body) => this.ringed(body, world));
     this.centres = this.view.centres.map((centre) => this.centred(centre, world));
@@ -75,6 +78,27 @@ export class Scene {
   }
 
   /**
+   * @param {import("./data.js").Span} span
+   * @param {Element} world
+   */
+  spanned([kind, points], world) {
+    const sides = kind === "tube" ? ["tube", "tube inner"] : [kind];
+    return { kind, points, lines: sides.map((side) => drawn("polyline", { class: `span ${side}` }, world)) };
+  }
+
+  /**
+   * Where the points of a span are, in pixels.
+   * @param {import("./data.js").Span[1]} points
+   * @param {Map<string, import("./motion.js").Pose>} poses
+   */
+  along(points, poses) {
+    return points.map(([body, x, y]) => {
+      const [px, py] = placed(poses.get(body) ?? STILL, x, y);
+      return /** @type {[number, number]} */ ([px * this.scale, -py * this.scale]);
+    });
+  }
+
+  /**
    * @param {import("./data.js").Spot} spot
    * @param {Element} world
    */
@@ -82,7 +106,7 @@ export class Scene {
     const group = drawn("g", { class: `spot ${spot.kind}`, "data-spot": spot.name }, world);
     if (spot.kind === "pin") drawn("circle", { r: PIN, class: "joint" }, group);
     else if (spot.kind === "mass") centreOfMass(group);
-    else drawn("circle", { r: 2, class: "dot" }, group);
+    else if (spot.kind === "point") drawn("circle", { r: 2, class: "dot" }, group);
     named(group, ...lettered(spot.name), { class: "name", "text-anchor": "middle" });
     return group;
   }
@@ -167,7 +191,9 @@ export class Scene {
       const [letter, index] = lettered(spot.name);
       /** @type {import("./labels.js").Pair} */
       const size = [9.5 * letter.length + 6 * index.length, 14];
-      items.push({ at: over(spot.body, spot.at), size, choices: around(...size) });
+      /** @type {import("./labels.js").Pair[]} */
+      const choices = spot.kind === "word" ? [[0, 0], ...around(...size)] : around(...size);
+      items.push({ at: over(spot.body, spot.at), size, choices });
     }
     for (const body of rings) {
       const first = body.beside[0] ?? [0, 0];
@@ -219,6 +245,10 @@ export class Scene {
         else if (kind === "block") this.blocked(found, pose, flat);
       }
     }
+    for (const [, points] of this.view.spans) {
+      const ends = this.along(points, poses);
+      ends.slice(1).forEach((end, k) => found.push([...ends[k], ...end]));
+    }
     for (const [kind, flat] of this.view.frame) {
       if (kind === "guide") add(STILL, flat.slice(0, 4), false);
       if (kind === "pivot") {
@@ -230,7 +260,7 @@ export class Scene {
         }
       }
     }
-    for (const spot of this.view.spots) {
+    for (const spot of this.view.spots.filter((each) => each.kind !== "word")) {
       const [x, y] = placed(poses.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
       found.push([x * this.scale - 3, -y * this.scale, x * this.scale + 3, -y * this.scale]);
     }
@@ -275,6 +305,7 @@ export class Scene {
       const [bx, by] = placed(pose, body.beside[0]?.[0] ?? 0, body.beside[0]?.[1] ?? 0);
       this.rings[k].setAttribute("transform", this.shifted(bx, by));
     });
+    for (const { kind, points, lines } of this.spans) stretch(lines, kind, this.along(points, poses));
     this.view.spots.forEach((spot, k) => {
       const [x, y] = placed(poses.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
       this.spots[k].setAttribute("transform", this.shifted(x, y));
@@ -409,11 +440,18 @@ export class Scene {
   way(body, held, wanted) {
     const pose = poseOf(body, this.state.values, this.state.there);
     const [x, y] = placed(pose, held[0], held[1]);
-    const vx = this.rate(body.x) - this.rate(body.angle) * (y - pose.y);
-    const vy = this.rate(body.y) + this.rate(body.angle) * (x - pose.x);
+    const most = this.state.span / 24;
+    let vx = this.rate(body.x) - this.rate(body.angle) * (y - pose.y);
+    let vy = this.rate(body.y) + this.rate(body.angle) * (x - pose.x);
+    if (Math.hypot(vx, vy) * this.state.span < REST * this.size) {
+      // it rests there, as at the ends of a motion over the time: the way from there on
+      const { at, low, high, values } = this.state;
+      const next = at + most <= high ? at + most : Math.max(low, at - most);
+      const [nx, ny] = placed(poseOf(body, values, between(values, next)), held[0], held[1]);
+      [vx, vy] = [(nx - x) / (next - at), (ny - y) / (next - at)];
+    }
     const size = vx * vx + vy * vy;
     const way = size ? ((wanted[0] - x) * vx + (wanted[1] - y) * vy) / size : 0;
-    const most = this.state.span / 24;
     return Math.min(most, Math.max(-most, way));
   }
 }
