@@ -46,6 +46,7 @@ def views(order: Order) -> Iterator[View]:
             layers=tuple(arm.layers()),
             stops=tuple(_stops(result)),
             shown=tuple(_shown(result)),
+            stages=("manipulator",),
         )
 
 

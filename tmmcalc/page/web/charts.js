@@ -61,7 +61,9 @@ export class Charts {
     const found = columnOf(name);
     if (!found?.stage.rows) return;
     const header = found.stage.rows.header;
-    const state = this.states.find((each) => each.view.column === header) ?? null;
+    const stage = found.stage.name;
+    const along = this.states.filter(({ view }) => view.column === header);
+    const state = along.find(({ view }) => !view.stages.length || view.stages.includes(stage)) ?? null;
     const chart = new Chart(this.list, name, found, state, () => this.shown.delete(name));
     this.shown.set(name, chart);
   }

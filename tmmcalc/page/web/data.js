@@ -35,6 +35,7 @@
  * @property {Plan[]} plans
  * @property {{title: Said, at: number}[]} stops
  * @property {string[]} shown
+ * @property {string[]} stages
  * @property {[number, number][]} reach
  */
 /** @typedef {{name: string, symbol: string, meaning: Said, value: number, unit: Said}} Fact */
