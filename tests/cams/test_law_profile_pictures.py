@@ -199,7 +199,7 @@ def test_only_the_line_of_the_cusp_has_its_look():
 def test_short_phases_are_named_beside_each_other():
     task = task_of(turn("cosine", rise=5, high=5, back=5))
     drawing = law_drawing(task, solve_law(task))
-    found = boxes(drawing, ("rise\n", "high dwell\n", "return\n", "low dwell\n"))
+    found = boxes(drawing, ("rise\n", "high\ndwell\n", "return\n", "low dwell\n"))
     assert len(found) == 4
     assert apart(found.values())
     frame = frames(drawing)[0].box

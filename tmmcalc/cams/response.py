@@ -153,3 +153,67 @@ def residual(law: Law, ratio: Values, damping: float = 0.0) -> Values:
     weights = (on.width[:, None] * rule(on.order).weights).ravel() * given
     found: Values = np.abs(np.exp(rate[:, None] * (1 - k)) @ weights) / np.abs(rate.imag)
     return found
+
+
+@record
+class Share:
+    """What an end of a piece of a law adds to the free vibration after its phase, over the stroke and by the part k.
+
+    On the piece the stretch is a forced part w, which obeys w'' + 2 zeta W w' + W^2 w = -s'', and a free vibration.
+    """
+
+    k: float  # of the end, as the phase runs
+    begins: bool  # whether the piece begins there
+    angle: float  # [rad] of the harmonic
+    harmonic: tuple[float, float, float, float] | None  # B of s'', its angle by k, that over W, |lambda^2 + n^2|^2/W^4
+    law: tuple[float, ...]  # s'', s''', ... as far as a polynomial has them
+    forced: tuple[float, ...]  # w, w', ... of it; of a harmonic w and w'
+    state: complex  # q of the forced motion
+    fading: complex  # lambda (1 - k)
+    left: complex  # q of the free vibration at the end of the phase
+
+
+def shares(law: Law, frequency: float, damping: float, *, back: bool = False) -> tuple[Share, ...]:
+    """The shares (2 P,) of all ends of pieces in their order; their sum is the integral of e^(lambda (1 - k)) s''.
+
+    ``frequency`` W is the natural one times the time of the phase; ``back``: the law runs from k = 1 to 0, as on a
+    return. A natural vibration without damping that is as fast as a harmonic of the law has no shares.
+
+    >>> from tmmcalc.cams.laws.catalogue import LAWS
+    >>> whole = sum(each.left for each in shares(LAWS["sine"], 3 * np.pi, 0.0))
+    >>> round(abs(whole) / (3 * np.pi), 12)
+    0.169765272631
+    """
+    rate, sense = rate_of(frequency, damping), -1.0 if back else 1.0
+    found = []
+    for piece in range(law.count)[:: -1 if back else 1]:
+        low, high = law.breaks[piece : piece + 2].tolist()
+        for begins, at in zip((True, False), (high, low) if back else (low, high), strict=True):
+            given = _polynomial(law, piece, at - low, sense)
+            q = np.zeros(max(2, len(given)), complex)
+            for n in range(len(given)):
+                q[n] = sum(each / rate ** (m + 1) for m, each in enumerate(given[n:]))
+            turned, angle, harmonic = sense * float(law.frequency[piece]), 0.0, None
+            if law.amplitude[piece]:
+                angle = float(law.frequency[piece] * (at - low) + law.phase[piece])
+                given_most, apart = float(-law.amplitude[piece]) * turned**2, rate**2 + turned**2
+                harmonic = given_most, turned, turned / frequency, abs(apart) ** 2 / frequency**4
+                size = given_most / apart if apart else complex("nan")
+                q[0] += size * (rate * np.sin(angle) + turned * np.cos(angle))
+                q[1] += size * turned * (rate * np.cos(angle) - turned * np.sin(angle))
+            forced = tuple((q.imag / rate.imag).tolist())
+            k = 1.0 - at if back else at
+            own, fading = complex(forced[1] - np.conj(rate) * forced[0]), rate * (1.0 - k)
+            left = complex(np.exp(fading)) * own * (1.0 if begins else -1.0)
+            found.append(Share(k, begins, angle, harmonic, given, forced, own, fading, left))
+    return tuple(found)
+
+
+def _polynomial(law: Law, piece: int, t: float, sense: float) -> tuple[float, ...]:
+    """s'', s''', ... of the polynomial of a piece, up to the last that is not zero all along it."""
+    c = np.trim_zeros(law.coefficients[piece], "b")
+    found = []
+    for order in range(2, len(c)):
+        c = np.polynomial.polynomial.polyder(c, 2 if order == 2 else 1)
+        found.append(float(sense**order * np.polynomial.polynomial.polyval(t, c)))
+    return tuple(found)

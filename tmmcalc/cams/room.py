@@ -162,4 +162,5 @@ ROOM = Room(
         "tmmcalc cam synth my.toml",
     ),
     chapters={"cams": "Synthesis of the cam mechanism"},
+    gives=True,
 )

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
+from math import isclose
 
 from tmmcalc.core.notes import Note, graded
 from tmmcalc.note.assembled import shown_unit
 from tmmcalc.report.formula.digits import RESULT, significant
+from tmmcalc.report.formula.symbols import GREEK
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Chapter, Listing, Paragraph, Result, Table
 from tmmcalc.report.printing import printed_as
 
+LETTER = re.compile(rf"(?<!\$)\b({'|'.join(GREEK)})\b")
+INDEXED = re.compile(rf"\b(?:[A-Za-z]|{'|'.join(GREEK)})_[A-Za-z0-9]+\b")
+DEGREES = re.compile(r"(?<=\d) deg\b")
+SAME = 1e-9  # relative
 SENSES = {"<=": "≤", ">=": "≥"}
 
 
@@ -25,14 +32,45 @@ def _blocks(results: Sequence[Result], warnings: Sequence[str]) -> Iterator[Bloc
         yield Paragraph(tr("The main results are listed in table {tab:results}."))
         head = (tr("Quantity"), tr("Designation"), tr("Value"), tr("Limit"), tr("Kept"))
         yield Table(tr("Main results"), head, tuple(map(_row, results)), key="results")
-    known = {(each.value, each.limit) for each in warnings if isinstance(each, Note)}
-    failing = [each for each in results if _kept(each) is False and (each.given.value, each.limit) not in known]
+    told = list(_once(warnings))
+    parts = [each.value / each.limit for each in told if isinstance(each, Note) and each.value and each.limit]
+    failing = [each for each in results if _kept(each) is False and not _warned(each, parts)]
     if failing:
         yield Paragraph(tr("Limits that are not kept:"))
         yield Listing(tuple(_sentence(each) for each in failing))
-    if warnings:
+    if told:
         yield Paragraph(tr("To be borne in mind:"))
-        yield Listing(tuple(tr_name(graded(each)[1]) for each in warnings))
+        yield Listing(tuple(_lettered(tr_name(graded(each)[1])) for each in told))
+
+
+def _once(warnings: Sequence[str]) -> Iterator[str]:
+    """The warnings without those of a number and a limit that an earlier one is about."""
+    known: set[tuple[float, float]] = set()
+    for each in warnings:
+        if isinstance(each, Note) and each.value and each.limit:
+            about = each.value, each.limit
+            if about in known:
+                continue
+            known.add(about)
+        yield each
+
+
+def _lettered(text: str) -> str:
+    """A sentence of the program with Greek letters for their names, indices as formulas, and the sign of degrees.
+
+    >>> _lettered("|theta| reaches 47.3 deg at phi = 25.4 deg, r_i = 75 mm")
+    '|θ| reaches 47.3° at φ = 25.4°, $r_i$ = 75 mm'
+    """
+    return DEGREES.sub("°", LETTER.sub(lambda name: GREEK[name[0]], INDEXED.sub(r"$\g<0>$", text)))
+
+
+def _warned(result: Result, parts: Sequence[float]) -> bool:
+    """Whether a warning is about a result: its value in parts of its limit, in whatever unit."""
+    assert isinstance(result.given.value, float)
+    if not result.limit:
+        return False
+    own = result.given.value / result.limit
+    return any(isclose(own, part, rel_tol=SAME) for part in parts)
 
 
 def _row(result: Result) -> tuple[str, ...]:

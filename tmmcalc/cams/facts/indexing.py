@@ -161,6 +161,7 @@ def _efficiency_fact(result: Indexing, cam: Cam) -> Fact:
     text += f"the load along it\n{number(found.mean_paper, 4)} against it up to k_m, along it while the wheel runs out"
     text += f"\nf1 = {number(f1, 4)}, f2 = {number(f2, 4)}"
     values = keyed(found, "mean_against", "mean_aiding", "mean_paper", "against_share", "aiding_share")
+    values |= keyed(found, "against_a", "against_b", "aiding_a", "aiding_b")
     return Fact("efficiency", text, values | keyed(result, "first_friction", "second_friction"))
 
 

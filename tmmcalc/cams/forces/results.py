@@ -130,6 +130,11 @@ class CamWork:
     power: float = quantity("P_mean[W]", "mean power")
     error: float = quantity("work_error", "error of the balance over what is given and returned")
 
+    @derived("eta_turn", "efficiency of a turn: work done against the technological force over that of the camshaft")
+    def efficiency(self) -> float | None:
+        """None: nothing useful is done."""
+        return -self.force / self.driving if self.force < 0 < self.driving else None
+
 
 @record
 class CamForces:

@@ -90,6 +90,19 @@ class EfficiencyTable:
     aiding: Values = quantity("eta_aiding", "efficiency with the load along the motion", source="(13)")  # (n,)
     against_cut: Flags  # (n,) cut off at 0 or 1
     aiding_cut: Flags  # (n,)
+    # integrals of both efficiencies over the part of the step that a flank drives
+    against_a: float = quantity(
+        "eta_against_A", "integral of the efficiency with the load against the motion over the parts up to k_m"
+    )
+    against_b: float = quantity(
+        "eta_against_B", "integral of the efficiency with the load against the motion over the parts from k_m on"
+    )
+    aiding_a: float = quantity(
+        "eta_aiding_A", "integral of the efficiency with the load along the motion over the parts up to k_m"
+    )
+    aiding_b: float = quantity(
+        "eta_aiding_B", "integral of the efficiency with the load along the motion over the parts from k_m on"
+    )
     mean_against: float = quantity("eta_against", "mean efficiency of the step with the load against the motion")
     mean_aiding: float = quantity("eta_aiding", "mean efficiency of the step with the load along the motion")
     mean_paper: float = quantity(

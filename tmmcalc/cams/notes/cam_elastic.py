@@ -13,6 +13,7 @@ from tmmcalc.cams.forces.turn import at_rows, loads_of, weight
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.notes.laws import named_title
 from tmmcalc.cams.notes.lexicon import ANGLES, Told, degrees_of, mm, of_task, quantities_table, told_of
+from tmmcalc.cams.notes.loaded.duhamel import integrals
 from tmmcalc.cams.notes.loaded.quantities import ROCKER, STEM, listed
 from tmmcalc.cams.pictures.cam_elastic import draw_spectra, draw_vibration
 from tmmcalc.cams.response import rate_of, residual, steady
@@ -21,12 +22,14 @@ from tmmcalc.cams.speed import constant_speed
 from tmmcalc.machine.notes.told import plainly
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import WIDE, column_of, filled, lines, named, tabulated
 
 PERCENT = 100
+TRAIN = ("m_e", "k_e", "zeta")  # what is given of the train
 TURN, SPECTRA = (WIDE, 120.0), (WIDE, 85.0)  # sizes of the pictures [mm]
 LOAD = "<P>_c = <O> + G - (<Q>_0 + c*<dy>) - m_e*a_x"
 RIGID = "<P>_r = <O> + G - (<Q>_0 + c*<dy>) - m_e*a_y"
@@ -36,7 +39,7 @@ NAMES = {"rise": "y", "return": "c"}  # indices of the moving phases
 def blocks(order: Order) -> Iterator[Block]:
     """The vibration of the follower of the spec."""
     told, result = told_of(order), order.results["cam_elastic"]
-    scene = told.named(_scene(told, result))
+    scene = told.named(train_scene(told, result))
     yield Heading(tr("Vibration of the elastic follower"))
     yield Paragraph(
         tr(
@@ -46,7 +49,7 @@ def blocks(order: Order) -> Iterator[Block]:
     )
     yield Display(read("m_e*x'' + 2*zeta*omega_0*m_e*(x' - y') + k_e*(x - y) = 0"))
     yield Paragraph(tr("The given data of the train are in table {tab:cam_train}."))
-    yield quantities_table(tr("Given data of the elastic train"), ("m_e", "k_e", "zeta"), scene, "cam_train")
+    yield quantities_table(tr("Given data of the elastic train"), TRAIN, scene, "cam_train")
     yield Paragraph(tr("Natural frequency, without the damping and with it, and its ratio to that of the cam:"))
     frequency = "omega_0 = sqrt(k_e/m_e)" if told.turns else "omega_0 = sqrt(10**3*k_e/m_e)"
     damped = ("omega_d = omega_0*sqrt(1 - zeta**2)",) * bool(result.damping)
@@ -58,7 +61,7 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from _pictures(told, result)
 
 
-def _scene(told: Told, result: ElasticResult) -> Lexicon:
+def train_scene(told: Told, result: ElasticResult) -> Lexicon:
     """The train, its frequencies, the speed."""
     turning = told.task.turning
     speed = loads_of(told.task).speed if turning is None else turning.mean
@@ -114,9 +117,14 @@ def _phases(told: Told, result: ElasticResult, scene: Lexicon) -> Iterator[Block
             "omega_d": scene["omega_d"]._replace(meaning=tr("angular frequency of the damped vibration")),
         }
         timed = (f"t_{i} = {ANGLES[phase.kind]}/omega_m",) if task.turning is None else ()
-        texts = (*timed, f"tau_{i} = t_{i}*f_e", f"A_{i} = sqrt(a_c{i}**2 + a_s{i}**2)/omega_d")
         name = tr("rise") if found.kind == "rise" else tr("return")
-        yield from lines(texts, [Place(name, scene | named(values))])
+        place = Place(name, scene | named(values))
+        yield from lines((*timed, f"tau_{i} = t_{i}*f_e"), [place])
+        if task.turning is None and phase.law is not None:
+            letter, back = canonical(told.words["h"]), found.kind == "return"
+            first = found is result.phases[0]
+            yield from integrals(phase.law, i, result.damping, place.lexicon, letter, back=back, first=first)
+        yield from lines((f"A_{i} = sqrt(a_c{i}**2 + a_s{i}**2)/omega_d",), [place])
     yield Paragraph(tr("Table {tab:cam_residual} compares them with what is left in the steady motion, turn by turn."))
     yield _residual_table(told, result)
 

@@ -19,7 +19,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph
 from tmmcalc.report.telling import WIDE
 
-GIVEN = ("m_2", "J_2", "omega", "Q_y", "Q_c", "M_Qy", "M_Qc", "g", "f", "r_A", "K_1", "f_1", "F_min", "c", "Q_0", "M_0")
+GIVEN = ("m_2", "J_2", "Q_y", "Q_c", "M_Qy", "M_Qc", "g", "f", "r_A", "K_1", "f_1", "F_min", "c", "Q_0", "M_0")
 SPRING, COURSE = (WIDE, 80.0), (WIDE, 130.0)  # sizes of the pictures [mm]
 NAMES = (5.0, 4.0, 2.0, 0.0)  # room that names of axes take around a diagram [mm]
 
@@ -39,10 +39,11 @@ def blocks(order: Order) -> Iterator[Block]:
 
 def _data(of: Loaded) -> Iterator[Block]:
     """Masses, loads, friction, what is said of the spring and of the speed."""
-    known = of.named(_given(of))
-    yield Paragraph(tr("The given data of the forces are in table {tab:cam_loads_given}."))
+    known = of.named(given_loads(of))
     names = [name for name in GIVEN if name in known and known[name].value]
-    yield quantities_table(tr("Given data of the forces"), names, known, "cam_loads_given")
+    if names:
+        yield Paragraph(tr("The given data of the forces are in table {tab:cam_loads_given}."))
+        yield quantities_table(tr("Given data of the forces"), names, known, "cam_loads_given")
     force = of.loads.force
     if force.phi is not None:
         yield Paragraph(tr("The technological load is given by a table over the angle of the cam, linear between."))
@@ -55,7 +56,7 @@ def _data(of: Loaded) -> Iterator[Block]:
         )
 
 
-def _given(of: Loaded) -> Lexicon:
+def given_loads(of: Loaded) -> Lexicon:
     """What the spec says of loads, friction and the spring."""
     loads, asked = of.loads, of.loads.spring
     scene = of_scene(of)

@@ -8,19 +8,23 @@ from math import degrees
 
 import numpy as np
 
-from tmmcalc.cams.lawresult import PhaseMotion, Shock
+from tmmcalc.cams.lawresult import LawResult, PhaseMotion, Shock
 from tmmcalc.cams.laws.constants import LawConstants
 from tmmcalc.cams.laws.details import phase_laws
 from tmmcalc.cams.laws.graphical import constructed
-from tmmcalc.cams.laws.law import Law
+from tmmcalc.cams.laws.law import ORDERS, Law
 from tmmcalc.cams.notes import laws
 from tmmcalc.cams.notes.lexicon import Told, of_motion, of_task, shown_unit, table_rows, told_of
+from tmmcalc.cams.pictures.cam_law import draw_portrait
 from tmmcalc.cams.pictures.integration import INTERVALS, draw_integration, integration_heading
 from tmmcalc.cams.pictures.lawdiagrams import draw_laws, shown_scale, symbol, unit_of
 from tmmcalc.cams.pictures.wording import sense_of
 from tmmcalc.cams.program import PhaseKind
+from tmmcalc.cams.task import CamTask
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.syntax import read
@@ -41,9 +45,11 @@ PEAKS = {
     "rise": ("<y>'_{max} = C_v*<h>/phi_y", "<y>''_{max} = C_a*<h>/phi_y**2", "<y>''_{min} = -<C>*<h>/phi_y**2"),
     "return": ("<y>'_{min} = -C_v*<h>/phi_c", "<y>''_{max} = C_a*<h>/phi_c**2", "<y>''_{min} = -<C>*<h>/phi_c**2"),
 }
+NAMES = (4.0, 4.0, 2.0, 2.0)  # room that names of axes take around the phase portrait [mm]
 ROWS = 40  # pieces of a law that are listed
 LIKE = 1e-9  # of the largest: a law that brakes as hard as it speeds up
-DIAGRAMS, CONSTRUCTION = (WIDE, 125.0), (WIDE, 160.0)  # sizes of the pictures [mm]
+DIAGRAMS, CONSTRUCTION = (WIDE, 138.0), (WIDE, 160.0)  # sizes of the pictures [mm]
+PORTRAIT = {True: (WIDE, 66.0), False: (80.0, 72.0)}  # by whether the follower turns; a stem has one scale
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -57,22 +63,10 @@ def blocks(order: Order) -> Iterator[Block]:
 
 
 def _given(told: Told) -> Iterator[Block]:
-    """The kind of the mechanism and its motion as a table."""
-    follower, task = told.follower, told.task
-    kinds = {
-        "translating": tr("translating, with a roller"),
-        "oscillating": tr("oscillating, with a roller"),
-        "flat": tr("translating, with a flat face"),
-    }
-    rows = [
-        (tr("follower"), "", "", kinds[follower.kind]),
-        (tr("sense in which the cam turns"), "", "", sense_of(follower)),
-    ]
-    if told.turns:
-        turn = tr("with the cam") if follower.assembly > 0 else tr("against the cam")
-        rows.append((tr("sense of the rocker on its rise"), "", "", turn))
-    closures = {"force": tr("by force"), "groove": tr("by a groove")}
-    rows.append((tr("closure of the higher pair"), "", "", closures[task.asked.closure]))
+    """The kind of the mechanism in a sentence, its motion as a table."""
+    said = "; ".join(f"{what} – {text}" for what, text in described(told))
+    yield Paragraph(tr("The cam mechanism: {said}.", said=said))
+    rows: list[tuple[str, ...]] = []
     given = told.named(of_task(told))
     for name, each in given.items():
         assert isinstance(each.value, float)
@@ -81,12 +75,36 @@ def _given(told: Told) -> Iterator[Block]:
             rows.append((each.meaning, f"${name}$", "° (rad)".replace("rad", shown_unit("rad")), value))
         else:
             rows.append((each.meaning, f"${name}$", shown_unit(each.unit), _short(each.value)))
-    for phase in _moving(told):
-        said = tr("law of motion of the rise") if phase.kind == "rise" else tr("law of motion of the return")
-        rows.append((said, "", "", laws.title(_law(told, phase.kind))))
-    yield Paragraph(tr("The given data are in table {tab:cam_given}."))
+    yield Paragraph(tr("Its motion is given in table {tab:cam_given}."))
     head = tr("Quantity"), tr("Symbol"), tr("Unit"), tr("Value")
-    yield Table(tr("Given data of the cam mechanism"), head, tuple(rows), key="cam_given")
+    yield Table(tr("Given data of the motion"), head, tuple(rows), key="cam_given")
+
+
+def described(told: Told) -> Iterator[tuple[str, str]]:
+    """The kind of the mechanism: follower, senses, closure, each with what it is."""
+    follower = told.follower
+    kinds = {
+        "translating": tr("translating, with a roller"),
+        "oscillating": tr("oscillating, with a roller"),
+        "flat": tr("translating, with a flat face"),
+    }
+    yield tr("follower"), kinds[follower.kind]
+    yield tr("sense in which the cam turns"), sense_of(follower)
+    if told.turns:
+        turn = tr("with the cam") if follower.assembly > 0 else tr("against the cam")
+        yield tr("sense of the rocker on its rise"), turn
+    closures = {"force": tr("by force"), "groove": tr("by a groove")}
+    yield tr("closure of the higher pair"), closures[told.task.asked.closure]
+
+
+def laws_described(told: Told) -> Iterator[tuple[str, str]]:
+    """The laws of rise and return, once where they are one."""
+    rise, back = (laws.title(_law(told, phase.kind)) for phase in _moving(told))
+    if rise == back:
+        yield tr("law of motion of rise and return"), rise
+    else:
+        yield tr("law of motion of the rise"), rise
+        yield tr("law of motion of the return"), back
 
 
 def _short(value: float) -> str:
@@ -291,7 +309,10 @@ def _course(told: Told) -> Iterator[Block]:
             columns[f"${filled(name, told.words)}$, {'rad' if told.turns else 'm'}{unit}"] = values
     yield Heading(tr("Motion over the turn"), 3)
     yield Paragraph(
-        tr("Positions over the turn of the cam are in table {tab:cam_motion}, diagrams in figure {fig:cam_law}.")
+        tr(
+            "Positions over the turn of the cam are in table {tab:cam_motion}, diagrams of the displacement and of its "
+            "three derivatives in figure {fig:cam_law}."
+        )
     )
     if any(not law.labels[row].isdecimal() for row in rows):
         yield Paragraph(tr("A position with a minus sign after its number is the state just before the jump there."))
@@ -299,16 +320,31 @@ def _course(told: Told) -> Iterator[Block]:
     labels = [law.labels[row] for row in rows]
     yield tabulated(tr("Motion of the follower"), shown, labels, head=tr("Position"), key="cam_motion")
     yield from _shocks(told)
+    signs = {"ordinate": symbol(law, 1), "abscissa": symbol(law, 0)}
+    yield Paragraph(
+        tr(
+            "The phase portrait in figure {fig:cam_portrait} is the analogue of velocity over the displacement: the "
+            "rise runs above the axis, the return below it."
+        )
+    )
     yield Figure(
-        message(tr("Diagrams of {names}", names=", ".join(f"${symbol(law, order)}$" for order in range(3)))),
-        partial(draw_laws, program=task.program, result=law, orders=(0, 1, 2)),
+        message(tr("Diagrams of {names}", names=", ".join(f"${symbol(law, order)}$" for order in range(ORDERS)))),
+        partial(draw_laws, program=task.program, result=law, orders=range(ORDERS)),
         DIAGRAMS,
         "cam_law",
     )
+    portrait = partial(_draw_portrait, task=task, result=law)
+    title = tr("Phase portrait ${ordinate}$(${abscissa}$)", **signs)
+    yield Figure(message(title), portrait, PORTRAIT[told.turns], "cam_portrait")
     yield Paragraph(tr("The graphical integration of the law is shown in figure {fig:cam_integration}."))
     made = constructed(task.program, INTERVALS)
     draw = partial(draw_integration, program=task.program, result=law, made=made)
     yield Figure(message(integration_heading(law)), draw, CONSTRUCTION, "cam_integration")
+
+
+def _draw_portrait(drawing: Drawing, box: Box, task: CamTask, result: LawResult) -> None:
+    """The phase portrait with room for the names of its axes."""
+    draw_portrait(drawing, box.inset(*NAMES), task, result)
 
 
 def _shocks(told: Told) -> Iterator[Block]:

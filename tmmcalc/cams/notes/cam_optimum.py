@@ -60,7 +60,7 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from _worked(task, follower, result)
     if result.flat is not None:
         yield from _chart(task, result, result.flat)
-    yield from constraints(result)
+    yield from constraints(result, concave=task.limits.allow_concave)
     yield from _pressed(task, result)
     yield from search(result)
     yield from relaxations(result)
@@ -251,14 +251,24 @@ def _pictures(result: CamOptimum) -> Iterator[Block]:
         yield Paragraph(tr("Figure {fig:cam_chart} shows the admissible start distances over the height."))
         draw = partial(_in_room, of=partial(draw_chart, result=result, chart=result.flat))
         yield Figure(tr("Admissible start distances over the height"), draw, CHART, "cam_chart")
-    for k, contour in enumerate(result.contours, 1):
+    figures = ", ".join(f"{{fig:cam_contour{k}}}" for k, _ in enumerate(result.contours, 1))
+    if len(result.contours) > 1:
+        yield Paragraph(
+            tr(
+                "Figures {figures} show the blocking contours: the regions of the sizes that keep all constraints at "
+                "each height, every border with the number of its constraint.",
+                figures=figures,
+            )
+        )
+    elif result.contours:
         yield Paragraph(
             tr(
                 "Figure {figure} shows the blocking contour: the region of the sizes that keep all constraints, each "
                 "border with the number of its constraint.",
-                figure=f"{{fig:cam_contour{k}}}",
+                figure=figures,
             )
         )
+    for k, contour in enumerate(result.contours, 1):
         draw = partial(_in_room, of=partial(draw_contour, result=result, contour=contour))
         yield Figure(message(contour_heading(result, contour)), draw, CONTOUR, f"cam_contour{k}")
     if result.section is not None:

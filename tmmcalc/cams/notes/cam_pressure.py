@@ -10,7 +10,7 @@ import numpy as np
 
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.notes.lexicon import Told, angle, degrees_of, of_follower, of_motion, of_values, table_rows, told_of
-from tmmcalc.cams.pictures.cam_pressure import draw_angle, name_phases
+from tmmcalc.cams.pictures.cam_pressure import draw_angle
 from tmmcalc.cams.pictures.pieces import NAMES
 from tmmcalc.cams.pressure.angle import Extreme, Reached, pressure_angle
 from tmmcalc.cams.pressure.solve import Pressure
@@ -22,7 +22,7 @@ from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import WIDE, lines, tabulated
+from tmmcalc.report.telling import WIDE, folded, lines, tabulated
 
 STEM = ("theta = atan((S' <+> e)/S)",)
 ROCKER = ("theta = atan((l_2*(1 <d-> psi') - l_0*cos(psi))/(l_0*sin(psi)))",)
@@ -56,10 +56,13 @@ def blocks(order: Order) -> Iterator[Block]:
         "$gamma$, deg": result.gamma[shown],
     }
     yield Paragraph(
-        tr("The pressure angle over the turn is in table {tab:cam_pressure} and in figure {fig:cam_pressure}.")
+        tr(
+            "The pressure angle in the positions $i$ is in table {tab:cam_pressure}, over the turn in figure "
+            "{fig:cam_pressure}."
+        )
     )
     labels = [result.labels[row] for row in shown]
-    yield tabulated(tr("Pressure angle"), columns, labels, head=tr("Position"), key="cam_pressure")
+    yield folded(tabulated(tr("Pressure angle"), columns, labels, head="$i$", key="cam_pressure"))
     yield Figure(
         tr("Pressure angle over a turn of the cam"), partial(_draw, task=told.task, result=result), SIZE, "cam_pressure"
     )
@@ -68,7 +71,7 @@ def blocks(order: Order) -> Iterator[Block]:
 def _draw(drawing: Drawing, box: Box, task: CamTask, result: Pressure) -> None:
     """The diagram over the turn."""
     (frame,) = stacked(box.inset(*NAMES), [0])
-    name_phases(draw_angle(drawing, frame, task, result, numbered=True), task)
+    draw_angle(drawing, frame, task, result, numbered=True)
 
 
 def _said(told: Told) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
-from math import isfinite
+from math import isclose, isfinite
 
 import numpy as np
 
@@ -328,7 +328,8 @@ def _limits(told: Told, result: Profile, lexicon: Lexicon) -> Iterator[Block]:
     for wall in result.walls:
         if not wall.sound:
             yield Paragraph(_unsound(wall))
-    if result.largest_tool is not None:
+    hollow = result.least_concave
+    if result.largest_tool is not None and (hollow is None or not isclose(result.largest_tool, hollow, rel_tol=KEPT)):
         yield Paragraph(
             tr("The largest tool that makes the working profile has a radius of {radius} mm.",
                radius=_radius(1e3 * result.largest_tool))
@@ -349,7 +350,7 @@ def _shaft(told: Told, result: Profile, lexicon: Lexicon) -> Iterator[Block]:
     if not told.task.limits.shaft:
         return
     lexicon |= named({"r_{min}": mm(result.nearest.value, tr("least radius of the working profile"))})
-    yield Paragraph(tr("The camshaft has to have room within the profile:"))
+    yield Paragraph(tr("The camshaft has to have room within the profile, whose least radius is $r_min$:"))
     yield from _held("r_{min}", lexicon, "r_1")
 
 
@@ -371,19 +372,18 @@ def _value(given: Given) -> float:
 
 def _reached(reach: Reach, wall: Wall) -> str:
     """How large the roller may be for a wall, and what it is bounded by."""
-    radius, at = _radius(1e3 * reach.distance), [degrees_of(phi) for phi in reach.at]
-    name = wall_name(wall.name)
+    name, at = wall_name(wall.name), [degrees_of(phi) for phi in reach.at]
     if reach.cause == "cusp":
         return tr(
-            "The largest roller has a radius of {radius} mm: with it the {wall} has a cusp at φ = {angle}°.",
-            radius=radius,
+            "The radius of the roller has to stay below ${radius}$, with which the {wall} has a cusp at φ = {angle}°.",
+            radius="rho_1" if wall.name == "outer" else "rho_2",
             wall=name,
             angle=at[0],
         )
     return tr(
         "The largest roller has a radius of {radius} mm: with it the {wall} touches itself at φ = {first}° and "
         "φ = {second}°.",
-        radius=radius,
+        radius=_radius(1e3 * reach.distance),
         wall=name,
         first=at[0],
         second=at[-1],
@@ -400,7 +400,11 @@ def _unsound(wall: Wall) -> str:
 
 def _pictures(order: Order, told: Told, result: Profile) -> Iterator[Block]:
     """The cam to scale with its dimensions, its curvature over the turn."""
-    yield Paragraph(tr("The cam is drawn to scale in figure {fig:cam_profile}."))
+    yield Paragraph(
+        tr("The cam is drawn to scale in figure {fig:cam_profile}.")
+        if result.flat
+        else tr("The cam is drawn to scale in figure {fig:cam_profile}, its curvature in figure {fig:cam_curvature}.")
+    )
     caption = tr("Profile of the cam, which turns {sense}", sense=sense_of(told.follower))
     size = WIDE, height_of(told.task, result, Box(0.0, 0.0, WIDE, HIGH))
     yield Figure(caption, partial(draw_cam, task=told.task, result=result, to_scale=True), size, "cam_profile")

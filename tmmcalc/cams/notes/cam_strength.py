@@ -17,11 +17,11 @@ from tmmcalc.cams.pictures.cam_strength import draw_requirements
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
-from tmmcalc.report.telling import WIDE, tabulated
+from tmmcalc.report.telling import WIDE, folded, tabulated
 
-GIVEN = (
+GIVEN = (  # without the limits of the profile, which stand with its sizes
     *("b", "E_n", "sigma_HP", "k_r", "f_r", "f_0", "p_0P", "alpha_2", "alpha_0", "rho_s", "l_s", "sigma_FP", "Delta_P"),
-    *("E", "alpha_e", "r_T", "l_H", "p_gP", "r_1", "r_m", "r_i"),
+    *("E", "alpha_e", "r_T", "l_H", "p_gP"),
 )
 NEEDS = {  # without what these are not given
     "E_n": "b",
@@ -39,30 +39,26 @@ def blocks(order: Order) -> Iterator[Block]:
     """The requirements of the cam of the spec, as far as there are data."""
     of = Judging(loaded_of(order), order.results["cam_strength"])
     yield Heading(tr("Strength and working of the cam mechanism"))
-    yield Paragraph(tr("The given data of the requirements are in table {tab:cam_needs}."))
     scene = of.scene
-    names = [name for name in GIVEN if name not in NEEDS or NEEDS[name] in scene]
-    yield quantities_table(tr("Given data of the requirements"), _asked(of, names), scene, "cam_needs")
+    names = [name for name in GIVEN if name in scene and (name not in NEEDS or NEEDS[name] in scene)]
+    if names:
+        yield Paragraph(tr("The given data of the requirements are in table {tab:cam_needs}."))
+        yield quantities_table(tr("Given data of the requirements"), names, scene, "cam_needs")
     yield from pin(of)
     yield from rolling_blocks(of)
     yield from shaft(of)
     yield from stem(of)
     yield from contact(of, order.spec.cam.requirements.material)
-    yield from margins(of)
     yield from _course(of)
-
-
-def _asked(of: Judging, names: list[str]) -> list[str]:
-    """Names of what the follower has: a flat face has no roller, and only concave parts need a tool."""
-    left_out = {"r_i"} if of.of.kind == "flat" or of.found.concave is None else set()
-    return [name for name in names if name not in left_out]
+    yield from margins(of)
 
 
 def _course(of: Judging) -> Iterator[Block]:
     """The table over the turn, and the diagrams."""
     table = _table(of)
     if table is not None:
-        yield Paragraph(tr("Table {tab:cam_judged} has the values in the positions $i$."))
+        yield Heading(tr("Requirements over the turn"), 3)
+        yield Paragraph(tr("The values that are judged stand in table {tab:cam_judged}, for the positions $i$."))
         yield table
     found = of.found
     count = sum(values is not None for values in (found.slip, found.stress, found.reduced))
@@ -88,5 +84,5 @@ def _table(of: Judging) -> Table | None:
         return None
     shown = {"$phi$, deg": np.degrees(found.positions.phi)[rows], **columns}
     labels = [found.positions.labels[row] for row in rows]
-    caption = tr("What is judged over the turn")
-    return tabulated(caption, shown, labels, head="$i$", key="cam_judged")
+    caption = tr("Values over the turn")
+    return folded(tabulated(caption, shown, labels, head="$i$", key="cam_judged"))

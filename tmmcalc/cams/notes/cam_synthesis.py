@@ -7,7 +7,17 @@ from math import degrees, floor, isclose
 
 from tmmcalc.cams.notes.flatface import told_face
 from tmmcalc.cams.notes.hung import hung
-from tmmcalc.cams.notes.lexicon import Told, angle, degrees_of, mm, number, of_follower, quantities_table, told_of
+from tmmcalc.cams.notes.lexicon import (
+    SHORT,
+    Told,
+    angle,
+    degrees_of,
+    mm,
+    number,
+    of_follower,
+    quantities_table,
+    told_of,
+)
 from tmmcalc.cams.notes.rocker import rocker_base, told_pivot, told_rocker
 from tmmcalc.cams.notes.stem import stem_base, told_stem
 from tmmcalc.cams.pictures.pieces import synthesis_pieces
@@ -17,7 +27,7 @@ from tmmcalc.cams.synthesis.completion import GIVEN, PIVOT_ROOM, WHOLE_NAME
 from tmmcalc.cams.synthesis.results import Design, Synthesis
 from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import column_of, headed, lines, number_of, pictured
@@ -101,7 +111,7 @@ def _governed(result: Synthesis) -> Iterator[Block]:
         "second wall": tr("The cam is made larger for the radius of curvature of the second wall of the groove."),
         "no concave parts": tr("The cam is made larger so that its profile has no concave parts."),
         "shaft": tr("The cam is made larger so that it has room for the camshaft."),
-        PIVOT_ROOM: tr("The cam is placed so that it passes the pivot of the rocker."),
+        PIVOT_ROOM: tr("The cam is placed so that it clears the pivot of the rocker."),
         GIVEN: tr("The sizes are given."),
     }
     if result.governs in said:
@@ -148,14 +158,16 @@ def _roller(result: Synthesis, lexicon: Lexicon) -> Iterator[Block]:
     if choice is None:
         return
     yield Heading(tr("Roller"), 3)
-    said = tr("The least radius of convex parts of the pitch curve is $rho_2$ = {convex} mm at φ = {angle}°",
-              convex=number(mm(choice.convex.value)), angle=degrees_of(choice.convex.phi))  # fmt: skip
-    if choice.concave is not None:
-        said += tr(", that of concave parts $rho_1$ = {concave} mm at φ = {angle}°",
-                   concave=number(mm(choice.concave.value)), angle=degrees_of(choice.concave.phi))  # fmt: skip
+    said = tr("The least radius of convex parts of the pitch curve is $rho_2 = {convex}$ mm at φ = {angle}°",
+              convex=significant(1e3 * choice.convex.value, SHORT), angle=degrees_of(choice.convex.phi))  # fmt: skip
+    walled = any("rho_1" in RULES[rule.name] for rule in choice.rules)
+    if choice.concave is not None and walled:
+        said += tr(", that of concave parts $rho_1 = {concave}$ mm at φ = {angle}°",
+                   concave=significant(1e3 * choice.concave.value, SHORT),
+                   angle=degrees_of(choice.concave.phi))  # fmt: skip
     yield Paragraph(f"{said}.")
     lexicon["rho_2"] = mm(choice.convex.value, tr("least radius of curvature of convex parts of the pitch curve"))
-    if choice.concave is not None:
+    if choice.concave is not None and walled:
         lexicon["rho_1"] = mm(choice.concave.value, tr("least radius of curvature of concave parts of the pitch curve"))
     yield Paragraph(tr("The radius of the roller is bounded by these rules:"))
     names = []
@@ -209,6 +221,15 @@ def _candidate(each: SizeCandidate, stem: bool) -> Iterator[str]:
 def _pictures(order: Order) -> Iterator[Block]:
     """The admissible places of the axis of the cam."""
     first, *others = synthesis_pieces(order)
+    if others:
+        yield Paragraph(
+            tr(
+                "The admissible places of the axis of the cam are shown in figure {fig:cam_region}, the sum of the "
+                "displacement and the analogue of acceleration in figure {fig:cam_convexity}."
+            )
+        )
+    else:
+        yield Paragraph(tr("The admissible places of the axis of the cam are shown in figure {fig:cam_region}."))
     yield hung(message(first.heading), first.draw, HIGH, "cam_region")
     for piece in others:
         yield pictured(piece, key="cam_convexity")

@@ -51,18 +51,22 @@ def blocks(order: Order) -> Iterator[Block]:
 
 def _data(of: Stepping) -> Iterator[Block]:
     """What is given, and the law."""
-    task = of.task
-    given = (name for name in GIVEN if name != "r_c" or task.shaft)
-    names = [*given, *["a"] * (task.ratio is not None), *["r_r"] * (task.roller is not None)]
-    names += ["r_r2"] * (task.second_roller is not None)
     yield Paragraph(
         tr(
             "Two cams on the axis $O_1$ turn the wheel on the axis $O_2$ by one pitch of its rollers in every "
             "step, two steps in a turn. The given data are in table {tab:indexing_data}."
         )
     )
-    yield quantities_table(tr("Given data of the indexing drive"), names, of.lexicon, "indexing_data")
+    yield quantities_table(tr("Given data of the indexing drive"), given_names(of), of.lexicon, "indexing_data")
     yield from _law(of.found)
+
+
+def given_names(of: Stepping) -> list[str]:
+    """The names of what is given."""
+    task = of.task
+    names = [name for name in GIVEN if name != "r_c" or task.shaft]
+    names += [*["a"] * (task.ratio is not None), *["r_r"] * (task.roller is not None)]
+    return names + ["r_r2"] * (task.second_roller is not None)
 
 
 def _law(found: Indexing) -> Iterator[Block]:
@@ -72,6 +76,11 @@ def _law(found: Indexing) -> Iterator[Block]:
         yield Paragraph(tr("Of the law of the step its largest derivative $B = {peak}$ is given.", peak=peak))
     else:
         yield Paragraph(tr("Law of the step: {law}; $B = {peak}$.", law=_law_name(found.law), peak=peak))
+
+
+def law_name(found: Indexing) -> str:
+    """The law of the step; of one that is known by its B alone that."""
+    return _law_name(found.law) if found.cam is not None else f"$B = {numeral(found.peak)}$"
 
 
 def _law_name(name: str) -> str:

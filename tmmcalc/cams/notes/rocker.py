@@ -218,4 +218,4 @@ def told_pivot(told: Told, result: Synthesis, lexicon: Lexicon) -> Iterator[Bloc
     elif room.passed:
         yield Paragraph(tr("The disc reaches beyond the pivot, which has to stand beside it."))
     else:
-        yield Paragraph(tr("The turning cam passes the pivot of the rocker."))
+        yield Paragraph(tr("The turning cam clears the pivot of the rocker."))

@@ -14,7 +14,6 @@ from tmmcalc.cams.laws.graphical import constructed
 from tmmcalc.cams.pictures.integration import INTERVALS, draw_integration, integration_heading
 from tmmcalc.cams.pictures.lawdiagrams import (
     DENSE,
-    Pieces,
     axis_name,
     draw_laws,
     pieces_of,
@@ -37,6 +36,7 @@ from tmmcalc.report.numbers import number
 
 HEIGHTS = (1.3, 1.0, 1.0, 0.9)  # of the diagrams of S, S', S'', S'''
 HEADING = 3.2  # height of the headings [mm]
+AROUND = (14.0, 9.0, 1.0, 7.0)  # the phase portrait, for its names and its title [mm]
 
 
 def figure(order: Order) -> Drawing:
@@ -49,7 +49,9 @@ def law_drawing(task: CamTask, result: LawResult) -> Drawing:
     drawing, (first, second) = sheets(2)
     left, right = headed(drawing, first, _heading(result), HEADING).split(1.6, 1.0, gap=5, across=True)
     draw_laws(drawing, left, task.program, result, range(4), HEIGHTS)
-    _portrait(drawing, right, pieces_of(task.program), result)
+    title = tr("Phase portrait ${ordinate}$(${abscissa}$)", ordinate=symbol(result, 1), abscissa=symbol(result, 0))
+    drawing.add(Words(complex(right.inset(*AROUND).middle.real, right.top - 1.0), title, 2.8, 1j))
+    draw_portrait(drawing, right.inset(0, 0, 0, AROUND[3]), task, result)
     box = headed(drawing, second, integration_heading(result), HEADING)
     draw_integration(drawing, box, task.program, result, constructed(task.program, INTERVALS))
     return drawing
@@ -68,23 +70,21 @@ def _heading(result: LawResult) -> str:
     return tr("Law of motion of the follower, {size}; {laws}", size=size + speed, laws=", ".join(parts))
 
 
-def _portrait(drawing: Drawing, box: Box, pieces: Pieces, result: LawResult) -> None:
+def draw_portrait(drawing: Drawing, box: Box, task: CamTask, result: LawResult) -> None:
     """S' against S in one unit, of a rocker radians: rise above, return below."""
-    scale = shown_scale(result, 1)
+    scale, pieces = shown_scale(result, 1), pieces_of(task.program)
     curves = [(scale * motion[0] + 1j * scale * motion[1], motion[1, DENSE // 2] >= 0) for _, motion in pieces]
     every = np.concatenate([z for z, _ in curves])
-    words = symbol(result, 1), symbol(result, 0)
     unit, air = tr_unit("rad" if result.turns else "mm"), 0.14
     ends = [
         (float(v.min()) - air * float(np.ptp(v)), float(v.max()) + air * float(np.ptp(v)))
         for v in (every.real, every.imag)
     ]
-    x, y = Axis(f"${words[1]}$, {unit}", *ends[0]), Axis(axis_name(result, 1), *ends[1])
-    frame = box.inset(14, 9, 1, 7)
+    x, y = Axis(f"${symbol(result, 0)}$, {unit}", *ends[0]), Axis(axis_name(result, 1), *ends[1])
+    left, bottom, right, _ = AROUND
+    frame = box.inset(left, bottom, right, 0)
     if not result.turns:
         x, y = one_scale(frame, x, y)  # an angle of a ray is a pressure angle then
-    title = tr("Phase portrait ${ordinate}$(${abscissa}$)", ordinate=words[0], abscissa=words[1])
-    drawing.add(Words(complex(frame.middle.real, box.top - 1.0), title, 2.8, 1j))
     diagram = Diagram(drawing, frame, x, y)
     diagram.vertical(0.0, MIDDLE)
     diagram.labels.avoid(diagram.paper([complex(x.low), complex(x.high)]), 0.5)

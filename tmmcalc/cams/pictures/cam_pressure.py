@@ -8,6 +8,7 @@ import numpy as np
 
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.ordered import cam_of
+from tmmcalc.cams.pictures.phasenames import PhaseRow, draw_phases, line_phases, phase_row
 from tmmcalc.cams.pictures.toscale import ends_to_scale, turn_to_scale
 from tmmcalc.cams.pictures.wording import deg
 from tmmcalc.cams.pictures.zone import LIMIT
@@ -22,7 +23,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import titled
 from tmmcalc.report.drawing.pens import CURVES, OTHER
 from tmmcalc.report.drawing.shapes import Drawing
-from tmmcalc.report.language import tr, tr_name, tr_unit
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 EXCEEDED = "#f3c3a3"  # what is beyond a limit
@@ -42,10 +43,9 @@ def pressure_drawing(task: CamTask, result: Pressure) -> Drawing:
     draw_angle(drawing, upper, task, result)
     turns = result.follower.kind == "oscillating"
     factor, name = (degrees(1.0), "$Δψ$, °") if turns else (1e3, f"$ΔS$, {tr_unit('mm')}")
-    diagram = Diagram(drawing, lower, input_axis(True, np.degrees(phi)), Axis(name, *room([factor * lift], 0.35)))
-    _phases(diagram, task)
+    diagram = Diagram(drawing, lower, input_axis(True, np.degrees(phi)), Axis(name, *room([factor * lift], 0.16)))
+    line_phases(diagram, np.degrees(task.program.starts), OTHER)
     diagram.curve(np.degrees(phi) + 1j * factor * lift, CURVES[2]._replace(dashes=()))
-    name_phases(diagram, task)
     return drawing
 
 
@@ -69,11 +69,13 @@ def draw_angle(
     high = max(np.max(np.abs(theta)), *(on.limit or 0.0 for on in (result.rise, result.back)))
     top = 1.18 * max(degrees(high), 1.0)
     along = input_axis(True, np.degrees(phi))
-    ends = -top, top
+    box = turn_to_scale(box) if to_scale else box
+    row = _row(task, box.width)
+    ends = -top, -top + 2 * top * box.height / (box.height - row.height)
     if to_scale:
-        box, ends = turn_to_scale(box), ends_to_scale(ends, box.height)
+        ends = ends_to_scale(ends, box.height)
     diagram = Diagram(drawing, box, along, Axis(tr("pressure angle $θ$, °"), *ends), numbered=to_scale or numbered)
-    _phases(diagram, task)
+    draw_phases(diagram, row, OTHER)
     spans = _spans(task)
     for on, (a, b) in zip((result.rise, result.back), spans, strict=True):
         for level in () if on.limit is None else (degrees(on.limit), -degrees(on.limit)):
@@ -87,7 +89,7 @@ def draw_angle(
     if len(result.phi) <= DOTTED:
         diagram.dots(np.degrees(result.phi), np.degrees(result.theta), CURVES[0])
     for on, span in zip((result.rise, result.back), spans, strict=True):
-        _name_limit(diagram, on, *span)
+        _name_limit(diagram, on, *span, degrees(high))
     done: list[complex] = []
     for extreme in (each for on in (result.rise, result.back) for each in (on.least, on.largest)):
         at = complex(degrees(extreme.phi), degrees(extreme.value) if abs(extreme.value) > NOISE else 0.0)
@@ -97,10 +99,10 @@ def draw_angle(
     return diagram
 
 
-def _name_limit(diagram: Diagram, on: Reached, a: float, b: float) -> None:
+def _name_limit(diagram: Diagram, on: Reached, a: float, b: float, top: float) -> None:
     if on.limit is None:
-        at = diagram.paper([complex((a + b) / 2, 0.9 * diagram.y.high)])
-        diagram.labels.put(tr("not limited"), at, height=2.2, colour=LIMIT.colour)
+        at = diagram.paper([complex((a + b) / 2, part * top) for part in (-0.5, 0.5, -0.9)])
+        diagram.labels.put(tr("not limited"), at, height=2.2, gaps=(0.0, 0.9, 1.7), colour=LIMIT.colour)
         return
     for sign in (1, -1):
         level = sign * degrees(on.limit)
@@ -119,15 +121,7 @@ def _spans(task: CamTask) -> list[tuple[float, float]]:
     return spans
 
 
-def _phases(diagram: Diagram, task: CamTask) -> None:
-    for start in np.degrees(task.program.starts[1:-1]).tolist():
-        diagram.vertical(start, OTHER)
-
-
-def name_phases(diagram: Diagram, task: CamTask) -> None:
-    """The phases along the top."""
-    starts = np.degrees(task.program.starts)
-    for phase, a, b in zip(task.program.phases, starts[:-1], starts[1:], strict=True):
-        if b > a:
-            at = diagram.paper([complex((a + b) / 2, part * diagram.y.high) for part in (0.93, 0.8, 0.5)])
-            diagram.labels.put(tr_name(phase.kind), at, height=2.2, prefer=-1j, gaps=(0.0, 0.9, 1.7, 2.8))
+def _row(task: CamTask, room: float) -> PhaseRow:
+    """The names of the phases over a diagram as wide as ``room`` [mm]."""
+    program = task.program
+    return phase_row([phase.kind for phase in program.phases], np.degrees(program.starts), room, angles=False)

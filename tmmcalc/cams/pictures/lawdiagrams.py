@@ -9,15 +9,15 @@ import numpy as np
 
 from tmmcalc.cams.lawresult import POINTS, LawResult
 from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.pictures.phasenames import PhaseRow, draw_phases, line_phases, phase_row
 from tmmcalc.cams.pictures.toscale import FACTORS, ends_to_scale, heights_to_scale, turn_to_scale, write_factors
 from tmmcalc.cams.program import Program
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import DOTTED, input_axis, stacked
 from tmmcalc.report.drawing.diagram import Axis, Diagram, room
-from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.pens import CURVES, MARK, MIDDLE, WHITE, Pen
-from tmmcalc.report.drawing.shapes import Drawing, Words, arrowhead
-from tmmcalc.report.language import tr_name, tr_unit
+from tmmcalc.report.drawing.shapes import Drawing, arrowhead
+from tmmcalc.report.language import tr_unit
 from tmmcalc.report.numbers import number
 
 DENSE = 120  # points of a piece of the motion
@@ -25,9 +25,8 @@ JUMP = Pen("JUMPS", 0.2, (0.8, 0.8), "#6b6b6b")
 JUMP_ON_FRAME = Pen("JUMPS_ON_FRAME", 0.35, (0.8, 0.8), WHITE)  # gaps in the frame's line
 STROKE = Pen("STROKE", 0.25, colour=MARK.colour)
 ENDS = Pen("ENDS_OF_PHASES", 0.18, colour="#b8b8b8")
-HEADROOM = 9.0  # for the names of the phases [mm]
+POINT = 2.5  # between the names of the phases and the highest curve, for the names of its points [mm]
 AIR = 0.16  # of the height of a curve, above and below it
-NAME_SIZE, BETWEEN = 2.2, 2.5  # of the names of the phases; least between two of them [mm]
 
 Pieces = list[tuple[Values, Values]]
 
@@ -49,16 +48,17 @@ def draw_laws(
     pieces = pieces_of(program)
     inner = box.inset(0, 0, 0, FACTORS if to_scale else 0)
     frames = stacked(inner, [0] * len(orders), heights)
+    row = _row(result, (turn_to_scale(frames[0]) if to_scale else frames[0]).width)
     if to_scale:
         spans = [float(np.ptp(_ends(pieces, order, result))) for order in orders]
-        heights = heights_to_scale(spans, sum(frame.height for frame in frames) - HEADROOM)
-        heights[0] += HEADROOM
+        heights = heights_to_scale(spans, sum(frame.height for frame in frames) - row.height)
+        heights[0] += row.height
         frames = [turn_to_scale(frame) for frame in stacked(inner, [0] * len(orders), heights)]
     along = input_axis(True, np.degrees(np.array([0.0, pieces[-1][0][-1]])))
     found = []
     for k, (order, frame) in enumerate(zip(orders, frames, strict=True)):
         low, high = _ends(pieces, order, result)
-        ends = low, low + (high - low) * frame.height / (frame.height - HEADROOM * (k == 0))
+        ends = low, low + (high - low) * frame.height / (frame.height - row.height * (k == 0))
         if to_scale:
             ends = ends_to_scale(ends, frame.height)
         up = Axis(axis_name(result, order), *ends)
@@ -68,11 +68,20 @@ def draw_laws(
         else:
             _name_stroke(diagram, result)
         if k == 0:
-            _name_phases(diagram, result)
+            draw_phases(diagram, row, ENDS)
+        else:
+            line_phases(diagram, row.ends, ENDS)
         found.append(diagram)
     if to_scale:
         write_factors(drawing, box, found, [(symbol(result, order), unit_of(result, order)) for order in orders])
     return found
+
+
+def _row(result: LawResult, room: float) -> PhaseRow:
+    """The names of the phases over a diagram as wide as ``room`` [mm]."""
+    ends = np.degrees([result.phases[0].begin, *(phase.end for phase in result.phases)])
+    row = phase_row([phase.kind for phase in result.phases], ends, room)
+    return row._replace(height=row.height + POINT)
 
 
 def symbol(result: LawResult, order: int) -> str:
@@ -132,8 +141,6 @@ def _draw(
     factor, pen = shown_scale(result, order), CURVES[order]._replace(dashes=())
     values = [factor * motion[order] for _, motion in pieces]
     diagram = Diagram(drawing, box, along, up, numbered=numbered)
-    for phase in result.phases:
-        diagram.vertical(degrees(phase.begin), ENDS)
     for (phi, _), heights in zip(pieces, values, strict=True):
         diagram.curve(np.degrees(phi) + 1j * heights, pen)
     _jumps(diagram, order, [phi for phi, _ in pieces], values)
@@ -187,30 +194,3 @@ def _points(result: LawResult) -> dict[str, str]:
     if "low dwell" not in kinds:
         names["rise"] = "a, d"
     return names
-
-
-def _name_phases(diagram: Diagram, result: LawResult) -> None:
-    """The names of the phases with their angles in a row along the top of the diagram."""
-    texts = [f"{tr_name(phase.kind)}\n{number(degrees(phase.end - phase.begin), 5)}°" for phase in result.phases]
-    halves = [width(text, NAME_SIZE) / 2 for text in texts]
-    box = diagram.box
-    middles = [diagram.place(complex(degrees(phase.begin + phase.end) / 2)).real - box.left for phase in result.phases]
-    for text, at in zip(texts, spread(middles, halves, box.width), strict=True):
-        diagram.drawing.add(Words(complex(box.left + at, box.top - 1.0), text, NAME_SIZE, 1j), level=5)
-
-
-def spread(middles: Sequence[float], halves: Sequence[float], end: float) -> list[float]:
-    """Middles of texts in a row from 0 to ``end`` [mm], moved as little to the sides as keeps them apart.
-
-    >>> spread([2.0, 3.0, 50.0], [4.0, 4.0, 10.0], 60.0)
-    [4.0, 14.5, 50.0]
-    """
-    found, free = [], 0.0
-    for middle, half in zip(middles, halves, strict=True):
-        found.append(max(middle, free + half))
-        free = found[-1] + half + BETWEEN
-    free = end
-    for k in reversed(range(len(found))):
-        found[k] = min(found[k], free - halves[k])
-        free = found[k] - halves[k] - BETWEEN
-    return found

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from tmmcalc.cams.indexing.solve import drive_of
 from tmmcalc.cams.lawresult import LawResult
 from tmmcalc.cams.laws.graphical import constructed
-from tmmcalc.cams.pictures.cam_pressure import draw_angle, name_phases
+from tmmcalc.cams.pictures.cam_pressure import draw_angle
 from tmmcalc.cams.pictures.cam_profile import draw_cam
 from tmmcalc.cams.pictures.cam_synthesis import MARGIN, centre_heading, draw_centre, samples_of
 from tmmcalc.cams.pictures.curvature import draw_bends, names_of
@@ -128,7 +128,6 @@ def pressure_pieces(order: Order) -> Iterator[Piece]:
         inner = box.inset(*NAMES)
         (frame,) = stacked(inner.inset(0, 0, 0, FACTORS), [0])
         diagram = draw_angle(drawing, frame, task, result, to_scale=True)
-        name_phases(diagram, task)
         write_factors(drawing, inner, [diagram], [("θ", "°")])
 
     if result.follower.kind != "flat":

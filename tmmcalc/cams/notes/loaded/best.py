@@ -9,13 +9,14 @@ from typing import NamedTuple
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.notes.laws import named_title
 from tmmcalc.cams.notes.lexicon import of_follower
+from tmmcalc.cams.notes.loaded.margins import concave_margin_said
 from tmmcalc.cams.optimum.results import CamOptimum, Check, Option, Relaxation
 from tmmcalc.cams.pictures.wording import constraint_name
 from tmmcalc.machine.notes.told import plainly
 from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Heading, Listing, Paragraph, Table
+from tmmcalc.report.manuscript import Block, Heading, Paragraph, Table
 from tmmcalc.report.telling import column_of
 
 FIGURES, PERCENT = 5, 100
@@ -33,6 +34,7 @@ CONDITIONS = {  # by the number of the constraint, in table 5.5 and beyond
     10: "theta_max <= theta_P",
     11: "r_max <= l_0 - r_A",
 }
+CONCAVE = 4
 FLAT = {3: "S_0 >= r_m - F_min", 6: "S_0 >= r_1^{*}"}
 UNITS = {"m": ("mm", 1e3), "Pa": ("MPa", 1e-6), "-": ("", 1.0), "rad": ("°", degrees(1.0))}
 NAMES = {"H2": "H_2", "S0": "S_0", "l": "l", "l0": "l_0", "R0": "R_0", "l2": "l_2"}
@@ -139,8 +141,11 @@ def _mm(value: float) -> str:
     return spelt(significant(1e3 * value, 6))
 
 
-def constraints(result: CamOptimum) -> Iterator[Block]:
-    """Both sides of each constraint in whole steps, the margins of both mechanisms, and which constraints bind."""
+def constraints(result: CamOptimum, *, concave: bool) -> Iterator[Block]:
+    """Both sides of each constraint in whole steps, the margins of both mechanisms, and which constraints bind.
+
+    ``concave``: parts of the profile may be concave.
+    """
     least = {each.number: each for each in result.least.checks}
     rows = [_row(result, each, least[each.number]) for each in result.chosen.checks if each.judged]
     head = (
@@ -158,6 +163,8 @@ def constraints(result: CamOptimum) -> Iterator[Block]:
             "without a margin binds."
         )
     )
+    if any(each.number == CONCAVE for each in result.chosen.checks if each.judged):
+        yield Paragraph(concave_margin_said(smooth=not concave))
     yield Table(tr("Constraints of the best mechanism"), head, tuple(rows), "cam_constraints")
     active = [constraint_name(number) for number in result.least.active]
     if active:
@@ -204,9 +211,8 @@ def search(result: CamOptimum) -> Iterator[Block]:
         )
     )
     if result.passed:
-        left = [f"{constraint_name(number)} – {count}" for number, count in result.passed]
-        yield Paragraph(tr("Each constraint alone leaves of them:"))
-        yield Listing(tuple(left))
+        left = "; ".join(f"{constraint_name(number)} – {count}" for number, count in result.passed)
+        yield Paragraph(tr("Each constraint alone leaves of them: {left}.", left=left))
 
 
 def relaxations(result: CamOptimum) -> Iterator[Block]:

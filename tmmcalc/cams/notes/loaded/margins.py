@@ -52,6 +52,9 @@ def margins(of: Judging) -> Iterator[Block]:
             "displacement and its second derivative; the margin is what is left of the limit."
         )
     )
+    concave = next((each for each in shown if each.name == "concave parts"), None)
+    if concave is not None:
+        yield Paragraph(concave_margin_said(smooth=concave.symbol == "kappa"))
     head = (tr("Requirement"), tr("Condition"), tr("In numbers"), tr("Margin of the limit, %"), tr("Verdict"))
     yield Table(tr("Requirements and their limits"), head, tuple(_row(of, each) for each in shown), "cam_margins")
     for each in slips:
@@ -71,6 +74,13 @@ def margins(of: Judging) -> Iterator[Block]:
     if advised:
         yield Paragraph(tr("Recommendations that are not kept: {names}.", names=", ".join(advised)))
     yield from _results(of, shown)
+
+
+def concave_margin_said(*, smooth: bool) -> str:
+    """By what the margin of concave parts is measured: their radius may be far below its limit."""
+    if smooth:
+        return tr("The margin of concave parts is measured by their curvature: it is $kappa*R_0$.")
+    return tr("The margin of concave parts is measured by their curvature: it is $1 - (r_i - r_2)/rho_1$.")
 
 
 def name_of(margin: Margin) -> str:

@@ -45,7 +45,7 @@ TORQUE = {
     "oscillating": ("T = M_c*psi'", "M_d = R*l_2*cos(theta)*psi'/10**3"),
 }
 EFFICIENCY = {1: "eta = 1 - mu/cos(theta)", -1: "eta = 1/(1 + mu/cos(theta))"}  # follower driven, and driving
-PERCENT = 100
+COLUMNS = 11  # of a table that is no broader than a page
 
 
 def reactions(of: Loaded) -> Iterator[Block]:
@@ -67,7 +67,8 @@ def reactions(of: Loaded) -> Iterator[Block]:
         yield from _pressed(of, own, way)
     if result.guide is not None or of.turns:
         yield from of.lines(_signed(of, SUPPORTS[of.kind]), places)
-    yield from of.lines(TORQUE[of.kind], places)
+    torque, driving = TORQUE[of.kind]
+    yield from of.lines((torque, driving if of.carried.rubs else "M_d = -T"), places)
     yield from _efficiency(of, places)
     yield from _jamming(of)
 
@@ -166,21 +167,30 @@ def _jamming(of: Loaded) -> Iterator[Block]:
 
 
 def course(of: Loaded) -> Iterator[Block]:
-    """The tables of positions and extremes, contact and work."""
+    """The forces in positions, in one table where it is no broader than a page, and extremes; contact and work."""
     yield Heading(tr("Forces over the turn"), 3)
-    yield Paragraph(
-        tr(
-            "The forces in the positions $i$ are in tables {tab:cam_loads} and {tab:cam_reactions}, their extremes "
-            "over the turn in table {tab:cam_extremes}."
-        )
-    )
     rows = table_rows(of.told)
     labels = [of.result.labels[row] for row in rows]
     first, second = _columns(of, rows)
-    along = tr("Moments about the pivot of the rocker") if of.turns else tr("Forces along the lift")
-    yield tabulated(along, first, labels, head="$i$", key="cam_loads")
-    yield tabulated(tr("Reactions and torques"), second, labels, head="$i$", key="cam_reactions")
-    yield _extremes(of.result)
+    if len(first | second) < COLUMNS:
+        yield Paragraph(
+            tr(
+                "The forces in the positions $i$ are in table {tab:cam_loads}, their extremes over the turn in table "
+                "{tab:cam_extremes}."
+            )
+        )
+        yield tabulated(tr("Forces and torques"), first | second, labels, head="$i$", key="cam_loads")
+    else:
+        yield Paragraph(
+            tr(
+                "The forces in the positions $i$ are in tables {tab:cam_loads} and {tab:cam_reactions}, their extremes "
+                "over the turn in table {tab:cam_extremes}."
+            )
+        )
+        along = tr("Moments about the pivot of the rocker") if of.turns else tr("Forces along the lift")
+        yield tabulated(along, first, labels, head="$i$", key="cam_loads")
+        yield tabulated(tr("Reactions and torques"), second, labels, head="$i$", key="cam_reactions")
+    yield _extremes(of.result, rubs=of.carried.rubs)
     yield from _contact(of)
     yield from _work(of)
 
@@ -188,19 +198,15 @@ def course(of: Loaded) -> Iterator[Block]:
 def _columns(of: Loaded, rows: Sequence[int]) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]]:
     result, words = of.result, of.words
     load, spring, own = words["P"], words["Q"], words["O"]
-    unit, size = ("N·m", "deg") if of.turns else ("N", "mm")
-    lift = np.degrees(result.lift) if of.turns else 1e3 * result.lift
+    unit = "N·m" if of.turns else "N"
     first = {
         "$phi$, deg": np.degrees(result.positions.phi),
-        f"${words['dy']}$, {size}": lift,
         f"${load}_j$, {unit}": result.inertia,
         f"${spring}_s$, {unit}": result.elastic,
         f"${own}{'' if not of.loads.gravity else ' + G'}$, {unit}": result.force,
         f"${load}_c$, {unit}": result.load,
     }
     second = {"$phi$, deg": np.degrees(result.positions.phi)}
-    if of.kind != "flat":
-        second["$theta$, deg"] = np.degrees(result.theta)
     if of.carried.rubs:
         second["$mu$"] = result.ratio
     if result.protrusion is not None:
@@ -210,7 +216,9 @@ def _columns(of: Loaded, rows: Sequence[int]) -> tuple[dict[str, np.ndarray], di
         second |= {"$N_1$, N": result.lower, "$N_2$, N": result.upper}
     if result.pivot is not None:
         second |= {"$R_Ax$, N": result.pivot[0], "$R_Ay$, N": result.pivot[1]}
-    second |= {"$T$, N·m": result.torque, "$M_d$, N·m": result.driving}
+    if of.carried.rubs:  # else it is M_d with the other sign
+        second["$T$, N·m"] = result.torque
+    second["$M_d$, N·m"] = result.driving
     kept = ({name: np.asarray(values)[rows] for name, values in each.items()} for each in (first, second))
     filled, other = ({name: v for name, v in each.items() if v.any() or name.startswith("$phi")} for each in kept)
     return filled, other
@@ -219,9 +227,9 @@ def _columns(of: Loaded, rows: Sequence[int]) -> tuple[dict[str, np.ndarray], di
 NAMES = {"P_c": "P_c", "M_c": "M_c", "R": "R", "N1": "N_1", "N2": "N_2", "T": "T", "M_drive": "M_d"}
 
 
-def _extremes(result: CamForces) -> Table:
-    """Least and largest values of the turn with their angles."""
-    rows = [_extreme(each) for each in result.extremes]
+def _extremes(result: CamForces, *, rubs: bool) -> Table:
+    """Least and largest values of the turn with their angles; without friction T is the driving torque turned back."""
+    rows = [_extreme(each) for each in result.extremes if rubs or each.name != "T"]
     head = (tr("Quantity"), tr("Least"), "$phi$, °", tr("Largest"), "$phi$, °")
     return Table(tr("Extremes over the turn"), head, tuple(rows), "cam_extremes")
 
@@ -262,23 +270,37 @@ def _work(of: Loaded) -> Iterator[Block]:
     found: Lexicon = {
         "W_d": Given(work.driving, "J", tr("work of the camshaft in a turn")),
         "W_Q": Given(work.force, "J", tr("work of the technological force in a turn")),
+        "W_g": Given(work.given, "J", tr("work that the camshaft gives to the follower in a turn")),
+        "W_b": Given(-work.returned, "J", tr("work that the follower gives back to the camshaft in a turn")),
         "W_f": Given(work.friction, "J", tr("work of friction in a turn")),
         "M_m": Given(work.mean, "N*m", tr("mean driving torque")),
         "N_m": Given(work.power, "W", tr("mean power of the camshaft")),
         "omega": Given(_mean_speed(of), "rad/s", tr("mean angular velocity of the cam")),
     }
-    lexicon = of.named(of_scene(of) | found)
-    yield Paragraph(
-        tr(
-            "In a turn the camshaft gives {given} J to the follower and gets {back} J back.",
-            given=plainly(work.given),
-            back=plainly(abs(work.returned)),
+    if work.efficiency is not None:
+        found["eta_m"] = Given(work.efficiency, "", tr("mean efficiency of the cam mechanism in a turn"))
+    place = [Place("", of.named(of_scene(of) | found))]
+    if not work.driving:
+        yield Paragraph(
+            tr(
+                "In a turn the camshaft gives {given} J to the follower and gets as much back.",
+                given=plainly(work.given),
+            )
         )
-    )
-    if work.friction or work.force:
+        return
+    yield Paragraph(tr("The work of the camshaft in a turn is what it gives to the follower less what it gets back:"))
+    yield from of.lines(["W_d = W_g - W_b"], place)
+    if work.friction and work.force:
         yield Paragraph(tr("Inertia, spring and weight give no work in a turn, so friction takes what is left:"))
-        yield from of.lines(["W_f = W_d + W_Q"], [Place("", lexicon)])
-    yield from of.lines(["M_m = W_d/(2*pi)", "N_m = M_m*omega"], [Place("", lexicon)])
+    elif work.friction:
+        yield Paragraph(tr("Inertia, spring and weight give no work in a turn, so friction takes all of it:"))
+    elif work.force:
+        yield Paragraph(tr("Inertia, spring and weight give no work in a turn, so the technological load takes it:"))
+    yield from of.lines(["W_f = W_d + W_Q"] if work.friction else ["W_d = -W_Q"], place)
+    if work.efficiency is not None:
+        yield Paragraph(tr("Useful is the work done against the technological load:"))
+        yield from of.lines(["eta_m = -W_Q/W_d"], place)
+    yield from of.lines(["M_m = W_d/(2*pi)", "N_m = M_m*omega"], place)
 
 
 def _mean_speed(of: Loaded) -> float:

@@ -21,6 +21,7 @@ RISE = (
 )
 AGAINST = "eta_1 = (1 - f_1*f_2 - (f_1 + f_2)*tan(abs(vartheta_<f>)))/(1 + f_1/tan(sigma_<f>))"
 ALONG = "eta_2 = (1 - f_1/tan(sigma_<f>))/(1 - f_1*f_2 + (f_1 + f_2)*tan(abs(vartheta_<f>)))"
+MEANS = "eta_1m = I_1A + I_1B", "eta_2m = I_2A + I_2B", "eta_12 = I_1A + I_2B"
 PERCENT = 100
 
 
@@ -63,22 +64,43 @@ def _found(cam: Cam, row: int) -> Lexicon:
 
 
 def _means(of: Stepping, cam: Cam) -> Iterator[Block]:
-    """Integrals over the step."""
+    """Sums of the integrals over the parts of the step in which A and B drive."""
     table = cam.efficiency
-    yield Paragraph(
-        tr(
-            "Over the whole step the mean efficiency is {against} with the load against the motion, {along} with the "
-            "load along it, and {mixed} against it up to the tip and along it while the wheel runs out.",
-            against=plainly(table.mean_against, 4),
-            along=plainly(table.mean_aiding, 4),
-            mixed=plainly(table.mean_paper, 4),
-        )
-    )
+    lexicon: Lexicon = {
+        "I_1A": Given(
+            table.against_a,
+            "",
+            tr("integral of {eta} over the part of the step before the tip, where A drives", eta="η₁"),
+        ),
+        "I_1B": Given(
+            table.against_b,
+            "",
+            tr("integral of {eta} over the part of the step after the tip, where B drives", eta="η₁"),
+        ),
+        "I_2A": Given(
+            table.aiding_a,
+            "",
+            tr("integral of {eta} over the part of the step before the tip, where A drives", eta="η₂"),
+        ),
+        "I_2B": Given(
+            table.aiding_b,
+            "",
+            tr("integral of {eta} over the part of the step after the tip, where B drives", eta="η₂"),
+        ),
+        "eta_1m": Given(table.mean_against, "", tr("mean efficiency of the step with the load against the motion")),
+        "eta_2m": Given(table.mean_aiding, "", tr("mean efficiency of the step with the load along the motion")),
+        "eta_12": Given(
+            table.mean_paper,
+            "",
+            tr("mean efficiency of the step with the load against the motion up to the tip, along it after the tip"),
+        ),
+    }
+    yield Paragraph(tr("The mean efficiencies of the whole step, whose parts $k$ run from 0 to 1:"))
+    yield from lines(MEANS, [Place("", named(lexicon))])
     shares = ((tr("against the motion"), table.against_share), (tr("along the motion"), table.aiding_share))
     for said, share in shares:
         if share > 0:
             part = plainly(PERCENT * share, 3)
             text = tr("With the load {way} the efficiency is cut off over {part} % of the step.", way=said, part=part)
             yield Paragraph(text)
-    mean = Given(table.mean_against, "", tr("mean efficiency of the step with the load against the motion"))
-    yield Result("eta_1m", mean)
+    yield Result("eta_1m", lexicon["eta_1m"])
