@@ -228,6 +228,7 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
         "stops": [{"title": name_of(stop.title), "at": stop.at} for stop in view.stops],
         "shown": view.shown,
         "stages": view.stages,
+        "note": name_of(view.note),
         "reach": view.reach,
     }
 

@@ -182,6 +182,7 @@ class View(NamedTuple):
     stops: tuple[Stop, ...] = ()
     shown: tuple[str, ...] = ()  # columns whose diagrams stand beside it at first
     spans: tuple[Span, ...] = ()
+    note: str = ""  # what is told of how it is drawn
     stages: tuple[str, ...] = ()  # whose tables go along its input; empty: all that have its column
     reach: tuple[tuple[float, float], ...] = ()  # where it assembles, counted as the input; empty: everywhere
 

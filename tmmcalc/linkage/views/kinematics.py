@@ -78,7 +78,9 @@ class Cycle:
         """The force of the lower-numbered link on the higher-numbered one in every pair."""
         for joint in self.mechanism.joints:
             lower, higher = sorted(joint.links)
-            spot = next((pin.name for pin in self.moved.pins if joint.name in pin.joints), None) or self._at_block(joint)
+            spot = next((pin.name for pin in self.moved.pins if joint.name in pin.joints), None) or self._at_block(
+                joint
+            )
             if spot is not None:
                 column = f"forces.R_{joint.name}"
                 yield Arrow(f"R_{lower}{higher}", spot, f"{column}_x", f"{column}_y")
@@ -124,4 +126,3 @@ class Cycle:
         return tuple(
             ((each.low - start) / self.per, (each.high - start) / self.per) for each in self.result.domain.intervals
         )
-

@@ -1,4 +1,4 @@
-"""A linkage as a page moves it over any input: links with their outlines, supports and guides, named points, vectors."""
+"""A linkage as a page moves it over any input: links with outlines, supports and guides, named points, vectors."""
 
 from __future__ import annotations
 

@@ -36,6 +36,7 @@
  * @property {{title: Said, at: number}[]} stops
  * @property {string[]} shown
  * @property {string[]} stages
+ * @property {Said} note
  * @property {[number, number][]} reach
  */
 /** @typedef {{name: string, symbol: string, meaning: Said, value: number, unit: Said}} Fact */

@@ -104,6 +104,9 @@ function heading(parent, says) {
 function moved(parent, state) {
   const section = made("section", { class: "view", "data-view": state.view.name }, parent);
   heading(section, () => told(state.view.title));
+  const note = made("p", { class: "drawn" }, section);
+  saying(() => (note.textContent = told(state.view.note)));
+  note.hidden = !state.view.note;
   const stage = made("div", { class: "stage" }, section);
   const drawing = new Scene(stage, state);
   const player = new Player(section, state, drawing.svg);
