@@ -16,11 +16,17 @@ from note.scenes import CONFIGS, SPECS, written
 from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.docx import document
 from tmmcalc.note.html import page
-from tmmcalc.note.tree import Contents, Cover, Equation, Grid, Image, Points, Text, Title, Written
+from tmmcalc.note.tree import Contents, Cover, Equation, Grid, Image, Points, Text, Title, Written, plain_text
 from tmmcalc.note.typst import pdf, source
+from tmmcalc.report.formula.digits import Given
+from tmmcalc.report.formula.layout import Row
 from tmmcalc.report.formula.plain import plain
+from tmmcalc.report.formula.setting import letters
+from tmmcalc.report.formula.symbols import symbol_of
+from tmmcalc.report.formula.syntax import read
+from tmmcalc.report.formula.typst import typst
 from tmmcalc.report.language import speaking
-from tmmcalc.report.manuscript import Chapter, Paragraph, Table
+from tmmcalc.report.manuscript import Chapter, Line, Paragraph, Place, Table
 
 LATIN = re.compile(r"[A-Za-z]{3,}")
 KINDS = {"RRR", "RRP", "RPR", "PRP", "RPP"}  # of dyads
@@ -52,7 +58,7 @@ def test_a_pdf_keeps_its_margins_and_can_be_searched(spoken: Any) -> None:
             assert left >= 25 * MM - 0.5
             assert right <= 200 * MM + 7.0  # the space that ends a line
             assert bottom >= 9 * MM  # the number of the page
-            assert top <= 282 * MM + 2.0  # ascenders
+            assert top <= 282 * MM + 2.5  # an upper index of the first line rises above the ascenders
     assert {"en": "Force analysis", "uk": "Силовий розрахунок"}[language] in whole
 
 
@@ -154,3 +160,18 @@ def test_a_semicolon_behind_a_reference_stays() -> None:
     """In Typst the first one behind a call ends it and is not set."""
     blocks = (Paragraph("In table {tab:a}; see there."), Table("A", ("B",), (("c",),), "a"))
     assert "[1.1];; see there." in source(Assembler().written([Chapter("x", "X", blocks)]), "en", "X")
+
+
+def test_letters_within_the_meaning_of_a_letter_are_set_as_letters() -> None:
+    lexicon = {"S'": Given(2.0, "", "derivative by $k$"), "a": Given(2.0, "", "")}
+    line = Line(read("S' = a"), (Place("", lexicon),))
+    found = next(each for each in Assembler().written([Chapter("x", "X", (line,))]) if isinstance(each, Text))
+    assert Row((letters(symbol_of("k")),)) in found.parts
+    assert "derivative by k" in plain_text(found)
+
+
+def test_words_in_an_index_have_no_gaps_beside_them() -> None:
+    """A space beside a text in the mathematics of Typst is set as one."""
+    for name in ("M_{F,A}", "a_{Σ,max}", "v_{W2(3,4)C}", "R_{x1,i}"):
+        index = typst(letters(symbol_of(name))).partition("b: ")[2].partition(", t:")[0]
+        assert " " not in index.replace(", upright", ",upright"), index

@@ -6,14 +6,16 @@ import math
 import re
 from functools import cache
 
+import numpy as np
 import pytest
 
 from note.scenes import blocks, told
 from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.tree import Equation, Reference, Text
 from tmmcalc.report.formula.plain import plain
+from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.tree import Name, Statement
-from tmmcalc.report.manuscript import Block, Table
+from tmmcalc.report.manuscript import Block, Paragraph, Result, Table
 
 CHAPTERS = ("structure", "kinematics")
 
@@ -115,3 +117,26 @@ def test_projections_of_a_vector_are_explained_together_and_once() -> None:
     explained = re.findall(r"(\w+), \w+ – projections", said)
     assert len(explained) == len(set(explained)) > 4
     assert any(isinstance(each, Equation) and "vec" in plain(each.parts[0]) for each in written)
+
+
+def test_the_extremes_of_a_crank_slider_are_those_of_its_closed_form() -> None:
+    """S = r cos phi + sqrt(l^2 - r^2 sin^2 phi) differentiated on a fine grid; the angle of the rod is the pressure."""
+    found = {canonical(each.key): each.given.value for each in chapters("press") if isinstance(each, Result)}
+    angle = next(each.given.value for each in chapters("press") if isinstance(each, Result) and not each.key)
+    r, length, omega = 0.0375, 0.168, 5.0
+    phi = np.linspace(0.0, 2 * math.pi, 200001)
+    s = r * np.cos(phi) + np.sqrt(length**2 - (r * np.sin(phi)) ** 2)
+    assert found["H_B"] == pytest.approx(float(np.ptp(s)), rel=1e-9)
+    assert found["v_B"] == pytest.approx(omega * float(np.max(np.abs(np.gradient(s, phi)))), rel=1e-7)
+    assert angle == pytest.approx(math.degrees(math.asin(r / length)), rel=1e-9)
+
+
+def test_a_note_on_motion_alone_has_results() -> None:
+    """Both pistons of the engine: stroke, time ratio, largest velocity and acceleration."""
+    found = {canonical(each.key) for each in chapters("v-engine") if isinstance(each, Result)}
+    assert {f"{letter}_{piston}" for letter in "HKva" for piston in "BD"} <= found
+
+
+def test_special_points_are_explained() -> None:
+    """Those of the basic links of a class IV group stand in the plans."""
+    assert any(isinstance(each, Paragraph) and "$W_{2(3,4)}$" in each.text for each in chapters("class-four"))

@@ -166,12 +166,12 @@ class Assembler:
                 for each in _both(key, lexicon):
                     self._explained[each] = meaning, unit
                     groups.setdefault((meaning, unit), []).append(each)
-        parts: list[str | Box] = []
+        parts: list[str | Box | Reference] = []
         for k, ((meaning, unit), keys) in enumerate(groups.items()):
             parts.append("; " if k else tr("where") + " ")
             for j, key in enumerate(keys):
                 parts += [", "] * bool(j) + [quantity(key)]
-            parts.append(f" – {meaning}" + (f", {shown_unit(unit)}" if unit else ""))
+            parts += [" – ", *inline(meaning).parts, *([f", {shown_unit(unit)}"] if unit else [])]
         if parts:
             yield Text((*parts, "."), explains=True)
 

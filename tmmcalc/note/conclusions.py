@@ -11,8 +11,9 @@ from tmmcalc.note.assembled import shown_unit
 from tmmcalc.report.formula.digits import RESULT, significant
 from tmmcalc.report.formula.symbols import GREEK
 from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.manuscript import Block, Chapter, Listing, Paragraph, Result, Table
+from tmmcalc.report.manuscript import Block, Chapter, Paragraph, Result, Table
 from tmmcalc.report.printing import printed_as
+from tmmcalc.report.telling import points
 
 LETTER = re.compile(rf"(?<!\$)\b({'|'.join(GREEK)})\b")
 INDEXED = re.compile(rf"\b(?:[A-Za-z]|{'|'.join(GREEK)})_[A-Za-z0-9]+\b")
@@ -37,10 +38,10 @@ def _blocks(results: Sequence[Result], warnings: Sequence[str]) -> Iterator[Bloc
     failing = [each for each in results if _kept(each) is False and not _warned(each, parts)]
     if failing:
         yield Paragraph(tr("Limits that are not kept:"))
-        yield Listing(tuple(_sentence(each) for each in failing))
+        yield points([_sentence(each) for each in failing])
     if told:
         yield Paragraph(tr("To be borne in mind:"))
-        yield Listing(tuple(_lettered(tr_name(graded(each)[1])) for each in told))
+        yield points([_lettered(tr_name(graded(each)[1])) for each in told])
 
 
 def _once(warnings: Sequence[str]) -> Iterator[str]:

@@ -7,8 +7,9 @@ from collections.abc import Iterator, Sequence
 from tmmcalc.note.assembled import shown_unit
 from tmmcalc.report.formula.digits import RESULT, significant
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Chapter, Datum, Figure, Listing, Paragraph, Table
+from tmmcalc.report.manuscript import Block, Chapter, Datum, Figure, Paragraph, Table
 from tmmcalc.report.printing import printed_as
+from tmmcalc.report.telling import points
 
 
 def task(given: Sequence[Block], sought: Sequence[str], own: Sequence[Block]) -> Iterator[Chapter]:
@@ -31,7 +32,7 @@ def _blocks(given: Sequence[Block], sought: Sequence[str]) -> Iterator[Block]:
         yield Table(tr("Given data"), head, tuple(map(_row, data)), "given")
     if sought:
         yield Paragraph(tr("To be found:"))
-        yield Listing((*(f"{each};" for each in sought[:-1]), f"{sought[-1]}."))
+        yield points(sought)
 
 
 def _row(datum: Datum) -> tuple[str, str, str]:

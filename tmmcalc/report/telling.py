@@ -7,12 +7,15 @@ A chapter gathers its quantities by their names in formulas in a lexicon for eac
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import message
+from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.drawing.snug import snug
 from tmmcalc.report.formula.digits import PLAIN, Given, result_of, rounded, significant, value_of
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.simplify import ZERO, simplified
@@ -20,7 +23,7 @@ from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Name
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Figure, Lexicon, Line, Paragraph, Place, Table
+from tmmcalc.report.manuscript import Figure, Lexicon, Line, Listing, Paragraph, Place, Table
 from tmmcalc.report.printing import printed_as
 from tmmcalc.report.sheets.piece import Piece
 
@@ -29,6 +32,8 @@ STILL = 1e-12  # a value this small in every shown place is nothing
 DIGITS = 5  # of the largest number of a column, of a number within a sentence
 WIDE, HIGH = 160.0, 130.0  # that a picture may be [mm]
 SIGNS = ("<=", ">=", "<", ">")
+ANGLE = 6  # decimals of an angle that are no rounding [deg]
+LETTERED = 1.15  # words of a picture against those of a drawing on screen
 
 
 def named(quantities: Lexicon) -> dict[str, Given]:
@@ -151,6 +156,25 @@ def numeral(value: float, digits: int = DIGITS) -> str:
     return f"{mantissa}*10**({exponent})" if exponent else mantissa
 
 
+def degrees(angle: float) -> str:
+    """An angle [rad] within a formula of a sentence, in degrees.
+
+    >>> degrees(math.pi / 8), degrees(-math.pi / 2)
+    ('deg(22.5)', '-deg(90)')
+    """
+    value = round(math.degrees(angle), ANGLE) + 0.0
+    return f"{'-' if value < 0 else ''}deg({numeral(abs(value))})"
+
+
+def plainly(value: float, digits: int = DIGITS) -> str:
+    """A number of a sentence.
+
+    >>> plainly(-12.5)
+    '−12.5'
+    """
+    return spelt(f"{value:.{digits}g}")
+
+
 def cell(value: float, digits: int = DIGITS) -> str:
     """A number by itself in a cell or a sentence, with a power of ten as a formula.
 
@@ -184,11 +208,53 @@ def quantities(caption: str, known: Mapping[str, Given], key: str = "", digits: 
     return Table(caption, (tr("Quantity"), tr("Symbol"), tr("Unit"), tr("Value")), tuple(rows), key)
 
 
+def drawn(caption: str, draw: Callable[[Drawing, Box], object], high: float, key: str) -> Figure:
+    """A picture at the width of the note, ``high`` mm high, with words about as large as those of the text."""
+
+    def lettered(drawing: Drawing, box: Box) -> object:
+        with drawing.lettered(LETTERED):
+            return draw(drawing, box)
+
+    return Figure(caption, lettered, (WIDE, high), key)
+
+
 def pictured(piece: Piece, *, key: str = "", wide: float = WIDE) -> Figure:
-    """A picture of a sheet at the width of the note, as high as its proportions want."""
+    """A picture of a sheet at the width of the note, as high as its proportions want and its content needs."""
     least, good = piece.least, piece.good
     factor = max(wide / good[0], least[1] / good[1])
-    return Figure(message(piece.heading), piece.draw, (wide, min(factor * good[1], HIGH)), key)
+    size = snug(piece.draw, (wide, min(factor * good[1], HIGH)))
+    return Figure(message(piece.heading), piece.draw, size, key)
+
+
+def points(items: Sequence[str]) -> Listing:
+    """Points of a list that end with semicolons, the last with a full stop.
+
+    >>> points(["first", "second."]).items
+    ('first;', 'second.')
+    """
+    bare = [item.rstrip(".;") for item in items]
+    return Listing((*(f"{item};" for item in bare[:-1]), f"{bare[-1]}."))
+
+
+def span(blocks: Sequence[Table | Figure]) -> str:
+    """The numbers of tables, or of figures, that follow each other: ``2.1``, ``2.1–2.4``."""
+    kind = "tab" if isinstance(blocks[0], Table) else "fig"
+    return "–".join(dict.fromkeys(f"{{{kind}:{each.key}}}" for each in (blocks[0], blocks[-1])))
+
+
+def located(blocks: Sequence[Table | Figure]) -> str:
+    """Where tables, or figures, that follow each other are: ``in table 2.1``, ``in figures 2.1–2.4``."""
+    numbers, several = span(blocks), len(blocks) > 1
+    if isinstance(blocks[0], Table):
+        return tr("in tables {numbers}", numbers=numbers) if several else tr("in table {numbers}", numbers=numbers)
+    return tr("in figures {numbers}", numbers=numbers) if several else tr("in figure {numbers}", numbers=numbers)
+
+
+def row_of(name: str, unit: str, values: Sequence[float]) -> tuple[str, ...]:
+    """A row of a table: a quantity with its unit, then its values, each with its own digits."""
+    printed, factor = printed_as(unit)
+    head = f"{name}, {tr_unit(printed)}" if printed else name
+    return head, *(column_of([factor * value])[0] for value in values)
 
 
 def column_of(values: ArrayLike, digits: int = DIGITS) -> list[str]:

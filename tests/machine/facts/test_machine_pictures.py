@@ -246,7 +246,7 @@ class TestMotion:
         (near,) = self.characteristics(drawing)
         assert {"parabola, in use", "line"} <= set(around(near))
         assert "Kloss" not in around(near)
-        assert "recurrence (3.57): circles" in around(diagram(drawing, "$ω$, rad/s"))
+        assert "by the recurrence: circles" in around(diagram(drawing, "$ω$, rad/s"))
         (shunt,) = self.characteristics(self.driven(Motor("D", 600.0, 10.0, 10.5, kind="shunt"), "shunt"))
         assert {"shunt, in use", "steady motion"} <= set(around(shunt))
 

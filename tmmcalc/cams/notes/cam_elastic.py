@@ -19,14 +19,13 @@ from tmmcalc.cams.pictures.cam_elastic import draw_spectra, draw_vibration
 from tmmcalc.cams.response import rate_of, residual, steady
 from tmmcalc.cams.rounding import sides
 from tmmcalc.cams.speed import constant_speed
-from tmmcalc.machine.notes.told import plainly
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import WIDE, column_of, filled, lines, named, tabulated
+from tmmcalc.report.telling import WIDE, column_of, filled, lines, named, plainly, tabulated
 
 PERCENT = 100
 TRAIN = ("m_e", "k_e", "zeta")  # what is given of the train

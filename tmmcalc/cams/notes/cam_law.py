@@ -205,8 +205,8 @@ def _of_part(k: float, s: float, first: float, second: float) -> Lexicon:
     return {
         "k": Given(k, "", tr("part of the phase")),
         "s": Given(s, "", tr("displacement in parts of the stroke")),
-        "s'": Given(first, "", tr("first derivative of this displacement by k")),
-        "s''": Given(second, "", tr("second derivative of this displacement by k")),
+        "s'": Given(first, "", tr("first derivative of this displacement by $k$")),
+        "s''": Given(second, "", tr("second derivative of this displacement by $k$")),
     }
 
 

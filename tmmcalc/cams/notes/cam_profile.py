@@ -148,13 +148,16 @@ def _of_path(told: Told, phi: Values, motion: Values) -> Lexicon:
         return {}
     path: Complex = np.array([follower.placed(each)[0] for each in contact_path(follower, phi, motion)])
     first, second = path[1], path[2]
-    once, twice = tr("first derivatives of these coordinates by φ"), tr("second derivatives of these coordinates by φ")
+    once, twice = (
+        tr("first derivatives of these coordinates by $phi$"),
+        tr("second derivatives of these coordinates by $phi$"),
+    )
     found = {
         "x'": mm(first.real, once),
         "y'": mm(first.imag, once),
         "x''": mm(second.real, twice),
         "y''": mm(second.imag, twice),
-        "w": mm(abs(first), tr("derivative of the arc of the pitch curve by φ")),
+        "w": mm(abs(first), tr("derivative of the arc of the pitch curve by $phi$")),
     }
     if told.turns:
         lean = float(phi[0] - follower.assembly * (follower.start + motion[0, 0]))

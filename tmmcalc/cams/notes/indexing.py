@@ -18,13 +18,12 @@ from tmmcalc.cams.notes.stepping.rollers import rollers
 from tmmcalc.cams.pictures.indexing import draw_drive
 from tmmcalc.cams.pictures.indexingstep import draw_step
 from tmmcalc.cams.tables.tasks.indexing import to_indexing
-from tmmcalc.machine.notes.told import numeral, plainly
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph
-from tmmcalc.report.telling import WIDE
+from tmmcalc.report.telling import WIDE, numeral, plainly
 
 GIVEN = ("z_2", "phi_p", "phi_d1", "l_k", "theta_d", "f_1", "f_2", "r_c")
 ENDS = re.compile(r"constant ends of (\S+) %")

@@ -9,12 +9,11 @@ from tmmcalc.extras.bearing import HIGH, SOUND, Bearing, BearingTask
 from tmmcalc.extras.notes.told import given
 from tmmcalc.extras.tables.bearing import BearingTable
 from tmmcalc.extras.tables.tasks.bearing import to_bearing
-from tmmcalc.machine.notes.told import plainly
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import lines, named, tabulated
+from tmmcalc.report.telling import lines, named, plainly, tabulated
 
 MM = 1e3
 SIZES = ("D_m = (d_i + d_e)/2", "s = (d_e - d_i)/2")

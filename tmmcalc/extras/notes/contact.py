@@ -14,13 +14,12 @@ from tmmcalc.extras.notes.told import course, given
 from tmmcalc.extras.pictures.contact import draw_contact
 from tmmcalc.extras.tables.contact import ContactTable
 from tmmcalc.extras.tables.tasks.contact import to_contact
-from tmmcalc.machine.notes.told import drawn, numeral, plainly
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import FormulaError, read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result, Table, Verbatim
-from tmmcalc.report.telling import column, column_of, lines, named, tabulated
+from tmmcalc.report.telling import column, column_of, drawn, lines, named, numeral, plainly, tabulated
 
 MM, MEGA = 1e3, 1e6  # formulas hold in N, mm, MPa
 MODULUS = "E^{*} = 1/((1 - nu_1**2)/E_1 + (1 - nu_2**2)/E_2)"
@@ -109,8 +108,8 @@ def _hertz(found: Hertz, task: ContactTask, place: Place) -> Iterator[Block]:
 def _of_hertz(found: Hertz) -> Lexicon:
     integral = integrals(found)
     return {
-        "a_x": Given(MM * found.along_x, "mm", tr("half-axis of the contact along x")),
-        "a_y": Given(MM * found.along_y, "mm", tr("half-axis of the contact along y")),
+        "a_x": Given(MM * found.along_x, "mm", tr("half-axis of the contact along $x$")),
+        "a_y": Given(MM * found.along_y, "mm", tr("half-axis of the contact along $y$")),
         "e": Given(integral.eccentricity, "", tr("eccentricity of the ellipse of contact")),
         "K_e": Given(integral.first, "", tr("complete elliptic integral of the first kind")),
         "E_e": Given(integral.second, "", tr("complete elliptic integral of the second kind")),

@@ -16,13 +16,12 @@ from tmmcalc.extras.falling_ball import Ball, BallTask, Moment, acceleration, fa
 from tmmcalc.extras.notes.told import course, given
 from tmmcalc.extras.pictures.falling_ball import draw_ball
 from tmmcalc.extras.tables.tasks.falling_ball import to_ball
-from tmmcalc.machine.notes.told import drawn, plainly
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import lines, named
+from tmmcalc.report.telling import drawn, lines, named, plainly
 
 PLAIN = 300.0  # argument up to which Bessel functions are told as they are; of larger ones over their exponentials
 FADED = "*exp(-2*(eta - <b>))"

@@ -16,13 +16,12 @@ from tmmcalc.extras.liner import LONG, THIN, Liner, LinerTask, Shell, along, she
 from tmmcalc.extras.notes.told import course, given
 from tmmcalc.extras.pictures.liner import draw_liner
 from tmmcalc.extras.tables.tasks.liner import to_liner
-from tmmcalc.machine.notes.told import drawn, held, numeral, plainly
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import lines, named
+from tmmcalc.report.telling import drawn, held, lines, named, numeral, plainly
 
 MM, KILO, MEGA = 1e3, 1e-3, 1e6  # formulas hold in N, mm, MPa
 SHELL = ("alpha_s = (3*(1 - mu**2)/(r_1**2*h**2))**(1/4)", "D_s = E*h**3/(12*(1 - mu**2))")

@@ -22,13 +22,12 @@ from tmmcalc.extras.reliability import (
 )
 from tmmcalc.extras.tables.reliability import ReliabilityTable
 from tmmcalc.extras.tables.tasks.reliability import to_reliability
-from tmmcalc.machine.notes.told import drawn, numeral, plainly
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import lines, named, tabulated
+from tmmcalc.report.telling import drawn, lines, named, numeral, plainly, tabulated
 
 READINGS = ("a = (n*x_{(1)} - x_{(n)})/(n - 1)", "b = (n*x_{(n)} - x_{(1)})/(n - 1)")
 CLIPPED = "a = max((n*x_{(1)} - x_{(n)})/(n - 1), 0)"

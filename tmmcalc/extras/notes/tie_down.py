@@ -10,12 +10,11 @@ from tmmcalc.extras.notes.told import course, given
 from tmmcalc.extras.pictures.tie_down import draw_tie_down
 from tmmcalc.extras.tables.tasks.tie_down import to_tie_down
 from tmmcalc.extras.tie_down import TieDown, TieDownTask, unheld
-from tmmcalc.machine.notes.told import drawn, held, numeral
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import lines, named, number_of
+from tmmcalc.report.telling import drawn, held, lines, named, number_of, numeral
 
 KILO, MEGA = 1e-3, 1e6
 PRELOAD = "P_0 = M/(d_2*tan(gamma + rho'))"

@@ -26,12 +26,11 @@ from tmmcalc.extras.transloader import (
     Way,
     Wind,
 )
-from tmmcalc.machine.notes.told import drawn, numeral, plainly
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Listing, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import lines, named
+from tmmcalc.report.telling import drawn, lines, named, numeral, plainly
 
 KILO, MEGA = 1e3, 1e6
 PEAK = "v_{p<i>} = sqrt(<L>*j_<i>)"
@@ -144,6 +143,7 @@ def _speeds(result: Transloader, task: TransloaderTask) -> Iterator[Block]:
         yield from lines([PEAK], [place], words)
         yield from _usual(drive, way, place)
         yield from lines([TIMES[drive.speed <= drive.peak], SHORTEST], [place], words)
+    yield Paragraph(tr("The speeds over the time of a way are shown in figure {fig:transloader_ways}."))
     said = tr("Speeds over the time of a way")
     yield drawn(said, partial(draw_ways, result=result, across=False), SPEEDS * len(result.drives), "transloader_ways")
 
@@ -341,6 +341,12 @@ def _stresses(result: Transloader, task: TransloaderTask) -> Iterator[Block]:
         checks = [each for each in result.checks if each.part == part.name]
         if checks:
             yield from _part(part, checks, result)
+    yield Paragraph(
+        tr(
+            "The stresses beside what is allowed are in table {tab:transloader_stresses} and in figure "
+            "{fig:transloader_stresses}."
+        )
+    )
     yield _checked(result)
     unchecked = [part.name for part in task.parts if not any(_is_of(each, part, "V") for each in result.checks)]
     if unchecked:

@@ -146,7 +146,7 @@ class _Chosen:
         circles = orbits(self.one, self.apart)
         carried = float(turning.of(CARRIER)[0])
         found: dict[str, tuple[float | list[float], str, str]] = {
-            "n_j": ([float(made.numbers[k]) for k in moving], "", tr("number of wheels {wheels}", wheels="j")),
+            "n_j": ([float(made.numbers[k]) for k in moving], "", tr("number of wheels {wheels}", wheels="$j$")),
             "M_j": ([float(made.masses[0, k]) for k in moving], "kg", tr("mass of the wheel")),
             "J_j": (
                 [float(made.inertias[0, k]) for k in moving],

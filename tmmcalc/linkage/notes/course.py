@@ -14,7 +14,7 @@ from tmmcalc.linkage.model import Output
 from tmmcalc.linkage.notes.group import plain_name
 from tmmcalc.linkage.notes.told import Told
 from tmmcalc.linkage.outputs import coordinate_of, default_outputs
-from tmmcalc.linkage.pictures.cycle import TURN
+from tmmcalc.linkage.pictures.cycle import TURN, along, closed
 from tmmcalc.linkage.pictures.diagrams import columns_of
 from tmmcalc.linkage.pictures.pieces import of_outputs
 from tmmcalc.linkage.results import Kinematics
@@ -23,8 +23,9 @@ from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.numbers import number
-from tmmcalc.report.telling import column_of, filled, lines, named, pictured, tabulated
+from tmmcalc.report.telling import column_of, filled, lines, located, named, pictured, tabulated
 
+ROUND, NOISE = 8, 1e-9  # decimals of a place that are no rounding; a pressure angle that is none [rad]
 COLUMNS, DIGITS = 13, 4  # of a table beside the positions, and of the largest number of one
 
 DIFFERENCES = (
@@ -38,41 +39,98 @@ Columns = dict[str, Real]
 def blocks(told: Told) -> Iterator[Block]:
     """Tables, diagrams, the comparison."""
     yield Heading(tr("Motion over the cycle"), 2)
-    yield from _analogues(told)
     yield from _tables(told)
     figures = [
         pictured(piece, key=f"course_{k}")
         for k, piece in enumerate(of_outputs(told.result, told.cycle, columns_of(told.result, told.cycle)))
     ]
+    if figures:
+        yield Paragraph(tr("The diagrams of the motion are {where}.", where=located(figures)))
     yield from figures
+    yield from _extremes(told)
+    yield from _pressure(told)
     if told.result.outputs:
         yield Heading(tr("Numerical differentiation"), 2)
         yield from _differences(told)
 
 
-def _analogues(told: Told) -> Iterator[Block]:
-    """What dimensionless velocities and accelerations are."""
-    if told.result.crank_length is None:
-        return
-    yield Paragraph(
-        tr(
-            "Table {tab:course} gives dimensionless values of all positions: lengths in units of the crank $l_1$, "
-            "velocities in those of $l_1*omega_1$, accelerations in those of $l_1*omega_1**2$; table {tab:course_si} "
-            "the same with units. At constant speed the dimensionless values are the analogues of velocity and "
-            "acceleration, derivatives by the angle of the crank that do not depend on its speed: "
-            "$v/(l_1*omega_1) = S'/l_1$, $a/(l_1*omega_1**2) = S''/l_1$."
-        )
-    )
-
-
-def _tables(told: Told) -> Iterator[Table]:
+def _tables(told: Told) -> Iterator[Block]:
     """All positions, dimensionless where there is a crank, and with units."""
     caption = tr("Positions, velocities and accelerations over the cycle")
     if told.result.crank_length is None:
-        yield from _split(told, caption, _columns(told, False), "course")
+        tables = [*_split(told, caption, _columns(told, False), "course")]
+        said = tr("Positions, velocities and accelerations over the cycle are {where}.", where=located(tables))
+        yield Paragraph(said)
+        yield from tables
         return
-    yield from _split(told, f"{caption}, {tr('dimensionless')}", _columns(told, True), "course")
-    yield from _split(told, caption, _columns(told, False), "course_si")
+    bare = [*_split(told, f"{caption}, {tr('dimensionless')}", _columns(told, True), "course")]
+    tables = [*_split(told, caption, _columns(told, False), "course_si")]
+    said = tr(
+        "Dimensionless values of all positions are {bare}: lengths in units of the crank $l_1$, velocities in those of "
+        "$l_1*omega_1$, accelerations in those of $l_1*omega_1**2$; values with units are {where}. At constant speed "
+        "the dimensionless values are the analogues of velocity and acceleration, derivatives with respect to the "
+        "angle of the crank that do not depend on its speed: $v/(l_1*omega_1) = S'/l_1$, "
+        "$a/(l_1*omega_1**2) = S''/l_1$.",
+        bare=located(bare),
+        where=located(tables),
+    )
+    yield Paragraph(said)
+    yield from (*bare, *tables)
+
+
+def _extremes(told: Told) -> Iterator[Block]:
+    """Largest and least velocities and accelerations of the outputs, between the positions too."""
+    summaries = told.result.summaries
+    if not summaries:
+        return
+    yield Paragraph(
+        tr(
+            "The extreme velocities and accelerations of the outputs, between the positions too, are in table "
+            "{tab:course_extremes}."
+        )
+    )
+    place = "phi" if told.result.turns else "Deltas"
+    at = f"${place}$, {tr_unit('deg' if told.result.turns else 'm')}"
+    rows: list[tuple[str, ...]] = []
+    for summary in summaries:
+        name = plain_name(summary.name)
+        letters = ("omega", "rad/s"), ("eps", "rad/s^2")
+        if not summary.angular:
+            letters = ("v", "m/s"), ("a", "m/s^2")
+        for (letter, unit), ends in zip(letters, (summary.velocity, summary.acceleration), strict=True):
+            symbol = f"{letter}_{{{name}}}"
+            cells = [cell for end in ends for cell in (column_of([end.value])[0], _place(told, end.x))]
+            rows.append((f"${symbol}$, {tr_unit(unit)}", *cells))
+            largest = max(abs(end.value) for end in ends)
+            if largest:
+                said = tr("largest magnitude of {quantity}", quantity=f"${symbol}$")
+                yield Result(symbol, Given(largest, unit, said))
+    head = (tr("Quantity"), tr("least"), at, tr("largest"), at)
+    yield Table(tr("Extreme velocities and accelerations of the outputs"), head, tuple(rows), "course_extremes")
+
+
+def _place(told: Told, x: float) -> str:
+    """An input coordinate as it is counted from position 0 [deg or m]."""
+    counted = along(told.result, x, closed(told.chain))
+    return spelt(number(round(math.degrees(counted) if told.result.turns else counted, ROUND) + 0.0, 5))
+
+
+def _pressure(told: Told) -> Iterator[Block]:
+    """The largest pressure angle of every group that has one."""
+    for quality in told.result.qualities:
+        if quality.pressure is None or quality.pressure < NOISE:
+            continue
+        said = tr("largest pressure angle of group {group}", group=quality.group)
+        given = Given(math.degrees(quality.pressure), "deg", said)
+        words = {"group": quality.group, "angle": spelt(f"{number(math.degrees(quality.pressure), 5)}°")}
+        if quality.transmission_at is None:
+            yield Paragraph(tr("The pressure angle of group {group} is {angle} in all positions.", **words))
+        else:
+            where = f"{_place(told, quality.transmission_at)}{'°' if told.result.turns else ' ' + tr_unit('m')}"
+            place = f"${'phi' if told.result.turns else 'Deltas'}$ = {where}"
+            text = tr("The pressure angle of group {group} is largest, {angle}, at {place}.", place=place, **words)
+            yield Paragraph(text)
+        yield Result("", given)
 
 
 def _split(told: Told, caption: str, columns: Mapping[str, Real], key: str) -> Iterator[Table]:
@@ -203,8 +261,6 @@ def _compared(told: Told, found: Kinematics, k: int, name: str) -> Iterator[Bloc
     for (letter, unit), one, other in zip(letters, exact, near, strict=True):
         share = 100 * np.abs(other - one) / (float(np.max(np.abs(one))) or 1.0)
         worst.append(float(np.max(share)))
-        largest = tr("largest magnitude of {quantity}", quantity=f"${letter}_{{{name}}}$")
-        yield Result(f"{letter}_{{{name}}}", Given(float(np.max(np.abs(one))), unit, largest), place=tr("by positions"))
         symbol = f"${letter}_{{{name}}}$"
         by = tr("{quantity} by differences", quantity=symbol)
         heads += [f"{symbol}, {tr_unit(unit)}", f"{by}, {tr_unit(unit)}", f"{tr('Difference')}, %"]

@@ -10,7 +10,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_count
 from tmmcalc.report.manuscript import Block, Display, Heading, Paragraph
-from tmmcalc.report.telling import named
+from tmmcalc.report.telling import located, named
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -105,14 +105,17 @@ def _closed(told: Told, group: loops.Looped) -> Iterator[Block]:
         yield Display(read(text))
     names = ", ".join(f"${name}$" for name in loops.unknown_names(group, "position"))
     count = tr_count(2 * len(group.loops), "equation", "equations")
+    tables = [*loops.newton(told.result, told.rows, group)]
     said = tr(
         "Their projections on the axes are {count} with the unknown {names}. They are solved by Newton's method: the "
-        "corrections follow from a linear system with the matrix of the system of the velocities below.",
+        "corrections follow from a linear system with the matrix of the system of the velocities below. The steps are "
+        "{where}.",
         count=count,
         names=names,
+        where=located(tables),
     )
     yield Paragraph(said)
-    yield from loops.newton(told.result, told.rows, group)
+    yield from tables
     yield Paragraph(tr("With what was found every point has the same place by each way to it:"))
     yield from told.lines([*loops.places(group)], {})
 
@@ -129,10 +132,16 @@ def _system(told: Told, group: loops.Looped, letter: str) -> Iterator[Block]:
         )
     )
     yield from told.lines([*loops.right_sides(group, letter)], {})
-    yield from loops.systems(told.result, told.rows, group, letter)
+    tables = [*loops.systems(told.result, told.rows, group, letter)]
+    yield Paragraph(tr("The coefficients of the system and its solution are {where}.", where=located(tables)))
+    yield from tables
     yield Paragraph(tr("The equations of the system hold with this solution:"))
     yield from told.lines([*loops.equations(group, letter)], {})
-    yield Paragraph(tr("Of the points of the group:"))
+    yield Paragraph(
+        tr("Velocities of the points of the group:")
+        if letter == "B"
+        else tr("Accelerations of the points of the group:")
+    )
     for arm in loops.reached(group):
         yield from told.lines(loops.rates_of(arm)[letter == "C"], {})
 

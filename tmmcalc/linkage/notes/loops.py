@@ -280,7 +280,13 @@ def newton(result: Kinematics, rows: Sequence[int], looped: Looped) -> Iterator[
             tr("Newton's method in position {label}, from {start}", label=result.labels[row], start=tr_number(began)),
             (tr("Step"), *heads, f"{tr('Residual')}, {tr_unit('m')}"),
             tuple(zip(map(str, range(len(sizes))), *columns, sizes, strict=True)),
+            _key(looped, "newton", row),
         )
+
+
+def _key(looped: Looped, kind: str, row: int) -> str:
+    """The key of a table of a group at a position."""
+    return "_".join(["group", *map(str, looped.step.group.links), kind, str(row)])
 
 
 def _as_told(looped: Looped, unknowns: Real) -> Iterator[Real]:
@@ -307,6 +313,7 @@ def systems(result: Kinematics, rows: Sequence[int], looped: Looped, letter: str
             tr("Coefficients of the system and its solution in position {label}", label=result.labels[row]),
             (tr("Equation"), *(f"${name}$" for name in names), tr("Right side")),
             tuple(zip((*heads, tr("Solution")), *columns, [*column_of(right[order]), ""], strict=True)),
+            _key(looped, letter, row),
         )
 
 

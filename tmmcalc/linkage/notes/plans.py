@@ -23,7 +23,7 @@ from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
-from tmmcalc.report.telling import WIDE, number_of
+from tmmcalc.report.telling import WIDE, cell, located, number_of
 
 SIDE_BY_SIDE = 3  # positions whose segments stand in one table
 LEAST, MOST = (70.0, 45.0), 110.0  # width and height of a plan, the largest height [mm]
@@ -47,19 +47,37 @@ def blocks(told: Told) -> Iterator[Block]:
     found = plans_of(told.chain.mechanism, told.result, told.rows)
     yield Heading(tr("Plans of velocities and accelerations"), 2)
     plans = [_plan(told, found, letter) for letter in "va"]
-    words = {plan.letter: f"{spelt(significant(plan.mu, 5))} {tr_unit(f'({UNITS[plan.letter]})/mm')}" for plan in plans}
+    segments = [[*_segments(told, plan)] for plan in plans]
+    words = {plan.letter: f"{cell(plan.mu)} {tr_unit(f'({UNITS[plan.letter]})/mm')}" for plan in plans}
     yield Paragraph(
         tr(
             "The vector equations of the groups are solved by plans to the scale factors $mu_v$ = {v}, $mu_a$ = {a}. "
-            "A vector is drawn as a segment of its size divided by the scale factor; tables {tab:plan_v} and "
-            "{tab:plan_a} give their lengths.",
+            "They are {figures}. A vector is drawn as a segment of its size divided by the scale factor; the lengths "
+            "of the segments are {tables}.",
             **words,
+            figures=located([figure for plan in plans for figure in plan.figures]),
+            tables=located([table for part in segments for table in part]),
         )
     )
-    for plan in plans:
-        yield from _segments(told, plan)
+    yield from _special(plans)
+    for plan, tables in zip(plans, segments, strict=True):
+        yield from tables
         yield from plan.figures
     yield from _compared(told, found, plans)
+
+
+def _special(plans: Sequence[Plan]) -> Iterator[Block]:
+    """What the special points are, where a group has some."""
+    points = {v.point: v.link for plan in plans for p in plan.polygons for v in p.vectors if v.kind == "special"}
+    if points:
+        names = ", ".join(SPECIAL.sub(r"$\1_{\2(\3,\4)}$", name) for name in points)
+        yield Paragraph(
+            tr(
+                "The special points {points} belong to the basic link with the first number; the lines of the two "
+                "links in brackets meet there, so the velocity of such a point across either line is known.",
+                points=names,
+            )
+        )
 
 
 def _plan(told: Told, found: Sequence[VectorPolygons], letter: str) -> Plan:
@@ -112,7 +130,7 @@ def _segments(told: Told, plan: Plan) -> Iterator[Table]:
                 size = abs(plan.polygons[k].value(vector))
                 cells += [spelt(significant(size, 5)), spelt(f"{size / plan.mu:.1f}")]
             rows.append((f"${designation(vector, plan.letter)}$", ends(vector), *cells))
-        key = f"plan_{plan.letter}" if not start else ""
+        key = f"plan_{plan.letter}" if not start else f"plan_{plan.letter}_{start}"
         yield Table(captions[plan.letter], (tr("Vector"), tr("Segment"), *heads), tuple(rows), key)
 
 

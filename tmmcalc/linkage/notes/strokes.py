@@ -32,9 +32,9 @@ def blocks(told: Told) -> Iterator[Block]:
     yield Paragraph(tr("The mechanism is drawn in its positions in figure {fig:linkage_scheme}."))
     yield pictured(of_scheme(result, told.cycle, told.rows[0]), key="linkage_scheme")
     yield Paragraph(_counted(told))
-    for summary in result.summaries:
+    for k, summary in enumerate(result.summaries):
         if summary.dead_centres:
-            yield from _extremes(told, summary)
+            yield from _extremes(told, summary, f"extremes_{k}")
 
 
 def _counted(told: Told) -> str:
@@ -52,7 +52,7 @@ def _counted(told: Told) -> str:
     return tr("The positions are counted from that at {name} = {value}.", **words)
 
 
-def _extremes(told: Told, summary: OutputSummary) -> Iterator[Block]:
+def _extremes(told: Told, summary: OutputSummary, key: str) -> Iterator[Block]:
     """The extreme positions of an output as a table, where they lie, the stroke, the angles of the strokes."""
     result, centres = told.result, summary.dead_centres
     full = closed(told.chain)
@@ -68,7 +68,12 @@ def _extremes(told: Told, summary: OutputSummary) -> Iterator[Block]:
         else tr("Extreme positions of {output}", output=name)
     )
     columns = dict(zip((*heads, own), (angles(x), angles(counted), values), strict=True))
-    yield tabulated(caption, columns, ROMAN[: len(centres)], head=tr("Extreme position"))
+    yield Paragraph(
+        tr("The extreme positions of link {output} are in table {table}.", output=name, table=f"{{tab:{key}}}")
+        if summary.angular
+        else tr("The extreme positions of {output} are in table {table}.", output=name, table=f"{{tab:{key}}}")
+    )
+    yield tabulated(caption, columns, ROMAN[: len(centres)], head=tr("Extreme position"), key=key)
     lexicon: Lexicon = dict(told.lexicons[0])
     place = (Place("", lexicon),)
     if result.turns and full:

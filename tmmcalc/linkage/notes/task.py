@@ -20,8 +20,10 @@ from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.language import tr
+from tmmcalc.report.drawing.snug import snug
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Datum, Figure
+from tmmcalc.report.telling import numeral
 
 SIZE = (150.0, 95.0)  # of the scheme [mm]
 SHOWN = ((1 / 4,), (1 / 4,))  # parts of the strokes: the position that is drawn
@@ -37,7 +39,7 @@ def blocks(order: Order) -> Iterator[Block]:
     chain = chain_of(mechanism, result)
     row = at_parts(chain, result, *SHOWN)[0]
     draw = partial(draw_scheme, result=result, cycle=whole_cycle(chain, result), positions=[row])
-    yield Figure(tr("Scheme of the mechanism"), draw, SIZE, "task_scheme")
+    yield Figure(tr("Scheme of the mechanism"), draw, snug(draw, SIZE), "task_scheme")
     yield from _motion(result)
     yield from _metric(mechanism)
     if {"forces", "reduction", "balance"} & set(order.results):
@@ -125,15 +127,33 @@ def _centre(body: Body, pins: Sequence[Pin]) -> Iterator[Datum]:
 
 
 def _load(table: object, name: str) -> Iterator[Datum]:
-    """A constant load, and where it acts."""
+    """A load that is constant or a polynomial of the angle, and where it acts."""
     for kind, unit in (("force", "N"), ("moment", "N*m")):
         value = getattr(table, kind, None)
         if isinstance(value, float):
             yield Datum(f"{tr('given load')} {name}", (force_key(name),), (value,), unit)
+        coefficients = getattr(getattr(table, "polynomial", None), kind, None)
+        if coefficients is not None:
+            said = tr("given load {name}; $theta$ – angle of the crank from its beginning, rad", name=name)
+            yield Datum(said, (force_key(name),), text=f"${_polynomial(coefficients)}$ {tr_unit(unit)}")
     between = getattr(table, "between", None)
     if between is not None:
         said = tr("where load {name} begins and ends, by the angle of the crank from the first position", name=name)
         yield Datum(said, ("phi",), tuple(map(math.degrees, between)), "deg")
+
+
+def _polynomial(coefficients: Sequence[float]) -> str:
+    """A polynomial of the angle as a formula.
+
+    >>> _polynomial([0.0, -180.0, 68.75])
+    '- 180*theta + 68.75*theta**2'
+    """
+    terms = []
+    for power, value in enumerate(coefficients):
+        if value:
+            angle = ["", "*theta"][power] if power < 2 else f"*theta**{power}"
+            terms.append(f"{'-' if value < 0 else '+'} {numeral(abs(value))}{angle}")
+    return " ".join(terms).removeprefix("+ ") or "0"
 
 
 def _alike(pairs: Sequence[Pair], letter: str, values: Sequence[float], unit: str) -> Iterator[Datum]:

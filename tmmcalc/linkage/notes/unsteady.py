@@ -136,7 +136,9 @@ def _moved(result: Unsteady) -> Iterator[Block]:
         moved = _triple(letters, angular, result.coordinate[:, k])
         if k:
             yield tabulated(caption, columns, result.labels, head=tr("Row"), key=key)
-            columns, caption, key = {"$t$, s": result.t, **moved}, tr("Motion of output {name}", name=name), ""
+            columns, caption = {"$t$, s": result.t, **moved}, tr("Motion of output {name}", name=name)
+            key = f"unsteady_output_{k}"
+            yield Paragraph(tr("The motion of output {name} is in table {table}.", name=name, table=f"{{tab:{key}}}"))
         else:
             columns, caption = {**columns, **moved}, tr("Unsteady motion of the input and of output {name}", name=name)
     yield tabulated(caption, columns, result.labels, head=tr("Row"), key=key)

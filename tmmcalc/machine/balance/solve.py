@@ -83,7 +83,7 @@ class Balancing:
             if scheme.name == "minimax":
                 found["minimax"] = scheme.balance.error
         ratios = [scheme.balance.ratio_error for scheme in self.schemes]
-        return {**found, "ratio": max(ratios)} if ratios else found
+        return {**found, "share_left": max(ratios)} if ratios else found
 
 
 def solve_balance(mechanism: Mechanism, bodies: Sequence[Body], kinematics: Kinematics, task: BalanceTask) -> Balancing:

@@ -9,8 +9,7 @@ from functools import partial
 from tmmcalc.machine.balance.cylinders import Cylinder
 from tmmcalc.machine.balance.engines import EngineBalance, ShaftWeights
 from tmmcalc.machine.balance.enginetask import Engine
-from tmmcalc.machine.notes.shaking import signed
-from tmmcalc.machine.notes.told import drawn
+from tmmcalc.machine.notes.counterweights import signed
 from tmmcalc.machine.pictures.engine import draw_engine
 from tmmcalc.machine.tables.tasks.balance import to_engine
 from tmmcalc.report.drawing.order import Order
@@ -18,7 +17,7 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result
 from tmmcalc.report.numbers import NOISE
-from tmmcalc.report.telling import lines, named, tabulated, vector
+from tmmcalc.report.telling import drawn, lines, named, tabulated, vector
 
 HIGH = 145.0  # of the picture [mm]
 PLANES = (  # of a shaft: the projections of its weights
@@ -163,6 +162,12 @@ def _shafts(result: Engine, lexicon: Lexicon) -> Iterator[Block]:
         "$C_{max}$, N*m": [_told(each.couple_size.largest, balance.scales[1]) for _, each in rows],
     }
     labels = [name for name, _ in rows]
+    yield Paragraph(
+        tr(
+            "Table {tab:engine_left} has root mean squares ($q$) and largest values of force and couple without and "
+            "with the weights."
+        )
+    )
     yield tabulated(tr("Force and couple that are left"), columns, labels, head=tr("Balancing"), key="engine_left")
     for head, unit, said in (("F_{max}", "N", tr("largest force")), ("C_{max}", "N*m", tr("largest couple"))):
         largest = columns[f"${head}$, {unit}"]

@@ -13,7 +13,7 @@ from tmmcalc.machine.flywheel.materials import RECOMMENDED
 from tmmcalc.machine.flywheel.results import Flywheel, Trial
 from tmmcalc.machine.flywheel.worked import Paper, Worked, curve_columns, paper, round_scales
 from tmmcalc.machine.notes.motors import of_motor
-from tmmcalc.machine.notes.told import degrees, drawn, held, inertias, numeral, reduced
+from tmmcalc.machine.notes.told import inertias, reduced
 from tmmcalc.machine.notes.wheel import of_wheel
 from tmmcalc.machine.pictures.constructions import draw_ordinates, machine_of
 from tmmcalc.machine.pictures.energymass import draw_energy_mass
@@ -26,7 +26,7 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import lines, named, tabulated
+from tmmcalc.report.telling import degrees, drawn, held, lines, named, numeral, tabulated
 
 SAME = 1e-4  # of the inertia: trials nearer than this are one
 AROUND, ORDINATES = 60.0, 105.0  # above and below the energy-mass curve; height of the ordinates [mm]

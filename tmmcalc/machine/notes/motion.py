@@ -12,7 +12,7 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.nodes import nodal_tables, nodal_work
 from tmmcalc.machine.notes.motors import driven, of_motor
-from tmmcalc.machine.notes.told import degrees, drawn, held, inertias, numeral, plainly, reduced
+from tmmcalc.machine.notes.told import inertias, reduced
 from tmmcalc.machine.pictures.motion import draw_speed
 from tmmcalc.machine.reduction.results import Reduction
 from tmmcalc.machine.regime import Regime
@@ -23,7 +23,7 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import filled, lines, named, tabulated
+from tmmcalc.report.telling import degrees, drawn, filled, held, lines, named, numeral, plainly, tabulated
 
 SPEED = 78.0  # height of the picture [mm]
 TURNS = 6  # of the iteration that are shown in the table of turns
@@ -211,8 +211,9 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
     yield Heading(tr("Angular velocity by the kinetic energy"), 3)
     yield Paragraph(
         tr(
-            "The kinetic energy in position 0 is taken at the mean angular velocity; the trapezoid rule gives the work "
-            "of all moments from position to position:"
+            "The kinetic energy in position 0 is taken at the mean angular velocity. The trapezoid rule gives the work "
+            "of all moments from position to position; the driving moment $M_dm^t$ makes the work of the cycle zero by "
+            "the same rule:"
         )
     )
     rows = _shown(result, order)
@@ -227,7 +228,7 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
             "A_{i−1}": Given(float(work[row - 1]), "J", excess),
             "M_{c,i}": Given(float(moment[row]), "N*m", tr("reduced moment of the loads")),
             "M_{c,i−1}": Given(float(moment[row - 1]), "N*m", tr("reduced moment of the loads")),
-            "M_dm": Given(drive, "N*m", tr("mean driving moment on the input link")),
+            "M_dm^t": Given(drive, "N*m", tr("mean driving moment on the input link by the trapezoid rule")),
             "Deltaphi": Given(reduction.cycle.period / n, "rad", tr("step of the positions")),
             "T_i": Given(found.energy + float(work[row]), "J", energy),
             "J_i": Given(float(inertia[row]), "kg*m^2", tr("moment of inertia of the machine")),
@@ -236,7 +237,7 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
         places.append(Place(tr("pos. {label}", label=result.labels[row]), named(lexicon)))
     yield from lines(("T_0 = J_{(0)}*omega_m**2/2",), [Place("", places[0].lexicon)])
     texts = (
-        "A_i = A_{i−1} + (M_{c,i−1} + M_{c,i} + 2*M_dm)*Deltaphi/2",
+        "A_i = A_{i−1} + (M_{c,i−1} + M_{c,i} + 2*M_dm^t)*Deltaphi/2",
         "T_i = T_0 + A_i",
         "omega_i = sqrt(2*T_i/J_i)",
     )
@@ -248,6 +249,7 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
         "$J$, kg*m^2": inertia,
         "$omega$, rad/s": found.omega,
     }
+    yield Paragraph(tr("Energies and angular velocities at all positions are in table {tab:motion_energies}."))
     caption = tr("Kinetic energy and angular velocity at the positions")
     yield tabulated(caption, columns, result.labels, head=tr("No."), key="motion_energies")
 
@@ -258,8 +260,9 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
     yield Heading(tr("Exact motion"), 3)
     yield Paragraph(
         tr(
-            "The derivative of the kinetic energy by the angle gives the equation of motion, which the program solves "
-            "for the whole cycle at once; with its solution, table {tab:motion_exact} and figure {fig:motion_speed},"
+            "The derivative of the kinetic energy with respect to the angle gives the equation of motion, which the "
+            "program solves for the whole cycle at once; with its solution, table {tab:motion_exact} and figure "
+            "{fig:motion_speed},"
         )
     )
     cycle = reduction.cycle
@@ -275,7 +278,9 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
             "J_c": Given(result.inertia.total, "kg*m^2", tr("constant moment of inertia of the machine")),
             letters["J"]: Given(float(links[row]), "kg*m^2", tr("reduced moment of inertia of the links")),
             letters["dJ"]: Given(
-                float(slopes[row]), "kg*m^2/rad", tr("derivative of the reduced moment of inertia by the angle")
+                float(slopes[row]),
+                "kg*m^2/rad",
+                tr("derivative of the reduced moment of inertia"),
             ),
         }
         places.append(Place(tr("pos. {label}", label=result.labels[row]), named(lexicon)))

@@ -15,7 +15,6 @@ from tmmcalc.machine.motors.characteristics import Characteristic, Straight
 from tmmcalc.machine.motors.direct_current import Series
 from tmmcalc.machine.motors.gearing import Reduced
 from tmmcalc.machine.motors.model import CharacteristicKind, Motor, characteristic
-from tmmcalc.machine.notes.told import drawn
 from tmmcalc.machine.pictures.characteristic import draw_motor, motor_curves
 from tmmcalc.machine.power import Power
 from tmmcalc.machine.tables.tasks.machine import to_motion, to_motor
@@ -24,7 +23,7 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place
-from tmmcalc.report.telling import lines, named, tabulated
+from tmmcalc.report.telling import drawn, lines, named, tabulated
 
 NEAR, WHOLE = 62.0, 58.0  # heights of the diagrams of the working part and of the whole characteristic [mm]
 NAMELESS = "motor"  # what a motor without a name is called
@@ -302,7 +301,7 @@ def _straight(motor: Motor, how: Braking, curve: Straight, lexicon: Lexicon) -> 
         "k": Given(constant, "V*s/rad", tr("constant of the motor")),
         "R": Given(resistance, "Ohm", tr("resistance of the armature circuit")),
         "V": Given(voltage[how.kind], "V", tr("voltage that the armature is connected to")),
-        "omega_V": Given(curve.synchronous, "rad/s", tr("angular velocity of the motor at which its moment ends")),
+        "omega_V": Given(curve.synchronous, "rad/s", tr("angular velocity of the motor at which its moment is zero")),
         "b_V": Given(curve.stiffness, "N*m*s/rad", tr("stiffness of the characteristic")),
     }
     yield from lines(texts, [Place("", named(lexicon))])

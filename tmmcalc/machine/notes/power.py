@@ -13,7 +13,6 @@ from tmmcalc.machine.judged import START, TEXTBOOK, Judged, rules
 from tmmcalc.machine.motors.model import Motor
 from tmmcalc.machine.notes.motors import RATED, losses, motor_data
 from tmmcalc.machine.notes.reducing import index_of
-from tmmcalc.machine.notes.told import held
 from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.power import LOSSES, MotorDuty, Power
 from tmmcalc.machine.reduction.results import Contribution, Reduction
@@ -22,7 +21,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import column, lines, named
+from tmmcalc.report.telling import column, held, lines, named
 
 RPM = 30 / math.pi
 WORKING, ENGINE = "eta = A_c/(A_c + A_F)", "eta = (A_d + A_F)/A_d"  # (3.36), (3.37)
@@ -211,7 +210,7 @@ def _tried(duty: MotorDuty, reserve: float) -> Iterator[Block]:
     found[tr("Verdict")] = [_verdict(each, each.motor == duty.motor, reserve) for each in shown]
     yield Table(tr("Motors considered"), tuple(found), tuple(zip(*found.values(), strict=True)), "power_motors")
     if duty.taken:
-        yield Paragraph(tr("Each rule of choice alone would take:"))
+        yield Paragraph(tr("What each rule of choice alone would take is in table {tab:power_rules}."))
         head, powers = column("$P_N$, W", [each.power for each in duty.taken], DIGITS)
         rows = zip(
             (_rule_words(each.rule) for each in duty.taken), (each.motor for each in duty.taken), powers, strict=True

@@ -145,7 +145,7 @@ def _with_loads(rows: Sequence[int], result: Reduction, kinematics: Kinematics) 
     for contribution, moment in zip(result.contributions, result.moment[:, : len(kinematics.labels)], strict=True):
         if contribution.kind == "load" and not np.any(moment[found]):
             found.append(int(np.argmax(np.abs(moment))))
-    return sorted(found)
+    return found
 
 
 def _with_results(told: Reducing) -> Reducing:
@@ -251,22 +251,24 @@ def _friction_lines(told: Reducing) -> list[str]:
 
 def _sliding(told: Reducing, joint: Joint, pair: Pair, reaction: Reaction) -> str:
     """The normal force in a prismatic pair, of a slider that bears on its edges the sum of both, times its velocity."""
-    low, high = sorted(joint.links)
-    across, along = f"N_{{{high}{low}}}", f"v_{{{high}{low}}}"
-    rate = sliding(joint, told.place.configuration)[0]
-    told.moving.give(
-        along, rate * told.result.speed, "m/s", tr("velocity of link {block} along link {link}", block=high, link=low)
-    )
+    slider, guide = joint.links
+    across, along = f"N_{{{slider}{guide}}}", f"v_{{{slider}{guide}}}"
+    sign = 1.0 if slider > guide else -1.0
+    rate = sign * sliding(joint, told.place.configuration)[0]
+    said = tr("velocity of link {link} along its guide", link=slider)
+    if guide != FRAME:
+        said = tr("velocity of link {block} along link {link}", block=slider, link=guide)
+    told.moving.give(along, rate * told.result.speed, "m/s", said)
     if pair.length is None:
         assert isinstance(reaction.seat, Slideway)
-        normal = (np.conj(1j * reaction.seat.e) * reaction.wrench.force).real
+        normal = sign * (np.conj(1j * reaction.seat.e) * reaction.wrench.force).real
         told.moving.give(
-            across, normal, "N", tr("normal reaction of link {other} on link {link}", other=low, link=high)
+            across, normal, "N", tr("normal reaction of link {other} on link {link}", other=guide, link=slider)
         )
         return f"abs({across})*abs({along})"
     pressed = size_of(reaction.seat, reaction.wrench, pair.length / 2)
     edges = f"{across}^e"
-    told.moving.give(edges, pressed, "N", tr("sum of the pressures of link {block} on its guide", block=high))
+    told.moving.give(edges, pressed, "N", tr("sum of the pressures of link {block} on its guide", block=slider))
     return f"{edges}*abs({along})"
 
 

@@ -13,8 +13,7 @@ from numpy.typing import ArrayLike
 
 from tmmcalc.core.numerics.simpson import simpson_weights
 from tmmcalc.core.plane import Real
-from tmmcalc.machine.notes.reducing import Names, inertia_lines, moment_lines, reducing
-from tmmcalc.machine.notes.told import drawn
+from tmmcalc.machine.notes.reducing import Names, Reducing, inertia_lines, moment_lines, reducing
 from tmmcalc.machine.pictures.reduction import draw_course
 from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.reduction.columns import contribution_name
@@ -23,15 +22,15 @@ from tmmcalc.machine.reduction.results import Reduction
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
 from tmmcalc.report.numbers import NOISE
-from tmmcalc.report.telling import column_of, lines, named, tabulated
+from tmmcalc.report.telling import cell, column_of, drawn, lines, named, tabulated
 
 POWER = "<M>*<w> = sum(F_i*v_i*cos(alpha_i), i) + sum(M_i*omega_i, i)"
 ENERGY = "<J>*<w>**2/2 = sum(m_i*v_{Si}**2/2 + J_{Si}*omega_i**2/2, i)"
 HIGH = 155.0  # of the picture [mm]
-CANCELLED = 1e-5  # of the largest sum of ordinates: a work that is nothing but what Simpson's rule leaves
+CANCELLED = 1e-4  # of the largest sum of ordinates: a work that is nothing but what Simpson's rule leaves
 SIMPSON = "A^S = h/3*(Y_0 + 4*Y_1 + 2*Y_2)"
 
 
@@ -46,6 +45,7 @@ def blocks(order: Order) -> Iterator[Block]:
         yield Paragraph(_equal_powers(result))
         yield Display(read(POWER.replace("<M>", names.total).replace("<w>", told.moving.rate)), "reduction_power")
         yield from moment_lines(told)
+        yield from _still(told)
         yield Paragraph(tr("Reduced values in all positions are in table {tab:reduction_moments}."))
     yield from _moments_table(result, names)
     yield from _works(result, names)
@@ -61,6 +61,17 @@ def blocks(order: Order) -> Iterator[Block]:
     draw = partial(draw_course, result=result, flywheel=order.results.get("flywheel"))
     caption = tr("Reduced moments, works, excess energy, reduced inertia")
     yield drawn(caption, draw, HIGH if result.whole else HIGH / 2, "reduction_course")
+
+
+def _still(told: Reducing) -> Iterator[Paragraph]:
+    """What is zero in all positions that are shown, and so has no line."""
+    causes = [
+        f"${told.names.cause(each)}$ ({cause_name(each.name)})"
+        for each, moment in zip(told.result.contributions, told.result.moment, strict=True)
+        if np.max(np.abs(moment[[*told.rows]])) <= NOISE * np.max(np.abs(moment))
+    ]
+    if causes:
+        yield Paragraph(tr("In the positions shown these are zero: {names}.", names=", ".join(causes)))
 
 
 def _equal_powers(result: Reduction) -> str:
@@ -133,8 +144,11 @@ def _works(result: Reduction, names: Names) -> Iterator[Block]:
         found = np.array([each.simpson for each in result.contributions], float)
         columns["$A^S$, J"] = found
     columns["$A$, J"] = np.where(some, works, 0.0)
+    if not simple:
+        yield Paragraph(tr("The works of the reduced forces are in table {tab:reduction_works}."))
     if simple:
-        columns["$Delta$, %"] = np.where(some, 100 * (found / np.where(some, works, 1.0) - 1), np.nan)
+        apart = np.where(some, found / np.where(some, works, 1.0) - 1, np.nan)
+        columns["$Delta$, %"] = np.where(np.abs(apart) < NOISE, 0.0, 100 * apart)
         yield Paragraph(
             tr(
                 "Table {tab:reduction_works} compares them with the exact works $A$, integrated between all places "
@@ -189,6 +203,17 @@ def _sums(found: Ordinates) -> Lexicon:
 
 def _inertia_table(result: Reduction, names: Names, further: Mapping[str, Real]) -> Iterator[Block]:
     """What the links add, the sum, its derivative; with the rods the other way where there are some."""
+    if np.ptp(result.inertia) <= NOISE * np.max(result.inertia):
+        words = {"name": f"${names.inertia}$", "value": cell(float(result.inertia[0]))}
+        yield Paragraph(
+            tr("Its value is constant over the cycle: {name} = {value} {unit}.", unit=tr_unit(names.mass_unit), **words)
+        )
+        return
+    yield Paragraph(
+        tr("The reduced moment of inertia in all positions is in table {tab:reduction_inertia}.")
+        if result.turns
+        else tr("The reduced mass in all positions is in table {tab:reduction_inertia}.")
+    )
     columns = _coordinate(result, names)
     first = f"{names.letter}_red_"
     for key, values in further.items():

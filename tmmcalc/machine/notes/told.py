@@ -1,51 +1,12 @@
-"""What several parts of the chapter on motion say alike: conditions, numbers, constant inertias, pictures."""
+"""What several parts of the chapter on motion say alike: the reduced inertia, the constant ones."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Sequence
-
 from tmmcalc.machine.driver import ConstantInertia
-from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
-from tmmcalc.report.formula.setting import spelt
-from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Figure, Lexicon
-from tmmcalc.report.printing import printed_as
-from tmmcalc.report.telling import DIGITS, WIDE, column_of
-from tmmcalc.report.telling import held as held
-from tmmcalc.report.telling import numeral as numeral
-
-ANGLE = 6  # decimals of an angle that are no rounding [deg]
-LETTERED = 1.15  # words of a picture against those of a drawing on screen
-
-
-def degrees(angle: float) -> str:
-    """An angle [rad] within a formula of a sentence, in degrees.
-
-    >>> degrees(math.pi / 8), degrees(-math.pi / 2)
-    ('deg(22.5)', '-deg(90)')
-    """
-    value = round(math.degrees(angle), ANGLE) + 0.0
-    return f"{'-' if value < 0 else ''}deg({numeral(abs(value))})"
-
-
-def plainly(value: float, digits: int = DIGITS) -> str:
-    """A number of a sentence.
-
-    >>> plainly(-12.5)
-    '−12.5'
-    """
-    return spelt(f"{value:.{digits}g}")
-
-
-def row_of(name: str, unit: str, values: Sequence[float]) -> tuple[str, ...]:
-    """A row of a table: a quantity with its unit, then its values, each with its own digits."""
-    printed, factor = printed_as(unit)
-    head = f"{name}, {tr_unit(printed)}" if printed else name
-    return head, *(column_of([factor * value])[0] for value in values)
+from tmmcalc.report.language import tr
+from tmmcalc.report.manuscript import Lexicon
 
 
 def reduced() -> dict[str, str]:
@@ -65,13 +26,3 @@ def inertias(parts: ConstantInertia, order: Order) -> Lexicon:
         "J_g": Given(parts.gears, "kg*m^2", tr("moment of inertia of the gears, reduced to the input link")),
         "J_e": Given(parts.further, "kg*m^2", tr("further constant moment of inertia of the input link")),
     }
-
-
-def drawn(caption: str, draw: Callable[[Drawing, Box], object], high: float, key: str) -> Figure:
-    """A picture at the width of the note, ``high`` mm high, with words about as large as those of the text."""
-
-    def lettered(drawing: Drawing, box: Box) -> object:
-        with drawing.lettered(LETTERED):
-            return draw(drawing, box)
-
-    return Figure(caption, lettered, (WIDE, high), key)

@@ -12,7 +12,7 @@ from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.facts.timed import equal_times, within
 from tmmcalc.machine.model import TransientTask
 from tmmcalc.machine.notes.motors import driven, of_braking, of_form, of_motor
-from tmmcalc.machine.notes.told import degrees, drawn, numeral, plainly, reduced, row_of
+from tmmcalc.machine.notes.told import reduced
 from tmmcalc.machine.pictures.transient import draw_course
 from tmmcalc.machine.pictures.words import end_text, event_text, mass_name
 from tmmcalc.machine.stages.transient import inputs, machine_of
@@ -25,7 +25,7 @@ from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Paragraph, Place, Result, Table
 from tmmcalc.report.printing import printed_as
-from tmmcalc.report.telling import column_of, filled, lines, named, tabulated
+from tmmcalc.report.telling import column_of, degrees, drawn, filled, lines, named, numeral, plainly, row_of, tabulated
 
 EQUATION = "eps = (M_d + M_c - M_b - 0.5*<dJ>*omega**2)/(J_c + <J>)"
 PANEL = 60.0  # height of a diagram [mm]
@@ -116,12 +116,19 @@ def _motion(motion: TimedMotion, task: TransientTask, machine: Machine, key: str
     if len(motion.masses) == 1:
         yield from _row(motion, task, machine.cycle, machine.inertia.total)
     yield from _course(motion, key)
-    if motion.events:
+    if len(motion.events) == 1:
+        what = event_text(motion.events[0])
+        yield Paragraph(tr("The line with the number 1 in the figure marks this event: {what}.", what=what))
+    elif motion.events:
+        table = f"{{tab:{key}_events}}"
+        yield Paragraph(tr("What happens on the way is in table {table}, by the numbers in the figure.", table=table))
         yield _events(motion, key)
     if len(motion.masses) > 1:
+        table = f"{{tab:{key}_shafts}}"
+        yield Paragraph(tr("The largest moments of the shafts are in table {table}.", table=table))
         yield _shafts(motion, key)
     yield from _motor(motion)
-    yield from _energy(motion)
+    yield from _energy(motion, f"{key}_energy")
 
 
 def _method(name: str) -> str:
@@ -153,7 +160,7 @@ def _row(motion: TimedMotion, task: TransientTask, cycle: Cycle, constant: float
         "M_b": Given(braked, "N*m", tr("moment of the brake")),
         "J_c": Given(constant, "kg*m^2", tr("constant moment of inertia of the machine")),
         letters["J"]: Given(links, "kg*m^2", tr("reduced moment of inertia of the links")),
-        letters["dJ"]: Given(slope, "kg*m^2/rad", tr("derivative of the reduced moment of inertia by the angle")),
+        letters["dJ"]: Given(slope, "kg*m^2/rad", tr("derivative of the reduced moment of inertia")),
     }
     said = tr(
         "At $t = {time}$ s, at the angle $phi = {angle}$ of the turn,",
@@ -243,7 +250,7 @@ def _motor(motion: TimedMotion) -> Iterator[Block]:
         )
 
 
-def _energy(motion: TimedMotion) -> Iterator[Block]:
+def _energy(motion: TimedMotion, key: str) -> Iterator[Block]:
     """The energy at both ends and the works between."""
     work = {
         "A_d": (motion.motor_work, tr("work of the drive")),
@@ -265,13 +272,15 @@ def _energy(motion: TimedMotion) -> Iterator[Block]:
         yield from lines(("T_e = T_0 + A_d + A_c + A_b + A_s",), [Place("", lexicon)])
         return
     open_part = tr(
-        "The works of the steps change the energy from $T_0$ to $T_e$; the balance is open by {part} % of the largest.",
+        "The works of the steps change the energy from $T_0$ to $T_e$, table {table}; the balance is open by {part} % "
+        "of the largest.",
+        table=f"{{tab:{key}}}",
         part=plainly(100 * motion.imbalance, 2),
     )
     yield Paragraph(open_part)
     rows = [row_of(f"${key}$", "J", [given.value]) for key, given in lexicon.items() if isinstance(given.value, float)]
     head = (tr("Quantity"), tr("Value"))
-    yield Table(tr("Energy and works: {name}", name=motion.name), head, tuple(rows))
+    yield Table(tr("Energy and works: {name}", name=motion.name), head, tuple(rows), key)
 
 
 def _nothing(given: Given, peak: float) -> bool:

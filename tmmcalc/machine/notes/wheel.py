@@ -8,13 +8,12 @@ from collections.abc import Iterator
 from tmmcalc.machine.flywheel.results import Flywheel
 from tmmcalc.machine.flywheel.rim import DEFAULT, POISSON, Rim
 from tmmcalc.machine.model import FlywheelTask
-from tmmcalc.machine.notes.told import held, row_of
 from tmmcalc.machine.tables.tasks.machine import to_flywheel
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import lines, named
+from tmmcalc.report.telling import held, lines, named, row_of
 
 MEGA = 1e6
 

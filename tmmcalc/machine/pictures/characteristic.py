@@ -90,16 +90,14 @@ def draw_motor(drawing: Drawing, box: Box, motor: MotorCurves, *, scaled: bool =
 
 
 def _diagram(drawing: Drawing, frame: Box, ends: tuple[Axis, Axis], unit: str, scaled: bool) -> Diagram:
-    """The diagram of a characteristic, with scale factors in the names of its axes or without."""
+    """The diagram of a characteristic, with the scale factors beside the name of its abscissa or without."""
     if not scaled:
         return Diagram(drawing, frame, *ends)
-    axes = []
-    names = f"$ω$, {tr_unit('rad/s')}", ends[1].name
-    of_both = zip(ends, (frame.width, frame.height), "ωM", ("rad/s", unit), names, strict=True)
-    for axis, size, letter, of, name in of_both:
-        longer, mu = to_scale(axis, size)
-        axes.append(longer._replace(name=f"{name}; {scale_factor(letter, mu, of)}"))
-    return Diagram(drawing, frame, *axes)
+    (along, mu_along), (up, mu_up) = (
+        to_scale(axis, size) for axis, size in zip(ends, (frame.width, frame.height), strict=True)
+    )
+    factors = f"{scale_factor('ω', mu_along, 'rad/s')}; {scale_factor('M', mu_up, unit)}"
+    return Diagram(drawing, frame, along._replace(name=f"$ω$, {tr_unit('rad/s')}; {factors}"), up)
 
 
 def _draw_near(drawing: Drawing, box: Box, motor: MotorCurves, scaled: bool) -> None:
@@ -126,11 +124,19 @@ def _draw_near(drawing: Drawing, box: Box, motor: MotorCurves, scaled: bool) -> 
     diagram.level(regime.mean_moment * factor, MEAN)
     diagram.key(names)
     _points(diagram, used, factor, (("H", used.nominal), ("C", used.synchronous)))
-    for speed, word in ((regime.omega_min, "min"), (regime.omega_max, "max")):
+    for speed, written, index in _extremes(regime):
         driving_there = float(np.interp(speed, [regime.omega_min, regime.omega_max], _at_extremes(regime)))
         at = diagram.point(complex(speed, driving_there * factor), Pen("POINTS", 0.3, colour=SPEEDS), 0.6)
-        text = f"$ω_{{{word}}}$ = {minus(number(speed, 5))}"
+        text = f"$ω{index}$ = {minus(written)}"
         diagram.labels.put(text, [at], height=2.2, gaps=(1.0, 1.8, 3.0, 4.6), colour=SPEEDS)
+
+
+def _extremes(regime: Regime) -> list[tuple[float, str, str]]:
+    """The extreme speeds as they are written, with their indices; one where they are the same."""
+    least, largest = number(regime.omega_min, 5), number(regime.omega_max, 5)
+    if least == largest:
+        return [(regime.mean, least, "")]
+    return [(regime.omega_min, least, "_{min}"), (regime.omega_max, largest, "_{max}")]
 
 
 def _draw_whole(drawing: Drawing, box: Box, motor: MotorCurves, scaled: bool) -> None:

@@ -125,7 +125,7 @@ def _of_speed(result: Motion, theta: Values, lines: tuple[Line, ...]) -> Graph:
     names = [(line.label, line.pen) for line in lines]
     names.append((tr("mean $ω_m$ = {speed}", speed=number(result.regime.mean, 5)), MEAN))
     if result.omega_textbook is not None:
-        circles = tr("recurrence (3.57): circles") if result.by_energy is None else tr("energy (3.48): circles")
+        circles = tr("by the recurrence: circles") if result.by_energy is None else tr("by the kinetic energy: circles")
         names.append((circles, NODAL))
     graph = _graph(result, theta, "ω", "rad/s", lines)
     return replace(graph, digits=5, ends=(low - air, high + air), key=tuple(names))

@@ -78,10 +78,13 @@ def draw_course(drawing: Drawing, box: Box, result: Reduction, flywheel: Flywhee
     graphs = [
         _course(result, symbol, unit, [(loads, sense * moment, CURVES[0]), (name, sense * constant, CURVES[1])]),
         _course(result, "A", "J", [(tr("work of the loads"), done, CURVES[0]), (of_constant, given, CURVES[1])]),
-        _course(result, "ΔT", "J", [(tr("sum of both works"), left, CURVES[2])]),
         replace(_inertia(result), mu="J" if result.turns else "m", key=()),
     ]
-    return column(drawing, box, graphs, (1.3, 1.3, 1.0, 1.0))
+    shares = [1.3, 1.3, 1.0]
+    if np.max(np.abs(left)) > NOISE * np.max(np.abs(done)):
+        graphs.insert(2, _course(result, "ΔT", "J", [(tr("sum of both works"), left, CURVES[2])]))
+        shares.append(1.0)
+    return column(drawing, box, graphs, shares)
 
 
 def _course(result: Reduction, symbol: str, unit: str, lines: Sequence[tuple[str, Values, Pen]]) -> Graph:
@@ -150,7 +153,9 @@ def _named(result: Reduction, name: str, contribution: Contribution | None) -> s
 
 def _inertia(result: Reduction) -> Graph:
     symbol, unit = (indexed(tr("J_red")), "kg*m^2") if result.turns else (indexed(tr("m_red")), "kg")
-    marks = tuple(_mark(result, extreme) for extreme in result.inertia_range)
+    still = float(np.ptp(result.cycle.inertia)) <= STRAIGHT * float(np.max(result.cycle.inertia))
+    extremes = result.inertia_range[:1] if still else result.inertia_range
+    marks = tuple(_mark(result, extreme) for extreme in extremes)
     line = Line(tr("exact"), with_limits(result.cycle.panels, result.cycle.inertia), result.inertia, CURVES[0], marks)
     return _graph(result, symbol, unit, (line,))
 

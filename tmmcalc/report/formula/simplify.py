@@ -33,24 +33,52 @@ def without(node: Node, zeros: Container[str]) -> Node:
             return _summed([(sign, term) for sign, term in terms if term != ZERO])
         case Product(factors):
             left = tuple(factor for factor in factors if factor != ONE)
-            return ZERO if ZERO in factors else ONE if not left else left[0] if len(left) == 1 else Product(left)
+            return ZERO if ZERO in factors else ONE if not left else left[0] if len(left) == 1 else _signed(left)
         case Quotient(over, under):
             return ZERO if over == ZERO else over if under == ONE else node
+        case Power(Sum(((-1, inner),)), Number("2") as two):
+            return Power(inner, two)
         case Power(base, _):
             return base if base in (ZERO, ONE) else node
         case Call(function, (argument,)) if argument == ZERO:
             return AT_ZERO.get(function, node)
-        case Call("abs", (Sum(((_, term),)),)):
+        case Call("abs", (Sum(((_, term),)),)) | Call("sqrt", (Power(term, Number("2")),)):
             return Call("abs", (term,))
         case Call("atan2", (first, _)) if first == ZERO:
             return ZERO
     return node
 
 
+def _signed(factors: tuple[Node, ...]) -> Node:
+    """A product; the minus of what is left of a sum among its factors stands before the whole.
+
+    >>> from tmmcalc.report.formula.plain import plain
+    >>> from tmmcalc.report.formula.setting import statement
+    >>> from tmmcalc.report.formula.syntax import read
+    >>> plain(statement(simplified(read("a = b + l*(e*c - w**2*s)"), {"b", "e"})))
+    'a = −l w^2 s'
+    """
+    sign, bare = 1, list[Node]()
+    for factor in factors:
+        match factor:
+            case Sum(((-1, Product(inner)),)):
+                sign, bare = -sign, [*bare, *inner]
+            case Sum(((-1, inner),)):
+                sign, bare = -sign, [*bare, inner]
+            case _:
+                bare.append(factor)
+    found = Product(tuple(bare))
+    return found if sign > 0 else Sum(((-1, found),))
+
+
 def _summed(terms: list[tuple[int, Node]]) -> Node:
     """The terms that are left, with those of a sum within that has no sign before it among them."""
     flat: list[tuple[int, Node]] = []
     for sign, term in terms:
+        if isinstance(term, Sum) and len(term.terms) == 1:
+            ((own, inner),) = term.terms
+            flat.append((sign * own, inner))
+            continue
         flat += term.terms if isinstance(term, Sum) and sign > 0 and not flat else [(sign, term)]
     if not flat:
         return ZERO

@@ -45,9 +45,11 @@ upright("2")), 2)'
             )
         case layout.Root(inner, degree):
             return f"sqrt({typst(inner)})" if degree is None else f"root({typst(degree)}, {typst(inner)})"
+        case layout.Script(layout.Row((*letters, last)), lower, upper, primes) if letters:  # ``Delta phi'``
+            return f"{typst(layout.Row(tuple(letters)))} {typst(layout.Script(last, lower, upper, primes))}"
         case layout.Script(base, lower, upper, primes):
-            below = "" if lower is None else f", b: {typst(lower)}"
-            above = "" if upper is None else f", t: {typst(upper)}"
+            below = "" if lower is None else f", b: {_script(lower)}"
+            above = "" if upper is None else f", t: {_script(upper)}"
             body = typst(base) + "'" * primes
             return f"attach({body}{below}{above})"
         case layout.Fenced(inner, opening, closing):
@@ -56,3 +58,11 @@ upright("2")), 2)'
             return f"sum_({typst(lower)}) {typst(body)}"
         case layout.Arrowed(inner):
             return f"arrow({typst(inner)})"
+
+
+def _script(box: layout.Box) -> str:
+    """An index: a space beside a word in it would be set as one, so that a comment parts them."""
+    if isinstance(box, layout.Row) and all(isinstance(each, layout.Letter | layout.Word) for each in box.boxes):
+        worded = any(isinstance(each, layout.Word) for each in box.boxes)
+        return ("/**/" if worded else " ").join(map(typst, box.boxes))
+    return typst(box)

@@ -153,9 +153,9 @@ def _amplitudes(result: VibratorResult) -> Iterator[Block]:
             unit = UNITS[k]
             own = named(
                 {
-                    "A_i": Given(float(steady.amplitude[k]), unit, tr("amplitude of coordinate i")),
+                    "A_i": Given(float(steady.amplitude[k]), unit, tr("amplitude of coordinate $i$")),
                     "alpha_i": Given(
-                        math.degrees(float(steady.phase[k])), "deg", tr("angle of coordinate i behind the unbalance")
+                        math.degrees(float(steady.phase[k])), "deg", tr("angle of coordinate $i$ behind the unbalance")
                     ),
                     "X_i^c": Given(float(steady.cosine[k]), unit),
                     "X_i^s": Given(float(steady.sine[k]), unit),

@@ -143,7 +143,7 @@ def _swing(task: PendulumTask, result: PendulumResult) -> Iterator[Block]:
     yield Heading(tr("Motion in time"), 2)
     began: Lexicon = named(
         {
-            "v_0": Given(float(course.v[0]), "m", tr("displacement of the lower end along x at the beginning")),
+            "v_0": Given(float(course.v[0]), "m", tr("displacement of the lower end along $x$ at the beginning")),
             "theta_0": Given(math.degrees(asked.tilt), "deg", tr("tilt of the rod at the beginning")),
             "l": Given(task.rod.length, "m", tr("length of the rod")),
             "v_d": Given(asked.deflection, "m", tr("displacement by the force that bends the rod")),

@@ -12,12 +12,11 @@ from tmmcalc.cams.notes.lexicon import of_follower
 from tmmcalc.cams.notes.loaded.margins import concave_margin_said
 from tmmcalc.cams.optimum.results import CamOptimum, Check, Option, Relaxation
 from tmmcalc.cams.pictures.wording import constraint_name
-from tmmcalc.machine.notes.told import plainly
 from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Paragraph, Table
-from tmmcalc.report.telling import column_of
+from tmmcalc.report.telling import column_of, plainly
 
 FIGURES, PERCENT = 5, 100
 SAME = 1e-9  # of a size: what changes nothing

@@ -10,9 +10,9 @@ from tmmcalc.cams.notes.lexicon import mm
 from tmmcalc.cams.notes.loaded.judged import Judging
 from tmmcalc.cams.notes.loaded.quantities import Found, shown_angle
 from tmmcalc.cams.strength.formulas import guide_pressure, reduced_moment, stem_moment, stem_stress
-from tmmcalc.machine.notes.told import plainly
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph
+from tmmcalc.report.telling import plainly
 
 REDUCED = "M_E = sqrt((R*l_s/(4*10**3))**2 + alpha_e*T**2)"
 STRENGTH = "r'_1 = (4*10**3*M_E/(pi*sigma_FP))**(1/3)"

@@ -134,10 +134,10 @@ def _shape(of: Judging, there: Found, curvature: float) -> Lexicon:
         return {"rho": mm(radius, tr("radius of curvature of the profile"))}
     speed = float(np.hypot(*tangent_terms(follower, motion, follower.start, follower.offset))[0])
     own = {
-        "w": mm(speed, tr("derivative of the arc of the pitch curve by φ")),
+        "w": mm(speed, tr("derivative of the arc of the pitch curve by $phi$")),
         "kappa": Given(1e-3 * curvature, "1/mm", tr("curvature of the pitch curve, negative where it is concave")),
         "b_κ": Given(1e6 * curvature * speed**3, "mm^2", tr("numerator of the curvature")),
-        "A_0": mm(float(rolling(follower, motion)[1][0]), tr("second derivative of this arc by φ")),
+        "A_0": mm(float(rolling(follower, motion)[1][0]), tr("second derivative of this arc by $phi$")),
     }
     return own | _rates(of, there) if follower.kind == "oscillating" else own
 

@@ -10,12 +10,11 @@ import numpy as np
 from tmmcalc.cams.forces.results import CamForces, ForceExtreme
 from tmmcalc.cams.notes.lexicon import angle, table_rows
 from tmmcalc.cams.notes.loaded.quantities import Loaded, listed, of_scene, shown_angle
-from tmmcalc.machine.notes.told import plainly
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import column_of, number_of, tabulated
+from tmmcalc.report.telling import column_of, number_of, plainly, tabulated
 
 ALONG = (
     "<P>_j = -<m>*(<y>''*omega**2 + <y>'*eps)<k>",
@@ -147,7 +146,7 @@ def _jamming(of: Loaded) -> Iterator[Block]:
     reserve = of.result.reserve
     if not of.carried.rubs or not reserve.eaten:
         return
-    said = tr("part of the useful component of R that friction takes")
+    said = tr("part of the useful component of $R$ that friction takes")
     lexicon = of.at(of.found(reserve.phi, reserve.useful, lambda found: found.now.cosine - found.now.ratio))
     lexicon |= of.named({"chi": Given(reserve.eaten, "", said)})
     if reserve.critical is not None:

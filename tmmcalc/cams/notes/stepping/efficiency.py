@@ -8,11 +8,10 @@ import numpy as np
 
 from tmmcalc.cams.indexing.results import Cam
 from tmmcalc.cams.notes.stepping.quantities import Stepping, at_row
-from tmmcalc.machine.notes.told import numeral, plainly
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import lines, named
+from tmmcalc.report.telling import lines, named, numeral, plainly
 
 RISE = (
     "n_x<f> = R_<f>**2*(1 + beta') - a*beta'*(a - l_k*cos(theta_<f>))",

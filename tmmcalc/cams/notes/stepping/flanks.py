@@ -9,13 +9,12 @@ import numpy as np
 
 from tmmcalc.cams.indexing.results import LARGEST, Cam, FlankTable, PressureReached
 from tmmcalc.cams.notes.stepping.quantities import MM, Stepping, at_part, at_row
-from tmmcalc.machine.notes.told import degrees as turned
-from tmmcalc.machine.notes.told import numeral, plainly
 from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import lines, number_of, tabulated
+from tmmcalc.report.telling import degrees as turned
+from tmmcalc.report.telling import lines, number_of, numeral, plainly, tabulated
 
 MOTION = ("phi = k*phi_p", "beta = beta_m*s", "beta' = beta_m*s'/phi_p", "beta'' = deg(180)*beta_m*s''/(pi*phi_p**2)")
 STARTS = {"A": "theta_A = beta_0 + beta", "B": "theta_B = beta - beta_0"}

@@ -8,12 +8,11 @@ from math import degrees
 from tmmcalc.cams.indexing.results import Cam
 from tmmcalc.cams.indexing.rollers import USUAL, governing
 from tmmcalc.cams.notes.stepping.quantities import MM, Stepping, at_part
-from tmmcalc.machine.notes.told import degrees as turned
-from tmmcalc.machine.notes.told import numeral, plainly
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import column_of, lines, named
+from tmmcalc.report.telling import column_of, lines, named, numeral, plainly
+from tmmcalc.report.telling import degrees as turned
 
 NAMES = ("r_A", "r_B", "r_n", "r_t", "r_s")  # of the limits, in the order of the theory
 

@@ -24,7 +24,7 @@ from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Result, Table
-from tmmcalc.report.telling import WIDE, tabulated
+from tmmcalc.report.telling import WIDE, located, span, tabulated
 
 GRAPH, HALF = 46.0, (84.0, 52.0)  # height of a diagram of reactions, size of one of the drive [mm]
 SQUARE = 80.0  # height of a hodograph [mm]
@@ -63,25 +63,19 @@ def over_the_motion(loaded: Loaded, groups: Mapping[str, Sequence[ToldPair]]) ->
         tables = [*_tables(loaded, groups, ideal, caption, "ideal")]
         more = [*_tables(loaded, groups, own, tr("Reactions with friction, {group}", group="{group}"), "rubbing")]
         said = tr(
-            "The reactions at all positions: without friction (tab. {ideal}) and with it (tab. {rubbing}).",
-            ideal=_span(tables),
-            rubbing=_span(more),
+            "The reactions at all positions without friction are {ideal}, with friction {rubbing}.",
+            ideal=located(tables),
+            rubbing=located(more),
         )
         yield Paragraph(said)
         yield from (*tables, *more)
     else:
         tables = [*_tables(loaded, groups, own, tr("Reactions, {group}", group="{group}"), "all")]
-        yield Paragraph(tr("The reactions at all positions: tab. {tables}.", tables=_span(tables)))
+        yield Paragraph(tr("The reactions at all positions are {where}.", where=located(tables)))
         yield from tables
     yield Paragraph(_balance(loaded))
     yield from _pictures(loaded)
     yield from _results(loaded, groups)
-
-
-def _span(tables: Sequence[Table]) -> str:
-    """The numbers of some tables that follow each other."""
-    ends = dict.fromkeys(f"{{tab:{table.key}}}" for table in (tables[0], tables[-1]))
-    return "–".join(ends)
 
 
 def _tables(
@@ -141,22 +135,6 @@ def _part(residual: Real) -> str:
 def _pictures(loaded: Loaded) -> Iterator[Block]:
     """Diagrams of the reactions by group and of the drive; hodographs."""
     result, course = loaded.result, course_of(loaded.statics)
-    reactions = [(tr("Reactions over the motion"), graph) for graph in reaction_graphs(loaded.statics, result, course)]
-    moment, power = drive_graphs(result, course)
-    what = tr("Balancing moment over the motion") if result.turns else tr("Balancing force over the motion")
-    graphs = [*reactions, (what, moment), (tr("Power of the drive over the motion"), power)]
-    keys = [f"forces_diagram_{k}" for k in range(len(graphs))]
-    said = tr(
-        "Figures {first}–{last} show the reactions, ${drive}$ and the power of the drive over the motion: $R_A$ (1–2) "
-        "is the force of link 1 on link 2 in joint A.",
-        first=f"{{fig:{keys[0]}}}",
-        last=f"{{fig:{keys[-1]}}}",
-        drive="M_d" if result.turns else "F_d",
-    )
-    yield Paragraph(said)
-    for k, (key, (caption, graph)) in enumerate(zip(keys, graphs, strict=True)):
-        size = (WIDE, GRAPH) if k < len(reactions) else HALF
-        yield Figure(caption, partial(_diagram, graph=graph), size, key)
     shown = hodographs_of(loaded.told.chain.mechanism, result)
     link = loaded.told.result.structure.input_link
 
@@ -165,8 +143,31 @@ def _pictures(loaded: Loaded) -> Iterator[Block]:
         for place, each in zip(places, shown, strict=True):
             draw_hodograph(drawing, place, result, course, each, link)
 
+    reactions = reaction_graphs(loaded.statics, result, course)
+    moment, power = drive_graphs(result, course)
+    what = tr("Balancing moment over the motion") if result.turns else tr("Balancing force over the motion")
+    graphs = [
+        *(_graph(tr("Reactions over the motion"), graph, (WIDE, GRAPH), k) for k, graph in enumerate(reactions)),
+        _graph(what, moment, HALF, len(reactions)),
+        _graph(tr("Power of the drive over the motion"), power, HALF, len(reactions) + 1),
+    ]
+    said = tr(
+        "Figures {figures} show the reactions, ${drive}$ and the power of the drive over the motion; $R_A$ (1–2) "
+        "stands for the force of link 1 on link 2 in pair A.",
+        figures=span(graphs),
+        drive="M_d" if result.turns else "F_d",
+    )
+    yield Paragraph(said)
+    yield from graphs
     if shown:
+        yield Paragraph(tr("The hodographs of the reactions are in figure {fig:forces_hodographs}."))
         yield Figure(tr("Hodographs of reactions"), hodographs, (WIDE, SQUARE), "forces_hodographs")
+
+
+def _graph(caption: str, graph: Graph, size: tuple[float, float], k: int) -> Figure:
+    """A diagram over the motion, with the group that it is of."""
+    whole = f"{caption}, {graph.title}" if graph.title else caption
+    return Figure(whole, partial(_diagram, graph=graph), size, f"forces_diagram_{k}")
 
 
 def _results(loaded: Loaded, groups: Mapping[str, Sequence[ToldPair]]) -> Iterator[Block]:
@@ -177,7 +178,8 @@ def _results(loaded: Loaded, groups: Mapping[str, Sequence[ToldPair]]) -> Iterat
         yield Result("M_d", Given(largest, "N*m", tr("largest balancing moment")))
     else:
         yield Result("F_d", Given(largest, "N", tr("largest balancing force")))
-    yield Result("P_d", Given(result.power_mean.value, "W", tr("mean power of the drive")))
+    if not loaded.powered:  # which the chapter on works has
+        yield Result("P_d", Given(result.power_mean.value, "W", tr("mean power of the drive")))
     for pair in (pair for pairs in groups.values() for pair in pairs):
         found = result.pairs[loaded.row_of(pair.joint.name)].force.value
         where = tr("pair {joint}", joint=pair.joint.name)

@@ -14,7 +14,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Paragraph
-from tmmcalc.report.telling import WIDE
+from tmmcalc.report.telling import WIDE, located
 
 HIGH = 64.0  # of a picture [mm]
 PARTS = (0.8, 1.0)  # of the load diagram and the polygon, which may have details beside it
@@ -34,14 +34,11 @@ class Cut:
     def pictured(self, links: Sequence[int]) -> Iterator[Block]:
         """The picture of each body of these links."""
         own = [body for body in self.bodies if set(body.links) <= set(links)]
-        keys = [f"forces_body_{body.links[0]}" for body in own]
-        said = tr(
-            "The forces on what is cut out and their closed polygon: fig. {figures}.",
-            figures=", ".join(f"{{fig:{key}}}" for key in keys),
+        figures = [self._figure(body, f"forces_body_{body.links[0]}") for body in own]
+        yield Paragraph(
+            tr("The forces on what is cut out, with their closed polygon, are {where}.", where=located(figures))
         )
-        yield Paragraph(said)
-        for body, key in zip(own, keys, strict=True):
-            yield self._figure(body, key)
+        yield from figures
 
     def _figure(self, body: FreeBody, key: str) -> Figure:
         def draw(drawing: Drawing, box: Box) -> None:

@@ -12,7 +12,6 @@ from tmmcalc.linkage.notes.statics.loaded import (
     NOTHING,
     Loaded,
     moments,
-    number_cell,
     point_of,
     printed_head,
     put_reaction,
@@ -24,7 +23,7 @@ from tmmcalc.report.formula.digits import Given, value_of
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Paragraph, Table
-from tmmcalc.report.telling import named, number_of
+from tmmcalc.report.telling import cell, located, named, number_of
 
 DIGITS = 5  # of the unknowns and right sides in tables
 COEFFICIENTS = 4  # digits of coefficients
@@ -156,29 +155,26 @@ def _push(equations: list[Equations], pair: ToldPair) -> None:
 
 def _system(loaded: Loaded, name: str, equations: list[Equations], unknowns: list[str]) -> Iterator[Block]:
     """The coefficients of the equations, link by link, and the unknowns that solve them."""
-    keys = {each.link: f"forces_system_{each.link}" for each in equations}
-    tables = ", ".join(f"{{tab:{key}}}" for key in keys.values())
+    tables = [_coefficients(loaded, each, [u for u in unknowns if _in(each, u)]) for each in equations]
     solution = f"forces_solution_{equations[0].link}"
     yield Paragraph(
         tr(
             "Each link of group {name} is in equilibrium: its projections on both axes and its moments make three "
             "equations, together {count} equations with {count} unknowns. Their coefficients, those of moments in m, "
-            "and their right sides $b$: tab. {tables}, the positions in brackets; the unknowns that solve them: tab. "
-            "{solution}.",
+            "and their right sides $b$ are {where}, with the positions in brackets; the unknowns that solve them are "
+            "in table {solution}.",
             name=name,
             count=len(unknowns),
-            tables=tables,
+            where=located(tables),
             solution=f"{{tab:{solution}}}",
         )
     )
-    for each in equations:
-        yield _coefficients(loaded, each, [u for u in unknowns if _in(each, u)], keys[each.link])
+    yield from tables
     rows = []
     for unknown in unknowns:
         head, factor = printed_head(unknown, "N*m" if unknown.startswith("M_") else "N")
-        rows.append(
-            (head, *(number_cell(factor * number_of(lexicon, unknown), DIGITS) for lexicon in loaded.told.lexicons))
-        )
+        found = (_clean(loaded, number_of(lexicon, unknown)) for lexicon in loaded.told.lexicons)
+        rows.append((head, *(cell(factor * each, DIGITS) for each in found)))
     yield Table(
         tr("Reactions of group {name} at the positions", name=name),
         (tr("Unknown"), *loaded.labels),
@@ -191,7 +187,7 @@ def _in(each: Equations, unknown: str) -> bool:
     return any(term.unknown == unknown for terms in each.terms.values() for term in terms)
 
 
-def _coefficients(loaded: Loaded, each: Equations, unknowns: list[str], key: str) -> Table:
+def _coefficients(loaded: Loaded, each: Equations, unknowns: list[str]) -> Table:
     """The coefficients of the equations of a link at the shown positions."""
     rows = []
     for place, label in zip(loaded.told.places, loaded.labels, strict=True):
@@ -202,10 +198,11 @@ def _coefficients(loaded: Loaded, each: Equations, unknowns: list[str], key: str
             for unknown in unknowns:
                 own = [term for term in each.terms[which] if term.unknown == unknown]
                 found = sum(term.sign * value_of(read(term.factor).sides[0], place.lexicon, "") for term in own)
-                cells.append(number_cell(found if abs(found) > STILL else 0.0, COEFFICIENTS))
-            rows.append((f"${each.left(which)}$ ({label})", *cells, number_cell(_clean(loaded, right), DIGITS)))
+                cells.append(cell(found if abs(found) > STILL else 0.0, COEFFICIENTS))
+            rows.append((f"${each.left(which)}$ ({label})", *cells, cell(_clean(loaded, right), DIGITS)))
     head = (tr("Equation"), *(f"${unknown}$" for unknown in unknowns), "$b$")
-    return Table(tr("Coefficients of the equations of link {link}", link=each.link), head, tuple(rows), key)
+    caption = tr("Coefficients of the equations of link {link}", link=each.link)
+    return Table(caption, head, tuple(rows), f"forces_system_{each.link}")
 
 
 def _clean(loaded: Loaded, value: float) -> float:

@@ -16,7 +16,7 @@ from tmmcalc.linkage.pins import find_pins
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Paragraph
-from tmmcalc.report.telling import named, tabulated, vector
+from tmmcalc.report.telling import located, named, tabulated, vector
 
 
 def inertia(loaded: Loaded) -> Iterator[Block]:
@@ -67,11 +67,12 @@ def _tables(loaded: Loaded) -> Iterator[Block]:
     columns = [each for body in loaded.loading.heavy if (each := _columns(loaded, body, whole))]
     parts = [*packed(columns)] if columns else []
     if parts:
-        ends = dict.fromkeys(f"{{tab:forces_inertia_{k}}}" for k in (0, len(parts) - 1))
-        yield Paragraph(tr("Their values at all positions: tab. {tables}.", tables="–".join(ends)))
-    for k, part in enumerate(parts):
-        caption = tr("Inertia forces and couples of the links")
-        yield tabulated(caption, part, [labels[row] for row in whole], head=tr("No."), key=f"forces_inertia_{k}")
+        caption, rows = tr("Inertia forces and couples of the links"), [labels[row] for row in whole]
+        tables = [
+            tabulated(caption, part, rows, head=tr("No."), key=f"forces_inertia_{k}") for k, part in enumerate(parts)
+        ]
+        yield Paragraph(tr("Their values at all positions are {where}.", where=located(tables)))
+        yield from tables
 
 
 def _columns(loaded: Loaded, body: Body, rows: list[int]) -> dict[str, Real]:

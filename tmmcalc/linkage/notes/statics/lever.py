@@ -12,14 +12,14 @@ from tmmcalc.linkage.forces.results import side_of
 from tmmcalc.linkage.freebody import Acting, Couple
 from tmmcalc.linkage.lever import LEAST_ARM, Lever, LeverForce, levers, replaced_at, working
 from tmmcalc.linkage.notes.group import plain_name
-from tmmcalc.linkage.notes.statics.loaded import Loaded, number_cell, printed_head, said
+from tmmcalc.linkage.notes.statics.loaded import Loaded, printed_head, said
 from tmmcalc.linkage.pictures.lever import draw_lever, lever_scale
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
-from tmmcalc.report.telling import WIDE, named
+from tmmcalc.report.telling import WIDE, cell, located, named
 
 SIZE = (WIDE, 105.0)  # of the picture [mm]
 KEY = "forces_lever"
@@ -38,7 +38,7 @@ def lever(loaded: Loaded) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "The force analysis is checked by the lever of Zhukovsky: the plan of velocities is turned by 90° "
-            "clockwise (fig. {figure}), every given force is applied at the end of the velocity of its point, and "
+            "clockwise (figure {figure}), every given force is applied at the end of the velocity of its point, and "
             "the moments of all forces about the pole sum up to zero with that of the balancing one. Reactions do no "
             "work together and stay away. A couple acts as a pair of forces at two points of its link; in the figure "
             "it is marked as the couple over the distance of the points, $M_k/l_k$.",
@@ -50,8 +50,8 @@ def lever(loaded: Loaded) -> Iterator[Block]:
     draw = partial(draw_lever, statics=loaded.statics, kinematics=told.result, result=result, row=row, tabled=False)
     yield Figure(caption, draw, SIZE, KEY)
     tables = [_table(loaded, each, k) for k, each in enumerate(found)]
-    numbers = ", ".join(f"{{tab:{table.key}}}" for table in tables)
-    yield Paragraph(tr("The forces with their arms and moments about the pole: tab. {tables}.", tables=numbers))
+    said = tr("The forces with their arms and moments about the pole are {where}.", where=located(tables))
+    yield Paragraph(said)
     yield from tables
     yield from _drive(loaded, found)
 
@@ -103,7 +103,7 @@ def _table(loaded: Loaded, found: Lever, k: int) -> Table:
     columns = {tr("Force"): [_name(loaded, force) for force in forces]}
     for symbol, unit, part in (("F_i", "N", "force"), ("h_i", "mm", "arm"), ("F_i*h_i", "N*mm", "moment")):
         head, factor = printed_head(symbol, unit)
-        columns[head] = [number_cell(factor * _seen(getattr(force, part)), DIGITS) for force in forces]
+        columns[head] = [cell(factor * _seen(getattr(force, part)), DIGITS) for force in forces]
     caption = tr("Moments on the lever {place}", place=loaded.told.there(k))
     return Table(caption, tuple(columns), tuple(zip(*columns.values(), strict=True)), f"{KEY}_{loaded.rows[k]}")
 

@@ -24,9 +24,9 @@ from tmmcalc.linkage.notes.told import Told, told_of
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.formula.digits import Given, significant
+from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
-from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Lexicon
 from tmmcalc.report.printing import printed_as
 from tmmcalc.report.telling import named, number_of, vector
@@ -49,6 +49,7 @@ class Loaded(NamedTuple):
     bodies: Sequence[Bodies]  # of the shown positions
     names: Mapping[tuple[int, str, Kind], str]  # of what acts, by link, name and kind
     largest: tuple[float, float]  # force and couple of the shown positions
+    powered: bool  # whether a chapter on works tells the mean power too
 
     @property
     def labels(self) -> list[str]:
@@ -98,7 +99,8 @@ def loaded_of(order: Order) -> Loaded:
     names = {(a.link, a.name, a.kind): name for a, name in zip(acting, told_apart(acting), strict=True)}
     force = max((abs(f.value) for each in bodies for body in each.values() for f in body.forces), default=0.0)
     couple = max((abs(c.value) for each in bodies for body in each.values() for c in body.couples), default=0.0)
-    return Loaded(told, loading, result, rows, statics, every, bodies, names, (force, couple))
+    powered = "power" in order.results
+    return Loaded(told, loading, result, rows, statics, every, bodies, names, (force, couple), powered)
 
 
 def given_forces(body: FreeBody, own: set[str]) -> list[Acting]:
@@ -213,12 +215,6 @@ def packed(parts: Sequence[Mapping[str, Real]]) -> list[dict[str, Real]]:
             found.append({})
         found[-1] |= part
     return [part for part in found if part]
-
-
-def number_cell(value: float, digits: int) -> str:
-    """A number with so many significant digits as the cell of a table."""
-    text = significant(value, digits)
-    return f"${text}$" if "e" in text else tr_number(text)
 
 
 def point_of(loaded: Loaded, joint: str) -> str:

@@ -15,6 +15,7 @@ from tmmcalc.linkage.forces.kinetostatics import REST
 from tmmcalc.linkage.forces.results import edge_reactions
 from tmmcalc.linkage.forces.wrench import Slideway, sliding
 from tmmcalc.linkage.model import Joint
+from tmmcalc.linkage.notes.group import plain_name
 from tmmcalc.linkage.notes.statics.loaded import Loaded
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
@@ -76,15 +77,16 @@ def _edges(loaded: Loaded, pair: ToldPair) -> Iterator[Block]:
     couples = sign * loaded.result.couple[j, [*loaded.rows]]
     edges = np.array(edge_reactions(normals, couples, length))
     for k, lexicon in enumerate(loaded.told.lexicons):
-        edge = tr("reaction at the edge of the slider of link {link}", link=pair.link)
+        ahead = tr("reaction at the edge of the slider of link {link} along the positive direction", link=pair.link)
+        behind = tr("reaction at the other edge of the slider of link {link}", link=pair.link)
         lexicon |= named(
             {
                 f"C_{{{ij}}}": Given(
                     float(couples[k]), "N*m", tr("moment of the normal reaction about the middle of the slider")
                 ),
                 f"L_{{{ij}}}": Given(length, "m", tr("length of the slider of link {link}", link=pair.link)),
-                f"N'_{{{ij}}}": Given(float(edges[0, k]), "N", edge),
-                f"N''_{{{ij}}}": Given(float(edges[1, k]), "N", edge),
+                f"N'_{{{ij}}}": Given(float(edges[0, k]), "N", ahead),
+                f"N''_{{{ij}}}": Given(float(edges[1, k]), "N", behind),
             }
         )
     yield from loaded.lines(
@@ -101,16 +103,16 @@ def put_friction(loaded: Loaded, pairs: Sequence[ToldPair]) -> None:
     for pair in pairs:
         if not rubs(loaded, pair):
             continue
-        own, ij = loaded.pair(pair.joint.name), pair.ij
+        own, ij, name = loaded.pair(pair.joint.name), pair.ij, plain_name(pair.joint.name)
         words = {"link": pair.link, "other": pair.other}
         for lexicon, bodies in zip(loaded.told.lexicons, loaded.bodies, strict=True):
             about = tr("coefficient of friction in pair {joint}", joint=pair.joint.name)
-            found = {f"f_{{{ij}}}": Given(own.friction, "", about)}
+            found = {f"f_{{{name}}}": Given(own.friction, "", about)}
             body = bodies[pair.link]
             if pair.joint.kind == "revolute":
                 rubbing = [c.value for c in body.couples if c.joint == pair.joint.name and c.kind == "friction"]
                 radius = tr("radius of the pin of pair {joint}", joint=pair.joint.name)
-                found[f"r_{{{ij}}}"] = Given(own.radius, "m", radius)
+                found[f"r_{{{name}}}"] = Given(own.radius, "m", radius)
                 meaning = tr("friction moment of link {other} on link {link}", **words)
                 found[f"M_{{{ij}}}"] = Given(sum(rubbing), "N*m", meaning)
             else:
@@ -139,9 +141,9 @@ def rubs(loaded: Loaded, pair: ToldPair) -> bool:
 
 def _law(loaded: Loaded, pair: ToldPair) -> list[str]:
     """The formulas of the friction in a pair."""
-    ij, resting = pair.ij, _senses(loaded, pair)
+    ij, name, resting = pair.ij, plain_name(pair.joint.name), _senses(loaded, pair)
     if pair.joint.kind == "revolute":
-        law = f"f_{{{ij}}}*r_{{{ij}}}*R_{{{ij}}}"
+        law = f"f_{{{name}}}*r_{{{name}}}*R_{{{ij}}}"
         if resting:
             return [f"M_{{{ij}}} = -s_{{{ij}}}*{law}"]
         relative = f"omega_{{{ij}}} = omega_{pair.link} - omega_{pair.other}"
@@ -151,7 +153,7 @@ def _law(loaded: Loaded, pair: ToldPair) -> list[str]:
     size = f"(abs(N'_{{{ij}}}) + abs(N''_{{{ij}}}))" if edged else f"abs(N_{{{ij}}})"
     line = pair.line if " " not in pair.line else f"({pair.line})"
     return [
-        f"F_{{{ij}}} = -{sense}*f_{{{ij}}}*{size}",
+        f"F_{{{ij}}} = -{sense}*f_{{{name}}}*{size}",
         f"F_{{{ij}x}} = F_{{{ij}}}*cos({line})",
         f"F_{{{ij}y}} = F_{{{ij}}}*sin({line})",
     ]

@@ -9,11 +9,11 @@ import numpy as np
 from tmmcalc.linkage.forces.iteration import Iteration, textbook_iteration
 from tmmcalc.linkage.forces.results import side_of
 from tmmcalc.linkage.forces.wrench import Plan
-from tmmcalc.linkage.notes.statics.loaded import Loaded, number_cell, printed_head
+from tmmcalc.linkage.notes.statics.loaded import Loaded, printed_head
 from tmmcalc.linkage.notes.statics.pairs import ToldPair, along
 from tmmcalc.report.language import tr, tr_number
 from tmmcalc.report.manuscript import Block, Paragraph, Table
-from tmmcalc.report.telling import column_of
+from tmmcalc.report.telling import cell, column_of, located
 
 STOP = 1e-3  # relative change at which the passes end
 FIRST, LAST = 3, 3  # passes that a long table shows
@@ -37,10 +37,10 @@ def passes(loaded: Loaded, plan: Plan, pairs: Sequence[ToldPair]) -> Iterator[Bl
     yield Paragraph(
         tr(
             "The reactions are first found without friction; they give friction forces and moments, with which the "
-            "reactions are found again, until no unknown changes by more than {stop} % (tab. {tables}). The formulas "
-            "below hold for the solution to which these successive approximations lead.",
+            "reactions are found again, until no unknown changes by more than {stop} %; the passes are {where}. The "
+            "formulas below hold for the solution to which these successive approximations lead.",
             stop=tr_number(f"{100 * STOP:g}"),
-            tables=", ".join(f"{{tab:{table.key}}}" for table in tables),
+            where=located(tables),
         )
     )
     yield from tables
@@ -67,7 +67,7 @@ def _table(found: Iteration, pairs: Mapping[str, ToldPair], loaded: Loaded, capt
         if np.nanmax(np.abs(values)) > LEAST:
             head, factor = printed_head(symbol, unit)
             rows.append((head, *column_of(factor * values)))
-    change = [number_cell(100 * each, 2) for each in found.change]
+    change = [cell(100 * each, 2) for each in found.change]
     rows.append((tr("largest change, %"), *("–" if k == 0 else change[k] for k in shown), "–"))
     return Table(caption, (tr("Pass"), *(str(k + 1) for k in shown), tr("solution")), tuple(rows), key)
 

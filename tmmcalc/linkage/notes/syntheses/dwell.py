@@ -206,6 +206,7 @@ def conditions(told: Told) -> Iterator[Block]:
     asked, dwell = told.asked, _dwell(told)
     yield from _moving(told, dwell)
     yield from _strokes(told, dwell)
+    yield Paragraph(tr("The largest values over the turn are in table {tab:synthesis_maxima}."))
     yield _maxima(dwell)
     yield from criteria(told, asked, dwell)
     yield from _agreement(dwell)

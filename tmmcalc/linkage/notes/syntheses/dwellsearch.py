@@ -11,8 +11,8 @@ from tmmcalc.linkage.synthesis.dwell.results import Dwell
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.manuscript import Block, Display, Listing, Paragraph, Result, Table
-from tmmcalc.report.telling import cell, numeral
+from tmmcalc.report.manuscript import Block, Display, Paragraph, Result, Table
+from tmmcalc.report.telling import cell, numeral, points
 
 ANGLES = ("psi0", "psi13", "alpha")
 LETTERS = {
@@ -61,7 +61,7 @@ def searched(told: Told, asked: DwellTask) -> Iterator[Block]:
     refused = {key.partition(": ")[2]: count for key, count in counters.items() if key.startswith("refused: ")}
     if refused:
         yield Paragraph(tr("The others were refused:"))
-        yield Listing(tuple(f"{tr_name(reason)}: {count}" for reason, count in refused.items()))
+        yield points([f"{tr_name(reason)}: {count}" for reason, count in refused.items()])
     yield from _sifted(told)
 
 
@@ -79,7 +79,7 @@ def _sifted(told: Told) -> Iterator[Block]:
         failing = {key.removeprefix("failed "): count for key, count in counters.items() if key.startswith("failed ")}
         if failing:
             yield Paragraph(tr("Constraints that fail:"))
-            yield Listing(tuple(f"{name}: {count}" for name, count in failing.items()))
+            yield points([f"{name}: {count}" for name, count in failing.items()])
 
 
 def _ranges(told: Told, asked: DwellTask) -> Iterator[tuple[str, ...]]:

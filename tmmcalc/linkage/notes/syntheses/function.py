@@ -87,7 +87,7 @@ def given(told: Told) -> dict[str, Given]:
     if asked.input_start is not None:
         found["phi_s"] = angle(asked.input_start, tr_name("crank where x begins"))
     if asked.output_start is not None:
-        said = tr("output where x begins")
+        said = tr("output where $x$ begins")
         found["s_s" if slides else "psi_s"] = quantity_of(asked.output_start, "m" if slides else "rad", said)
     if not slides:
         found["d"] = length(asked.frame, tr("length of the frame"))
@@ -174,9 +174,9 @@ def _points(told: Told, asked: FunctionTask) -> Iterator[Block]:
                 **ends,
                 "x_i": ratio(float(x[k]), tr("abscissa of the point")),
                 "y_i": ratio(float(columns["$y_i$"][k]), tr("value of the function at the point")),
-                "phi'_i": angle(float(asked.inputs[k]), tr("angle of the crank from where x begins")),
+                "phi'_i": angle(float(asked.inputs[k]), tr("angle of the crank from where $x$ begins")),
                 output: quantity_of(
-                    float(asked.outputs[k]), "m" if slides else "rad", tr("output from where x begins")
+                    float(asked.outputs[k]), "m" if slides else "rad", tr("output from where $x$ begins")
                 ),
             }
             rows.append(Place(tr("at point {number}", number=k + 1), told.lexicon | named(own), str(k + 1)))
