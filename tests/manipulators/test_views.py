@@ -104,7 +104,7 @@ def test_an_arm_in_space_is_seen_aslant(arm: str, route: str) -> None:
 
 
 def test_seen_aslant_is_a_projection() -> None:
-    """Two of the three directions of sight are unit vectors at right angles, so lengths are shortened, never drawn out."""
+    """Both directions of the picture are unit vectors at right angles: lengths are shortened, never drawn out."""
     asked = task("spherical, base", "line")
     view = AslantArm(asked, solve_manipulator(asked))
     axes = view.seen(np.eye(3))

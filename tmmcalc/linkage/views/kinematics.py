@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+import numpy as np
+
 from tmmcalc.core.notes import Phrase
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
@@ -15,7 +17,10 @@ from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.linkage.views.linkage import MovingLinkage
 from tmmcalc.linkage.views.plans import plans_of_forces, plans_of_motion
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.moving import Arrow, Handle, Layer, Plan, Stop, View
+from tmmcalc.report.moving import Arrow, Handle, Layer, Mark, Plan, Stop, View
+
+ARC = 64  # parts of a turn
+SECTOR = 0.16  # of the crank: how large sectors are
 
 
 def views(order: Order) -> Iterator[View]:
@@ -34,7 +39,7 @@ class Cycle:
 
     def view(self) -> View:
         """The view."""
-        result, moved = self.result, self.moved
+        result, moved, unreached = self.result, self.moved, tuple(self._unreached())
         return View(
             name="kinematics",
             title="Mechanism",
@@ -46,7 +51,7 @@ class Cycle:
             steps=(),
             box=moved.box,
             bodies=tuple(moved.bodies()),
-            frame=tuple(moved.frame()),
+            frame=(*unreached, *moved.frame()),
             spots=tuple(moved.spots()),
             handle=self._handle(),
             layers=tuple(self._layers()),
@@ -55,6 +60,7 @@ class Cycle:
             stops=tuple(self._stops()),
             shown=tuple(self._shown()),
             reach=self._reach(),
+            note="in the sectors at the crank's pivot the links do not close" if unreached else "",
         )
 
     def _handle(self) -> Handle | None:
@@ -68,6 +74,22 @@ class Cycle:
             return Handle(str(link), pivot=joint.points[at])
         direction = joint.directions[1 - at] * complex(self.moved.motion.turn(link)[0])
         return Handle(str(link), direction=direction if at == 1 else -direction)
+
+    def _unreached(self) -> Iterator[Mark]:
+        """The sectors that a crank does not come into, for its links do not close there."""
+        handle, reach = self._handle(), sorted(self._reach())
+        if handle is None or handle.pivot is None or not reach:
+            return
+        link = int(handle.body)
+        outline = next(each for each in self.moved.outlines if each.link == link)
+        ends = [complex(self.moved.motion.place(link, p)[0]) - handle.pivot for p in outline.corners]
+        crank = SECTOR * max(ends, key=abs)
+        sense = float(np.ravel(self.moved.motion.configuration.motions[link].omega)[0])
+        for (_, last), (first, _) in zip(reach, [*reach[1:], (reach[0][0] + 360.0, 0.0)], strict=True):
+            if first > last:
+                angles = np.radians(np.linspace(last, first, 1 + math.ceil((first - last) / 360.0 * ARC)))
+                arc = handle.pivot + crank * np.exp(1j * sense * angles)
+                yield Mark("zone", (handle.pivot, *map(complex, arc)))
 
     def _layers(self) -> Iterator[Layer]:
         yield from self.moved.layers("kinematics")

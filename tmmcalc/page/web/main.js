@@ -127,6 +127,7 @@ function moved(parent, state) {
   for (const layer of drawing.layers) {
     tick(layers, drawing, layer.layer.name, () => `${told(layer.layer.title)} (${drawing.scaleOf(layer)})`, layer.colour);
   }
+  layers.hidden = !layers.querySelector("label");
   if (state.view.plans.length) new Plans(section, state);
 }
 
