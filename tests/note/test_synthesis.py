@@ -334,3 +334,12 @@ def test_another_solution_may_be_taken(tmp_path: Path) -> None:
 
 def test_a_scene_without_a_synthesis_has_no_such_chapter() -> None:
     assert "synthesis" not in [chapter.name for chapter in told("shaper", only=("synthesis", "structure"))]
+
+
+def test_the_linkage_of_the_note_is_the_one_that_the_constraints_choose() -> None:
+    """The whole note and the constraints alone take one linkage: the first that keeps them."""
+    with speaking("en"):
+        found = text(Assembler().written(told("feasibility", only=("synthesis", "constraints"))))
+    assert "Linkage 2 is taken" in found
+    assert "The rule holds." in found
+    assert "angular velocity of link 3 ω_3: the largest magnitude" in found

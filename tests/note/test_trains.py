@@ -117,7 +117,7 @@ def test_every_condition_of_the_chosen_train_is_told() -> None:
 
 def test_stresses_stand_in_the_conclusions_with_their_limits() -> None:
     results = [each for each in blocks("gears-single-planets") if isinstance(each, Result) and each.limit is not None]
-    assert {each.key for each in results} == {"sigma_{H}", "sigma_{F}"}
+    assert {each.key for each in results} == {"delta", "sigma_{H}", "sigma_{F}"}
     for each in results:
         assert isinstance(each.given.value, float)
         assert each.limit is not None

@@ -61,6 +61,8 @@ class Stage:
     ``packages(spec)``    heavy packages that it imports for this scene
     ``found(spec, result, choose)``  what it found as keys of the spec, see `tmmcalc.spec.rewrite.Found`; of several
                           solutions number ``choose``, from 1, None: the best
+    ``chosen(spec, result, another)``  of a stage that settles the spec the number of the solution that is taken if the
+                          spec names none, None: the best; ``another`` as ``solve`` has it
     ``placed(spec, value)``  the spec with one row more, where the first of its columns has this value (a number with a
                           unit or without): of stages whose rows are places that can be asked for, for `tmmcalc.naming`
     ``dense(spec, count)``   the spec with so many equal steps of its rows: of the same stages, for what moves smoothly

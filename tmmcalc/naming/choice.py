@@ -16,13 +16,13 @@ from math import nan
 from typing import Any, NamedTuple, get_args, get_origin, get_type_hints
 
 from tmmcalc.core.facts import named
-from tmmcalc.core.notes import Note
+from tmmcalc.core.notes import Note, Phrase
 from tmmcalc.core.quantity import Quantity, in_degrees, quantities
 from tmmcalc.core.stage import STAGES, Stage
 from tmmcalc.core.stored import LAST_DIGIT
 from tmmcalc.naming.scene import Scene
 
-ERROR, ESTIMATED = "error", "estimated relative error: {}"
+ERROR, ESTIMATED = "error", "estimated relative error: {name}"
 IN_RADIANS = ("gears", "vibration")  # rooms whose angles are told as they are kept; elsewhere they are in deg
 
 
@@ -149,8 +149,8 @@ def of_itself(stage: str, result: Any) -> Iterator[Chosen]:
     record = STAGES[stage].dump(result)
     error = {name: value for name, value in record.error.items() if name != LAST_DIGIT}
     yield from _flat(ERROR, error, ESTIMATED)
-    yield from _flat(LAST_DIGIT, record.error.get(LAST_DIGIT, {}), "change by the last digit of the data: {}")
-    yield from _flat("counters", record.counters, "counted: {}")
+    yield from _flat(LAST_DIGIT, record.error.get(LAST_DIGIT, {}), "change by the last digit of the data: {name}")
+    yield from _flat("counters", record.counters, "counted: {name}")
     document = STAGES[stage].summary(result, stage)
     notes = [note for part in (document, *document.parts) for note in part.notes]
     warnings = [note for note in notes if note.startswith("warning")]
@@ -174,7 +174,7 @@ def _flat(path: str, values: Mapping[str, Any], meaning: str) -> Iterator[Chosen
             yield from _flat(f"{path}.{key}", value, meaning)
         elif isinstance(value, int | float):
             name, unit = named(key)
-            yield Chosen(f"{path}.{name}", unit, float(value), meaning.format(_of_what(f"{path}.{name}")))
+            yield Chosen(f"{path}.{name}", unit, float(value), Phrase(meaning, name=_of_what(f"{path}.{name}")))
 
 
 def _of_what(name: str) -> str:
@@ -191,4 +191,4 @@ def error_meaning(name: str) -> str:
     ('estimated relative error: position', 'estimated relative error: speed', '')
     """
     start = 0 if name.startswith(f"{ERROR}.") else name.find(f".{ERROR}.") + 1
-    return ESTIMATED.format(_of_what(name[start:])) if name.startswith(f"{ERROR}.", start) else ""
+    return Phrase(ESTIMATED, name=_of_what(name[start:])) if name.startswith(f"{ERROR}.", start) else ""

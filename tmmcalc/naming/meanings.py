@@ -7,6 +7,7 @@ from functools import cache
 from inspect import getmodule
 from string import Formatter
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import FORMS, Quantity, given_out, standing_in
 from tmmcalc.core.stage import STAGES
 from tmmcalc.naming.language import ANY
@@ -65,9 +66,7 @@ def _literal(form: str) -> int:
 
 def _filled(form: Quantity, places: Mapping[str, str]) -> tuple[str, str]:
     """Meaning and symbol with the names of the scene; a symbol has braces of its own."""
-    meaning = form.meaning
-    for place, name in places.items():
-        meaning = meaning.replace(f"{{{place}}}", name)
+    meaning = Phrase(form.meaning, **places) if "{" in form.meaning else form.meaning
     return meaning, form.symbol if "{" not in form.symbol else ""
 
 

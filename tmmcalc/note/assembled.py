@@ -7,7 +7,19 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from tmmcalc.note.tree import Caption, Equation, Grid, Image, Points, Reference, Source, Text, Title, Written
+from tmmcalc.note.tree import (
+    Caption,
+    Equation,
+    Grid,
+    Image,
+    Points,
+    Reference,
+    Source,
+    Text,
+    Title,
+    Written,
+    plain_text,
+)
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.reach import trimmed
 from tmmcalc.report.drawing.shapes import Drawing
@@ -17,7 +29,7 @@ from tmmcalc.report.formula.layout import Box, Gap, Row, Word
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
 from tmmcalc.report.formula.tree import Name, Node, Statement, mapped, names
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import several, tr, tr_unit
 from tmmcalc.report.manuscript import (
     Block,
     Chapter,
@@ -95,27 +107,27 @@ class Assembler:
                 case Verbatim(text):
                     yield Source(text)
                 case Table(caption, head, rows, key):
-                    said = Caption(tr("Table"), self._numbered("tab", key), caption, key)
+                    said = Caption(tr("Table"), self._numbered("tab", key), inline(caption), key)
                     yield Grid(said, tuple(map(inline, head)), tuple(tuple(map(inline, row)) for row in rows))
                 case Figure(caption, _, _, key):
-                    yield Image(Caption(tr("Figure"), self._numbered("fig", key), caption, key), drawn(block))
+                    yield Image(Caption(tr("Figure"), self._numbered("fig", key), inline(caption), key), drawn(block))
 
     def _chapter(self, chapter: Chapter) -> Title:
         """Its title; what stands in it is numbered by the chapter."""
         self._parts = [0, 0]
         if chapter.number is not None:
             self._prefix = chapter.number
-            return Title("", chapter.title, 1)
+            return Title("", inline(chapter.title), 1)
         self._chapters += 1
         self._prefix = str(self._chapters)
-        return Title(self._prefix, chapter.title, 1)
+        return Title(self._prefix, inline(chapter.title), 1)
 
     def _title(self, text: str, level: int) -> Title:
         if not self._prefix:
-            return Title("", text, level)
+            return Title("", inline(text), level)
         self._parts[level - 2] += 1
         self._parts[level - 1 :] = [0] * (3 - level)
-        return Title(".".join([self._prefix, *map(str, self._parts[: level - 1])]), text, level)
+        return Title(".".join([self._prefix, *map(str, self._parts[: level - 1])]), inline(text), level)
 
     def _numbered(self, kind: str, key: str) -> str:
         self._counts[self._prefix, kind] += 1
@@ -164,14 +176,16 @@ class Assembler:
             _, unit, meaning = lexicon[key]
             if meaning and self._explained.get(key) != (meaning, unit):
                 for each in _both(key, lexicon):
-                    self._explained[each] = meaning, unit
+                    indices = ("", *(place.index for place in line.places))  # of r_i also r_1 and r_2
+                    self._explained |= {indexed(each, index): (meaning, unit) for index in indices}
                     groups.setdefault((meaning, unit), []).append(each)
         parts: list[str | Box | Reference] = []
         for k, ((meaning, unit), keys) in enumerate(groups.items()):
             parts.append("; " if k else tr("where") + " ")
             for j, key in enumerate(keys):
                 parts += [", "] * bool(j) + [quantity(key)]
-            parts += [" – ", *inline(meaning).parts, *([f", {shown_unit(unit)}"] if unit else [])]
+            said = several(meaning) if len(keys) > 1 and not _projections(keys) else meaning
+            parts += [" – ", *inline(said).parts, *([f", {shown_unit(unit)}"] if unit else [])]
         if parts:
             yield Text((*parts, "."), explains=True)
 
@@ -184,6 +198,11 @@ def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
     }
     same = (o for o in others if o in lexicon and (lexicon[o].meaning, lexicon[o].unit) == (said.meaning, said.unit))
     yield from sorted((key, *same))
+
+
+def _projections(keys: Sequence[str]) -> bool:
+    """Whether names are those of one vector, but for the axis."""
+    return len({re.sub("[xy]", "x", key) for key in keys}) == 1
 
 
 def _indexed(node: Node, index: str) -> Node:
@@ -282,7 +301,7 @@ def _referring(text: Text, numbers: Mapping[str, str]) -> Text:
 
 def drawn(figure: Figure) -> Drawing:
     """The picture in its width, as high as it needs within its size."""
-    drawing = Drawing(*figure.size, figure.caption)
+    drawing = Drawing(*figure.size, plain_text(inline(figure.caption)))
     figure.draw(drawing, Rectangle(0.0, 0.0, *figure.size))
     return trimmed(drawing)
 

@@ -280,15 +280,16 @@ class _Writer:
             paragraph = self.found.add_paragraph() if k else first
             paragraph.paragraph_format.left_indent = Mm(6 * (each.level - 1))
             paragraph.paragraph_format.tab_stops.add_tab_stop(Mm(ACROSS), WD_TAB_ALIGNMENT.RIGHT, WD_TAB_LEADER.DOTS)
-            paragraph.add_run(f"{each.number} {each.text}\t".strip(" "))
-            paragraph._p.extend(_elements(_field(f"PAGEREF {_bookmark(_heading(each))} \\h", "")))
+            said = _run(f"{each.number} ".lstrip()) + _runs(each.text) + "<w:r><w:tab/></w:r>"
+            paragraph._p.extend(_elements(said + _field(f"PAGEREF {_bookmark(_heading(each))} \\h", "")))
         paragraph._p.append(_xml('<w:r><w:fldChar w:fldCharType="end"/></w:r>'))
 
     def title(self, title: Title) -> None:
         """A heading that Word numbers; one without a number, or of an appendix, as it is."""
         counted = title.number[:1].isdigit()
-        heading = self.found.add_heading(title.text if counted else f"{title.number} {title.text}".strip(), title.level)
-        heading._p.extend(_elements("".join(self.marked(_heading(title)))))
+        heading = self.found.add_heading("", title.level)
+        said = ("" if counted else _run(f"{title.number} ".lstrip())) + _runs(title.text)
+        heading._p.extend(_elements(said + "".join(self.marked(_heading(title)))))
         if not counted:
             heading._p.get_or_add_pPr().append(_xml('<w:numPr><w:numId w:val="0"/></w:numPr>'))
 
@@ -343,7 +344,7 @@ class _Writer:
         """The line over a table or under a figure."""
         paragraph = self.found.add_paragraph(f"{caption.word} ", style="Caption")
         number = self.number(sequence, caption.number, f"{kind}:{caption.key}" if caption.key else "")
-        paragraph._p.extend(_elements(number + _run(f" – {caption.text}" if caption.text else "")))
+        paragraph._p.extend(_elements(number + (_run(" – ") + _runs(caption.text) if caption.text.parts else "")))
         return paragraph
 
     def grid(self, grid: Grid) -> None:
@@ -464,4 +465,4 @@ def _bookmark(key: str) -> str:
 
 def _heading(title: Title) -> str:
     """What the contents refer to a heading by."""
-    return f"part:{title.number or title.text}"
+    return f"part:{title.number or title}"

@@ -50,10 +50,10 @@ def _block(block: Written, titles: Sequence[Title]) -> str:
             lines += [f"{escape(what)}: {escape(name)}" for what, name in people]
             return f"<header>{''.join(f'<p>{line}</p>' for line in (*lines, foot) if line)}</header>"
         case Contents(title):
-            items = "".join(f'<li><a href="#{_anchor(each)}">{escape(_titled(each))}</a></li>' for each in titles)
+            items = "".join(f'<li><a href="#{_anchor(each)}">{_titled(each)}</a></li>' for each in titles)
             return f"<nav><h1>{escape(title)}</h1><ul>{items}</ul></nav>"
         case Title(_, _, level):
-            return f'<h{level} id="{_anchor(block)}">{escape(_titled(block))}</h{level}>'
+            return f'<h{level} id="{_anchor(block)}">{_titled(block)}</h{level}>'
         case Text():
             return f"<p>{_words(block)}</p>"
         case Equation(parts, number, lead, key):
@@ -63,9 +63,9 @@ def _block(block: Written, titles: Sequence[Title]) -> str:
             return f'<div class="line"{_id("eq", key)}>{cells}</div>'
         case Grid(caption, head, rows):
             cells = f"{_row(head, 'th')}{''.join(_row(row, 'td') for row in rows)}"
-            return f'<div class="wide"{_of(caption, "tab")}><p>{escape(str(caption))}</p><table>{cells}</table></div>'
+            return f'<div class="wide"{_of(caption, "tab")}><p>{_words(caption.whole)}</p><table>{cells}</table></div>'
         case Image(caption, drawing):
-            said = f"<figcaption>{escape(str(caption))}</figcaption>"
+            said = f"<figcaption>{_words(caption.whole)}</figcaption>"
             picture = svg(drawing).decode().partition("?>")[2].strip()  # without what begins a file
             return f"<figure{_of(caption, 'fig')}>{picture}{said}</figure>"
         case Points(items):
@@ -75,11 +75,11 @@ def _block(block: Written, titles: Sequence[Title]) -> str:
 
 
 def _titled(title: Title) -> str:
-    return f"{title.number} {title.text}".strip()
+    return f"{title.number} {_words(title.text)}".strip()
 
 
 def _anchor(title: Title) -> str:
-    return f"part-{title.number}" if title.number else f"part-{crc32(title.text.encode())}"
+    return f"part-{title.number}" if title.number else f"part-{crc32(str(title).encode())}"
 
 
 def _of(caption: Caption, kind: str) -> str:

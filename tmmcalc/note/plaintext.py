@@ -33,8 +33,8 @@ def _block(block: Written) -> str:
         case Cover(head, kind, title, people, foot, designation):
             told = [*head, *kind, title, designation, *(f"{what}: {name}" for what, name in people), foot]
             return "\n".join(line for line in told if line)
-        case Title(number, words, level):
-            line = f"{number} {words}".strip()
+        case Title(_, _, level):
+            line = str(block)
             return f"\n{line}\n{UNDER[level] * len(line)}" if level in UNDER else f"\n{line}"
         case Text():
             return plain_text(block)

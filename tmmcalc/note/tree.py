@@ -12,7 +12,7 @@ from tmmcalc.report.formula.layout import Box, Row
 from tmmcalc.report.formula.plain import plain
 
 LETTER = 0.53  # of an em, of words
-NUMERIC = re.compile(r"[-−+–\d.,  %°]*")  # what a cell of numbers has
+NUMERIC = re.compile(r"[-−+–\d.,  \u202f%°]*")  # what a cell of numbers has
 
 
 class Cover(NamedTuple):
@@ -36,8 +36,11 @@ class Title(NamedTuple):
     """A heading with its number: ``2.3`` of level 2; introduction and conclusions have none."""
 
     number: str
-    text: str
+    text: Text
     level: int
+
+    def __str__(self) -> str:
+        return f"{self.number} {plain_text(self.text)}".strip()
 
 
 class Reference(NamedTuple):
@@ -68,11 +71,16 @@ class Caption(NamedTuple):
 
     word: str
     number: str
-    text: str
+    text: Text
     key: str = ""
 
     def __str__(self) -> str:
-        return f"{self.word} {self.number} – {self.text}"
+        return plain_text(self.whole)
+
+    @property
+    def whole(self) -> Text:
+        """All of its line."""
+        return Text((f"{self.word} {self.number} – ", *self.text.parts))
 
 
 class Grid(NamedTuple):

@@ -17,7 +17,7 @@ from tmmcalc.note.tree import (
     Written,
 )
 from tmmcalc.note.typstlines import set_lines
-from tmmcalc.note.typsttables import beside, set_tables
+from tmmcalc.note.typsttables import beside, has_room, set_pictured, set_tables
 from tmmcalc.note.typstwords import GAP, WIDE, escaped, label, quoted, set_text
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.lettering import FONTS
@@ -79,7 +79,7 @@ def source(blocks: Iterable[Written], language: str, title: str, frame: TextTitl
 
 
 def _grouped(blocks: Iterable[Written]) -> Iterator[list[Written]]:
-    """What may stand beside each other: a formula and its explanation, its numbers at places, pictures."""
+    """What may stand beside each other: a formula and its explanation, its numbers at places, tables and pictures."""
     group: list[Written] = []
     for block in blocks:
         if group and not _joins(group, block):
@@ -98,6 +98,8 @@ def _joins(group: Sequence[Written], block: Written) -> bool:
             return explains and isinstance(last, Equation) and bool(last.number)
         case Equation(_, number):
             return not number and isinstance(last, Equation | Text) and isinstance(group[0], Equation)
+        case Image(_, drawing) if isinstance(last, Grid):
+            return len(group) == 1 and has_room(last, drawing.width)
         case Image(_, drawing):
             drawings = [each.drawing for each in group if isinstance(each, Image)]
             free = WIDE - sum(each.width + GAP for each in drawings)
@@ -112,6 +114,10 @@ def _group(group: Sequence[Written]) -> Iterator[str]:
     """A formula with what belongs to it, pictures beside each other, or a block by itself."""
     if isinstance(group[0], Image):
         yield f"#shown({', '.join(_picture(each) for each in group if isinstance(each, Image))})"
+        return
+    first, last = group[0], group[-1]
+    if isinstance(first, Grid) and isinstance(last, Image):
+        yield set_pictured(first, _picture(last), last.drawing.width)
         return
     if isinstance(group[0], Grid):
         yield set_tables([each for each in group if isinstance(each, Grid)])
@@ -164,10 +170,10 @@ def _block(block: Written) -> str:
         case Contents(title):
             return f"#outline(title: [{escaped(title)}], depth: 2, indent: 5mm)"
         case Title(number, text, level):
-            numbered = f"{number} {text}".strip()
+            numbered = f"{escaped(number)} {set_text(text)}".strip()
             before = "#place.flush()\n" if level == 1 else ""  # what floats stands with its chapter
             before += "#pagebreak(weak: true)\n" if level == 1 and not number[:1].isdigit() else ""
-            return f"{before}{'=' * level} {escaped(numbered)}"
+            return f"{before}{'=' * level} {numbered}"
         case Text():
             return set_text(block) + "\n"
         case Equation():
@@ -214,7 +220,7 @@ def _lines(lines: Sequence[str], style: str = "") -> str:
 
 def _picture(image: Image) -> str:
     caption = image.caption
-    return f"pictured({label('fig', caption)}, {_image(image.drawing)}, [{escaped(str(caption))}])"
+    return f"pictured({label('fig', caption)}, {_image(image.drawing)}, [{set_text(caption.whole)}])"
 
 
 def _image(drawing: Drawing) -> str:

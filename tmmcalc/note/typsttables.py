@@ -22,6 +22,17 @@ def beside(grids: Sequence[Grid]) -> bool:
     return len(set(map(_stands, grids))) == 1 and _size_of(grids, SMALL[:2]) > 0
 
 
+def has_room(grid: Grid, wide: float) -> bool:
+    """Whether a picture so wide [mm] stands beside a table, in letters of it that are not small, on one page."""
+    return _stands(grid) == "whole" and _width_at(grid, SMALL[0]) + GAP + wide <= WIDE
+
+
+def set_pictured(grid: Grid, picture: str, wide: float) -> str:
+    """A table with a picture at its right hand."""
+    own = WIDE - GAP - wide
+    return f"#floated(stood(({own:g}mm, {wide:g}mm), {_grid(grid, SMALL[0], own)}, {picture}))"
+
+
 def set_tables(grids: Sequence[Grid]) -> str:
     """Tables beside each other, or one, in letters as small as they need.
 
@@ -65,7 +76,7 @@ def _grid(grid: Grid, size: float, wide: float) -> str:
     columns = zip(*grid.rows, strict=True)
     aligned = "".join("right + horizon, " if numeric(column) else "left + horizon, " for column in columns)
     continued = tr("Continuation of table {number}", number=caption.number)
-    said = f"[{escaped(str(caption))}], [{escaped(continued)}]"
+    said = f"[{set_text(caption.whole)}], [{escaped(continued)}]"
     breaks = str(_stands(grid) == "on").lower()
     laid = f"{len(grid.head)}, ({aligned}), {size}pt, {wide:g}mm, {breaks}"
     return f"listed({label('tab', caption)}, {said}, {laid}, ({heads}), ({cells}))"

@@ -187,7 +187,9 @@ class _Run:
         self.through(Plan(None, (Step(stage.name, stage.title, True, "settles the spec"),)), forced)
         if stage.name not in self.outcomes:
             return False
-        found = stage.part("found")(self.spec, self.outcomes[stage.name].result, None)
+        result, chosen = self.outcomes[stage.name].result, stage.part("chosen")
+        number = None if chosen is None else chosen(self.spec, result, _another)
+        found = stage.part("found")(self.spec, result, number)
         self.spec = settled(self.spec, found)
         self.alone[stage.name] = found.alone
         key = f"{stage.asked[0]}.choose"

@@ -3,7 +3,8 @@
 A text stands in the program in English, ``tr("in position {label}", label="7")``. Files ``uk.toml`` beside what says it
 hold its translation, "English" = "Ukrainian", in which the same values stand; ``[names]`` texts that theory, manifests
 and specs say, ``[units]`` in one of them the units, ``[counts]`` words that follow a number, in the forms for 1, for 2
-to 4 and for 5. ``with speaking("uk"):`` holds for all that is drawn within.
+to 4 and for 5, ``[plurals]`` words with which meanings begin. ``with speaking("uk"):`` holds for all that is drawn
+within.
 A text without a translation stays English; `tests/report/test_language.py` finds it.
 """
 
@@ -24,6 +25,7 @@ from tmmcalc.core.notes import Phrase
 
 LANGUAGES = {"en": "English", "uk": "Ukrainian"}
 PLACE = re.compile(r"\{(\w+)\}")
+HEAD = re.compile(r"[\w' -]+?(?= (?:of|at|on|in|for|to|from|by|that|where|with|over|between|about)\b|,|$)")
 UNIT = re.compile(r"[A-Za-z°%]+")
 POINT = re.compile(r"(?<=\d)\.(?=\d)")
 NUMBER = re.compile(r"([-+−]?\d+(?:[.,]\d+)?(?:e[-+]?\d{1,2})?)(?: (%|°|[A-Za-z][\w*/^²³·]*))?")  # and its unit
@@ -38,6 +40,7 @@ class Catalogue(NamedTuple):
     names: Mapping[str, str]
     units: Mapping[str, str]
     counts: Mapping[str, tuple[str, str, str]]
+    plurals: Mapping[str, str]
 
 
 @contextmanager
@@ -142,6 +145,27 @@ def tr_count(count: int, one: str, many: str) -> str:
     return f"{count} {forms[form]}"
 
 
+def several(meaning: str) -> str:
+    """What several letters mean that have one meaning: its first noun in the plural, where that is known.
+
+    >>> several("number of teeth"), several("shift coefficient"), several("reference radius, left")
+    ('numbers of teeth', 'shift coefficients', 'reference radii, left')
+    >>> with speaking("uk"):
+    ...     several("число зубців"), several("маса колеса")
+    ('числа зубців', 'маси колеса')
+    """
+    language = _spoken.get()
+    if language != "en":
+        plurals = catalogue(language).plurals
+        first, space, rest = meaning.partition(" ")
+        return plurals.get(meaning) or plurals.get(first, first) + space + rest
+    head = HEAD.match(meaning)
+    noun, rest = (head[0], meaning[head.end() :]) if head else (meaning, "")
+    if noun.endswith("radius"):
+        return noun.removesuffix("us") + "i" + rest
+    return meaning if noun.endswith("s") else noun + "s" + rest
+
+
 def tr_number(text: str) -> str:
     """A written number with the decimal sign of the language in force.
 
@@ -159,13 +183,15 @@ def catalogue(language: str) -> Catalogue:
     names: dict[str, str] = {}
     units: dict[str, str] = {}
     counts: dict[str, tuple[str, str, str]] = {}
+    plurals: dict[str, str] = {}
     for file in files_of(language):
         words = tomllib.loads(file.read_text(encoding="utf-8"))
         names |= words.pop("names", {})
         units |= words.pop("units", {})
         counts |= {one: tuple(forms) for one, forms in words.pop("counts", {}).items()}
+        plurals |= words.pop("plurals", {})
         texts |= words
-    return Catalogue(texts, names, units, counts)
+    return Catalogue(texts, names, units, counts, plurals)
 
 
 def files_of(language: str) -> list[Path]:

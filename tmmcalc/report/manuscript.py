@@ -20,7 +20,10 @@ Lexicon = dict[str, Given]  # the quantities of a scene at one place, by their n
 
 
 class Heading(NamedTuple):
-    """The title of a part of a chapter (level 2), or of a part of it (3); chapters have theirs from the manifest."""
+    """The title of a part of a chapter (level 2), or of a part of it (3); chapters have theirs from the manifest.
+
+    As in captions, formulas stand in it between ``$``.
+    """
 
     text: str
     level: int = 2

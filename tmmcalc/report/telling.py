@@ -7,6 +7,7 @@ A chapter gathers its quantities by their names in formulas in a lexicon for eac
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
@@ -19,7 +20,7 @@ from tmmcalc.report.drawing.snug import snug
 from tmmcalc.report.formula.digits import PLAIN, Given, result_of, rounded, significant, value_of
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.simplify import ZERO, simplified
-from tmmcalc.report.formula.symbols import canonical
+from tmmcalc.report.formula.symbols import GREEK, NAME, canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Name
 from tmmcalc.report.language import tr, tr_unit
@@ -31,6 +32,7 @@ FOLDED, BROAD = 12, 12  # rows up to which a table of few columns is not folded;
 STILL = 1e-12  # a value this small in every shown place is nothing
 DIGITS = 5  # of the largest number of a column, of a number within a sentence
 WIDE, HIGH = 160.0, 130.0  # that a picture may be [mm]
+LATIN = {greek: name for name, greek in GREEK.items()}  # names of Greek letters
 SIGNS = ("<=", ">=", "<", ">")
 ANGLE = 6  # decimals of an angle that are no rounding [deg]
 LETTERED = 1.15  # words of a picture against those of a drawing on screen
@@ -218,12 +220,31 @@ def drawn(caption: str, draw: Callable[[Drawing, Box], object], high: float, key
     return Figure(caption, lettered, (WIDE, high), key)
 
 
+def titled(heading: str) -> str:
+    """What a drawing has as its heading, as the caption of a figure: its letters as those of formulas.
+
+    Letters that make no formula, as those of a name of several, stand as words.
+
+    >>> titled("Diagrams of $ΔS$, $S''$"), titled("at $S_{0}$ = 45 mm"), titled("$ψ$, $M_{54}/l_5$")
+    ("Diagrams of $DeltaS$, $S''$", 'at $S_0$ = 45 mm', '$psi$, M54/l5')
+    """
+    parts = heading.replace("\n", " ").split("$")
+    return "".join(_lettered(part) if k % 2 else part for k, part in enumerate(parts))
+
+
+def _lettered(letters: str) -> str:
+    """A name in letters of a drawing, as a formula has it."""
+    spelt_out = "".join(LATIN.get(letter, letter) for letter in letters)
+    name = re.fullmatch(NAME, spelt_out.replace("′", "'"))
+    return f"${canonical(name[0])}$" if name else message(f"${letters}$")
+
+
 def pictured(piece: Piece, *, key: str = "", wide: float = WIDE) -> Figure:
     """A picture of a sheet at the width of the note, as high as its proportions want and its content needs."""
     least, good = piece.least, piece.good
     factor = max(wide / good[0], least[1] / good[1])
     size = snug(piece.draw, (wide, min(factor * good[1], HIGH)))
-    return Figure(message(piece.heading), piece.draw, size, key)
+    return Figure(titled(piece.heading), piece.draw, size, key)
 
 
 def points(items: Sequence[str]) -> Listing:

@@ -22,7 +22,6 @@ from tmmcalc.cams.pictures.wording import sense_of
 from tmmcalc.cams.program import PhaseKind
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given, significant
@@ -30,7 +29,7 @@ from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_number
 from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Lexicon, Paragraph, Place, Table
-from tmmcalc.report.telling import WIDE, filled, lines, named, tabulated
+from tmmcalc.report.telling import WIDE, filled, lines, named, tabulated, titled
 
 PART = {"rise": ("k = phi/phi_y",), "return": ("phi_e = phi_y + phi_d + phi_c", "k = (phi_e - phi)/phi_c")}
 MOTION = {
@@ -328,18 +327,18 @@ def _course(told: Told) -> Iterator[Block]:
         )
     )
     yield Figure(
-        message(tr("Diagrams of {names}", names=", ".join(f"${symbol(law, order)}$" for order in range(ORDERS)))),
+        titled(tr("Diagrams of {names}", names=", ".join(f"${symbol(law, order)}$" for order in range(ORDERS)))),
         partial(draw_laws, program=task.program, result=law, orders=range(ORDERS)),
         DIAGRAMS,
         "cam_law",
     )
     portrait = partial(_draw_portrait, task=task, result=law)
     title = tr("Phase portrait ${ordinate}$(${abscissa}$)", **signs)
-    yield Figure(message(title), portrait, PORTRAIT[told.turns], "cam_portrait")
+    yield Figure(titled(title), portrait, PORTRAIT[told.turns], "cam_portrait")
     yield Paragraph(tr("The graphical integration of the law is shown in figure {fig:cam_integration}."))
     made = constructed(task.program, INTERVALS)
     draw = partial(draw_integration, program=task.program, result=law, made=made)
-    yield Figure(message(integration_heading(law)), draw, CONSTRUCTION, "cam_integration")
+    yield Figure(titled(integration_heading(law)), draw, CONSTRUCTION, "cam_integration")
 
 
 def _draw_portrait(drawing: Drawing, box: Box, task: CamTask, result: LawResult) -> None:

@@ -34,13 +34,12 @@ from tmmcalc.cams.pictures.ordered import cam_of
 from tmmcalc.cams.rounding import sides
 from tmmcalc.cams.task import CamTask, Optimum
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import WIDE, lines, named
+from tmmcalc.report.telling import WIDE, lines, named, titled
 
 NAMES = (1.0, 3.0, 1.0, 0.0)  # room that names of axes take around a diagram [mm]
 CONTOUR, SECTION, CHART = (WIDE, 105.0), (WIDE, 100.0), (WIDE, 95.0)  # sizes of the pictures [mm]
@@ -270,13 +269,13 @@ def _pictures(result: CamOptimum) -> Iterator[Block]:
         )
     for k, contour in enumerate(result.contours, 1):
         draw = partial(_in_room, of=partial(draw_contour, result=result, contour=contour))
-        yield Figure(message(contour_heading(result, contour)), draw, CONTOUR, f"cam_contour{k}")
+        yield Figure(titled(contour_heading(result, contour)), draw, CONTOUR, f"cam_contour{k}")
     if result.section is not None:
         yield Paragraph(
             tr("Figure {fig:cam_section} shows the reaction of the guide and the contact stress over the radius.")
         )
         draw = partial(_in_room, of=partial(draw_section, result=result, section=result.section))
-        yield Figure(message(section_heading(result.section)), draw, SECTION, "cam_section")
+        yield Figure(titled(section_heading(result.section)), draw, SECTION, "cam_section")
 
 
 def _in_room(drawing: Drawing, box: Box, of: Callable[[Drawing, Box], str]) -> None:

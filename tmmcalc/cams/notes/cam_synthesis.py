@@ -25,12 +25,11 @@ from tmmcalc.cams.pictures.wording import design_name
 from tmmcalc.cams.synthesis.candidates import SizeCandidate, candidates
 from tmmcalc.cams.synthesis.completion import GIVEN, PIVOT_ROOM, WHOLE_NAME
 from tmmcalc.cams.synthesis.results import Design, Synthesis
-from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import column_of, headed, lines, number_of, pictured
+from tmmcalc.report.telling import column_of, headed, lines, number_of, pictured, titled
 
 HIGH = 190.0  # of the picture of the region at most [mm]
 RULES = {  # bounds of the roller's radius by the names that the synthesis gives them
@@ -230,7 +229,7 @@ def _pictures(order: Order) -> Iterator[Block]:
         )
     else:
         yield Paragraph(tr("The admissible places of the axis of the cam are shown in figure {fig:cam_region}."))
-    yield hung(message(first.heading), first.draw, HIGH, "cam_region")
+    yield hung(titled(first.heading), first.draw, HIGH, "cam_region")
     for piece in others:
         yield pictured(piece, key="cam_convexity")
 

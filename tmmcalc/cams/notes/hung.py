@@ -15,7 +15,7 @@ AIR = 1.0  # under the lowest thing drawn [mm]
 
 def hung(caption: str, draw: Callable[[Drawing, Box], object], high: float, key: str) -> Figure:
     """The picture without what it leaves free of ``high`` below; a drawing to a standard scale seldom fills it."""
-    trial = Drawing(WIDE, high, caption)
+    trial = Drawing(WIDE, high)
     draw(trial, Box(0.0, 0.0, WIDE, high))
     free = max(min(reach(shape).bottom for shape in trial.shapes) - AIR, 0.0)
 

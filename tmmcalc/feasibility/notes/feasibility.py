@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from tmmcalc.feasibility.facts.feasibility import TRUTH
 from tmmcalc.feasibility.judge import Feasibility, Verdict
+from tmmcalc.feasibility.notes.worded import worded
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import RESULT, Given, significant
 from tmmcalc.report.language import tr, tr_name, tr_unit
@@ -46,12 +47,7 @@ def _row(verdict: Verdict) -> tuple[str, ...]:
         return verdict.name, said, "", "", "", "", kept
     numbers = (_number(each, verdict.unit) for each in (verdict.value, verdict.at_least, verdict.at_most))
     left = f"${significant(100 * verdict.margin, MARGIN)}$"
-    return verdict.name, _broken(tr_name(verdict.quantity)), *numbers, left, kept
-
-
-def _broken(name: str) -> str:
-    """A name with places where a line of a narrow column may end."""
-    return name.replace("_", "_\u200b")
+    return verdict.name, worded(verdict.quantity), *numbers, left, kept
 
 
 def _number(value: float | None, unit: str) -> str:
@@ -96,7 +92,7 @@ def _main(verdict: Verdict, result: Feasibility) -> Iterator[Result]:
     at_fault = verdict.name in result.failing
     if verdict.quantity == TRUTH or verdict.holds is at_fault:
         return
-    meaning = tr("constraint {name}, {quantity}", name=verdict.name, quantity=tr_name(verdict.quantity))
+    meaning = tr("constraint {name}, {quantity}", name=verdict.name, quantity=worded(verdict.quantity))
     given = Given(verdict.value, verdict.unit, meaning)
     for limit, sense in ((verdict.at_least, ">="), (verdict.at_most, "<=")):
         if limit is not None:

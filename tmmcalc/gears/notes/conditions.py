@@ -162,7 +162,7 @@ def _axes(meshes: list[str]) -> str:
 
 
 def _distance() -> str:
-    return tr("doubled distance of the axes in parts to which the modules stand")
+    return tr("doubled distance of the axes, in units of the common measure of the modules")
 
 
 def _verdict(each: Condition) -> str:
@@ -202,7 +202,7 @@ def _meaning(name: str, chosen: Chosen) -> str:
         pairs = {f"{mesh.first}{mesh.second}": f"{mesh.first}–{mesh.second}" for mesh in chosen.sets.scheme.meshes}
         return tr("operating pressure angle of the pair {pair}", pair=pairs[name[8:-1]])
     return {
-        "alpha": tr("pressure angle of the basic rack"),
+        "alpha": tr("profile angle of the rack"),
         "h_a^{*}": tr("addendum coefficient"),
         "c_g": tr("least gap between the tips of neighbours, in modules"),
         "K": tr("number of planets") if chosen.sets.scheme.planetary else tr("number of layshafts"),
@@ -212,7 +212,7 @@ def _meaning(name: str, chosen: Chosen) -> str:
 def _table(found: tuple[Condition, ...], key: str) -> Table:
     """All conditions with both sides and their verdicts; those that are good custom in brackets."""
     head = (tr("Condition"), tr("Wheels"), tr("With numbers"), tr("Verdict"))
-    return Table(tr("Conditions on the numbers of teeth"), head, tuple(map(_row, found)), key)
+    return Table(tr("Conditions on the numbers of teeth"), head, tuple(dict.fromkeys(map(_row, found))), key)
 
 
 def _row(each: Condition) -> tuple[str, ...]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import partial
-from unicodedata import normalize
 
 import numpy as np
 
@@ -14,27 +13,26 @@ from tmmcalc.gears.criteria.size import orbits
 from tmmcalc.gears.criteria.speeds import speeds
 from tmmcalc.gears.criteria.wheels import Build, radii, stage_of, wheels
 from tmmcalc.gears.model import ToothSets
-from tmmcalc.gears.notes.letters import joined, lowered, noted, teeth
+from tmmcalc.gears.notes.letters import joined, layout_word, noted, short_train, teeth
 from tmmcalc.gears.pictures.front import draw_pareto
-from tmmcalc.gears.pictures.words import CRITERIA, short_name, teeth_text, train_name
-from tmmcalc.gears.scheme import CARRIER, Mesh, known_layouts
+from tmmcalc.gears.pictures.words import CRITERIA, short_name, teeth_text
+from tmmcalc.gears.scheme import CARRIER, Mesh
 from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.selection.solve import assumptions_of
 from tmmcalc.gears.selection.task import WEIGHTED
 from tmmcalc.gears.sizing import rows_of
 from tmmcalc.gears.tables.tasks.sizing import to_selection
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import RESULT, Given, significant
-from tmmcalc.report.language import tr, tr_name, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_number, tr_unit
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import lines, named
 
 MM = 1e3
 SHOWN = 12  # trains of the table
-PARETO, UNDER = (160.0, 118.0), 3.0  # size of the picture, and room below its axis [mm]
+PARETO, SIDE, UNDER = (160.0, 118.0), 5.0, 3.0  # size of the picture, and room beside and below its axes [mm]
 SHAPES = {  # mass [kg] and inertia [kg*m^2] of a wheel, lengths in mm (4.43), (4.44)
     "pinion": ("M = pi*rho*b*r**2/10**9", "J = M*r**2/(2*10**6)"),
     "wheel": ("M = alpha_1*pi*rho*b*r**2/10**9", "J = alpha_2*M*r**2/(2*10**6)"),
@@ -52,7 +50,7 @@ def blocks(order: Order) -> Iterator[Block]:
     to = assumptions_of(request, to_selection(order.spec)).reduced_to or one.scheme.output
     yield Heading(tr("Choice of the train by its criteria"), 2)
     yield Heading(tr("Masses, inertia, size"), 3)
-    yield Paragraph(tr("The chosen train: {train}.", train=lowered(message(train_name(one)))))
+    yield Paragraph(tr("The chosen train: {train}.", train=short_train(one)))
     chosen = _Chosen(selection, one, variant.criteria.centre_distances[row].tolist(), request.task.pressure_angle, to)
     yield from chosen.distances()
     yield from chosen.wheels()
@@ -101,7 +99,7 @@ class _Chosen:
             if mesh in self.raised:
                 said = tr("operating pressure angle of the pair {pair}", pair=f"{mesh.first}–{mesh.second}")
                 found = {angle: Given(float(np.degrees(self.raised[mesh])), "deg", said)}
-                found["alpha"] = Given(float(np.degrees(self.rack)), "deg", tr("pressure angle of the basic rack"))
+                found["alpha"] = Given(float(np.degrees(self.rack)), "deg", tr("profile angle of the rack"))
                 self.lexicon |= named(found)
             yield from self.lines(f"{_distance(mesh)} = m_{mesh.stage + 1}*({total})/2{stretch}")
 
@@ -173,6 +171,7 @@ class _Chosen:
             "J_c": (winner.on_crank, "kg*m^2", tr("inertia reduced to the crank")),
         }
         self.lexicon |= named({name: Given(*value) for name, value in found.items()})
+        yield Paragraph(tr("The moving wheels are in table {tab}.", tab="{tab:criteria_wheels}"))
         yield self._table(moving)
         yield from self.lines("M_Σ = sum(n_j*M_j, j)")
         whole = "J_Σ = sum(n_j*J_j*i_j**2, j)"
@@ -202,12 +201,6 @@ def _distance(mesh: Mesh) -> str:
     return f"a_{{{joined((mesh.first, mesh.second))}}}"
 
 
-def layout_word(key: str) -> str:
-    """A layout in a word, a planetary one by its designation; a number of planets as it is."""
-    scheme = known_layouts().get(key)
-    return normalize("NFC", scheme.designation) if scheme is not None and scheme.planetary else tr_name(key)
-
-
 def _shown(key: str, value: float) -> str:
     """A criterion with its unit."""
     factor, unit = CRITERIA[key]
@@ -226,8 +219,8 @@ def _compared(selection: Selection) -> Iterator[Block]:
     weak = sum(each.weak + each.locking for each in selection.variants)
     yield Paragraph(
         tr(
-            "{count} trains are strong enough and are compared by: {criteria}. No other train is better in all of "
-            "these criteria than {front} of them, the Pareto front (figure {fig}, table {tab}).",
+            "{count} trains are strong enough; they are compared by: {criteria}. The Pareto front has {front} of them: "
+            "no other train is better in all of these criteria (figure {fig}, table {tab}).",
             fig="{fig:criteria_front}",
             tab="{tab:criteria_front}",
             **told,
@@ -247,7 +240,7 @@ def _compared(selection: Selection) -> Iterator[Block]:
 
 
 def _front(drawing: Drawing, box: Box, found: Selection) -> None:
-    draw_pareto(drawing, box.inset(0, UNDER, 0, 0), found, found.winner.place)
+    draw_pareto(drawing, box.inset(SIDE, UNDER, 0, 0), found, found.winner.place)
 
 
 def _sizes(selection: Selection, row: int) -> tuple[str, ...]:

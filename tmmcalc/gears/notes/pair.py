@@ -6,9 +6,11 @@ from collections.abc import Iterator
 from functools import partial
 
 from tmmcalc.gears.facts.meshes import USUAL
+from tmmcalc.gears.meshing.contours import PairContour
 from tmmcalc.gears.meshing.halftooth import fault_of
 from tmmcalc.gears.meshing.members import both
 from tmmcalc.gears.meshing.results import NOISE, MeshPair
+from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.notes.pairs.choice import chosen
 from tmmcalc.gears.notes.pairs.conditions import judged
 from tmmcalc.gears.notes.pairs.contact import contact, interference, quality
@@ -19,6 +21,7 @@ from tmmcalc.gears.notes.pairs.tables import of_wheels, parameters
 from tmmcalc.gears.pictures.pieces import draw_curves, draw_to_scale
 from tmmcalc.gears.pictures.placedpair import placed_pair
 from tmmcalc.report.drawing.order import Order
+from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Result
 from tmmcalc.report.telling import WIDE, named
@@ -45,41 +48,60 @@ MESH, CURVES = (WIDE, 125.0), (WIDE, 105.0)  # sizes of the pictures [mm]
 
 def blocks(order: Order) -> Iterator[Block]:
     """Every pair, one after another."""
-    for k, found in enumerate(order.results["pair"].pairs, 1):
-        yield from _pair(told_of(found), f"pair{k}")
+    pairs = order.results["pair"].pairs
+    contours = order.results["blocking"].pairs if "blocking" in order.results else ()
+    for k, found in enumerate(pairs, 1):
+        own = found.task
+        same = (each for each in contours if (each.name, tuple(each.teeth)) == (own.name, tuple(own.teeth)))
+        span = next((_span(each, found) for each in same), None)
+        yield from _pair(told_of(found), span, f"pair{k}", _teeth(found.task) if pairs[1:] else "")
 
 
-def _pair(told: Told, key: str) -> Iterator[Block]:
+def _teeth(task: PairTask) -> str:
+    return "/".join(str(teeth) for teeth in task.teeth if teeth)
+
+
+def _span(contour: PairContour, found: MeshPair) -> tuple[float, float] | None:
+    """How far x1 may go at the sum of shifts, of a pair that has the middle of it."""
+    low, high = contour.low, contour.high
+    free = found.task.strategy == "given_aw" and found.task.split == "middle" and found.task.shifts == (None, None)
+    if not free or low is None or high is None or abs(found.shifts[0] - (low + high) / 2) > NOISE:
+        return None
+    return low, high
+
+
+def _pair(told: Told, span: tuple[float, float] | None, key: str, of: str) -> Iterator[Block]:
+    """A pair; ``of`` are its teeth where there are several, ``span`` the ends of x1 whose middle it has."""
     found, task = told.found, told.found.task
     yield Heading(title_of(found))
-    yield from _data(told, key)
+    yield from _data(told, key, of)
     if task.kind != "rack":
         yield Heading(tr("Shifts and centre distance"), 3)
         yield from told.lines(*SECTION * bool(task.helix))
-        yield from _distance(told)
+        yield from _distance(told, span)
     yield Heading(tr("Circles and teeth"), 3)
     if task.kind == "rack":
         yield from told.lines(*SECTION * bool(task.helix))
     yield from circles(told)
-    for wheels in told.wheels:
-        yield from teeth(wheels, helical=bool(task.helix))
+    yield from teeth(told.shared, told.wheels, helical=bool(task.helix))
     yield Heading(tr("Contact"), 3)
     yield from contact(told)
     yield from quality(told)
     yield from interference(told)
-    yield from _pictures(found, key)
+    yield from _pictures(found, key, of)
     yield Heading(tr("Conditions"), 3)
     names = (task.wheels[0], tr("rack") if task.kind == "rack" else task.wheels[1])
-    yield from judged(found.checks, told.lexicon, told.words, names, f"{key}_quality")
+    yield from judged(found.checks, told.lexicon, told.words, names, f"{key}_quality", of)
     yield Heading(tr("Measures"), 3)
     for wheels in told.wheels:
         numbers = wheels.numbers
         yield from measured(wheels, [found.measures[k] for k in numbers], [task.measuring_of(k + 1) for k in numbers])
-    yield from _parameters(told, key)
-    place = "/".join(str(teeth) for teeth in task.teeth if teeth)
+    yield from _parameters(told, key, of)
+    place = _teeth(task) if of else ""
     if "a_w" in told.lexicon:
         yield Result("a_w", told.lexicon["a_w"], place=place)
-    yield Result("eps_alpha", told.lexicon["eps_alpha"], task.limits.contact_ratio, ">=", place)
+    wanted = next((check.limit for check in found.checks if check.name == "contact ratio"), task.limits.contact_ratio)
+    yield Result("eps_alpha", told.lexicon["eps_alpha"], wanted, ">=", place)
 
 
 def title_of(found: MeshPair) -> str:
@@ -87,7 +109,7 @@ def title_of(found: MeshPair) -> str:
     task = found.task
     first, second = task.teeth
     if task.kind == "rack":
-        said = tr("Rack and pinion, z = {teeth}", teeth=first)
+        said = tr("Rack and pinion, $z$ = {teeth}", teeth=first)
     elif task.kind == "internal":
         said = tr("Internal pair {teeth}", teeth=f"{first}/{second}")
     else:
@@ -95,15 +117,25 @@ def title_of(found: MeshPair) -> str:
     return f"{said} ({tr_name(task.name)})" if task.name else said
 
 
-def _data(told: Told, key: str) -> Iterator[Block]:
-    """What is given, and how the shifts are chosen."""
+def captioned(caption: str, of: str) -> str:
+    """A caption with the teeth of the pair that it is of, where there are several."""
+    return f"{caption} {of}" if of else caption
+
+
+def _given(told: Told) -> list[str]:
+    """The quantities that are given."""
     found, task = told.found, told.found.task
     names = [*GIVEN, *(f"x_{k}" for k, shift in enumerate(task.shifts[: len(found.sizes)], 1) if shift is not None)]
     if task.strategy == "given_aw":
         names.append("H" if task.kind == "rack" else "a_w")
-    names += [f"r_a{k}" for k, tip in enumerate(task.tips[: len(found.sizes)], 1) if tip is not None]
+    return names + [f"r_a{k}" for k, tip in enumerate(task.tips[: len(found.sizes)], 1) if tip is not None]
+
+
+def _data(told: Told, key: str, of: str) -> Iterator[Block]:
+    """What is given, and how the shifts are chosen."""
+    task = told.found.task
     yield Paragraph(tr("The given data of the pair are in table {table}.", table=f"{{tab:{key}_data}}"))
-    yield parameters(tr("Given data of the pair"), names, told.lexicon, f"{key}_data")
+    yield parameters(captioned(tr("Given data of the pair"), of), _given(told), told.lexicon, f"{key}_data")
     if task.wheels != USUAL:
         first, second = task.wheels
         yield Paragraph(
@@ -114,12 +146,16 @@ def _data(told: Told, key: str) -> Iterator[Block]:
     yield Paragraph(chosen(task))
 
 
-def _distance(told: Told) -> Iterator[Block]:
+def _distance(told: Told, span: tuple[float, float] | None) -> Iterator[Block]:
     """The shifts with the pressure angle and the centre distance that belong to them."""
     found, task = told.found, told.found.task
     yield from told.lines("a = m*<z>/(2*cos(beta))")
     if task.strategy == "given_aw":
         yield from told.lines(*BY_DISTANCE)
+        if span is not None:
+            ends = tr("ends of the admissible shift of wheel 1 at this sum")
+            told.lexicon.update(named({"x'_1": Given(span[0], "", ends), "x''_1": Given(span[1], "", ends)}))
+            yield from told.lines("x_1 = (x'_1 + x''_1)/2")
         yield from told.lines("x_1 = x_Sigma - x_2" if task.shifts[1] is not None else "x_2 = x_Sigma - x_1")
     elif abs(found.shift_sum) > NOISE:
         yield from told.lines("x_Sigma = x_1 + x_2", BY_SHIFTS)
@@ -132,13 +168,13 @@ def _distance(told: Told) -> Iterator[Block]:
     else:
         yield Paragraph(
             tr(
-                "The sum of the shifts is nothing: the pitch circles are the reference circles, {relations}.",
+                "The sum of the shifts is zero: the pitch circles are the reference circles, {relations}.",
                 relations=f"$a_w = a$, $alpha_tw = {told.words['t']}$",
             )
         )
 
 
-def _parameters(told: Told, key: str) -> Iterator[Block]:
+def _parameters(told: Told, key: str, of: str) -> Iterator[Block]:
     """The tables of all parameters."""
     found, task = told.found, told.found.task
     yield Paragraph(
@@ -151,13 +187,13 @@ def _parameters(told: Told, key: str) -> Iterator[Block]:
     names = [*COMMON, *HELICAL * bool(task.helix), *WHEELED * (task.kind != "rack")]
     names += ["Deltay"] * (task.kind == "external")
     names += [*["eps_beta", "eps_gamma"] * bool(found.overlap), *["eps'_alpha"] * shortened(found)]
-    yield parameters(tr("Parameters of the pair"), names, told.lexicon, f"{key}_common")
-    yield of_wheels(
-        tr("Parameters of the wheels"), WHEELS, _wheels(told), task.wheels[: len(found.sizes)], f"{key}_wheels"
-    )
+    names = [name for name in names if name not in _given(told)]  # which the table of the data has
+    yield parameters(captioned(tr("Parameters of the pair"), of), names, told.lexicon, f"{key}_common")
+    caption, own = captioned(tr("Parameters of the wheels of the pair"), of), task.wheels[: len(found.sizes)]
+    yield of_wheels(caption if of else tr("Parameters of the wheels"), WHEELS, _wheels(told), own, f"{key}_wheels")
 
 
-def _pictures(found: MeshPair, key: str) -> Iterator[Block]:
+def _pictures(found: MeshPair, key: str, of: str) -> Iterator[Block]:
     """The mesh and the course of sliding, where both wheels have profiles."""
     if all(fault_of(member) is None for member in both(found)):
         yield Paragraph(
@@ -167,8 +203,9 @@ def _pictures(found: MeshPair, key: str) -> Iterator[Block]:
                 sliding=f"{{fig:{key}_sliding}}",
             )
         )
-        yield Figure(tr("Mesh of the pair"), partial(draw_to_scale, found=found), MESH, f"{key}_mesh")
-        caption = tr("Specific sliding and specific pressure")
+        yield Figure(captioned(tr("Mesh of the pair"), of), partial(draw_to_scale, found=found), MESH, f"{key}_mesh")
+        caption = captioned(tr("Specific sliding and specific pressure of the pair"), of)
+        caption = caption if of else tr("Specific sliding and specific pressure")
         yield Figure(caption, partial(draw_curves, placed=placed_pair(found)), CURVES, f"{key}_sliding")
 
 

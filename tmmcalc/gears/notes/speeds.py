@@ -107,7 +107,7 @@ def _known(told: Told) -> Iterator[Block]:
         told.lexicon.update(named({f"n_{{{name}}}": Given(float(turns), "rpm", said)}))
         yield from told.lines(f"{speed_of(name)} = pi*n_{{{name}}}/30")
     if still:
-        yield Paragraph(tr("What stands: {members}.", members=_listed(told, still)))
+        yield Paragraph(tr("Links at rest: {members}.", members=_listed(told, still)))
 
 
 def _listed(told: Told, members: list[str]) -> str:

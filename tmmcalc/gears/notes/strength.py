@@ -11,8 +11,7 @@ import numpy as np
 
 from tmmcalc.gears.details import sized_train
 from tmmcalc.gears.letters import LETTER
-from tmmcalc.gears.notes.letters import letter, lowered, noted
-from tmmcalc.gears.pictures.words import train_name
+from tmmcalc.gears.notes.letters import letter, noted, short_train
 from tmmcalc.gears.scheme import Layout
 from tmmcalc.gears.sizing import GIVEN, REDUCTION, Sized, Torque, rows_of
 from tmmcalc.gears.strength.chain import strength_factors
@@ -21,7 +20,6 @@ from tmmcalc.gears.strength.explain import real_width
 from tmmcalc.gears.strength.series import tied
 from tmmcalc.gears.strength.solve import SLACK
 from tmmcalc.gears.strength.steels import latin, steel_key
-from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import RESULT, Given, significant
 from tmmcalc.report.language import spoken, tr, tr_name, tr_number, tr_unit
@@ -52,7 +50,7 @@ def blocks(order: Order) -> Iterator[Block]:
     scheme = one.scheme
     told = strength_factors(sized.sets, sized.task, at)
     yield Heading(tr("Strength of the train"), 2)
-    yield Paragraph(tr("The strength of this train is calculated: {train}.", train=lowered(message(train_name(one)))))
+    yield Paragraph(tr("The strength of this train is calculated: {train}.", train=short_train(one)))
     yield from _torque(sized.torque, one.planets, scheme)
     yield from _materials(sized)
     wheels, stages, meshes = (_of(told.factors, kind) for kind in ("wheel", "stage", "mesh"))
@@ -74,6 +72,10 @@ def blocks(order: Order) -> Iterator[Block]:
     yield Heading(tr("Stresses"), 3)
     yield from spreads if real else ()
     yield from _stresses(meshes, scheme)
+    for symbol in ("m", "b"):
+        for own in _owned(stages, symbol):
+            place = _owners(own.of, stage=True) if own.of else ""
+            yield Result(symbol, Given(1e3 * own.factor.told.value, "mm", _meaning(symbol)), place=place)
     if not told.accepted:
         yield Paragraph(tr("The train is not strong enough."))
 
@@ -325,10 +327,22 @@ def _required(meshes: Mapping[str, list[Factor]], scheme: Layout) -> Iterator[Bl
     if rings:
         said = tr_number(significant(forms[rings[0]].factor.told.value, RESULT))
         yield Paragraph(tr("Of the ring {wheel} $Y_F$ = {value}, as of a rack.", wheel=", ".join(rings), value=said))
+    weakest: dict[str, list[str]] = {}
     for mesh, factors in meshes.items():
-        told = {"mesh": mesh.replace("-", "–"), "wheel": _weaker(mesh, factors)}
+        weakest.setdefault(_weaker(mesh, factors), []).append(mesh.replace("-", "–"))
+    for wheel, names in weakest.items():
         yield Paragraph(
-            tr("In the mesh {mesh} wheel {wheel} with the larger ratio of $Y_F$ to $sigma_{FP}$ decides.", **told)
+            tr(
+                "In the meshes {meshes} wheel {wheel} with the larger ratio of $Y_F$ to $sigma_{FP}$ decides.",
+                meshes=", ".join(names),
+                wheel=wheel,
+            )
+            if names[1:]
+            else tr(
+                "In the mesh {mesh} wheel {wheel} with the larger ratio of $Y_F$ to $sigma_{FP}$ decides.",
+                mesh=names[0],
+                wheel=wheel,
+            )
         )
     for symbol in ("A_F", "m_H", "m_F"):
         yield from _lines(symbol, [Own(own.of, _plain(own.factor)) for own in _owned(meshes, symbol)])

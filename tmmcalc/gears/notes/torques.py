@@ -64,8 +64,8 @@ def told_torques(told: Told, found: Gearing, key: str) -> Iterator[Block]:
     yield Heading(tr("Torques, powers, efficiency"), 3)
     yield Paragraph(
         tr(
-            "The meshes are numbered as in table {tab}. The torque $T_j^k$ is that of the mesh $k$ on the link $j$, "
-            "$T_j$ that from outside; $eta_k$ is the efficiency of the mesh.",
+            "The meshes are numbered as in table {tab}. In N·m the torque $T_j^k$ is that of the mesh $k$ on the link "
+            "$j$, $T_j$ that from outside; $eta_k$ is the efficiency of the mesh.",
             tab=f"{{tab:{key}}}",
         )
     )
@@ -118,27 +118,19 @@ def _given(found: Gearing) -> list[str]:
 
 
 def _quantities(told: Told, marks: list[Mark], flow: PowerFlow, outside: list[str]) -> Lexicon:
-    """Torques, powers, losses."""
+    """Torques, powers, losses; what they are is said of all at once."""
     found: Lexicon = {}
     for k, mark in enumerate(marks):
         members = (mark.mesh.first, mark.mesh.second, mark.carrier)
         for member, value in zip(members, flow.mesh_torques[k].tolist(), strict=True):
             if member != FRAME:
-                said = tr("torque of the mesh {mesh} on link {link}", mesh=mark.number, link=member)
-                found[mark.torque(member)] = Given(value, "N*m", said)
-        said = tr("efficiency of the mesh {mesh}", mesh=mark.number)
-        found[mark.eta] = Given(mark.mesh.efficiency, "", said)
-        said = tr("power that passes through the mesh {mesh}", mesh=mark.number)
-        if mark.carrier != FRAME:
-            said = tr("power that rolls through the mesh {mesh} with the carrier stopped", mesh=mark.number)
-        found[mark.power] = Given(abs(float(flow.rolling[k])), "W", said)
-        said = tr("power lost in the mesh {mesh}", mesh=mark.number)
-        found[mark.loss] = Given(float(flow.losses[k]), "W", said)
+                found[mark.torque(member)] = Given(value, "N*m", "")
+        found[mark.eta] = Given(mark.mesh.efficiency, "", "")
+        found[mark.power] = Given(abs(float(flow.rolling[k])), "W", "")
+        found[mark.loss] = Given(float(flow.losses[k]), "W", "")
     for name in outside:
-        said = tr("torque from outside on link {link}", link=name)
-        found[_from_outside(name)] = Given(flow.torque(name), "N*m", said)
-        said = tr("power put in at link {link}", link=name)
-        found[_power(name)] = Given(flow.power(name), "W", said)
+        found[_from_outside(name)] = Given(flow.torque(name), "N*m", "")
+        found[_power(name)] = Given(flow.power(name), "W", "")
     for (one, other), value in zip(told.moving.task.locked, flow.lock_torques.tolist(), strict=True):
         said = tr("torque that {first} gets of {second}, with which it turns as one", first=one, second=other)
         found[_lock(one, other)] = Given(value, "N*m", said)
@@ -247,11 +239,19 @@ def _minus(names: list[str]) -> str:
 
 def _powers(told: Told, marks: list[Mark], found: Gearing, flow: PowerFlow, outside: list[str]) -> Iterator[Block]:
     """Powers from outside, rolling powers, losses, the balance."""
-    yield Paragraph(tr("Powers at the links, put in if they are positive:"))
+    lossy = [(k, mark) for k, mark in enumerate(marks) if flow.losses[k]]
+    said = tr("In watts $P_j$ is the power at the link $j$, put in if it is positive")
+    if lossy:
+        rolls = any(mark.carrier != FRAME for mark in marks)
+        said += "; " + (
+            tr("$P^k$ that which rolls through the mesh $k$ with its carrier stopped, $P_v^k$ what is lost in it")
+            if rolls
+            else tr("$P^k$ that which passes through the mesh $k$, $P_v^k$ what is lost in it")
+        )
+    yield Paragraph(f"{said}.")
     for name in outside:
         if name not in found.task.powers:
             yield from told.lines(f"{_power(name)} = {_from_outside(name)}*{speed_of(name)}")
-    lossy = [(k, mark) for k, mark in enumerate(marks) if flow.losses[k]]
     for k, mark in lossy:
         source = mark.mesh.first if flow.rolling[k] > 0 else mark.mesh.second
         speed = told.relative(source, mark.carrier)

@@ -18,7 +18,7 @@ from tmmcalc.gears.details import searched_trains
 from tmmcalc.gears.gearing import Gearing, solve_gearing
 from tmmcalc.gears.gearingtask import layout_task
 from tmmcalc.gears.notes.conditions import told_conditions
-from tmmcalc.gears.notes.letters import joined, letter, lowered, teeth_of
+from tmmcalc.gears.notes.letters import joined, letter, lowered, short_train, teeth_of
 from tmmcalc.gears.notes.speeds import Told, ends_of, told_motion, told_speeds
 from tmmcalc.gears.notes.torques import told_torques
 from tmmcalc.gears.pictures.pieces import motion_piece
@@ -32,13 +32,12 @@ from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.split import equal_diameters, exponents
 from tmmcalc.gears.tables.tasks.sizing import to_selection
 from tmmcalc.gears.trains import Request, Variant
-from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_name, tr_number
-from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Paragraph, Place, Table
-from tmmcalc.report.telling import lines, named, tabulated
+from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Paragraph, Place, Result, Table
+from tmmcalc.report.telling import lines, named, tabulated, titled
 
 FIRST = 10  # sets of the table
 DIGITS = 6  # of numbers in sentences
@@ -60,7 +59,7 @@ def blocks(order: Order) -> Iterator[Block]:
         yield from _searched(variant, None if own is None else own.chosen, selection, f"train{k}")
         if own is not None:
             torque = results["strength"].variants[k].torque.value if "strength" in results else None
-            yield from _chosen(own, meshes, torque, widths, f"train{k}")
+            yield from _chosen(own, meshes, torque, widths, f"train{k}", several=len(trains) > 1)
 
 
 def _of(found: Moving) -> Request | None:
@@ -241,13 +240,15 @@ def _sets(variant: Variant, chosen: Chosen | None, selection: Selection | None, 
 
 
 def _chosen(
-    moving: Moving, meshes: MeshEfficiency, torque: float | None, widths: tuple[float, ...], key: str
+    moving: Moving, meshes: MeshEfficiency, torque: float | None, widths: tuple[float, ...], key: str, *, several: bool
 ) -> Iterator[Block]:
     """Everything of one set."""
     chosen = moving.chosen
     assert chosen is not None
-    yield Heading(message(train_name(chosen.sets)), 2)
+    yield Heading(titled(train_name(chosen.sets)), 2)
     yield from told_conditions(chosen, f"{key}_conditions")
+    yield from _reached(chosen, several=several)
+    yield Paragraph(tr("Figure {fig} shows the train from two sides.", fig=f"{{fig:{key}_scheme}}"))
     yield _scheme(chosen, widths, f"{key}_scheme")
     found = _driven(moving, meshes, torque)
     told = told_motion(Moving(found.task, found.motion, chosen, moving.remarks))
@@ -256,6 +257,19 @@ def _chosen(
     yield from _efficiency(told, found, chosen)
     if found.task.torques or chosen.sets.scheme.three_centrals:
         yield from told_torques(told, found, f"{key}_meshes")
+
+
+def _reached(chosen: Chosen, *, several: bool) -> Iterator[Block]:
+    """The ratio with its error among the main results."""
+    request = chosen.request
+    if request is None:
+        return
+    ratio, error = (float(each[0]) for each in ratios(request, chosen.sets))
+    nominal = float(request.nominal)
+    most = 100 * max(abs(float(end) / nominal - 1) for end in (request.admitted.low, request.admitted.high))
+    train = short_train(chosen.sets) if several else ""
+    yield Result(KINDS[request.kind], Given(ratio, "", tr("ratio of the train")), place=train)
+    yield Result("delta", Given(100 * abs(error), "%", tr("error of the ratio")), most, "<=", train)
 
 
 def _driven(moving: Moving, meshes: MeshEfficiency, torque: float | None) -> Gearing:
@@ -325,6 +339,7 @@ def _efficiency(told: Told, found: Gearing, chosen: Chosen) -> Iterator[Block]:
     if way.driver != "1" and pair_of_ends is not None:
         yield from told.lines(f"{i} = 1/i_{{{joined(pair_of_ends)}}}")
     yield from told.lines(f"eta = {_formula(way.driver, 0 < exact < 1, i)}")
+    yield Result("eta", told.lexicon["eta"])
     if way.self_locking:
         yield Paragraph(tr("The train locks itself in this direction."))
 

@@ -40,7 +40,7 @@ def blocks(order: Order) -> Iterator[Block]:
     wheel, task = alone(found), found.task
     lexicon = wheel.places[0].lexicon
     ring = task.kind == "internal"
-    yield Heading(tr("Ring, z = {teeth}", teeth=task.teeth) if ring else tr("Wheel, z = {teeth}", teeth=task.teeth))
+    yield Heading(tr("Ring, $z$ = {teeth}", teeth=task.teeth) if ring else tr("Wheel, $z$ = {teeth}", teeth=task.teeth))
     yield Paragraph(tr("The given data of the wheel are in table {table}.", table="{tab:wheel_data}"))
     names = [*GIVEN, *["r_a"] * (task.tip is not None)]
     yield parameters(tr("Given data of the wheel"), names, lexicon, "wheel_data")
@@ -51,7 +51,7 @@ def blocks(order: Order) -> Iterator[Block]:
         yield from wheel.lines(ROOT)
         yield from limits(wheel, [found.limit or 0.0])
     yield from wheel.lines(*(PLAIN_TIP,) * (task.tip is None), RING_HEIGHT if ring else HEIGHT)
-    yield from teeth(wheel, helical=bool(task.helix))
+    yield from teeth([wheel], [wheel], helical=bool(task.helix))
     yield from judged(found.checks, lexicon, wheel.words, (task.measuring.name,), "wheel_quality")
     yield Heading(tr("Measures"), 3)
     yield from measured(wheel, [found.measures], [task.measuring])

@@ -201,7 +201,7 @@ def contact_values(pair: PlacedPair) -> list[Row]:
     points += singles(pair)
     points = sorted((point for point in points if point[1] > 0), key=lambda point: point[1])
     values = course(pair.found, np.array([rho for _, rho in points]))
-    rows: list[Row] = [Heading(("", f"$ρ_1$, {tr_unit('mm')}", "$ϑ_1$", "$ϑ_2$", "$λ$"))]
+    rows: list[Row] = [Heading(("", f"$ρ_1$, {tr_unit('mm')}", "$θ_1$", "$θ_2$", "$λ$"))]
     for k, (name, rho) in enumerate(points):
         numbers = (values.theta1[k], values.theta2[k], values.pressure[k])
         rows.append((point_sign(name), _mm(rho), *(_fixed(float(v)) for v in numbers)))

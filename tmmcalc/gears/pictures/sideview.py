@@ -20,6 +20,7 @@ from tmmcalc.report.language import tr
 # On paper [mm].
 SLEEVE = 1.3  # half height of a sleeve around a shaft
 BEARING = (4.6, 0.9)  # length, and distance from the shaft
+BESIDE = 4.5  # from the end of a shaft to its name over or under its bearing [mm]
 NAME = 2.5  # height of names
 FACE = ("#dbe9f4", "#f9e0d0", "#d3ece4")  # of wheels by plane
 
@@ -68,7 +69,10 @@ def label_side_view(board: Board, train: PlacedTrain, to: To, part: float = 1.0)
         ends[1] = to(sleeve_end(train), SLEEVE * board.mu)
     names = (tr("input"), tr("output")) if train.driver == "1" else (tr("output"), tr("input"))
     for name, end, other in zip(names, ends, reversed(ends), strict=True):
-        board.labels.put(name, board.paper([end]), height=height, gaps=(1.5, 2.5, 4.0, 6.0), prefer=end - other)
+        side = (end - other) / abs(end - other)
+        away = BESIDE * board.mu * side  # over and under the bearing too, where there is no room beyond the shaft
+        places = board.paper([end, end - away + 1j * away, end - away - 1j * away])
+        board.labels.put(name, places, height=height, gaps=(1.5, 2.5, 4.0, 6.0), prefer=side)
 
 
 class _View(NamedTuple):

@@ -72,7 +72,7 @@ def draw_course(drawing: Drawing, boxes: tuple[Box, Box], pair: PlacedPair, limi
     )
     deepest = min(LOWEST, ROOM * min(float(contact.theta1.min()), float(contact.theta2.min())))
     largest = max(2.0 * float(contact.pressure.min()), min(ROOM * float(contact.pressure.max()), 4.0))
-    theta = Axis(tr("specific sliding $ϑ$"), max(deepest, DEEPEST), 1.25)
+    theta = Axis(tr("specific sliding $θ$"), max(deepest, DEEPEST), 1.25)
     upper = Diagram(drawing, boxes[0], along, theta, numbered=False)
     lower = Diagram(drawing, boxes[1], along, Axis(tr("specific pressure $λ$"), 0.0, largest))
     for diagram in (upper, lower):
@@ -82,7 +82,7 @@ def draw_course(drawing: Drawing, boxes: tuple[Box, Box], pair: PlacedPair, limi
     _curve(lower, points.rho1, points.pressure, within, PRESSURE)
     rows = _name_marks(upper, pair)
     outside = SLIDING[0]._replace(layer="BEYOND_CONTACT", dashes=DASHES, width=0.3, colour="#6b6b6b")
-    names = [("$ϑ_1$", SLIDING[0]), ("$ϑ_2$", SLIDING[1]), (tr("beyond the contact"), outside)]
+    names = [("$θ_1$", SLIDING[0]), ("$θ_2$", SLIDING[1]), (tr("beyond the contact"), outside)]
     upper.key(names, lift=2.0 + ROW * rows)
     lower.key([("$λ$", PRESSURE)])
 

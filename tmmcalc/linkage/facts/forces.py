@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.columns import Column
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import Quantity, keyed, quantity_of
 from tmmcalc.linkage.columns import PHI
 from tmmcalc.linkage.facts.places import extreme_values, place, span_fact, speed_text
@@ -142,7 +143,8 @@ def _pair_fact(result: Forces, j: int) -> Fact:
         lines += [line for line, _ in parts if line]
         values |= {key: value for _, found in parts for key, value in found.items()}
     low, high = pair.links
-    return Fact(f"reaction in {pair.joint} ({low}-{high})", "\n".join(lines), values)
+    label = Phrase("reaction in {joint} ({low}-{high})", joint=pair.joint, low=low, high=high)
+    return Fact(label, "\n".join(lines), values)
 
 
 def _couple(result: Forces, pair: PairForces, couple: Extreme) -> tuple[str, dict[str, Any]]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import Quantity, keyed, quantity_of
 from tmmcalc.linkage.columns import OMEGA_1
 from tmmcalc.linkage.facts.structure import named_links
@@ -143,14 +144,16 @@ def _output_facts(result: Kinematics, summary: OutputSummary) -> list[Fact]:
         shown = [math.degrees(x) if result.turns else x for x in at]
         facts.append(Fact(f"dead centres of {called}", _place(result, *at), {told.key: shown}))
     facts += _stroke_facts(summary)
-    for name, pair in (("velocity", summary.velocity), ("acceleration", summary.acceleration)):
-        facts.append(_extreme_fact(result, f"{name} of {called}", quantity_of(OutputSummary, name, **places), pair))
+    velocity, acceleration = (quantity_of(OutputSummary, name, **places) for name in ("velocity", "acceleration"))
+    facts.append(_extreme_fact(result, Phrase("velocity of {output}", output=called), velocity, summary.velocity))
+    label = Phrase("acceleration of {output}", output=called)
+    facts.append(_extreme_fact(result, label, acceleration, summary.acceleration))
     return facts
 
 
 def _called(summary: OutputSummary) -> str:
     """The output for people: ``D``, ``link 3``."""
-    return f"link {summary.name}" if summary.name.isdigit() else summary.name
+    return Phrase("link {number}", number=summary.name) if summary.name.isdigit() else summary.name
 
 
 def _stroke_facts(summary: OutputSummary) -> list[Fact]:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.columns import picked
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.linkage.synthesis.columns import columns
 from tmmcalc.linkage.synthesis.results import Check, Design, Precision, Size, StrokeTimes, Synthesis, check_key
@@ -114,7 +115,7 @@ def _check_fact(found: Check) -> Fact:
     if found.target is not None and found.residual is not None:
         text += f", wanted {shown(found.target, found.unit)} (residual {found.residual:.0e})"
         values |= keyed(found, "target", "residual", unit=unit)
-    return Fact(f"check: {found.name}", text, {check_key(found.name): values})
+    return Fact(Phrase("check: {name}", name=found.name), text, {check_key(found.name): values})
 
 
 def _sense_fact(found: Precision) -> Fact:

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from tmmcalc.core.columns import Column
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import keyed
 from tmmcalc.linkage.unsteady.columns import OUTPUT, unsteady_columns
 from tmmcalc.linkage.unsteady.results import Unsteady
@@ -79,7 +80,9 @@ def _output_fact(result: Unsteady, k: int, name: str, angular: bool) -> Fact:
     start, end = (float(result.coordinate[0, k, row]) for row in (0, -1))
     text = f"from {_amount(start, angular)} to {_amount(end, angular)}, by {_amount(end - start, angular)}"
     told = OUTPUT[0].of(output=name, own="rad" if angular else "m")
-    return Fact(f"output {name}", text, {told.marked("start").key: start, told.marked("end").key: end})
+    return Fact(
+        Phrase("output {name}", name=name), text, {told.marked("start").key: start, told.marked("end").key: end}
+    )
 
 
 def _extreme_facts(result: Unsteady) -> Iterator[Fact]:

@@ -18,12 +18,13 @@ from tmmcalc.linkage.pictures.cycle import TURN, along, closed
 from tmmcalc.linkage.pictures.diagrams import columns_of
 from tmmcalc.linkage.pictures.pieces import of_outputs
 from tmmcalc.linkage.results import Kinematics
+from tmmcalc.report.drawing.lettering import point_name
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.numbers import number
-from tmmcalc.report.telling import column_of, filled, lines, located, named, pictured, tabulated
+from tmmcalc.report.telling import column_of, filled, lines, located, named, pictured, tabulated, titled
 
 ROUND, NOISE = 8, 1e-9  # decimals of a place that are no rounding; a pressure angle that is none [rad]
 COLUMNS, DIGITS = 13, 4  # of a table beside the positions, and of the largest number of one
@@ -277,5 +278,5 @@ def _compared(told: Told, found: Kinematics, k: int, name: str) -> Iterator[Bloc
     )
     apart = Given(max(worst), "%", tr("largest difference of numerical differentiation"))
     yield Result("Delta", apart, place=name)
-    caption = tr("Numerical differentiation of output {output}", output=name)
+    caption = tr("Numerical differentiation of output {output}", output=titled(point_name(name)))
     yield Table(caption, tuple(heads), tuple(zip(*columns, strict=True)), key)

@@ -275,7 +275,7 @@ def newton(result: Kinematics, rows: Sequence[int], looped: Looped) -> Iterator[
     for row, (start, unknowns, residuals) in zip(rows, looped.iterations, strict=True):
         columns = [column_of(values) for values in _as_told(looped, unknowns)]
         sizes = [f"${significant(residual, 2)}$" for residual in residuals]
-        began = f"φ = {math.degrees(start):.4g}°" if result.turns else f"Δs = {start:.4g} {tr_unit('m')}"
+        began = f"$phi$ = {math.degrees(start):.4g}°" if result.turns else f"$Deltas$ = {start:.4g} {tr_unit('m')}"
         yield Table(
             tr("Newton's method in position {label}, from {start}", label=result.labels[row], start=tr_number(began)),
             (tr("Step"), *heads, f"{tr('Residual')}, {tr_unit('m')}"),

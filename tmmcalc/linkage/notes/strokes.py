@@ -13,13 +13,14 @@ from tmmcalc.linkage.notes.told import Told
 from tmmcalc.linkage.pictures.cycle import TURN, along, closed
 from tmmcalc.linkage.pictures.pieces import of_scheme
 from tmmcalc.linkage.results import Kinematics, OutputSummary
+from tmmcalc.report.drawing.lettering import point_name
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Lexicon, Paragraph, Place, Result
 from tmmcalc.report.numbers import number
-from tmmcalc.report.telling import lines, named, pictured, tabulated
+from tmmcalc.report.telling import lines, named, pictured, tabulated, titled
 
 ROMAN = ("I", "II", "III", "IV", "V", "VI", "VII", "VIII")
 ENDS = ("I", "{II}")
@@ -65,7 +66,7 @@ def _extremes(told: Told, summary: OutputSummary, key: str) -> Iterator[Block]:
     caption = (
         tr("Extreme positions of link {output}", output=name)
         if summary.angular
-        else tr("Extreme positions of {output}", output=name)
+        else tr("Extreme positions of {output}", output=titled(point_name(name)))
     )
     columns = dict(zip((*heads, own), (angles(x), angles(counted), values), strict=True))
     yield Paragraph(

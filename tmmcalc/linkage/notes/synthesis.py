@@ -91,7 +91,11 @@ def _listed(told: Told) -> Iterator[Block]:
                 count=passed,
             )
         )
-    yield Paragraph(tr("Linkage {number} is taken; its dimensions are worked out above.", number=told.number))
+    taken = tr("Linkage {number} is taken; its dimensions are worked out above.", number=told.number)
+    spec = told.order.spec
+    if told.number > 1 and spec.constraints and not spec.synthesis.choose:
+        taken += " " + tr("It is the first with which the constraints are kept.")
+    yield Paragraph(taken)
 
 
 def _side_by_side(designs: Sequence[Design], rows: Sequence[int]) -> Table:

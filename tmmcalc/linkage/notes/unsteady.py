@@ -12,13 +12,14 @@ from tmmcalc.linkage.pictures.unsteady import piece_of
 from tmmcalc.linkage.tables.tasks.unsteady import to_unsteady
 from tmmcalc.linkage.unsteady.results import Unsteady
 from tmmcalc.linkage.unsteady.task import UnsteadyTask
+from tmmcalc.report.drawing.lettering import point_name
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.optimal import PHASES, by_duration, by_travel, phase_named, quantities
-from tmmcalc.report.telling import column_of, lines, named, pictured, tabulated
+from tmmcalc.report.telling import column_of, lines, named, pictured, tabulated, titled
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -132,15 +133,19 @@ def _moved(result: Unsteady) -> Iterator[Block]:
     caption, key = tr("Unsteady motion of the input"), "unsteady_rows"
     for k, (name, angular) in enumerate(zip(result.outputs, result.angular, strict=True)):
         first, second, third = ("phi", "omega", "eps") if angular else ("S", "v", "a")
+        output = titled(point_name(name))
         letters = f"{first}_{{{name}}}", f"{second}_{{{name}}}", f"{third}_{{{name}}}"
         moved = _triple(letters, angular, result.coordinate[:, k])
         if k:
             yield tabulated(caption, columns, result.labels, head=tr("Row"), key=key)
-            columns, caption = {"$t$, s": result.t, **moved}, tr("Motion of output {name}", name=name)
+            columns, caption = {"$t$, s": result.t, **moved}, tr("Motion of output {name}", name=output)
             key = f"unsteady_output_{k}"
-            yield Paragraph(tr("The motion of output {name} is in table {table}.", name=name, table=f"{{tab:{key}}}"))
+            yield Paragraph(tr("The motion of output {name} is in table {table}.", name=output, table=f"{{tab:{key}}}"))
         else:
-            columns, caption = {**columns, **moved}, tr("Unsteady motion of the input and of output {name}", name=name)
+            columns, caption = (
+                {**columns, **moved},
+                tr("Unsteady motion of the input and of output {name}", name=output),
+            )
     yield tabulated(caption, columns, result.labels, head=tr("Row"), key=key)
     yield from _extremes(result)
 

@@ -60,6 +60,22 @@ def solve(given: Request, another: Another) -> Synthesis:
     return sifted(constraints, found, frozenset(given.own), count, another)
 
 
+def chosen(spec: LinkageTables, result: Synthesis, another: Another) -> int | None:
+    """Of solutions in closed form the number of the first that keeps the constraints, where the spec chooses none."""
+    from tmmcalc.linkage.tables.tasks.synthesis import to_synthesis
+
+    assert spec.synthesis is not None
+    count = len(result.designs)
+    if not spec.constraints or spec.synthesis.choose or count == 1 or to_synthesis(spec).constraints is not None:
+        return None
+    from tmmcalc.core.plan import plan
+    from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
+    from tmmcalc.linkage.stages.sifted import sifted
+
+    best = sifted(to_feasibility(spec), result, frozenset(plan(spec).running), count, another).best
+    return 1 + next(number for number, design in enumerate(result.designs) if design is best)
+
+
 def errors(result: Synthesis) -> dict[str, Any]:
     """Estimates of its errors."""
     sizes = {} if result.error is None else {"sizes": result.error}

@@ -12,6 +12,7 @@ import numpy as np
 
 from tmmcalc.core.plane import Real
 
+Course = tuple[int, float]  # of an iteration: how many are iterated, the best of them
 Equations = Callable[[Real], Real]  # unknowns (k, p) -> residuals (k, q)
 
 STEP = 1e-6  # of the differences, of unknowns of unit size
@@ -20,10 +21,13 @@ ITERATIONS = 100
 TIGHT = 1e-13  # a residual this small is a solution
 
 
-def levenberg(f: Equations, x: Real, iterations: int = ITERATIONS, large: float = np.inf) -> tuple[Real, Real]:
+def levenberg(
+    f: Equations, x: Real, iterations: int = ITERATIONS, large: float = np.inf, course: list[Course] | None = None
+) -> tuple[Real, Real]:
     """Unknowns (k, p), k at most as many as the starts (m, p), and their largest residuals (k,), the least first.
 
-    Unknowns that grow beyond ``large`` are hopeless.
+    Unknowns that grow beyond ``large`` are hopeless. ``course`` takes of every iteration how many systems are iterated
+    and the least of their largest residuals.
     """
     x = x.copy()
     r = _finite(f(x))
@@ -35,6 +39,8 @@ def levenberg(f: Equations, x: Real, iterations: int = ITERATIONS, large: float 
             kept = np.argsort(np.where(np.max(np.abs(x), axis=1) > large, np.inf, cost))[: max(len(x) // 3, 60)]
             x, r, cost, damping = x[kept], r[kept], cost[kept], damping[kept]
         active = np.flatnonzero((np.max(np.abs(r), axis=1) > TIGHT) & (damping < 1e12))
+        if course is not None:
+            course.append((len(active), float(np.min(np.max(np.abs(r), axis=1)))))
         if not active.size:
             break
         slopes = _slopes(f, x[active])

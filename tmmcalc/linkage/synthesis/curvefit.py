@@ -14,6 +14,7 @@ import numpy as np
 
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.records import record
+from tmmcalc.linkage.synthesis.batch import Course
 from tmmcalc.linkage.synthesis.planar import Bars, bars_of
 
 SIZES = 9  # A, D or a point of the guide, P; a, b, and c or the direction of the guide
@@ -48,8 +49,13 @@ class Fits(NamedTuple):
     cost: Real  # (k,)
 
 
-def fitted(wanted: Wanted, bars: Bars, phi: Real, cuts: Mapping[int, int], iterations: int) -> Fits:
-    """Fit m linkages with the crank's angles (m, n) as starts; after ``cuts`` iterations that many are kept."""
+def fitted(
+    wanted: Wanted, bars: Bars, phi: Real, cuts: Mapping[int, int], iterations: int, course: list[Course] | None = None
+) -> Fits:
+    """Fit m linkages with the crank's angles (m, n) as starts; after ``cuts`` iterations that many are kept.
+
+    ``course`` takes of every iteration how many are iterated and the least sum of squares.
+    """
     x, sign = _inside(wanted, _packed(wanted, bars, phi)), bars.sign.copy()
     r = _residuals(wanted, x, sign)
     cost = np.sum(r**2, axis=(1, 2))
@@ -59,6 +65,8 @@ def fitted(wanted: Wanted, bars: Bars, phi: Real, cuts: Mapping[int, int], itera
             kept = np.argsort(cost)[: cuts[done]]
             x, sign, r, cost, damping = x[kept], sign[kept], r[kept], cost[kept], damping[kept]
         active = np.flatnonzero((cost > CLOSE) & (damping < LOST))
+        if course is not None:
+            course.append((len(active), float(cost.min())))
         if not active.size:
             break
         tried = _inside(wanted, x[active] + _step(wanted, x[active], sign[active], r[active], damping[active]))

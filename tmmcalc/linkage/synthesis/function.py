@@ -23,7 +23,7 @@ from tmmcalc.core.progress import tell
 from tmmcalc.linkage.synthesis.freudenstein import closure_of, exact_points, solved_exactly
 from tmmcalc.linkage.synthesis.functiondesign import design_of, structural_error
 from tmmcalc.linkage.synthesis.functionfit import Fitted, best_fits, rated
-from tmmcalc.linkage.synthesis.results import Design, Synthesis
+from tmmcalc.linkage.synthesis.results import Design, SearchStep, Synthesis
 from tmmcalc.linkage.synthesis.task import FunctionTask, SynthesisTask
 
 RULE = "fewest defects; then the least structural error over the range"
@@ -38,7 +38,8 @@ def solve(task: SynthesisTask) -> Synthesis:
     closure = closure_of(asked)
     exact = is_exact(asked)
     tell(0.0, "precision points")
-    found = solved_exactly(closure, GRID) if exact else best_fits(closure, GRID)
+    course: list[SearchStep] = []
+    found = solved_exactly(closure, GRID) if exact else best_fits(closure, GRID, course)
     if not len(found.offsets):
         raise _none(asked)
     fitted = rated(closure, found, task.transmission, exact)
@@ -51,7 +52,7 @@ def solve(task: SynthesisTask) -> Synthesis:
     shown = tuple(designs[: task.solutions])
     residual = _residual(shown) if exact else 0.0
     counters = {"candidates": len(found.offsets), "designs": len(designs)}
-    return Synthesis("function", RULE, shown, residual, tuple(_notes(asked, exact, shown)), counters)
+    return Synthesis("function", RULE, shown, residual, tuple(_notes(asked, exact, shown)), counters, tuple(course))
 
 
 def is_exact(asked: FunctionTask) -> bool:

@@ -13,6 +13,7 @@ import numpy as np
 from tmmcalc.core.plane import Real
 from tmmcalc.core.progress import tell
 from tmmcalc.linkage.synthesis.freudenstein import TURN, Closure, Coefficients, coefficients, offsets
+from tmmcalc.linkage.synthesis.results import SearchStep
 
 STARTS = 8  # fits from so many of the best starts
 LONGEST = 50.0  # of a link against the frame, or against the travel of the slider
@@ -105,8 +106,11 @@ def _rated(closure: Closure, sizes: Real, places: Real, least: float, exact: boo
     return Fitted(sizes, places, np.where(first, 1.0, -1.0), error, defects.astype(float), angle)
 
 
-def best_fits(closure: Closure, grid: int) -> Coefficients:
-    """Coefficients and offsets of fits in the least squares: of the closure on a grid, then of the output itself."""
+def best_fits(closure: Closure, grid: int, course: list[SearchStep] | None = None) -> Coefficients:
+    """Coefficients and offsets of fits in the least squares: of the closure on a grid, then of the output itself.
+
+    ``course`` takes of each fit the sum of squares at its start and at its end, with the evaluations.
+    """
     u, v = (values.ravel() for values in np.meshgrid(*offsets(closure, grid), indexing="ij"))
     starts = coefficients(closure, u, v)
     fitted = rated(closure, starts, 0.0, False)
@@ -121,15 +125,18 @@ def best_fits(closure: Closure, grid: int) -> Coefficients:
     results = []
     for done, k in enumerate(chosen):
         tell((done + 1) / (len(chosen) + 1), f"fit {done + 1} of {len(chosen)}")
-        results.append(_fit(closure, fitted, k))
+        *result, steps = _fit(closure, fitted, k, done + 1)
+        results.append(result)
+        if course is not None:
+            course += steps
     if not results:
         return Coefficients(np.empty((0, 3)), np.empty((0, 2)))
     sizes, places = (np.array(part) for part in zip(*results, strict=True))
     return Coefficients(coefficients_of(closure, sizes), places)
 
 
-def _fit(closure: Closure, fitted: Fitted, k: int) -> tuple[Real, Real]:
-    """One fit of sizes and free offsets, from one start."""
+def _fit(closure: Closure, fitted: Fitted, k: int, run: int) -> tuple[Real, Real, list[SearchStep]]:
+    """One fit of sizes and free offsets, from one start, with its first and its last step."""
     from scipy.optimize import least_squares
 
     count = 3
@@ -152,7 +159,8 @@ def _fit(closure: Closure, fitted: Fitted, k: int) -> tuple[Real, Real]:
         return np.asarray(error + np.minimum(margin[0], 0) * np.where(error < 0, 1, -1))
 
     solved = least_squares(residual, start, xtol=1e-13, ftol=1e-13, gtol=1e-15, max_nfev=150)
-    return unpacked(solved.x)
+    steps = ((0, start), (int(solved.nfev), solved.x))
+    return *unpacked(solved.x), [SearchStep(run, done, 1, float(np.sum(residual(x) ** 2))) for done, x in steps]
 
 
 def coefficients_of(closure: Closure, sizes: Real) -> Real:

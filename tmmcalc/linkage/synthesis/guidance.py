@@ -52,7 +52,7 @@ def _exact(task: SynthesisTask) -> Found:
     sound = lengths.max(axis=0) <= asked.largest_ratio * np.maximum(lengths.min(axis=0), 1e-300)
     if not sound.any() and len(sound):
         sound[:] = lengths.min(axis=0) > 1e-9 * lengths.max(axis=0)
-    return ranked(task, bars.rows(sound), b[sound], ends[sound]), {"pairs": len(sound)}
+    return Found(ranked(task, bars.rows(sound), b[sound], ends[sound]), {"pairs": len(sound)})
 
 
 def _pins(poses: Poses, rng: np.random.Generator) -> tuple[Plane, Plane]:

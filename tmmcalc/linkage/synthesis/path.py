@@ -11,11 +11,11 @@ import numpy as np
 
 from tmmcalc.core.plane import Plane
 from tmmcalc.core.progress import tell
-from tmmcalc.linkage.synthesis.batch import levenberg
+from tmmcalc.linkage.synthesis.batch import Course, levenberg
 from tmmcalc.linkage.synthesis.pathequations import Path, residuals, starts, turns, unpacked
 from tmmcalc.linkage.synthesis.posed import Rated, best_first, distinct, limits, pinned, ranked, spread, within
 from tmmcalc.linkage.synthesis.posesearch import Found, search
-from tmmcalc.linkage.synthesis.results import Synthesis
+from tmmcalc.linkage.synthesis.results import SearchStep, Synthesis
 from tmmcalc.linkage.synthesis.task import PoseTask, SynthesisTask
 
 STARTS = 400  # random starts of the first round; each further one has more
@@ -39,16 +39,19 @@ def _exact(task: SynthesisTask, path: Path, unit: float, middle: complex) -> Fou
     rng = np.random.default_rng(task.seed)
     best: list[Rated] = []
     solved = tried = 0
+    course: list[SearchStep] = []
     for done in range(ROUNDS):
         count = STARTS * (done + 1)
         tell(done / ROUNDS, f"round {done + 1}, {solved} solutions")
-        x, worst = levenberg(lambda x: residuals(path, x), starts(path, count, rng), large=LARGE)
+        steps: list[Course] = []
+        x, worst = levenberg(lambda x: residuals(path, x), starts(path, count, rng), large=LARGE, course=steps)
+        course += [SearchStep(done + 1, k, *step) for k, step in enumerate(steps)]
         x = x[worst < SOLVED]
         solved, tried = solved + len(x), tried + count
         best = distinct(best_first(task, best + _ranked(task, path, x, unit, middle)))
         if sum(not rating.defects(0, limits(task)) for _, rating in best) >= task.solutions:
             break
-    return best, {"starts": tried, "solutions": solved}
+    return Found(best, {"starts": tried, "solutions": solved}, tuple(course))
 
 
 def _ranked(task: SynthesisTask, path: Path, x: np.ndarray, unit: float, middle: complex) -> list[Rated]:

@@ -5,6 +5,7 @@ Starts come from an atlas of random linkages; hundreds of them are fitted at onc
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,9 +13,11 @@ import numpy as np
 from tmmcalc.core.plane import Real
 from tmmcalc.core.progress import tell
 from tmmcalc.linkage.synthesis.atlas import atlas
+from tmmcalc.linkage.synthesis.batch import Course
 from tmmcalc.linkage.synthesis.curvefit import Fits, Wanted, fitted
 from tmmcalc.linkage.synthesis.planar import bars_of
 from tmmcalc.linkage.synthesis.posed import Rated, ranked, spread
+from tmmcalc.linkage.synthesis.results import SearchStep
 from tmmcalc.linkage.synthesis.task import PoseTask, SynthesisTask
 
 RANDOM = 20_000  # linkages of the atlas
@@ -27,27 +30,37 @@ COARSE = 20  # points by which starts are fitted
 FINE = 60  # iterations with all points
 
 
-def nearest(task: SynthesisTask) -> list[Rated]:
-    """Fits of a task, ranked."""
+def nearest(task: SynthesisTask) -> tuple[list[Rated], tuple[SearchStep, ...]]:
+    """Fits of a task, ranked, and the steps of the search."""
     asked: PoseTask = task.asked
     middle, unit = complex(asked.points.mean()), spread(asked.points)
     wanted = _wanted(asked, middle, unit)
     some = np.unique(np.rint(np.linspace(0, len(asked.points) - 1, COARSE)).astype(int))
     coarse = _part(wanted, some)
-    fits = _rounds(coarse, np.random.default_rng(task.seed), asked.full_turn)
+    course: list[SearchStep] = []
+    fits = _rounds(coarse, np.random.default_rng(task.seed), asked.full_turn, course)
     if len(some) < len(asked.points):
-        fits = fitted(wanted, fits.bars, _between(wanted, some, fits.phi), {}, FINE)
+        steps: list[Course] = []
+        fits = fitted(wanted, fits.bars, _between(wanted, some, fits.phi), {}, FINE, steps)
+        course += _steps(ROUNDS + 1, steps)
     placed = fits.bars.at(fits.phi)
-    return ranked(task, fits.bars.moved(unit, middle), placed.b * unit + middle, placed.c * unit + middle)
+    pins = placed.b * unit + middle, placed.c * unit + middle
+    return ranked(task, fits.bars.moved(unit, middle), *pins), tuple(course)
 
 
-def _rounds(wanted: Wanted, rng: np.random.Generator, turning: bool) -> Fits:
-    """The fits of all rounds; an exact one ends them."""
+def _steps(run: int, steps: Sequence[Course]) -> Iterator[SearchStep]:
+    return (SearchStep(run, k, *step) for k, step in enumerate(steps))
+
+
+def _rounds(wanted: Wanted, rng: np.random.Generator, turning: bool, course: list[SearchStep]) -> Fits:
+    """The fits of all rounds; an exact one ends them. ``course`` takes their steps."""
     found: list[Fits] = []
     for done in range(ROUNDS):
         tell(done / ROUNDS, f"round {done + 1} of {ROUNDS}")
         bars, phi, _ = atlas(wanted, rng, RANDOM, STARTS, turning)
-        found.append(fitted(wanted, bars, phi, CUTS, ITERATIONS))
+        steps: list[Course] = []
+        found.append(fitted(wanted, bars, phi, CUTS, ITERATIONS, steps))
+        course += _steps(done + 1, steps)
         if found[-1].cost.min(initial=np.inf) < EXACT:
             break
     phi, cost = (np.concatenate(parts) for parts in ([each.phi for each in found], [each.cost for each in found]))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.notes import Phrase, listed
@@ -10,13 +11,19 @@ from tmmcalc.linkage.synthesis.designs import CLOSED
 from tmmcalc.linkage.synthesis.posed import Rated, spread
 from tmmcalc.linkage.synthesis.posedesign import designed
 from tmmcalc.linkage.synthesis.posefit import nearest
-from tmmcalc.linkage.synthesis.results import DISTANCE, TRANSMISSION, Design, Synthesis
+from tmmcalc.linkage.synthesis.results import DISTANCE, TRANSMISSION, Design, SearchStep, Synthesis
 from tmmcalc.linkage.synthesis.task import PoseTask, SynthesisTask
 
 EXACT = "fewest defects; then the greatest least transmission angle"
 NEAREST = "fewest defects; then the least distance from the points"
 
-Found = tuple[list[Rated], dict[str, int]]  # linkages with their ratings, and what was counted
+
+class Found(NamedTuple):
+    """Linkages with their ratings, what was counted, the steps of the search."""
+
+    linkages: list[Rated]
+    counters: dict[str, int]
+    course: tuple[SearchStep, ...] = ()
 
 
 def search(task: SynthesisTask, kind: str, exact: Callable[[], Found] | None) -> Synthesis:
@@ -27,25 +34,28 @@ def search(task: SynthesisTask, kind: str, exact: Callable[[], Found] | None) ->
     """
     asked: PoseTask = task.asked
     unit = spread(asked.points)
-    found, counters = exact() if exact else ([], {})
+    found, counters, course = exact() if exact else Found([], {})
     designs = _met(_designs(task, kind, found), unit)
     if len(designs) < task.solutions:
-        fits = _designs(task, kind, nearest(task))
+        near, fitting = nearest(task)
+        fits = _designs(task, kind, near)
         designs = _distinct([*designs, *_met(fits, unit)])
         if not designs:
-            return _nearest(task, kind, sorted(fits, key=_by_distance), exact is not None, counters)
+            nearly = Found(near, {**counters, "designs": len(fits)}, fitting)
+            return _nearest(task, kind, sorted(fits, key=_by_distance), exact is not None, nearly)
     designs.sort(key=_by_transmission)
     shown = tuple(designs[: task.solutions])
     residual = max(error_of(design, unit) for design in shown)
     told = Phrase("note: the {points} {what} are met exactly", points=len(asked.points), what=_WHAT[kind])
-    return Synthesis(kind, EXACT, shown, residual, (told, *_defects(shown)), {**counters, "designs": len(designs)})
+    counters = {**counters, "designs": len(designs)}
+    return Synthesis(kind, EXACT, shown, residual, (told, *_defects(shown)), counters, course)
 
 
 _WHAT = {"path": "points", "motion": "poses"}
 _LINKAGE = {"four_bar": "four-bar", "slider_crank": "slider-crank"}
 
 
-def _nearest(task: SynthesisTask, kind: str, fits: list[Design], few: bool, counters: dict[str, int]) -> Synthesis:
+def _nearest(task: SynthesisTask, kind: str, fits: list[Design], few: bool, found: Found) -> Synthesis:
     """The best fits; ``few`` where as many points can be met exactly by other ones."""
     asked: PoseTask = task.asked
     count, what = len(asked.points), _WHAT[kind]
@@ -72,7 +82,7 @@ def _nearest(task: SynthesisTask, kind: str, fits: list[Design], few: bool, coun
         )
     )
     shown = tuple(fits[: task.solutions])
-    return Synthesis(kind, NEAREST, shown, 0.0, (told, *_defects(shown)), {**counters, "designs": len(fits)})
+    return Synthesis(kind, NEAREST, shown, 0.0, (told, *_defects(shown)), found.counters, found.course)
 
 
 def _designs(task: SynthesisTask, kind: str, found: list[Rated]) -> list[Design]:

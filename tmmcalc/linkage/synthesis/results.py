@@ -123,6 +123,16 @@ class Design:
 
 
 @record
+class SearchStep:
+    """A step of a search."""
+
+    run: int = quantity("round", "round of starts, or fit")
+    number: int = quantity("step", "iteration or generation, from 0")
+    linkages: int = quantity("linkages", "linkages that are iterated; of generations, linkages tried so far")
+    best: float = quantity("best", "least value so far of what is made least")
+
+
+@record
 class Synthesis:
     """All designs that are listed, the best first."""
 
@@ -132,6 +142,7 @@ class Synthesis:
     residual: float = quantity("residual", "largest residual against any target")
     notes: tuple[Said, ...] = ()
     counters: dict[str, int] = quantity("counters", "counts of the search", default_factory=dict)
+    course: tuple[SearchStep, ...] = quantity("course", "steps of the search", default_factory=tuple)
     error: float | None = None  # of the sizes, of lengths relative to the longest; None: no equations settle them
     among: tuple[Design, ...] = ()  # where one alone is left: those that it was taken from
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.columns import Column, column
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import Quantity
 from tmmcalc.linkage.columns import phi_column
 from tmmcalc.machine.balance.schemes import Balance
@@ -36,7 +37,7 @@ def columns(result: Balancing) -> list[Column]:
         column(ALONG, lambda: found.turned.real),
         column(ACROSS, lambda: found.turned.imag),
         column(MOMENT, lambda: found.moment),
-        *(each for scheme in result.schemes for each in _left(scheme.name.replace(" ", "_"), scheme.balance)),
+        *(each for scheme in result.schemes for each in _left(scheme.name, scheme.balance)),
         *([] if result.redistribution is None else _left(ON_LINKS, result.redistribution.after)),
     ]
 
@@ -47,5 +48,10 @@ def linkage_columns(result: Any) -> list[Column]:
 
 
 def _left(scheme: str, balance: Balance | Shaking) -> Iterator[Column]:
-    yield column(LEFT.of(scheme=scheme), lambda: np.abs(balance.force))
-    yield column(MOMENT_LEFT.of(scheme=scheme), lambda: balance.moment)
+    yield column(_of(LEFT, scheme), lambda: np.abs(balance.force))
+    yield column(_of(MOMENT_LEFT, scheme), lambda: balance.moment)
+
+
+def _of(told: Quantity, scheme: str) -> Quantity:
+    """The quantity of a scheme: its key has no spaces, its meaning the name as it is."""
+    return told.of(scheme=scheme.replace(" ", "_"))._replace(meaning=Phrase(told.meaning, scheme=scheme))

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import Quantity, keyed, quantities, table
 from tmmcalc.linkage.facts.places import Shaft, phi_of
 from tmmcalc.machine.facts.motion import inertia_fact, unevenness
@@ -152,7 +153,7 @@ def _rim_facts(result: Flywheel) -> list[Fact]:
 
 def _elsewhere_fact(wheel: Wheel) -> Fact:
     """The same flywheel on another shaft, with a rim of the usual proportions."""
-    rim, name = wheel.rim, f"{wheel.shaft} shaft"
+    rim, label = wheel.rim, Phrase("or on the {shaft} shaft", shaft=wheel.shaft)
     values = keyed(wheel, "inertia", shaft=wheel.shaft)
     faster = "" if wheel.ratio == 1 else f", turning {number(wheel.ratio)} times as fast as the input"
     lines = [f"{number(wheel.inertia)} kg*m^2{faster}"]
@@ -160,7 +161,7 @@ def _elsewhere_fact(wheel: Wheel) -> Fact:
         lines.append(f"rim: mean diameter {number(1e3 * rim.diameter, 4)} mm, {number(rim.mass, 4)} kg")
         sizes = keyed(rim, "diameter", "mass", "speed")
         values |= {f"{wheel.shaft}_shaft_{key}": value for key, value in sizes.items()}
-    return Fact(f"or on the {name}", "\n".join((*lines, *(verdict.message for verdict in wheel.verdicts))), values)
+    return Fact(label, "\n".join((*lines, *(verdict.message for verdict in wheel.verdicts))), values)
 
 
 def _methods_view(result: Flywheel) -> View:

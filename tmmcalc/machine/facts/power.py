@@ -104,11 +104,11 @@ def _part_fact(result: Power, part: WorkPart) -> Fact:
     """Work of one cause, under the names that it has in the reduction."""
     twice = sum(other.name == part.name for other in result.parts) > 1
     key = f"{part.name}_{part.kind}" if twice else part.name.replace(" ", "_")
-    called = f"{part.name} (damping)" if part.kind == "damper" else part.name
+    called = Phrase("{name} (damping)", name=part.name) if part.kind == "damper" else part.name
     scale = _scale(result)
     power = number(part.work / result.cycle_time, peak=scale / result.cycle_time)
     text = f"{number(part.work, peak=scale)} J a cycle, {power} W"
-    return Fact(f"work of {called}", text, keyed(part, "work", cause=key))
+    return Fact(Phrase("work of {cause}", cause=called), text, keyed(part, "work", cause=key))
 
 
 def _work_facts(result: Power) -> list[Fact]:

@@ -9,11 +9,12 @@ from dataclasses import replace
 import numpy as np
 
 from tmmcalc.core.columns import Column
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Real
 from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.linkage.facts.places import span_fact, speed_text
 from tmmcalc.linkage.results import Extreme
-from tmmcalc.machine.reduction.columns import EFFICIENCY, cells, columns, contribution_name, reduced
+from tmmcalc.machine.reduction.columns import EFFICIENCY, called, cells, columns, contribution_name, reduced
 from tmmcalc.machine.reduction.results import Contribution, Reduction
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.errors import digit_facts
@@ -127,12 +128,7 @@ def _work_fact(result: Reduction, contribution: Contribution) -> Fact:
             values |= SIMPSON_OFF.of(cause=name).value(off)
             size = number(abs(off), 3, peak=100.0)
             text += f", {size} % too {'much' if off > 0 else 'little'}" if size != "0" else ", the same"
-    return Fact(f"work of {_called(contribution)}", text, values)
-
-
-def _called(contribution: Contribution) -> str:
-    """A contribution for people; those of a spring and its damper bear the same name."""
-    return f"{contribution.name} (damping)" if contribution.kind == "damper" else contribution.name
+    return Fact(Phrase("work of {cause}", cause=called(contribution)), text, values)
 
 
 def _sum_facts(result: Reduction) -> list[Fact]:
@@ -158,7 +154,9 @@ def _moment_facts(result: Reduction) -> list[Fact]:
         return facts
     for c in result.contributions:
         own = told.of_cause.of(cause=contribution_name(result, c))
-        facts.append(span_fact(result, f"{told.force} of {_called(c)}", own.name, own.unit, (c.least, c.largest)))
+        cause = called(c)
+        label = Phrase("moment of {cause}", cause=cause) if result.turns else Phrase("force of {cause}", cause=cause)
+        facts.append(span_fact(result, label, own.name, own.unit, (c.least, c.largest)))
     return facts
 
 
@@ -173,7 +171,7 @@ def _inertia_facts(result: Reduction) -> list[Fact]:
     change = _largest(result.other - result.inertia) * (1 if result.rods == "exact" else -1)
     share = 100 * change / (largest - least)
     rods = ", ".join(map(str, result.rod_links))
-    label = f"static lumping of {rods}"
+    label = Phrase("static lumping of {rods}", rods=rods)
     values = {LUMPED.key: list(result.rod_links), **told.lumping.value(change), **LUMPING.value(share)}
     if abs(change) <= NOISE * largest:
         return [*facts, Fact(label, f"the same reduced {told.mass}", values)]

@@ -12,6 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.machine.facts.timed import TURNS, course, events_view, whole_table, within
@@ -207,7 +208,7 @@ def _shaft_fact(motion: TimedMotion, k: int) -> Fact:
         factor = abs(largest) / rigid
         text += f"\nif all shafts were rigid {number(rigid)} N*m: dynamic factor {number(factor, 4)}"
         values |= {**RIGID.of(moment=name).value(rigid), **FACTOR.of(moment=name).value(factor)}
-    return Fact(f"shaft {name}", text, values)
+    return Fact(Phrase("shaft {name}", name=name), text, values)
 
 
 def _energy_facts(motion: TimedMotion) -> list[Fact]:

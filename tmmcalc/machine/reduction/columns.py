@@ -7,6 +7,7 @@ from functools import partial
 from typing import NamedTuple
 
 from tmmcalc.core.columns import Column, column
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import Quantity
 from tmmcalc.linkage.columns import phi_column
 from tmmcalc.machine.reduction.efficiency import efficiency
@@ -81,12 +82,18 @@ def contribution_name(result: Reduction, contribution: Contribution) -> str:
     return f"{contribution.name}_{contribution.kind}" if twice else contribution.name.replace(" ", "_")
 
 
+def called(contribution: Contribution) -> str:
+    """A contribution for people; those of a spring and its damper bear the same name."""
+    return Phrase("{name} (damping)", name=contribution.name) if contribution.kind == "damper" else contribution.name
+
+
 def _moments(result: Reduction) -> Iterator[Column]:
     told = reduced(result)
     yield column(told.moment, lambda: result.total)
     for k, contribution in enumerate(result.contributions):
-        name = contribution_name(result, contribution)
-        yield column(told.of_cause.of(cause=name), partial(result.moment.__getitem__, k))
+        own = told.of_cause.of(cause=contribution_name(result, contribution))
+        own = own._replace(meaning=Phrase(told.of_cause.meaning, cause=called(contribution)))
+        yield column(own, partial(result.moment.__getitem__, k))
 
 
 def _powers(result: Reduction) -> Iterator[Column]:

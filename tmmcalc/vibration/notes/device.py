@@ -92,7 +92,7 @@ def matrices(task: VibratorTask, result: VibratorResult, known: Lexicon) -> Iter
     yield Paragraph(tr("Further $C_22 = C_11$, $C_55 = C_44$; the stiffness matrix is diagonal."))
     cleaned = np.array([[_clean(result.mass, k, j) for j in range(COUNT)] for k in range(COUNT)])
     yield square(
-        tr("Mass matrix M (kg, kg·m, kg·m²) with the diagonal of C (N/m, N·m/rad)"),
+        tr("Mass matrix $M$ (kg, kg·m, kg·m²) with the diagonal of $C$ (N/m, N·m/rad)"),
         cleaned,
         "M",
         "vibrator_mass",
@@ -112,7 +112,7 @@ def matrices(task: VibratorTask, result: VibratorResult, known: Lexicon) -> Iter
         )
     )
     damping = np.array([[_clean(result.damping, k, j) for j in range(COUNT)] for k in range(COUNT)])
-    yield square(tr("Damping matrix B (N·s/m, N·s, N·m·s)"), damping, "B", "vibrator_damping")
+    yield square(tr("Damping matrix $B$ (N·s/m, N·s, N·m·s)"), damping, "B", "vibrator_damping")
 
 
 def square(caption: str, matrix: Values, letter: str, key: str, more: dict[str, Values] | None = None) -> Table:

@@ -60,9 +60,9 @@ def forced(task: VibratorTask, result: VibratorResult, known: Lexicon) -> Iterat
     yield Display(read("D*X^c + H*X^s = P^c"))
     yield Display(read("D*X^s - H*X^c = P^s"))
     stiff, damped = _dynamic(result)
-    yield square(tr("Matrix D = C − Ω²M at the speed of the rotor"), stiff, "D", "vibrator_dynamic")
+    yield square(tr("Matrix $D = C - Omega**2*M$ at the speed of the rotor"), stiff, "D", "vibrator_dynamic")
     if np.any(damped):
-        yield square(tr("Matrix H = ΩB at the speed of the rotor"), damped, "H", "vibrator_damped")
+        yield square(tr("Matrix $H = Omega*B$ at the speed of the rotor"), damped, "H", "vibrator_damped")
     yield from _solution(result)
     yield Paragraph(tr("The solution satisfies the equations:"))
     yield from lines([_equation(k, "c", "s", "+") for k in range(COUNT)], place)

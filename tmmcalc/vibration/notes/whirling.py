@@ -68,9 +68,9 @@ def whirling(task: PendulumTask, result: PendulumResult) -> Iterator[Block]:
 
 def _captions() -> dict[str, str]:
     return {
-        "K": tr("Stiffness matrix K of few functions, N/m"),
-        "M": tr("Mass matrix M of few functions, kg"),
-        "G": tr("Gyroscopic matrix G of few functions, kg"),
+        "K": tr("Stiffness matrix $K$ of few functions, N/m"),
+        "M": tr("Mass matrix $M$ of few functions, kg"),
+        "G": tr("Gyroscopic matrix $G$ of few functions, kg"),
     }
 
 

@@ -50,9 +50,12 @@ AT_MOST = ("fillet 2 interference",)  # whose check knows no more than the margi
 
 
 def judged(
-    found: Sequence[Check], lexicon: Lexicon, words: Mapping[str, str], wheels: Sequence[str], key: str
+    found: Sequence[Check], lexicon: Lexicon, words: Mapping[str, str], wheels: Sequence[str], key: str, of: str = ""
 ) -> Iterator[Block]:
-    """The table of the conditions with what follows from it; ``wheels`` are their names."""
+    """The table of the conditions with what follows from it.
+
+    ``wheels`` are their names, ``of`` the teeth where there are several pairs.
+    """
     verdicts = {"ok": tr("kept"), "warn": tr("not recommended"), "fail": tr("not kept")}
     shown = [check for check in found if check.limit is not None]
     rows = []
@@ -61,7 +64,8 @@ def judged(
         rows.append((check_called(check), whose, _relation(check, lexicon, words), verdicts[check.verdict]))
     head = tr("Figure of quality"), tr("Wheel"), tr("Condition"), tr("Verdict")
     yield Paragraph(tr("The figures of quality and their limits are in table {table}.", table=f"{{tab:{key}}}"))
-    yield Table(tr("Figures of quality"), head, tuple(rows), key=key)
+    caption = f"{tr('Figures of quality of the pair')} {of}" if of else tr("Figures of quality")
+    yield Table(caption, head, tuple(rows), key=key)
     yield Paragraph(_concluded(shown, wheels))
 
 

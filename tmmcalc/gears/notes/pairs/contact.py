@@ -60,7 +60,7 @@ CROSSING = (
 def contact(told: Told) -> Iterator[Block]:
     """The ends of the contact and the contact ratios."""
     kind = told.found.task.kind
-    for wheels in told.wheels:
+    for wheels in told.shared:
         yield from wheels.lines(TIP)
     yield from told.lines(BASE_PITCH, *ENDS[kind], RATIO)
     if kind != "rack":
@@ -76,7 +76,7 @@ def contact(told: Told) -> Iterator[Block]:
 def quality(told: Told) -> Iterator[Block]:
     """Sliding and specific pressure at the ends of the contact and at the pitch point."""
     rack = told.found.task.kind == "rack"
-    for wheels in told.wheels:
+    for wheels in told.shared:
         yield from wheels.lines(RACK_PITCH_POINT if rack else PITCH_POINT)
     if not rack:
         yield from told.lines("u = z_2/z_1")

@@ -58,6 +58,7 @@ class Told(NamedTuple):
     lexicon: Lexicon
     words: Mapping[str, str]
     wheels: tuple[Wheels, ...]
+    shared: tuple[Wheels, ...]  # the same for formulas that do not change their signs in a ring
     own: tuple[Lexicon, ...]  # of each wheel, by names with a place for its index
 
     def lines(self, *texts: str) -> Iterator[Line]:
@@ -84,7 +85,9 @@ def told_of(found: MeshPair) -> Told:
             silent[name] = given if name[0] in "zx" else given._replace(meaning="")
     lexicon = named(silent | of_pair(found, angles))
     words = _of_contact(found) | style
-    return Told(found, lexicon, words, tuple(_wheels(found, own, lexicon, style)), own)
+    wheels = tuple(_wheels(found, own, lexicon, style))
+    shared = wheels if found.task.kind != "internal" else (_both(own, lexicon, style),)
+    return Told(found, lexicon, words, wheels, shared, own)
 
 
 def _of_contact(found: MeshPair) -> dict[str, str]:
@@ -107,18 +110,22 @@ def shortened(found: MeshPair) -> bool:
     return found.shortened < found.contact_ratio - NOISE
 
 
+def _both(own: Sequence[Lexicon], lexicon: Lexicon, style: Mapping[str, str]) -> Wheels:
+    """Both wheels of a pair, whose formulas have the index i."""
+    places = [Place("", lexicon | named(indexed(own[k], "i", style)), str(k + 1)) for k in (0, 1)]
+    return Wheels((0, 1), tuple(places), {**of_index("i", style), **PLUS})
+
+
 def _wheels(found: MeshPair, own: Sequence[Lexicon], lexicon: Lexicon, style: Mapping[str, str]) -> Iterator[Wheels]:
     """Both wheels together where their formulas are the same."""
 
-    def place(k: int, index: str) -> Place:
-        return Place("", lexicon | named(indexed(own[k], index, style)), str(k + 1))
-
     if found.task.kind == "external":
-        yield Wheels((0, 1), (place(0, "i"), place(1, "i")), {**of_index("i", style), **PLUS})
+        yield _both(own, lexicon, style)
         return
     for k, size in enumerate(found.sizes):
-        signs = MINUS if size.kind == "ring" else PLUS
-        yield Wheels((k,), (place(k, str(k + 1)),), {**of_index(str(k + 1), style), **signs})
+        signs, index = MINUS if size.kind == "ring" else PLUS, str(k + 1)
+        place = Place("", lexicon | named(indexed(own[k], index, style)), index)
+        yield Wheels((k,), (place,), {**of_index(index, style), **signs})
 
 
 def alone(found: SingleWheel) -> Wheels:

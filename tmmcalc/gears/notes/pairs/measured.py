@@ -10,7 +10,7 @@ from tmmcalc.gears.notes.pairs.lexicon import Wheels, angle, length, of_index
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_number, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Listing, Paragraph, Place
 from tmmcalc.report.telling import filled, named, number_of
 
@@ -92,9 +92,12 @@ def _spans(wheels: Wheels, rows: Sequence[Row]) -> Iterator[Block]:
         yield Paragraph(tr("No number of teeth is admitted: the span cannot be measured."))
         return
     yield from wheels._replace(places=tuple(place for place, _, _ in chosen)).lines(*SPAN)
-    touching = tuple(_touching(wheels, place, each) for place, each, _ in chosen if _tip(wheels) in place.lexicon)
-    if touching:
-        yield Listing(touching)
+    spans = [(place, each) for place, each, _ in chosen if _tip(wheels) in place.lexicon]
+    if spans and all(each.span is not None and each.span.valid for _, each in spans):
+        relations = "; ".join(_relation(wheels, *span) for span in spans)
+        yield Paragraph(tr("The plates touch the usable involute: {relations}.", relations=relations))
+    elif spans:
+        yield Listing(tuple(_touching(wheels, *span) for span in spans))
 
 
 def _tip(wheels: Wheels) -> str:
@@ -105,17 +108,30 @@ def _tip(wheels: Wheels) -> str:
 def _touching(wheels: Wheels, place: Place, found: Measures) -> str:
     """Whether the plates touch the usable involute."""
     assert found.span is not None
-    ratio = found.span.curvature / found.span.length
-    touch, tip = (_own(wheels, place, name) for name in ("rho_W<i>", "rho_a<i>"))
-    low, own = (
-        significant(1e3 * found.span_lowest_active * ratio, FIGURES),
-        significant(1e3 * found.span.curvature, FIGURES),
-    )
-    high = significant(number_of(place.lexicon, _tip(wheels)), FIGURES)
-    said = f"${low} < {touch} = {own}$, ${touch} < {tip} = {high}$ {tr_unit('mm')}"
+    said = _relation(wheels, place, found)
     if found.span.valid:
         return tr("the plates touch the usable involute: {relation}", relation=said)
-    return tr("the plates have to touch the usable involute between {low} and {high} mm: {relation}", relation=said)
+    low, high = (tr_number(significant(each, FIGURES)) for each in _usable(wheels, place, found))
+    told = {"low": low, "high": high, "relation": said}
+    return tr("the plates have to touch the usable involute between {low} and {high} mm: {relation}", **told)
+
+
+def _usable(wheels: Wheels, place: Place, found: Measures) -> tuple[float, float]:
+    """The ends of the usable involute, as radii of curvature [mm]."""
+    assert found.span is not None
+    low = 1e3 * found.span_lowest_active * found.span.curvature / found.span.length
+    return low, number_of(place.lexicon, _tip(wheels))
+
+
+def _relation(wheels: Wheels, place: Place, found: Measures) -> str:
+    """The radius of curvature at which the plates touch between the ends of the usable involute."""
+    assert found.span is not None
+    touch, tip = (_own(wheels, place, name) for name in ("rho_W<i>", "rho_a<i>"))
+    own = significant(1e3 * found.span.curvature, FIGURES)
+    low, high = (significant(each, FIGURES) for each in _usable(wheels, place, found))
+    first = "<" if float(low) < float(own) else ">="
+    last = "<" if float(own) < float(high) else ">="
+    return f"${low} {first} {touch} = {own} {last} {tip} = {high}$ {tr_unit('mm')}"
 
 
 def _own(wheels: Wheels, place: Place, name: str) -> str:

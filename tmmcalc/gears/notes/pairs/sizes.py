@@ -50,10 +50,11 @@ SAME = 1e-10  # relative difference of a tip circle and its rule that is none
 
 def circles(told: Told) -> Iterator[Block]:
     """The circles of both wheels, of a rack and pinion of the pinion."""
-    for wheels in told.wheels:
+    for wheels in told.shared:
         yield from wheels.lines(*CIRCLES)
         if "a_w" in told.lexicon and abs(told.found.shift_sum) > SAME:
             yield from wheels.lines(PITCH)
+    for wheels in told.wheels:
         if told.found.task.kind == "rack":
             yield Paragraph(tr("The rack rolls on the reference circle whatever the shift of the pinion."))
             given = told.found.task.strategy == "given_aw"
@@ -129,8 +130,12 @@ def _gives(formula: Statement, place: Place) -> bool:
         return False
 
 
-def teeth(wheels: Wheels, helical: bool) -> Iterator[Block]:
+def teeth(shared: Sequence[Wheels], wheels: Sequence[Wheels], *, helical: bool) -> Iterator[Block]:
     """The thickness of the teeth on the reference and on the tip circle."""
-    yield from wheels.lines(THICKNESS, *(TRANSVERSE,) * helical)
-    if all(canonical(wheels.name("alpha_a<i>")) in place.lexicon for place in wheels.places):
-        yield from wheels.lines(TIP_ANGLE, TIP_ARC, *TIP_NORMAL * helical)
+    for both in shared:
+        yield from both.lines(THICKNESS, *(TRANSVERSE,) * helical)
+        tipped = [place for place in both.places if canonical(both.name("alpha_a<i>")) in place.lexicon]
+        yield from both._replace(places=tuple(tipped)).lines(*[TIP_ANGLE] * bool(tipped))
+    for each in wheels:
+        if all(canonical(each.name("alpha_a<i>")) in place.lexicon for place in each.places):
+            yield from each.lines(TIP_ARC, *TIP_NORMAL * helical)

@@ -16,9 +16,9 @@ from tmmcalc.gears.pictures.toothpoints import INTERVALS, draw_tooth, textbook_p
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Lexicon, Paragraph, Place
-from tmmcalc.report.telling import WIDE, named, tabulated
+from tmmcalc.report.telling import named, tabulated
 
-SIZE = WIDE, 95.0  # of the picture of a tooth [mm]
+SIZE = 96.0, 72.0  # of the picture of a tooth, which stands beside the table of its points [mm]
 PSI = "psi = (pi/2 + 2*x*tan(alpha))/z"
 TIP = "phi_A = tan(alpha_a) - tan(<t>)"
 LIMIT = "phi_L = m*(x - <hl>)/(r*sin(<t>)*cos(<t>))"
@@ -72,6 +72,12 @@ def tooth(member: Toothed, key: str, *, alike: bool = False) -> Iterator[Block]:
     yield from _points(tables, key)
 
 
+def _numbered(tables: BookTables, roll: float) -> str:
+    """The number in the table of the point with this roll angle."""
+    found = [each.number for each in textbook_points(tables) if each.roll is not None and abs(each.roll - roll) < NOISE]
+    return found[0] if found else ""
+
+
 def _formulas(tables: BookTables) -> Iterator[Block]:
     """The ends of the flank, a point of the involute and one of the fillet that a rounding cuts."""
     member = tables.member
@@ -81,12 +87,15 @@ def _formulas(tables: BookTables) -> Iterator[Block]:
         tr("The origin lies on the base circle, axis Y along the tooth; the points are those of the left flank.")
     )
     yield from worked_out((PSI, TIP), places, words)
+    roll = lexicon["phi_T"].value
+    assert isinstance(roll, float)
+    point = tr("Point {number} of the involute:", number=_numbered(tables, roll))
     if member.shape == "ring":
-        yield Paragraph(tr("A point of the involute:"))
+        yield Paragraph(point)
         yield from worked_out(RING_INVOLUTE, places, words)
     else:
         yield from worked_out((LIMIT,), places, words)
-        yield Paragraph(tr("A point of the involute:"))
+        yield Paragraph(point)
         yield from worked_out(INVOLUTE, places, words)
     if tables.rounded:
         lexicon |= named(_rounding(tables))
@@ -95,7 +104,9 @@ def _formulas(tables: BookTables) -> Iterator[Block]:
         yield from worked_out(ON_RACK, places, words)
         if found := _fillet_point(tables):
             lexicon |= named(found)
-            yield Paragraph(tr("A point of the fillet:"))
+            roll = lexicon["phi"].value
+            assert isinstance(roll, float)
+            yield Paragraph(tr("Point {number} of the fillet:", number=_numbered(tables, roll)))
             yield from worked_out(FILLET, places, words)
 
 
@@ -217,6 +228,12 @@ def _points(tables: BookTables, key: str) -> Iterator[Block]:
     )
     yield Paragraph(said)
     labels = [each.number for each in found]
-    yield tabulated(tr("Points of the tooth profile"), columns, labels, head=tr("Point"), key=key)
+    yield tabulated(
+        tr("Points of the tooth profile of wheel {wheel}", wheel=tables.member.label),
+        columns,
+        labels,
+        head=tr("Point"),
+        key=key,
+    )
     caption = tr("Tooth of wheel {wheel} by points", wheel=tables.member.label)
     yield Figure(caption, partial(draw_tooth, tables=tables), SIZE, key)

@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from tmmcalc.linkage.notes.syntheses.told import Told, angle, ratio, turned
+from tmmcalc.linkage.notes.syntheses.told import Told, angle, course_of, ratio, turned
+from tmmcalc.linkage.synthesis.dwell.optimum import STEPS
 from tmmcalc.linkage.synthesis.dwell.parameters import NAMES, RANGES, given
-from tmmcalc.linkage.synthesis.dwell.results import Dwell
+from tmmcalc.linkage.synthesis.dwell.results import BarForce, Dwell
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
+from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.manuscript import Block, Display, Paragraph, Result, Table
-from tmmcalc.report.telling import cell, numeral, points
+from tmmcalc.report.manuscript import Block, Display, Paragraph, Place, Result, Table
+from tmmcalc.report.telling import cell, lines, named, numeral, points, tabulated
 
 ANGLES = ("psi0", "psi13", "alpha")
 LETTERS = {
@@ -25,6 +27,20 @@ LETTERS = {
     "alpha": "$alpha$",
     "n": "$n$",
 }
+BAR = {"CB": "35", "DE": "45"}  # bars with the indices of their forces
+ARMS = (
+    "h_3 = ((xi_C - xi_A)*(eta_C - eta_B) - (eta_C - eta_A)*(xi_C - xi_B))/lambda_CB",
+    "h_4 = ((xi_D - xi_A)*(eta_D - eta_E) - (eta_D - eta_A)*(xi_D - xi_E))/lambda_DE",
+)
+PULLS = (
+    "c_3 = ((xi_C - xi_B)*cos(q) + (eta_C - eta_B)*sin(q))/lambda_CB",
+    "c_4 = ((xi_D - xi_E)*cos(q) + (eta_D - eta_E)*sin(q))/lambda_DE",
+)
+TURNS = (
+    "c_3 = ((xi_B - xi_F)*(eta_C - eta_B) - (eta_B - eta_F)*(xi_C - xi_B))/lambda_CB",
+    "c_4 = ((xi_E - xi_F)*(eta_D - eta_E) - (eta_E - eta_F)*(xi_D - xi_E))/lambda_DE",
+)
+FORCES = "R_35 = h_4/(h_3*c_4 - h_4*c_3)", "R_45 = h_3/(h_4*c_3 - h_3*c_4)"
 STEEP = 60.0  # deg: a larger pressure angle is told
 
 
@@ -63,6 +79,16 @@ def searched(told: Told, asked: DwellTask) -> Iterator[Block]:
         yield Paragraph(tr("The others were refused:"))
         yield points([f"{tr_name(reason)}: {count}" for reason, count in refused.items()])
     yield from _sifted(told)
+    best = tr("least sum of the criteria")
+    methods = tr("differential evolution"), tr("Nelder’s and Mead’s method")
+    yield from course_of(told, best, of=tr("linkages tried"), run=tr("Method"), called=methods)
+    if told.found.course:
+        said = tr(
+            "The search takes the criteria at {count} places of a turn; below they are found exactly.", count=STEPS
+        )
+        if asked.exact and asked.working_angle is not None and asked.n is None:
+            said += " " + tr("Before that $n$ is corrected to the turn of the crank that is asked, which changes them.")
+        yield Paragraph(said)
 
 
 def _sifted(told: Told) -> Iterator[Block]:
@@ -126,21 +152,7 @@ def criteria(told: Told, asked: DwellTask, dwell: Dwell) -> Iterator[Block]:
     if slides:
         yield from told.lines("f_2 = l_OB/l_OA")
     yield from told.lines("f_3 = tan(delta_m)")
-    yield Paragraph(
-        tr(
-            "The bars carry axial forces alone. They follow from the equilibrium of moments of the coupler about $A$ "
-            "and of link 5 along its motion. With $R_35$ and $R_45$ for a unit resistance the criteria of the forces "
-            "are"
-        )
-    )
-    yield Display(read("f_4 = max(R_35**2) + max(R_45**2)"))
-    yield Paragraph(
-        tr(
-            "over the working stroke, and $f_5$ the same over the idle stroke: $f_4 = {working}$, $f_5 = {idle}$.",
-            working=numeral(f["f_4"]),
-            idle=numeral(f["f_5"]),
-        )
-    )
+    yield from _bars(told, dwell)
     if asked.optimum is not None and dwell.cost is not None:
         weights = {f"w_{k}": weight for k, weight in enumerate(asked.optimum.weights, 1) if weight}
         told.give({name: ratio(weight, tr("weight of the criterion")) for name, weight in weights.items()})
@@ -149,3 +161,68 @@ def criteria(told: Told, asked: DwellTask, dwell: Dwell) -> Iterator[Block]:
         yield Result("F", told.lexicon["F"])
     limit = 90.0 - math.degrees(told.task.transmission) if told.task.transmission else STEEP
     yield Result("delta_m", told.lexicon["delta_m"], limit, "<=")
+
+
+def _bars(told: Told, dwell: Dwell) -> Iterator[Block]:
+    """The bars' forces where they are largest on each stroke, and the criteria of the forces made of them."""
+    rocks = dwell.output == "rocker"
+    yield Paragraph(
+        tr(
+            "The bars carry axial forces alone. For a unit resistance they follow from the equilibrium of moments of "
+            "the coupler about $A$ and from that of link 5 along its motion:"
+        )
+    )
+    yield Display(read("R_35*h_3 + R_45*h_4 = 0"))
+    yield Display(read("R_35*c_3 + R_45*c_4 = -1"))
+    yield Paragraph(
+        tr("Table {tab:synthesis_bars} has the places of the crank at which each bar is loaded most on each stroke.")
+    )
+    strokes = {"working": tr("working stroke"), "idle": tr("idle stroke")}
+    names = [f"{each.bar}, {strokes[each.stroke]}" for each in dwell.bars]
+    columns = {
+        "$phi$, deg": [math.degrees(each.at) for each in dwell.bars],
+        **{f"$h_{k + 3}$": [each.arms[k] for each in dwell.bars] for k in (0, 1)},
+        **{f"$c_{k + 3}$": [each.pulls[k] for each in dwell.bars] for k in (0, 1)},
+        tr("force of the bar"): [each.force for each in dwell.bars],
+    }
+    caption = tr("Bars where they are loaded most, for a unit resistance")
+    yield tabulated(caption, columns, names, head=tr("Bar"), key="synthesis_bars")
+    places = [
+        Place(name, {**told.lexicon, **named(_loaded(told, each, rocks=rocks))})
+        for name, each in zip(names, dwell.bars, strict=True)
+    ]
+    yield from lines([f"lambda_{bar} = l_{bar}/l_OB" for bar in BAR], [Place("", places[0].lexicon)])
+    yield from lines((*ARMS, *(TURNS if rocks else PULLS)), places[:1])
+    yield Paragraph(tr("The other places likewise. The forces of the bars are then:"))
+    for bar, text in zip(BAR, FORCES, strict=True):
+        yield from lines([text], [place for place, each in zip(places, dwell.bars, strict=True) if each.bar == bar])
+    for each in dwell.bars:
+        largest = tr("largest force of bar {bar}, {stroke}", bar=each.bar, stroke=strokes[each.stroke])
+        told.give({f"R_{BAR[each.bar]}^{each.stroke[0]}": ratio(each.force, largest)})
+    yield from told.lines("f_4 = (R_35^w)**2 + (R_45^w)**2", "f_5 = (R_35^i)**2 + (R_45^i)**2")
+
+
+def _loaded(told: Told, each: BarForce, *, rocks: bool) -> dict[str, Given]:
+    """What the forces of the bars follow from at one place; lengths in parts of l_OB."""
+    size = told.design.size
+    coordinates = tr("coordinates of the points, parts of the distance OB")
+    pins = dict(zip("ABCDE", zip(each.x, each.y, strict=True), strict=True))
+    if rocks:
+        pins["F"] = size("x_F") / size("l_OB"), size("y_F") / size("l_OB")
+    found: dict[str, Given] = {}
+    for pin, (x, y) in pins.items():
+        found |= {f"xi_{pin}": ratio(x, coordinates), f"eta_{pin}": ratio(y, coordinates)}
+    for k, (bar, index) in enumerate(BAR.items()):
+        pull = tr("projection of a unit force along {bar} on the guide", bar=bar)
+        if rocks:
+            pull = tr("arm of a unit force along {bar} about {pin}", bar=bar, pin="F")
+        length = size(f"l_{bar}") / size("l_OB")
+        found |= {
+            f"lambda_{bar}": ratio(length, tr("length of {bar}, part of the distance OB", bar=bar)),
+            f"h_{k + 3}": ratio(each.arms[k], tr("arm of a unit force along {bar} about {pin}", bar=bar, pin="A")),
+            f"c_{k + 3}": ratio(each.pulls[k], pull),
+        }
+        if bar == each.bar:
+            said = tr("force of bar {bar} for a unit resistance, positive in compression", bar=bar)
+            found[f"R_{index}"] = ratio(each.force, said)
+    return found

@@ -11,7 +11,7 @@ import numpy as np
 
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.notes.syntheses.fourbar import turning
-from tmmcalc.linkage.notes.syntheses.told import Told, angle, length, quantity_of, ratio, sound, turned
+from tmmcalc.linkage.notes.syntheses.told import Told, angle, course_of, length, quantity_of, ratio, sound, turned
 from tmmcalc.linkage.pictures.synthesis import draw_function
 from tmmcalc.linkage.synthesis.freudenstein import closure_of
 from tmmcalc.linkage.synthesis.function import is_exact
@@ -25,7 +25,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import FormulaError, read
-from tmmcalc.report.language import tr, tr_name
+from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Figure, Paragraph, Place, Result
 from tmmcalc.report.telling import WIDE, cell, lines, named, number_of, tabulated
 
@@ -113,6 +113,8 @@ def blocks(told: Told) -> Iterator[Block]:
     else:
         yield Paragraph(tr("with $K_1 = d/a$, $K_2 = d/c$, $K_3 = (a**2 + c**2 + d**2 - b**2)/(2*a*c)$."))
     yield Paragraph(_method(told, asked, exact))
+    best = tr("sum of squares, {unit}", unit=f"{tr_unit('m' if slides else 'rad')}²")
+    yield from course_of(told, best, run=tr("Start"))
     yield from _starts(told, slides)
     _coefficients(told, slides)
     places = [*_places(told, slides)]

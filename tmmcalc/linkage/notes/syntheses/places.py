@@ -11,7 +11,7 @@ from tmmcalc.core.plane import Plane
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.notes.syntheses.fourbar import turning
-from tmmcalc.linkage.notes.syntheses.told import Told, angle, length, ratio, sound
+from tmmcalc.linkage.notes.syntheses.told import Told, angle, course_of, length, ratio, sound
 from tmmcalc.linkage.synthesis.path import STARTS
 from tmmcalc.linkage.synthesis.pathequations import Path
 from tmmcalc.linkage.synthesis.posesearch import NEAREST
@@ -90,6 +90,9 @@ def blocks(told: Told) -> Iterator[Block]:
     if asked.angles is not None:
         yield from _circles(asked)
     yield Paragraph(_method(told, asked))
+    nearest = told.found.rule == NEAREST
+    best = tr("least sum of squares, parts of the spread") if nearest else tr("least residual, part of the spread")
+    yield from course_of(told, best, of=tr("linkages iterated"))
     yield from _linkage(told, asked)
 
 

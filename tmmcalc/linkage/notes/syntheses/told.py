@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.synthesis.results import Check, Design, Synthesis
+from tmmcalc.linkage.synthesis.results import Check, Design, SearchStep, Synthesis
 from tmmcalc.linkage.synthesis.task import SynthesisTask
 from tmmcalc.linkage.tables.tasks.synthesis import to_synthesis
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.manuscript import Line, Place
+from tmmcalc.report.manuscript import Block, Line, Paragraph, Place, Table
 from tmmcalc.report.telling import cell, lines, named
 
 LETTERS = {  # of sizes whose symbols are no letters of formulas
@@ -30,6 +30,7 @@ LETTERS = {  # of sizes whose symbols are no letters of formulas
 }
 
 
+STEPS = (1, 2, 5, 10, 20, 50, 100, 200, 500)  # of a search that are shown
 NOISE = 1e-12  # in SI: of an error that is rounding alone
 SAME = "the same"  # meaning of a size that is another coordinate of the one before
 
@@ -83,7 +84,10 @@ def told_of(order: Order) -> Told:
     listed = found.among or found.designs
     design = found.designs[0]
     if not found.among:
-        design = listed[min(order.spec.synthesis.choose or 1, len(listed)) - 1]
+        chosen = order.spec.synthesis.choose
+        if not chosen and order.spec.constraints and len(listed) > 1:
+            chosen = order.solved("feasibility").chosen
+        design = listed[min(chosen or 1, len(listed)) - 1]
     told = Told(order, to_synthesis(order.spec), found, listed, design, {})
     meaning, own = "", meanings()
     for size in design.sizes:
@@ -178,3 +182,32 @@ def meanings() -> dict[str, str]:
         "phi_I": tr("angle of the crank at the far end of the stroke"),
         "phi_{II}": tr("angle of the crank at the near end of the stroke"),
     }
+
+
+def course_of(told: Told, best: str, *, of: str = "", run: str = "", called: Sequence[str] = ()) -> Iterator[Block]:
+    """What the steps of the search did, of each round its first, some and its last; ``best`` heads the least value.
+
+    ``of`` heads how many linkages there are, where that is told, ``run`` the rounds, which have numbers or names.
+    """
+    rounds: dict[int, list[SearchStep]] = {}
+    for step in told.found.course:
+        rounds.setdefault(step.run, []).append(step)
+    if not rounds:
+        return
+    several = len(rounds) > 1
+    rows = []
+    for k, steps in rounds.items():
+        for step in _some(steps):
+            name = called[k - 1] if called else str(k)
+            counted = [str(step.linkages)] if of else []
+            rows.append((*[name] * several, str(step.number), *counted, cell(step.best, 4)))
+    head = (*[run or tr("Round")] * several, tr("Step"), *([of] if of else []), best)
+    yield Paragraph(tr("Table {tab:synthesis_course} has steps of the search."))
+    yield Table(tr("Course of the search"), head, tuple(rows), "synthesis_course")
+
+
+def _some(steps: Sequence[SearchStep]) -> list[SearchStep]:
+    """The first, the last, and between them some at growing distances."""
+    last = len(steps) - 1
+    rows = {0, last, *(row for row in STEPS if row < last)}
+    return [steps[row] for row in sorted(rows)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from tmmcalc.linkage.synthesis.dwell.mechanism import loading_of
 from tmmcalc.linkage.synthesis.dwell.motion import Unknowns, pose
 from tmmcalc.linkage.synthesis.dwell.positions import motion_of
 from tmmcalc.linkage.synthesis.dwell.relative import accuracy, arc_of, branch_of, gamma, reach
-from tmmcalc.linkage.synthesis.dwell.results import Agreement, CrossCheck, Dwell, DwellMotion, Largest, Slots
+from tmmcalc.linkage.synthesis.dwell.results import Agreement, BarForce, CrossCheck, Dwell, DwellMotion, Largest, Slots
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.synthesis.dwell.turn import TURN, Turn, along, place
 from tmmcalc.linkage.synthesis.dwell.unitforces import unit_forces
@@ -63,6 +64,7 @@ def analysed(asked: DwellTask, turn: Turn, found: Figures, mechanism: Mechanism,
         strokes[1],
         tuple(_maxima(asked, found, scale)),
         tuple(float(part[0]) for part in found.criteria),
+        tuple(_bar_forces(asked, found)),
         float(found.criteria.cost(asked.optimum.weights)[0]) if asked.optimum is not None else None,
         motion,
         drawn,
@@ -98,6 +100,18 @@ def _maxima(asked: DwellTask, found: Figures, scale: float) -> list[Largest]:
             value, at = found.largest[key]
             listed.append(Largest(name, factors[unit] * value, unit, _place(asked, at)))
     return listed
+
+
+def _bar_forces(asked: DwellTask, found: Figures) -> Iterator[BarForce]:
+    """The bars where they are loaded most, of the working stroke first."""
+    for stroke, bars in zip(("working", "idle"), found.bars, strict=True):
+        for peak, name in zip(bars, ("CB", "DE"), strict=True):
+            (first, second), (one, other) = (
+                [float(np.ravel(each)[0]) for each in pair] for pair in (peak.forces.arms, peak.forces.pulls)
+            )
+            force = float(np.ravel(getattr(peak.forces, peak.bar))[0])
+            x, y = (tuple(getattr(pin, part) for pin in peak.pins) for part in ("real", "imag"))
+            yield BarForce(name, stroke, _place(asked, peak.at), force, (first, second), (one, other), x, y)
 
 
 def slots(linkages: Linkages, scale: float) -> Slots:

@@ -14,7 +14,7 @@ from tmmcalc.core.numerics.extrema import around, refine, turning, with_turning_
 from tmmcalc.core.numerics.roots import bracketed
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.synthesis.dwell.criteria import Criteria, StrokeTurns, strokes_of
-from tmmcalc.linkage.synthesis.dwell.motion import Unknowns
+from tmmcalc.linkage.synthesis.dwell.motion import Unknowns, pose
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.synthesis.dwell.turn import TURN, Turn, along
 from tmmcalc.linkage.synthesis.dwell.unitforces import UnitForces, unit_forces
@@ -22,6 +22,15 @@ from tmmcalc.linkage.synthesis.dwell.unitforces import UnitForces, unit_forces
 SAMPLES = 720  # of a turn
 REFINED = 3  # local extremes that are refined for the global one
 Peak = tuple[float, float]  # value and place
+
+
+class BarPeak(NamedTuple):
+    """A bar where its unit force is largest on a stroke: ``at`` turned from position 1, the pins and forces there."""
+
+    bar: str  # f3 or f4
+    at: float
+    pins: tuple[complex, ...]  # A, B, C, D, E
+    forces: UnitForces  # each (1,)
 
 
 class Figures(NamedTuple):
@@ -34,6 +43,7 @@ class Figures(NamedTuple):
     strokes: StrokeTurns
     largest: dict[str, Peak]  # of |S'|, |S''|, |f3|, |f4|, R21 and |N|, tan|delta|
     criteria: Criteria
+    bars: tuple[tuple[BarPeak, BarPeak], tuple[BarPeak, BarPeak]]  # of the working and of the idle stroke
 
 
 def figures(turn: Turn, asked: DwellTask) -> Figures:
@@ -46,14 +56,25 @@ def figures(turn: Turn, asked: DwellTask) -> Figures:
     dwell = max(((abs(value), at) for value, at in rests), default=(0.0, 0.0))
     strokes = strokes_of(asked, np.array([far]))
     largest = {name: peak(turn, of) for name, of in MEASURES.items()}
-    parts = [
-        sum(peak(turn, MEASURES[name], *(float(end[0]) for end in window))[0] ** 2 for name in ("f3", "f4"))
-        for window in strokes
-    ]
+    working, idle = (_bars(turn, *(float(end[0]) for end in window)) for window in strokes)
+    parts = [sum(float(getattr(each.forces, each.bar)[0]) ** 2 for each in bars) for bars in (working, idle)]
     size = 0.0 if turn.linkages.rocks else 1 / float(turn.linkages.crank[0])
     f1 = dwell[0] / stroke
     criteria = Criteria(*(np.array([f]) for f in (f1, size, np.tan(largest["delta"][0]), *parts)))
-    return Figures(reversals, stroke, far, dwell, strokes, largest, criteria)
+    return Figures(reversals, stroke, far, dwell, strokes, largest, criteria, (working, idle))
+
+
+def _bars(turn: Turn, low: float, high: float) -> tuple[BarPeak, BarPeak]:
+    """Both bars where their unit forces are largest over a window of the turn."""
+    return _bar(turn, "f3", low, high), _bar(turn, "f4", low, high)
+
+
+def _bar(turn: Turn, bar: str, low: float, high: float) -> BarPeak:
+    _, at = peak(turn, MEASURES[bar], low, high)
+    state, forces = forces_at(turn, np.array([at]))
+    pins = pose(turn.linkages, turn.linkages.phi0 + at, state.theta, state.s)
+    places = (complex(np.ravel(each)[0]) for each in (pins.a, pins.b, pins.c, pins.d, pins.e))
+    return BarPeak(bar, at, tuple(places), forces)
 
 
 def forces_at(turn: Turn, phi: Real) -> tuple[Unknowns, UnitForces]:

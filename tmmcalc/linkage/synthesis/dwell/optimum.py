@@ -19,6 +19,7 @@ from tmmcalc.linkage.synthesis.dwell.criteria import rated
 from tmmcalc.linkage.synthesis.dwell.parameters import NAMES, RANGES, drawn, given
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask, Optimum
 from tmmcalc.linkage.synthesis.dwell.turn import Turn, whole_turn
+from tmmcalc.linkage.synthesis.results import SearchStep
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.synthesis.dwell.constraints import Rule
@@ -39,6 +40,7 @@ class Optima:
     tried: int
     worked: int
     refused: dict[str, int]
+    course: tuple[SearchStep, ...]  # the generations, and the polish after them
 
 
 class Costs:
@@ -102,13 +104,13 @@ def search(asked: DwellTask, optimum: Optimum, seed: int, count: int, rule: Rule
     costs = Costs(asked, optimum, rule)
     if not costs.free:
         row = costs.rows(np.zeros((1, 0)))
-        return Optima(row, np.atleast_1d(costs(np.zeros((0, 1)))), 1, costs.worked, dict(costs.refused))
+        return Optima(row, np.atleast_1d(costs(np.zeros((0, 1)))), 1, costs.worked, dict(costs.refused), ())
     first = _first(costs, optimum, np.random.default_rng(seed))
-    done = 0
+    course = [SearchStep(1, 0, costs.tried, costs.best)]
 
     def told(x: Real, convergence: float) -> None:
-        nonlocal done
-        done += 1
+        done = len(course)
+        course.append(SearchStep(1, done, costs.tried, costs.best))
         words = f"generation {done} of {optimum.generations}, cost {costs.best:.5g}, {costs.tried} linkages tried"
         tell(0.9 * done / optimum.generations, words)
 
@@ -126,9 +128,12 @@ def search(asked: DwellTask, optimum: Optimum, seed: int, count: int, rule: Rule
         callback=told,
     )
     best = _polished(costs, result.x, optimum.polish)
+    course.append(SearchStep(2, len(course), costs.tried, costs.best))
     free, values = np.vstack((best, result.population)), np.append(costs(best[:, None]), result.population_energies)
     chosen = _distinct(costs, free, values, count)
-    return Optima(costs.rows(free[chosen]), values[chosen], costs.tried, costs.worked, dict(costs.refused))
+    return Optima(
+        costs.rows(free[chosen]), values[chosen], costs.tried, costs.worked, dict(costs.refused), tuple(course)
+    )
 
 
 def _first(costs: Costs, optimum: Optimum, rng: np.random.Generator) -> Real:

@@ -19,6 +19,21 @@ class Largest:
 
 
 @record
+class BarForce:
+    """A bar where its force against a unit resistance is largest on a stroke; lengths in parts of l_OB."""
+
+    bar: str = quantity("bar", "the bar")  # CB or DE
+    stroke: str = quantity("stroke", "the stroke")  # working or idle
+    at: float = quantity("at[rad]", "turn of the crank from position 1")
+    force: float = quantity("R", "its compressive force for a unit resistance, lengths in parts of l_OB")
+    # a unit force along each bar, from link 5 to the coupler: its arm about A, its part along the motion of link 5
+    arms: tuple[float, float] = quantity("arms", "arms of bars CB and DE about A")
+    pulls: tuple[float, float] = quantity("pulls", "projections of both on the guide, or arms about F")
+    x: tuple[float, ...] = quantity("x", "abscissas of A, B, C, D, E")
+    y: tuple[float, ...] = quantity("y", "ordinates of A, B, C, D, E")
+
+
+@record
 class DwellMotion:
     """Positions of a turn: those of the kinematics room, position 1 first, in the sense of the crank.
 
@@ -91,6 +106,7 @@ class Dwell:
     idle: tuple[float, float] = quantity("idle[rad]", "the same of the idle stroke")
     maxima: tuple[Largest, ...] = quantity("maxima", "largest values")
     criteria: tuple[float, ...]  # f1 to f5 with lengths in parts of l_OB
+    bars: tuple[BarForce, ...] = quantity("bars", "bars where they are loaded most on each stroke")
     cost: float | None = quantity("cost", "weighted sum of the criteria")  # None: no optimisation
     motion: DwellMotion  # at the positions
     fine: DwellMotion  # every degree, for drawing

@@ -28,7 +28,7 @@ from tmmcalc.linkage.synthesis.dwell.sizes import scale_of, sizes_of
 from tmmcalc.linkage.synthesis.dwell.task import DwellTask
 from tmmcalc.linkage.synthesis.dwell.turn import patient_turn
 from tmmcalc.linkage.synthesis.ready import ready_spec
-from tmmcalc.linkage.synthesis.results import Check, Design, Size, Synthesis
+from tmmcalc.linkage.synthesis.results import Check, Design, SearchStep, Size, Synthesis
 from tmmcalc.linkage.synthesis.simulation import check
 from tmmcalc.linkage.synthesis.task import SynthesisTask
 
@@ -46,7 +46,7 @@ def solve(task: SynthesisTask) -> Synthesis:
     asked: DwellTask = task.asked
     if task.crank_speed is not None and task.crank_speed < 0:
         asked = replace(asked, clockwise=True)
-    rows, counters, rule = _rows(task, asked)
+    rows, counters, rule, course = _rows(task, asked)
     remarked: list[tuple[Design, list[str]]] = []
     for k, row in enumerate(rows):
         tell(0.95, f"analysis {k + 1} of {len(rows)}")
@@ -71,11 +71,11 @@ def solve(task: SynthesisTask) -> Synthesis:
         notes.append(Phrase("note: no speed is given: the ready spec turns its crank at {speed:g} rad/s", speed=SPEED))
     if asked.frame is None and asked.stroke is None:
         notes.append("note: no length gives the scale: l_OB = 1 m")
-    return Synthesis("dwell", rule, tuple(designs), residual, tuple(notes), counters)
+    return Synthesis("dwell", rule, tuple(designs), residual, tuple(notes), counters, course)
 
 
-def _rows(task: SynthesisTask, asked: DwellTask) -> tuple[Real, dict[str, int], str]:
-    """Parameters (k, 9) of the linkages that are analysed, what a search counted, and the rule of choice."""
+def _rows(task: SynthesisTask, asked: DwellTask) -> tuple[Real, dict[str, int], str, tuple[SearchStep, ...]]:
+    """Parameters (k, 9) of the linkages that are analysed, what a search counted, the rule of choice, the search."""
     if asked.optimum is not None:
         from tmmcalc.linkage.synthesis.dwell.optimum import search
 
@@ -87,7 +87,7 @@ def _rows(task: SynthesisTask, asked: DwellTask) -> tuple[Real, dict[str, int], 
         if rule is not None:
             counters["kept the constraints"] = rule.kept
             counters |= {f"failed {name}": count for name, count in rule.failing.items()}
-        return found.rows, counters, f"the least sum of {weights}"
+        return found.rows, counters, f"the least sum of {weights}", found.course
     values = given(asked)
     missing = [name for name in NAMES if values[name] is None and name not in FREE]
     if missing and asked.lengths is None:
@@ -100,7 +100,7 @@ def _rows(task: SynthesisTask, asked: DwellTask) -> tuple[Real, dict[str, int], 
     usual = {name: USUAL if values[name] is None else values[name] for name in NAMES}
     rows = np.array([list((usual | {"left": side}).values()) for side in sides], dtype=float)
     _refuse(drawn(asked, rows).faults, len(rows))
-    return rows, {}, "the dwell's largest deviation as a part of the stroke"
+    return rows, {}, "the dwell's largest deviation as a part of the stroke", ()
 
 
 def _rule(task: SynthesisTask, asked: DwellTask) -> Rule | None:

@@ -26,6 +26,8 @@ class UnitForces(NamedTuple):
     couple: Real  # of the guide on the slider about B; 0 of a rocker
     delta: Real  # pressure angle [rad]: of R12 against u, or against the normal to AF
     moment: Real  # driving moment on the crank
+    arms: tuple[Real, Real]  # h of the bars about A: of unit forces from link 5 to the coupler
+    pulls: tuple[Real, Real]  # c of the same: along u, or their arms about F
 
     @property
     def r21(self) -> Real:
@@ -57,4 +59,4 @@ def unit_forces(linkages: Linkages, phi: Real, theta: Real, s: Real) -> UnitForc
         across = linkages.output
         normal, couple = -dot(r12, 1j * across), f4 * cross(at.e - at.b, e4)
     delta = np.arctan2(dot(r12, 1j * across), dot(r12, across))
-    return UnitForces(f3, f4, r12, normal, couple, delta, cross(at.a, r12))
+    return UnitForces(f3, f4, r12, normal, couple, delta, cross(at.a, r12), (turn3, turn4), (load3, load4))
