@@ -108,4 +108,10 @@ def test_where_a_rocker_is_driven_it_tells_its_reach() -> None:
     assert any(low <= 0 <= high for low, high in view.reach)
     inside, outside = np.degrees([0.2, 2.5])
     assert any(low <= inside <= high for low, high in view.reach)
+    zones = [np.array(mark.points) for mark in view.frame if mark.kind == "zone"]
+    seen = np.concatenate([np.degrees(np.angle(zone[1:] / np.exp(0.3j))) % 360 for zone in zones])
+    for low, high in view.reach:
+        assert np.min(np.abs(seen - low % 360)) < 1e-6
+        assert np.min(np.abs(seen - high % 360)) < 1e-6
+    assert view.note
     assert not any(low <= outside + turn <= high for low, high in view.reach for turn in (-360, 0, 360))

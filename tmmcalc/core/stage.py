@@ -107,7 +107,9 @@ class Stage:
     chapter: str = ""  # of the note in which it is told of, by the function ``blocks`` of ``note``; empty: in none
     note: str = ""  # module with ``blocks(order)``: what the note tells of it, see `tmmcalc.report.manuscript`
     moves: bool = False  # whether a page shows it moving
-    view: str = ""  # module with ``views(order)``: what moves, see `tmmcalc.report.moving`
+    # module with ``views(order)``, what moves (`tmmcalc.report.moving`), or ``trials(order)``, what is tried by hand
+    # (`tmmcalc.report.exploring`)
+    view: str = ""
     studied: bool = False  # whether it has several methods, which are studied
     studies: str = ""  # "module:function", (scene) -> the studies of its methods
 

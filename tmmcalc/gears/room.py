@@ -66,6 +66,7 @@ ROOM = Room(
                 beside="criteria",
                 pieces="tmmcalc.gears.pictures.pieces:train",
             ),
+            moves=True,
             studied=True,
             chapter="gears",
         ),
@@ -77,6 +78,7 @@ ROOM = Room(
                 "the scheme to scale, the plan of velocities and the plan of speeds",
                 pieces="tmmcalc.gears.pictures.pieces:gearing",
             ),
+            moves=True,
             chapter="gears",
         ),
         Stage(
@@ -111,6 +113,7 @@ ROOM = Room(
                 pieces="tmmcalc.gears.pictures.pieces:pair",
             ),
             chapter="gears",
+            moves=True,
             studied=True,
         ),
         Stage(
@@ -132,6 +135,7 @@ ROOM = Room(
                 ("--choose",),
                 pieces="tmmcalc.gears.pictures.pieces:blocking",
             ),
+            moves=True,
             chapter="gears",
             studied=True,
         ),

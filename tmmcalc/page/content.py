@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -12,19 +13,21 @@ from numpy.typing import NDArray
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import named
 from tmmcalc.core.notes import graded
-from tmmcalc.core.stage import STAGES, arguments, resolve
+from tmmcalc.core.stage import STAGES, arguments
 from tmmcalc.naming.table import Values, table_of
 from tmmcalc.naming.told import Extent, Told, listed
 from tmmcalc.page.packing import ERROR, Block
 from tmmcalc.page.said import alike, name_of, unit_of, words
 from tmmcalc.pipeline.chapters import task_of, warnings_of
 from tmmcalc.pipeline.picturing import order_of
+from tmmcalc.report.exploring import Trial
 from tmmcalc.report.language import LANGUAGES, speaking
 from tmmcalc.report.manuscript import Datum
 from tmmcalc.report.moving import Body, Mark, Plan, Track, View
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
+    from tmmcalc.report.drawing.order import Order
 
 POSITIONS = 360  # that a page solves of its own
 ROWS = 1000  # of a longer table so many are shown, and those of extremes
@@ -66,6 +69,7 @@ def _scene(variant: Variant, block: Block, positions: int, *, planned: bool) -> 
         "given": _given(run),
         "source": variant.source,
         "views": [*_views(run, dense, block, planned=planned)],
+        "trials": [*_trials(run, block)],
     }
 
 
@@ -182,12 +186,77 @@ def _views(run: RunResult, dense: Mapping[str, Any], block: Block, *, planned: b
     order = order_of(run.spec, {**run.results, **dense})
     for name in run.outcomes:
         if STAGES[name].view:
-            for view in resolve(f"{STAGES[name].view}:views")(order):
+            for view in _offered(name, "views")(order):
                 plans = view.plans() if planned else ()
                 yield {
-                    **_view(view, _steps(run, name, view.column), block),
+                    **_view(view, _steps(run, name, view.column) or [list(step) for step in view.steps], block),
                     "plans": [_plan(each, block) for each in plans],
                 }
+
+
+def _offered(stage: str, what: str) -> Callable[[Order], Iterable[Any]]:
+    """What the module of a stage offers of views or trials; nothing where it has none."""
+    found: Callable[[Order], Iterable[Any]] = getattr(import_module(STAGES[stage].view), what, lambda _: ())
+    return found
+
+
+def _trials(run: RunResult, block: Block) -> Iterator[Content]:
+    """What is tried by hand, by the rooms."""
+    order = order_of(run.spec, run.results)
+    for name in run.outcomes:
+        if STAGES[name].view:
+            spoken: list[list[Trial]] = []
+            for language in LANGUAGES:
+                with speaking(language):
+                    spoken.append([*_offered(name, "trials")(order)])
+            for same in zip(*spoken, strict=True):
+                yield _trial(same, block)
+
+
+def _trial(same: Sequence[Trial], block: Block) -> Content:
+    """A plane that was made in all languages."""
+    trial = same[0]
+    return {
+        "name": trial.name,
+        "title": alike([each.title for each in same]),
+        "inputs": trial.inputs,
+        "start": [trial.start.real, trial.start.imag],
+        "box": [*_pair(trial.box[0]), *_pair(trial.box[1])],
+        "regions": [
+            {"kind": each.kind, "x": block.put(each.edge.real), "y": block.put(each.edge.imag)}
+            for each in trial.regions
+        ],
+        "curves": [
+            {
+                "number": curve.number,
+                "title": alike([each.curves[k].title for each in same]),
+                "value": curve.value,
+                "x": block.put(curve.at.real),
+                "y": block.put(curve.at.imag),
+            }
+            for k, curve in enumerate(trial.curves)
+        ],
+        "points": [
+            {
+                "name": alike([each.points[k].name for each in same]),
+                "title": alike([each.points[k].title for each in same]),
+                "at": [point.at.real, point.at.imag],
+            }
+            for k, point in enumerate(trial.points)
+        ],
+        "given": trial.given,
+        "steps": trial.steps,
+        "shown": [
+            {
+                "name": shown.name,
+                "meaning": alike([each.shown[k].meaning for each in same]),
+                "unit": unit_of(shown.unit),
+                "least": shown.least,
+                "where": shown.where,
+            }
+            for k, shown in enumerate(trial.shown)
+        ],
+    }
 
 
 def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
@@ -219,6 +288,10 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
                 "title": name_of(layer.title),
                 "unit": unit_of(layer.unit),
                 "arrows": [each._asdict() for each in layer.arrows],
+                "vectors": [
+                    {**each._asdict(), "x": _track(each.x, block), "y": _track(each.y, block)} for each in layer.vectors
+                ],
+                "tone": layer.tone,
             }
             for layer in view.layers
         ],
@@ -230,6 +303,17 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
         "stages": view.stages,
         "note": name_of(view.note),
         "reach": view.reach,
+        "readings": [
+            {
+                **each._asdict(),
+                "name": name_of(each.name),
+                "unit": unit_of(each.unit),
+                "value": _track(each.value, block),
+            }
+            for each in view.readings
+        ],
+        "seconds": view.seconds,
+        "nudge": view.nudge,
     }
 
 
@@ -262,6 +346,8 @@ def _body(body: Body, block: Block) -> Content:
         "marks": [_mark(mark) for mark in body.marks],
         "number": body.number,
         "beside": [_pair(each) for each in body.beside],
+        "on": body.on,
+        "there": body.there,
     }
 
 
@@ -273,7 +359,8 @@ def _track(track: Track, block: Block) -> Any:
 
 
 def _mark(mark: Mark) -> list[Any]:
-    return [mark.kind, [part for point in mark.points for part in _pair(point)], *([mark.size] if mark.size else [])]
+    points = [part for point in mark.points for part in _pair(point)]
+    return [mark.kind, points, *([mark.size, *([mark.tone] if mark.tone else [])] if mark.size or mark.tone else [])]
 
 
 def _pair(z: complex) -> list[float]:

@@ -21,9 +21,12 @@ MODULES = (  # in this order: each imports from those before it
     "labels",
     "scene",
     "player",
+    "readings",
+    "formulas",
     "charts",
     "plans",
     "facts",
+    "trials",
     "main",
 )
 IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+)\.js";\n', re.MULTILINE)

@@ -34,6 +34,16 @@ Kind = Literal[
     "line",  # a thin line
     "zone",  # a filled polygon where nothing may be
     "range",  # a closed dashed line: what may be reached
+    "axis",  # a thin line of dashes and dots
+    "base",  # a dashed circle: the centre; with its radius
+    "gear",  # a filled polygon: a toothed wheel, or a part of one whose other edges are out of sight
+    "flank",  # a part of its edge that works
+    "cog",  # a toothed wheel that is thought: the centre, the middle of a tooth on its pitch circle; with the teeth
+    "rim",  # a ring like it: the centre, the middle of a tooth, a point of the outer circle; with the teeth
+    "spoke",  # a line that shows how a circle turns
+    "dot",  # a filled point
+    "sense",  # an arrow along a circle: its centre, where it begins; with the angle that it goes through [rad]
+    "held",  # a circle hatched outside: the centre; with its radius
 ]
 
 SpotKind = Literal["pin", "mass", "point", "word"]  # a word has no sign, its name alone
@@ -53,7 +63,8 @@ class Mark(NamedTuple):
 
     kind: Kind
     points: tuple[complex, ...]
-    size: float = 0.0  # radius [m]
+    size: float = 0.0  # radius [m], or what its kind says
+    tone: int = 0  # number of its colour, from 1; 0: that of ink
 
 
 class Track(NamedTuple):
@@ -73,6 +84,8 @@ class Body(NamedTuple):
     marks: tuple[Mark, ...]
     number: str = ""  # in its ring
     beside: tuple[complex, ...] = ()  # where that may stand, in its axes, the best first
+    on: str = FRAME  # in whose axes its tracks are
+    there: tuple[float, float] | None = None  # between which places of the input it is there; None: always
 
 
 class Spot(NamedTuple):
@@ -105,6 +118,15 @@ class Arrow(NamedTuple):
     sense: int = 1  # -1: against the columns
 
 
+class Vector(NamedTuple):
+    """A vector at the origin of a body that no column tells, in the unit of its layer, in the axes of the frame."""
+
+    sign: str
+    body: str
+    x: Track
+    y: Track
+
+
 class Layer(NamedTuple):
     """Vectors that are shown together."""
 
@@ -112,6 +134,8 @@ class Layer(NamedTuple):
     title: str
     unit: str
     arrows: tuple[Arrow, ...]
+    vectors: tuple[Vector, ...] = ()
+    tone: int = 0  # number of their colour, from 1; 0: by the place of the layer
 
 
 class Edge(NamedTuple):
@@ -153,6 +177,16 @@ class Handle(NamedTuple):
     direction: complex | None = None
 
 
+class Reading(NamedTuple):
+    """A number that is told beside the scene: its name, sign and unit, its values over the input."""
+
+    name: str
+    sign: str
+    unit: str
+    value: Track
+    there: tuple[float, float] | None = None  # between which places of the input it has a value; None: always
+
+
 class Stop(NamedTuple):
     """A place of the input that is marked: a dead centre, an end."""
 
@@ -169,8 +203,8 @@ class View(NamedTuple):
     unit: str
     values: Real  # (n,) of the input, in this unit, from one end to the other
     whole: bool  # whether its end is its beginning
-    column: str  # the header of the input in the tables of stages, ``phi[deg]``
-    steps: tuple[tuple[str, float], ...]  # the positions of the spec: label and input
+    column: str  # the header of the input in the tables of stages, ``phi[deg]``; empty: in none, all is exact
+    steps: tuple[tuple[str, float], ...]  # places to step to, label and input, where the spec has no positions
     box: tuple[complex, complex]  # lower left and upper right corner of all that moves [m]
     bodies: tuple[Body, ...]
     frame: tuple[Mark, ...]
@@ -185,6 +219,14 @@ class View(NamedTuple):
     note: str = ""  # what is told of how it is drawn
     stages: tuple[str, ...] = ()  # whose tables go along its input; empty: all that have its column
     reach: tuple[tuple[float, float], ...] = ()  # where it assembles, counted as the input; empty: everywhere
+    readings: tuple[Reading, ...] = ()
+    seconds: float = 4.0  # that the whole travel takes when it plays
+    nudge: float | None = None  # how far a press of an arrow key moves the input; None: 1/360 of the travel
+
+
+def seconds_of(duration: float) -> float:
+    """How long a motion over the time plays: as long as it lasts, if that can be watched."""
+    return min(max(duration, 2.0), 12.0)
 
 
 def track_of(values: Real, rates: Real, count: int) -> Track:

@@ -11,7 +11,7 @@ from tmmcalc.core.timelaw import TimeLaw, by_travel, motion
 from tmmcalc.extras.tables.tasks.transloader import to_transloader
 from tmmcalc.extras.transloader import Transloader
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.moving import Body, Mark, Span, Stop, Track, View, track_of
+from tmmcalc.report.moving import Body, Mark, Span, Stop, Track, View, seconds_of, track_of
 
 STEPS = 120  # of each way
 WIDER = 1.25  # the bridge than the way of the trolley, where its span is not told
@@ -52,7 +52,7 @@ def _view(laws: dict[str, TimeLaw], span: float | None) -> View:
         values=t,
         whole=False,
         column="",
-        steps=(),
+        steps=(("", 0.0), *([("", lifted)] if 0 < lifted < whole else []), ("", whole)),
         box=(complex(-a, 0.0), complex(wide + a, high + 1.5 * a)),
         bodies=(
             Body("trolley", x, bridge, still, (car, *wheels)),
@@ -65,6 +65,7 @@ def _view(laws: dict[str, TimeLaw], span: float | None) -> View:
         ),
         spots=(),
         spans=(Span("rope", (("trolley", 0.5j * a), ("grab", 0j))),),
+        seconds=seconds_of(whole),
         stops=(Stop("the trolley starts", lifted),) if len(laws) > 1 else (),
     )
 

@@ -27,12 +27,15 @@ from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph
 from tmmcalc.report.telling import WIDE, named
 
 GIVEN = ("z_1", "z_2", "m", "alpha", "h_a^{*}", "c^{*}", "beta", "b", *CUTTER)
+REFERENCE, TOTAL = "a = m*<z>/(2*cos(beta))", "x_Sigma = x_1 + x_2"
 BY_SHIFTS = "inv(alpha_tw) = inv(<t>) <+> 2*x_Sigma*tan(alpha)/<z>"
 BY_DISTANCE = (
     "alpha_tw = acos(a*cos(<t>)/a_w)",
     "x_Sigma = <z>*(<larger> - <smaller>)/(2*tan(alpha))",
 )
 INVERSE = "inv(alpha_tw) = tan(alpha_tw) - rad(alpha_tw)"
+OPERATING = "a_w = a*cos(<t>)/cos(alpha_tw)"
+MODIFIED, SHORTENED = "y = (a_w - a)/m", "Deltay = x_Sigma - y"
 COMMON = (
     *("m", "alpha", "h_a^{*}", "c^{*}", "beta", "b", "alpha_tw", "H", "p_b", "g_alpha"),
     "eps_alpha",
@@ -149,7 +152,7 @@ def _data(told: Told, key: str, of: str) -> Iterator[Block]:
 def _distance(told: Told, span: tuple[float, float] | None) -> Iterator[Block]:
     """The shifts with the pressure angle and the centre distance that belong to them."""
     found, task = told.found, told.found.task
-    yield from told.lines("a = m*<z>/(2*cos(beta))")
+    yield from told.lines(REFERENCE)
     if task.strategy == "given_aw":
         yield from told.lines(*BY_DISTANCE)
         if span is not None:
@@ -158,13 +161,13 @@ def _distance(told: Told, span: tuple[float, float] | None) -> Iterator[Block]:
             yield from told.lines("x_1 = (x'_1 + x''_1)/2")
         yield from told.lines("x_1 = x_Sigma - x_2" if task.shifts[1] is not None else "x_2 = x_Sigma - x_1")
     elif abs(found.shift_sum) > NOISE:
-        yield from told.lines("x_Sigma = x_1 + x_2", BY_SHIFTS)
+        yield from told.lines(TOTAL, BY_SHIFTS)
         yield Paragraph(
             tr("The angle is found by its involute function, as the table of it or Newton’s method gives it:")
         )
-        yield from told.lines(INVERSE, "a_w = a*cos(<t>)/cos(alpha_tw)")
+        yield from told.lines(INVERSE, OPERATING)
     if abs(found.shift_sum) > NOISE:
-        yield from told.lines("y = (a_w - a)/m", *("Deltay = x_Sigma - y",) * (task.kind == "external"))
+        yield from told.lines(MODIFIED, *(SHORTENED,) * (task.kind == "external"))
     else:
         yield Paragraph(
             tr(

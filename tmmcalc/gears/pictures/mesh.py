@@ -66,7 +66,7 @@ def _shown(box: Box, pair: PlacedPair) -> tuple[Plane, float, float]:
     everything = np.concatenate([*(body.edge for body in pair.bodies), marks])
     least, most = everything.imag.min(), everything.imag.max()
     line = pair.on_line(np.array([pair.found.line.begins, pair.found.line.ends]))
-    depths = [_depths(body) for body in pair.bodies]
+    depths = [body.depths for body in pair.bodies]
     heights = np.array([end for depth in depths for end in depth])
     low, high = max(heights.min() - DEEP * module, least), min(heights.max() + DEEP * module, most)
     contact = np.concatenate([line, [at, 1j * low, 1j * high]])
@@ -74,14 +74,6 @@ def _shown(box: Box, pair: PlacedPair) -> tuple[Plane, float, float]:
     widest, needed = (fitting_scale(content, box, MARGIN) for content in (everything, contact))
     mu = max(needed, min(widest, larger_than(tooth / TALL)))
     return (everything if mu >= widest else contact), MARGIN, mu
-
-
-def _depths(body: Body) -> tuple[float, float]:
-    """Where tip and root lie on the line of centres."""
-    if body.sizes is None:
-        return float(body.edge.imag.min()), float(body.edge.imag.max())
-    sense = -1 if body.number == 2 and body.kind == "external" else 1
-    return body.centre.imag + sense * body.sizes.tip, body.centre.imag + sense * body.sizes.root
 
 
 class _Mesh(Sketch):

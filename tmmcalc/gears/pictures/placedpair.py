@@ -49,6 +49,14 @@ class Body:
     whole: Plane  # the whole wheel; of a rack the teeth that are shown
     sizes: WheelSizes | None  # None: rack
 
+    @property
+    def depths(self) -> tuple[float, float]:
+        """Where tip and root lie on the line of centres."""
+        if self.sizes is None:
+            return float(self.edge.imag.min()), float(self.edge.imag.max())
+        sense = -1 if self.number == 2 and self.kind == "external" else 1
+        return self.centre.imag + sense * self.sizes.tip, self.centre.imag + sense * self.sizes.root
+
 
 @record
 class Mark:
@@ -107,14 +115,20 @@ def point_sign(name: str) -> str:
     return f"${name[0]}_{name[1]}$" if len(name) > 1 else f"${name}$"
 
 
-def placed_pair(found: MeshPair, phase: float = 0.0) -> PlacedPair:
-    """Put a pair on the drawing; the first wheel has turned clockwise by ``phase`` [rad] since the contact at P."""
+def placed_pair(found: MeshPair, phase: float = 0.0, *, tolerance: float = FINE, points: int = POINTS) -> PlacedPair:
+    """Put a pair on the drawing; the first wheel has turned clockwise by ``phase`` [rad] since the contact at P.
+
+    Chords keep within ``tolerance`` [module] of the teeth; curves of flanks, and of a rack all, have so many points.
+    """
     first, second = both(found)
     one, other = placings_of(found, phase)
     line = found.line
     rolled = np.array([line.begins, line.ends])
-    mate = _wheel(second, other, np.abs(line.length - rolled)) if found.sizes[1:] else _rack(second, other, rolled)
-    bodies = _wheel(first, one, rolled), mate
+    if found.sizes[1:]:
+        mate = _wheel(second, other, np.abs(line.length - rolled), tolerance, points)
+    else:
+        mate = _rack(second, other, rolled, points)
+    bodies = _wheel(first, one, rolled, tolerance, points), mate
     e = complex(np.exp(1j * (pi - found.angle_w)))
     base_point = -1j * found.sizes[0].base * e
     marks = _marks(found)
@@ -160,7 +174,7 @@ def placings_of(found: MeshPair, phase: float) -> tuple[Placing, Placing]:
     return Placing(-float(pinion.half_angle) - phase, 0j), Placing(pi, axis + 1j * (pinion.reference + shift))
 
 
-def _wheel(member: Member, placing: Placing, active: Real) -> Body:
+def _wheel(member: Member, placing: Placing, active: Real, tolerance: float, points: int) -> Body:
     """A wheel with the teeth (of a ring: spaces) nearest to the pitch point; rho at the ends of the contact."""
     module, sizes, element = member.module, member.found.sizes[member.place], member.element
     ring = member.shape == "ring"
@@ -169,7 +183,7 @@ def _wheel(member: Member, placing: Placing, active: Real) -> Body:
     count = min(TEETH, element.teeth)
     first = int(np.ceil(_turned(towards - axis) / step - count / 2 - 1e-9))
     numbers = range(first, first + count)
-    one, whole = module * from_gap_to_gap(element), module * element_outline(element, tolerance=COARSE)
+    one, whole = module * from_gap_to_gap(element, tolerance), module * element_outline(element, tolerance=COARSE)
     centre = module * placing.centre
 
     def put(points: Plane, k: float = 0.0) -> Plane:
@@ -177,7 +191,7 @@ def _wheel(member: Member, placing: Placing, active: Real) -> Body:
 
     behind = max(sizes.root + (RIM if ring else -RIM) * module, 0.2 * module)
     turn = axis + (first + np.linspace(-0.5, count - 0.5, 40 * count + 1)) * step
-    flank = active_flank(half_tooth(member), active / module)
+    flank = active_flank(half_tooth(member), active / module, points)
     # of a ring the left flank of a tooth, mirrored into the left one of the space beside it
     flank = module * (-np.conj(np.exp(-0.5j * step) * flank) if ring else flank)
     return Body(
@@ -192,12 +206,12 @@ def _wheel(member: Member, placing: Placing, active: Real) -> Body:
     )
 
 
-def active_flank(half: Half, rho: Real) -> Plane:
+def active_flank(half: Half, rho: Real, points: int = POINTS) -> Plane:
     """The part of the involute of half a tooth between two radii of curvature, in modules."""
     curve = half.flank.curve
     low, high = sorted((curve.start, curve.end))
     start, end = np.clip(np.sort(rho) / half.base, low, high).tolist()
-    return curve.point(np.linspace(start, end, POINTS))
+    return curve.point(np.linspace(start, end, points))
 
 
 def _turned(angle: float) -> float:
@@ -205,28 +219,28 @@ def _turned(angle: float) -> float:
     return float(np.angle(np.exp(1j * angle)))
 
 
-def from_gap_to_gap(element: Element) -> Plane:
+def from_gap_to_gap(element: Element, tolerance: float = FINE) -> Plane:
     """One element counter-clockwise, from the middle of the gap before it to that of the gap behind it."""
-    one = element_outline(element, tolerance=FINE)
+    one = element_outline(element, tolerance=tolerance)
     step = 2 * pi / element.teeth
     behind = np.angle(one * np.exp(-1j * pi / 2)) > step / 2
     ends = element.gap * np.exp(1j * (pi / 2 + np.array([-step / 2, step / 2])))
     return np.concatenate([ends[:1], one[behind] * np.exp(-1j * step), one[~behind], ends[1:]])
 
 
-def rack_tooth(member: Member) -> Plane:
+def rack_tooth(member: Member, points: int = POINTS) -> Plane:
     """One tooth of a rack, in modules, in the direction of -X from the middle of a space to the next."""
     parts = half_tooth(member).parts
-    left = np.concatenate([part.curve.point(np.linspace(part.curve.start, part.curve.end, POINTS)) for part in parts])
+    left = np.concatenate([part.curve.point(np.linspace(part.curve.start, part.curve.end, points)) for part in parts])
     return np.concatenate([left, mirrored(left)])[::-1]
 
 
-def _rack(member: Member, placing: Placing, active: Real) -> Body:
+def _rack(member: Member, placing: Placing, active: Real, points: int) -> Body:
     """The teeth of a rack that are nearest to the pitch point; rho1 at the ends of the contact."""
     module, found = member.module, member.found
     pitch, axis = 2 * member.half_pitch, placing.centre.real
     first = int(np.ceil(-axis / pitch - TEETH / 2 - 1e-9))
-    one = module * rack_tooth(member) * np.exp(1j * placing.turn)
+    one = module * rack_tooth(member, points) * np.exp(1j * placing.turn)
     places = module * (placing.centre + pitch * np.arange(first, first + TEETH))
     edge = np.concatenate([place + one for place in places])
     # heights of the contact over the datum line, towards the pinion

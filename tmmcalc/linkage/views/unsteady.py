@@ -8,7 +8,7 @@ from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.linkage.unsteady.results import Unsteady
 from tmmcalc.linkage.views.linkage import MovingLinkage
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.moving import View
+from tmmcalc.report.moving import View, seconds_of
 
 
 def views(order: Order) -> Iterator[View]:
@@ -34,4 +34,5 @@ def views(order: Order) -> Iterator[View]:
             layers=tuple(moved.layers("unsteady")),
             shown=("unsteady.v", *(f"unsteady.vS_{output}" for output in result.outputs[:1])),
             stages=("unsteady",),
+            seconds=seconds_of(result.law.duration),
         )

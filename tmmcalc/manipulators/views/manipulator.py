@@ -12,7 +12,7 @@ from tmmcalc.manipulators.results import Manipulator
 from tmmcalc.manipulators.task import ManipulatorTask
 from tmmcalc.manipulators.views.space import AslantArm
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.moving import FRAME, Arrow, Body, Layer, Mark, Span, Spot, Stop, Track, View
+from tmmcalc.report.moving import FRAME, Arrow, Body, Layer, Mark, Span, Spot, Stop, Track, View, seconds_of
 
 HAND = "3"  # the link that carries the gripper, and the one that carries it
 ARM = "2"
@@ -47,6 +47,7 @@ def views(order: Order) -> Iterator[View]:
             stops=tuple(_stops(result)),
             shown=tuple(_shown(result)),
             stages=("manipulator",),
+            seconds=seconds_of(result.duration),
         )
 
 

@@ -13,7 +13,7 @@ from tmmcalc.core.plane import Plane
 from tmmcalc.manipulators.arms import direct
 from tmmcalc.manipulators.results import Manipulator
 from tmmcalc.manipulators.task import ManipulatorTask, Obstacle
-from tmmcalc.report.moving import FRAME, Body, Layer, Mark, Span, Spot, Track
+from tmmcalc.report.moving import FRAME, Body, Layer, Mark, Span, Spot, Track, Vector
 
 ASIDE = math.radians(55.0)  # of the middle of the motion: from where it is seen
 ABOVE = math.radians(24.0)
@@ -140,8 +140,15 @@ class AslantArm:
             yield Spot(obstacle.name, FRAME, complex(top.mean()), "word")
 
     def layers(self) -> Iterator[Layer]:
-        """None: their columns are those of space."""
-        yield from ()
+        """Velocity and acceleration of the gripper as they are seen."""
+        still = np.zeros(len(self.result.t))
+        seen = [self.seen(each) for each in self.points["hand"]]
+        for name, letter, title, unit, order in (
+            ("velocity", "v", "Velocities", "m/s", 1),
+            ("acceleration", "a", "Accelerations", "m/s^2", 2),
+        ):
+            x, y = (Track(part, still) for part in (seen[order].real, seen[order].imag))
+            yield Layer(name, title, unit, (), (Vector(f"{letter}_P", "hand", x, y),))
 
 
 def _level(obstacle: Obstacle, height: float) -> Values:

@@ -3,12 +3,26 @@
 /** @typedef {string | string[]} Said a text, or one in each language */
 /** @typedef {[number, number]} Ref place and count in the block */
 /** @typedef {number | [Ref, Ref]} Track a number that stands, or values and rates over the input */
-/** @typedef {[string, number[], number?]} Mark kind, coordinates of its points, size */
-/** @typedef {{name: string, x: Track, y: Track, angle: Track, marks: Mark[], number: string, beside: number[][]}} Body */
+/** @typedef {[string, number[], number?, number?]} Mark kind, coordinates of its points, size, number of its colour */
+/** @typedef {[number, number] | null} Range between which places of the input something is there; null: always */
+/**
+ * @typedef {object} Body
+ * @property {string} name
+ * @property {Track} x
+ * @property {Track} y
+ * @property {Track} angle
+ * @property {Mark[]} marks
+ * @property {string} number
+ * @property {number[][]} beside
+ * @property {string} on the body in whose axes its tracks are
+ * @property {Range} there
+ */
 /** @typedef {{name: string, body: string, at: number[], kind: "pin" | "mass" | "point" | "word", path: boolean}} Spot */
 /** @typedef {[string, [string, number, number][]]} Span kind; its points, each a body and a place in its axes */
 /** @typedef {{sign: string, spot: string, x: string, y: string, sense: number}} Arrow */
-/** @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[]}} Layer */
+/** @typedef {{sign: string, body: string, x: Track, y: Track}} Vector */
+/** @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[], vectors: Vector[], tone: number}} Layer */
+/** @typedef {{name: Said, sign: string, unit: Said, value: Track, there: Range}} Reading */
 /** @typedef {[number, number, string, string]} Edge tail, head, sign, kind */
 /**
  * @typedef {{name: string, title: Said, unit: Said, vertices: [string, Ref, Ref][], edges: Edge[], places: Ref | null,
@@ -38,6 +52,9 @@
  * @property {string[]} stages
  * @property {Said} note
  * @property {[number, number][]} reach
+ * @property {Reading[]} readings
+ * @property {number} seconds that the whole travel takes
+ * @property {number | null} nudge of an arrow key
  */
 /** @typedef {{name: string, symbol: string, meaning: Said, value: number, unit: Said}} Fact */
 /** @typedef {{name: string, symbol: string, meaning: Said, unit: Said, values: Ref}} Column */
@@ -51,8 +68,24 @@
  * @property {Said[]} warnings
  * @property {Record<string, number>} errors
  */
+/** @typedef {number | string | [string, ...any[]]} Formula as `tmmcalc.report.formula.carried` writes it */
+/** @typedef {[string, string, Formula]} Step name, function of it on the left side or none, formula */
+/**
+ * @typedef {object} Trial a plane of two inputs with a point, sizes that follow by formulas
+ * @property {string} name
+ * @property {Said} title
+ * @property {[string, string]} inputs
+ * @property {[number, number]} start
+ * @property {number[]} box
+ * @property {{kind: "strict" | "tolerated" | "piece", x: Ref, y: Ref}[]} regions
+ * @property {{number: string, title: Said, value: number, x: Ref, y: Ref}[]} curves
+ * @property {{name: Said, title: Said, at: [number, number]}[]} points
+ * @property {Record<string, number>} given
+ * @property {Step[]} steps
+ * @property {{name: string, meaning: Said, unit: Said, least: number | string | null, where: string}[]} shown
+ */
 /** @typedef {{what: Said, keys: string[], values: number[], unit: Said, text: Said}} Datum */
-/** @typedef {{name: string, stages: Stage[], given: Datum[], source: string, views: View[]}} Variant */
+/** @typedef {{name: string, stages: Stage[], given: Datum[], source: string, views: View[], trials: Trial[]}} Variant */
 /**
  * @typedef {object} Content
  * @property {string} title

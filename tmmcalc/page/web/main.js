@@ -4,8 +4,10 @@ import { choose, content, scene } from "./data.js";
 import { facts } from "./facts.js";
 import { Plans } from "./plans.js";
 import { button, made, Player } from "./player.js";
+import { readings } from "./readings.js";
 import { Scene } from "./scene.js";
 import { State } from "./state.js";
+import { Plane } from "./trials.js";
 import { forget, language, remember, saying, speak, told, word } from "./words.js";
 
 const SHOWN = ["paths", "numbers", "names", "masses", "centres"];
@@ -41,13 +43,14 @@ function printed() {
 function shown(columns, part) {
   forget();
   main.replaceChildren();
-  const { views, stages } = scene();
+  const { views, trials, stages } = scene();
   const states = views.map((view) => new State(view));
-  const left = states.length ? made("div", { class: "moving" }, main) : null;
+  const left = states.length || trials.length ? made("div", { class: "moving" }, main) : null;
   for (const state of states) {
     if (left) moved(left, state);
     state.move(state.low + part * state.span);
   }
+  for (const trial of trials) if (left) new Plane(left, trial);
   const right = made("div", { class: "read" }, main);
   const diagrams = made("section", { class: "diagrams" }, right);
   heading(diagrams, () => word("diagrams"));
@@ -111,24 +114,33 @@ function moved(parent, state) {
   const drawing = new Scene(stage, state);
   const player = new Player(section, state, drawing.svg);
   drawing.svg.addEventListener("pointerdown", () => player.play(false));
+  readings(section, state);
   const layers = made("fieldset", { class: "layers" }, section);
   const legend = made("legend", {}, layers);
   saying(() => (legend.textContent = word("show")));
-  const { bodies, centres, spots } = state.view;
-  const there = {
-    paths: spots.some((spot) => spot.path),
-    numbers: bodies.some((body) => body.number),
-    names: spots.some((spot) => spot.name && spot.kind !== "mass"),
-    masses: spots.some((spot) => spot.kind === "mass"),
-    centres: centres.length > 0,
-  };
-  const known = SHOWN.filter((name) => there[/** @type {keyof typeof there} */ (name)]);
+  const known = SHOWN.filter((name) => offers(state.view, name));
   for (const name of known) tick(layers, drawing, name, () => word(name));
   for (const layer of drawing.layers) {
     tick(layers, drawing, layer.layer.name, () => `${told(layer.layer.title)} (${drawing.scaleOf(layer)})`, layer.colour);
   }
   layers.hidden = !layers.querySelector("label");
   if (state.view.plans.length) new Plans(section, state);
+}
+
+/**
+ * Whether a view has what may be shown or hidden by this name.
+ * @param {import("./data.js").View} view
+ * @param {string} name
+ */
+function offers(view, name) {
+  const has = {
+    paths: view.spots.some((spot) => spot.path),
+    numbers: view.bodies.some((body) => body.number),
+    names: view.spots.some((spot) => spot.name && spot.kind !== "mass"),
+    masses: view.spots.some((spot) => spot.kind === "mass"),
+    centres: view.centres.length > 0,
+  };
+  return has[/** @type {keyof typeof has} */ (name)];
 }
 
 /**

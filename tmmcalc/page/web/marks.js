@@ -2,9 +2,13 @@
 
 const SVG = "http://www.w3.org/2000/svg";
 export const PIN = 5;
+export const COLOURS = ["blue", "orange", "green", "purple"];
 const BLOCK = [34, 19];
 const PIVOT = [22, 17];
 const [COILS, COIL] = [5, 7]; // turns of a spring, half its width
+const DOT = 4.5;
+const FINEST = 0.8; // module in pixels below which teeth are not drawn
+const SLOPE = Math.tan(Math.PI / 9); // of their flanks
 
 /**
  * An element of SVG with attributes.
@@ -27,6 +31,18 @@ export function drawn(name, attributes = {}, parent) {
  * @param {number} scale
  */
 export function draw(parent, mark, scale) {
+  const found = shaped(parent, mark, scale);
+  const tone = mark[3] ?? 0;
+  if (tone) found.classList.add(COLOURS[(tone - 1) % COLOURS.length]);
+  return found;
+}
+
+/**
+ * @param {Element} parent
+ * @param {import("./data.js").Mark} mark
+ * @param {number} scale
+ */
+function shaped(parent, mark, scale) {
   const [kind, flat, size = 0] = mark;
   /** @type {[number, number][]} */
   const points = [];
@@ -38,14 +54,29 @@ export function draw(parent, mark, scale) {
     case "outline":
     case "zone":
     case "range":
+    case "gear":
       return drawn("polygon", { class: kind, points: path }, parent);
     case "bar":
     case "slot":
     case "line":
+    case "axis":
+    case "flank":
+    case "spoke":
       return drawn("polyline", { class: kind, points: path }, parent);
     case "circle":
     case "pitch":
+    case "base":
       return drawn("circle", { class: kind, cx: x, cy: y, r: size * scale }, parent);
+    case "dot":
+      return drawn("circle", { class: kind, cx: x, cy: y, r: DOT }, parent);
+    case "cog":
+      return drawn("path", { class: kind, d: toothed(points[0], points[1], size, 1) }, parent);
+    case "rim":
+      return rim(parent, points, size);
+    case "sense":
+      return sense(parent, points, size);
+    case "held":
+      return held(parent, x, y, size * scale);
     case "block":
       return block(parent, x, y, flat[2], flat[3]);
     case "weld":
@@ -89,6 +120,88 @@ function wound(points) {
   const at = (along, aside) => [ax + along * long * ex - aside * ey, ay + along * long * ey + aside * ex];
   const turns = Array.from({ length: 2 * COILS }, (_, k) => at(0.15 + (0.7 * (k + 0.5)) / (2 * COILS), k % 2 ? -COIL : COIL));
   return [points[0], at(0.15, 0), ...turns, at(0.85, 0), points[points.length - 1]];
+}
+
+/**
+ * A ring with teeth inside: its centre, the middle of a tooth, a point of its outer circle.
+ * @param {Element} parent
+ * @param {[number, number][]} points
+ * @param {number} teeth
+ */
+function rim(parent, [centre, tooth, edge], teeth) {
+  const d = circled(centre, Math.hypot(edge[0] - centre[0], edge[1] - centre[1])) + toothed(centre, tooth, teeth, -1);
+  return drawn("path", { class: "rim", d, "fill-rule": "evenodd" }, parent);
+}
+
+/**
+ * @param {[number, number]} centre
+ * @param {number} r
+ */
+function circled([x, y], r) {
+  return `M${round(x - r)},${round(y)}a${r},${r} 0 1 0 ${2 * r},0a${r},${r} 0 1 0 ${-2 * r},0z`;
+}
+
+/**
+ * The outline of a wheel with straight teeth of usual height, one of them through a point of the pitch circle.
+ * @param {[number, number]} centre
+ * @param {[number, number]} tooth
+ * @param {number} teeth
+ * @param {1 | -1} sense outward, or inward
+ */
+function toothed([x, y], tooth, teeth, sense) {
+  const [dx, dy] = [tooth[0] - x, tooth[1] - y];
+  const r = Math.hypot(dx, dy);
+  const module = (2 * r) / teeth;
+  if (module < FINEST) return circled([x, y], r);
+  const [tip, root] = [r + sense * module, r - 1.25 * sense * module];
+  const half = Math.PI / 2 / teeth;
+  const [narrow, wide] = [half - (SLOPE * module) / r, half + (1.25 * SLOPE * module) / r];
+  const start = Math.atan2(dy, dx);
+  let d = "";
+  for (let k = 0; k < teeth; k++) {
+    const at = start + 4 * half * k;
+    for (const [radius, turn] of [[root, -wide], [tip, -narrow], [tip, narrow], [root, wide]]) {
+      d += `${d ? "L" : "M"}${round(x + radius * Math.cos(at + turn))},${round(y + radius * Math.sin(at + turn))}`;
+    }
+  }
+  return `${d}z`;
+}
+
+/**
+ * An arrow along a circle about the first point, from the second one on.
+ * @param {Element} parent
+ * @param {[number, number][]} points
+ * @param {number} turn
+ */
+function sense(parent, [[x, y], [sx, sy]], turn) {
+  const r = Math.hypot(sx - x, sy - y);
+  const end = Math.atan2(sy - y, sx - x) - turn;
+  const [ex, ey] = [x + r * Math.cos(end), y + r * Math.sin(end)];
+  const group = drawn("g", {}, parent);
+  const d = `M${round(sx)},${round(sy)}A${r},${r} 0 0 ${turn > 0 ? 0 : 1} ${round(ex)},${round(ey)}`;
+  drawn("path", { class: "sense", d }, group);
+  const way = ((end - (Math.sign(turn) * Math.PI) / 2) * 180) / Math.PI;
+  const place = `translate(${round(ex)} ${round(ey)}) rotate(${round(way)})`;
+  drawn("path", { class: "head", d: "M6,0L-7,5V-5z", transform: place }, group);
+  return group;
+}
+
+/**
+ * A circle that stands still: hatched outside.
+ * @param {Element} parent
+ * @param {number} x
+ * @param {number} y
+ * @param {number} r
+ */
+function held(parent, x, y, r) {
+  const count = Math.max(12, Math.round((2 * Math.PI * r) / 9));
+  let d = `M${round(x - r)},${round(y)}a${r},${r} 0 1 0 ${2 * r},0a${r},${r} 0 1 0 ${-2 * r},0`;
+  for (let k = 0; k < count; k++) {
+    const from = (2 * Math.PI * k) / count;
+    const to = from + 5 / r;
+    d += `M${round(x + r * Math.cos(from))},${round(y + r * Math.sin(from))}L${round(x + (r + 7) * Math.cos(to))},${round(y + (r + 7) * Math.sin(to))}`;
+  }
+  return drawn("path", { class: "ground", d }, parent);
 }
 
 /** @param {number} value */

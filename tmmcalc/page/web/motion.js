@@ -59,6 +59,50 @@ export function poseOf(body, values, there) {
   };
 }
 
+/**
+ * The poses of all bodies there; those on others move with them.
+ * @param {import("./data.js").Body[]} bodies
+ * @param {Float32Array} values
+ * @param {Between} there
+ * @returns {Map<string, Pose>}
+ */
+export function posesOf(bodies, values, there) {
+  /** @type {Map<string, Pose>} */
+  const poses = new Map();
+  /** @param {import("./data.js").Body} body @returns {Pose} */
+  const found = (body) => {
+    const known = poses.get(body.name);
+    if (known) return known;
+    const own = poseOf(body, values, there);
+    const bearer = body.on ? bodies.find((each) => each.name === body.on) : undefined;
+    const pose = bearer ? onto(found(bearer), own) : own;
+    poses.set(body.name, pose);
+    return pose;
+  };
+  bodies.forEach(found);
+  return poses;
+}
+
+/**
+ * A pose in the axes of another one.
+ * @param {Pose} bearer
+ * @param {Pose} own
+ * @returns {Pose}
+ */
+function onto(bearer, own) {
+  const [x, y] = placed(bearer, own.x, own.y);
+  return { x, y, cos: bearer.cos * own.cos - bearer.sin * own.sin, sin: bearer.sin * own.cos + bearer.cos * own.sin };
+}
+
+/**
+ * Whether something is there at a place of the input.
+ * @param {import("./data.js").Range} range
+ * @param {number} at
+ */
+export function isThere(range, at) {
+  return !range || (at >= range[0] && at <= range[1]);
+}
+
 /** @type {Pose} */
 export const STILL = { x: 0, y: 0, cos: 1, sin: 0 };
 

@@ -4,7 +4,6 @@ import { numbers } from "./data.js";
 import { drawn } from "./marks.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
-const PERIOD = 4000; // of the whole travel at speed 1 [ms]
 
 /**
  * An element of HTML with classes and attributes.
@@ -114,9 +113,8 @@ export class Player {
     const here = `${state.view.symbol} = ${this.measured(state.at)}`;
     const near = numbers(state.view.values)[state.near];
     this.slider.setAttribute("aria-valuetext", here);
-    this.told.textContent =
-      `${here}${step ? ` ${word("step", { label: step[0] })}` : ""}; ` +
-      word("solved", { value: `${state.view.symbol} = ${this.measured(near)}` });
+    const solved = state.view.column ? `; ${word("solved", { value: `${state.view.symbol} = ${this.measured(near)}` })}` : "";
+    this.told.textContent = `${here}${step?.[0] ? ` ${word("step", { label: step[0] })}` : ""}${solved}`;
   }
 
   /** @param {number} sense */
@@ -128,7 +126,7 @@ export class Player {
   /** @param {KeyboardEvent} event */
   key(event) {
     const { state } = this;
-    const small = state.span / 360;
+    const small = state.view.nudge ?? state.span / 360;
     const acts = {
       ArrowRight: () => this.turn(small),
       ArrowLeft: () => this.turn(-small),
@@ -168,7 +166,7 @@ export class Player {
     const frame = (now) => {
       if (!this.playing) return;
       const { state } = this;
-      const way = (Math.min(Math.max(now - last, 0), 100) / PERIOD) * this.speed * state.span;
+      const way = (Math.min(Math.max(now - last, 0), 100) / (1000 * state.view.seconds)) * this.speed * state.span;
       const along = Math.sign(state.values[state.values.length - 1] - state.values[0]) || 1;
       last = now;
       if (!state.view.whole && (state.at + this.sense * along * way > state.high || state.at + this.sense * along * way < state.low)) {

@@ -1,20 +1,20 @@
 // The machine drawn to scale: bodies that move, names, paths, vectors; the input link is dragged by hand.
 import { columnOf, numbers } from "./data.js";
-import { between, placed, poseOf, STILL } from "./motion.js";
+import { between, isThere, placed, poseOf, posesOf, STILL, trackAt } from "./motion.js";
 import { around, settled } from "./labels.js";
-import { centreOfMass, draw, drawn, named, PIN, stretch } from "./marks.js";
+import { centreOfMass, COLOURS, draw, drawn, named, PIN, stretch } from "./marks.js";
 import { parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 760;
 const HIGH = 560;
 const MARGIN = 56;
 const LONGEST = 110; // of a vector, in pixels
+const SMALL = 1e-5; // of the travel: a step by which velocities are found
 const CENTIMETRE = 37.8; // in pixels of a screen
 const REST = 0.05; // of the size of the scene: what goes less in the whole travel at its speed there, rests there
 const RING = 9; // radius of the ring of a number
 const MOMENTS = 25; // of the motion that places of names are chosen by
 const LINES = new Set(["plate", "bar", "slot", "outline", "line"]);
-const COLOURS = ["blue", "orange", "green", "purple"];
 
 export class Scene {
   /**
@@ -45,7 +45,7 @@ export class Scene {
     this.spots = this.view.spots.map((spot) => this.spotted(spot, world));
     this.rings = this.view.bodies.map((body) => this.ringed(body, world));
     this.centres = this.view.centres.map((centre) => this.centred(centre, world));
-    this.layers = this.view.layers.map((layer, k) => this.layered(layer, COLOURS[k % COLOURS.length], world));
+    this.layers = this.view.layers.map((layer, k) => this.layered(layer, COLOURS[((layer.tone || k + 1) - 1) % COLOURS.length], world));
     this.trace();
     this.named();
     this.dragged();
@@ -73,7 +73,9 @@ export class Scene {
     const handle = this.view.handle !== null && this.view.handle.body === body.name;
     const group = drawn("g", { class: handle ? "body handle" : "body", "data-body": body.name }, world);
     for (const mark of body.marks) draw(group, mark, this.scale);
-    for (const mark of body.marks) draw(group, mark, this.scale).classList.add("grip");
+    const still = !body.on && [body.x, body.y, body.angle].every((track) => typeof track === "number");
+    if (still) group.classList.add("still");
+    else for (const mark of body.marks) draw(group, mark, this.scale).classList.add("grip");
     return group;
   }
 
@@ -151,10 +153,26 @@ export class Scene {
       const rows = numbers(x.stage.rows.values);
       return [{ arrow, line, name, rows, x: numbers(x.column.values), y: numbers(y.column.values) }];
     });
+    const vectors = layer.vectors.map((vector) => {
+      const line = drawn("line", { "marker-end": `url(#head-${colour})` }, group);
+      return { vector, line, name: named(group, ...parted(vector.sign), { class: "name" }) };
+    });
     let largest = 0;
     for (const { x, y } of arrows) largest = x.reduce((most, _, k) => Math.max(most, Math.hypot(x[k], y[k]) || 0), largest);
+    for (const { vector } of vectors) largest = Math.max(largest, this.longest(vector));
     const per = largest ? standard((largest / LONGEST) * CENTIMETRE) / CENTIMETRE : 1; // of the unit to a pixel
-    return { layer, colour, group, arrows, per, largest };
+    return { layer, colour, group, arrows, vectors, per, largest };
+  }
+
+  /**
+   * The greatest length of a vector where its body is there, in its unit.
+   * @param {import("./data.js").Vector} vector
+   */
+  longest(vector) {
+    const { values, low, high } = this.state;
+    const [from, to] = this.view.bodies.find((each) => each.name === vector.body)?.there ?? [low, high];
+    const places = [from, ...values.filter((value) => value > from && value < to), to].map((at) => between(values, at));
+    return Math.max(...places.map((each) => Math.hypot(trackAt(vector.x, values, each), trackAt(vector.y, values, each))));
   }
 
   /** Paths of the named points over all positions. */
@@ -175,9 +193,9 @@ export class Scene {
 
   /** Names and numbers at places that suit the whole motion. */
   named() {
-    const { values } = this.state;
-    const moments = Array.from({ length: MOMENTS }, (_, k) => Math.round((k * (values.length - 1)) / (MOMENTS - 1)));
-    const poses = moments.map((k) => this.posed({ from: k, to: k, t: 0, near: k }));
+    const { low, span, values } = this.state;
+    const moments = Array.from({ length: MOMENTS }, (_, k) => low + (k * span) / (MOMENTS - 1));
+    const poses = moments.map((at) => this.posed(between(values, at)));
     /** @param {string} body @param {number[]} at @returns {import("./labels.js").Pair[]} */
     const over = (body, at) =>
       poses.map((pose) => {
@@ -247,7 +265,7 @@ export class Scene {
     }
     for (const [, points] of this.view.spans) {
       const ends = this.along(points, poses);
-      ends.slice(1).forEach((end, k) => found.push([...ends[k], ...end]));
+      for (let k = 1; k < ends.length; k++) found.push([...ends[k - 1], ...ends[k]]);
     }
     for (const [kind, flat] of this.view.frame) {
       if (kind === "guide") add(STILL, flat.slice(0, 4), false);
@@ -288,20 +306,23 @@ export class Scene {
    * @param {import("./motion.js").Between} there
    */
   posed(there) {
-    return new Map(this.view.bodies.map((body) => [body.name, poseOf(body, this.state.values, there)]));
+    return posesOf(this.view.bodies, this.state.values, there);
   }
 
   /** Draw all where it is now. */
   update() {
-    const { there } = this.state;
+    const { at, there } = this.state;
     const poses = this.posed(there);
     this.poses = poses;
+    const gone = new Set(this.view.bodies.filter((body) => !isThere(body.there, at)).map((body) => body.name));
+    this.gone = gone;
     this.view.bodies.forEach((body, k) => {
       const pose = /** @type {import("./motion.js").Pose} */ (poses.get(body.name));
       const { x, y, cos, sin } = pose;
       const s = this.scale;
       const matrix = [cos, -sin, sin, cos, x * s, -y * s].map((each) => each.toFixed(5)).join(" ");
       this.bodies[k].setAttribute("transform", `matrix(${matrix})`);
+      for (const each of [this.bodies[k], this.rings[k]]) each.classList.toggle("lost", gone.has(body.name));
       const [bx, by] = placed(pose, body.beside[0]?.[0] ?? 0, body.beside[0]?.[1] ?? 0);
       this.rings[k].setAttribute("transform", this.shifted(bx, by));
     });
@@ -309,6 +330,7 @@ export class Scene {
     this.view.spots.forEach((spot, k) => {
       const [x, y] = placed(poses.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
       this.spots[k].setAttribute("transform", this.shifted(x, y));
+      this.spots[k].classList.toggle("lost", gone.has(spot.body));
     });
     this.view.centres.forEach((centre, k) => {
       const x = numbers(centre.x)[there.near];
@@ -329,17 +351,34 @@ export class Scene {
       if (!spot) continue;
       const [px, py] = placed(this.poses?.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
       const k = between(rows, this.state.at).near;
-      const [dx, dy] = [(arrow.sense * x[k]) / layer.per, (-arrow.sense * y[k]) / layer.per];
-      const long = Math.hypot(dx, dy);
-      const [ax, ay] = [px * this.scale, -py * this.scale];
-      const seen = long > 1;
-      line.classList.toggle("lost", !seen);
-      name.classList.toggle("lost", !seen);
-      if (!seen) continue;
-      for (const [key, value] of Object.entries({ x1: ax, y1: ay, x2: ax + dx, y2: ay + dy })) line.setAttribute(key, value.toFixed(1));
-      name.setAttribute("x", (ax + dx + (9 * dx) / long - 6).toFixed(1));
-      name.setAttribute("y", (ay + dy + (9 * dy) / long + 5).toFixed(1));
+      this.arrow(line, name, [px, py], [(arrow.sense * x[k]) / layer.per, (arrow.sense * y[k]) / layer.per]);
     }
+    for (const { vector, line, name } of layer.vectors) {
+      const pose = this.gone?.has(vector.body) ? undefined : this.poses?.get(vector.body);
+      const { values, there } = this.state;
+      const way = [trackAt(vector.x, values, there) / layer.per, trackAt(vector.y, values, there) / layer.per];
+      this.arrow(line, name, pose ? [pose.x, pose.y] : [0, 0], pose ? way : [0, 0]);
+    }
+  }
+
+  /**
+   * An arrow with its name, none where it is too short to be seen.
+   * @param {Element} line
+   * @param {Element} name
+   * @param {number[]} from a place of the machine
+   * @param {number[]} way in pixels, y upward
+   */
+  arrow(line, name, from, way) {
+    const [dx, dy] = [way[0], -way[1]];
+    const long = Math.hypot(dx, dy);
+    const [ax, ay] = [from[0] * this.scale, -from[1] * this.scale];
+    const seen = long > 1;
+    line.classList.toggle("lost", !seen);
+    name.classList.toggle("lost", !seen);
+    if (!seen) return;
+    for (const [key, value] of Object.entries({ x1: ax, y1: ay, x2: ax + dx, y2: ay + dy })) line.setAttribute(key, value.toFixed(1));
+    name.setAttribute("x", (ax + dx + (9 * dx) / long - 6).toFixed(1));
+    name.setAttribute("y", (ay + dy + (9 * dy) / long + 5).toFixed(1));
   }
 
   /**
@@ -368,7 +407,7 @@ export class Scene {
    * @param {ReturnType<Scene["layered"]>} layer
    */
   scaleOf(layer) {
-    return word("arrow", { value: `${written(layer.per * CENTIMETRE, 3)} ${told(layer.layer.unit)}` });
+    return word("arrow", { value: `${written(layer.per * CENTIMETRE, 3)} ${told(layer.layer.unit)}`.trim() });
   }
 
   /** The place of the machine under a pointer. @param {PointerEvent} event @returns {[number, number]} */
@@ -388,7 +427,8 @@ export class Scene {
       /** @type {[number, number] | null} */
       let held = null; // the point of the body, in its axes
       let [last, wanted] = [0, 0]; // of a crank the angle of the pointer, and where the input would be without its ends
-      const pivot = this.view.handle?.body === body.name ? this.view.handle.pivot : null;
+      const about = typeof body.x === "number" && typeof body.y === "number" && !body.on ? [body.x, body.y] : null;
+      const pivot = this.view.handle?.body === body.name ? this.view.handle.pivot : about;
       /** @param {PointerEvent} event @param {number[]} about */
       const angle = (event, about) => {
         const [x, y] = this.pointed(event);
@@ -397,9 +437,7 @@ export class Scene {
       grip.addEventListener("pointerdown", (event) => {
         const pose = this.poses?.get(body.name);
         if (!pose) return;
-        const [x, y] = this.pointed(event);
-        const [dx, dy] = [x - pose.x, y - pose.y];
-        held = [pose.cos * dx + pose.sin * dy, pose.cos * dy - pose.sin * dx];
+        held = within(pose, this.pointed(event));
         if (pivot) [last, wanted] = [angle(event, pivot), this.state.at];
         grip.setPointerCapture(event.pointerId);
         grip.classList.add("held");
@@ -412,7 +450,13 @@ export class Scene {
           wanted += Math.atan2(Math.sin(now - last), Math.cos(now - last)) / (this.rate(body.angle) || 1);
           last = now;
           this.state.move(wanted);
-        } else this.state.move(this.state.at + this.way(body, held, this.pointed(event)));
+        } else {
+          const before = this.state.at;
+          this.state.move(before + this.way(body, held, this.pointed(event)));
+          const pose = this.poses?.get(body.name);
+          const round = Math.abs(this.state.at - before) > this.state.span / 2;
+          if (round && pose) held = within(pose, this.pointed(event)); // another tooth is there now
+        }
       });
       const leave = () => {
         held = null;
@@ -438,22 +482,35 @@ export class Scene {
    * @param {[number, number]} wanted
    */
   way(body, held, wanted) {
-    const pose = poseOf(body, this.state.values, this.state.there);
-    const [x, y] = placed(pose, held[0], held[1]);
-    const most = this.state.span / 24;
-    let vx = this.rate(body.x) - this.rate(body.angle) * (y - pose.y);
-    let vy = this.rate(body.y) + this.rate(body.angle) * (x - pose.x);
-    if (Math.hypot(vx, vy) * this.state.span < REST * this.size) {
+    const { at, low, high, span, values } = this.state;
+    const most = span / 24;
+    /** @param {number} input */
+    const point = (input) =>
+      placed(posesOf(this.view.bodies, values, between(values, input)).get(body.name) ?? STILL, held[0], held[1]);
+    const [before, after] = [Math.max(low, at - SMALL * span), Math.min(high, at + SMALL * span)];
+    const [[x, y], [bx, by], [ax, ay]] = [at, before, after].map(point);
+    let [vx, vy] = [(ax - bx) / (after - before), (ay - by) / (after - before)];
+    if (Math.hypot(vx, vy) * span < REST * this.size) {
       // it rests there, as at the ends of a motion over the time: the way from there on
-      const { at, low, high, values } = this.state;
       const next = at + most <= high ? at + most : Math.max(low, at - most);
-      const [nx, ny] = placed(poseOf(body, values, between(values, next)), held[0], held[1]);
+      const [nx, ny] = point(next);
       [vx, vy] = [(nx - x) / (next - at), (ny - y) / (next - at)];
     }
     const size = vx * vx + vy * vy;
     const way = size ? ((wanted[0] - x) * vx + (wanted[1] - y) * vy) / size : 0;
     return Math.min(most, Math.max(-most, way));
   }
+}
+
+/**
+ * A place in the axes of a body.
+ * @param {import("./motion.js").Pose} pose
+ * @param {[number, number]} place
+ * @returns {[number, number]}
+ */
+function within(pose, [x, y]) {
+  const [dx, dy] = [x - pose.x, y - pose.y];
+  return [pose.cos * dx + pose.sin * dy, pose.cos * dy - pose.sin * dx];
 }
 
 /**

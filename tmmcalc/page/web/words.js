@@ -91,5 +91,5 @@ const GREEK = {
 export function parted(name) {
   const [letter, ...index] = name.replaceAll(/[{}]/g, "").split("_");
   const greek = GREEK[/** @type {keyof typeof GREEK} */ (letter)];
-  return [greek ?? letter, index.join(", ")];
+  return [greek ?? letter, index.map((part) => GREEK[/** @type {keyof typeof GREEK} */ (part)] ?? part).join(", ")];
 }

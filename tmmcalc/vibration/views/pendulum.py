@@ -9,7 +9,7 @@ import numpy as np
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.moving import Body, Mark, Span, Spot, Track, View, track_of
+from tmmcalc.report.moving import Body, Mark, Span, Spot, Track, View, seconds_of, track_of
 from tmmcalc.vibration.pendulum.results import PendulumResult
 from tmmcalc.vibration.pendulum.swing import SwingCourse
 from tmmcalc.vibration.views.enlarged import factor_of, told
@@ -63,6 +63,7 @@ class _Pendulum:
             spots=(Spot("O", "carrier", 0j, "pin"), Spot("C", "end", 0j, "point", path=True)),
             spans=tuple(self._spans()),
             note=told(self.factor),
+            seconds=seconds_of(float(self.swing.t[-1])),
         )
 
     def _bodies(self) -> Iterator[Body]:

@@ -33,6 +33,7 @@ LEFT = {  # the contact that undercut and fillets leave
     "rack": ("rho_s1 = max(rho_p1, <end1>)",),
 }
 LEFT_RATIO = "eps'_alpha = (<e1> - <s1>)/p_b"
+TEETH = "u = z_2/z_1"
 SLIDING = ("theta_1 = 1 - <s2>/(u*<s1>)", "theta_2 = 1 - u*<e1>/<e2>")
 RACK_SLIDING = ("theta_1 = 1 - rho_w1/<s1>", "theta_2 = 1 - <e1>/rho_w1")
 PRESSURE = (
@@ -79,7 +80,7 @@ def quality(told: Told) -> Iterator[Block]:
     for wheels in told.shared:
         yield from wheels.lines(RACK_PITCH_POINT if rack else PITCH_POINT)
     if not rack:
-        yield from told.lines("u = z_2/z_1")
+        yield from told.lines(TEETH)
     yield from told.lines(*(RACK_SLIDING if rack else SLIDING))
     yield from told.lines(*(RACK_PRESSURE if rack else PRESSURE))
     if rack:

@@ -35,6 +35,7 @@ CUTTER_BASE = "r_b0 = m*z_0*cos(<t>)/(2*cos(beta))"
 RING_FORM = "r_F<i> = r<_i> + m*(<hl> - x<_i>)"
 CUT_FORM = "rho_F<i> = a_w0*sin(alpha_tw0) + sqrt((r_a0 - rho_0)**2 - r_b0**2) + rho_0"
 CUT_RADIUS = "r_F<i> = sqrt(r_b<i>**2 + rho_F<i>**2)"
+BETWEEN = "g = a_w*sin(alpha_tw)"
 HEIGHT, RING_HEIGHT = "h<_i> = r_a<i> - r_f<i>", "h<_i> = r_f<i> - r_a<i>"
 SHORTENED_TIP = "r_a<i> = r<_i> + m*(h_a^{*} + x<_i> - Deltay)"
 PLAIN_TIP = "r_a<i> = r<_i> <+> m*(h_a^{*} + x<_i>)"
@@ -61,7 +62,7 @@ def circles(told: Told) -> Iterator[Block]:
             yield from told.lines("x_1 = (H - r_1)/m" if given else "H = r_1 + m*x_1")
         yield from _root(told, wheels)
     if "g" in told.lexicon:
-        yield from told.lines("g = a_w*sin(alpha_tw)")
+        yield from told.lines(BETWEEN)
     for wheels in told.wheels:
         yield from _tips(told, wheels)
         ring = told.found.sizes[wheels.numbers[0]].kind == "ring"

@@ -1,0 +1,36 @@
+// Numbers that go along with the input, in a table under the scene.
+import { isThere, trackAt } from "./motion.js";
+import { made } from "./player.js";
+import { parted, saying, told, written } from "./words.js";
+
+const DIGITS = 4;
+
+/**
+ * @param {Element} parent
+ * @param {import("./state.js").State} state
+ */
+export function readings(parent, state) {
+  if (!state.view.readings.length) return;
+  const table = made("table", { class: "readings" }, parent);
+  const body = made("tbody", {}, table);
+  const rows = state.view.readings.map((reading) => {
+    const row = made("tr", {}, body);
+    const name = made("th", { scope: "row" }, row);
+    const sign = made("td", { class: "sign" }, row);
+    const [letter, index] = parted(reading.sign);
+    sign.append(letter);
+    if (index) made("sub", {}, sign).textContent = index;
+    const value = made("td", { class: "number" }, row);
+    return { reading, name, value };
+  });
+  const tell = () => {
+    for (const { reading, name, value } of rows) {
+      const there = isThere(reading.there, state.at);
+      const unit = told(reading.unit);
+      name.textContent = told(reading.name);
+      value.textContent = there ? `${written(trackAt(reading.value, state.values, state.there), DIGITS)}${unit ? ` ${unit}` : ""}` : "–";
+    }
+  };
+  saying(tell);
+  state.follow(tell);
+}
