@@ -187,7 +187,7 @@ class Chart {
     }
     const unit = told(this.rows.unit);
     drawn("text", { x: WIDE - RIGHT, y: HIGH - 1, "text-anchor": "end", class: "axis" }, grid).textContent =
-      `${parted(this.rows.name).filter(Boolean).join(" ")}${unit ? `, ${unit}` : ""}`;
+      `${this.state?.view.symbol ?? parted(this.rows.name).filter(Boolean).join(" ")}${unit ? `, ${unit}` : ""}`;
     if (this.state) {
       for (const stop of this.state.view.stops) {
         const x = this.across(stop.at);
