@@ -101,7 +101,7 @@ def _stage(name: str, run: RunResult, dense: Mapping[str, Any], block: Block) ->
         "facts": facts,
         **_table(name, dense.get(name, result), block),
         "warnings": [name_of(graded(each)[1]) for each in warnings_of(run, [name])],
-        "errors": {key: float(f"{each:.3g}") for key, each in errors.items()},
+        "errors": [[name_of(key), float(f"{each:.3g}")] for key, each in errors.items()],
     }
 
 

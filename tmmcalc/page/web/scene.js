@@ -452,7 +452,7 @@ export class Scene {
           this.state.move(wanted);
         } else {
           const before = this.state.at;
-          this.state.move(before + this.way(body, held, this.pointed(event)));
+          this.state.move(this.sought(body, held, this.pointed(event)));
           const pose = this.poses?.get(body.name);
           const round = Math.abs(this.state.at - before) > this.state.span / 2;
           if (round && pose) held = within(pose, this.pointed(event)); // another tooth is there now
@@ -471,34 +471,58 @@ export class Scene {
    * The rate of a track by the input.
    * @param {import("./data.js").Track} track
    */
-  rate(track) {
-    return typeof track === "number" ? 0 : numbers(track[1])[this.state.near];
+  rate(track, near = this.state.near) {
+    return typeof track === "number" ? 0 : numbers(track[1])[near];
   }
 
   /**
-   * How far the input goes so that a point of a body comes nearest to a place.
+   * Where the input stands when a point of a body is nearest to a place, found by steps that come nearer each.
    * @param {import("./data.js").Body} body
    * @param {[number, number]} held
    * @param {[number, number]} wanted
    */
-  way(body, held, wanted) {
-    const { at, low, high, span, values } = this.state;
-    const most = span / 24;
-    /** @param {number} input */
-    const point = (input) =>
-      placed(posesOf(this.view.bodies, values, between(values, input)).get(body.name) ?? STILL, held[0], held[1]);
-    const [before, after] = [Math.max(low, at - SMALL * span), Math.min(high, at + SMALL * span)];
-    const [[x, y], [bx, by], [ax, ay]] = [at, before, after].map(point);
-    let [vx, vy] = [(ax - bx) / (after - before), (ay - by) / (after - before)];
-    if (Math.hypot(vx, vy) * span < REST * this.size) {
-      // it rests there, as at the ends of a motion over the time: the way from there on
-      const next = at + most <= high ? at + most : Math.max(low, at - most);
-      const [nx, ny] = point(next);
-      [vx, vy] = [(nx - x) / (next - at), (ny - y) / (next - at)];
+  sought(body, held, wanted) {
+    const { state } = this;
+    const most = state.span / 24;
+    /** @param {number} input @returns {[number, number]} */
+    const point = (input) => {
+      const poses = this.posed(between(state.values, state.turned(input)));
+      return placed(poses.get(body.name) ?? STILL, held[0], held[1]);
+    };
+    let at = state.at;
+    let left = Infinity;
+    let next = at;
+    for (let k = 0; k < 24; k++) {
+      const [x, y] = point(next);
+      const [dx, dy] = [wanted[0] - x, wanted[1] - y];
+      if (Math.hypot(dx, dy) >= left) break;
+      left = Math.hypot(dx, dy);
+      at = next;
+      const [vx, vy] = this.velocity(point, at);
+      const size = vx * vx + vy * vy;
+      if (!size) break;
+      next = at + Math.min(most, Math.max(-most, (dx * vx + dy * vy) / size));
+      if (!state.view.whole && (next < state.low || next > state.high)) return next;
     }
-    const size = vx * vx + vy * vy;
-    const way = size ? ((wanted[0] - x) * vx + (wanted[1] - y) * vy) / size : 0;
-    return Math.min(most, Math.max(-most, way));
+    return at;
+  }
+
+  /**
+   * How a point goes with the input; where it rests, as at the ends of a motion over the time, the way from there on.
+   * @param {(input: number) => [number, number]} point
+   * @param {number} at
+   */
+  velocity(point, at) {
+    const { low, high, span, view } = this.state;
+    /** @param {number} before @param {number} after */
+    const over = (before, after) => {
+      const [[bx, by], [ax, ay]] = [point(before), point(after)];
+      return [(ax - bx) / (after - before), (ay - by) / (after - before)];
+    };
+    const small = SMALL * span;
+    const found = view.whole ? over(at - small, at + small) : over(Math.max(low, at - small), Math.min(high, at + small));
+    if (view.whole || Math.hypot(found[0], found[1]) * span >= REST * this.size) return found;
+    return at + span / 24 <= high ? over(at, at + span / 24) : over(at - span / 24, at);
   }
 }
 
