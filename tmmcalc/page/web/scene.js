@@ -460,7 +460,8 @@ export class Scene {
     const [vx, vy] = [(ax - bx) / (after - before), (ay - by) / (after - before)];
     const size = vx * vx + vy * vy;
     const way = size ? ((wanted[0] - x) * vx + (wanted[1] - y) * vy) / size : 0;
-    const most = span / 24;
+    const even = !this.view.column && typeof body.angle === "number" && !body.on; // it goes straight on, evenly
+    const most = even ? span / 2 : span / 24;
     return Math.min(most, Math.max(-most, way));
   }
 }
