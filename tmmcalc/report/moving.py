@@ -32,6 +32,8 @@ Kind = Literal[
     "pitch",  # a circle that is thought: the centre; with its radius
     "outline",  # a closed main line
     "line",  # a thin line
+    "zone",  # a filled polygon where nothing may be
+    "range",  # a closed dashed line: what may be reached
     "axis",  # a thin line of dashes and dots
     "base",  # a dashed circle: the centre; with its radius
     "gear",  # a filled polygon: a toothed wheel, or a part of one whose other edges are out of sight
@@ -41,10 +43,22 @@ Kind = Literal[
     "spoke",  # a line that shows how a circle turns
     "dot",  # a filled point
     "sense",  # an arrow along a circle: its centre, where it begins; with the angle that it goes through [rad]
+    "hole",  # a polygon that is cut out of a plate: its corners
+    "roller",  # a circle that hides what is behind it: the centre; with its radius
+    "wall",  # a hatched line that a rod slides along: its ends, the outward direction
     "held",  # a circle hatched outside: the centre; with its radius
 ]
 
-SpotKind = Literal["pin", "mass", "point"]
+SpotKind = Literal["pin", "mass", "point", "word"]  # a word has no sign, its name alone
+
+SpanKind = Literal[
+    "bar",  # a main line
+    "line",  # a thin line
+    "tube",  # a guide that a bar runs in
+    "rope",  # a thin line that is taut
+    "spring",  # a line that winds
+    "shadow",  # a pale line
+]
 
 
 class Mark(NamedTuple):
@@ -87,6 +101,16 @@ class Spot(NamedTuple):
     path: bool = False  # whether it goes along a path that is shown
 
 
+class Span(NamedTuple):
+    """A line through points of bodies whose distances may change: a spring, a rod that is seen aslant.
+
+    Each point is the name of a body, or `FRAME`, and a place in its axes [m].
+    """
+
+    kind: SpanKind
+    points: tuple[tuple[str, complex], ...]
+
+
 class Arrow(NamedTuple):
     """A vector at a spot: its sign, and the columns of its projections, as ``kinematics.vx_B``."""
 
@@ -106,8 +130,18 @@ class Vector(NamedTuple):
     y: Track
 
 
+class Angle(NamedTuple):
+    """An angle at the origin of a body: directions of its legs [rad], the column of its value."""
+
+    sign: str
+    body: str
+    start: Track
+    end: Track
+    column: str  # as ``cam_pressure.theta``
+
+
 class Layer(NamedTuple):
-    """Vectors that are shown together."""
+    """Vectors and angles that are shown together."""
 
     name: str
     title: str
@@ -115,6 +149,7 @@ class Layer(NamedTuple):
     arrows: tuple[Arrow, ...]
     vectors: tuple[Vector, ...] = ()
     tone: int = 0  # number of their colour, from 1; 0: by the place of the layer
+    angles: tuple[Angle, ...] = ()
 
 
 class Edge(NamedTuple):
@@ -173,6 +208,14 @@ class Stop(NamedTuple):
     at: float
 
 
+class Driver(NamedTuple):
+    """Another view whose input moves that of this one: so many times it, less what that is where this one begins."""
+
+    view: str
+    ratio: float
+    begin: float  # in the unit of both
+
+
 class View(NamedTuple):
     """A scene that moves."""
 
@@ -194,10 +237,20 @@ class View(NamedTuple):
     plans: Callable[[], Iterable[Plan]] = tuple  # made where they are shown
     stops: tuple[Stop, ...] = ()
     shown: tuple[str, ...] = ()  # columns whose diagrams stand beside it at first
+    spans: tuple[Span, ...] = ()
+    note: str = ""  # what is told of how it is drawn
+    stages: tuple[str, ...] = ()  # whose tables go along its input; empty: all that have its column
     reach: tuple[tuple[float, float], ...] = ()  # where it assembles, counted as the input; empty: everywhere
     readings: tuple[Reading, ...] = ()
     seconds: float = 4.0  # that the whole travel takes when it plays
+    driver: Driver | None = None
+    front: tuple[Mark, ...] = ()  # of the frame, before all that moves
     nudge: float | None = None  # how far a press of an arrow key moves the input; None: 1/360 of the travel
+
+
+def seconds_of(duration: float) -> float:
+    """How long a motion over the time plays: as long as it lasts, if that can be watched."""
+    return min(max(duration, 2.0), 12.0)
 
 
 def track_of(values: Real, rates: Real, count: int) -> Track:

@@ -17,10 +17,15 @@
  * @property {string} on the body in whose axes its tracks are
  * @property {Range} there
  */
-/** @typedef {{name: string, body: string, at: number[], kind: "pin" | "mass" | "point", path: boolean}} Spot */
+/** @typedef {{name: string, body: string, at: number[], kind: "pin" | "mass" | "point" | "word", path: boolean}} Spot */
+/** @typedef {[string, [string, number, number][]]} Span kind; its points, each a body and a place in its axes */
 /** @typedef {{sign: string, spot: string, x: string, y: string, sense: number}} Arrow */
 /** @typedef {{sign: string, body: string, x: Track, y: Track}} Vector */
-/** @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[], vectors: Vector[], tone: number}} Layer */
+/** @typedef {{sign: string, body: string, start: Track, end: Track, column: string}} Angle */
+/**
+ * @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[], vectors: Vector[], angles: Angle[], tone: number}}
+ *   Layer
+ */
 /** @typedef {{name: Said, sign: string, unit: Said, value: Track, there: Range}} Reading */
 /** @typedef {[number, number, string, string]} Edge tail, head, sign, kind */
 /**
@@ -30,6 +35,7 @@
 /**
  * @typedef {object} View
  * @property {string} name
+ * @property {string} room of its stage
  * @property {Said} title
  * @property {string} symbol
  * @property {Said} unit
@@ -40,15 +46,20 @@
  * @property {number[]} box
  * @property {Body[]} bodies
  * @property {Mark[]} frame
+ * @property {Mark[]} front of the frame, before all that moves
  * @property {Spot[]} spots
+ * @property {Span[]} spans
  * @property {{body: string, pivot: number[] | null, direction: number[] | null} | null} handle
  * @property {Layer[]} layers
  * @property {{name: string, x: Ref, y: Ref}[]} centres
  * @property {Plan[]} plans
  * @property {{title: Said, at: number}[]} stops
  * @property {string[]} shown
+ * @property {string[]} stages
+ * @property {Said} note
  * @property {[number, number][]} reach
  * @property {Reading[]} readings
+ * @property {{view: string, ratio: number, begin: number} | null} driver another view that moves it
  * @property {number} seconds that the whole travel takes
  * @property {number | null} nudge of an arrow key
  */
@@ -57,12 +68,13 @@
 /**
  * @typedef {object} Stage
  * @property {string} name
+ * @property {string} room
  * @property {Said} title
  * @property {Fact[]} facts
  * @property {{header: string, name: string, unit: Said, values: Ref, kept: number, of: number} | null} rows
  * @property {Column[]} columns
  * @property {Said[]} warnings
- * @property {Record<string, number>} errors
+ * @property {[Said, number][]} errors
  */
 /** @typedef {number | string | [string, ...any[]]} Formula as `tmmcalc.report.formula.carried` writes it */
 /** @typedef {[string, string, Formula]} Step name, function of it on the left side or none, formula */

@@ -1,19 +1,25 @@
 // The machine drawn to scale: bodies that move, names, paths, vectors; the input link is dragged by hand.
 import { columnOf, numbers } from "./data.js";
-import { between, isThere, placed, poseOf, posesOf, STILL, trackAt } from "./motion.js";
+import { between, isThere, placed, poseOf, posesOf, STILL, straight, trackAt } from "./motion.js";
 import { around, settled } from "./labels.js";
-import { centreOfMass, COLOURS, draw, drawn, named, PIN } from "./marks.js";
+import { centreOfMass, COLOURS, draw, drawn, named, PIN, stretch } from "./marks.js";
 import { parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 760;
+const LEAST = 480; // width of a tall scene: it is larger on a narrow screen
 const HIGH = 560;
 const MARGIN = 56;
 const LONGEST = 110; // of a vector, in pixels
 const SMALL = 1e-5; // of the travel: a step by which velocities are found
 const CENTIMETRE = 37.8; // in pixels of a screen
+const CHORDS = 60; // of a curve that names keep off
+const LEG = 110; // of an angle, in pixels
+const ARC = 84;
+const SIGN = 76; // of its sign and value
+const REST = 0.05; // of the size of the scene: what goes less in the whole travel at its speed there, rests there
 const RING = 9; // radius of the ring of a number
 const MOMENTS = 25; // of the motion that places of names are chosen by
-const LINES = new Set(["plate", "bar", "slot", "outline", "line"]);
+const LINES = new Set(["plate", "bar", "slot", "outline", "hole", "line"]);
 
 export class Scene {
   /**
@@ -26,11 +32,15 @@ export class Scene {
     const [left, bottom, right, top] = this.view.box;
     const wide = Math.max(right - left, 1e-9);
     const high = Math.max(top - bottom, 1e-9);
+    this.size = Math.max(wide, high);
     this.scale = Math.min((WIDE - 2 * MARGIN) / wide, (HIGH - 2 * MARGIN) / high);
     const height = Math.max(260, high * this.scale + 2 * MARGIN);
-    this.x0 = WIDE / 2 - ((left + right) / 2) * this.scale;
+    const width = Math.min(WIDE, Math.max(LEAST, wide * this.scale + 2 * MARGIN));
+    this.x0 = width / 2 - ((left + right) / 2) * this.scale;
+    this.width = width;
+    this.height = height;
     this.y0 = height / 2 + ((top + bottom) / 2) * this.scale;
-    this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
+    this.svg = drawn("svg", { viewBox: `0 0 ${Math.round(width)} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
     const title = drawn("title", {}, this.svg);
     saying(() => (title.textContent = `${told(this.view.title)}. ${word("drag")}`));
     this.heads();
@@ -39,6 +49,9 @@ export class Scene {
     const frame = drawn("g", { class: "frame" }, world);
     for (const mark of this.view.frame) draw(frame, mark, this.scale);
     this.bodies = this.view.bodies.map((body) => this.made(body, world));
+    const front = drawn("g", { class: "frame front" }, world);
+    for (const mark of this.view.front) draw(front, mark, this.scale);
+    this.spans = this.view.spans.map((span) => this.spanned(span, world));
     this.spots = this.view.spots.map((spot) => this.spotted(spot, world));
     this.rings = this.view.bodies.map((body) => this.ringed(body, world));
     this.centres = this.view.centres.map((centre) => this.centred(centre, world));
@@ -77,6 +90,27 @@ export class Scene {
   }
 
   /**
+   * @param {import("./data.js").Span} span
+   * @param {Element} world
+   */
+  spanned([kind, points], world) {
+    const sides = kind === "tube" ? ["tube", "tube inner"] : [kind];
+    return { kind, points, lines: sides.map((side) => drawn("polyline", { class: `span ${side}` }, world)) };
+  }
+
+  /**
+   * Where the points of a span are, in pixels.
+   * @param {import("./data.js").Span[1]} points
+   * @param {Map<string, import("./motion.js").Pose>} poses
+   */
+  along(points, poses) {
+    return points.map(([body, x, y]) => {
+      const [px, py] = placed(poses.get(body) ?? STILL, x, y);
+      return /** @type {[number, number]} */ ([px * this.scale, -py * this.scale]);
+    });
+  }
+
+  /**
    * @param {import("./data.js").Spot} spot
    * @param {Element} world
    */
@@ -84,7 +118,7 @@ export class Scene {
     const group = drawn("g", { class: `spot ${spot.kind}`, "data-spot": spot.name }, world);
     if (spot.kind === "pin") drawn("circle", { r: PIN, class: "joint" }, group);
     else if (spot.kind === "mass") centreOfMass(group);
-    else drawn("circle", { r: 2, class: "dot" }, group);
+    else if (spot.kind === "point") drawn("circle", { r: 2, class: "dot" }, group);
     named(group, ...lettered(spot.name), { class: "name", "text-anchor": "middle" });
     return group;
   }
@@ -133,11 +167,17 @@ export class Scene {
       const line = drawn("line", { "marker-end": `url(#head-${colour})` }, group);
       return { vector, line, name: named(group, ...parted(vector.sign), { class: "name" }) };
     });
+    const angles = layer.angles.map((angle) => {
+      const found = columnOf(angle.column);
+      const legs = [0, 1].map(() => drawn("line", { class: "leg" }, group));
+      const arc = drawn("path", { class: "arc" }, group);
+      return { angle, found, legs, arc, name: drawn("text", { class: "name" }, group) };
+    });
     let largest = 0;
     for (const { x, y } of arrows) largest = x.reduce((most, _, k) => Math.max(most, Math.hypot(x[k], y[k]) || 0), largest);
     for (const { vector } of vectors) largest = Math.max(largest, this.longest(vector));
     const per = largest ? standard((largest / LONGEST) * CENTIMETRE) / CENTIMETRE : 1; // of the unit to a pixel
-    return { layer, colour, group, arrows, vectors, per, largest };
+    return { layer, colour, group, arrows, vectors, angles, per, largest };
   }
 
   /**
@@ -185,7 +225,9 @@ export class Scene {
       const [letter, index] = lettered(spot.name);
       /** @type {import("./labels.js").Pair} */
       const size = [9.5 * letter.length + 6 * index.length, 14];
-      items.push({ at: over(spot.body, spot.at), size, choices: around(...size) });
+      /** @type {import("./labels.js").Pair[]} */
+      const choices = spot.kind === "word" ? [[0, 0], ...around(...size)] : around(...size);
+      items.push({ at: over(spot.body, spot.at), size, choices });
     }
     for (const body of rings) {
       const first = body.beside[0] ?? [0, 0];
@@ -221,7 +263,8 @@ export class Scene {
     const add = (pose, flat, closed) => {
       /** @type {[number, number][]} */
       const points = [];
-      for (let k = 0; k + 1 < flat.length; k += 2) {
+      const stride = 2 * Math.max(1, Math.floor(flat.length / 2 / CHORDS)); // of a curve some chords do
+      for (let k = 0; k + 1 < flat.length; k += stride) {
         const [x, y] = placed(pose, flat[k], flat[k + 1]);
         points.push([x * this.scale, -y * this.scale]);
       }
@@ -233,12 +276,16 @@ export class Scene {
     for (const body of this.view.bodies) {
       const pose = /** @type {import("./motion.js").Pose} */ (poses.get(body.name));
       for (const [kind, flat] of body.marks) {
-        if (LINES.has(kind)) add(pose, flat, kind === "plate" || kind === "outline");
+        if (LINES.has(kind)) add(pose, flat, kind === "plate" || kind === "outline" || kind === "hole");
         else if (kind === "block") this.blocked(found, pose, flat);
       }
     }
-    for (const [kind, flat] of this.view.frame) {
-      if (kind === "guide") add(STILL, flat.slice(0, 4), false);
+    for (const [, points] of this.view.spans) {
+      const ends = this.along(points, poses);
+      for (let k = 1; k < ends.length; k++) found.push([...ends[k - 1], ...ends[k]]);
+    }
+    for (const [kind, flat] of [...this.view.frame, ...this.view.front]) {
+      if (kind === "guide" || kind === "wall") add(STILL, flat.slice(0, 4), false);
       if (kind === "pivot") {
         const [x, y] = [flat[0] * this.scale, -flat[1] * this.scale];
         found.push([x, y, x + 20 * flat[2], y - 20 * flat[3]]);
@@ -248,7 +295,7 @@ export class Scene {
         }
       }
     }
-    for (const spot of this.view.spots) {
+    for (const spot of this.view.spots.filter((each) => each.kind !== "word")) {
       const [x, y] = placed(poses.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
       found.push([x * this.scale - 3, -y * this.scale, x * this.scale + 3, -y * this.scale]);
     }
@@ -296,6 +343,7 @@ export class Scene {
       const [bx, by] = placed(pose, body.beside[0]?.[0] ?? 0, body.beside[0]?.[1] ?? 0);
       this.rings[k].setAttribute("transform", this.shifted(bx, by));
     });
+    for (const { kind, points, lines } of this.spans) stretch(lines, kind, this.along(points, poses));
     this.view.spots.forEach((spot, k) => {
       const [x, y] = placed(poses.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
       this.spots[k].setAttribute("transform", this.shifted(x, y));
@@ -322,12 +370,45 @@ export class Scene {
       const k = between(rows, this.state.at).near;
       this.arrow(line, name, [px, py], [(arrow.sense * x[k]) / layer.per, (arrow.sense * y[k]) / layer.per]);
     }
+    for (const each of layer.angles) this.opened(each);
     for (const { vector, line, name } of layer.vectors) {
       const pose = this.gone?.has(vector.body) ? undefined : this.poses?.get(vector.body);
       const { values, there } = this.state;
       const way = [trackAt(vector.x, values, there) / layer.per, trackAt(vector.y, values, there) / layer.per];
       this.arrow(line, name, pose ? [pose.x, pose.y] : [0, 0], pose ? way : [0, 0]);
     }
+  }
+
+  /**
+   * An angle with its legs and its value at the nearest solved position.
+   * @param {ReturnType<Scene["layered"]>["angles"][number]} shown
+   */
+  opened({ angle, found, legs, arc, name }) {
+    const pose = this.poses?.get(angle.body) ?? STILL;
+    const { values, there, at } = this.state;
+    const [from, to] = [trackAt(angle.start, values, there), trackAt(angle.end, values, there)];
+    const [x, y] = [pose.x * this.scale, -pose.y * this.scale];
+    /** @param {number} direction @param {number} far @returns {[number, number]} */
+    const point = (direction, far) => [x + far * Math.cos(direction), y - far * Math.sin(direction)];
+    [from, to].forEach((direction, k) => {
+      const [x1, y1] = point(direction, -LEG / 2);
+      const [x2, y2] = point(direction, LEG);
+      for (const [key, value] of Object.entries({ x1, y1, x2, y2 })) legs[k].setAttribute(key, value.toFixed(1));
+    });
+    const [ends, sweep] = [[point(from, ARC), point(to, ARC)], to > from ? 0 : 1];
+    const [start, end] = ends.map((each) => each.map((value) => value.toFixed(1)).join(","));
+    arc.setAttribute("d", `M${start}A${ARC},${ARC} 0 0 ${sweep} ${end}`);
+    const away = to + (to > from ? 1 : -1) * (Math.PI / 2); // beside the second leg, outside the angle
+    const [ex, ey] = point(to, LEG - 6);
+    const [tx, ty] = [ex + 8 * Math.cos(away), ey - 8 * Math.sin(away) + 5];
+    const rows = found?.stage.rows;
+    const value = rows ? numbers(found.column.values)[between(numbers(rows.values), at).near] : NaN;
+    name.textContent = `${parted(angle.sign)[0]} = ${written(value, 3)}${told(found?.column.unit ?? "")}`;
+    const before = Math.cos(away) < 0;
+    const [left, right] = [-this.x0 + 4 + (before ? SIGN : 0), this.width - this.x0 - 4 - (before ? 0 : SIGN)];
+    name.setAttribute("x", Math.min(right, Math.max(left, tx)).toFixed(1));
+    name.setAttribute("y", Math.min(this.height - this.y0 - 6, Math.max(16 - this.y0, ty)).toFixed(1));
+    name.setAttribute("text-anchor", before ? "end" : "start");
   }
 
   /**
@@ -372,10 +453,11 @@ export class Scene {
   }
 
   /**
-   * The scale of a layer in words.
+   * The scale of a layer in words, where it has vectors.
    * @param {ReturnType<Scene["layered"]>} layer
    */
   scaleOf(layer) {
+    if (!layer.largest) return "";
     return word("arrow", { value: `${written(layer.per * CENTIMETRE, 3)} ${told(layer.layer.unit)}`.trim() });
   }
 
@@ -396,7 +478,8 @@ export class Scene {
       /** @type {[number, number] | null} */
       let held = null; // the point of the body, in its axes
       let [last, wanted] = [0, 0]; // of a crank the angle of the pointer, and where the input would be without its ends
-      const about = typeof body.x === "number" && typeof body.y === "number" && !body.on ? [body.x, body.y] : null;
+      const even = this.state.values.length === 2 && typeof body.x === "number" && typeof body.y === "number" && !body.on;
+      const about = even ? [/** @type {number} */ (body.x), /** @type {number} */ (body.y)] : null; // it turns evenly
       const pivot = this.view.handle?.body === body.name ? this.view.handle.pivot : about;
       /** @param {PointerEvent} event @param {number[]} about */
       const angle = (event, about) => {
@@ -421,7 +504,7 @@ export class Scene {
           this.state.move(wanted);
         } else {
           const before = this.state.at;
-          this.state.move(before + this.way(body, held, this.pointed(event)));
+          this.state.move(this.sought(body, held, this.pointed(event)));
           const pose = this.poses?.get(body.name);
           const round = Math.abs(this.state.at - before) > this.state.span / 2;
           if (round && pose) held = within(pose, this.pointed(event)); // another tooth is there now
@@ -445,24 +528,55 @@ export class Scene {
   }
 
   /**
-   * How far the input goes so that a point of a body comes nearest to a place.
+   * Where the input stands when a point of a body is nearest to a place, found by steps that come nearer each.
    * @param {import("./data.js").Body} body
    * @param {[number, number]} held
    * @param {[number, number]} wanted
    */
-  way(body, held, wanted) {
-    const { at, low, high, span, values } = this.state;
-    /** @param {number} input */
-    const point = (input) =>
-      placed(posesOf(this.view.bodies, values, between(values, input)).get(body.name) ?? STILL, held[0], held[1]);
-    const [before, after] = [Math.max(low, at - SMALL * span), Math.min(high, at + SMALL * span)];
-    const [[x, y], [bx, by], [ax, ay]] = [at, before, after].map(point);
-    const [vx, vy] = [(ax - bx) / (after - before), (ay - by) / (after - before)];
-    const size = vx * vx + vy * vy;
-    const way = size ? ((wanted[0] - x) * vx + (wanted[1] - y) * vy) / size : 0;
-    const even = !this.view.column && typeof body.angle === "number" && !body.on; // it goes straight on, evenly
-    const most = even ? span / 2 : span / 24;
-    return Math.min(most, Math.max(-most, way));
+  sought(body, held, wanted) {
+    const { state } = this;
+    const { low, high, view } = state;
+    const most = state.span / 24;
+    /** @param {number} input @returns {[number, number]} */
+    const point = (input) => {
+      const there = state.values.length > 2 ? between(state.values, state.turned(input)) : straight(state.values, input);
+      const poses = this.posed(there);
+      return placed(poses.get(body.name) ?? STILL, held[0], held[1]);
+    };
+    let at = state.at;
+    let left = Infinity;
+    let next = at;
+    for (let k = 0; k < 24; k++) {
+      const [x, y] = point(next);
+      const [dx, dy] = [wanted[0] - x, wanted[1] - y];
+      if (Math.hypot(dx, dy) >= left) break;
+      left = Math.hypot(dx, dy);
+      at = next;
+      const [vx, vy] = this.velocity(point, at);
+      const size = vx * vx + vy * vy;
+      if (!size) break;
+      next = at + Math.min(most, Math.max(-most, (dx * vx + dy * vy) / size));
+      if (!view.whole && (next < low || next > high)) return next;
+    }
+    return at;
+  }
+
+  /**
+   * How a point goes with the input; where it rests, as at the ends of a motion over the time, the way from there on.
+   * @param {(input: number) => [number, number]} point
+   * @param {number} at
+   */
+  velocity(point, at) {
+    const { low, high, span, view } = this.state;
+    /** @param {number} before @param {number} after */
+    const over = (before, after) => {
+      const [[bx, by], [ax, ay]] = [point(before), point(after)];
+      return [(ax - bx) / (after - before), (ay - by) / (after - before)];
+    };
+    const small = SMALL * span;
+    const found = view.whole ? over(at - small, at + small) : over(Math.max(low, at - small), Math.min(high, at + small));
+    if (view.whole || Math.hypot(found[0], found[1]) * span >= REST * this.size) return found;
+    return at + span / 24 <= high ? over(at, at + span / 24) : over(at - span / 24, at);
   }
 }
 

@@ -30,11 +30,19 @@ export class State {
   }
 
   /**
+   * The place within the turn.
+   * @param {number} asked
+   */
+  turned(asked) {
+    return this.view.whole ? this.low + ((((asked - this.low) % this.span) + this.span) % this.span) : asked;
+  }
+
+  /**
    * Move the input; what lies beyond its ends is refused, of a whole turn it comes round.
    * @param {number} asked
    */
   move(asked) {
-    const turned = this.view.whole ? this.low + ((((asked - this.low) % this.span) + this.span) % this.span) : asked;
+    const turned = this.turned(asked);
     this.at = Math.min(this.high, Math.max(this.low, turned));
     const beyond = Math.abs(turned - this.at) > 1e-6 * this.span;
     for (const each of this.listeners) each(this.at);
@@ -74,5 +82,33 @@ export class State {
   follow(act) {
     this.listeners.push(act);
     act(this.at);
+  }
+}
+
+/**
+ * What moves one input moves the other that it drives, and back.
+ * @param {State[]} states
+ */
+export function coupled(states) {
+  for (const state of states) {
+    const { driver } = state.view;
+    const other = driver && states.find((each) => each.view.name === driver.view);
+    if (!driver || !other) continue;
+    let busy = false;
+    /** @param {() => void} act */
+    const once = (act) => {
+      if (busy) return;
+      busy = true;
+      act();
+      busy = false;
+    };
+    const wanted = () => driver.ratio * (other.at - driver.begin);
+    other.follow(() => once(() => state.move(wanted())));
+    state.follow(() =>
+      once(() => {
+        const turns = Math.round((state.at - wanted()) / state.span); // whole turns make no difference
+        other.move(other.at + (state.at - wanted() - turns * state.span) / driver.ratio);
+      }),
+    );
   }
 }
