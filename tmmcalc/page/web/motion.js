@@ -25,6 +25,18 @@ export function between(values, at) {
 }
 
 /**
+ * A place of the input between its two rows, or beyond them: what goes evenly goes on there.
+ * @param {Float32Array} values
+ * @param {number} at
+ * @returns {Between}
+ */
+export function straight(values, at) {
+  const last = values.length - 1;
+  const t = (at - values[0]) / (values[last] - values[0] || 1);
+  return { from: 0, to: last, t, near: t < 0.5 ? 0 : last };
+}
+
+/**
  * The value of a track there.
  * @param {import("./data.js").Track} track
  * @param {Float32Array} values of the input

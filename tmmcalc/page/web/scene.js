@@ -1,6 +1,6 @@
 // The machine drawn to scale: bodies that move, names, paths, vectors; the input link is dragged by hand.
 import { columnOf, numbers } from "./data.js";
-import { between, isThere, placed, poseOf, posesOf, STILL, trackAt } from "./motion.js";
+import { between, isThere, placed, poseOf, posesOf, STILL, straight, trackAt } from "./motion.js";
 import { around, settled } from "./labels.js";
 import { centreOfMass, COLOURS, draw, drawn, named, PIN, stretch } from "./marks.js";
 import { parted, saying, told, word, written } from "./words.js";
@@ -478,7 +478,8 @@ export class Scene {
       /** @type {[number, number] | null} */
       let held = null; // the point of the body, in its axes
       let [last, wanted] = [0, 0]; // of a crank the angle of the pointer, and where the input would be without its ends
-      const about = typeof body.x === "number" && typeof body.y === "number" && !body.on ? [body.x, body.y] : null;
+      const even = this.state.values.length === 2 && typeof body.x === "number" && typeof body.y === "number" && !body.on;
+      const about = even ? [/** @type {number} */ (body.x), /** @type {number} */ (body.y)] : null; // it turns evenly
       const pivot = this.view.handle?.body === body.name ? this.view.handle.pivot : about;
       /** @param {PointerEvent} event @param {number[]} about */
       const angle = (event, about) => {
@@ -538,7 +539,8 @@ export class Scene {
     const most = state.span / 24;
     /** @param {number} input @returns {[number, number]} */
     const point = (input) => {
-      const poses = this.posed(between(state.values, state.turned(input)));
+      const there = state.values.length > 2 ? between(state.values, state.turned(input)) : straight(state.values, input);
+      const poses = this.posed(there);
       return placed(poses.get(body.name) ?? STILL, held[0], held[1]);
     };
     let at = state.at;
