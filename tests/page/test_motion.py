@@ -57,8 +57,7 @@ def test_points_are_where_the_kinematics_finds_them(name: str, open_page: Open) 
     assert fit.error < NEAR * fit.size
     mechanism = to_linkage(run(load_spec(CONFIGS / f"{name}.toml"), target=["kinematics"]).spec.linkage)
     pins = [pin for pin in find_pins(mechanism) if len(pin.at) > 1]
-    drawn = found.page.evaluate("document.querySelector('.scene').viewBox.baseVal.width")
-    pixels = found.page.locator(".scene").first.bounding_box()["width"] / drawn
+    pixels = found.page.evaluate("document.querySelector('[data-view=kinematics] .scene').getScreenCTM().a")
     for at in inputs:
         found.move(at)
         bodies, spots = found.bodies(), found.spots()
@@ -166,7 +165,7 @@ def test_any_link_is_dragged(open_page: Open) -> None:
 def test_keys_turn_step_play_and_return(open_page: Open) -> None:
     found = open_page("shaper")
     keys = found.page.keyboard
-    found.page.locator(".scene").first.focus()
+    found.page.locator("[data-view=kinematics] .scene").focus()
     step = 360 / 24
     assert found.at == 0
     keys.press("ArrowRight")
@@ -278,7 +277,7 @@ def test_a_crank_that_cannot_go_round_says_where_it_closes_no_more(open_page: Op
 def test_beyond_its_travel_an_input_is_refused(name: str, changed: tuple[str, ...], open_page: Open) -> None:
     found = open_page(name, *changed)
     low, high = ends(found)
-    found.page.locator(".scene").first.focus()
+    found.page.locator("[data-view=kinematics] .scene").focus()
     assert found.refused == ""
     found.page.keyboard.press("ArrowLeft")
     assert found.at in (low, high)

@@ -114,10 +114,14 @@ export class Player {
       else if (!docked) place.style.height = "";
       bar.classList.toggle("docked", docked);
     };
-    new IntersectionObserver(([entry]) => {
-      seen = entry.isIntersecting;
-      this.dock?.();
-    }).observe(place);
+    const look = new IntersectionObserver(
+      ([entry]) => {
+        seen = entry.intersectionRatio > 0.99;
+        this.dock?.();
+      },
+      { threshold: [0, 1] },
+    );
+    look.observe(place);
   }
 
   /**
