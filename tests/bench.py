@@ -20,6 +20,7 @@ import numpy as np
 from bench_batch import batches
 from bench_cams import cams
 from bench_gears import gears
+from bench_page import pages
 from bench_pairs import pairs
 from by_hand import shaper
 from random_mechanisms import build
@@ -67,7 +68,7 @@ app(["x"])
 
 def main() -> None:
     """Print all tables."""
-    rooms = (startup, kinematics, forces, higher, machine, project, gears, pairs, cams, batches)
+    rooms = (startup, kinematics, forces, higher, machine, project, gears, pairs, cams, batches, pages)
     missed = [name for room in rooms for name in room()]
     growth()
     memory()

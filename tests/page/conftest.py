@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import os
-import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from page.chromium import CHROMIUM
 from page.opened import Opened, opened
-from page.scenes import page_of
-
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+from page.scenes import CONFIGS, write
 
 Written = Callable[..., Path]
 Open = Callable[..., Opened]
@@ -39,15 +37,14 @@ def written(tmp_path_factory: pytest.TempPathFactory) -> Written:
     folder = tmp_path_factory.mktemp("pages")
     known: dict[tuple[str, ...], Path] = {}
 
-    def write(name: str, *changed: str) -> Path:
+    def once(name: str, *changed: str) -> Path:
         key = (name, *changed)
         if key not in known:
-            file = folder / f"{len(known)}-{name}.html"
-            file.write_text(page_of(name, changed), encoding="utf-8")
-            known[key] = file
+            known[key] = folder / f"{len(known)}-{name}.html"
+            write(CONFIGS / f"{name}.toml", known[key], *[part for each in changed for part in ("--set", each)])
         return known[key]
 
-    return write
+    return once
 
 
 @pytest.fixture

@@ -53,6 +53,12 @@ class Opened(NamedTuple):
             "(slider, at) => { slider.value = String(at); slider.dispatchEvent(new Event('input')); }", at
         )
 
+    def wait(self, beyond: float) -> None:
+        """Until what plays has gone beyond a place."""
+        self.page.wait_for_function(
+            "(at) => Number(document.querySelector('[data-view=kinematics] input[type=range]').value) > at", arg=beyond
+        )
+
     def spots(self) -> dict[str, complex]:
         """Where the named points are on the screen, y upwards."""
         return {name: complex(x, -y) for name, (x, y) in self.page.evaluate(SPOTS).items()}

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 import tmmcalc
+from tmmcalc.cli import main
 from tmmcalc.linkage.tables.tasks.placed import with_position, with_positions
-from tmmcalc.page.content import content
-from tmmcalc.page.document import document
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
-from tmmcalc.project.found import text_of
 
 CONFIGS = Path(__file__).parents[2] / "configs"
 SPECS = [file.stem for file in sorted(CONFIGS.glob("*.toml"))]
@@ -52,11 +52,20 @@ MOVING = [  # those in which a linkage moves
 Real = NDArray[np.float64]
 
 
-def page_of(name: str, changed: Sequence[str] = (), positions: int = 360, source: str | None = None) -> str:
-    """The page of a ready spec with these keys changed."""
-    spec = load_spec(CONFIGS / f"{name}.toml", changed)
-    found = content(run(spec, keep_going=True), text_of(spec) if source is None else source, "en", positions)
-    return document(found)
+def write(spec: Path, file: Path, *options: str) -> None:
+    """The page of a spec, as ``tmmcalc page`` writes it."""
+    command("page", str(spec), "-o", str(file), "--no-store", "--quiet", *options)
+
+
+def command(*argv: str) -> None:
+    """A command, in this process."""
+    kept, sys.argv = sys.argv, ["tmmcalc", *argv]
+    try:
+        with pytest.raises(SystemExit) as ended:
+            main()
+    finally:
+        sys.argv = kept
+    assert not ended.value.code
 
 
 def solved(name: str, stage: str, changed: Sequence[str] = (), positions: int | None = 360) -> dict[str, Real]:

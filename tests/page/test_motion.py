@@ -91,6 +91,7 @@ def test_the_crank_follows_the_mouse(name: str, open_page: Open) -> None:
     mechanism = to_linkage(load_spec(CONFIGS / f"{name}.toml").linkage)
     joint = mechanism.joint(mechanism.input.joint)
     body = str(max(joint.links))
+    found.move(40)  # away from dead centres, where links cover each other
     pivot = found.spots()[joint.name]
     x, y = held(found, body)
     start = found.at
@@ -142,6 +143,26 @@ def test_a_driven_slider_follows_the_mouse_to_its_ends(name: str, open_page: Ope
     mouse.up()
 
 
+def test_any_link_is_dragged(open_page: Open) -> None:
+    """The rocker of the four-bar linkage leads the crank."""
+    found = open_page("four-bar")
+
+    def middle(at: float) -> complex:
+        found.move(at)
+        points = found.spots()
+        return points["C"] + 0.6 * (points["B"] - points["C"])
+
+    start, way = middle(60), [middle(60 + 2 * step) for step in range(1, 26)]
+    found.move(60)
+    mouse = found.page.mouse
+    mouse.move(start.real, -start.imag)
+    mouse.down()
+    for step, to in enumerate(way, 1):
+        mouse.move(to.real, -to.imag)
+        assert found.at == pytest.approx(60 + 2 * step, abs=0.5)
+    mouse.up()
+
+
 def test_keys_turn_step_play_and_return(open_page: Open) -> None:
     found = open_page("shaper")
     keys = found.page.keyboard
@@ -163,8 +184,7 @@ def test_keys_turn_step_play_and_return(open_page: Open) -> None:
     keys.press("ArrowDown")
     assert found.at == pytest.approx(step)
     keys.press(" ")
-    found.page.wait_for_timeout(400)
-    assert found.at > step
+    found.wait(beyond=step + 1)
     keys.press(" ")
     found.page.wait_for_timeout(50)
     stopped = found.at
@@ -186,29 +206,34 @@ def test_buttons_step_by_the_positions_of_the_spec(open_page: Open) -> None:
     assert found.at == pytest.approx(345)
 
 
+# what it plays in a second [deg], and what it has time for: a page that is shown late does not leap
+PLAYED = """() => new Promise((done) => {
+  const slider = document.querySelector("[data-view=kinematics] input[type=range]");
+  const toggle = document.querySelector("[data-view=kinematics] .player .main");
+  toggle.click();
+  requestAnimationFrame((start) => {
+    const from = Number(slider.value);
+    let [last, time] = [start, 0];
+    const look = (now) => {
+      time += Math.min(now - last, 100);
+      last = now;
+      if (now - start < 1000) return requestAnimationFrame(look);
+      toggle.click();
+      done([Number(slider.value) - from, time]);
+    };
+    requestAnimationFrame(look);
+  });
+})"""
+
+
 def test_speed_is_what_is_chosen(open_page: Open) -> None:
     """At speed 1 a turn takes four seconds."""
     found = open_page("four-bar")
-    for speed, turns in (("1", 0.25), ("0.25", 0.0625)):
-        found.page.keyboard.press("Home")
+    for speed in (1, 0.25):
         found.move(0)
-        found.page.locator("[data-view=kinematics] .speed select").select_option(speed)
-        went = found.page.evaluate(
-            """() => new Promise((done) => {
-              const slider = document.querySelector("[data-view=kinematics] input[type=range]");
-              document.querySelector("[data-view=kinematics] .player .main").click();
-              requestAnimationFrame((start) => {
-                const from = Number(slider.value);
-                const look = (now) => {
-                  if (now - start < 1000) return requestAnimationFrame(look);
-                  document.querySelector("[data-view=kinematics] .player .main").click();
-                  done((Number(slider.value) - from) / 360 / (now - start) * 1000);
-                };
-                requestAnimationFrame(look);
-              });
-            })"""
-        )
-        assert went == pytest.approx(turns, rel=0.25)
+        found.page.locator("[data-view=kinematics] .speed select").select_option(f"{speed:g}")
+        went, time = found.page.evaluate(PLAYED)
+        assert went == pytest.approx(360 * speed * time / 4000, rel=0.01)
 
 
 def test_a_crank_that_cannot_go_round_says_where_it_closes_no_more(open_page: Open) -> None:

@@ -108,7 +108,7 @@ def _stage(
         "facts": facts,
         **_table(name, dense.get(name, result), inputs, block),
         "warnings": [name_of(graded(each)[1]) for each in warnings_of(run, [name])],
-        "errors": {key: float(f"{each:.3g}") for key, each in errors.items()},
+        "errors": [[name_of(key), float(f"{each:.3g}")] for key, each in errors.items()],
     }
 
 

@@ -70,7 +70,7 @@
  * @property {{header: string, name: string, unit: Said, values: Ref, kept: number, of: number} | null} rows
  * @property {Column[]} columns
  * @property {Said[]} warnings
- * @property {Record<string, number>} errors
+ * @property {[Said, number][]} errors
  */
 /** @typedef {number | string | [string, ...any[]]} Formula as `tmmcalc.report.formula.carried` writes it */
 /** @typedef {[string, string, Formula]} Step name, function of it on the left side or none, formula */

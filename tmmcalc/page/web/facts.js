@@ -38,10 +38,10 @@ export function facts(parent, show) {
         rows.push({ row, part, text: () => `${fact.name} ${told(fact.meaning)} ${told(stage.title)}`.toLowerCase() });
       }
     }
-    const errors = Object.entries(stage.errors);
+    const { errors } = stage;
     if (errors.length) {
       const line = made("p", { class: "errors" }, part);
-      saying(() => (line.textContent = `${word("errors")}: ${errors.map(([key, value]) => `${key} ${written(value, 2)}`).join("; ")}`));
+      saying(() => (line.textContent = `${word("errors")}: ${errors.map(([name, value]) => `${told(name)} ${written(value, 2)}`).join("; ")}`));
     }
   }
   field.addEventListener("input", () => {

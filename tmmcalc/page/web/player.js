@@ -67,7 +67,9 @@ export class Player {
     this.playing = false;
     this.speed = 1;
     this.sense = 1;
-    const bar = made("div", { class: "player", role: "group" }, parent);
+    const place = made("div", {}, parent);
+    const bar = made("div", { class: "player", role: "group" }, place);
+    this.docked(bar, place);
     this.toggle = button(bar, "play", () => word(this.playing ? "pause" : "play"), () => this.play(!this.playing));
     this.toggle.classList.add("main");
     button(bar, "back", () => word("back"), () => this.step(-1));
@@ -113,6 +115,25 @@ export class Player {
         this.state.move(stop.at);
       });
     }
+  }
+
+  /**
+   * While it plays the bar stays in sight: out of its place it stands at the edge of the window.
+   * @param {HTMLElement} bar
+   * @param {HTMLElement} place
+   */
+  docked(bar, place) {
+    let seen = true;
+    this.dock = () => {
+      const docked = this.playing && !seen;
+      if (docked && !bar.classList.contains("docked")) place.style.height = `${place.offsetHeight}px`;
+      else if (!docked) place.style.height = "";
+      bar.classList.toggle("docked", docked);
+    };
+    new IntersectionObserver(([entry]) => {
+      seen = entry.isIntersecting;
+      this.dock?.();
+    }).observe(place);
   }
 
   /** @param {number} value */
@@ -177,11 +198,12 @@ export class Player {
     this.toggle.replaceChildren(icon(playing ? "pause" : "play"));
     this.toggle.title = word(playing ? "pause" : "play");
     this.toggle.setAttribute("aria-label", this.toggle.title);
+    this.dock?.();
     if (!playing) return;
     let last = performance.now();
     /** @param {number} now */
     const frame = (now) => {
-      if (!this.playing) return;
+      if (!this.playing || !this.toggle.isConnected) return; // another variant may stand in its place
       const { state } = this;
       const way = (Math.min(Math.max(now - last, 0), 100) / (1000 * state.view.seconds)) * this.speed * state.span;
       const along = Math.sign(state.values[state.values.length - 1] - state.values[0]) || 1;

@@ -472,7 +472,7 @@ export class Scene {
           this.state.move(wanted);
         } else {
           const before = this.state.at;
-          this.state.move(before + this.way(body, held, this.pointed(event)));
+          this.state.move(this.sought(body, held, this.pointed(event)));
           const pose = this.poses?.get(body.name);
           const round = Math.abs(this.state.at - before) > this.state.span / 2;
           if (round && pose) held = within(pose, this.pointed(event)); // another tooth is there now
@@ -491,28 +491,42 @@ export class Scene {
    * The rate of a track by the input.
    * @param {import("./data.js").Track} track
    */
-  rate(track) {
-    return typeof track === "number" ? 0 : numbers(track[1])[this.state.near];
+  rate(track, near = this.state.near) {
+    return typeof track === "number" ? 0 : numbers(track[1])[near];
   }
 
   /**
-   * How far the input goes so that a point of a body comes nearest to a place.
+   * Where the input stands when a point of a body is nearest to a place, found by steps that come nearer each.
    * @param {import("./data.js").Body} body
    * @param {[number, number]} held
    * @param {[number, number]} wanted
    */
-  way(body, held, wanted) {
-    const { at, low, high, span, values } = this.state;
+  sought(body, held, wanted) {
+    const { state } = this;
+    const { low, high, span, values, view } = state;
+    const most = span / 24;
     /** @param {number} input */
     const point = (input) =>
-      placed(posesOf(this.view.bodies, values, between(values, input)).get(body.name) ?? STILL, held[0], held[1]);
-    const [before, after] = [Math.max(low, at - SMALL * span), Math.min(high, at + SMALL * span)];
-    const [[x, y], [bx, by], [ax, ay]] = [at, before, after].map(point);
-    const [vx, vy] = [(ax - bx) / (after - before), (ay - by) / (after - before)];
-    const size = vx * vx + vy * vy;
-    const way = size ? ((wanted[0] - x) * vx + (wanted[1] - y) * vy) / size : 0;
-    const most = span / 24;
-    return Math.min(most, Math.max(-most, way));
+      placed(posesOf(view.bodies, values, between(values, input)).get(body.name) ?? STILL, held[0], held[1]);
+    let at = state.at;
+    let left = Infinity;
+    let next = at;
+    for (let k = 0; k < 24; k++) {
+      const here = state.turned(next);
+      const [x, y] = point(here);
+      const [dx, dy] = [wanted[0] - x, wanted[1] - y];
+      if (Math.hypot(dx, dy) >= left) break;
+      left = Math.hypot(dx, dy);
+      at = next;
+      const [before, after] = [Math.max(low, here - SMALL * span), Math.min(high, here + SMALL * span)];
+      const [[bx, by], [ax, ay]] = [point(before), point(after)];
+      const [vx, vy] = [(ax - bx) / (after - before), (ay - by) / (after - before)];
+      const size = vx * vx + vy * vy;
+      if (!size) break;
+      next = at + Math.min(most, Math.max(-most, (dx * vx + dy * vy) / size));
+      if (!view.whole && (next < low || next > high)) return next;
+    }
+    return at;
   }
 }
 

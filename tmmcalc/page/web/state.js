@@ -30,11 +30,19 @@ export class State {
   }
 
   /**
+   * The place within the turn.
+   * @param {number} asked
+   */
+  turned(asked) {
+    return this.view.whole ? this.low + ((((asked - this.low) % this.span) + this.span) % this.span) : asked;
+  }
+
+  /**
    * Move the input; what lies beyond its ends is refused, of a whole turn it comes round.
    * @param {number} asked
    */
   move(asked) {
-    const turned = this.view.whole ? this.low + ((((asked - this.low) % this.span) + this.span) % this.span) : asked;
+    const turned = this.turned(asked);
     this.at = Math.min(this.high, Math.max(this.low, turned));
     const beyond = Math.abs(turned - this.at) > 1e-6 * this.span;
     for (const each of this.listeners) each(this.at);

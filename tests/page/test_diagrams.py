@@ -1,0 +1,135 @@
+"""Diagrams: a click turns the crank there, values are those of the stages at the nearest solved position."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+
+from page.conftest import Open
+from page.opened import Opened
+from page.scenes import Real, solved
+
+ERROR = 6e-6  # of a value that is written with six digits, and of a single float
+LEFT, RIGHT, WIDE = 62, 14, 560  # of the plane of a diagram
+SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+
+
+def number(text: str) -> float:
+    """A number as the page writes it, with its unit after it."""
+    found = re.match(r"([−\d.,]+)(?:·10([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+))?", text)
+    assert found, text
+    mantissa = float(found[1].replace("−", "-").replace(",", "."))
+    return mantissa * 10.0 ** int((found[2] or "⁰").translate(SUPERSCRIPTS))
+
+
+def click(found: Opened, column: str, part: float) -> None:
+    """Click a diagram at a part of its axis."""
+    plane = found.page.locator(f'.chart[data-column="{column}"] > svg')
+    plane.scroll_into_view_if_needed()
+    box = plane.bounding_box()
+    x = (LEFT + part * (WIDE - LEFT - RIGHT)) / WIDE * box["width"]
+    found.page.mouse.click(box["x"] + x, box["y"] + box["height"] / 2)
+
+
+def value(found: Opened, column: str) -> float:
+    return number(found.page.locator(f'.chart[data-column="{column}"] button.value').inner_text())
+
+
+def column(table: dict[str, Real], name: str) -> Real:
+    return next(values for header, values in table.items() if header.split("[")[0] == name)
+
+
+def test_a_click_turns_the_crank_there(open_page: Open) -> None:
+    found = open_page("shaper")
+    names = found.page.eval_on_selector_all(".chart", "all => all.map(each => each.dataset.column)")
+    assert {"kinematics.S_D", "kinematics.vS_D", "forces.M_drive"} <= set(names)
+    true = {stage: solved("shaper", stage) for stage in {name.split(".")[0] for name in names}}
+    for k, part in enumerate((0.031, 0.25, 0.5, 0.777, 0.999)):
+        click(found, names[k % len(names)], part)
+        assert found.at == pytest.approx(360 * part, abs=0.5)
+        for name in names:
+            stage, key = name.split(".")
+            along = column(true[stage], "phi")
+            row = int(np.argmin(np.abs(along - found.at)))
+            values = column(true[stage], key)
+            assert abs(value(found, name) - values[row]) <= ERROR * abs(values[row]) + 1e-7 * np.abs(values).max()
+        assert re.search(rf"nearest solved position, φ = {along[row]:.4g}°", found.told)
+
+
+def test_a_diagram_is_followed_by_the_pointer_that_is_held(open_page: Open) -> None:
+    found = open_page("shaper")
+    plane = found.page.locator('.chart[data-column="kinematics.S_D"] > svg')
+    box = plane.bounding_box()
+    mouse = found.page.mouse
+    mouse.move(box["x"] + 0.3 * box["width"], box["y"] + 60)
+    assert found.at == 0
+    mouse.down()
+    before = found.at
+    mouse.move(box["x"] + 0.6 * box["width"], box["y"] + 60, steps=4)
+    assert found.at > before + 90
+    mouse.up()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["crane-luffing", "four-stroke-engine", "press"])
+def test_any_column_can_be_shown(name: str, open_page: Open) -> None:
+    found = open_page(name)
+    choice = found.page.locator(".adding select")
+    options = choice.evaluate("all => [...all.options].map(each => each.value).filter(Boolean)")
+    asked = [one for one in options if one.split(".")[0] in ("kinematics", "forces")][:: max(1, len(options) // 25)]
+    true = {stage: solved(name, stage) for stage in {one.split(".")[0] for one in asked}}
+    found.move(float(found.slider.get_attribute("max")) * 0.3371)
+    for one in asked:
+        choice.select_option(one)
+        stage, key = one.split(".", 1)
+        along, values = column(true[stage], "phi"), column(true[stage], key)
+        row = int(np.argmin(np.abs(along - found.at)))
+        near = np.flatnonzero(np.isclose(along, along[row]))
+        largest = np.nanmax(np.abs(values))
+        differences = np.abs(value(found, one) - values[near])
+        assert differences.min() <= ERROR * np.abs(values[near]).max() + 1e-7 * largest, one
+
+
+def test_diagrams_are_added_once_and_taken_away(open_page: Open) -> None:
+    found = open_page("shaper")
+    charts = found.page.locator(".chart")
+    count = charts.count()
+    for _ in range(2):
+        found.page.locator(".adding select").select_option("kinematics.omega_3")
+        assert charts.count() == count + 1
+    found.page.locator('.chart[data-column="kinematics.omega_3"]').get_by_role("button", name="Take away").click()
+    assert charts.count() == count
+
+
+def test_a_result_leads_to_its_diagram(open_page: Open) -> None:
+    found = open_page("shaper")
+    row = found.page.locator('[data-fact="forces.R_A_max"]')
+    part = found.page.locator('details[data-stage="forces"]')
+    part.evaluate("part => { part.open = true; }")
+    row.get_by_role("button", name="Diagram").click()
+    assert found.page.locator('.chart[data-column="forces.R_A"]').count() == 1
+
+
+def test_a_value_is_copied(open_page: Open) -> None:
+    found = open_page("shaper", permissions=["clipboard-read", "clipboard-write"])
+    copy = found.page.locator('.chart[data-column="kinematics.S_D"] button.value')
+    click(found, "kinematics.S_D", 0.4)
+    copy.click()
+    found.page.wait_for_selector("button.value.done")
+    assert found.page.evaluate("navigator.clipboard.readText()") == copy.inner_text()
+
+
+def test_results_are_found_by_a_word(open_page: Open) -> None:
+    found = open_page("shaper")
+    field = found.page.get_by_role("searchbox")
+    field.fill("largest reaction")
+    rows = found.page.locator("tr[data-fact]:visible")
+    assert rows.count() >= 5
+    assert all("largest reaction" in text for text in rows.all_inner_texts())
+    field.fill("no such word")
+    assert rows.count() == 0
+    assert found.page.get_by_text("nothing is found").is_visible()
+    field.fill("")
+    assert not found.page.get_by_text("nothing is found").is_visible()

@@ -1,0 +1,87 @@
+"""Vectors at their points to the scale that is told; what is shown and hidden; plans of vectors."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from page.conftest import Open
+from page.scenes import solved
+from page.test_diagrams import column, number
+
+CENTIMETRE = 37.8  # pixels of a drawing
+# of a layer that is shown: the columns of its arrows, and how these are drawn, y upwards
+ARROWS = """(name) => {
+  const content = JSON.parse(document.getElementById("content").textContent);
+  const layer = content.scenes[0].views[0].layers.find((each) => each.name === name);
+  const lines = document.querySelectorAll(`[data-view=kinematics] [data-layer=${name}] line`);
+  return layer.arrows.map(({ x, y, sense }, k) => [x, y, sense, lines[k].classList.contains("lost"),
+    ["x1", "y1", "x2", "y2"].map((key) => Number(lines[k].getAttribute(key)))]);
+}"""
+
+
+@pytest.mark.parametrize("layer", ["velocity", "acceleration", "reaction"])
+def test_vectors_are_drawn_to_the_scale_that_is_told(layer: str, open_page: Open) -> None:
+    found = open_page("shaper")
+    box = found.page.locator(f"[data-view=kinematics] input[name={layer}]")
+    box.check()
+    told = box.locator("xpath=..").inner_text()
+    per = number(told.split("1 cm: ")[1]) / CENTIMETRE  # of the unit to a pixel
+    tables = {stage: solved("shaper", stage) for stage in ("kinematics", "forces")}
+    drawn = 0
+    for at in (10.2, 97.7, 200.0, 299.1):
+        found.move(at)
+        for x, y, sense, lost, (x1, y1, x2, y2) in found.page.evaluate(ARROWS, layer):
+            (stage, right), (_, up) = x.split(".", 1), y.split(".", 1)
+            rows = np.flatnonzero(np.abs(column(tables[stage], "phi") - found.at) < 0.51)
+            true = sense * (column(tables[stage], right) + 1j * column(tables[stage], up))[rows] / per
+            if lost:
+                assert np.abs(true).min() < 1.1
+            else:
+                assert np.abs(complex(x2 - x1, y1 - y2) - true).min() < 0.11
+                drawn += 1
+    assert drawn >= 8
+
+
+def test_what_is_not_wanted_is_hidden(open_page: Open) -> None:
+    found = open_page("shaper")
+    for name, shown in (
+        ("paths", ".paths path"),
+        ("numbers", ".number"),
+        ("names", ".spot.pin .name"),
+        ("masses", ".spot.mass"),
+        ("centres", ".centre:not(.lost)"),
+        ("velocity", "[data-layer=velocity] line:not(.lost)"),
+    ):
+        found.move(33.3)
+        box = found.page.locator(f"[data-view=kinematics] input[name={name}]")
+        parts = found.page.locator(f"[data-view=kinematics] {shown}:visible")
+        box.check()
+        assert parts.count() > 0, name
+        box.uncheck()
+        assert parts.count() == 0, name
+
+
+def test_plans_are_closed_figures_at_every_position(open_page: Open) -> None:
+    found = open_page("shaper")
+    part = found.page.locator("details.plans")
+    part.evaluate("each => { each.open = true; }")
+    choice = part.locator("select")
+    for k in range(choice.locator("option").count()):
+        choice.select_option(index=k)
+        for at in (0.0, 71.3, 188.8):
+            found.move(at)
+            lines = part.locator("svg line").evaluate_all(
+                "all => all.map(each => ['x1', 'y1', 'x2', 'y2'].map(key => Number(each.getAttribute(key))))"
+            )
+            assert len(lines) >= 2
+            assert np.isfinite(lines).all()
+            wide, high = part.locator("svg").last.evaluate(
+                "each => [each.viewBox.baseVal.width, each.viewBox.baseVal.height]"
+            )
+            across = np.array(lines)[:, [0, 2]]
+            upwards = np.array(lines)[:, [1, 3]]
+            assert across.min() >= 0
+            assert across.max() <= wide
+            assert upwards.min() >= 0
+            assert upwards.max() <= high

@@ -1,0 +1,182 @@
+"""Whoever reads it: both languages, light and dark, without a mouse, by a screen reader, who wants nothing to move."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import pytest
+
+from page.conftest import Open
+from page.opened import Opened
+from page.test_all import SIZES
+
+LATIN = re.compile(r"[A-Za-z]{3,}")
+# all that the page says of itself: its headings, what is beside its fields, what its buttons are called
+CONTROLS = """() => [
+  ...[...document.querySelectorAll("h2, legend, label > span, summary, th, .told, .wrong, .nothing, .errors")]
+    .map((each) => each.textContent),
+  ...[...document.querySelectorAll("[aria-label]:not(.chart > svg), [title]:not(td)")]
+    .flatMap((each) => [each.getAttribute("aria-label"), each.title ?? ""]),
+  ...[...document.querySelectorAll("svg.scene > title")].map((each) => each.textContent),
+].filter(Boolean)"""
+FOCUSED = """() => {
+  const each = document.activeElement;
+  const all = [...document.querySelectorAll("*")];
+  const box = each.getBoundingClientRect();
+  return [all.indexOf(each), each.tagName, getComputedStyle(each).outlineStyle, box.width * box.height];
+}"""
+SEEN = "each => each.getBoundingClientRect().top >= 0 && each.getBoundingClientRect().bottom <= innerHeight"
+COLOURS = ("ink", "faint", "accent", "blue", "orange", "green", "purple", "warn")
+
+
+def channels(colour: str) -> list[int]:
+    """Of a colour as #rrggbb or #rgb."""
+    digits = colour.strip().lstrip("#")
+    digits = "".join(2 * digit for digit in digits) if len(digits) == 3 else digits
+    return [int(digits[k : k + 2], 16) for k in (0, 2, 4)]
+
+
+def luminance(colour: str) -> float:
+    """By WCAG 2."""
+    parts = (part / 255 for part in channels(colour))
+    red, green, blue = (part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def contrast(one: str, other: str) -> float:
+    high, low = sorted((luminance(one), luminance(other)), reverse=True)
+    return (high + 0.05) / (low + 0.05)
+
+
+def colours(found: Opened) -> dict[str, str]:
+    names = [*COLOURS, "paper", "soft", "warn-soft"]
+    read = "names => names.map(name => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`))"
+    return dict(zip(names, found.page.evaluate(read, names), strict=True))
+
+
+@pytest.mark.parametrize("name", ["shaper", pytest.param("cam-translating", marks=pytest.mark.slow)])
+def test_the_language_is_switched(name: str, open_page: Open) -> None:
+    found = open_page(name)
+    page = found.page
+    page.evaluate("document.querySelectorAll('details').forEach(each => { each.open = true; })")
+    english = page.evaluate(CONTROLS)
+    assert "Diagrams" in english
+    page.get_by_label("Language").select_option("uk")
+    assert page.evaluate("document.documentElement.lang") == "uk"
+    ukrainian = page.evaluate(CONTROLS)
+    assert len(ukrainian) == len(english)
+    assert [text for text in ukrainian if LATIN.search(text)] == []
+    if name == "shaper":
+        found.move(12.5)
+        assert "12,5°" in found.told
+        assert re.fullmatch(r"−?[\d,]+(·10\S+)? м", page.locator(".chart button.value").first.inner_text())
+    page.get_by_label("Мова").select_option("en")
+    if name == "shaper":
+        found.move(0)
+    assert page.evaluate(CONTROLS) == english
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_light_and_dark_can_be_read(scheme: str, open_page: Open) -> None:
+    found = open_page("shaper", color_scheme=scheme)
+    button = found.page.get_by_role("button", name="Light or dark")
+    for now in (scheme, {"light": "dark", "dark": "light"}[scheme], scheme):
+        of = colours(found)
+        assert (luminance(of["paper"]) > 0.5) == (now == "light")
+        body = found.page.evaluate("getComputedStyle(document.body).backgroundColor")
+        assert body == "rgb({}, {}, {})".format(*channels(of["paper"]))
+        assert {
+            name: contrast(of[name], of["paper"]) for name in COLOURS if contrast(of[name], of["paper"]) < 4.5
+        } == {}
+        assert contrast(of["ink"], of["soft"]) > 7
+        assert contrast(of["ink"], of["warn-soft"]) > 7
+        button.click()
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("motion", ["reduce", "no-preference"])
+def test_it_starts_still_and_pause_is_in_sight(size: tuple[int, int], motion: str, open_page: Open) -> None:
+    found = open_page("shaper", size=size, reduced_motion=motion)
+    page = found.page
+    start = found.at
+    page.wait_for_timeout(250)
+    assert found.at == start
+    page.get_by_role("button", name="Play").click()
+    found.wait(beyond=start)
+    pause = page.get_by_role("button", name="Pause")
+    for scrolled in (0, 600, 10_000):  # wherever one reads on
+        page.evaluate("(y) => scrollTo(0, y)", scrolled)
+        page.wait_for_function(SEEN, arg=pause.element_handle())
+    pause.click()
+    stopped = found.at
+    page.wait_for_timeout(150)
+    assert found.at == stopped
+
+
+def _named(page: Any) -> list[tuple[str, str]]:
+    """Role and name of all that a screen reader can reach."""
+    tree = page.context.new_cdp_session(page).send("Accessibility.getFullAXTree")
+    found = []
+    for node in tree["nodes"]:
+        if not node.get("ignored"):
+            found.append((node["role"]["value"], node.get("name", {}).get("value", "")))
+    return found
+
+
+@pytest.mark.parametrize("name", ["shaper", "extra-tie-down", pytest.param("press", marks=pytest.mark.slow)])
+def test_everything_has_a_name_for_a_screen_reader(name: str, open_page: Open) -> None:
+    found = open_page(name)
+    page = found.page
+    page.evaluate("document.querySelectorAll('details').forEach(each => { each.open = true; })")
+    reached = _named(page)
+    used = {
+        "button",
+        "combobox",
+        "checkbox",
+        "slider",
+        "searchbox",
+        "image",
+        "img",
+        "heading",
+        "group",
+        "DisclosureTriangle",
+    }
+    unnamed = [role for role, called in reached if role in used - {"group"} and not called.strip()]
+    assert unnamed == []
+    roles = {role for role, _ in reached}
+    assert {"main", "heading", "button", "combobox", "searchbox"} <= roles
+    if name != "extra-tie-down":
+        assert {"slider", "checkbox"} <= roles
+    assert page.evaluate("document.querySelectorAll('main').length") == 1
+    assert page.evaluate("document.querySelectorAll('h1').length") == 1
+
+
+def test_tab_goes_through_all_in_the_order_of_reading(open_page: Open) -> None:
+    found = open_page("shaper")
+    page = found.page
+    expected = page.evaluate(
+        """() => [...document.querySelectorAll("button, input, select, summary, [tabindex]")]
+          .filter((each) => each.checkVisibility() && !each.disabled && each.tabIndex >= 0).length"""
+    )
+    seen = []
+    for _ in range(expected + 3):
+        page.keyboard.press("Tab")
+        at, tag, outline, area = page.evaluate(FOCUSED)
+        if tag == "BODY":
+            break
+        seen.append(at)
+        assert outline != "none"
+        assert area > 0
+    assert seen == sorted(seen)
+    assert len(seen) == expected
+
+
+def test_print_leaves_the_controls_out(open_page: Open) -> None:
+    found = open_page("shaper")
+    page = found.page
+    page.emulate_media(media="print")
+    assert page.locator(".player:visible, nav:visible, .adding:visible").count() == 0
+    assert page.locator("svg.scene:visible").count() == 1
+    assert page.locator(".chart:visible").count() >= 2
+    assert page.locator(".told:visible").count() == 1

@@ -1,0 +1,76 @@
+"""Several machines on a page: the variants of a sweep, several specs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from page.conftest import Open
+from page.scenes import CONFIGS, Fit, command, places, write
+from page.test_all import SIZES
+from page.test_diagrams import number
+
+CRANK = "mechanism.links[id=1].points.A[0]"
+LENGTHS = (0.08, 0.1, 0.12)
+
+
+@pytest.fixture(scope="module")
+def swept(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The four-bar linkage with cranks of three lengths."""
+    folder = tmp_path_factory.mktemp("swept")
+    spec = CONFIGS / "four-bar.toml"
+    table, file = folder / "my.csv", folder / "my.html"
+    command("sweep", str(spec), "--set", f"{CRANK}={','.join(map(str, LENGTHS))}", "-o", str(table), "--quiet")
+    write(spec, file, "--sweep", str(table))
+    return file
+
+
+def test_the_swept_key_is_a_slider(swept: Path, open_page: Open) -> None:
+    found = open_page(swept)
+    choice = found.page.locator(".variants input")
+    found.move(123.4)
+    seen = []
+    for k, length in enumerate(LENGTHS):
+        choice.evaluate("(each, k) => { each.value = String(k); each.dispatchEvent(new Event('input')); }", k)
+        label = found.page.locator(".variants").inner_text()
+        assert CRANK in label
+        assert f"{length:g}" in label
+        assert found.at == pytest.approx(123.4, abs=1e-3)
+        points, at = found.spots(), found.at
+        [true] = places("four-bar", [at], [f"{CRANK}={length}"])
+        fit = Fit([*true.values()], [points[name] for name in true])
+        assert fit.error < 1e-3 * fit.size
+        seen.append(number(found.page.locator(".chart button.value").first.inner_text()))
+    assert len(set(seen)) == len(LENGTHS)
+
+
+def test_what_plays_ends_when_another_is_chosen(swept: Path, open_page: Open) -> None:
+    found = open_page(swept)
+    choice = found.page.locator(".variants input")
+    found.page.get_by_role("button", name="Play").click()
+    found.page.wait_for_timeout(150)
+    choice.evaluate("each => { each.value = '1'; each.dispatchEvent(new Event('input')); }")
+    assert found.page.get_by_role("button", name="Play").count() == 1
+    asked = found.page.evaluate(
+        """() => new Promise((done) => {
+          let count = 0;
+          const own = window.requestAnimationFrame;
+          window.requestAnimationFrame = (act) => { count += 1; return own.call(window, act); };
+          setTimeout(() => done(count), 300);
+        })"""
+    )
+    assert asked <= 1
+
+
+def test_several_specs_are_overlaid(open_page: Open, tmp_path: Path) -> None:
+    file = tmp_path / "several.html"
+    write(CONFIGS / "four-bar.toml", file, str(CONFIGS / "crank-slider.toml"))
+    for size in SIZES:
+        found = open_page(file, size=size)
+        choice = found.page.locator(".variants input")
+        for k, name in enumerate(("four-bar", "crank-slider")):
+            choice.evaluate("(each, k) => { each.value = String(k); each.dispatchEvent(new Event('input')); }", k)
+            assert name in found.page.locator(".variants").inner_text()
+            assert found.page.locator("[data-view=kinematics]").count() == 1
+            assert found.page.evaluate("document.scrollingElement.scrollWidth <= innerWidth")
