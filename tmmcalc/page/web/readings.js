@@ -1,9 +1,11 @@
 // Numbers that go along with the input, in a table under the scene.
+import { numbers } from "./data.js";
 import { isThere, trackAt } from "./motion.js";
 import { made } from "./player.js";
 import { parted, saying, told, written } from "./words.js";
 
 const DIGITS = 4;
+const NOTHING = 1e-6; // of the greatest value: what rounding leaves of nothing
 
 /**
  * @param {Element} parent
@@ -21,14 +23,18 @@ export function readings(parent, state) {
     sign.append(letter);
     if (index) made("sub", {}, sign).textContent = index;
     const value = made("td", { class: "number" }, row);
-    return { reading, name, value };
+    const all = typeof reading.value === "number" ? [reading.value] : [...numbers(reading.value[0])];
+    const least = NOTHING * Math.max(...all.map(Math.abs));
+    return { reading, name, value, least };
   });
   const tell = () => {
-    for (const { reading, name, value } of rows) {
+    for (const { reading, name, value, least } of rows) {
       const there = isThere(reading.there, state.at);
       const unit = told(reading.unit);
       name.textContent = told(reading.name);
-      value.textContent = there ? `${written(trackAt(reading.value, state.values, state.there), DIGITS)}${unit ? ` ${unit}` : ""}` : "–";
+      const found = trackAt(reading.value, state.values, state.there);
+      const shown = written(Math.abs(found) < least ? 0 : found, DIGITS);
+      value.textContent = there ? `${shown}${unit ? ` ${unit}` : ""}` : "–";
     }
   };
   saying(tell);

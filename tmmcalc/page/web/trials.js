@@ -6,8 +6,8 @@ import { button, made } from "./player.js";
 import { standard } from "./scene.js";
 import { parted, saying, told, word, written } from "./words.js";
 
-const WIDE = 760;
-const MOST = 620; // height of the plane
+const PHONE = 600; // pixels of a window below which the plane is drawn smaller, its letters are not
+const MOST = 0.82; // height of the plane to its width at most
 const LEFT = 52;
 const BELOW = 40;
 const NEAR = 1e-4; // of an edge: what lies on it belongs to its region
@@ -27,11 +27,13 @@ export class Plane {
     const title = made("h2", {}, section);
     saying(() => (title.textContent = told(trial.title)));
     const [low, bottom, high, top] = trial.box;
-    this.scale = Math.min((WIDE - LEFT - 8) / (high - low), (MOST - BELOW - 8) / (top - bottom));
+    const wide = innerWidth < PHONE ? 420 : 760;
+    this.wide = wide;
+    this.scale = Math.min((wide - LEFT - 8) / (high - low), (MOST * wide - BELOW - 8) / (top - bottom));
     this.width = (high - low) * this.scale;
     this.height = (top - bottom) * this.scale;
-    this.left = LEFT + (WIDE - LEFT - 8 - this.width) / 2;
-    this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${Math.round(this.height + BELOW + 8)}`, class: "plane", role: "application", tabindex: 0 }, section);
+    this.left = LEFT + (wide - LEFT - 8 - this.width) / 2;
+    this.svg = drawn("svg", { viewBox: `0 0 ${wide} ${Math.round(this.height + BELOW + 8)}`, class: "plane", role: "application", tabindex: 0 }, section);
     saying(() => this.svg.setAttribute("aria-label", `${told(trial.title)}. ${word("pick")}`));
     this.grid();
     const frame = { x: this.left, y: 8, width: this.width, height: this.height };
@@ -178,7 +180,7 @@ export class Plane {
   /** The place of the plane under a pointer. @param {PointerEvent} event @returns {[number, number]} */
   pointed(event) {
     const box = this.svg.getBoundingClientRect();
-    const factor = WIDE / box.width;
+    const factor = this.wide / box.width;
     const [left, , , top] = this.trial.box;
     const x = ((event.clientX - box.left) * factor - this.left) / this.scale + left;
     const y = top - ((event.clientY - box.top) * factor - 8) / this.scale;
