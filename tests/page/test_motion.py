@@ -57,8 +57,7 @@ def test_points_are_where_the_kinematics_finds_them(name: str, open_page: Open) 
     assert fit.error < NEAR * fit.size
     mechanism = to_linkage(run(load_spec(CONFIGS / f"{name}.toml"), target=["kinematics"]).spec.linkage)
     pins = [pin for pin in find_pins(mechanism) if len(pin.at) > 1]
-    drawn = found.page.evaluate("document.querySelector('.scene').viewBox.baseVal.width")
-    pixels = found.page.locator(".scene").first.bounding_box()["width"] / drawn
+    pixels = found.page.evaluate("document.querySelector('.scene').getScreenCTM().a")
     for at in inputs:
         found.move(at)
         bodies, spots = found.bodies(), found.spots()

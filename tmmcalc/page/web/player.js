@@ -130,10 +130,11 @@ export class Player {
       else if (!docked) place.style.height = "";
       bar.classList.toggle("docked", docked);
     };
+    const whole = { threshold: 1 };
     new IntersectionObserver(([entry]) => {
-      seen = entry.isIntersecting;
+      seen = entry.intersectionRatio > 0.99;
       this.dock?.();
-    }).observe(place);
+    }, whole).observe(place);
   }
 
   /** @param {number} value */
