@@ -84,6 +84,7 @@ ROOM = Room(
             "transloader",
             "grab transloader: speeds with their limits, loads by case, stresses",
             asked=("transloader", "no transloader"),
+            moves=True,
             picture=Picture("speeds of the ways, loads by case, stresses of the parts"),
             chapter="extras",
         ),

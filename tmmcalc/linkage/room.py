@@ -82,6 +82,7 @@ ROOM = Room(
             chapter="synthesis",
             asked=("synthesis", "no linkage is to be found"),
             settles=True,
+            moves=True,
             another=True,
             picture=Picture(
                 "the linkage found in its extreme positions with dimensions, or at its points with the coupler curve",
@@ -131,6 +132,7 @@ ROOM = Room(
             after="transient",
             picture=Picture("input, outputs and links over the time"),
             chapter="unsteady",
+            moves=True,
         ),
         Stage(
             "dyad",

@@ -289,6 +289,7 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
         "frame": [_mark(mark) for mark in view.frame],
         "front": [_mark(mark) for mark in view.front],
         "spots": [{**spot._asdict(), "at": _pair(spot.at)} for spot in view.spots],
+        "spans": [[span.kind, [[body, *_pair(at)] for body, at in span.points]] for span in view.spans],
         "handle": None
         if handle is None
         else {
@@ -318,6 +319,8 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
         ],
         "stops": [{"title": name_of(stop.title), "at": stop.at} for stop in view.stops],
         "shown": view.shown,
+        "stages": view.stages,
+        "note": name_of(view.note),
         "reach": view.reach,
         "readings": [
             {

@@ -32,6 +32,8 @@ Kind = Literal[
     "pitch",  # a circle that is thought: the centre; with its radius
     "outline",  # a closed main line
     "line",  # a thin line
+    "zone",  # a filled polygon where nothing may be
+    "range",  # a closed dashed line: what may be reached
     "axis",  # a thin line of dashes and dots
     "base",  # a dashed circle: the centre; with its radius
     "gear",  # a filled polygon: a toothed wheel, or a part of one whose other edges are out of sight
@@ -47,7 +49,16 @@ Kind = Literal[
     "held",  # a circle hatched outside: the centre; with its radius
 ]
 
-SpotKind = Literal["pin", "mass", "point"]
+SpotKind = Literal["pin", "mass", "point", "word"]  # a word has no sign, its name alone
+
+SpanKind = Literal[
+    "bar",  # a main line
+    "line",  # a thin line
+    "tube",  # a guide that a bar runs in
+    "rope",  # a thin line that is taut
+    "spring",  # a line that winds
+    "shadow",  # a pale line
+]
 
 
 class Mark(NamedTuple):
@@ -88,6 +99,16 @@ class Spot(NamedTuple):
     at: complex  # in its axes [m]
     kind: SpotKind
     path: bool = False  # whether it goes along a path that is shown
+
+
+class Span(NamedTuple):
+    """A line through points of bodies whose distances may change: a spring, a rod that is seen aslant.
+
+    Each point is the name of a body, or `FRAME`, and a place in its axes [m].
+    """
+
+    kind: SpanKind
+    points: tuple[tuple[str, complex], ...]
 
 
 class Arrow(NamedTuple):
@@ -216,12 +237,20 @@ class View(NamedTuple):
     plans: Callable[[], Iterable[Plan]] = tuple  # made where they are shown
     stops: tuple[Stop, ...] = ()
     shown: tuple[str, ...] = ()  # columns whose diagrams stand beside it at first
+    spans: tuple[Span, ...] = ()
+    note: str = ""  # what is told of how it is drawn
+    stages: tuple[str, ...] = ()  # whose tables go along its input; empty: all that have its column
     reach: tuple[tuple[float, float], ...] = ()  # where it assembles, counted as the input; empty: everywhere
     readings: tuple[Reading, ...] = ()
     seconds: float = 4.0  # that the whole travel takes when it plays
     driver: Driver | None = None
     front: tuple[Mark, ...] = ()  # of the frame, before all that moves
     nudge: float | None = None  # how far a press of an arrow key moves the input; None: 1/360 of the travel
+
+
+def seconds_of(duration: float) -> float:
+    """How long a motion over the time plays: as long as it lasts, if that can be watched."""
+    return min(max(duration, 2.0), 12.0)
 
 
 def track_of(values: Real, rates: Real, count: int) -> Track:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 solve = "tmmcalc.linkage.unsteady.solve:solve_unsteady"
 kind = Unsteady
 columns = unsteady_columns
+dense = "tmmcalc.linkage.tables.tasks.unsteady:with_steps"
 words = "tmmcalc.linkage.tables.tasks.words:words_of"
 declares = ()
 

@@ -19,6 +19,7 @@ inputs = to_manipulator
 solve = "tmmcalc.manipulators.solve:solve_manipulator"
 kind = Manipulator
 columns = manipulator_columns
+dense = "tmmcalc.manipulators.tables.tasks.manipulator:with_steps"
 
 
 def omits(spec: ManipulatorTables) -> tuple[str, ...]:

@@ -61,8 +61,11 @@ export class Charts {
     const found = columnOf(name);
     if (!found?.stage.rows) return;
     const header = found.stage.rows.header;
-    const known = this.states.filter((each) => header && each.view.column === header);
-    const state = known.find((each) => each.view.room === found.stage.room) ?? known[0] ?? null;
+    const { name: stage, room } = found.stage;
+    const known = this.states.filter(
+      ({ view }) => header && view.column === header && (!view.stages.length || view.stages.includes(stage)),
+    );
+    const state = known.find(({ view }) => view.room === room) ?? known[0] ?? null;
     const chart = new Chart(this.list, name, found, state, () => this.shown.delete(name));
     this.shown.set(name, chart);
   }
@@ -186,7 +189,7 @@ class Chart {
     }
     const unit = told(this.rows.unit);
     drawn("text", { x: WIDE - RIGHT, y: HIGH - 1, "text-anchor": "end", class: "axis" }, grid).textContent =
-      `${parted(this.rows.name).filter(Boolean).join(" ")}${unit ? `, ${unit}` : ""}`;
+      `${this.state?.view.symbol ?? parted(this.rows.name).filter(Boolean).join(" ")}${unit ? `, ${unit}` : ""}`;
     if (this.state) {
       for (const stop of this.state.view.stops.filter((each) => each.at >= this.start && each.at <= this.end)) {
         const x = this.across(stop.at);

@@ -17,7 +17,8 @@
  * @property {string} on the body in whose axes its tracks are
  * @property {Range} there
  */
-/** @typedef {{name: string, body: string, at: number[], kind: "pin" | "mass" | "point", path: boolean}} Spot */
+/** @typedef {{name: string, body: string, at: number[], kind: "pin" | "mass" | "point" | "word", path: boolean}} Spot */
+/** @typedef {[string, [string, number, number][]]} Span kind; its points, each a body and a place in its axes */
 /** @typedef {{sign: string, spot: string, x: string, y: string, sense: number}} Arrow */
 /** @typedef {{sign: string, body: string, x: Track, y: Track}} Vector */
 /** @typedef {{sign: string, body: string, start: Track, end: Track, column: string}} Angle */
@@ -47,12 +48,15 @@
  * @property {Mark[]} frame
  * @property {Mark[]} front of the frame, before all that moves
  * @property {Spot[]} spots
+ * @property {Span[]} spans
  * @property {{body: string, pivot: number[] | null, direction: number[] | null} | null} handle
  * @property {Layer[]} layers
  * @property {{name: string, x: Ref, y: Ref}[]} centres
  * @property {Plan[]} plans
  * @property {{title: Said, at: number}[]} stops
  * @property {string[]} shown
+ * @property {string[]} stages
+ * @property {Said} note
  * @property {[number, number][]} reach
  * @property {Reading[]} readings
  * @property {{view: string, ratio: number, begin: number} | null} driver another view that moves it

@@ -108,6 +108,9 @@ function heading(parent, says) {
 function moved(parent, state) {
   const section = made("section", { class: "view", "data-view": state.view.name }, parent);
   heading(section, () => told(state.view.title));
+  const note = made("p", { class: "drawn" }, section);
+  saying(() => (note.textContent = told(state.view.note)));
+  note.hidden = !state.view.note;
   const stage = made("div", { class: "stage" }, section);
   const drawing = new Scene(stage, state);
   const player = new Player(section, state, drawing.svg);
@@ -123,6 +126,7 @@ function moved(parent, state) {
     const said = (scale) => told(layer.layer.title) + (scale ? ` (${scale})` : "");
     tick(layers, drawing, layer.layer.name, () => said(drawing.scaleOf(layer)), layer.colour);
   }
+  layers.hidden = !layers.querySelector("label");
   if (state.view.plans.length) new Plans(section, state);
 }
 
@@ -135,7 +139,7 @@ function offers(view, name) {
   const has = {
     paths: view.spots.some((spot) => spot.path),
     numbers: view.bodies.some((body) => body.number),
-    names: view.spots.some((spot) => spot.kind !== "mass"),
+    names: view.spots.some((spot) => spot.name && spot.kind !== "mass"),
     masses: view.spots.some((spot) => spot.kind === "mass"),
     centres: view.centres.length > 0,
   };

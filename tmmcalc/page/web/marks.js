@@ -5,6 +5,7 @@ export const PIN = 5;
 export const COLOURS = ["blue", "orange", "green", "purple"];
 const BLOCK = [34, 19];
 const PIVOT = [22, 17];
+const [COILS, COIL] = [5, 7]; // turns of a spring, half its width
 const DOT = 4.5;
 const FINEST = 0.8; // module in pixels below which teeth are not drawn
 const SLOPE = Math.tan(Math.PI / 9); // of their flanks
@@ -51,6 +52,8 @@ function shaped(parent, mark, scale) {
   switch (kind) {
     case "plate":
     case "outline":
+    case "zone":
+    case "range":
     case "gear":
     case "hole":
       return drawn("polygon", { class: kind, points: path }, parent);
@@ -94,6 +97,33 @@ function shaped(parent, mark, scale) {
     default:
       return drawn("path", { class: "cross", d: `M${x - 5},${y - 5}l10,10m0,-10l-10,10` }, parent);
   }
+}
+
+/**
+ * A line through points in pixels, as a body has it that is drawn out or pressed together.
+ * @param {Element[]} lines
+ * @param {string} kind
+ * @param {[number, number][]} points
+ */
+export function stretch(lines, kind, points) {
+  const path = (kind === "spring" ? wound(points) : points).map(([x, y]) => `${round(x)},${round(y)}`).join(" ");
+  for (const line of lines) line.setAttribute("points", path);
+}
+
+/**
+ * A spring between the first point and the last, with straight ends.
+ * @param {[number, number][]} points
+ * @returns {[number, number][]}
+ */
+function wound(points) {
+  const [ax, ay] = points[0];
+  const [bx, by] = points[points.length - 1];
+  const long = Math.hypot(bx - ax, by - ay) || 1;
+  const [ex, ey] = [(bx - ax) / long, (by - ay) / long];
+  /** @param {number} along @param {number} aside @returns {[number, number]} */
+  const at = (along, aside) => [ax + along * long * ex - aside * ey, ay + along * long * ey + aside * ex];
+  const turns = Array.from({ length: 2 * COILS }, (_, k) => at(0.15 + (0.7 * (k + 0.5)) / (2 * COILS), k % 2 ? -COIL : COIL));
+  return [points[0], at(0.15, 0), ...turns, at(0.85, 0), points[points.length - 1]];
 }
 
 /**

@@ -2,7 +2,7 @@
 import { columnOf, numbers } from "./data.js";
 import { between, isThere, placed, poseOf, posesOf, STILL, trackAt } from "./motion.js";
 import { around, settled } from "./labels.js";
-import { centreOfMass, COLOURS, draw, drawn, named, PIN } from "./marks.js";
+import { centreOfMass, COLOURS, draw, drawn, named, PIN, stretch } from "./marks.js";
 import { parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 760;
@@ -16,6 +16,7 @@ const CHORDS = 60; // of a curve that names keep off
 const LEG = 110; // of an angle, in pixels
 const ARC = 84;
 const SIGN = 76; // of its sign and value
+const REST = 0.05; // of the size of the scene: what goes less in the whole travel at its speed there, rests there
 const RING = 9; // radius of the ring of a number
 const MOMENTS = 25; // of the motion that places of names are chosen by
 const LINES = new Set(["plate", "bar", "slot", "outline", "hole", "line"]);
@@ -31,6 +32,7 @@ export class Scene {
     const [left, bottom, right, top] = this.view.box;
     const wide = Math.max(right - left, 1e-9);
     const high = Math.max(top - bottom, 1e-9);
+    this.size = Math.max(wide, high);
     this.scale = Math.min((WIDE - 2 * MARGIN) / wide, (HIGH - 2 * MARGIN) / high);
     const height = Math.max(260, high * this.scale + 2 * MARGIN);
     const width = Math.min(WIDE, Math.max(LEAST, wide * this.scale + 2 * MARGIN));
@@ -49,6 +51,7 @@ export class Scene {
     this.bodies = this.view.bodies.map((body) => this.made(body, world));
     const front = drawn("g", { class: "frame front" }, world);
     for (const mark of this.view.front) draw(front, mark, this.scale);
+    this.spans = this.view.spans.map((span) => this.spanned(span, world));
     this.spots = this.view.spots.map((spot) => this.spotted(spot, world));
     this.rings = this.view.bodies.map((body) => this.ringed(body, world));
     this.centres = this.view.centres.map((centre) => this.centred(centre, world));
@@ -87,6 +90,27 @@ export class Scene {
   }
 
   /**
+   * @param {import("./data.js").Span} span
+   * @param {Element} world
+   */
+  spanned([kind, points], world) {
+    const sides = kind === "tube" ? ["tube", "tube inner"] : [kind];
+    return { kind, points, lines: sides.map((side) => drawn("polyline", { class: `span ${side}` }, world)) };
+  }
+
+  /**
+   * Where the points of a span are, in pixels.
+   * @param {import("./data.js").Span[1]} points
+   * @param {Map<string, import("./motion.js").Pose>} poses
+   */
+  along(points, poses) {
+    return points.map(([body, x, y]) => {
+      const [px, py] = placed(poses.get(body) ?? STILL, x, y);
+      return /** @type {[number, number]} */ ([px * this.scale, -py * this.scale]);
+    });
+  }
+
+  /**
    * @param {import("./data.js").Spot} spot
    * @param {Element} world
    */
@@ -94,7 +118,7 @@ export class Scene {
     const group = drawn("g", { class: `spot ${spot.kind}`, "data-spot": spot.name }, world);
     if (spot.kind === "pin") drawn("circle", { r: PIN, class: "joint" }, group);
     else if (spot.kind === "mass") centreOfMass(group);
-    else drawn("circle", { r: 2, class: "dot" }, group);
+    else if (spot.kind === "point") drawn("circle", { r: 2, class: "dot" }, group);
     named(group, ...lettered(spot.name), { class: "name", "text-anchor": "middle" });
     return group;
   }
@@ -201,7 +225,9 @@ export class Scene {
       const [letter, index] = lettered(spot.name);
       /** @type {import("./labels.js").Pair} */
       const size = [9.5 * letter.length + 6 * index.length, 14];
-      items.push({ at: over(spot.body, spot.at), size, choices: around(...size) });
+      /** @type {import("./labels.js").Pair[]} */
+      const choices = spot.kind === "word" ? [[0, 0], ...around(...size)] : around(...size);
+      items.push({ at: over(spot.body, spot.at), size, choices });
     }
     for (const body of rings) {
       const first = body.beside[0] ?? [0, 0];
@@ -254,6 +280,10 @@ export class Scene {
         else if (kind === "block") this.blocked(found, pose, flat);
       }
     }
+    for (const [, points] of this.view.spans) {
+      const ends = this.along(points, poses);
+      for (let k = 1; k < ends.length; k++) found.push([...ends[k - 1], ...ends[k]]);
+    }
     for (const [kind, flat] of [...this.view.frame, ...this.view.front]) {
       if (kind === "guide" || kind === "wall") add(STILL, flat.slice(0, 4), false);
       if (kind === "pivot") {
@@ -265,7 +295,7 @@ export class Scene {
         }
       }
     }
-    for (const spot of this.view.spots) {
+    for (const spot of this.view.spots.filter((each) => each.kind !== "word")) {
       const [x, y] = placed(poses.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
       found.push([x * this.scale - 3, -y * this.scale, x * this.scale + 3, -y * this.scale]);
     }
@@ -313,6 +343,7 @@ export class Scene {
       const [bx, by] = placed(pose, body.beside[0]?.[0] ?? 0, body.beside[0]?.[1] ?? 0);
       this.rings[k].setAttribute("transform", this.shifted(bx, by));
     });
+    for (const { kind, points, lines } of this.spans) stretch(lines, kind, this.along(points, poses));
     this.view.spots.forEach((spot, k) => {
       const [x, y] = placed(poses.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
       this.spots[k].setAttribute("transform", this.shifted(x, y));
@@ -491,8 +522,8 @@ export class Scene {
    * The rate of a track by the input.
    * @param {import("./data.js").Track} track
    */
-  rate(track, near = this.state.near) {
-    return typeof track === "number" ? 0 : numbers(track[1])[near];
+  rate(track) {
+    return typeof track === "number" ? 0 : numbers(track[1])[this.state.near];
   }
 
   /**
@@ -503,30 +534,47 @@ export class Scene {
    */
   sought(body, held, wanted) {
     const { state } = this;
-    const { low, high, span, values, view } = state;
-    const most = span / 24;
-    /** @param {number} input */
-    const point = (input) =>
-      placed(posesOf(view.bodies, values, between(values, input)).get(body.name) ?? STILL, held[0], held[1]);
+    const { low, high, view } = state;
+    const most = state.span / 24;
+    /** @param {number} input @returns {[number, number]} */
+    const point = (input) => {
+      const poses = this.posed(between(state.values, state.turned(input)));
+      return placed(poses.get(body.name) ?? STILL, held[0], held[1]);
+    };
     let at = state.at;
     let left = Infinity;
     let next = at;
     for (let k = 0; k < 24; k++) {
-      const here = state.turned(next);
-      const [x, y] = point(here);
+      const [x, y] = point(next);
       const [dx, dy] = [wanted[0] - x, wanted[1] - y];
       if (Math.hypot(dx, dy) >= left) break;
       left = Math.hypot(dx, dy);
       at = next;
-      const [before, after] = [Math.max(low, here - SMALL * span), Math.min(high, here + SMALL * span)];
-      const [[bx, by], [ax, ay]] = [point(before), point(after)];
-      const [vx, vy] = [(ax - bx) / (after - before), (ay - by) / (after - before)];
+      const [vx, vy] = this.velocity(point, at);
       const size = vx * vx + vy * vy;
       if (!size) break;
       next = at + Math.min(most, Math.max(-most, (dx * vx + dy * vy) / size));
       if (!view.whole && (next < low || next > high)) return next;
     }
     return at;
+  }
+
+  /**
+   * How a point goes with the input; where it rests, as at the ends of a motion over the time, the way from there on.
+   * @param {(input: number) => [number, number]} point
+   * @param {number} at
+   */
+  velocity(point, at) {
+    const { low, high, span, view } = this.state;
+    /** @param {number} before @param {number} after */
+    const over = (before, after) => {
+      const [[bx, by], [ax, ay]] = [point(before), point(after)];
+      return [(ax - bx) / (after - before), (ay - by) / (after - before)];
+    };
+    const small = SMALL * span;
+    const found = view.whole ? over(at - small, at + small) : over(Math.max(low, at - small), Math.min(high, at + small));
+    if (view.whole || Math.hypot(found[0], found[1]) * span >= REST * this.size) return found;
+    return at + span / 24 <= high ? over(at, at + span / 24) : over(at - span / 24, at);
   }
 }
 

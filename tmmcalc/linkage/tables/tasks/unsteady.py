@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.linkage.tables.unsteady import SENSES
@@ -29,3 +29,14 @@ def to_unsteady(spec: LinkageTables) -> UnsteadyTask:
         sense=None if table.sense is None else SENSES[table.sense],
         steps=table.steps,
     )
+
+
+def with_steps(spec: LinkageTables, count: int) -> LinkageTables:
+    """The spec with so many equal steps of the time at least, its own among them."""
+    table = spec.unsteady
+    if table is None:
+        raise UsageError("the spec has no [unsteady]")
+    dense = table.model_copy(update={"steps": table.steps * -(-count // table.steps)})
+    whole: Any = spec  # the root of the spec, which is put together of the rooms
+    placed: LinkageTables = whole.model_copy(update={"unsteady": dense})
+    return placed

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -54,6 +54,17 @@ def to_manipulator(spec: ManipulatorTables) -> ManipulatorTask:
         check_arm=table.check_arm,
         steps=table.steps,
     )
+
+
+def with_steps(spec: ManipulatorTables, count: int) -> ManipulatorTables:
+    """The spec with so many equal steps at least, its own among them."""
+    table = spec.manipulator
+    if table is None:
+        raise UsageError("the spec has no [manipulator]")
+    dense = table.model_copy(update={"steps": table.steps * -(-count // table.steps)})
+    whole: Any = spec  # the root of the spec, which is put together of the rooms
+    placed: ManipulatorTables = whole.model_copy(update={"manipulator": dense})
+    return placed
 
 
 def _arm(table: ManipulatorTable) -> Arm:

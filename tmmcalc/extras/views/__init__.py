@@ -1,0 +1,1 @@
+"""What a page shows moving of the small calculators (`tmmcalc.report.moving`)."""

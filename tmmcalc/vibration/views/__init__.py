@@ -1,0 +1,1 @@
+"""What a page shows moving of vibrations (`tmmcalc.report.moving`)."""
