@@ -255,7 +255,10 @@ class CamInMotion:
     def _front(self) -> Iterator[Mark]:
         """The pivots of cam and rocker, the guide of a stem on both sides of it; how the cam turns."""
         yield Mark("pivot", (0j, -1j))
-        radius, sense = max(0.45 * self.profile.nearest.value, 1.3 * self.task.limits.shaft), self.follower.sense
+        radius, sense = (
+            max(0.45 * self.profile.nearest.value, 0.25 * self.follower.base, 1.3 * self.task.limits.shaft),
+            self.follower.sense,
+        )
         yield Mark("sense", (0j, radius * np.exp(1j * math.pi * (0.5 + 0.35 * sense))), -0.7 * math.pi * sense)
         if self.rocks:
             yield Mark("pivot", (self.pivot, -1j))
