@@ -69,7 +69,7 @@ def test_a_law_of_many_pieces_has_the_values_of_its_integrals_alone(tmp_path: Pa
     points = ", ".join(f"[{k / 20}, {(k / 20) ** 2 * (3 - k / 10)}]" for k in range(21))
     said = stem().replace('law = "cosine"\n', f"law = {{ points = [{points}] }}\n") + loads() + DAMPED
     note = text(Assembler().written(of_text(said, tmp_path)))
-    assert "integral over the phase" in note
+    assert "integrals over the phase" in note
     assert "p_i" not in note
 
 
@@ -152,7 +152,7 @@ def test_means_of_a_step_are_sums_over_both_flanks() -> None:
 def test_jerk_and_phase_portrait_are_told_with_their_figures() -> None:
     chapters = told("cam-oscillating", None, ("cams",))
     figures = {block.key: block.caption for block in chapters[0].blocks if isinstance(block, Figure)}
-    assert "ψ′′′" in figures["cam_law"]
+    assert "psi'''" in figures["cam_law"]
     assert figures["cam_portrait"].startswith("Phase portrait")
 
 

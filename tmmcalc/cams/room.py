@@ -77,6 +77,7 @@ ROOM = Room(
             after="balance",
             picture=Picture("the cam to scale, its curvature", pieces="tmmcalc.cams.pictures.pieces:profile_pieces"),
             chapter="cams",
+            moves=True,
             studied=True,
         ),
         Stage(
@@ -136,6 +137,7 @@ ROOM = Room(
             "cam-lantern indexing drive: limits, profiles, pressure angles, efficiency",
             asked=("indexing", "no indexing drive is asked for"),
             chapter="cams",
+            moves=True,
             picture=Picture(
                 "scheme at --phase of a step, pressure angles, tip of the lobe, efficiency, what lambda and the step "
                 "decide",

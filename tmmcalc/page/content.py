@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import named
 from tmmcalc.core.notes import graded
-from tmmcalc.core.stage import STAGES, arguments
+from tmmcalc.core.stage import STAGES, arguments, of_scene
 from tmmcalc.naming.table import Values, table_of
 from tmmcalc.naming.told import Extent, Told, listed
 from tmmcalc.page.packing import ERROR, Block
@@ -63,12 +63,14 @@ def content(variants: Sequence[Variant], title: str, key: str, language: str, po
 def _scene(variant: Variant, block: Block, positions: int, *, planned: bool) -> Content:
     run = variant.run
     dense = _dense(run, positions)
+    views = [*_views(run, dense, block, planned=planned)]
+    inputs = {(view["room"], view["column"]) for view in views}
     return {
         "name": variant.name,
-        "stages": [_stage(stage, run, dense, block) for stage in run.outcomes],
+        "stages": [_stage(stage, run, dense, inputs, block) for stage in run.outcomes],
         "given": _given(run),
         "source": variant.source,
-        "views": [*_views(run, dense, block, planned=planned)],
+        "views": views,
         "trials": [*_trials(run, block)],
     }
 
@@ -77,8 +79,7 @@ def _dense(run: RunResult, positions: int) -> Content:
     """Results over many equal steps, of the stages whose rows are places that can be asked for."""
     results: dict[str, Any] = dict(run.results)
     found: dict[str, Any] = {}
-    for name in run.outcomes:
-        own = STAGES[name]
+    for name, own in of_scene({name: STAGES[name] for name in run.outcomes}, run.spec).items():
         make = own.part("dense")
         if make is None or own.unwanted(run.spec) is not None:
             continue
@@ -90,19 +91,30 @@ def _dense(run: RunResult, positions: int) -> Content:
     return found
 
 
-def _stage(name: str, run: RunResult, dense: Mapping[str, Any], block: Block) -> Content:
-    """A stage: facts of the run, columns over many positions where it has them, warnings, errors."""
+def _stage(
+    name: str, run: RunResult, dense: Mapping[str, Any], inputs: Container[tuple[str, str]], block: Block
+) -> Content:
+    """A stage: facts of the run, columns over many positions where it has them, warnings, errors.
+
+    Its rows go along one of the ``inputs`` of views, each a room and a column, where they have it.
+    """
     stage, result = STAGES[name], run.results[name]
     facts = [_fact(each) for each in listed(name, result) if isinstance(each, Told) and math.isfinite(each.value)]
     errors = {key: each for key, each in run.outcomes[name].record.error.items() if isinstance(each, float) and each}
     return {
         "name": name,
+        "room": _room(name),
         "title": name_of(stage.title),
         "facts": facts,
-        **_table(name, dense.get(name, result), block),
+        **_table(name, dense.get(name, result), inputs, block),
         "warnings": [name_of(graded(each)[1]) for each in warnings_of(run, [name])],
         "errors": [[name_of(key), float(f"{each:.3g}")] for key, each in errors.items()],
     }
+
+
+def _room(name: str) -> str:
+    """The room of a stage, whose tables go along the inputs of its views first."""
+    return STAGES[name].home.split(".")[1]
 
 
 def _fact(told: Told) -> Content:
@@ -115,14 +127,15 @@ def _fact(told: Told) -> Content:
     }
 
 
-def _table(name: str, result: Any, block: Block) -> Content:
+def _table(name: str, result: Any, inputs: Container[tuple[str, str]], block: Block) -> Content:
     """The columns of numbers, and the first of them that its rows go along; without one they are counted."""
     table = table_of(name, result)
     known = {each.quantity: each for each in listed(name, result) if isinstance(each, Extent)}
     headers = [header for header in table.headers if named(header)[0] in known] if table is not None else []
     if table is None or not headers or len(table.first) < 2:
         return {"rows": None, "columns": []}
-    along, *others = headers
+    along = next((header for header in headers if (_room(name), header) in inputs), headers[0])
+    others = [header for header in headers if header != along]
     values = table.column(along)
     if not _ordered(values):
         along, others, values = "", headers, np.arange(1.0, len(table.first) + 1)
@@ -189,6 +202,7 @@ def _views(run: RunResult, dense: Mapping[str, Any], block: Block, *, planned: b
             for view in _offered(name, "views")(order):
                 plans = view.plans() if planned else ()
                 yield {
+                    "room": _room(name),
                     **_view(view, _steps(run, name, view.column) or [list(step) for step in view.steps], block),
                     "plans": [_plan(each, block) for each in plans],
                 }
@@ -273,6 +287,7 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
         "box": [*_pair(view.box[0]), *_pair(view.box[1])],
         "bodies": [_body(body, block) for body in view.bodies],
         "frame": [_mark(mark) for mark in view.frame],
+        "front": [_mark(mark) for mark in view.front],
         "spots": [{**spot._asdict(), "at": _pair(spot.at)} for spot in view.spots],
         "spans": [[span.kind, [[body, *_pair(at)] for body, at in span.points]] for span in view.spans],
         "handle": None
@@ -292,6 +307,10 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
                     {**each._asdict(), "x": _track(each.x, block), "y": _track(each.y, block)} for each in layer.vectors
                 ],
                 "tone": layer.tone,
+                "angles": [
+                    {**each._asdict(), "start": _track(each.start, block), "end": _track(each.end, block)}
+                    for each in layer.angles
+                ],
             }
             for layer in view.layers
         ],
@@ -313,6 +332,7 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
             for each in view.readings
         ],
         "seconds": view.seconds,
+        "driver": None if view.driver is None else view.driver._asdict(),
         "nudge": view.nudge,
     }
 

@@ -43,6 +43,9 @@ Kind = Literal[
     "spoke",  # a line that shows how a circle turns
     "dot",  # a filled point
     "sense",  # an arrow along a circle: its centre, where it begins; with the angle that it goes through [rad]
+    "hole",  # a polygon that is cut out of a plate: its corners
+    "roller",  # a circle that hides what is behind it: the centre; with its radius
+    "wall",  # a hatched line that a rod slides along: its ends, the outward direction
     "held",  # a circle hatched outside: the centre; with its radius
 ]
 
@@ -127,8 +130,18 @@ class Vector(NamedTuple):
     y: Track
 
 
+class Angle(NamedTuple):
+    """An angle at the origin of a body: directions of its legs [rad], the column of its value."""
+
+    sign: str
+    body: str
+    start: Track
+    end: Track
+    column: str  # as ``cam_pressure.theta``
+
+
 class Layer(NamedTuple):
-    """Vectors that are shown together."""
+    """Vectors and angles that are shown together."""
 
     name: str
     title: str
@@ -136,6 +149,7 @@ class Layer(NamedTuple):
     arrows: tuple[Arrow, ...]
     vectors: tuple[Vector, ...] = ()
     tone: int = 0  # number of their colour, from 1; 0: by the place of the layer
+    angles: tuple[Angle, ...] = ()
 
 
 class Edge(NamedTuple):
@@ -194,6 +208,14 @@ class Stop(NamedTuple):
     at: float
 
 
+class Driver(NamedTuple):
+    """Another view whose input moves that of this one: so many times it, less what that is where this one begins."""
+
+    view: str
+    ratio: float
+    begin: float  # in the unit of both
+
+
 class View(NamedTuple):
     """A scene that moves."""
 
@@ -221,6 +243,8 @@ class View(NamedTuple):
     reach: tuple[tuple[float, float], ...] = ()  # where it assembles, counted as the input; empty: everywhere
     readings: tuple[Reading, ...] = ()
     seconds: float = 4.0  # that the whole travel takes when it plays
+    driver: Driver | None = None
+    front: tuple[Mark, ...] = ()  # of the frame, before all that moves
     nudge: float | None = None  # how far a press of an arrow key moves the input; None: 1/360 of the travel
 
 

@@ -15,6 +15,7 @@ solve = "tmmcalc.cams.forces.solve:solve_forces"
 takes = {"cam_synthesis": "follower"}
 kind = CamForces
 columns = "tmmcalc.cams.forces.columns:force_columns"
+dense = "tmmcalc.cams.tables.tasks.placed:with_positions"
 declares = ("tmmcalc.cams.further", "tmmcalc.cams.lawresult", "Q", "M_Q")
 further = "tmmcalc.cams.further:of_forces"
 

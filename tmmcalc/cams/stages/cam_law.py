@@ -14,6 +14,7 @@ inputs = cam_of
 solve = solve_law
 kind = LawResult
 columns = law_columns
+dense = "tmmcalc.cams.tables.tasks.placed:with_positions"
 declares = ("tmmcalc.cams.further",)
 further = "tmmcalc.cams.further:of_law"
 details = "tmmcalc.cams.laws.details:law_details"

@@ -15,6 +15,7 @@ solve = "tmmcalc.cams.pressure.solve:solve_pressure"
 takes = {"cam_synthesis": "follower"}
 kind = Pressure
 columns = "tmmcalc.cams.pressure.solve:pressure_columns"
+dense = "tmmcalc.cams.tables.tasks.placed:with_positions"
 declares = ()
 
 

@@ -15,6 +15,7 @@ solve = "tmmcalc.cams.profile.solve:solve_profile"
 takes = {"cam_synthesis": "follower"}
 kind = Profile
 columns = "tmmcalc.cams.profile.columns:profile_columns"
+dense = "tmmcalc.cams.tables.tasks.placed:with_positions"
 declares = ()
 further = "tmmcalc.cams.further:of_profile"
 

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 solve = "tmmcalc.cams.indexing.solve:solve_indexing"
 kind = Indexing
 columns = "tmmcalc.cams.indexing.columns:indexing_columns"
+dense = "tmmcalc.cams.tables.tasks.placed:with_parts"
 declares = ()
 
 

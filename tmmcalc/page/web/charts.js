@@ -56,14 +56,16 @@ export class Charts {
    * @param {string} name
    */
   add(name) {
-    const known = this.shown.get(name);
-    if (known) return known.card.scrollIntoView({ block: "nearest" });
+    const shown = this.shown.get(name);
+    if (shown) return shown.card.scrollIntoView({ block: "nearest" });
     const found = columnOf(name);
     if (!found?.stage.rows) return;
     const header = found.stage.rows.header;
-    const stage = found.stage.name;
-    const along = this.states.filter(({ view }) => view.column === header);
-    const state = along.find(({ view }) => !view.stages.length || view.stages.includes(stage)) ?? null;
+    const { name: stage, room } = found.stage;
+    const known = this.states.filter(
+      ({ view }) => header && view.column === header && (!view.stages.length || view.stages.includes(stage)),
+    );
+    const state = known.find(({ view }) => view.room === room) ?? known[0] ?? null;
     const chart = new Chart(this.list, name, found, state, () => this.shown.delete(name));
     this.shown.set(name, chart);
   }
@@ -189,7 +191,7 @@ class Chart {
     drawn("text", { x: WIDE - RIGHT, y: HIGH - 1, "text-anchor": "end", class: "axis" }, grid).textContent =
       `${this.state?.view.symbol ?? parted(this.rows.name).filter(Boolean).join(" ")}${unit ? `, ${unit}` : ""}`;
     if (this.state) {
-      for (const stop of this.state.view.stops) {
+      for (const stop of this.state.view.stops.filter((each) => each.at >= this.start && each.at <= this.end)) {
         const x = this.across(stop.at);
         const line = drawn("line", { x1: x, x2: x, y1: TOP, y2: HIGH - BOTTOM, class: "stop" }, back);
         drawn("title", {}, line).textContent = told(stop.title);
@@ -275,6 +277,7 @@ class Chart {
     const x = this.across(this.state.at);
     this.cursor.setAttribute("x1", String(x));
     this.cursor.setAttribute("x2", String(x));
+    this.cursor.classList.toggle("lost", this.state.at > this.end + 1e-3 || this.state.at < this.start - 1e-3);
     const known = Number.isFinite(this.y[k]);
     this.dot.classList.toggle("lost", !known);
     if (known) {

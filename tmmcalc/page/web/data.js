@@ -21,7 +21,11 @@
 /** @typedef {[string, [string, number, number][]]} Span kind; its points, each a body and a place in its axes */
 /** @typedef {{sign: string, spot: string, x: string, y: string, sense: number}} Arrow */
 /** @typedef {{sign: string, body: string, x: Track, y: Track}} Vector */
-/** @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[], vectors: Vector[], tone: number}} Layer */
+/** @typedef {{sign: string, body: string, start: Track, end: Track, column: string}} Angle */
+/**
+ * @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[], vectors: Vector[], angles: Angle[], tone: number}}
+ *   Layer
+ */
 /** @typedef {{name: Said, sign: string, unit: Said, value: Track, there: Range}} Reading */
 /** @typedef {[number, number, string, string]} Edge tail, head, sign, kind */
 /**
@@ -31,6 +35,7 @@
 /**
  * @typedef {object} View
  * @property {string} name
+ * @property {string} room of its stage
  * @property {Said} title
  * @property {string} symbol
  * @property {Said} unit
@@ -41,6 +46,7 @@
  * @property {number[]} box
  * @property {Body[]} bodies
  * @property {Mark[]} frame
+ * @property {Mark[]} front of the frame, before all that moves
  * @property {Spot[]} spots
  * @property {Span[]} spans
  * @property {{body: string, pivot: number[] | null, direction: number[] | null} | null} handle
@@ -53,6 +59,7 @@
  * @property {Said} note
  * @property {[number, number][]} reach
  * @property {Reading[]} readings
+ * @property {{view: string, ratio: number, begin: number} | null} driver another view that moves it
  * @property {number} seconds that the whole travel takes
  * @property {number | null} nudge of an arrow key
  */
@@ -61,6 +68,7 @@
 /**
  * @typedef {object} Stage
  * @property {string} name
+ * @property {string} room
  * @property {Said} title
  * @property {Fact[]} facts
  * @property {{header: string, name: string, unit: Said, values: Ref, kept: number, of: number} | null} rows

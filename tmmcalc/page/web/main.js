@@ -6,12 +6,12 @@ import { Plans } from "./plans.js";
 import { button, made, Player } from "./player.js";
 import { readings } from "./readings.js";
 import { Scene } from "./scene.js";
-import { State } from "./state.js";
+import { coupled, State } from "./state.js";
 import { Plane } from "./trials.js";
 import { forget, language, remember, saying, speak, told, word } from "./words.js";
 
 const SHOWN = ["paths", "numbers", "names", "masses", "centres"];
-const HIDDEN = new Set(["centres", "acceleration", "reaction"]);
+const HIDDEN = new Set(["centres", "acceleration", "reaction", "force"]);
 
 const title = /** @type {HTMLElement} */ (document.getElementById("title"));
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
@@ -50,6 +50,7 @@ function shown(columns, part) {
     if (left) moved(left, state);
     state.move(state.low + part * state.span);
   }
+  coupled(states);
   for (const trial of trials) if (left) new Plane(left, trial);
   const right = made("div", { class: "read" }, main);
   const diagrams = made("section", { class: "diagrams" }, right);
@@ -121,7 +122,9 @@ function moved(parent, state) {
   const known = SHOWN.filter((name) => offers(state.view, name));
   for (const name of known) tick(layers, drawing, name, () => word(name));
   for (const layer of drawing.layers) {
-    tick(layers, drawing, layer.layer.name, () => `${told(layer.layer.title)} (${drawing.scaleOf(layer)})`, layer.colour);
+    /** @param {string} scale */
+    const said = (scale) => told(layer.layer.title) + (scale ? ` (${scale})` : "");
+    tick(layers, drawing, layer.layer.name, () => said(drawing.scaleOf(layer)), layer.colour);
   }
   layers.hidden = !layers.querySelector("label");
   if (state.view.plans.length) new Plans(section, state);

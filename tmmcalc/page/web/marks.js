@@ -55,6 +55,7 @@ function shaped(parent, mark, scale) {
     case "zone":
     case "range":
     case "gear":
+    case "hole":
       return drawn("polygon", { class: kind, points: path }, parent);
     case "bar":
     case "slot":
@@ -66,6 +67,7 @@ function shaped(parent, mark, scale) {
     case "circle":
     case "pitch":
     case "base":
+    case "roller":
       return drawn("circle", { class: kind, cx: x, cy: y, r: size * scale }, parent);
     case "dot":
       return drawn("circle", { class: kind, cx: x, cy: y, r: DOT }, parent);
@@ -85,6 +87,8 @@ function shaped(parent, mark, scale) {
       return pivot(parent, x, y, flat[2], flat[3]);
     case "guide":
       return guide(parent, points[0], points[1], flat[4], flat[5]);
+    case "wall":
+      return wall(parent, points[0], points[1], flat[4], flat[5]);
     case "sleeve": {
       const group = drawn("g", {}, parent);
       guide(group, points[0], points[0], flat[4], flat[5]);
@@ -273,6 +277,24 @@ function guide(parent, a, b, ox, oy) {
   const along = (b[0] - a[0]) * c + (b[1] - a[1]) * s;
   const over = BLOCK[0] / 2 + 8;
   hatched(group, Math.min(0, along) - over, Math.max(0, along) + over, BLOCK[1] / 2);
+  return group;
+}
+
+/**
+ * A hatched line from end to end.
+ * @param {Element} parent
+ * @param {[number, number]} a
+ * @param {[number, number]} b
+ * @param {number} ox
+ * @param {number} oy
+ */
+function wall(parent, a, b, ox, oy) {
+  const turn = (Math.atan2(-oy, ox) * 180) / Math.PI - 90;
+  const group = drawn("g", { transform: `translate(${round(a[0])} ${round(a[1])}) rotate(${round(turn)})` }, parent);
+  const c = Math.cos((turn * Math.PI) / 180);
+  const s = Math.sin((turn * Math.PI) / 180);
+  const along = (b[0] - a[0]) * c + (b[1] - a[1]) * s;
+  hatched(group, Math.min(0, along), Math.max(0, along), 2.5);
   return group;
 }
 

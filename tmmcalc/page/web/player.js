@@ -93,6 +93,7 @@ export class Player {
     choice.addEventListener("change", () => (this.speed = Number(choice.value)));
     this.told = made("output", { class: "told", "aria-live": "off" }, parent);
     this.wrong = made("p", { class: "wrong", role: "status" }, parent);
+    if (state.view.stops.length) this.stops(parent);
     saying(() => this.tell());
     state.follow(() => this.tell());
     state.refused.push((asked) => {
@@ -117,6 +118,22 @@ export class Player {
       seen = entry.isIntersecting;
       this.dock?.();
     }).observe(place);
+  }
+
+  /**
+   * Places that are marked, each a button that takes the input there.
+   * @param {Element} parent
+   */
+  stops(parent) {
+    const list = made("div", { class: "stops" }, parent);
+    for (const stop of this.state.view.stops) {
+      const found = made("button", { type: "button" }, list);
+      saying(() => (found.textContent = told(stop.title)));
+      found.addEventListener("click", () => {
+        this.play(false);
+        this.state.move(stop.at);
+      });
+    }
   }
 
   /** @param {number} value */

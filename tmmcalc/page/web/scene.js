@@ -6,15 +6,20 @@ import { centreOfMass, COLOURS, draw, drawn, named, PIN, stretch } from "./marks
 import { parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 760;
+const LEAST = 480; // width of a tall scene: it is larger on a narrow screen
 const HIGH = 560;
 const MARGIN = 56;
 const LONGEST = 110; // of a vector, in pixels
 const SMALL = 1e-5; // of the travel: a step by which velocities are found
 const CENTIMETRE = 37.8; // in pixels of a screen
+const CHORDS = 60; // of a curve that names keep off
+const LEG = 110; // of an angle, in pixels
+const ARC = 84;
+const SIGN = 76; // of its sign and value
 const REST = 0.05; // of the size of the scene: what goes less in the whole travel at its speed there, rests there
 const RING = 9; // radius of the ring of a number
 const MOMENTS = 25; // of the motion that places of names are chosen by
-const LINES = new Set(["plate", "bar", "slot", "outline", "line"]);
+const LINES = new Set(["plate", "bar", "slot", "outline", "hole", "line"]);
 
 export class Scene {
   /**
@@ -30,9 +35,12 @@ export class Scene {
     this.size = Math.max(wide, high);
     this.scale = Math.min((WIDE - 2 * MARGIN) / wide, (HIGH - 2 * MARGIN) / high);
     const height = Math.max(260, high * this.scale + 2 * MARGIN);
-    this.x0 = WIDE / 2 - ((left + right) / 2) * this.scale;
+    const width = Math.min(WIDE, Math.max(LEAST, wide * this.scale + 2 * MARGIN));
+    this.x0 = width / 2 - ((left + right) / 2) * this.scale;
+    this.width = width;
+    this.height = height;
     this.y0 = height / 2 + ((top + bottom) / 2) * this.scale;
-    this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
+    this.svg = drawn("svg", { viewBox: `0 0 ${Math.round(width)} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
     const title = drawn("title", {}, this.svg);
     saying(() => (title.textContent = `${told(this.view.title)}. ${word("drag")}`));
     this.heads();
@@ -41,6 +49,8 @@ export class Scene {
     const frame = drawn("g", { class: "frame" }, world);
     for (const mark of this.view.frame) draw(frame, mark, this.scale);
     this.bodies = this.view.bodies.map((body) => this.made(body, world));
+    const front = drawn("g", { class: "frame front" }, world);
+    for (const mark of this.view.front) draw(front, mark, this.scale);
     this.spans = this.view.spans.map((span) => this.spanned(span, world));
     this.spots = this.view.spots.map((spot) => this.spotted(spot, world));
     this.rings = this.view.bodies.map((body) => this.ringed(body, world));
@@ -157,11 +167,17 @@ export class Scene {
       const line = drawn("line", { "marker-end": `url(#head-${colour})` }, group);
       return { vector, line, name: named(group, ...parted(vector.sign), { class: "name" }) };
     });
+    const angles = layer.angles.map((angle) => {
+      const found = columnOf(angle.column);
+      const legs = [0, 1].map(() => drawn("line", { class: "leg" }, group));
+      const arc = drawn("path", { class: "arc" }, group);
+      return { angle, found, legs, arc, name: drawn("text", { class: "name" }, group) };
+    });
     let largest = 0;
     for (const { x, y } of arrows) largest = x.reduce((most, _, k) => Math.max(most, Math.hypot(x[k], y[k]) || 0), largest);
     for (const { vector } of vectors) largest = Math.max(largest, this.longest(vector));
     const per = largest ? standard((largest / LONGEST) * CENTIMETRE) / CENTIMETRE : 1; // of the unit to a pixel
-    return { layer, colour, group, arrows, vectors, per, largest };
+    return { layer, colour, group, arrows, vectors, angles, per, largest };
   }
 
   /**
@@ -247,7 +263,8 @@ export class Scene {
     const add = (pose, flat, closed) => {
       /** @type {[number, number][]} */
       const points = [];
-      for (let k = 0; k + 1 < flat.length; k += 2) {
+      const stride = 2 * Math.max(1, Math.floor(flat.length / 2 / CHORDS)); // of a curve some chords do
+      for (let k = 0; k + 1 < flat.length; k += stride) {
         const [x, y] = placed(pose, flat[k], flat[k + 1]);
         points.push([x * this.scale, -y * this.scale]);
       }
@@ -259,7 +276,7 @@ export class Scene {
     for (const body of this.view.bodies) {
       const pose = /** @type {import("./motion.js").Pose} */ (poses.get(body.name));
       for (const [kind, flat] of body.marks) {
-        if (LINES.has(kind)) add(pose, flat, kind === "plate" || kind === "outline");
+        if (LINES.has(kind)) add(pose, flat, kind === "plate" || kind === "outline" || kind === "hole");
         else if (kind === "block") this.blocked(found, pose, flat);
       }
     }
@@ -267,8 +284,8 @@ export class Scene {
       const ends = this.along(points, poses);
       for (let k = 1; k < ends.length; k++) found.push([...ends[k - 1], ...ends[k]]);
     }
-    for (const [kind, flat] of this.view.frame) {
-      if (kind === "guide") add(STILL, flat.slice(0, 4), false);
+    for (const [kind, flat] of [...this.view.frame, ...this.view.front]) {
+      if (kind === "guide" || kind === "wall") add(STILL, flat.slice(0, 4), false);
       if (kind === "pivot") {
         const [x, y] = [flat[0] * this.scale, -flat[1] * this.scale];
         found.push([x, y, x + 20 * flat[2], y - 20 * flat[3]]);
@@ -353,12 +370,45 @@ export class Scene {
       const k = between(rows, this.state.at).near;
       this.arrow(line, name, [px, py], [(arrow.sense * x[k]) / layer.per, (arrow.sense * y[k]) / layer.per]);
     }
+    for (const each of layer.angles) this.opened(each);
     for (const { vector, line, name } of layer.vectors) {
       const pose = this.gone?.has(vector.body) ? undefined : this.poses?.get(vector.body);
       const { values, there } = this.state;
       const way = [trackAt(vector.x, values, there) / layer.per, trackAt(vector.y, values, there) / layer.per];
       this.arrow(line, name, pose ? [pose.x, pose.y] : [0, 0], pose ? way : [0, 0]);
     }
+  }
+
+  /**
+   * An angle with its legs and its value at the nearest solved position.
+   * @param {ReturnType<Scene["layered"]>["angles"][number]} shown
+   */
+  opened({ angle, found, legs, arc, name }) {
+    const pose = this.poses?.get(angle.body) ?? STILL;
+    const { values, there, at } = this.state;
+    const [from, to] = [trackAt(angle.start, values, there), trackAt(angle.end, values, there)];
+    const [x, y] = [pose.x * this.scale, -pose.y * this.scale];
+    /** @param {number} direction @param {number} far @returns {[number, number]} */
+    const point = (direction, far) => [x + far * Math.cos(direction), y - far * Math.sin(direction)];
+    [from, to].forEach((direction, k) => {
+      const [x1, y1] = point(direction, -LEG / 2);
+      const [x2, y2] = point(direction, LEG);
+      for (const [key, value] of Object.entries({ x1, y1, x2, y2 })) legs[k].setAttribute(key, value.toFixed(1));
+    });
+    const [ends, sweep] = [[point(from, ARC), point(to, ARC)], to > from ? 0 : 1];
+    const [start, end] = ends.map((each) => each.map((value) => value.toFixed(1)).join(","));
+    arc.setAttribute("d", `M${start}A${ARC},${ARC} 0 0 ${sweep} ${end}`);
+    const away = to + (to > from ? 1 : -1) * (Math.PI / 2); // beside the second leg, outside the angle
+    const [ex, ey] = point(to, LEG - 6);
+    const [tx, ty] = [ex + 8 * Math.cos(away), ey - 8 * Math.sin(away) + 5];
+    const rows = found?.stage.rows;
+    const value = rows ? numbers(found.column.values)[between(numbers(rows.values), at).near] : NaN;
+    name.textContent = `${parted(angle.sign)[0]} = ${written(value, 3)}${told(found?.column.unit ?? "")}`;
+    const before = Math.cos(away) < 0;
+    const [left, right] = [-this.x0 + 4 + (before ? SIGN : 0), this.width - this.x0 - 4 - (before ? 0 : SIGN)];
+    name.setAttribute("x", Math.min(right, Math.max(left, tx)).toFixed(1));
+    name.setAttribute("y", Math.min(this.height - this.y0 - 6, Math.max(16 - this.y0, ty)).toFixed(1));
+    name.setAttribute("text-anchor", before ? "end" : "start");
   }
 
   /**
@@ -403,10 +453,11 @@ export class Scene {
   }
 
   /**
-   * The scale of a layer in words.
+   * The scale of a layer in words, where it has vectors.
    * @param {ReturnType<Scene["layered"]>} layer
    */
   scaleOf(layer) {
+    if (!layer.largest) return "";
     return word("arrow", { value: `${written(layer.per * CENTIMETRE, 3)} ${told(layer.layer.unit)}`.trim() });
   }
 
@@ -471,8 +522,8 @@ export class Scene {
    * The rate of a track by the input.
    * @param {import("./data.js").Track} track
    */
-  rate(track, near = this.state.near) {
-    return typeof track === "number" ? 0 : numbers(track[1])[near];
+  rate(track) {
+    return typeof track === "number" ? 0 : numbers(track[1])[this.state.near];
   }
 
   /**
@@ -483,6 +534,7 @@ export class Scene {
    */
   sought(body, held, wanted) {
     const { state } = this;
+    const { low, high, view } = state;
     const most = state.span / 24;
     /** @param {number} input @returns {[number, number]} */
     const point = (input) => {
@@ -502,7 +554,7 @@ export class Scene {
       const size = vx * vx + vy * vy;
       if (!size) break;
       next = at + Math.min(most, Math.max(-most, (dx * vx + dy * vy) / size));
-      if (!state.view.whole && (next < state.low || next > state.high)) return next;
+      if (!view.whole && (next < low || next > high)) return next;
     }
     return at;
   }

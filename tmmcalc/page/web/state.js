@@ -84,3 +84,31 @@ export class State {
     act(this.at);
   }
 }
+
+/**
+ * What moves one input moves the other that it drives, and back.
+ * @param {State[]} states
+ */
+export function coupled(states) {
+  for (const state of states) {
+    const { driver } = state.view;
+    const other = driver && states.find((each) => each.view.name === driver.view);
+    if (!driver || !other) continue;
+    let busy = false;
+    /** @param {() => void} act */
+    const once = (act) => {
+      if (busy) return;
+      busy = true;
+      act();
+      busy = false;
+    };
+    const wanted = () => driver.ratio * (other.at - driver.begin);
+    other.follow(() => once(() => state.move(wanted())));
+    state.follow(() =>
+      once(() => {
+        const turns = Math.round((state.at - wanted()) / state.span); // whole turns make no difference
+        other.move(other.at + (state.at - wanted() - turns * state.span) / driver.ratio);
+      }),
+    );
+  }
+}

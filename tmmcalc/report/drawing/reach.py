@@ -43,6 +43,8 @@ def _extremes(arc: Arc) -> Plane:
 
 def trimmed(drawing: Drawing, margin: float = 1.0) -> Drawing:
     """The drawing on paper that is no higher than its shapes need, with a margin [mm]."""
+    if not drawing.shapes:
+        return drawing
     box = around(map(reach, drawing.shapes))
     low, high = max(0.0, box.bottom - margin), min(drawing.height, box.top + margin)
     found = Drawing(drawing.width, math.ceil(10 * (high - low)) / 10, drawing.title)

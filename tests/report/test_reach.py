@@ -1,0 +1,44 @@
+"""How far shapes reach, and drawings without the blank over and under them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from tmmcalc.report.drawing.pens import MIDDLE
+from tmmcalc.report.drawing.reach import around, lowered, reach, trimmed
+from tmmcalc.report.drawing.shapes import Arc, Area, Dimension, Drawing, Hatching, Shape, Stroke, Words
+
+SQUARE = np.array([20 + 40j, 30 + 40j, 30 + 50j, 20 + 50j])
+SHAPES: tuple[Shape, ...] = (
+    Stroke(SQUARE, MIDDLE, closed=True),
+    Arc(25 + 45j, 4.0, MIDDLE, 0.0, math.pi),
+    Area(SQUARE, "#fff"),
+    Hatching((SQUARE,)),
+    Words(25 + 60j, "A", 3.5),
+    Dimension(20 + 40j, 30 + 40j, 25 + 34j, "10"),
+)
+
+
+@pytest.mark.parametrize("shape", SHAPES, ids=lambda shape: type(shape).__name__)
+def test_a_lowered_shape_is_the_same_so_much_lower(shape: Shape) -> None:
+    before, after = reach(shape), reach(lowered(shape, 12.5))
+    assert np.allclose([after.left, after.right], [before.left, before.right])
+    assert np.allclose([after.bottom, after.top], [before.bottom - 12.5, before.top - 12.5])
+
+
+def test_a_trimmed_drawing_has_all_its_shapes_and_no_blank_over_and_under_them() -> None:
+    drawing = Drawing(60.0, 100.0, "title")
+    drawing.add(*SHAPES)
+    found = trimmed(drawing, 2.0)
+    box = around(map(reach, found.shapes))
+    assert (found.width, found.title, len(found.shapes)) == (60.0, "title", len(SHAPES))
+    assert box.bottom == pytest.approx(2.0)
+    assert found.height - box.top == pytest.approx(2.0, abs=0.1)
+
+
+def test_a_drawing_without_shapes_stays() -> None:
+    drawing = Drawing(60.0, 100.0)
+    assert trimmed(drawing) is drawing

@@ -1,0 +1,1 @@
+"""What a page shows moving of cams (`tmmcalc.report.moving`)."""
