@@ -253,6 +253,6 @@ def seconds_of(duration: float) -> float:
     return min(max(duration, 2.0), 12.0)
 
 
-def track_of(values: Real, rates: Real, count: int) -> Track:
+def track_of(values: Real | float, rates: Real | float, count: int) -> Track:
     """A track from arrays (n,) or single values."""
     return Track(np.broadcast_to(values, (count,)), np.broadcast_to(rates, (count,)))

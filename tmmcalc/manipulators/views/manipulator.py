@@ -128,8 +128,8 @@ class _PlaneArm:
             return
         side, rod, at = self._side() if self.arm.kind == "cylindrical" else 1.0, self._rod(), self._guide()
         marks = (Mark("bar", (-side * rod + 0j, -side * self.grip + 0j)), *_jaws(0.0, side, self.grip))
-        hand = (Track(self.result.gripper[0, k], self.result.gripper[1, k]) for k in (0, 1))
-        yield Body(HAND, *hand, angle, marks, HAND, (-side * (self._reach()[0] - at) / 2 + 0j,))
+        x, y = (Track(self.result.gripper[0, k], self.result.gripper[1, k]) for k in (0, 1))
+        yield Body(HAND, x, y, angle, marks, HAND, (-side * (self._reach()[0] - at) / 2 + 0j,))
         block = Mark("block", (side * at + 0j, 1 + 0j))
         bar = Mark("bar", (0j, side * at + 0j))
         if self.arm.kind == "spherical":

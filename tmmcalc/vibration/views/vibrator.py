@@ -8,6 +8,7 @@ from math import cos, sin
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.moving import FRAME, Body, Mark, Span, Spot, Track, View, track_of
 from tmmcalc.vibration.pictures.vibrator import ASLANT
@@ -153,7 +154,7 @@ def _of_ring(at: Values) -> Values:
     return found
 
 
-def _point(name: str, place: Values, rate: Values) -> Body:
+def _point(name: str, place: Plane, rate: Plane) -> Body:
     """A point that moves, with rates by the angle [deg]."""
     per = np.pi / 180
     x, y = Track(place.real, per * rate.real), Track(place.imag, per * rate.imag)
