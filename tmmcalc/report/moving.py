@@ -255,4 +255,4 @@ def seconds_of(duration: float) -> float:
 
 def track_of(values: Real | float, rates: Real | float, count: int) -> Track:
     """A track from arrays (n,) or single values."""
-    return Track(np.broadcast_to(values, (count,)), np.broadcast_to(rates, (count,)))
+    return Track(np.broadcast_to(np.asarray(values, float), count), np.broadcast_to(np.asarray(rates, float), count))

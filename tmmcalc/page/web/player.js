@@ -140,26 +140,6 @@ export class Player {
     }
   }
 
-  /**
-   * While it plays the bar stays in sight: out of its place it stands at the edge of the window.
-   * @param {HTMLElement} bar
-   * @param {HTMLElement} place
-   */
-  docked(bar, place) {
-    let seen = true;
-    this.dock = () => {
-      const docked = this.playing && !seen;
-      if (docked && !bar.classList.contains("docked")) place.style.height = `${place.offsetHeight}px`;
-      else if (!docked) place.style.height = "";
-      bar.classList.toggle("docked", docked);
-    };
-    const whole = { threshold: 1 };
-    new IntersectionObserver(([entry]) => {
-      seen = entry.intersectionRatio > 0.99;
-      this.dock?.();
-    }, whole).observe(place);
-  }
-
   /** @param {number} value */
   measured(value) {
     const unit = told(this.state.view.unit);

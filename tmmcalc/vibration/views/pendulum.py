@@ -40,7 +40,7 @@ class _Pendulum:
     def across(self, part: float) -> Plane:
         """Displacements (n,) x + iy of a place of the rod, in parts of its length from the joint."""
         bend = self.slope * self.length - self.tip
-        return np.asarray(self.tip * part + bend * part * (part - 1))
+        return np.asarray(self.tip * part + bend * part * (part - 1), complex)
 
     def view(self) -> View:
         """The view."""
