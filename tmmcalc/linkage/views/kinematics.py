@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.notes import Phrase
+from tmmcalc.linkage.columns import PHI
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
 from tmmcalc.linkage.pictures.bodies import centre_of_block
@@ -47,7 +48,7 @@ class Cycle:
             unit="deg" if result.turns else "m",
             values=result.phi / self.per,
             whole=result.turns and math.isclose(abs(float(result.phi[-1] - result.phi[0])), 2 * math.pi),
-            column="phi[deg]" if result.turns else "phi[m]",
+            column=PHI.of(unit="deg" if result.turns else "m").key,
             steps=(),
             box=moved.box,
             bodies=tuple(moved.bodies()),

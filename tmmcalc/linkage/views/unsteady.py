@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+from tmmcalc.linkage.unsteady.columns import TIME
 from tmmcalc.linkage.unsteady.results import Unsteady
 from tmmcalc.linkage.views.linkage import MovingLinkage
 from tmmcalc.report.drawing.order import Order
@@ -25,7 +26,7 @@ def views(order: Order) -> Iterator[View]:
             unit="s",
             values=result.t,
             whole=False,
-            column="t[s]",
+            column=TIME.key,
             steps=(),
             box=moved.box,
             bodies=tuple(moved.bodies()),

@@ -8,6 +8,7 @@ import numpy as np
 
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Plane
+from tmmcalc.manipulators.columns import manipulator_columns
 from tmmcalc.manipulators.results import Manipulator
 from tmmcalc.manipulators.task import ManipulatorTask
 from tmmcalc.manipulators.views.space import AslantArm
@@ -36,7 +37,7 @@ def views(order: Order) -> Iterator[View]:
             unit="s",
             values=result.t,
             whole=False,
-            column="t[s]",
+            column=manipulator_columns(result)[0].header,
             steps=(),
             box=arm.box,
             bodies=tuple(arm.bodies()),
