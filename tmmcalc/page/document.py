@@ -19,6 +19,8 @@ MODULES = (  # in this order: each imports from those before it
     "state",
     "marks",
     "labels",
+    "naming",
+    "drag",
     "scene",
     "player",
     "readings",

@@ -91,7 +91,7 @@ class Chart {
     this.state = state;
     this.x = numbers(this.rows.values);
     this.y = cleared(numbers(column.values));
-    this.card = made("figure", { class: "chart", "data-column": name }, parent);
+    this.card = made("figure", { class: this.rows.header ? "chart" : "chart list", "data-column": name }, parent);
     this.caption = made("figcaption", {}, this.card);
     this.name = made("strong", {}, this.caption);
     this.value = made("button", { type: "button", class: "value" }, this.caption);
@@ -202,7 +202,7 @@ class Chart {
       drawn("title", {}, curve).textContent = other.name;
     });
     drawn("path", { class: "curve", d: this.path(this.x, this.y) }, back);
-    drawn("path", { class: "curve jump", d: this.jumps() }, back);
+    if (this.rows.header) drawn("path", { class: "curve jump", d: this.jumps() }, back);
     this.extremes(back);
     if (this.state) this.follow();
     else this.value.hidden = true;
@@ -214,6 +214,7 @@ class Chart {
    * @param {Float32Array} y
    */
   path(x, y) {
+    if (!this.rows.header) return this.points(x, y);
     let d = "";
     let pen = false;
     for (let k = 0; k < x.length; k++) {
@@ -224,6 +225,19 @@ class Chart {
       const jump = k > 0 && this.jumped(x, y, k);
       d += `${pen && !jump ? "L" : "M"}${this.across(x[k]).toFixed(1)},${this.up(y[k]).toFixed(1)}`;
       pen = true;
+    }
+    return d;
+  }
+
+  /**
+   * The values of a list, which no curve joins, as dots.
+   * @param {Float32Array} x
+   * @param {Float32Array} y
+   */
+  points(x, y) {
+    let d = "";
+    for (let k = 0; k < x.length; k++) {
+      if (Number.isFinite(y[k])) d += `M${this.across(x[k]).toFixed(1)},${this.up(y[k]).toFixed(1)}h0`;
     }
     return d;
   }

@@ -4,6 +4,8 @@ import { copied } from "./charts.js";
 import { button, made } from "./player.js";
 import { parted, saying, told, word, written } from "./words.js";
 
+const FEW = 2; // stages, of which all are unfolded
+
 /**
  * All results under a field to find some.
  * @param {Element} parent
@@ -21,6 +23,7 @@ export function facts(parent, show) {
   if (scene().given.length) given(parent);
   for (const stage of scene().stages) {
     const part = made("details", { class: "stage", "data-stage": stage.name }, parent);
+    part.open = scene().stages.length <= FEW;
     const title = made("summary", {}, part);
     saying(() => (title.textContent = told(stage.title)));
     for (const warning of stage.warnings) {

@@ -13,6 +13,8 @@ import { forget, language, remember, saying, speak, told, word } from "./words.j
 const SHOWN = ["paths", "numbers", "names", "masses", "centres"];
 const HIDDEN = new Set(["centres", "acceleration", "reaction", "force"]);
 
+const FIRST = 4; // diagrams of a scene that asks for none
+
 const title = /** @type {HTMLElement} */ (document.getElementById("title"));
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
 title.textContent = content.title;
@@ -56,8 +58,10 @@ function shown(columns, part) {
   const diagrams = made("section", { class: "diagrams" }, right);
   heading(diagrams, () => word("diagrams"));
   const charts = new Charts(diagrams, states);
-  const first = stages.flatMap((stage) => (stage.columns.length ? [`${stage.name}.${stage.columns[0].name}`] : []));
-  const usual = states.length ? views.flatMap((view) => view.shown) : first;
+  const ordered = stages.filter((stage) => stage.rows?.header && stage.columns.length);
+  const first = ordered.map((stage) => `${stage.name}.${stage.columns[0].name}`);
+  const wished = views.flatMap((view) => view.shown);
+  const usual = wished.length ? wished : first.slice(0, FIRST);
   for (const name of columns.length ? columns : usual) charts.add(name);
   const results = made("section", { class: "results" }, right);
   heading(results, () => word("facts"));

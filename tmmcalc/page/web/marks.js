@@ -2,6 +2,7 @@
 
 const SVG = "http://www.w3.org/2000/svg";
 export const PIN = 5;
+export const RING = 9; // radius of the ring of a number
 export const COLOURS = ["blue", "orange", "green", "purple"];
 const BLOCK = [34, 19];
 const PIVOT = [22, 17];

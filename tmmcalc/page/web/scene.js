@@ -1,8 +1,9 @@
 // The machine drawn to scale: bodies that move, names, paths, vectors; the input link is dragged by hand.
 import { columnOf, numbers } from "./data.js";
-import { between, isThere, placed, poseOf, posesOf, STILL, straight, trackAt } from "./motion.js";
-import { around, settled } from "./labels.js";
-import { centreOfMass, COLOURS, draw, drawn, named, PIN, stretch } from "./marks.js";
+import { dragged } from "./drag.js";
+import { between, isThere, placed, poseOf, posesOf, STILL, trackAt } from "./motion.js";
+import { lettered, putNames } from "./naming.js";
+import { centreOfMass, COLOURS, draw, drawn, named, PIN, RING, stretch } from "./marks.js";
 import { parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 760;
@@ -10,16 +11,10 @@ const LEAST = 480; // width of a tall scene: it is larger on a narrow screen
 const HIGH = 560;
 const MARGIN = 56;
 const LONGEST = 110; // of a vector, in pixels
-const SMALL = 1e-5; // of the travel: a step by which velocities are found
 const CENTIMETRE = 37.8; // in pixels of a screen
-const CHORDS = 60; // of a curve that names keep off
 const LEG = 110; // of an angle, in pixels
 const ARC = 84;
 const SIGN = 76; // of its sign and value
-const REST = 0.05; // of the size of the scene: what goes less in the whole travel at its speed there, rests there
-const RING = 9; // radius of the ring of a number
-const MOMENTS = 25; // of the motion that places of names are chosen by
-const LINES = new Set(["plate", "bar", "slot", "outline", "hole", "line"]);
 
 export class Scene {
   /**
@@ -57,8 +52,8 @@ export class Scene {
     this.centres = this.view.centres.map((centre) => this.centred(centre, world));
     this.layers = this.view.layers.map((layer, k) => this.layered(layer, COLOURS[((layer.tone || k + 1) - 1) % COLOURS.length], world));
     this.trace();
-    this.named();
-    this.dragged();
+    putNames(this);
+    dragged(this);
     state.follow(() => this.update());
   }
 
@@ -207,117 +202,6 @@ export class Scene {
     }
   }
 
-  /** Names and numbers at places that suit the whole motion. */
-  named() {
-    const { low, span, values } = this.state;
-    const moments = Array.from({ length: MOMENTS }, (_, k) => low + (k * span) / (MOMENTS - 1));
-    const poses = moments.map((at) => this.posed(between(values, at)));
-    /** @param {string} body @param {number[]} at @returns {import("./labels.js").Pair[]} */
-    const over = (body, at) =>
-      poses.map((pose) => {
-        const [x, y] = placed(pose.get(body) ?? STILL, at[0], at[1]);
-        return [x * this.scale, -y * this.scale];
-      });
-    const rings = this.view.bodies.filter((body) => body.number);
-    /** @type {import("./labels.js").Item[]} */
-    const items = [];
-    for (const spot of this.view.spots) {
-      const [letter, index] = lettered(spot.name);
-      /** @type {import("./labels.js").Pair} */
-      const size = [9.5 * letter.length + 6 * index.length, 14];
-      /** @type {import("./labels.js").Pair[]} */
-      const choices = spot.kind === "word" ? [[0, 0], ...around(...size)] : around(...size);
-      items.push({ at: over(spot.body, spot.at), size, choices });
-    }
-    for (const body of rings) {
-      const first = body.beside[0] ?? [0, 0];
-      const start = over(body.name, first);
-      const choices = /** @type {import("./labels.js").Pair[]} */ ([[0, 0], ...around(0, 0).map(([x, y]) => [1.6 * x, 1.6 * y])]);
-      items.push({ at: start, size: [2 * RING, 2 * RING], choices });
-    }
-    const shifts = settled(items, poses.map((pose) => this.lines(pose)));
-    this.spots.forEach((group, k) => {
-      const [x, y] = shifts[k];
-      const name = /** @type {Element} */ (group.querySelector(".name"));
-      name.setAttribute("x", x.toFixed(1));
-      name.setAttribute("y", (y + 5).toFixed(1));
-    });
-    rings.forEach((body, k) => {
-      const [x, y] = shifts[this.spots.length + k];
-      const group = this.rings[this.view.bodies.indexOf(body)];
-      const ring = /** @type {Element} */ (group.firstElementChild);
-      ring.setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
-      if (x || y) group.prepend(drawn("line", { class: "leader", x2: x.toFixed(1), y2: y.toFixed(1) }));
-    });
-  }
-
-  /**
-   * All lines that names should keep off, in pixels.
-   * @param {Map<string, import("./motion.js").Pose>} poses
-   * @returns {[number, number, number, number][]}
-   */
-  lines(poses) {
-    /** @type {[number, number, number, number][]} */
-    const found = [];
-    /** @param {import("./motion.js").Pose} pose @param {number[]} flat @param {boolean} closed */
-    const add = (pose, flat, closed) => {
-      /** @type {[number, number][]} */
-      const points = [];
-      const stride = 2 * Math.max(1, Math.floor(flat.length / 2 / CHORDS)); // of a curve some chords do
-      for (let k = 0; k + 1 < flat.length; k += stride) {
-        const [x, y] = placed(pose, flat[k], flat[k + 1]);
-        points.push([x * this.scale, -y * this.scale]);
-      }
-      points.forEach(([x, y], k) => {
-        const next = points[k + 1] ?? (closed ? points[0] : null);
-        if (next) found.push([x, y, next[0], next[1]]);
-      });
-    };
-    for (const body of this.view.bodies) {
-      const pose = /** @type {import("./motion.js").Pose} */ (poses.get(body.name));
-      for (const [kind, flat] of body.marks) {
-        if (LINES.has(kind)) add(pose, flat, kind === "plate" || kind === "outline" || kind === "hole");
-        else if (kind === "block") this.blocked(found, pose, flat);
-      }
-    }
-    for (const [, points] of this.view.spans) {
-      const ends = this.along(points, poses);
-      for (let k = 1; k < ends.length; k++) found.push([...ends[k - 1], ...ends[k]]);
-    }
-    for (const [kind, flat] of [...this.view.frame, ...this.view.front]) {
-      if (kind === "guide" || kind === "wall") add(STILL, flat.slice(0, 4), false);
-      if (kind === "pivot") {
-        const [x, y] = [flat[0] * this.scale, -flat[1] * this.scale];
-        found.push([x, y, x + 20 * flat[2], y - 20 * flat[3]]);
-        for (const [far, half] of [[10, 7], [20, 15]]) {
-          const [cx, cy] = [x + far * flat[2], y - far * flat[3]];
-          found.push([cx - half * flat[3], cy - half * flat[2], cx + half * flat[3], cy + half * flat[2]]);
-        }
-      }
-    }
-    for (const spot of this.view.spots.filter((each) => each.kind !== "word")) {
-      const [x, y] = placed(poses.get(spot.body) ?? STILL, spot.at[0], spot.at[1]);
-      found.push([x * this.scale - 3, -y * this.scale, x * this.scale + 3, -y * this.scale]);
-    }
-    return found;
-  }
-
-  /**
-   * A block as the line of its middle and its two long sides.
-   * @param {[number, number, number, number][]} found
-   * @param {import("./motion.js").Pose} pose
-   * @param {number[]} flat
-   */
-  blocked(found, pose, flat) {
-    const [x, y] = placed(pose, flat[0], flat[1]);
-    const ex = pose.cos * flat[2] - pose.sin * flat[3];
-    const ey = pose.sin * flat[2] + pose.cos * flat[3];
-    for (const side of [-10, 0, 10]) {
-      const [px, py] = [x * this.scale - ey * side, -y * this.scale - ex * side];
-      found.push([px - 17 * ex, py + 17 * ey, px + 17 * ex, py - 17 * ey]);
-    }
-  }
-
   /**
    * The poses of all bodies there.
    * @param {import("./motion.js").Between} there
@@ -461,144 +345,6 @@ export class Scene {
     return word("arrow", { value: `${written(layer.per * CENTIMETRE, 3)} ${told(layer.layer.unit)}`.trim() });
   }
 
-  /** The place of the machine under a pointer. @param {PointerEvent} event @returns {[number, number]} */
-  pointed(event) {
-    const box = this.svg.getBoundingClientRect();
-    const view = /** @type {SVGSVGElement} */ (this.svg).viewBox.baseVal;
-    const factor = Math.min(box.width / view.width, box.height / view.height);
-    const x = (event.clientX - box.left - (box.width - view.width * factor) / 2) / factor;
-    const y = (event.clientY - box.top - (box.height - view.height * factor) / 2) / factor;
-    return [(x - this.x0) / this.scale, -(y - this.y0) / this.scale];
-  }
-
-  /** Every body follows the pointer that holds it, as far as the input lets it. */
-  dragged() {
-    this.view.bodies.forEach((body, k) => {
-      const grip = this.bodies[k];
-      /** @type {[number, number] | null} */
-      let held = null; // the point of the body, in its axes
-      let [last, wanted] = [0, 0]; // of a crank the angle of the pointer, and where the input would be without its ends
-      const even = this.state.values.length === 2 && typeof body.x === "number" && typeof body.y === "number" && !body.on;
-      const about = even ? [/** @type {number} */ (body.x), /** @type {number} */ (body.y)] : null; // it turns evenly
-      const pivot = this.view.handle?.body === body.name ? this.view.handle.pivot : about;
-      /** @param {PointerEvent} event @param {number[]} about */
-      const angle = (event, about) => {
-        const [x, y] = this.pointed(event);
-        return Math.atan2(y - about[1], x - about[0]);
-      };
-      grip.addEventListener("pointerdown", (event) => {
-        const pose = this.poses?.get(body.name);
-        if (!pose) return;
-        held = within(pose, this.pointed(event));
-        if (pivot) [last, wanted] = [angle(event, pivot), this.state.at];
-        grip.setPointerCapture(event.pointerId);
-        grip.classList.add("held");
-        event.preventDefault();
-      });
-      grip.addEventListener("pointermove", (event) => {
-        if (!held) return;
-        if (pivot) {
-          const now = angle(event, pivot);
-          wanted += Math.atan2(Math.sin(now - last), Math.cos(now - last)) / (this.rate(body.angle) || 1);
-          last = now;
-          this.state.move(wanted);
-        } else {
-          const before = this.state.at;
-          this.state.move(this.sought(body, held, this.pointed(event)));
-          const pose = this.poses?.get(body.name);
-          const round = Math.abs(this.state.at - before) > this.state.span / 2;
-          if (round && pose) held = within(pose, this.pointed(event)); // another tooth is there now
-        }
-      });
-      const leave = () => {
-        held = null;
-        grip.classList.remove("held");
-      };
-      grip.addEventListener("pointerup", leave);
-      grip.addEventListener("pointercancel", leave);
-    });
-  }
-
-  /**
-   * The rate of a track by the input.
-   * @param {import("./data.js").Track} track
-   */
-  rate(track) {
-    return typeof track === "number" ? 0 : numbers(track[1])[this.state.near];
-  }
-
-  /**
-   * Where the input stands when a point of a body is nearest to a place, found by steps that come nearer each.
-   * @param {import("./data.js").Body} body
-   * @param {[number, number]} held
-   * @param {[number, number]} wanted
-   */
-  sought(body, held, wanted) {
-    const { state } = this;
-    const { low, high, view } = state;
-    const most = state.span / 24;
-    /** @param {number} input @returns {[number, number]} */
-    const point = (input) => {
-      const there = state.values.length > 2 ? between(state.values, state.turned(input)) : straight(state.values, input);
-      const poses = this.posed(there);
-      return placed(poses.get(body.name) ?? STILL, held[0], held[1]);
-    };
-    let at = state.at;
-    let left = Infinity;
-    let next = at;
-    for (let k = 0; k < 24; k++) {
-      const [x, y] = point(next);
-      const [dx, dy] = [wanted[0] - x, wanted[1] - y];
-      if (Math.hypot(dx, dy) >= left) break;
-      left = Math.hypot(dx, dy);
-      at = next;
-      const [vx, vy] = this.velocity(point, at);
-      const size = vx * vx + vy * vy;
-      if (!size) break;
-      next = at + Math.min(most, Math.max(-most, (dx * vx + dy * vy) / size));
-      if (!view.whole && (next < low || next > high)) return next;
-    }
-    return at;
-  }
-
-  /**
-   * How a point goes with the input; where it rests, as at the ends of a motion over the time, the way from there on.
-   * @param {(input: number) => [number, number]} point
-   * @param {number} at
-   */
-  velocity(point, at) {
-    const { low, high, span, view } = this.state;
-    /** @param {number} before @param {number} after */
-    const over = (before, after) => {
-      const [[bx, by], [ax, ay]] = [point(before), point(after)];
-      return [(ax - bx) / (after - before), (ay - by) / (after - before)];
-    };
-    const small = SMALL * span;
-    const found = view.whole ? over(at - small, at + small) : over(Math.max(low, at - small), Math.min(high, at + small));
-    if (view.whole || Math.hypot(found[0], found[1]) * span >= REST * this.size) return found;
-    return at + span / 24 <= high ? over(at, at + span / 24) : over(at - span / 24, at);
-  }
-}
-
-/**
- * A place in the axes of a body.
- * @param {import("./motion.js").Pose} pose
- * @param {[number, number]} place
- * @returns {[number, number]}
- */
-function within(pose, [x, y]) {
-  const [dx, dy] = [x - pose.x, y - pose.y];
-  return [pose.cos * dx + pose.sin * dy, pose.cos * dy - pose.sin * dx];
-}
-
-/**
- * The letter of a point and its number: S3 has an index.
- * @param {string} name
- * @returns {[string, string]}
- */
-function lettered(name) {
-  const found = /^([A-Za-z]+)_?(\d+)$/.exec(name);
-  return found ? [found[1], found[2]] : [name, ""];
 }
 
 /**
