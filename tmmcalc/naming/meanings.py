@@ -30,8 +30,8 @@ def described(stage: str, column: bool) -> Callable[[str, str], tuple[str, str]]
     if column and (columns := own.part("columns")):
         every += standing_in(getmodule(columns))
         every += [each._replace(key=each.header) for each in every if each.header]
-    plain = {(each.name, each.unit): each for each in every}
-    names = {each.name: each for each in every}
+    plain = {(each.name, each.unit): each for each in reversed(every)}  # of records within others the outer says it
+    names = {each.name: each for each in reversed(every)}
     # what has most words of its own first: v{axis}_{point} before {axis}_{point}
     forms = [each for each in every if "{" in each.name and (_literal(each.name) or "{axis}" in each.name)]
     forms.sort(key=lambda each: -_literal(each.name))

@@ -220,12 +220,12 @@ class Indexing:
         """What the step leaves of half a turn."""
         return pi - self.step
 
-    @derived("f1", "friction of the roller on its axle", symbol="f_1")
+    @derived("f1", "coefficient of friction of the rollers on the cams", symbol="f_1")
     def first_friction(self) -> float:
         """Of both."""
         return self.frictions[0]
 
-    @derived("f2", "friction in the bearings of the wheel", symbol="f_2")
+    @derived("f2", "coefficient of friction of the rollers on their pins", symbol="f_2")
     def second_friction(self) -> float:
         """Of both."""
         return self.frictions[1]

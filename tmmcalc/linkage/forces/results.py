@@ -77,7 +77,7 @@ class Forces:
     drive_extremes: tuple[Extreme, Extreme] = quantity(  # least and largest drive
         "{letter}_drive_max[{unit}]", "largest drive along the positive input coordinate"
     )
-    power_extremes: tuple[Extreme, Extreme]
+    power_extremes: tuple[Extreme, Extreme] = quantity("P_drive_max[W]", "largest power of the drive")
     power_mean: Mean = quantity("P_drive_mean[W]", "mean power of the drive over the motion")
     grades: tuple[Grade, ...]
     counters: dict[str, int]
