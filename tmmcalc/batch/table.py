@@ -24,7 +24,7 @@ Labels = tuple[tuple[str, tuple[str, ...]], ...]
 
 def read_points(file: Path) -> tuple[Labels, tuple[Axis, ...]]:
     """Labels and keys of a table; raises UsageError for a file that is none."""
-    header, *rows = _cells(file)
+    header, *rows = cells_of(file)
     labels: list[tuple[str, tuple[str, ...]]] = []
     axes: list[Axis] = []
     for at, name in enumerate(header):
@@ -64,8 +64,8 @@ def row_of(file: Path, name: str) -> list[str]:
     return [axis.assignment(axis.values[at]) for axis in axes]
 
 
-def _cells(file: Path) -> list[list[str]]:
-    """The rows of a CSV with the same number of cells in each."""
+def cells_of(file: Path) -> list[list[str]]:
+    """The rows of a CSV with the same number of cells in each; raises UsageError for a file that is none."""
     try:
         rows = [
             [cell.strip() for cell in row] for row in csv.reader(read_text(file, MOST_BYTES).splitlines()) if any(row)

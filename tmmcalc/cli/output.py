@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -123,3 +124,13 @@ def warnings_of(document: Document) -> list[str]:
     """The warnings among the notes of a document and its parts."""
     own = [note for note in document.notes if note.startswith("warning")]
     return own + [warning for part in document.parts for warning in warnings_of(part)]
+
+
+def check_folders(files: Sequence[Path]) -> None:
+    """Raise UsageError for specs whose stage files would go to one folder."""
+    twice = [stem for stem, count in Counter(file.stem for file in files).items() if count > 1]
+    if twice:
+        raise UsageError(
+            f"several specs are called {twice[0]}: they would have one folder, {twice[0]}.out",
+            remedy="run them one by one, each with its own -o, or leave no files by --no-store",
+        )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
@@ -13,13 +14,13 @@ import typer
 from tmmcalc.cli.job import Job
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import STANDARD_OUTPUT, Fresh, Language, Quiet, Set, Store, language_of
-from tmmcalc.cli.output import raise_failures
+from tmmcalc.cli.output import check_folders, raise_failures
 from tmmcalc.cli.progress import described
-from tmmcalc.core.errors import UsageError
+from tmmcalc.core.errors import TmmError, UsageError
 
 if TYPE_CHECKING:
-    from tmmcalc.core.errors import TmmError
     from tmmcalc.page.content import Variant
+    from tmmcalc.project import Spec
 
 
 def command(
@@ -68,20 +69,21 @@ def command(
 
     if sweep is not None and len(specs) > 1:
         raise UsageError("a sweep is of one spec", where="--sweep", remedy="name one spec, or leave --sweep out")
-    own = tuple(overrides or ())
-    if sweep is None:
-        key, wanted = "", [(spec.stem, spec, own) for spec in specs]
-    else:
+    if store:
+        check_folders(specs)
+    key, wanted = "", [(spec.stem, spec, tuple(overrides or ())) for spec in specs]
+    if sweep is not None:
         found = swept(sweep)
-        key, wanted = found.key, [(name, specs[0], (*own, *more)) for name, more in found.variants]
-    job = Job(specs[0], store=store, fresh=fresh, quiet=quiet, keep_going=True, csv=False)
+        key = found.key
+        wanted = [(name, specs[0], (*(overrides or ()), *more)) for name, more in found.variants]
+    job = Job(specs[0], store=store and sweep is None, fresh=fresh, quiet=quiet, keep_going=True, csv=False)
+    jobs = [replace(job, file=spec, overrides=changed) for _, spec, changed in wanted]
+    scenes = _read(jobs)
     variants: list[Variant] = []
     failures: dict[str, TmmError] = {}
     with nullcontext(lambda words: None) if quiet or not sys.stderr.isatty() else described() as show:
-        for name, spec, changed in wanted:
+        for (name, *_), each, scene in zip(wanted, jobs, scenes, strict=True):
             show(f"solving {name}")
-            each = replace(job, file=spec, overrides=changed, store=store and sweep is None)
-            scene = each.spec()
             run = each.run(scene, None)
             variants.append(Variant(name, run, text_of(scene)))
             failures |= run.failures
@@ -100,3 +102,16 @@ def command(
         if not quiet:
             note_written(file)
     raise_failures(failures)
+
+
+def _read(jobs: Sequence[Job]) -> list[Spec]:
+    """The specs, before any is solved; the faults of all are said."""
+    scenes: list[Spec] = []
+    failures: dict[str, TmmError] = {}
+    for job in jobs:
+        try:
+            scenes.append(job.spec())
+        except TmmError as error:
+            failures[str(job.file)] = error
+    raise_failures(failures)
+    return scenes

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -14,7 +13,7 @@ from tmmcalc.batch.task import verdict
 from tmmcalc.cli.job import Job
 from tmmcalc.cli.messages import put, say, show_error
 from tmmcalc.cli.options import Format
-from tmmcalc.cli.output import show
+from tmmcalc.cli.output import check_folders, show
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.records import record
 
@@ -50,12 +49,8 @@ def run_all(job: Job, files: Sequence[Path], target: str | None, form: Format) -
 
 
 def _check(job: Job, files: Sequence[Path], form: Format) -> None:
-    twice = [stem for stem, count in Counter(file.stem for file in files).items() if count > 1]
-    if twice and job.store:
-        raise UsageError(
-            f"several specs are called {twice[0]}: they would have one folder, {twice[0]}.out",
-            remedy="run them one by one, each with its own -o, or leave no files by --no-store",
-        )
+    if job.store:
+        check_folders(files)
     if form is Format.xlsx and ((job.book is not None and job.out is None) or not job.store):
         where = "-o" if job.store else "--no-store"
         raise UsageError("every spec has its own workbook", where=where, remedy="name a folder, -o FOLDER, or none")

@@ -25,7 +25,7 @@ from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.drawing.svg import svg
 from tmmcalc.report.sheets.gosttext import FIRST, OTHERS, PAGE, TextTitles, text_frame
 
-HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 15mm, bottom: 18mm), numbering: "1")
+HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 16mm, bottom: 18mm), numbering: "1")
 #set document(title: "TITLE", date: none)
 #set text(font: "TMM Text", size: 12pt, lang: "LANGUAGE")
 #set par(justify: true, leading: 0.68em, spacing: 0.68em, first-line-indent: (amount: 12.5mm, all: true))

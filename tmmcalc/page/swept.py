@@ -1,22 +1,23 @@
-"""The variants of a sweep for a page: the keys that lead the rows of its CSV, as overrides of the spec."""
+"""The variants of a sweep for a page: labels and keys that lead the rows of its CSV, as overrides of the spec."""
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Sequence
+from itertools import takewhile
 from pathlib import Path
 from typing import NamedTuple
 
-from tmmcalc.batch.table import key_and_unit
+from tmmcalc.batch.table import cells_of, is_key, key_and_unit
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.stage import STAGES
-from tmmcalc.project.loader import read_text
+from tmmcalc.spec.variants import Axis
 
 MOST = 24  # variants that a page has: of more, so many in equal steps
+STATUS = "status"  # the column behind the results
 
 
 class Swept(NamedTuple):
-    """Swept keys, and of each variant its name and the overrides that make it."""
+    """What was swept, and of each variant its name and the overrides that make it."""
 
     key: str
     variants: tuple[tuple[str, tuple[str, ...]], ...]
@@ -24,42 +25,35 @@ class Swept(NamedTuple):
 
 def swept(file: Path) -> Swept:
     """The variants of a CSV of ``tmmcalc sweep`` that were solved; raises `UsageError` if it is none."""
-    rows = list(csv.reader(read_text(file).splitlines()))
-    head = rows[0] if rows else []
-    keys = _keys(head)
-    if not keys or "status" not in head:
+    head, *rows = cells_of(file)
+    labels = [*takewhile(lambda header: not is_key(header) and header != STATUS, head)]
+    keys = _keys(head[len(labels) :])
+    if not keys or STATUS not in head:
         raise UsageError(
-            f"{file} is no table of a sweep: its first column is no swept key, or it has no column status",
+            f"{file} is no table of a sweep: no swept key leads its columns, or it has no column {STATUS}",
             where="--sweep",
             remedy="write one by tmmcalc sweep SPEC --set KEY=RANGE -o FILE",
         )
-    status = head.index("status")
-    solved = [row for row in rows[1:] if len(row) == len(head) and row[status] == "ok"]
+    solved = [row for row in rows if row[head.index(STATUS)] == "ok"]
     if not solved:
-        raise UsageError(
-            f"no variant of {file} is solved", where="--sweep", remedy="see the reasons in its last column"
-        )
-    step = max(1, -(-len(solved) // MOST))
-    parts = [*map(key_and_unit, keys)]
+        rule = f"no variant of {file} is solved"
+        raise UsageError(rule, where="--sweep", remedy="see the reasons in its last column")
+    step = -(-len(solved) // MOST)
+    axes = [Axis(key, (), unit) for key, unit in map(key_and_unit, keys)]
     variants = []
     for row in solved[::step]:
-        written = [f"{value} {unit}".strip() for value, (_, unit) in zip(row, parts, strict=False)]
-        overrides = tuple(_override(key, each) for (key, _), each in zip(parts, written, strict=True))
-        variants.append((", ".join(written), overrides))
-    return Swept(", ".join(key for key, _ in parts), tuple(variants))
+        values = [*map(float, row[len(labels) : len(labels) + len(axes)])]
+        own = [*zip(axes, values, strict=True)]
+        told = row[: len(labels)] or [f"{value:.6g} {axis.unit}".strip() for axis, value in own]
+        variants.append((", ".join(told), tuple(axis.assignment(value) for axis, value in own)))
+    return Swept(", ".join(labels or (axis.key for axis in axes)), tuple(variants))
 
 
 def _keys(head: Sequence[str]) -> list[str]:
-    """The headers that lead the table and are keys of a spec: behind the first a stage begins the results."""
+    """The headers that are keys of a spec: behind the first of them a stage begins the results."""
     found: list[str] = []
     for header in head:
-        first, dot, _ = header.partition(".")
-        if header in ("status", "reason") or not dot or (found and first in STAGES):
+        if not is_key(header) or (found and header.partition(".")[0] in STAGES):
             break
         found.append(header)
     return found
-
-
-def _override(key: str, written: str) -> str:
-    """A value of a key as an override; one with a unit is a text."""
-    return f'{key}="{written}"' if " " in written else f"{key}={written}"
