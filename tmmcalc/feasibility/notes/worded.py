@@ -1,15 +1,12 @@
-"""Quantities of constraints in words: what a column of a stage is, with its letter, and what of it is asked."""
+"""Quantities of constraints in words: what a column of a stage is, and what of it is asked."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
-
 from tmmcalc.core.notes import Phrase
 from tmmcalc.feasibility.judge import ASKED
-from tmmcalc.report.drawing.lettering import point_name
+from tmmcalc.naming.language import ANY
+from tmmcalc.naming.meanings import described
 from tmmcalc.report.language import tr, tr_name
-from tmmcalc.report.telling import titled
 
 
 def worded(quantity: str) -> str:
@@ -35,35 +32,15 @@ def worded(quantity: str) -> str:
 
 
 def _named(stage: str, column: str) -> str:
-    """A column in words with its letter; empty where there are none."""
-    link, point, pin = "{link}", "{point}", "{pin}"
-    words: Mapping[str, tuple[tuple[str, str, str], ...]] = {
-        "kinematics": (
-            (r"omega_(\w+)", tr("angular velocity of link {link}", link=link), "omega_<>"),
-            (r"eps_(\w+)", tr("angular acceleration of link {link}", link=link), "eps_<>"),
-            (r"angle_(\w+)", tr("angle of link {link}", link=link), "phi_<>"),
-            (r"stroke_(\w+)", tr("stroke of {point}", point=point), "h_<>"),
-            (r"K_(\w+)", tr("ratio of the times of the strokes of {point}", point=point), "K_<>"),
-        ),
-        "forces": (
-            (r"R_([A-Za-z]\w*)", tr("reaction in pair {pin}", pin=pin), "R_<>"),
-            (r"M_drive", tr("balancing moment"), "M_d"),
-        ),
-        "synthesis": (
-            (r"transmission_min", tr_name("least transmission angle"), "mu_m"),
-            (r"([a-zA-Z])", tr("size of the linkage"), "<>"),
-        ),
-    }
-    for pattern, said, letter in words.get(stage, ()):
-        if found := re.fullmatch(pattern, column):
-            name = found[1] if found.groups() else ""
-            of_point = titled(point_name(name)) if name else ""
-            place = {link: name, point: of_point, pin: of_point}
-            for key, put in place.items():
-                said = said.replace(key, put)
-            symbol = letter.replace("<>", f"{{{name}}}" if "_" in letter else name)
-            return f"{said} ${symbol}$"
-    return ""
+    """What a column or a fact is, as its field declares it; of a linkage found a size; empty where nobody says it."""
+    meaning = described(stage, column=True)(column, ANY)[0] or described(stage, column=False)(column, ANY)[0]
+    if meaning:
+        return tr_name(meaning)
+    if stage != "synthesis":
+        return ""
+    if column == "transmission_min":
+        return tr_name("least transmission angle")
+    return f"{tr('size of the linkage')} ${column}$" if len(column) == 1 else ""
 
 
 def _broken(name: str) -> str:
