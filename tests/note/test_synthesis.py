@@ -342,4 +342,4 @@ def test_the_linkage_of_the_note_is_the_one_that_the_constraints_choose() -> Non
         found = text(Assembler().written(told("feasibility", only=("synthesis", "constraints"))))
     assert "Linkage 2 is taken" in found
     assert "The rule holds." in found
-    assert "angular velocity of link 3 ω_3: the largest magnitude" in found
+    assert "angular velocity of link 3: the largest magnitude" in found

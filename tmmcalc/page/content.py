@@ -16,6 +16,8 @@ from tmmcalc.core.notes import graded
 from tmmcalc.core.stage import STAGES, arguments, of_scene
 from tmmcalc.naming.table import Values, table_of
 from tmmcalc.naming.told import Extent, Told, listed
+from tmmcalc.note.assembled import inline
+from tmmcalc.note.tree import plain_text
 from tmmcalc.page.packing import ERROR, Block
 from tmmcalc.page.said import alike, name_of, unit_of, words
 from tmmcalc.pipeline.chapters import task_of, warnings_of
@@ -184,11 +186,11 @@ def _given(run: RunResult) -> list[Content]:
             spoken.append([block for block in task_of(run.spec, run.results) if isinstance(block, Datum)])
     return [
         {
-            "what": alike([each.what for each in same]),
+            "what": alike([plain_text(inline(each.what)) for each in same]),
             "keys": same[0].keys,
             "values": same[0].values,
             "unit": unit_of(same[0].unit),
-            "text": alike([each.text for each in same]),
+            "text": alike([plain_text(inline(each.text)) for each in same]),
         }
         for same in zip(*spoken, strict=True)
     ]

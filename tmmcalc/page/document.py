@@ -18,6 +18,8 @@ MODULES = (  # in this order: each imports from those before it
     "motion",
     "state",
     "marks",
+    "elements",
+    "scales",
     "labels",
     "naming",
     "drag",

@@ -2,8 +2,8 @@
 import { columnOf, content, numbers, scene } from "./data.js";
 import { between } from "./motion.js";
 import { drawn } from "./marks.js";
-import { button, made } from "./player.js";
-import { standard } from "./scene.js";
+import { button, made } from "./elements.js";
+import { standard } from "./scales.js";
 import { parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 560;

@@ -1,7 +1,7 @@
 // Results of the stages in tables: found by a word, copied, each with its diagram; warnings, errors, the given data.
 import { content, scene } from "./data.js";
 import { copied } from "./charts.js";
-import { button, made } from "./player.js";
+import { button, made } from "./elements.js";
 import { parted, saying, told, word, written } from "./words.js";
 
 const FEW = 2; // stages, of which all are unfolded
@@ -137,9 +137,9 @@ function given(parent) {
     });
     saying(() => {
       const unit = told(datum.unit);
-      what.textContent = told(datum.what).replaceAll("$", "");
+      what.textContent = told(datum.what);
       const values = datum.values.map((each) => written(each) + (unit === "°" ? "°" : "")).join("; ");
-      value.textContent = told(datum.text).replaceAll("$", "") || `${values}${unit && unit !== "°" ? ` ${unit}` : ""}`;
+      value.textContent = told(datum.text) || `${values}${unit && unit !== "°" ? ` ${unit}` : ""}`;
     });
   }
 }

@@ -1,9 +1,10 @@
 // The page put together: what moves with its player and layers, diagrams, results.
 import { Charts } from "./charts.js";
 import { choose, content, scene } from "./data.js";
+import { button, made } from "./elements.js";
 import { facts } from "./facts.js";
 import { Plans } from "./plans.js";
-import { button, made, Player } from "./player.js";
+import { Player } from "./player.js";
 import { readings } from "./readings.js";
 import { Scene } from "./scene.js";
 import { coupled, State } from "./state.js";

@@ -3,14 +3,13 @@ import { numbers } from "./data.js";
 import { between } from "./motion.js";
 import { around, settled } from "./labels.js";
 import { drawn, texted } from "./marks.js";
-import { made } from "./player.js";
-import { standard } from "./scene.js";
-import { saying, told, word, written } from "./words.js";
+import { made } from "./elements.js";
+import { perPixel, scaleTold } from "./scales.js";
+import { saying, told, word } from "./words.js";
 
 const WIDE = 560;
 const HIGH = 360;
 const MARGIN = 36;
-const CENTIMETRE = 37.8;
 const NAMED = 26; // a shorter vector has no room for its sign
 
 export class Plans {
@@ -103,9 +102,8 @@ export class Plans {
     const [xs, ys] = [corners.map(({ x }) => x[k]), corners.map(({ y }) => y[k])];
     const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
     const need = Math.max((right - left) / (WIDE - 2 * MARGIN), (high - low) / (HIGH - 2 * MARGIN));
-    const per = standard((need || 1) * CENTIMETRE) / CENTIMETRE; // of the unit to a pixel
-    const scale = word("arrow", { value: `${written(per * CENTIMETRE, 3)} ${told(plan.unit)}` });
-    this.under.textContent = [scale, told(plan.note)].filter(Boolean).join("; ");
+    const per = perPixel(need || 1); // of the unit to a pixel
+    this.under.textContent = [scaleTold(per, plan.unit), told(plan.note)].filter(Boolean).join("; ");
     const x0 = WIDE / 2 - (left + right) / 2 / per;
     const y0 = HIGH / 2 + (low + high) / 2 / per;
     return corners.map(({ x, y }) => [x0 + x[k] / per, y0 - y[k] / per]);

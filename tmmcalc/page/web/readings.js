@@ -1,7 +1,7 @@
 // Numbers that go along with the input, in a table under the scene.
 import { numbers } from "./data.js";
 import { isThere, trackAt } from "./motion.js";
-import { made } from "./player.js";
+import { made } from "./elements.js";
 import { parted, saying, told, written } from "./words.js";
 
 const DIGITS = 4;

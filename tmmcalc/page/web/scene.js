@@ -4,6 +4,7 @@ import { dragged } from "./drag.js";
 import { between, isThere, placed, poseOf, posesOf, STILL, trackAt } from "./motion.js";
 import { lettered, putNames } from "./naming.js";
 import { centreOfMass, COLOURS, draw, drawn, named, PIN, RING, stretch } from "./marks.js";
+import { perPixel, scaleTold } from "./scales.js";
 import { parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 760;
@@ -11,7 +12,6 @@ const LEAST = 480; // width of a tall scene: it is larger on a narrow screen
 const HIGH = 560;
 const MARGIN = 56;
 const LONGEST = 110; // of a vector, in pixels
-const CENTIMETRE = 37.8; // in pixels of a screen
 const LEG = 110; // of an angle, in pixels
 const ARC = 84;
 const SIGN = 76; // of its sign and value
@@ -171,7 +171,7 @@ export class Scene {
     let largest = 0;
     for (const { x, y } of arrows) largest = x.reduce((most, _, k) => Math.max(most, Math.hypot(x[k], y[k]) || 0), largest);
     for (const { vector } of vectors) largest = Math.max(largest, this.longest(vector));
-    const per = largest ? standard((largest / LONGEST) * CENTIMETRE) / CENTIMETRE : 1; // of the unit to a pixel
+    const per = largest ? perPixel(largest / LONGEST) : 1; // of the unit to a pixel
     return { layer, colour, group, arrows, vectors, angles, per, largest };
   }
 
@@ -342,16 +342,7 @@ export class Scene {
    */
   scaleOf(layer) {
     if (!layer.largest) return "";
-    return word("arrow", { value: `${written(layer.per * CENTIMETRE, 3)} ${told(layer.layer.unit)}`.trim() });
+    return scaleTold(layer.per, layer.layer.unit);
   }
 
-}
-
-/**
- * The next standard scale above a value: 1, 2, 5 by powers of ten.
- * @param {number} value
- */
-export function standard(value) {
-  const power = 10 ** Math.floor(Math.log10(value));
-  return [1, 2, 5, 10].map((each) => each * power).find((each) => each >= value * (1 - 1e-9)) ?? value;
 }

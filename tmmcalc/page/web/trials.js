@@ -2,8 +2,8 @@
 import { numbers } from "./data.js";
 import { chained } from "./formulas.js";
 import { drawn, named } from "./marks.js";
-import { button, made } from "./player.js";
-import { standard } from "./scene.js";
+import { button, made } from "./elements.js";
+import { standard } from "./scales.js";
 import { parted, saying, told, word, written } from "./words.js";
 
 const PHONE = 600; // pixels of a window below which the plane is drawn smaller, its letters are not
