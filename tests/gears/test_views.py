@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import pytest
@@ -233,10 +235,10 @@ def copy_of(view: View, name: str, k: int, count: int) -> str:
     return f"{name}#{k}" if k and count > 1 else name
 
 
-def phase(view: View, name: str, place: int, circles: tuple[object, ...], at: float, towards: complex) -> float:
+def phase(view: View, name: str, place: int, circles: Sequence[Any], at: float, towards: complex) -> float:
     """Where a tooth is beside a direction, in pitches, counter-clockwise."""
     marks = [mark for mark in body_of(view, name).marks if mark.kind in ("cog", "rim")]
-    order = sorted(range(len(circles)), key=lambda k: -circles[k].radius)  # type: ignore[attr-defined]
+    order = sorted(range(len(circles)), key=lambda k: -circles[k].radius)
     mark = marks[order.index(place)]
     _, axes = pose(view, name, at)
     return float(np.angle(mark.points[1] * axes / towards)) * mark.size / (2 * math.pi)

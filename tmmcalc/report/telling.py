@@ -16,7 +16,6 @@ from numpy.typing import ArrayLike
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import message
 from tmmcalc.report.drawing.shapes import Drawing
-from tmmcalc.report.drawing.snug import snug
 from tmmcalc.report.formula.digits import PLAIN, Given, result_of, rounded, significant, value_of
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.formula.simplify import ZERO, simplified
@@ -240,11 +239,10 @@ def _lettered(letters: str) -> str:
 
 
 def pictured(piece: Piece, *, key: str = "", wide: float = WIDE) -> Figure:
-    """A picture of a sheet at the width of the note, as high as its proportions want and its content needs."""
+    """A picture of a sheet at the width of the note, as high as its proportions want."""
     least, good = piece.least, piece.good
     factor = max(wide / good[0], least[1] / good[1])
-    size = snug(piece.draw, (wide, min(factor * good[1], HIGH)))
-    return Figure(titled(piece.heading), piece.draw, size, key)
+    return Figure(titled(piece.heading), piece.draw, (wide, min(factor * good[1], HIGH)), key)
 
 
 def points(items: Sequence[str]) -> Listing:

@@ -20,7 +20,6 @@ from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.drawing.snug import snug
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Datum, Figure
 from tmmcalc.report.telling import numeral
@@ -39,7 +38,7 @@ def blocks(order: Order) -> Iterator[Block]:
     chain = chain_of(mechanism, result)
     row = at_parts(chain, result, *SHOWN)[0]
     draw = partial(draw_scheme, result=result, cycle=whole_cycle(chain, result), positions=[row])
-    yield Figure(tr("Scheme of the mechanism"), draw, snug(draw, SIZE), "task_scheme")
+    yield Figure(tr("Scheme of the mechanism"), draw, SIZE, "task_scheme")
     yield from _motion(result)
     yield from _metric(mechanism)
     if {"forces", "reduction", "balance"} & set(order.results):
