@@ -20,6 +20,8 @@ from tmmcalc.batch.task import Row, Task
 from tmmcalc.core.errors import UsageError
 
 pytest.importorskip("distributed")
+from distributed.client import Client, ClosedClientError
+
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="kills processes")
 ROOT = Path(__file__).parents[2]
 
@@ -102,6 +104,19 @@ def test_a_scheduler_that_goes(cluster: Cluster, tmp_path: Path) -> None:
     cluster.scheduler.kill()
     with pytest.raises(UsageError, match="is gone"):
         list(rows)
+
+
+@pytest.mark.slow
+def test_a_connection_that_is_given_up_while_work_goes_out(
+    cluster: Cluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def given_up(client: Client, **_: object) -> None:
+        client.close()
+        raise ClosedClientError("Client is closed. Can't send cancel-keys message.")
+
+    monkeypatch.setattr(Client, "get_executor", given_up)
+    with pytest.raises(UsageError, match="is gone"):
+        next(solved(cluster, sweeptoy.task(tmp_path, 4), []))
 
 
 def test_nobody_at_the_address(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

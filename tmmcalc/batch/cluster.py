@@ -46,6 +46,8 @@ def solve_on(address: str, task: Task, blocks: Iterable[Block], tell: Tell) -> I
         except CancelledError:
             raise watch.gone() from None
         except Exception as error:
+            if client.status in ("closing", "closed"):  # it gave up while work was on its way out or back
+                raise watch.gone() from None
             raise UsageError(
                 f"the workers of {address} cannot run tmmcalc: {type(error).__name__}: {error}",
                 where="--scheduler",
