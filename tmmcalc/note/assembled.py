@@ -28,7 +28,7 @@ from tmmcalc.report.formula.digits import RESULT, Given, Worked, result_of, sign
 from tmmcalc.report.formula.layout import Box, Gap, Row, Word
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
-from tmmcalc.report.formula.tree import Name, Node, Statement, mapped, names
+from tmmcalc.report.formula.tree import Name, Node, Over, Statement, Sum, mapped, names
 from tmmcalc.report.language import several, tr, tr_unit
 from tmmcalc.report.manuscript import (
     Block,
@@ -50,6 +50,8 @@ from tmmcalc.report.printing import ANSWERS, FULL, SHORT, printed_as
 
 REFERENCE = re.compile(r"\{((?:tab|eq|fig):\w+)\}")
 COUNTER = re.compile(r"(?<=_)(\w*)i(?=\^|$)|(?<=,)i(?=\})")
+
+MANY, FIRST = 8, 3  # terms of a sum over an index: up to which all are shown, and those of a longer one before its last
 
 
 class Checked(NamedTuple):
@@ -174,7 +176,7 @@ class Assembler:
         assert isinstance(given.value, float)
         found = worked(right, place.lexicon, given.value, unit=given.unit, digits=line.digits)
         self.lines.append(Checked(line.formula, place.name, found))
-        numbers = setting.side(found.tree, found.shown)
+        numbers = _summed(found) if isinstance(right, Over) else setting.side(found.tree, found.shown)
         result = with_unit(found.result, given.unit)
         same = not found.shown or plain(numbers) == plain(result.boxes[0])
         return (*(() if same else (numbers,)), result, *_converted(given))
@@ -202,6 +204,14 @@ class Assembler:
             parts += [" – ", *inline(said).parts, *([f", {shown_unit(unit)}"] if unit else [])]
         if parts:
             yield Text((*parts, "."), explains=True)
+
+
+def _summed(found: Worked) -> Row:
+    """The numbers of a sum over an index: of many terms the first ones and the last, for all stand in a table."""
+    tree, more = found.tree, "…"
+    if isinstance(tree, Sum) and len(tree.terms) > MANY:
+        tree = Sum((*tree.terms[:FIRST], (1, Name(more)), tree.terms[-1]))
+    return setting.side(tree, {**found.shown, more: Shown(more)})
 
 
 def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
