@@ -135,7 +135,7 @@ def _draw_axis(board: Board, result: Synthesis) -> None:
     axis_of_cam(board, o)
     book = next((each for each in result.designs if each.name.startswith("textbook (")), None)
     if book is not None:
-        textbook_choice(board, -1e3 * complex(book.start, book.offset), "$O^*$ (5.44)")
+        textbook_choice(board, -1e3 * complex(book.start, book.offset), "$O^*$")
     if result.follower.offset:
         e = result.follower.sense * result.follower.offset
         dimension(board, complex(o.real, 0), o, f"$e$ = {mm(e, 6)}")

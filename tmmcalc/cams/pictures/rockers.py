@@ -197,7 +197,7 @@ def _draw_axis(board: Board, placed: Placed, task: CamTask, result: Synthesis) -
     book = next((each for each in result.designs if each.name.startswith("textbook (")), None)
     if book is not None:
         at = book.centres / follower.rocker * np.exp(-1j * book.start)
-        textbook_choice(board, complex(placed.at(np.array([at]))[0]), "$O^*$ (5.50)")
+        textbook_choice(board, complex(placed.at(np.array([at]))[0]), "$O^*$")
     distance = f"$l_0$ = {mm(follower.centres, 6)}"
     board.labels.put(distance, board.paper([part * pivot for part in (0.5, 0.65, 0.35)]), height=HEIGHT, prefer=-1j)
     axis_of_cam(board, 0j)

@@ -51,7 +51,8 @@ def lever(loaded: Loaded) -> Iterator[Block]:
     yield Figure(caption, draw, SIZE, KEY)
     tables = [_table(loaded, each, k) for k, each in enumerate(found)]
     said = tr(
-        "The forces with their arms and moments about the pole are {where}; those that pass through the pole have none.",
+        "The forces with their arms and moments about the pole are {where}; those that pass through the pole have "
+        "none.",
         where=located(tables),
     )
     yield Paragraph(said)
