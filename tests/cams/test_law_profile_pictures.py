@@ -17,6 +17,7 @@ from tmmcalc.cams.pictures.cam_law import law_drawing
 from tmmcalc.cams.pictures.cam_profile import profile_drawing
 from tmmcalc.cams.pictures.curvature import CUSP, PITCH, WORKING
 from tmmcalc.cams.pictures.profilemarks import NUMBER
+from tmmcalc.cams.pictures.wording import phase_name
 from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.task import Loads
 from tmmcalc.core.errors import UsageError

@@ -30,6 +30,7 @@ class Contents(NamedTuple):
     """The list of titles with their pages."""
 
     title: str
+    entries: int = 0  # about how many there are
 
 
 class Title(NamedTuple):

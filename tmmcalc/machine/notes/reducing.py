@@ -41,6 +41,7 @@ from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Heading, Line
 from tmmcalc.report.telling import lines
 
+ATTACHED = {"cam": "c"}  # indices of what goes round beside the linkage
 OWN = {  # indices of the causes that the program names
     "weight": "G",
     "friction": "F",
@@ -78,7 +79,7 @@ class Names(NamedTuple):
     def part(self, of: object) -> str:
         """What a link, or what is attached, adds to the inertia: ``J_{red,3}``."""
         letter, _, index = self.inertia.partition("_")
-        return f"{letter}_{{{index},{of}}}"
+        return f"{letter}_{{{index},{ATTACHED.get(str(of), of)}}}"
 
     def slope(self, of: object = "") -> str:
         """Its derivative: ``J'_red``."""
