@@ -28,7 +28,7 @@ def _part(part: str | Box | Reference) -> str:
             return escaped(part)
         case Reference(key, number):
             return f'#link(label("{key}"))[{number}];'  # which ends the code: a semicolon of the text stays one
-    return f"#box[${typeset(part)}$]" if width(part) <= WHOLE else f"${typeset(part)}$"
+    return f"#box[${typeset(part)}$];" if width(part) <= WHOLE else f"${typeset(part)}$"
 
 
 def label(kind: str, caption: Caption) -> str:

@@ -35,7 +35,7 @@ def inertia(loaded: Loaded) -> Iterator[Block]:
         at = next((plain_name(pin.name) for pin in pins if pin.at.get(link) == body.center), None)
         places = {"k": str(link), "S": at or ""}
         for lexicon, each in zip(loaded.told.lexicons, loaded.bodies, strict=True):
-            lexicon |= named(_quantities(loaded.loading, body, each[link]))
+            lexicon |= named(_quantities(loaded, body, each[link]))
         texts = []
         if abs(loaded.loading.gravity):
             texts.append("G_<k> = m_<k>*g")
@@ -45,10 +45,13 @@ def inertia(loaded: Loaded) -> Iterator[Block]:
     yield from _tables(loaded)
 
 
-def _quantities(loading: Loading, body: Body, found: FreeBody) -> dict[str, Given]:
-    link = body.link
-    force = next((f.value for f in found.forces if f.kind == "inertia"), 0j)
+def _quantities(loaded: Loaded, body: Body, found: FreeBody) -> dict[str, Given]:
+    """Mass, inertia and weight of a link, its loads of inertia without what is rounding."""
+    loading, link = loaded.loading, body.link
+    value = next((f.value for f in found.forces if f.kind == "inertia"), 0j)
     couple = next((c.value for c in found.couples if c.kind == "inertia"), 0.0)
+    least = NOTHING * loaded.largest[0]
+    force = complex(*(part if abs(part) > least else 0.0 for part in (value.real, value.imag)))
     centre = tr("moment of inertia of link {link} about its centre of mass", link=link)
     return {
         f"m_{link}": Given(body.mass, "kg", tr("mass of link {link}", link=link)),
