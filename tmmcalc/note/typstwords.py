@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from tmmcalc.note.tree import Caption, Reference, Text
+from tmmcalc.report.formula.breaking import width
 from tmmcalc.report.formula.layout import Box
 from tmmcalc.report.formula.typst import typst as typeset
 
@@ -12,6 +13,7 @@ PRIMES = re.compile(r"(?<=\d)'+")
 SIZE = 12.0  # of letters [pt]
 EM = SIZE * 25.4 / 72.0  # a letter M of the text [mm]
 WIDE = 175.0  # of the text [mm]
+WHOLE = 7.0  # a formula so wide within words is not broken [em]
 GAP = 2.0  # between what stands beside each other [mm]
 
 
@@ -26,7 +28,7 @@ def _part(part: str | Box | Reference) -> str:
             return escaped(part)
         case Reference(key, number):
             return f'#link(label("{key}"))[{number}];'  # which ends the code: a semicolon of the text stays one
-    return f"${typeset(part)}$"
+    return f"#box[${typeset(part)}$]" if width(part) <= WHOLE else f"${typeset(part)}$"
 
 
 def label(kind: str, caption: Caption) -> str:

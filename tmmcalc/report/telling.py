@@ -120,14 +120,16 @@ def tabulated(
     return Table(caption, tuple(found), tuple(zip(*found.values(), strict=True)), key)
 
 
-def folded(table: Table) -> Table:
+def folded(table: Table, parts: int = 0) -> Table:
     """A table of few columns and many rows with parts of it side by side, each under the head; the last may be shorter.
+
+    Without their number there are as many ``parts`` as its columns allow.
 
     >>> folded(Table("t", ("i", "x", "y", "z"), tuple((str(k), "", "", "") for k in range(14)))).rows[4]
     ('4', '', '', '', '9', '', '', '', '', '', '', '')
     """
     columns, count = len(table.head), len(table.rows)
-    parts = max(1, BROAD // columns) if count > FOLDED else 1
+    parts = parts or (max(1, BROAD // columns) if count > FOLDED else 1)
     high = math.ceil(count / parts)
     padded = (*table.rows, *((("",) * columns,) * (parts * high - count)))
     rows = (sum((padded[k + part * high] for part in range(parts)), ()) for k in range(high))
