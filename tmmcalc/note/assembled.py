@@ -50,6 +50,7 @@ from tmmcalc.report.printing import ANSWERS, FULL, SHORT, printed_as
 
 REFERENCE = re.compile(r"\{((?:tab|eq|fig):\w+)\}")
 COUNTER = re.compile(r"(?<=_)(\w*)i(?=\^|$)|(?<=,)i(?=\})")
+LENGTHS = ("m", "mm")
 
 
 class Checked(NamedTuple):
@@ -184,7 +185,7 @@ class Assembler:
             parts.append("; " if k else tr("where") + " ")
             for j, key in enumerate(keys):
                 parts += [", "] * bool(j) + [quantity(key)]
-            said = meaning if len(keys) == 1 else _of_several(keys, meaning)
+            said = meaning if len(keys) == 1 else _of_several(keys, meaning, unit)
             parts += [" – ", *inline(said).parts, *([f", {shown_unit(unit)}"] if unit else [])]
         if parts:
             yield Text((*parts, "."), explains=True)
@@ -200,12 +201,16 @@ def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
     yield from sorted((key, *same))
 
 
-def _of_several(keys: Sequence[str], meaning: str) -> str:
-    """What names mean that have one meaning; those of a vector but for the axis are its projections."""
+def _of_several(keys: Sequence[str], meaning: str, unit: str) -> str:
+    """What names mean that have one meaning; those that differ by the axis alone are the parts of a vector."""
     if len({re.sub("[xy]", "x", key) for key in keys}) > 1:
         return several(meaning)
     vector = possessive(meaning)
-    return tr("projections of the {vector}", vector=vector) if vector else meaning
+    if not vector:
+        return meaning
+    if unit in LENGTHS:
+        return tr("coordinates of the {vector}", vector=vector)
+    return tr("projections of the {vector}", vector=vector)
 
 
 def _indexed(node: Node, index: str) -> Node:

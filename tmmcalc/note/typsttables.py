@@ -13,6 +13,7 @@ from tmmcalc.report.language import tr
 SMALL = (9.5, 9.0, 8.5, 8.0)  # sizes of tables [pt], the first in which one fits
 CELL = 2.4  # beside the letters of a cell, with its line [mm]
 WHOLE = (12, 28)  # rows: up to the first a table stands where it is told of, up to the second on one page
+MOST = 40  # rows that a page has
 CHAPTER = re.compile(r"\d+\.")  # what the number of a table in a numbered chapter begins with
 SCRIPTED = "3.6pt"  # over and under the letters of a cell with indices
 
@@ -37,7 +38,11 @@ def floating(group: Sequence[object], *, waits: bool) -> bool:
     """Whether tables go where there is room: long ones, with a picture, or where another one ``waits`` before them."""
     grids = [each for each in group if isinstance(each, Grid)]
     stands = _stands(grids[0])
-    return len(grids) < len(group) or stands == "whole" or (stands == "here" and waits and _size_of(grids, SMALL) > 0)
+    if len(grids) < len(group) or stands == "whole":
+        return True
+    numbered = CHAPTER.match(grids[0].caption.number)
+    rows = max(len(each.rows) for each in grids)
+    return waits and numbered is not None and rows <= MOST and _size_of(grids, SMALL) > 0
 
 
 def set_tables(grids: Sequence[Grid], *, floats: bool) -> str:
