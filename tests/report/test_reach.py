@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from tmmcalc.report.drawing.pens import MIDDLE
+from tmmcalc.report.drawing.pens import MIDDLE, THIN
 from tmmcalc.report.drawing.reach import BLANK, around, lowered, reach, trimmed
 from tmmcalc.report.drawing.shapes import Arc, Area, Dimension, Drawing, Hatching, Shape, Stroke, Words
 

@@ -68,7 +68,7 @@ def _blank(shapes: Sequence[Shape], boxes: Sequence[Box]) -> dict[float, float]:
     body = around(other)
     found, reached = {}, math.inf
     for box in sorted(boxes, key=lambda each: each.bottom):
-        beside = box.bottom >= body.top or reached <= body.bottom
+        beside = reached < body.bottom or body.top <= reached < math.inf
         if beside and box.bottom - reached > BLANK:
             found[box.bottom] = box.bottom - reached - BLANK
         reached = box.top if math.isinf(reached) else max(reached, box.top)
