@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 
 from tmmcalc.note.tree import (
@@ -15,16 +16,18 @@ from tmmcalc.note.tree import (
     Text,
     Title,
     Written,
+    part_width,
 )
 from tmmcalc.note.typstlines import set_lines
-from tmmcalc.note.typsttables import beside, has_room, set_pictured, set_tables
-from tmmcalc.note.typstwords import GAP, WIDE, escaped, label, quoted, set_text
+from tmmcalc.note.typsttables import beside, floating, has_room, set_pictured, set_tables
+from tmmcalc.note.typstwords import EM, GAP, WIDE, escaped, label, quoted, set_text
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.lettering import FONTS
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.drawing.svg import svg
 from tmmcalc.report.sheets.gosttext import FIRST, OTHERS, PAGE, TextTitles, text_frame
 
+HIGH, ROW = 263.0, 5.0  # of the text of a page, and of a row of it at least [mm]
 HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 16mm, bottom: 18mm), numbering: "1")
 #set document(title: "TITLE", date: none)
 #set text(font: "TMM Text", size: 12pt, lang: "LANGUAGE")
@@ -69,12 +72,12 @@ def source(blocks: Iterable[Written], language: str, title: str, frame: TextTitl
     """The text of the note, its pages after the title page in frames with these titles."""
     head = HEAD.replace("LANGUAGE", language).replace("TITLE", quoted(title))
     found = [head]
-    for group in _grouped(blocks):
+    for group, floats in _in_order(_grouped(blocks)):
         if isinstance(group[0], Contents) and frame is not None:
             opened, others = _framed(frame, first=True), _framed(frame, first=False)
             found += [opened, _block(group[0]), "#pagebreak(weak: true)", others]
         else:
-            found += _group(group)
+            found += _group(group, floats=floats)
     return "\n".join(found) + "\n"
 
 
@@ -110,7 +113,36 @@ def _joins(group: Sequence[Written], block: Written) -> bool:
     return False
 
 
-def _group(group: Sequence[Written]) -> Iterator[str]:
+def _in_order(groups: Iterable[list[Written]]) -> Iterator[tuple[list[Written], bool]]:
+    """The groups, and whether their tables float: long ones, and every one that follows such a one within a page.
+
+    What floats may wait for the next page, and a table that stood in the text after it would come before it.
+    """
+    since = math.inf
+    for group in groups:
+        first = group[0]
+        if isinstance(first, Title) and first.level == 1:
+            since = math.inf  # all that floats is set
+        floats = isinstance(first, Grid) and floating(group, waits=since < HIGH)
+        since = 0.0 if floats else since + sum(map(_least_height, group))
+        yield group, floats
+
+
+def _least_height(block: Written) -> float:
+    """About how high a block is at least in the text [mm]; of what floats nothing."""
+    match block:
+        case Text():
+            return ROW * math.ceil(sum(map(part_width, block.parts)) * EM / WIDE)
+        case Points(items):
+            return sum(map(_least_height, items))
+        case Grid():
+            return ROW * len(block.rows)
+        case Image():
+            return 0.0
+    return ROW
+
+
+def _group(group: Sequence[Written], *, floats: bool) -> Iterator[str]:
     """A formula with what belongs to it, pictures beside each other, or a block by itself."""
     if isinstance(group[0], Image):
         yield f"#shown({', '.join(_picture(each) for each in group if isinstance(each, Image))})"
@@ -120,7 +152,7 @@ def _group(group: Sequence[Written]) -> Iterator[str]:
         yield set_pictured(first, _picture(last), last.drawing.width)
         return
     if isinstance(group[0], Grid):
-        yield set_tables([each for each in group if isinstance(each, Grid)])
+        yield set_tables([each for each in group if isinstance(each, Grid)], floats=floats)
         return
     if not isinstance(group[0], Equation):
         yield _block(group[0])
@@ -178,8 +210,6 @@ def _block(block: Written) -> str:
             return set_text(block) + "\n"
         case Equation():
             return "\n".join(set_lines([block], None))
-        case Grid():
-            return set_tables([block])
         case Image():
             return f"#shown({_picture(block)})"
         case Points(items):
