@@ -17,7 +17,7 @@ from tmmcalc.note.tree import (
     Written,
 )
 from tmmcalc.note.typstlines import set_lines
-from tmmcalc.note.typsttables import beside, has_room, set_pictured, set_tables
+from tmmcalc.note.typsttables import beside, floats, has_room, set_pictured, set_tables
 from tmmcalc.note.typstwords import GAP, WIDE, escaped, label, quoted, set_text
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.lettering import FONTS
@@ -25,6 +25,7 @@ from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.drawing.svg import svg
 from tmmcalc.report.sheets.gosttext import FIRST, OTHERS, PAGE, TextTitles, text_frame
 
+LAST = 3  # paragraphs at the end of a chapter over what it ends with
 HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 16mm, bottom: 18mm), numbering: "1")
 #set document(title: "TITLE", date: none)
 #set text(font: "TMM Text", size: 12pt, lang: "LANGUAGE")
@@ -56,10 +57,16 @@ HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 16mm, bo
     #table(columns: columns, align: aligned, table.header(..named, ..heads), ..cells)]
 }
 #let stood(columns, ..tables) = grid(columns: columns, column-gutter: 3mm, align: top, ..tables)
-#let floated(body) = place(bottom, float: true, clearance: 1em, body)
+#let floated(key, stays, body, clearance: 1em) = if stays {
+  block(width: 100%, breakable: false, above: clearance, below: clearance, body)
+} else { context {
+  let found = query(label(key))  // under the text that tells of it; on a later page over the text
+  let late = found.len() > 0 and found.first().location().page() > here().page()
+  place(if late { top } else { bottom }, float: true, clearance: clearance, body)
+} }
 #let turned(body) = page(flipped: true, body)
 #let pictured(key, body, caption) = [#metadata(none) #label(key) #align(center)[#body #v(2mm, weak: true) #caption]]
-#let shown(..pictures) = place(bottom, float: true, clearance: 1.2em,
+#let shown(key, stays, ..pictures) = floated(key, stays, clearance: 1.2em,
   block(width: 100%, { set par(first-line-indent: 0pt, justify: false, leading: 0.5em)
   grid(columns: pictures.pos().len() * (1fr,), column-gutter: 3mm, align: bottom + center, ..pictures.pos()) }))
 """
@@ -69,12 +76,12 @@ def source(blocks: Iterable[Written], language: str, title: str, frame: TextTitl
     """The text of the note, its pages after the title page in frames with these titles."""
     head = HEAD.replace("LANGUAGE", language).replace("TITLE", quoted(title))
     found = [head]
-    for group in _grouped(blocks):
+    for group, stays in _settled([*_grouped(blocks)]):
         if isinstance(group[0], Contents) and frame is not None:
             opened, others = _framed(frame, first=True), _framed(frame, first=False)
             found += [opened, _block(group[0]), "#pagebreak(weak: true)", others]
         else:
-            found += _group(group)
+            found += _group(group, stays)
     return "\n".join(found) + "\n"
 
 
@@ -110,17 +117,46 @@ def _joins(group: Sequence[Written], block: Written) -> bool:
     return False
 
 
-def _group(group: Sequence[Written]) -> Iterator[str]:
+def _settled(groups: Sequence[Sequence[Written]]) -> Iterator[tuple[Sequence[Written], bool]]:
+    """Groups, and whether one stays where it is: what a chapter ends with stands under its last words.
+
+    What floats would stand in the next chapter, under its title.
+    """
+    start = 0
+    for stop in (*(k for k, group in enumerate(groups) if _opens(group)), len(groups)):
+        chapter, end = groups[start:stop], stop - start
+        words = 0
+        while end and (_floats(chapter[end - 1]) or (isinstance(chapter[end - 1][0], Text) and words < LAST)):
+            end -= 1
+            words += not _floats(chapter[end])
+        yield from ((group, False) for group in chapter[:end])
+        yield from ((group, False) for group in chapter[end:] if not _floats(group))
+        yield from ((group, True) for group in chapter[end:] if _floats(group))
+        start = stop
+
+
+def _opens(group: Sequence[Written]) -> bool:
+    return isinstance(group[0], Title) and group[0].level == 1
+
+
+def _floats(group: Sequence[Written]) -> bool:
+    """Whether it goes to the end of a page."""
+    first = group[0]
+    return isinstance(first, Image) or (isinstance(first, Grid) and floats(first))
+
+
+def _group(group: Sequence[Written], stays: bool = False) -> Iterator[str]:
     """A formula with what belongs to it, pictures beside each other, or a block by itself."""
     if isinstance(group[0], Image):
-        yield f"#shown({', '.join(_picture(each) for each in group if isinstance(each, Image))})"
+        pictures = [each for each in group if isinstance(each, Image)]
+        yield f"#shown({label('fig', pictures[0].caption)}, {str(stays).lower()}, {', '.join(map(_picture, pictures))})"
         return
     first, last = group[0], group[-1]
     if isinstance(first, Grid) and isinstance(last, Image):
-        yield set_pictured(first, _picture(last), last.drawing.width)
+        yield set_pictured(first, _picture(last), last.drawing.width, stays=stays)
         return
     if isinstance(group[0], Grid):
-        yield set_tables([each for each in group if isinstance(each, Grid)])
+        yield set_tables([each for each in group if isinstance(each, Grid)], stays=stays)
         return
     if not isinstance(group[0], Equation):
         yield _block(group[0])
@@ -178,10 +214,8 @@ def _block(block: Written) -> str:
             return set_text(block) + "\n"
         case Equation():
             return "\n".join(set_lines([block], None))
-        case Grid():
-            return set_tables([block])
-        case Image():
-            return f"#shown({_picture(block)})"
+        case Grid() | Image():
+            raise AssertionError(block.caption)  # stands in a group
         case Points(items):
             return "\n".join(f"- {set_text(item)}" for item in items) + "\n"
         case Source(text):

@@ -27,13 +27,19 @@ def has_room(grid: Grid, wide: float) -> bool:
     return _stands(grid) == "whole" and _width_at(grid, SMALL[0]) + GAP + wide <= WIDE
 
 
-def set_pictured(grid: Grid, picture: str, wide: float) -> str:
+def floats(grid: Grid) -> bool:
+    """Whether a table goes whole to the end of a page."""
+    return _stands(grid) == "whole"
+
+
+def set_pictured(grid: Grid, picture: str, wide: float, *, stays: bool) -> str:
     """A table with a picture at its right hand."""
     own = WIDE - GAP - wide
-    return f"#floated(stood(({own:g}mm, {wide:g}mm), {_grid(grid, SMALL[0], own)}, {picture}))"
+    both = f"stood(({own:g}mm, {wide:g}mm), {_grid(grid, SMALL[0], own)}, {picture})"
+    return f"#floated({label('tab', grid.caption)}, {str(stays).lower()}, {both})"
 
 
-def set_tables(grids: Sequence[Grid]) -> str:
+def set_tables(grids: Sequence[Grid], *, stays: bool) -> str:
     """Tables beside each other, or one, in letters as small as they need.
 
     A short table stands where it is told of, a longer one whole where there is room, one of many rows over pages; one
@@ -46,7 +52,8 @@ def set_tables(grids: Sequence[Grid]) -> str:
     shares = [_width_at(each, size) + free for each in grids]
     tables = [_grid(each, size, wide) for each, wide in zip(grids, shares, strict=True)]
     stood = f"stood(({', '.join(f'{wide:g}mm' for wide in shares)}), {', '.join(tables)})" if tables[1:] else tables[0]
-    return f"#floated({stood})" if _stands(grids[0]) == "whole" else f"#{stood}"
+    key = label("tab", grids[0].caption)
+    return f"#floated({key}, {str(stays).lower()}, {stood})" if floats(grids[0]) else f"#{stood}"
 
 
 def _stands(grid: Grid) -> str:
