@@ -12,6 +12,8 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.shapes import Arc, Dimension, Drawing, Hatching, Shape, Words
 from tmmcalc.report.drawing.wording import corners
 
+MARGIN, BLANK = 1.0, 5.0  # over and under what is drawn, and between two parts of it [mm]
+
 
 def reach(shape: Shape) -> Box:
     """The smallest upright rectangle around a shape, whose lines are taken as thin.
@@ -41,14 +43,27 @@ def _extremes(arc: Arc) -> Plane:
     return np.asarray(arc.centre + arc.radius * np.exp(1j * angles))
 
 
-def trimmed(drawing: Drawing, margin: float = 1.0) -> Drawing:
-    """The drawing on paper that is no higher than its shapes need, with a margin [mm]."""
+def trimmed(drawing: Drawing, margin: float = MARGIN, blank: float = BLANK) -> Drawing:
+    """The drawing on paper that is no higher than its shapes need, with a margin [mm].
+
+    What stands over a blank band from side to side comes down until no more than ``blank`` mm are left of it.
+
+    >>> from tmmcalc.report.drawing.pens import THIN
+    >>> drawing = Drawing(40.0, 90.0, "two circles")
+    >>> drawing.add(Arc(20 + 20j, 5.0, THIN), Arc(20 + 70j, 5.0, THIN))
+    >>> trimmed(drawing).height  # a margin, a circle, 5 mm, a circle, a margin
+    27.0
+    """
     if not drawing.shapes:
         return drawing
-    box = around(map(reach, drawing.shapes))
-    low, high = max(0.0, box.bottom - margin), min(drawing.height, box.top + margin)
-    found = Drawing(drawing.width, math.ceil(10 * (high - low)) / 10, drawing.title)
-    found.add(*(lowered(shape, low) for shape in drawing.shapes))
+    placed = sorted(((reach(shape), k) for k, shape in enumerate(drawing.shapes)), key=lambda each: each[0].bottom)
+    down, high, falls = max(0.0, placed[0][0].bottom - margin), placed[0][0].top, [0.0] * len(placed)
+    for box, k in placed:
+        down += max(0.0, box.bottom - high - blank)
+        high = max(high, box.top)
+        falls[k] = down
+    found = Drawing(drawing.width, math.ceil(10 * (min(drawing.height, high + margin) - down)) / 10, drawing.title)
+    found.add(*(lowered(shape, fall) for shape, fall in zip(drawing.shapes, falls, strict=True)))
     return found
 
 
