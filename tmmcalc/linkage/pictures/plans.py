@@ -31,6 +31,7 @@ GAP = 4.0
 SMALL, LINE = 0.85, 1.9  # rotations of links beside the title of their plan, and a line of them, in heights of letters
 REACH = 1.3  # a special point farther away than this against the rest is not on a plan
 STILL = 1e-12  # of the fastest link: no sense
+WHOLE = "\u00a0"  # where no line ends
 SENSES = {True: "↺", False: "↻"}  # counter-clockwise or not
 UNITS = {"v": "m/s", "a": "m/s^2"}
 
@@ -165,8 +166,9 @@ def _rotations(plan: VectorPolygons, letter: str) -> str:
     """The angular velocities, or accelerations, of the links with their senses."""
     rates, symbol, unit = (plan.omega, "ω", "rad/s") if letter == "v" else (plan.eps, "ε", "rad/s^2")
     largest = max(map(abs, rates.values()), default=0.0)
-    listed = "; ".join(f"${symbol}_{{{link}}}$ = {_size(rate, largest)}" for link, rate in rates.items())
-    return f"{listed} {tr_unit(unit)}" if listed else ""
+    each = (f"${symbol}_{{{link}}}$ = {_size(rate, largest)}".replace(" ", WHOLE) for link, rate in rates.items())
+    listed = "; ".join(each)
+    return f"{listed}{WHOLE}{tr_unit(unit)}" if listed else ""
 
 
 def plan_name(letter: str) -> str:

@@ -89,7 +89,8 @@ class Polar:
         """Draw in a rectangle, with the heading and the names of the lines above."""
         peak = self._peak
         names = [*((p.label, p.pen) for p in self.paths), *((r.label, r.pen) for r in self.rings)]
-        room = TITLE + ROW * len(key_rows(names, box.width - AROUND[0] - AROUND[2]))
+        larger = drawing.letters
+        room = TITLE + ROW * larger * len(key_rows(names, box.width - AROUND[0] - AROUND[2], larger))
         board = Board(drawing, box.inset(*AROUND, room), self._everything, MARGIN)
         name_axes(board, self.names, peak, self.unit)
         for ring in self.rings:
