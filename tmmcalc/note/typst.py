@@ -17,15 +17,15 @@ from tmmcalc.note.tree import (
     Written,
 )
 from tmmcalc.note.typstlines import set_lines
-from tmmcalc.note.typsttables import beside, floats, has_room, set_pictured, set_tables
-from tmmcalc.note.typstwords import GAP, WIDE, escaped, label, quoted, set_text
+from tmmcalc.note.typstplaces import Place, placed
+from tmmcalc.note.typsttables import set_pictured, set_tables
+from tmmcalc.note.typstwords import escaped, label, quoted, set_text
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.lettering import FONTS
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.drawing.svg import svg
 from tmmcalc.report.sheets.gosttext import FIRST, OTHERS, PAGE, TextTitles, text_frame
 
-LAST = 3  # paragraphs at the end of a chapter over what it ends with
 HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 16mm, bottom: 18mm), numbering: "1")
 #set document(title: "TITLE", date: none)
 #set text(font: "TMM Text", size: 12pt, lang: "LANGUAGE")
@@ -76,87 +76,30 @@ def source(blocks: Iterable[Written], language: str, title: str, frame: TextTitl
     """The text of the note, its pages after the title page in frames with these titles."""
     head = HEAD.replace("LANGUAGE", language).replace("TITLE", quoted(title))
     found = [head]
-    for group, stays in _settled([*_grouped(blocks)]):
+    for group, place in placed(blocks):
         if isinstance(group[0], Contents) and frame is not None:
             opened, others = _framed(frame, first=True), _framed(frame, first=False)
             found += [opened, _block(group[0]), "#pagebreak(weak: true)", others]
         else:
-            found += _group(group, stays)
+            found += _group(group, place)
     return "\n".join(found) + "\n"
 
 
-def _grouped(blocks: Iterable[Written]) -> Iterator[list[Written]]:
-    """What may stand beside each other: a formula and its explanation, its numbers at places, tables and pictures."""
-    group: list[Written] = []
-    for block in blocks:
-        if group and not _joins(group, block):
-            yield group
-            group = []
-        group.append(block)
-    if group:
-        yield group
-
-
-def _joins(group: Sequence[Written], block: Written) -> bool:
-    """Whether a block stands beside those before it."""
-    last = group[-1]
-    match block:
-        case Text(_, explains):
-            return explains and isinstance(last, Equation) and bool(last.number)
-        case Equation(_, number):
-            return not number and isinstance(last, Equation | Text) and isinstance(group[0], Equation)
-        case Image(_, drawing) if isinstance(last, Grid):
-            return len(group) == 1 and has_room(last, drawing.width)
-        case Image(_, drawing):
-            drawings = [each.drawing for each in group if isinstance(each, Image)]
-            free = WIDE - sum(each.width + GAP for each in drawings)
-            return len(drawings) == len(group) and drawing.width <= free
-        case Grid():
-            grids = [each for each in (*group, block) if isinstance(each, Grid)]
-            return len(grids) > len(group) and beside(grids)
-    return False
-
-
-def _settled(groups: Sequence[Sequence[Written]]) -> Iterator[tuple[Sequence[Written], bool]]:
-    """Groups, and whether one stays where it is: what a chapter ends with stands under its last words.
-
-    What floats would stand in the next chapter, under its title.
-    """
-    start = 0
-    for stop in (*(k for k, group in enumerate(groups) if _opens(group)), len(groups)):
-        chapter, end = groups[start:stop], stop - start
-        words = 0
-        while end and (_floats(chapter[end - 1]) or (isinstance(chapter[end - 1][0], Text) and words < LAST)):
-            end -= 1
-            words += not _floats(chapter[end])
-        yield from ((group, False) for group in chapter[:end])
-        yield from ((group, False) for group in chapter[end:] if not _floats(group))
-        yield from ((group, True) for group in chapter[end:] if _floats(group))
-        start = stop
-
-
-def _opens(group: Sequence[Written]) -> bool:
-    return isinstance(group[0], Title) and group[0].level == 1
-
-
-def _floats(group: Sequence[Written]) -> bool:
-    """Whether it goes to the end of a page."""
-    first = group[0]
-    return isinstance(first, Image) or (isinstance(first, Grid) and floats(first))
-
-
-def _group(group: Sequence[Written], stays: bool = False) -> Iterator[str]:
+def _group(group: Sequence[Written], place: Place) -> Iterator[str]:
     """A formula with what belongs to it, pictures beside each other, or a block by itself."""
-    if isinstance(group[0], Image):
-        pictures = [each for each in group if isinstance(each, Image)]
-        yield f"#shown({label('fig', pictures[0].caption)}, {str(stays).lower()}, {', '.join(map(_picture, pictures))})"
+    first, last, stays = group[0], group[-1], place is Place.LAST
+    if stays:
+        yield "#place.flush()"  # what floats stands before it
+    if isinstance(first, Image):
+        pictures = ", ".join(_picture(each) for each in group if isinstance(each, Image))
+        yield f"#shown({label('fig', first.caption)}, {str(stays).lower()}, {pictures})"
         return
-    first, last = group[0], group[-1]
     if isinstance(first, Grid) and isinstance(last, Image):
         yield set_pictured(first, _picture(last), last.drawing.width, stays=stays)
         return
-    if isinstance(group[0], Grid):
-        yield set_tables([each for each in group if isinstance(each, Grid)], stays=stays)
+    if isinstance(first, Grid):
+        grids = [each for each in group if isinstance(each, Grid)]
+        yield set_tables(grids, floats=place is not Place.HERE, stays=stays)
         return
     if not isinstance(group[0], Equation):
         yield _block(group[0])
@@ -215,7 +158,7 @@ def _block(block: Written) -> str:
         case Equation():
             return "\n".join(set_lines([block], None))
         case Grid() | Image():
-            raise AssertionError(block.caption)  # stands in a group
+            raise AssertionError(block.caption)  # they stand in groups
         case Points(items):
             return "\n".join(f"- {set_text(item)}" for item in items) + "\n"
         case Source(text):

@@ -27,7 +27,7 @@ from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
 from tmmcalc.report.telling import WIDE, cell, located, number_of
 
 SIDE_BY_SIDE = 3  # positions whose segments stand in one table
-LEAST, MOST = (70.0, 45.0), 110.0  # width and height of a plan, the largest height [mm]
+LEAST, MOST = (70.0, 45.0), 122.0  # width and height of a plan, the largest height [mm]
 TEXTS = 50.0, 36.0  # of it that words take [mm]
 UNITS = {"v": "m/s", "a": "m/s^2"}
 TURNS = {"v": ("omega", "rad/s"), "a": ("eps", "rad/s^2")}

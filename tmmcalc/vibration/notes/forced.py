@@ -248,7 +248,9 @@ def _point(task: VibratorTask, result: VibratorResult, path: PointPath) -> Place
     }
     for k, axis in enumerate("xyz"):
         found[f"A_{axis}"] = Given(float(path.amplitude[k]), "m", tr("amplitudes of the point along the axes"))
-        found[f"n_{axis}"] = Given(float(path.normal[k]), "", tr("normal of the plane of the ellipse"))
+        found[f"n_{axis}"] = Given(
+            float(path.normal[k]), "", tr("projections of the normal of the plane of the ellipse")
+        )
         found[f"{axis}_c"] = Given(float(path.path[0, k]), "m", said)
         found[f"{axis}_s"] = Given(float(path.path[STEPS // 4, k]), "m", said)
     return Place(tr("for point {name}", name=path.name), {**_quantities(task, result), **named(found)})
