@@ -77,6 +77,7 @@ class Assembler:
         self._parts = [0, 0]  # how many of levels 2 and 3 there were
         self._counts: Counter[tuple[str, str]] = Counter()  # of tables, figures and formulas by chapter
         self._explained: dict[str, tuple[str, str]] = {}  # meaning and unit of a name
+        self._told: dict[tuple[str, Statement], str] = {}  # numbers of the formulas of each chapter
 
     def written(self, chapters: Iterable[Chapter]) -> list[Written]:
         """What is written of these chapters, references in their texts replaced by numbers.
@@ -138,21 +139,34 @@ class Assembler:
         return number
 
     def _line(self, line: Line) -> Iterator[Written]:
-        """The formula, what its letters are, its numbers at each place; those that are one everywhere go on from it."""
+        """The formula, what its letters are, its numbers at each place; those that are one everywhere go on from it.
+
+        One that the chapter has told already, of the same quantities, stands with its numbers alone.
+        """
         left, right = line.formula.sides
         letters = setting.side(left), setting.side(right)
-        number = self._numbered("eq", line.key)
+        where = [*self._where(line)]
+        known = None if where else self._told.get((self._prefix, line.formula))
+        number = known or self._numbered("eq", line.key)
+        self._told[self._prefix, line.formula] = number
+        if known and line.key:
+            self._numbers[f"eq:{line.key}"] = known
         places = line.places[: 1 if self.depth == SHORT else None]
         found = [self._numbers_of(line, place) for place in places]
         own = {plain(setting.side(_indexed(left, place.index))) for place in places}
         if own == {plain(letters[0])} and len(set(found)) == 1 and (len(places) > 1 or not places[0].name):
+            if known:
+                yield Equation((letters[0], *found[0]), lead=tr("by ({number})", number=known))
+                return
             yield Equation((*letters, *found[0]), number, key=line.key)
-            yield from self._where(line)
+            yield from where
             return
-        yield Equation(letters, number, key=line.key)
-        yield from self._where(line)
+        if not known:
+            yield Equation(letters, number, key=line.key)
+            yield from where
         for place, parts in zip(places, found, strict=True):
-            yield Equation((setting.side(_indexed(left, place.index)), *parts), lead=place.name)
+            lead = ", ".join(each for each in (place.name, known and tr("by ({number})", number=known)) if each)
+            yield Equation((setting.side(_indexed(left, place.index)), *parts), lead=lead)
 
     def _numbers_of(self, line: Line, place: Place) -> tuple[Row, ...]:
         """The right side with the numbers of a place, and the result; the result alone where they are one."""
