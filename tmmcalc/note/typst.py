@@ -26,6 +26,7 @@ from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.drawing.svg import svg
 from tmmcalc.report.sheets.gosttext import FIRST, OTHERS, PAGE, TextTitles, text_frame
 
+LETTERS, LONG = 53, 0.05  # of a line of a file in half a page; share of longer lines that are broken there
 HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 16mm, bottom: 18mm), numbering: "1")
 #set document(title: "TITLE", date: none)
 #set text(font: "TMM Text", size: 12pt, lang: "LANGUAGE")
@@ -162,7 +163,13 @@ def _block(block: Written) -> str:
         case Points(items):
             return "\n".join(f"- {set_text(item)}" for item in items) + "\n"
         case Source(text):
-            return f'#columns(2, gutter: 5mm)[#raw(block: true, "{quoted(text)}")]'
+            return f'#columns({_columns(text)}, gutter: 5mm)[#raw(block: true, "{quoted(text)}")]'
+
+
+def _columns(text: str) -> int:
+    """How many columns of a page lines have room in as they are, but for a few that are longer."""
+    lines = text.splitlines()
+    return 2 if sum(len(line) > LETTERS for line in lines) <= LONG * len(lines) else 1
 
 
 def _cover(cover: Cover) -> str:
