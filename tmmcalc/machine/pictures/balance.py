@@ -138,7 +138,7 @@ def _turning(result: Balancing) -> Polar:
     rings = []
     for scheme in result.schemes:
         if scheme.name == "minimax":
-            weight, name = scheme.balance.series.coefficient(1) - mean, tr("smallest circle about $O_2$: least maximum")
+            weight, name = scheme.balance.series.coefficient(1) - mean, tr("smallest circle, $O_2$")
             rings.append(Ring(name, -weight, scheme.balance.after.largest, CIRCLE))
             spots.append(Spot("$O_2$", -weight, CIRCLE))
     heading = tr("In the axes of the crank; the best counterweight takes $OO_1$ away")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.shapes import Arc, Dimension, Drawing, Hatching, Shape, Words
 from tmmcalc.report.drawing.wording import corners
 
-MARGIN, BLANK = 1.0, 5.0  # over and under what is drawn, and between two parts of it [mm]
+BLANK = 6.0  # height of a strip without anything that is left [mm]
 
 
 def reach(shape: Shape) -> Box:
@@ -43,27 +43,35 @@ def _extremes(arc: Arc) -> Plane:
     return np.asarray(arc.centre + arc.radius * np.exp(1j * angles))
 
 
-def trimmed(drawing: Drawing, margin: float = MARGIN, blank: float = BLANK) -> Drawing:
+def trimmed(drawing: Drawing, margin: float = 1.0) -> Drawing:
     """The drawing on paper that is no higher than its shapes need, with a margin [mm].
 
-    What stands over a blank band from side to side comes down until no more than ``blank`` mm are left of it.
-
-    >>> from tmmcalc.report.drawing.pens import THIN
-    >>> drawing = Drawing(40.0, 90.0, "two circles")
-    >>> drawing.add(Arc(20 + 20j, 5.0, THIN), Arc(20 + 70j, 5.0, THIN))
-    >>> trimmed(drawing).height  # a margin, a circle, 5 mm, a circle, a margin
-    27.0
+    Words above or below all else stand no farther from it than `BLANK`.
     """
     if not drawing.shapes:
         return drawing
-    placed = sorted(((reach(shape), k) for k, shape in enumerate(drawing.shapes)), key=lambda each: each[0].bottom)
-    down, high, falls = max(0.0, placed[0][0].bottom - margin), placed[0][0].top, [0.0] * len(placed)
-    for box, k in placed:
-        down += max(0.0, box.bottom - high - blank)
-        high = max(high, box.top)
-        falls[k] = down
-    found = Drawing(drawing.width, math.ceil(10 * (min(drawing.height, high + margin) - down)) / 10, drawing.title)
-    found.add(*(lowered(shape, fall) for shape, fall in zip(drawing.shapes, falls, strict=True)))
+    boxes = [*map(reach, drawing.shapes)]
+    box = around(boxes)
+    low, high = max(0.0, box.bottom - margin), min(drawing.height, box.top + margin)
+    strips = _blank(drawing.shapes, boxes)
+    found = Drawing(drawing.width, math.ceil(10 * (high - low - sum(strips.values()))) / 10, drawing.title)
+    for shape, own in zip(drawing.shapes, boxes, strict=True):
+        found.add(lowered(shape, low + sum(size for place, size in strips.items() if own.bottom >= place)))
+    return found
+
+
+def _blank(shapes: Sequence[Shape], boxes: Sequence[Box]) -> dict[float, float]:
+    """Blank strips between words and all else: where what is above them begins, and how much they are too high [mm]."""
+    other = [box for shape, box in zip(shapes, boxes, strict=True) if not isinstance(shape, Words)]
+    if not other:
+        return {}
+    body = around(other)
+    found, reached = {}, math.inf
+    for box in sorted(boxes, key=lambda each: each.bottom):
+        beside = reached < body.bottom or body.top <= reached < math.inf
+        if beside and box.bottom - reached > BLANK:
+            found[box.bottom] = box.bottom - reached - BLANK
+        reached = box.top if math.isinf(reached) else max(reached, box.top)
     return found
 
 
