@@ -8,8 +8,7 @@ from collections.abc import Mapping, Sequence
 from tmmcalc.gears.letters import LETTER
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.network.model import Network
-from tmmcalc.gears.pictures.words import layout_word, teeth_text
-from tmmcalc.gears.scheme import known_layouts
+from tmmcalc.gears.pictures.words import KINDS, layout_word, teeth_text
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.tree import CONSTANTS, FUNCTIONS
 from tmmcalc.report.language import tr, tr_name
