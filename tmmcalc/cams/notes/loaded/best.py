@@ -323,13 +323,9 @@ def _few(result: CamOptimum) -> Iterator[Block]:
     if count == 1:
         yield Paragraph(tr("There is one such point, which is taken."))
         return
-    said = (
-        tr("Table {tab:cam_few} has these points, those of the largest least margin first.")
-        if count <= FEW
-        else tr(
-            "Table {tab:cam_few} has the best {few} of these points, those of the largest least margin first.", few=FEW
-        )
-    )
+    said = tr("Table {tab:cam_few} has these points, those of the largest least margin first.")
+    if count > FEW:
+        said = tr("Table {tab:cam_few} has the best of these points, those of the largest least margin first.")
     yield Paragraph(f"{said} {tr('The first is taken, as it stays farthest from all limits.')}")
     sizes = {name: getattr(result, name) for name in ("length", "start", "roller")}
     if result.kind == "flat":
