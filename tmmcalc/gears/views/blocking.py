@@ -39,12 +39,10 @@ OF_WHEEL = "<sna>", "r_a<i>", "r_f<i>", "r_w<i>", "h<_i>"
 
 
 def trials(order: Order) -> Iterator[Trial]:
-    """The contours of all pairs that have one."""
-    pairs = {found.task.name or found.task.title: found for found in order.results["pair"].pairs}
-    for k, contour in enumerate(order.results["blocking"].pairs, 1):
-        found = pairs.get(contour.name)
-        if found is not None and found.task.kind == "external":
-            yield trial_of(found, contour, f"blocking_{k}")
+    """The contours of all external pairs."""
+    external = [found for found in order.results["pair"].pairs if found.task.kind == "external"]
+    for k, (found, contour) in enumerate(zip(external, order.results["blocking"].pairs, strict=True), 1):
+        yield trial_of(found, contour, f"blocking_{k}")
 
 
 def trial_of(found: MeshPair, contour: PairContour, name: str) -> Trial:
@@ -58,7 +56,7 @@ def trial_of(found: MeshPair, contour: PairContour, name: str) -> Trial:
     over = EDGE * max((high - low).real, (high - low).imag) * (1 + 1j)
     return Trial(
         name,
-        tr("Blocking contour {pair}", pair=plain(tr_name(contour.name))),
+        tr("Blocking contour {pair}", pair=plain(tr_name(found.task.title))),
         inputs,
         complex(*found.shifts),
         (low - over, high + over),

@@ -14,16 +14,17 @@ of the undercut.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any
 
+from tmmcalc.gears.meshing.members import both
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.notes.pairs import sizes, tooth
 from tmmcalc.gears.notes.pairs.lexicon import words_of
 from tmmcalc.report.exploring import Condition, Drawn, Piece, Sketch, Toothed
 from tmmcalc.report.formula.carried import Root, Step, carried, step_of
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.formula.tree import Call, Name, Node, Statement, renamed
+from tmmcalc.report.formula.tree import Statement, renamed
 from tmmcalc.report.language import tr
 from tmmcalc.report.telling import filled
 
@@ -68,8 +69,13 @@ FILLET = (
     "F = phi - psi",
 )
 REACH = 3.1  # [module] that is shown above the pitch point, and below
-ASIDE, AWAY = 0.5, 2.75  # [module] where the numbers of the wheels stand: from the line of centres, from the pitch point
+ASIDE, AWAY = (
+    0.5,
+    2.75,
+)  # [module] where the numbers of the wheels stand: from the line of centres, from the pitch point
 CONTACTS = 4  # pitches before and behind the pitch point at which flanks may touch
+# points of the line of action: distances from N1, on which side of it their names stand
+POINTS = ("N1", "0", -1), ("A2", "rho_p1", 1), ("P", "rho_w1", -1), ("A1", "rho_a1", 1), ("N2", "g", -1)
 ACTION = 3  # colour; those of the wheels are their numbers
 
 
@@ -119,20 +125,15 @@ class Tooth:
             self.piece("t", ("psi_A", "0"), ("-r_A*sin(t)", "r_A*cos(t)")),
         )
         start, end = (f"{rho}/r_b - tan(<t>)" for rho in active)
-        return Toothed(
-            half,
-            self.involute(f"max({start}, phi_F)", f"min({end}, phi_A)"),
-            tr("undercut cuts the teeth of wheel {wheel} off at their feet", wheel=self.name),
-            *map(self.node, ("z", turn, "0", y)),
-            tone=self.number,
-        )
+        worked = self.involute(f"max({start}, phi_F)", f"min({end}, phi_A)")
+        beyond = tr("undercut cuts the teeth of wheel {wheel} off at their feet", wheel=self.name)
+        count, turned, above = map(self.node, ("z", turn, y))
+        return Toothed(half, worked, beyond, count, turned, 0.0, above, self.number)
 
     def conditions(self) -> Iterator[Condition]:
         """What a tooth needs that there is one."""
         wheel = self.name
-        yield Condition(
-            self.node("r_f"), tr("nothing is left of wheel {wheel} within its root circle", wheel=wheel)
-        )
+        yield Condition(self.node("r_f"), tr("nothing is left of wheel {wheel} within its root circle", wheel=wheel))
         yield Condition(
             self.node("r_a - r_F"),
             tr("the tip circle of wheel {wheel} lies below the beginning of its involute", wheel=wheel),
@@ -159,8 +160,6 @@ def _indexed(key: str, number: int) -> str:
 
 def axes_of_rounding(found: MeshPair) -> dict[str, float]:
     """A and B [mm]."""
-    from tmmcalc.gears.meshing.members import both
-
     tool = both(found)[0].tool
     return {key: 1e3 * found.task.module * axis for key, axis in (("A", tool.width), ("B", tool.height))}
 
@@ -198,8 +197,8 @@ def _marks(first: Tooth, second: Tooth, m: float) -> Iterator[Drawn]:
     far = 4 * REACH * m
     yield Drawn("axis", ((0.0, node(f"r_w - {far}")), (0.0, node(f"r_w + {far}"))))
     for wheel, y in ((first, "0"), (second, "a_w")):
-        for kind, radius in (("pitch", "r_w"), ("base", "r_b")):
-            yield Drawn(kind, ((0.0, node(y)),), wheel.node(radius), wheel.number)
+        yield Drawn("pitch", ((0.0, node(y)),), wheel.node("r_w"), wheel.number)
+        yield Drawn("base", ((0.0, node(y)),), wheel.node("r_b"), wheel.number)
 
     def on_line(rho: str) -> tuple[Any, Any]:
         """The point of the line of action that is so far from N1."""
@@ -210,7 +209,13 @@ def _marks(first: Tooth, second: Tooth, m: float) -> Iterator[Drawn]:
     for k in range(-CONTACTS, CONTACTS + 1):
         rho = f"rho_w1 + {k}*p_b"
         yield Drawn("dot", (on_line(rho),), tone=ACTION, there=node(f"min({rho} - rho_s1, rho_e1 - ({rho}))"))
-    for name, rho, side in (("N1", "0", -1), ("A2", "rho_p1", 1), ("P", "rho_w1", -1), ("A1", "rho_a1", 1), ("N2", "g", -1)):
+    for name, rho, side in (
+        ("N1", "0", -1),
+        ("A2", "rho_p1", 1),
+        ("P", "rho_w1", -1),
+        ("A1", "rho_a1", 1),
+        ("N2", "g", -1),
+    ):
         yield Drawn("dot", (on_line(rho),), name=name, side=side)
     for wheel, way in ((first, -1), (second, 1)):
         yield Drawn("number", ((ASIDE * m, node(f"r_w + {way * AWAY * m}")),), name=wheel.name)

@@ -1,42 +1,81 @@
-// Outlines by formulas: curves in as many points as they need, bodies with teeth in their places.
+// Outlines by formulas: curves as so many cubics as they need, bodies with teeth in their places.
 import { compiled, filling } from "./formulas.js";
 
 /** @typedef {[number, number]} Point */
+/** @typedef {Point[]} Chain cubics end to end: a point, then two controls and the next point each */
 
-const LEAST = 2; // times that a curve is halved at least
-const MOST = 12;
+const MOST = 8; // times that a curve is halved at most
+const SHIFT = 1e-5; // of the way along a piece, by which its tangents are found
+const LOOKS = [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1]; // places of a cubic
 
 /**
- * The curve that a piece is, as a function of the values: points from which it is nowhere farther than the tolerance.
+ * The curve that a piece is, as a function of the values: cubics from which it is nowhere farther than the tolerance.
  * @param {import("./data.js").Piece} piece
- * @returns {(values: Record<string, number>, tolerance: number) => Point[]}
+ * @returns {(values: Record<string, number>, tolerance: number) => Chain}
  */
 export function traced({ parameter, start, end, steps, x, y }) {
   const [from, to, fill, across, up] = [compiled(start), compiled(end), filling(steps), compiled(x), compiled(y)];
   return (values, tolerance) => {
     const own = Object.create(values);
+    const [low, high] = [from(values), to(values)];
     /** @param {number} t @returns {Point} */
     const at = (t) => {
       own[parameter] = t;
       fill(own);
       return [across(own), up(own)];
     };
-    /** @type {Point[]} */
-    const points = [at(from(values))];
-    /** @param {number} s @param {Point} a @param {number} t @param {Point} b @param {number} depth */
-    const halve = (s, a, t, b, depth) => {
-      const half = (s + t) / 2;
-      const middle = at(half);
-      if (depth < LEAST || (depth < MOST && away(a, b, middle) > tolerance)) {
-        halve(s, a, half, middle, depth + 1);
-        halve(half, middle, t, b, depth + 1);
+    /** A place, its point, its derivative. @param {number} t */
+    const knot = (t) => {
+      const over = SHIFT * (high - low);
+      const [[ax, ay], [bx, by]] = [at(t - over), at(t + over)];
+      return { t, at: at(t), dx: (bx - ax) / (2 * over), dy: (by - ay) / (2 * over) };
+    };
+    const [first, last] = [knot(low), knot(high)];
+    if (low === high) return [first.at];
+    /** @type {Chain} */
+    const chain = [first.at];
+    /** @param {ReturnType<typeof knot>} a @param {ReturnType<typeof knot>} b @param {number} depth */
+    const span = (a, b, depth) => {
+      const third = (b.t - a.t) / 3;
+      const [ax, ay, bx, by] = [...a.at, ...b.at];
+      /** @type {Chain} */
+      const cubic = [a.at, [ax + third * a.dx, ay + third * a.dy], [bx - third * b.dx, by - third * b.dy], b.at];
+      const middle = knot((a.t + b.t) / 2);
+      const [mx, my] = [0, 1].map((k) => along(cubic, 0.5, k));
+      if (depth < MOST && Math.hypot(mx - middle.at[0], my - middle.at[1]) > tolerance) {
+        span(a, middle, depth + 1);
+        span(middle, b, depth + 1);
       } else {
-        points.push(middle, b);
+        chain.push(...cubic.slice(1));
       }
     };
-    halve(from(values), points[0], to(values), at(to(values)), 0);
-    return points;
+    span(first, last, 0);
+    return chain;
   };
+}
+
+/**
+ * A coordinate of a cubic.
+ * @param {Chain} cubic
+ * @param {number} t
+ * @param {number} k
+ */
+function along([a, b, c, d], t, k) {
+  const s = 1 - t;
+  return s * s * s * a[k] + 3 * s * s * t * b[k] + 3 * s * t * t * c[k] + t * t * t * d[k];
+}
+
+/**
+ * Whether cubics reach to the right of a line along Y.
+ * @param {Chain} chain
+ * @param {number} x
+ */
+function reaches(chain, x) {
+  for (let k = 0; k + 3 < chain.length; k += 3) {
+    const cubic = chain.slice(k, k + 4);
+    if (LOOKS.some((t) => along(cubic, t, 0) > x)) return true;
+  }
+  return false;
 }
 
 /**
@@ -47,12 +86,15 @@ export function traced({ parameter, start, end, steps, x, y }) {
 export function toothed(body) {
   const pieces = body.half.map(traced);
   const flank = traced(body.worked);
-  const [count, turn, x, y, low, high] = [body.count, body.turn, body.x, body.y, body.worked.start, body.worked.end].map(compiled);
+  const [count, turn, x, y] = [body.count, body.turn, body.x, body.y].map(compiled);
+  const [low, high] = [body.worked.start, body.worked.end].map(compiled);
   return (/** @type {Record<string, number>} */ values, /** @type {number} */ tolerance) => {
-    const half = pieces.flatMap((piece) => piece(values, tolerance));
+    /** @type {Chain} */
+    const half = [];
+    for (const piece of pieces) half.push(...piece(values, tolerance).slice(half.length ? 1 : 0));
     return {
       half,
-      beyond: half.some((point) => point[0] > tolerance),
+      beyond: reaches(half, tolerance),
       worked: low(values) < high(values) ? flank(values, tolerance) : [],
       count: count(values),
       turn: turn(values),
@@ -65,8 +107,8 @@ export function toothed(body) {
 /** @typedef {ReturnType<ReturnType<typeof toothed>>} Placed */
 
 /**
- * The teeth of a body around the direction to a place, so many that they fill a width there; their outline, closed
- * through the centre unless all are there, and the flanks that work.
+ * The teeth of a body around the direction to a place, so many that they fill a width there: their outline, the flanks
+ * that work, and the centre, through which the outline is closed unless all teeth are there.
  * @param {Placed} body
  * @param {Point} place
  * @param {number} width
@@ -77,20 +119,19 @@ export function around({ half, worked, count, turn, x, y }, place, width) {
   const seen = Math.ceil(width / Math.hypot(place[0] - x, place[1] - y) / step) + 2;
   const some = Math.min(seen, count);
   const first = Math.round(towards / step - (some - 1) / 2);
-  const tooth = [...half.map(([px, py]) => /** @type {Point} */ ([-px, py])), ...half.toReversed()];
-  /** @type {Point[]} */
+  const tooth = [...half.map(([px, py]) => /** @type {Point} */ ([-px, py])), ...half.toReversed().slice(1)];
+  /** @type {Chain} */
   const outline = [];
-  /** @type {Point[][]} */
+  /** @type {Chain[]} */
   const flanks = [];
   for (let k = first; k < first + some; k++) {
     const [c, s] = [Math.cos(turn + k * step), Math.sin(turn + k * step)];
     /** @param {Point} point @returns {Point} */
     const put = ([px, py]) => [x + c * px - s * py, y + s * px + c * py];
-    outline.push(...tooth.map(put));
+    outline.push(...(outline.length ? tooth.slice(1) : tooth).map(put));
     flanks.push(worked.map(put));
   }
-  if (some < count) outline.push([x, y]);
-  return { outline, flanks };
+  return { outline, flanks, centre: some < count ? /** @type {Point} */ ([x, y]) : null };
 }
 
 /**

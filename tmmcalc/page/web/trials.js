@@ -2,6 +2,7 @@
 import { numbers } from "./data.js";
 import { button, made } from "./elements.js";
 import { chained, compiled } from "./formulas.js";
+import { around, settled } from "./labels.js";
 import { drawn, named } from "./marks.js";
 import { away } from "./outlines.js";
 import { standard } from "./scales.js";
@@ -9,8 +10,9 @@ import { Sketch } from "./sketch.js";
 import { parted, saying, told, word, written } from "./words.js";
 
 const PHONE = 600; // pixels of a window below which the plane is drawn smaller, its letters are not
-const MOST = 0.6; // height of the plane to its width at most
-const SHAPES = { wide: [760, 350], phone: [420, 300] }; // of the drawing
+// width, height to it of the plane at most, height of the drawing
+const SHAPES = { wide: [760, 0.6, 350], phone: [420, 0.82, 300] };
+const LETTER = 13; // height of a name
 const LEFT = 52;
 const BELOW = 40;
 const NEAR = 1e-4; // of an edge: what lies on it belongs to its region
@@ -30,8 +32,8 @@ export class Plane {
     const title = made("h2", {}, section);
     saying(() => (title.textContent = told(trial.title)));
     const [low, bottom, high, top] = trial.box;
-    const [wide, deep] = innerWidth < PHONE ? SHAPES.phone : SHAPES.wide;
-    this.scale = Math.min((wide - LEFT - 8) / (high - low), (MOST * wide - BELOW - 8) / (top - bottom));
+    const [wide, most, deep] = innerWidth < PHONE ? SHAPES.phone : SHAPES.wide;
+    this.scale = Math.min((wide - LEFT - 8) / (high - low), (most * wide - BELOW - 8) / (top - bottom));
     this.width = (high - low) * this.scale;
     this.height = (top - bottom) * this.scale;
     this.left = LEFT + (wide - LEFT - 8 - this.width) / 2;
@@ -147,17 +149,34 @@ export class Plane {
       if (same) same.names.push(point);
       else places.push({ x, y, names: [point] });
     }
-    for (const { x, y, names } of places) {
-      const group = drawn("g", { class: "point" }, this.frame);
+    const above = drawn("g", { transform: `translate(${this.left} 8)` }, this.svg);
+    const texts = places.map(({ x, y, names }) => {
+      const group = drawn("g", { class: "point" }, above);
       drawn("circle", { cx: x, cy: y, r: 4 }, group);
-      const right = x < 0.7 * this.width;
-      const text = drawn("text", { x: x + (right ? 9 : -9), y: y - 7, "text-anchor": right ? "start" : "end" }, group);
+      const text = /** @type {SVGTextElement} */ (drawn("text", { "text-anchor": "middle" }, group));
       const title = drawn("title", {}, group);
       saying(() => {
         text.textContent = names.map((each) => told(each.name)).join(", ");
         title.textContent = names.map((each) => `${told(each.name)}: ${told(each.title)}`).join("; ");
       });
-    }
+      return text;
+    });
+    saying(() => {
+      const others = places.map(({ x, y }) => /** @type {[number, number, number, number]} */ ([x - 4, y, x + 4, y]));
+      const items = places.map(({ x, y }, k) => {
+        const wide = texts[k].getComputedTextLength();
+        const all = around(wide, LETTER);
+        const within = all.filter(([dx]) => x + dx > wide / 2 && x + dx < this.width - wide / 2);
+        const choices = within.length ? within : all; // a narrow plane has names beside it
+        /** @type {[number, number][]} */
+        const at = [[x, y]];
+        return { at, size: /** @type {[number, number]} */ ([wide, LETTER]), choices };
+      });
+      settled(items, [others]).forEach(([dx, dy], k) => {
+        texts[k].setAttribute("x", String(places[k].x + dx));
+        texts[k].setAttribute("y", String(places[k].y + dy + 4));
+      });
+    });
   }
 
   /** The hand follows the pointer, and the keys. */
@@ -184,7 +203,8 @@ export class Plane {
 
   /** The place of the plane under a pointer. @param {PointerEvent} event @returns {[number, number]} */
   pointed(event) {
-    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.svg.getScreenCTM()?.inverse());
+    const svg = /** @type {SVGSVGElement} */ (this.svg);
+    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM()?.inverse());
     const [left, , , top] = this.trial.box;
     return [(at.x - this.left) / this.scale + left, top - (at.y - 8) / this.scale];
   }
