@@ -66,6 +66,7 @@ def _words() -> dict[str, str]:
         "names": tr("Names of points"),
         "masses": tr("Centres of mass"),
         "centres": tr("Instant centres"),
+        "ghosts": tr("Other variants"),
         "diagrams": tr("Diagrams"),
         "add": tr("Add a diagram"),
         "remove": tr("Take away"),
