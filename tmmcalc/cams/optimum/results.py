@@ -62,12 +62,12 @@ class Check:
 class Choice:
     """Sizes and how they keep the constraints."""
 
-    start: float = quantity("{start}_{kind}[m]", "start distance S0; of a rocker the base circle R0")
-    roller: float = quantity("r2_{kind}[m]", "radius of the roller", symbol="r_2")
+    start: float = quantity("{start}_{kind}[m]", "start distance S0; of a rocker the base circle R0: {kind}")
+    roller: float = quantity("r2_{kind}[m]", "radius of the roller: {kind}", symbol="r_2")
     height: float = quantity(
-        "{height}_{kind}[m]", "height H2 of the mechanism; of a rocker the distance l0 of the centres"
+        "{height}_{kind}[m]", "height H2 of the mechanism; of a rocker the distance l0 of the centres: {kind}"
     )
-    length: float = quantity("{length}_{kind}[m]", "length l of the guide; of a rocker its own length l2")
+    length: float = quantity("{length}_{kind}[m]", "length l of the guide; of a rocker its own length l2: {kind}")
     checks: tuple[Check, ...]
 
     @derived("active", "numbers of the constraints that are just met")

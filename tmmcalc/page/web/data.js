@@ -63,7 +63,7 @@
  * @property {number} seconds that the whole travel takes
  * @property {number | null} nudge of an arrow key
  */
-/** @typedef {{name: string, symbol: string, meaning: Said, value: number, unit: Said}} Fact */
+/** @typedef {{name: string, symbol: string, meaning: Said, value: number | boolean | Said, unit: Said}} Fact */
 /** @typedef {{name: string, symbol: string, meaning: Said, unit: Said, values: Ref}} Column */
 /**
  * @typedef {object} Stage

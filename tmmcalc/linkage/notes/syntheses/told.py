@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.synthesis.results import Check, Design, SearchStep, Synthesis
+from tmmcalc.linkage.synthesis.results import SAME, Check, Design, SearchStep, Synthesis
 from tmmcalc.linkage.synthesis.task import SynthesisTask
 from tmmcalc.linkage.tables.tasks.synthesis import to_synthesis
 from tmmcalc.report.drawing.order import Order
@@ -29,7 +29,6 @@ LETTERS = {  # of sizes whose symbols are no letters of formulas
     "body": "beta",
 }
 NOISE = 1e-12  # in SI: of an error that is rounding alone
-SAME = "the same"  # meaning of a size that is another coordinate of the one before
 
 
 class Told(NamedTuple):
