@@ -31,7 +31,7 @@ from tmmcalc.report.formula.layout import Box, Gap, Row, Word
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
 from tmmcalc.report.formula.tree import Name, Node, Over, Statement, Sum, mapped, names
-from tmmcalc.report.language import several, tr, tr_unit
+from tmmcalc.report.language import possessive, several, tr, tr_unit
 from tmmcalc.report.manuscript import (
     Block,
     Chapter,
@@ -53,13 +53,10 @@ from tmmcalc.report.telling import folded
 
 REFERENCE = re.compile(r"\{((?:tab|eq|fig):\w+)\}")
 COUNTER = re.compile(r"(?<=_)(\w*)i(?=\^|$)|(?<=,)i(?=\})")
+LENGTHS = ("m", "mm")
 
 LONG = 20  # rows of a table that is folded where it is narrow
-WIDE, SMALL, CELL = (
-    175.0,
-    9.0 * 25.4 / 72.0,
-    2.4,
-)  # of a page, of a letter M of a table, beside the letters of a cell [mm]
+WIDE, SMALL, CELL = 175.0, 9.0 * 25.4 / 72.0, 2.4  # of a page, of a letter M of a table, beside letters of a cell [mm]
 MANY, FIRST = 8, 3  # terms of a sum over an index: up to which all are shown, and those of a longer one before its last
 
 
@@ -107,7 +104,7 @@ class Assembler:
                 case Heading(text, level):
                     yield self._title(text, level)
                 case Paragraph(text):
-                    yield inline(text)
+                    yield inline(text)._replace(explains=text.startswith(tr("where") + " "))
                 case Display(formula, key):
                     yield Equation((setting.statement(formula),), self._numbered("eq", key), key=key)
                 case Line():
@@ -209,7 +206,7 @@ class Assembler:
             parts.append("; " if k else tr("where") + " ")
             for j, key in enumerate(keys):
                 parts += [", "] * bool(j) + [quantity(key)]
-            said = several(meaning) if len(keys) > 1 and not _projections(keys) else meaning
+            said = meaning if len(keys) == 1 else _of_several(keys, meaning, unit)
             parts += [" – ", *inline(said).parts, *([f", {shown_unit(unit)}"] if unit else [])]
         if parts:
             yield Text((*parts, "."), explains=True)
@@ -254,9 +251,16 @@ def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
     yield from sorted((key, *same))
 
 
-def _projections(keys: Sequence[str]) -> bool:
-    """Whether names are those of one vector, but for the axis."""
-    return len({re.sub("[xy]", "x", key) for key in keys}) == 1
+def _of_several(keys: Sequence[str], meaning: str, unit: str) -> str:
+    """What names mean that have one meaning; those that differ by the axis alone are the parts of a vector."""
+    if len({re.sub("[xy]", "x", key) for key in keys}) > 1:
+        return several(meaning)
+    vector = possessive(meaning)
+    if not vector:
+        return meaning
+    if unit in LENGTHS:
+        return tr("coordinates of the {vector}", vector=vector)
+    return tr("projections of the {vector}", vector=vector)
 
 
 def _indexed(node: Node, index: str) -> Node:

@@ -300,7 +300,7 @@ class _Writer:
 
         paragraph = self.found.add_paragraph()
         paragraph.alignment = TO.JUSTIFY
-        paragraph.paragraph_format.first_line_indent = Mm(INDENT)
+        paragraph.paragraph_format.first_line_indent = Mm(0 if text.explains else INDENT)
         paragraph._p.extend(_elements(_runs(text)))
 
     def add(self, text: str) -> None:

@@ -146,10 +146,12 @@ def _judged(kind: str, on: Reached) -> Iterator[Block]:
             )
         else:
             yield Paragraph(
-                tr("The largest pressure angle {phase} is {theta}° at $phi$ = {phi}°, not above the permissible "
-                   "{limit}°.",
-                   **values)
-            )  # fmt: skip
+                tr(
+                    "The largest pressure angle {phase} is {theta}° at $phi$ = {phi}°, not above the permissible "
+                    "{limit}°.",
+                    **values,
+                )
+            )
     name, said = "theta_y", tr("largest pressure angle on the rise")
     if kind == "return":
         name, said = "theta_c", tr("largest pressure angle on the return")

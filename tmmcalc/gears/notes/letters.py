@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from unicodedata import normalize
 
 from tmmcalc.gears.letters import LETTER
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.network.model import Network
-from tmmcalc.gears.pictures.words import KINDS, teeth_text
-from tmmcalc.gears.scheme import known_layouts
+from tmmcalc.gears.pictures.words import KINDS, layout_word, teeth_text
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.tree import CONSTANTS, FUNCTIONS
 from tmmcalc.report.language import tr, tr_name
@@ -104,12 +102,6 @@ def member_name(network: Network, member: str) -> str:
     if any(network.bearer(name) == member for name in network.members):
         return tr("carrier {member}", member=member)
     return tr("wheel {wheel}", wheel=member) if member[0].isdigit() else member
-
-
-def layout_word(key: str) -> str:
-    """A layout in a word, a planetary one by its designation; a number of planets as it is."""
-    scheme = known_layouts().get(key)
-    return normalize("NFC", scheme.designation) if scheme is not None and scheme.planetary else tr_name(key)
 
 
 def short_train(sets: ToothSets) -> str:

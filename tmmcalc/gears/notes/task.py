@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tmmcalc.gears.notes.letters import layout_word
 from tmmcalc.gears.notes.strength import steel_word
+from tmmcalc.gears.pictures.words import layout_word
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Datum

@@ -232,9 +232,9 @@ def _right_sides(system: System) -> Lexicon:
         values = system.right(letter)
         for k in range(count):
             told = (
-                tr("right side of an equation for the velocities")
+                tr("right sides of the equations for the velocities")
                 if letter == "B"
-                else tr("right side of an equation for the accelerations")
+                else tr("right sides of the equations for the accelerations")
             )
             found |= vector(f"{letter}_{{{k + 1}%}}", complex(values[k], values[count + k]), unit, told)
     return found

@@ -154,7 +154,7 @@ def _curve(told: Told) -> Iterator[Block]:
         tr(
             "Eliminating the angle $phi$ from $A$ and ${J}$ gives the closed energy-mass curve, figure "
             "{fig:flywheel_curve}. The angular velocity is largest and least where the tangents at the angles "
-            "$psi_1$ and $psi_2$ touch it, at $phi = {first}$ and $phi = {second}$:",
+            "$psi_max$ and $psi_min$ touch it, at $phi = {first}$ and $phi = {second}$:",
             J=reduced()["J"],
             first=degrees(exact.at_max),
             second=degrees(exact.at_min),
@@ -168,15 +168,15 @@ def _curve(told: Told) -> Iterator[Block]:
     lexicon = _lexicon(told, exact, "") | named(
         {
             **scales,
-            "psi_1": Given(math.degrees(on_paper.angle_max), "deg", angle),
-            "psi_2": Given(math.degrees(on_paper.angle_min), "deg", angle),
+            "psi_max": Given(math.degrees(on_paper.angle_max), "deg", angle),
+            "psi_min": Given(math.degrees(on_paper.angle_min), "deg", angle),
             "l_GH": Given(on_paper.segment, "mm", tr("segment between the tangents on the axis of energies")),
         }
     )
     place = [Place("", lexicon)]
     angles = (
-        "psi_1 = atan(mu_J*omega_m**2*(1 + delta_0/2)**2/(2*mu_A))",
-        "psi_2 = atan(mu_J*omega_m**2*(1 - delta_0/2)**2/(2*mu_A))",
+        "psi_max = atan(mu_J*omega_m**2*(1 + delta_0/2)**2/(2*mu_A))",
+        "psi_min = atan(mu_J*omega_m**2*(1 - delta_0/2)**2/(2*mu_A))",
     )
     yield from lines(angles, place)
     yield Paragraph(tr("On the axis of energies the tangents cut off"))
@@ -265,7 +265,8 @@ def _method(name: str) -> Method:
             tr("Method of Mertsalov"),
             tr(
                 "The kinetic energy of the links is taken at the mean angular velocity; what is left of the excess "
-                "work, $A - T_II$, falls to the flywheel, figure {fig:flywheel_ordinates}."
+                "work, $A - T_II$, falls to the flywheel, figure {fig:flywheel_ordinates}. Its ordinates measured in "
+                "the figure are $y_max = G^{(3)}/mu_A$ and $y_min = H^{(3)}/mu_A$."
             ),
             three(),
         ),
@@ -273,7 +274,8 @@ def _method(name: str) -> Method:
             tr("Method of Artobolevsky"),
             tr(
                 "The angular velocity is taken as extreme where the excess work is; the energy of the links counts "
-                "there with the extreme angular velocities."
+                "there with the extreme angular velocities. In the same figure $y_a$ and $y_b$ are the ordinates of "
+                "the excess work there, $z_a$ and $z_b$ those of the moment of inertia, in mm."
             ),
             slopes,
         ),

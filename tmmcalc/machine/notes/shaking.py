@@ -33,7 +33,7 @@ from tmmcalc.report.telling import drawn, lines, named, tabulated, vector
 
 ON_LINE = 1e-12  # of a rod: a centre of mass so near to its line lies on it
 HIGHEST = 4  # order of harmonics that are told
-HODOGRAPHS = 140.0  # height of the picture [mm]
+HODOGRAPHS = 100.0  # height of the picture [mm]
 
 
 def linkage_blocks(order: Order, result: Balancing) -> Iterator[Block]:

@@ -172,7 +172,7 @@ def moments(loaded: Loaded, links: Sequence[int], point: str, own: set[str]) -> 
                 size = number_of(lexicon, key) if known else abs(f.value)
                 lexicon[canonical(key)] = Given(size, "N", said(loaded, f))
                 lexicon[canonical(arm)] = Given(
-                    moment / size, "m", tr("arm of the force about {point}, with its sign", point=point)
+                    moment / size, "m", tr("signed arm of a force about {point}", point=point)
                 )
                 terms[f"{key}*{arm}"] = None
                 total += moment
