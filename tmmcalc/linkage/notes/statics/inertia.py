@@ -8,7 +8,7 @@ import numpy as np
 
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.freebody import FreeBody
-from tmmcalc.linkage.loading import Body, Loading
+from tmmcalc.linkage.loading import Body
 from tmmcalc.linkage.loads.sources import inertia_load
 from tmmcalc.linkage.notes.group import plain_name
 from tmmcalc.linkage.notes.statics.loaded import NOTHING, Loaded, packed
