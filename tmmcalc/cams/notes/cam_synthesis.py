@@ -157,11 +157,11 @@ def _roller(result: Synthesis, lexicon: Lexicon) -> Iterator[Block]:
     if choice is None:
         return
     yield Heading(tr("Roller"), 3)
-    said = tr("The least radius of convex parts of the pitch curve is $rho_2 = {convex}$ mm at φ = {angle}°",
+    said = tr("The least radius of convex parts of the pitch curve is $rho_2 = {convex}$ mm at $phi$ = {angle}°",
               convex=significant(1e3 * choice.convex.value, SHORT), angle=degrees_of(choice.convex.phi))  # fmt: skip
     walled = any("rho_1" in RULES[rule.name] for rule in choice.rules)
     if choice.concave is not None and walled:
-        said += tr(", that of concave parts $rho_1 = {concave}$ mm at φ = {angle}°",
+        said += tr(", that of concave parts $rho_1 = {concave}$ mm at $phi$ = {angle}°",
                    concave=significant(1e3 * choice.concave.value, SHORT),
                    angle=degrees_of(choice.concave.phi))  # fmt: skip
     yield Paragraph(f"{said}.")

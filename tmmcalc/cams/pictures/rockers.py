@@ -42,7 +42,8 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.numbers import round_scale
 
 POINTS = 181
-STEPS = 8  # positions of a phase that are drawn
+STEPS, LINES = 8, 4  # positions of a phase that are drawn, and lines of a side beside the one that bounds the zone
+FAINT = 0.25  # how much names keep clear of these lines
 MARKED = 14.0  # radius of the arcs of the allowed angles [mm]
 BEYOND = 1.5  # length of a line against the distance of the axis
 NEAR = 1e-6  # [rad] a side belongs to this angle of the cam
@@ -125,8 +126,8 @@ def _draw_lines(
         if not held:
             continue
         k = next(k for k, phase in enumerate(program.phases) if phase.kind == family.kind)
-        others = family.at(np.linspace(program.starts[k], program.starts[k + 1], STEPS + 1))
-        board.lines(_strokes(placed, task, family, others), OTHER, weight=0.0, level=2)
+        others = family.at(np.linspace(program.starts[k], program.starts[k + 1], LINES + 1))
+        board.lines(_strokes(placed, task, family, others), OTHER, weight=FAINT, level=2)
         lines = family.at(np.array(held[:1]))
         strokes = _strokes(placed, task, family, lines)
         board.lines(strokes, LIMIT, level=6)

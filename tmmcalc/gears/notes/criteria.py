@@ -13,9 +13,9 @@ from tmmcalc.gears.criteria.size import orbits
 from tmmcalc.gears.criteria.speeds import speeds
 from tmmcalc.gears.criteria.wheels import Build, radii, stage_of, wheels
 from tmmcalc.gears.model import ToothSets
-from tmmcalc.gears.notes.letters import joined, layout_word, noted, short_train, teeth
+from tmmcalc.gears.notes.letters import joined, noted, short_train, teeth
 from tmmcalc.gears.pictures.front import draw_pareto
-from tmmcalc.gears.pictures.words import CRITERIA, short_name, teeth_text
+from tmmcalc.gears.pictures.words import CRITERIA, layout_word, short_name, teeth_text
 from tmmcalc.gears.scheme import CARRIER, Mesh
 from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.selection.solve import assumptions_of
