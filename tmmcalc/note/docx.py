@@ -47,6 +47,7 @@ ACROSS, ALONG = 175.0, 257.0  # widths of a table, and of one that is turned [mm
 LETTER, PADDING = 2.45, 4.5  # of a column: by letter, and between its texts and lines [mm]
 TWIPS = 1440 / 25.4  # to a mm
 CELLS = (12, 11, 10, 9)  # sizes of tables [pt], the first in which one fits; one that does not stands turned
+TOGETHER, ALONE = 12, 2  # rows: tables up to the first stay on one page, no fewer than these stand alone on one
 SPACES = {
     "w": "http://schemas.openxmlformats.org/wordprocessingml/2006/main",
     "m": "http://schemas.openxmlformats.org/officeDocument/2006/math",
@@ -178,9 +179,9 @@ def _run(text: str, size: float | None = None) -> str:
     return f'<w:r>{sized}<w:t xml:space="preserve">{escape(text)}</w:t></w:r>' if text else ""
 
 
-def _paragraph(runs: str, to: str = "left", style: str = "") -> str:
-    """A paragraph of single lines in a cell."""
-    styled = f'<w:pStyle w:val="{style}"/>' if style else ""
+def _paragraph(runs: str, to: str = "left", style: str = "", *, keeps: bool = False) -> str:
+    """A paragraph of single lines in a cell; one that ``keeps`` is on the page of what follows."""
+    styled = (f'<w:pStyle w:val="{style}"/>' if style else "") + "<w:keepNext/>" * keeps
     return f'<w:p><w:pPr>{styled}<w:spacing w:line="240" w:lineRule="auto"/><w:jc w:val="{to}"/></w:pPr>{runs}</w:p>'
 
 
@@ -329,7 +330,8 @@ class _Writer:
         chapter, dot, own = number.rpartition(".")
         before, after = self.marked(key) or ("", "")
         counted = _field("STYLEREF 1 \\s", chapter) if chapter.isdigit() else _run(chapter)
-        field = _field(f"SEQ {sequence} \\* ARABIC \\s 1" + (" \\r 1" if own == "1" else ""), own)
+        anew = f" \\r {own}" if own == "1" or not dot else ""  # without a chapter's number Word would begin anew
+        field = _field(f"SEQ {sequence} \\* ARABIC \\s 1{anew}", own)
         return f"{before}{counted}{_run(dot)}{field}{after}"
 
     def marked(self, key: str) -> tuple[str, ...]:
@@ -357,19 +359,12 @@ class _Writer:
         self.caption(grid.caption, "Table", "tab").paragraph_format.page_break_before = follows
         size = size or _size_of(grid, ALONG) or CELLS[-1]
         right = [numeric(column) for column in zip(*grid.rows, strict=True)]
-        rows = [
-            ("<w:tblHeader/>", [_paragraph(_runs(cell), "center", f"Cell{size}") for cell in grid.head]),
-            *(
-                (
-                    "",
-                    [
-                        _paragraph(_runs(cell), "right" if to else "left", f"Cell{size}")
-                        for cell, to in zip(row, right, strict=True)
-                    ],
-                )
-                for row in grid.rows
-            ),
-        ]
+        style, last = f"Cell{size}", len(grid.rows) - 1
+        rows = [("<w:tblHeader/>", [_paragraph(_runs(cell), "center", style, keeps=True) for cell in grid.head])]
+        for k, row in enumerate(grid.rows):
+            keeps = k < last and (last < TOGETHER or k < ALONE or k > last - ALONE)
+            cells = zip(row, right, strict=True)
+            rows.append(("", [_paragraph(_runs(c), "right" if to else "left", style, keeps=keeps) for c, to in cells]))
         self.add(_table(_widths(grid, size, ALONG if turned else ACROSS), rows, "TableGrid"))
         if not turned:
             self.found.add_paragraph()
