@@ -76,7 +76,7 @@ def rolling_blocks(of: Judging) -> Iterator[Block]:
     places = [of.row(row) for row in of.of.told.rows if of.found.touching[row]]
     worst = of.margin("no slip")
     if worst is not None and worst.phi is not None and worst.value is not None:
-        said += " " + tr("It is largest at φ = {angle}, where it is worked out too.", angle=shown_angle(worst.phi))
+        said += " " + tr("It is largest at $phi$ = {angle}, where it is worked out too.", angle=shown_angle(worst.phi))
         there = of.of.found(worst.phi, worst.value, lambda found: _slip_at(of, found))
         places.append(Place(at_angle(worst.phi), of.at(there, slip=worst.value)))
     yield Paragraph(said)
@@ -125,7 +125,8 @@ def contact(of: Judging, steel: CamMaterialTable | None) -> Iterator[Block]:
         yield from _permissible(steel)
     yield Paragraph(
         tr(
-            "The contact stress is largest at φ = {angle}; it is worked out there and in the positions that are shown.",
+            "The contact stress is largest at $phi$ = {angle}; it is worked out there and in the positions that are "
+            "shown.",
             angle=shown_angle(worst.phi),
         )
     )
