@@ -38,6 +38,11 @@ def deg(value: float, digits: int = 5) -> str:
     return f"{minus(number(float(f'{degrees(value):.5f}') + 0.0, digits))}°"
 
 
+def limit_name(kind: str) -> str:
+    """The permissible pressure angle of a phase: of a rise or of a return."""
+    return "$θ_{Pc}$" if kind == "return" else "$θ_P$"
+
+
 def design_name(design: Design, sense: int) -> str:
     """A design of the synthesis; at a given offset with this, in the user's sense."""
     names = {
