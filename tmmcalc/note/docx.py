@@ -22,6 +22,7 @@ from tmmcalc.note.tree import (
     Text,
     Title,
     Written,
+    leads,
     numeric,
     plain_text,
     widest,
@@ -47,6 +48,7 @@ ACROSS, ALONG = 175.0, 257.0  # widths of a table, and of one that is turned [mm
 LETTER, PADDING = 2.45, 4.5  # of a column: by letter, and between its texts and lines [mm]
 TWIPS = 1440 / 25.4  # to a mm
 CELLS = (12, 11, 10, 9)  # sizes of tables [pt], the first in which one fits; one that does not stands turned
+CLOSE = 1.15  # of the lines of the contents
 TOGETHER, ALONE = 12, 2  # rows: tables up to the first stay on one page, no fewer than these stand alone on one
 SPACES = {
     "w": "http://schemas.openxmlformats.org/wordprocessingml/2006/main",
@@ -280,6 +282,7 @@ class _Writer:
         for k, each in enumerate(self.titles):
             paragraph = self.found.add_paragraph() if k else first
             paragraph.paragraph_format.left_indent = Mm(6 * (each.level - 1))
+            paragraph.paragraph_format.line_spacing = CLOSE
             paragraph.paragraph_format.tab_stops.add_tab_stop(Mm(ACROSS), WD_TAB_ALIGNMENT.RIGHT, WD_TAB_LEADER.DOTS)
             said = _run(f"{each.number} ".lstrip()) + _runs(each.text) + "<w:r><w:tab/></w:r>"
             paragraph._p.extend(_elements(said + _field(f"PAGEREF {_bookmark(_heading(each))} \\h", "")))
@@ -302,6 +305,7 @@ class _Writer:
         paragraph = self.found.add_paragraph()
         paragraph.alignment = TO.JUSTIFY
         paragraph.paragraph_format.first_line_indent = Mm(0 if text.explains else INDENT)
+        paragraph.paragraph_format.keep_with_next = leads(text) or None
         paragraph._p.extend(_elements(_runs(text)))
 
     def add(self, text: str) -> None:

@@ -121,6 +121,12 @@ def plain_text(text: Text) -> str:
     )
 
 
+def leads(text: Text) -> bool:
+    """Whether a paragraph ends with a colon: what it leads to stands with it."""
+    last = text.parts[-1] if text.parts else ""
+    return isinstance(last, str) and last.rstrip().endswith(":")
+
+
 def widest(cells: Sequence[Text]) -> float:
     """The width of what cannot be broken in a column [em]: a word, or a formula with what is written to it."""
     return max(map(_unbroken, cells), default=0.0)
