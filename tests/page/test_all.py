@@ -17,6 +17,12 @@ OUTSIDE = """() => [...document.querySelectorAll("body *")].filter((each) => {
   const inner = each.closest("pre, svg, .unseen") !== null && !each.matches("pre, body > * svg.scene, .chart > svg");
   return !inner && box.width > 0 && (box.right > innerWidth + 0.5 || box.left < -0.5);
 }).map((each) => each.outerHTML.slice(0, 80))"""
+LEAST = 10.7  # pixels of the window that a letter is high, of an index 0.7 of them
+# letters of drawings that are smaller
+SMALL = """(least) => [...document.querySelectorAll("svg:not(.plane) text")].filter((each) => {
+  const m = each.getScreenCTM();
+  return each.getClientRects().length && Math.hypot(m.a, m.b) * parseFloat(getComputedStyle(each).fontSize) < least;
+}).map((each) => [each.textContent, each.closest("svg").getAttribute("class")])"""
 
 
 @pytest.mark.parametrize("name", [pytest.param(n, marks=() if n in QUICK else pytest.mark.slow) for n in SPECS])
@@ -30,6 +36,7 @@ def test_opens(name: str, open_page: Open) -> None:
             part.evaluate("(part) => { part.open = true; }")
         assert page.evaluate("document.scrollingElement.scrollWidth <= innerWidth"), page.evaluate(OUTSIDE)
         assert page.evaluate(OUTSIDE) == []
+        assert page.evaluate(SMALL, LEAST) == []
         if name in MOVING:
             assert page.locator("[data-view=kinematics] .spot").count() >= 2
             assert page.evaluate(LOST) == []

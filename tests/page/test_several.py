@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from page.conftest import Open
@@ -13,6 +14,9 @@ from page.test_diagrams import number
 
 CRANK = "mechanism.links[id=1].points.A[0]"
 LENGTHS = (0.08, 0.1, 0.12)
+# of every ghost what brings the axes of its bodies to pixels of the window
+GHOSTS = """() => [...document.querySelectorAll("[data-view=kinematics] .ghost")].map((ghost) =>
+  [...ghost.children].map((body) => { const m = body.getScreenCTM(); return [m.a, m.b, m.c, m.d, m.e, m.f]; }))"""
 
 
 @pytest.fixture(scope="module")
@@ -43,6 +47,30 @@ def test_the_swept_key_is_a_slider(swept: Path, open_page: Open) -> None:
         assert fit.error < 1e-3 * fit.size
         seen.append(number(found.page.locator(".chart button.value").first.inner_text()))
     assert len(set(seen)) == len(LENGTHS)
+
+
+def test_other_variants_are_ghosts(swept: Path, open_page: Open) -> None:
+    """They stand where the same variant does when it is shown itself, to the same scale."""
+    found = open_page(swept)
+    choice = found.page.locator(".variants input")
+
+    def chosen(k: int) -> None:
+        choice.evaluate("(each, k) => { each.value = String(k); each.dispatchEvent(new Event('input')); }", k)
+
+    chosen(1)
+    found.move(123.4)
+    ghosts = [[np.array(each) for each in machine] for machine in found.page.evaluate(GHOSTS)]
+    assert len(ghosts) == len(LENGTHS) - 1
+    for machine, k in zip(ghosts, (0, 2), strict=True):
+        chosen(k)
+        own = list(found.bodies().values())
+        assert len(own) == len(machine)
+        for ghost, body in zip(machine, own, strict=True):
+            np.testing.assert_allclose(ghost, body, rtol=0, atol=0.05)
+    box = found.page.locator("input[name=ghosts]")
+    assert box.is_checked()
+    box.click()
+    assert not found.page.locator(".ghosts").is_visible()
 
 
 def test_what_plays_ends_when_another_is_chosen(swept: Path, open_page: Open) -> None:

@@ -56,10 +56,10 @@ class PhaseVibration:
 
     kind: PhaseKind  # rise or return
     law: str
-    ratio: float = quantity("ratio_{phase}", "time of the phase over the natural period")
-    residual: float = quantity("residual_{phase}[{size}]", "amplitude after this phase alone, from rest")
+    ratio: float = quantity("ratio_{phase}", "time of the {phase} over the natural period")
+    residual: float = quantity("residual_{phase}[{size}]", "amplitude after the {phase} alone, from rest")
     relative: float  # the same over the stroke
-    steady: float = quantity("steady_{phase}[{size}]", "amplitude after this phase in the steady motion")
+    steady: float = quantity("steady_{phase}[{size}]", "amplitude after the {phase} in the steady motion")
 
 
 @record

@@ -64,10 +64,11 @@ class MotionExtreme:
 
     order: int  # 1: y', 2: y'', 3: y'''
     value: float = quantity(
-        "{coordinate}{order}_{extreme}[{slope}]", "extreme of the derivative by the angle of the cam"
+        "{coordinate}{order}_{extreme}[{slope}]", "extreme of derivative {order} by the angle of the cam: {extreme}"
     )
     phi: float = quantity(  # of the first place that has it
-        "{coordinate}{order}_{extreme}_at_phi[rad]", "angle of the cam where the derivative has its extreme"
+        "{coordinate}{order}_{extreme}_at_phi[rad]",
+        "angle of the cam where derivative {order} has its extreme: {extreme}",
     )
 
 

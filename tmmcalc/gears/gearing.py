@@ -33,11 +33,11 @@ class Drive:
     driver: str
     output: str
     ratio: Fraction  # w_driver/w_output
-    efficiency: float = quantity("eta_{way}", "efficiency; zero or negative: self-locking")
-    self_locking: bool = quantity("self_locking_{way}", "whether no load can be moved this way")
-    potential: float = quantity("rolling_{way}", "largest rolling power of a mesh to the power put in")
+    efficiency: float = quantity("eta_{way}", "efficiency, {way}; zero or negative: self-locking")
+    self_locking: bool = quantity("self_locking_{way}", "whether no load can be moved this way: {way}")
+    potential: float = quantity("rolling_{way}", "largest rolling power of a mesh to the power put in, {way}")
     formula: float | None = quantity(  # None: the train is of another kind
-        "eta_formula_{way}", "efficiency by the closed formula", source="table 4.6"
+        "eta_formula_{way}", "efficiency by the closed formula, {way}", source="table 4.6"
     )
     error: float  # of the efficiency, relative to it or to 1, whichever is larger
 

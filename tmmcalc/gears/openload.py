@@ -60,15 +60,15 @@ class OpenLoad:
     name: str = quantity("open_pair", "the open pair by its teeth")
     ratio: float = quantity("u_open", "ratio of the open pair, z_b/z_a")
     efficiency: float = quantity("eta_open", "efficiency of the open pair")
-    efficiency_of: str = quantity("eta_open_of", "where it comes from")
+    efficiency_of: str = quantity("eta_open_of", "where the efficiency of the open pair comes from")
     pinion_inertia: float = quantity("J_a[kg*m^2]", "inertia of the pinion about its own axis", source="(4.44)")
     gear_inertia: float = quantity("J_b[kg*m^2]", "inertia of the gear on the crank", source="(4.44)")
     inertia: float = quantity("J_open[kg*m^2]", "inertia of the open pair reduced to the crank")
-    inertia_of: str = quantity("J_open_of", "where it comes from")
+    inertia_of: str = quantity("J_open_of", "where the inertia of the open pair comes from")
     radius: float = quantity("r_w_b[m]", "operating pitch radius of the gear on the crank")
     angle: float = quantity("alpha_tw_b[rad]", "operating transverse pressure angle of the open pair")
     torque: float | None = quantity("T_b[N*m]", "largest torque on the gear on the crank")
-    torque_of: str = quantity("T_b_source", "where it comes from")
+    torque_of: str = quantity("T_b_source", "where the torque of the open pair comes from")
     lead: float  # tangent of the helix angle on the operating pitch circle
     strength: Strength | None  # at the given module and width
     error: OpenError

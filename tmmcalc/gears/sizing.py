@@ -45,7 +45,7 @@ class Torque:
     """The torque on wheel 1 and where it comes from."""
 
     value: float = quantity("T1[N*m]", "torque on wheel 1, of all branches")
-    source: str = quantity("T1_source", "where it comes from")  # GIVEN, MOMENT or REDUCTION
+    source: str = quantity("T1_source", "where the torque on wheel 1 comes from")  # GIVEN, MOMENT or REDUCTION
     moment: float | None = quantity("M_c_max[N*m]", "largest moment on the shaft that it is reduced to, max|M_c|")
     ratio: float | None = quantity("T1_ratio", "speed of wheel 1 over that of the shaft of the moment", symbol="u")
 

@@ -138,8 +138,10 @@ class OutputSummary:
         "stroke_{output}[{unit}]",
         "largest distance between dead centres of {output}, its longest stroke if it goes round",
     )
-    working_angle: float | None = quantity("working_{output}[rad]", "angle of the crank over the working stroke")
-    idle_angle: float | None = quantity("idle_{output}[rad]", "angle of the crank over the idle stroke")
+    working_angle: float | None = quantity(
+        "working_{output}[rad]", "angle of the crank over the working stroke of {output}"
+    )
+    idle_angle: float | None = quantity("idle_{output}[rad]", "angle of the crank over the idle stroke of {output}")
     time_ratio: float | None = quantity("K_{output}", "ratio of the times of the strokes of {output}", symbol="K")
     velocity: tuple[Extreme, Extreme] = quantity("vS_{output}[{unit}/s]", "velocity of output {output}")
     acceleration: tuple[Extreme, Extreme] = quantity("aS_{output}[{unit}/s^2]", "acceleration of output {output}")

@@ -16,10 +16,48 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmmcalc.core.columns import Column
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.quantity import Quantity
 from tmmcalc.manipulators.results import Manipulator
 
 AXES = "xyz"
+
+TOLD = (
+    Quantity("t[s]", "time"),
+    Quantity("s[m]", "way along the path"),
+    Quantity("v[m/s]", "speed along the path"),
+    Quantity("a[m/s^2]", "tangential acceleration along the path"),
+    *(
+        Quantity(f"{prefix}{axis}[{unit}]", Phrase(meaning, axis=axis))
+        for prefix, unit, meaning in (
+            ("", "m", "coordinate {axis} of the gripper"),
+            ("v", "m/s", "velocity of the gripper along {axis}"),
+            ("a", "m/s^2", "acceleration of the gripper along {axis}"),
+        )
+        for axis in AXES
+    ),
+    *(Quantity(f"{axis}_E[m]", Phrase("coordinate {axis} of the elbow", axis=axis)) for axis in AXES),
+    Quantity("psi[deg]", "angle of the base"),
+    Quantity("omega_1[rad/s]", "angular velocity of the base"),
+    Quantity("eps_1[rad/s^2]", "angular acceleration of the base"),
+    Quantity("phi_2[deg]", "angle of the arm above the horizontal"),
+    Quantity("omega_2[rad/s]", "angular velocity of the arm"),
+    Quantity("eps_2[rad/s^2]", "angular acceleration of the arm"),
+    Quantity("phi_3[deg]", "angle of the forearm above the horizontal"),
+    Quantity("omega_3[rad/s]", "angular velocity of the forearm"),
+    Quantity("eps_3[rad/s^2]", "angular acceleration of the forearm"),
+    Quantity("elbow[deg]", "angle between upper arm and forearm"),
+    Quantity("l_3[m]", "extension of the arm"),
+    Quantity("v_3[m/s]", "velocity of the extension"),
+    Quantity("a_3[m/s^2]", "acceleration of the extension"),
+    Quantity("h[m]", "height of the arm"),
+    Quantity("v_h[m/s]", "velocity of the lift"),
+    Quantity("a_h[m/s^2]", "acceleration of the lift"),
+    Quantity("r[m]", "reach of the arm"),
+    Quantity("v_r[m/s]", "velocity of the reach"),
+    Quantity("a_r[m/s^2]", "acceleration of the reach"),
+)
 
 
 def manipulator_columns(result: Manipulator) -> list[Column]:

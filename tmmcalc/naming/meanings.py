@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
+from importlib import import_module
 from inspect import getmodule
 from string import Formatter
 
@@ -13,6 +15,18 @@ from tmmcalc.core.stage import STAGES
 from tmmcalc.naming.language import ANY
 
 AXES = ("x", "y")  # what stands in a place of this name
+WORDS = {  # all that may stand in places of these names
+    "axis": AXES,
+    "coordinate": ("S", "psi"),
+    "spring": ("Q", "M"),
+    "kind": ("steps", "least"),
+    "height": ("H2", "l0"),
+    "start": ("S0", "R0"),
+    "shafts": ("crankshaft", "shafts"),
+}
+PREFIX = "prefix"  # a place of this name is empty or ends with _
+SOME = re.compile(r"\{\w+\}")  # a unit that is a place alone: there may be none
+LONG = ("phase", "cause", "shaft", "plan", "way")  # words in these places may have _ themselves
 
 
 @cache
@@ -27,13 +41,17 @@ def described(stage: str, column: bool) -> Callable[[str, str], tuple[str, str]]
     """
     own = STAGES[stage]
     every = [each for kind in own.kinds for each in given_out(kind)]
+    if not column:
+        facts = import_module(own.facts)  # what the document alone tells, with the modules that it imports late
+        for module in (facts, *map(import_module, getattr(facts, "FURTHER", ()))):
+            every += standing_in(module)
     if column and (columns := own.part("columns")):
         every += standing_in(getmodule(columns))
         every += [each._replace(key=each.header) for each in every if each.header]
     plain = {(each.name, each.unit): each for each in reversed(every)}  # of records within others the outer says it
     names = {each.name: each for each in reversed(every)}
     # what has most words of its own first: v{axis}_{point} before {axis}_{point}
-    forms = [each for each in every if "{" in each.name and (_literal(each.name) or "{axis}" in each.name)]
+    forms = [each for each in every if "{" in each.name and (_literal(each.name) or _closed(each.name))]
     forms.sort(key=lambda each: -_literal(each.name))
 
     def found(name: str, unit: str) -> tuple[str, str]:
@@ -45,7 +63,8 @@ def described(stage: str, column: bool) -> Callable[[str, str], tuple[str, str]]
             of_name, of_unit = _places(each.name, name), _units(each.unit, unit)
             if of_name is None or of_unit is None:
                 continue
-            if column or not any("_" in word for word in of_name.values()):  # of S_{output} no fact is S_D_min
+            words = [word for place, word in of_name.items() if place not in (PREFIX, "moment", *LONG)]
+            if column or not any("_" in word for word in words):  # of S_{output} no fact is S_D_min
                 return _filled(each, {**of_unit, **of_name})
         return "", ""
 
@@ -56,8 +75,13 @@ def _units(form: str, unit: str) -> dict[str, str] | None:
     """The words in the places of a unit; a value may be told in the unit of people."""
     if unit == ANY:
         return {}
-    found = _places(form, unit)
+    found = _places(form, unit) if unit or not SOME.fullmatch(form) else {}
     return {} if found is None and (form, unit) in FORMS else found
+
+
+def _closed(form: str) -> bool:
+    """Whether one of its places has few words."""
+    return any(f"{{{place}}}" in form for place in WORDS)
 
 
 def _literal(form: str) -> int:
@@ -66,7 +90,10 @@ def _literal(form: str) -> int:
 
 def _filled(form: Quantity, places: Mapping[str, str]) -> tuple[str, str]:
     """Meaning and symbol with the names of the scene; a symbol has braces of its own."""
-    meaning = Phrase(form.meaning, **places) if "{" in form.meaning else form.meaning
+    words = {place: word.replace("_", " ") if place in LONG else word for place, word in places.items()}
+    meaning = Phrase(form.meaning, **words) if "{" in form.meaning else form.meaning
+    if prefix := places.get(PREFIX, "").removesuffix("_"):
+        meaning = Phrase("{quantity}: {word}", quantity=meaning, word=prefix)
     return meaning, form.symbol if "{" not in form.symbol else ""
 
 
@@ -88,8 +115,10 @@ def _matched(parts: Sequence[tuple[str, str | None]], text: str) -> dict[str, st
     text = text[len(words) :]
     if place is None:
         return _matched(rest, text)
-    for end in range(1, len(text) + 1):
+    for end in range(place != PREFIX, len(text) + 1):
+        if place == PREFIX and end and text[end - 1] != "_":
+            continue
         found = _matched(rest, text[end:])
         if found is not None:
-            return {place: text[:end], **found} if place != "axis" or text[:end] in AXES else None
+            return {place: text[:end], **found} if text[:end] in WORDS.get(place, (text[:end],)) else None
     return None

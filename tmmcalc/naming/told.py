@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from math import isnan, nan
 from typing import Any
@@ -10,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.facts import labelled, named
+from tmmcalc.core.facts import Labelled, labelled, named
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import STAGES
@@ -23,6 +24,17 @@ from tmmcalc.naming.table import Table, columns_of, table_of
 
 MEANT = {"at_max": "where it is largest", "at_min": "where it is smallest", "at_size": "where its magnitude is largest"}
 CHOICE = "by choice"
+EXTREME = re.compile(
+    r"(.+)_(min|max|rms|start|end)(_at(?:_(\w+))?)?"
+)  # name of a fact: quantity, extreme, place, what it is of
+EXTREMES = {
+    "min": "{quantity}: least value",
+    "max": "{quantity}: greatest value",
+    "rms": "{quantity}: root mean square",
+    "start": "{quantity}: value at the beginning",
+    "end": "{quantity}: value at the end",
+}
+PLACES = {"min": "{quantity}: {place} at the least value", "max": "{quantity}: {place} at the greatest value"}
 
 
 @record
@@ -192,12 +204,12 @@ def _chosen(stage: str, each: Chosen) -> Told:
 
 def _facts(stage: str, result: Any, names: tuple[Name, ...] | None = None) -> Iterator[Told]:
     """Its facts under these names (None: all), each once: of one in several parts of the summary the last."""
-    known, found = described(stage, column=False), dict[str, Told]()
-    for name, (value, unit), label in labelled(stage, result):
-        if names is not None and not _fitting(names, stage, name, unit):
+    found = dict[str, Told]()
+    for each in labelled(stage, result):
+        if isinstance(each.value, str) or (names is not None and not _fitting(names, stage, each.name, each.unit)):
             continue
-        meaning, symbol = _of_fact(known, name.rpartition(".")[2], unit)
-        found[f"{name}[{unit}]"] = Told(stage, name, value, unit, "", error_meaning(name) or meaning or label, symbol)
+        told = meant(stage, each)
+        found[f"{each.name}[{each.unit}]"] = Told(stage, each.name, float(each.value), each.unit, "", *told)
     yield from found.values()
 
 
@@ -208,13 +220,50 @@ def _fitting(names: tuple[Name, ...], stage: str, fact: str, unit: str) -> tuple
     return tuple(name for name in names if name.fits(own))
 
 
-def _of_fact(known: Callable[[str, str], tuple[str, str]], name: str, unit: str) -> tuple[str, str]:
-    """Meaning and symbol of a fact; of a place, ``R_A_max_at_phi``, by what stands there."""
-    found = known(name, unit)
+def meant(stage: str, fact: Labelled) -> tuple[str, str]:
+    """Meaning and symbol of a fact: as it is declared, else of what it is an extreme or a place, else by its label."""
+    if meaning := error_meaning(fact.name):
+        return meaning, ""
+    name, unit = fact.own, fact.unit
+    known = described(stage, column=False)
+    meaning, symbol = known(name, unit)
+    if not meaning:
+        meaning = _of_extreme(stage, name) or _of_place(stage, name)
+    if fact.within and meaning != fact.label:
+        label = fact.label
+        if fact.apart:
+            label = Phrase("{quantity}, {word}", quantity=label, word=fact.within.rpartition(".")[2])
+        return Phrase("{quantity}: {word}", quantity=label, word=meaning or name), symbol
+    if not meaning and (found := EXTREME.fullmatch(name)):
+        return _extreme(fact.label, found, stage), symbol
+    return meaning or fact.label, symbol
+
+
+def _of_extreme(stage: str, name: str) -> str:
+    """An extreme of a quantity that is declared, or its place, as R_A_max, R_A_max_at_phi; empty for others."""
+    found = EXTREME.fullmatch(name)
+    meaning = found and (
+        described(stage, column=False)(found[1], ANY)[0] or described(stage, column=True)(found[1], ANY)[0]
+    )
+    return _extreme(meaning, found, stage) if found and meaning else ""
+
+
+def _extreme(quantity: str, found: re.Match[str], stage: str) -> str:
+    if not found[3] or found[2] not in PLACES:
+        return Phrase(EXTREMES[found[2]], quantity=quantity)
+    return Phrase(PLACES[found[2]], quantity=quantity, place=_place(stage, found[4] or "t"))
+
+
+def _of_place(stage: str, name: str) -> str:
+    """Of a place by what stands there: amplification_max_at_phi."""
     of, at, along = name.rpartition("_at_")
-    if at and not found[0] and (meaning := known(of, ANY)[0]):
-        return Phrase("{quantity}: {place} there", quantity=meaning, place=along), ""
-    return found
+    meaning = described(stage, column=False)(of, ANY)[0] if at else ""
+    return Phrase("{quantity}: {place} there", quantity=meaning, place=_place(stage, along)) if meaning else ""
+
+
+def _place(stage: str, along: str) -> str:
+    """What a place is counted by in words: the meaning of the column."""
+    return described(stage, column=True)(along, ANY)[0] or along
 
 
 def _ordinary(

@@ -18,7 +18,9 @@ from tmmcalc.note.tree import (
     Text,
     Title,
     Written,
+    numeric,
     plain_text,
+    widest,
 )
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.reach import trimmed
@@ -28,7 +30,7 @@ from tmmcalc.report.formula.digits import RESULT, Given, Worked, result_of, sign
 from tmmcalc.report.formula.layout import Box, Gap, Row, Word
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
-from tmmcalc.report.formula.tree import Name, Node, Statement, mapped, names
+from tmmcalc.report.formula.tree import Name, Node, Over, Statement, Sum, mapped, names
 from tmmcalc.report.language import possessive, several, tr, tr_unit
 from tmmcalc.report.manuscript import (
     Block,
@@ -47,10 +49,15 @@ from tmmcalc.report.manuscript import (
     Verbatim,
 )
 from tmmcalc.report.printing import ANSWERS, FULL, SHORT, printed_as
+from tmmcalc.report.telling import folded
 
 REFERENCE = re.compile(r"\{((?:tab|eq|fig):\w+)\}")
 COUNTER = re.compile(r"(?<=_)(\w*)i(?=\^|$)|(?<=,)i(?=\})")
 LENGTHS = ("m", "mm")
+
+LONG = 20  # rows of a table that is folded where it is narrow
+WIDE, SMALL, CELL = 175.0, 9.0 * 25.4 / 72.0, 2.4  # of a page, of a letter M of a table, beside letters of a cell [mm]
+MANY, FIRST = 8, 3  # terms of a sum over an index: up to which all are shown, and those of a longer one before its last
 
 
 class Checked(NamedTuple):
@@ -77,6 +84,7 @@ class Assembler:
         self._parts = [0, 0]  # how many of levels 2 and 3 there were
         self._counts: Counter[tuple[str, str]] = Counter()  # of tables, figures and formulas by chapter
         self._explained: dict[str, tuple[str, str]] = {}  # meaning and unit of a name
+        self._told: dict[tuple[str, Statement], str] = {}  # numbers of the formulas of each chapter
 
     def written(self, chapters: Iterable[Chapter]) -> list[Written]:
         """What is written of these chapters, references in their texts replaced by numbers.
@@ -90,8 +98,8 @@ class Assembler:
                 found += [self._chapter(chapter), *self._written(blocks)]
         return [_referred(each, self._numbers) for each in found]
 
-    def _written(self, blocks: Iterable[Block]) -> Iterator[Written]:
-        for block in blocks:
+    def _written(self, blocks: Sequence[Block]) -> Iterator[Written]:
+        for block in _folded(blocks):
             match block:
                 case Heading(text, level):
                     yield self._title(text, level)
@@ -138,21 +146,34 @@ class Assembler:
         return number
 
     def _line(self, line: Line) -> Iterator[Written]:
-        """The formula, what its letters are, its numbers at each place; those that are one everywhere go on from it."""
+        """The formula, what its letters are, its numbers at each place; those that are one everywhere go on from it.
+
+        One that the chapter has told already, of the same quantities, stands with its numbers alone.
+        """
         left, right = line.formula.sides
         letters = setting.side(left), setting.side(right)
-        number = self._numbered("eq", line.key)
+        where = [*self._where(line)]
+        known = None if where else self._told.get((self._prefix, line.formula))
+        number = known or self._numbered("eq", line.key)
+        self._told[self._prefix, line.formula] = number
+        if known and line.key:
+            self._numbers[f"eq:{line.key}"] = known
         places = line.places[: 1 if self.depth == SHORT else None]
         found = [self._numbers_of(line, place) for place in places]
         own = {plain(setting.side(_indexed(left, place.index))) for place in places}
         if own == {plain(letters[0])} and len(set(found)) == 1 and (len(places) > 1 or not places[0].name):
+            if known:
+                yield Equation((letters[0], *found[0]), lead=tr("by ({number})", number=known))
+                return
             yield Equation((*letters, *found[0]), number, key=line.key)
-            yield from self._where(line)
+            yield from where
             return
-        yield Equation(letters, number, key=line.key)
-        yield from self._where(line)
+        if not known:
+            yield Equation(letters, number, key=line.key)
+            yield from where
         for place, parts in zip(places, found, strict=True):
-            yield Equation((setting.side(_indexed(left, place.index)), *parts), lead=place.name)
+            lead = ", ".join(each for each in (place.name, known and tr("by ({number})", number=known)) if each)
+            yield Equation((setting.side(_indexed(left, place.index)), *parts), lead=lead)
 
     def _numbers_of(self, line: Line, place: Place) -> tuple[Row, ...]:
         """The right side with the numbers of a place, and the result; the result alone where they are one."""
@@ -161,7 +182,7 @@ class Assembler:
         assert isinstance(given.value, float)
         found = worked(right, place.lexicon, given.value, unit=given.unit, digits=line.digits)
         self.lines.append(Checked(line.formula, place.name, found))
-        numbers = setting.side(found.tree, found.shown)
+        numbers = _summed(found) if isinstance(right, Over) else setting.side(found.tree, found.shown)
         result = with_unit(found.result, given.unit)
         same = not found.shown or plain(numbers) == plain(result.boxes[0])
         return (*(() if same else (numbers,)), result, *_converted(given))
@@ -189,6 +210,35 @@ class Assembler:
             parts += [" – ", *inline(said).parts, *([f", {shown_unit(unit)}"] if unit else [])]
         if parts:
             yield Text((*parts, "."), explains=True)
+
+
+def _summed(found: Worked) -> Row:
+    """The numbers of a sum over an index: of many terms the first ones and the last, for all stand in a table."""
+    tree, more = found.tree, "…"
+    if isinstance(tree, Sum) and len(tree.terms) > MANY:
+        tree = Sum((*tree.terms[:FIRST], (1, Name(more)), tree.terms[-1]))
+    return setting.side(tree, {**found.shown, more: Shown(more)})
+
+
+def _folded(blocks: Sequence[Block]) -> Iterator[Block]:
+    """The blocks; a long table of numbers that leaves half of the page free is folded, but beside another one."""
+    for before, block, after in zip((None, *blocks), blocks, (*blocks[1:], None), strict=False):
+        if isinstance(block, Table) and len(block.rows) >= LONG and 2 * (wide := _width(block)) <= WIDE:
+            others = (each for each in (before, after) if isinstance(each, Table))
+            if _numeric(block) and not any(wide + _width(each) <= WIDE for each in others):
+                yield folded(block, 2)
+                continue
+        yield block
+
+
+def _numeric(table: Table) -> bool:
+    return all(numeric([inline(cell) for cell in column]) for column in zip(*table.rows, strict=True))
+
+
+def _width(table: Table) -> float:
+    """About how wide a table is in small letters [mm]."""
+    columns = zip(table.head, *table.rows, strict=True)
+    return sum(widest([inline(cell) for cell in column]) * SMALL + CELL for column in columns)
 
 
 def _both(key: str, lexicon: Lexicon) -> Iterator[str]:

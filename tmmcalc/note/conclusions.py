@@ -37,6 +37,9 @@ def _blocks(results: Sequence[Result], warnings: Sequence[str]) -> Iterator[Bloc
     told = list(_once(warnings))
     parts = [each.value / each.limit for each in told if isinstance(each, Note) and each.value and each.limit]
     failing = [each for each in results if _kept(each) is False and not _warned(each, parts)]
+    kept = [each for each in map(_kept, results) if each is not None]
+    if kept and all(kept):
+        yield Paragraph(tr("All limits in the table are kept."))
     if failing:
         yield Paragraph(tr("Limits that are not kept:"))
         yield points([_sentence(each) for each in failing])

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import cache
 from typing import NamedTuple
 
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.breaking import width
 from tmmcalc.report.formula.layout import Box, Row
 from tmmcalc.report.formula.plain import plain
+from tmmcalc.report.language import speaking, spoken, tr_unit
+from tmmcalc.spec.dimensions import UNITS
 
 LETTER = 0.53  # of an em, of words
 NUMERIC = re.compile(r"[-−+–\d.,  \u202f%°]*")  # what a cell of numbers has
@@ -125,6 +128,24 @@ def leads(text: Text) -> bool:
     """Whether a paragraph ends with a colon: what it leads to stands with it."""
     last = text.parts[-1] if text.parts else ""
     return isinstance(last, str) and last.rstrip().endswith(":")
+
+
+def tied(text: str) -> str:
+    """A text whose lines begin neither with a dash, nor with an equals sign, nor with the unit of a number.
+
+    >>> tied("l – length; 0.02 (m/s)/mm, 3 positions").replace("\u00a0", "~")
+    'l~– length; 0.02~(m/s)/mm, 3 positions'
+    """
+    return _loose(spoken()).sub("\u00a0", text)
+
+
+@cache
+def _loose(language: str) -> re.Pattern[str]:
+    """A space at which no line ends; a text that begins with a unit goes on from a formula."""
+    names = {name for units in UNITS.values() for unit in units for name in re.findall("[A-Za-z]+", unit)}
+    with speaking(language):
+        either = "|".join(sorted(names | set(map(tr_unit, names)), key=len, reverse=True))
+    return re.compile(rf" (?=[–—] )|(?<==) | (?== )|(?:(?<=\d)|^) (?=%|\(?(?:{either})(?!\w))")
 
 
 def widest(cells: Sequence[Text]) -> float:

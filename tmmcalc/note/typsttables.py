@@ -28,10 +28,10 @@ def has_room(grid: Grid, wide: float) -> bool:
     return _stands(grid) == "whole" and _width_at(grid, SMALL[0]) + GAP + wide <= WIDE
 
 
-def set_pictured(grid: Grid, picture: str, wide: float) -> str:
+def set_pictured(grid: Grid, picture: str, wide: float, *, stays: bool) -> str:
     """A table with a picture at its right hand."""
     own = WIDE - GAP - wide
-    return f"#floated(stood(({own:g}mm, {wide:g}mm), {_grid(grid, SMALL[0], own)}, {picture}))"
+    return _floated(grid, f"stood(({own:g}mm, {wide:g}mm), {_grid(grid, SMALL[0], own)}, {picture})", stays=stays)
 
 
 def floating(group: Sequence[object], *, waits: bool) -> bool:
@@ -45,8 +45,8 @@ def floating(group: Sequence[object], *, waits: bool) -> bool:
     return waits and numbered is not None and rows <= MOST and _size_of(grids, SMALL) > 0
 
 
-def set_tables(grids: Sequence[Grid], *, floats: bool) -> str:
-    """Tables beside each other, or one, in letters as small as they need.
+def set_tables(grids: Sequence[Grid], *, floats: bool, stays: bool) -> str:
+    """Tables beside each other, or one, in letters as small as they need; one that ``stays`` floats no more.
 
     A short table stands where it is told of, a longer one whole where there is room, one of many rows over pages; one
     that is too wide in small letters stands turned on a page of its own.
@@ -58,7 +58,11 @@ def set_tables(grids: Sequence[Grid], *, floats: bool) -> str:
     shares = [_width_at(each, size) + free for each in grids]
     tables = [_grid(each, size, wide) for each, wide in zip(grids, shares, strict=True)]
     stood = f"stood(({', '.join(f'{wide:g}mm' for wide in shares)}), {', '.join(tables)})" if tables[1:] else tables[0]
-    return f"#floated({stood})" if floats else f"#{stood}"
+    return _floated(grids[0], stood, stays=stays) if floats else f"#{stood}"
+
+
+def _floated(first: Grid, stood: str, *, stays: bool) -> str:
+    return f"#floated({label('tab', first.caption)}, {str(stays).lower()}, {stood})"
 
 
 def _stands(grid: Grid) -> str:

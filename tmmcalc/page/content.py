@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -11,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.facts import named
-from tmmcalc.core.notes import graded
+from tmmcalc.core.facts import Labelled, labelled, named
+from tmmcalc.core.notes import Phrase, graded
 from tmmcalc.core.stage import STAGES, arguments, of_scene
 from tmmcalc.naming.table import Values, table_of
-from tmmcalc.naming.told import Extent, Told, listed
+from tmmcalc.naming.told import Extent, listed, meant
 from tmmcalc.note.assembled import inline
 from tmmcalc.note.tree import plain_text
 from tmmcalc.page.packing import ERROR, Block
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from tmmcalc.report.drawing.order import Order
 
 POSITIONS = 360  # that a page solves of its own
+ENGLISH = re.compile(r"[a-z]{4,}")  # a word that is no symbol
 ROWS = 1000  # of a longer table so many are shown, and those of extremes
 
 Indices = NDArray[np.intp]
@@ -69,7 +71,7 @@ def _scene(variant: Variant, block: Block, positions: int, *, planned: bool) -> 
     inputs = {(view["room"], view["column"]) for view in views}
     return {
         "name": variant.name,
-        "stages": [_stage(stage, run, dense, inputs, block) for stage in run.outcomes],
+        "stages": [_stage(stage, variant, dense, inputs, block) for stage in run.outcomes],
         "given": _given(run),
         "source": variant.source,
         "views": views,
@@ -94,20 +96,21 @@ def _dense(run: RunResult, positions: int) -> Content:
 
 
 def _stage(
-    name: str, run: RunResult, dense: Mapping[str, Any], inputs: Container[tuple[str, str]], block: Block
+    name: str, variant: Variant, dense: Mapping[str, Any], inputs: Container[tuple[str, str]], block: Block
 ) -> Content:
     """A stage: facts of the run, columns over many positions where it has them, warnings, errors.
 
     Its rows go along one of the ``inputs`` of views, each a room and a column, where they have it.
     """
+    _, run, source = variant
     stage, result = STAGES[name], run.results[name]
-    facts = [_fact(each) for each in listed(name, result) if isinstance(each, Told) and math.isfinite(each.value)]
+    facts = {f"{each.name}[{each.unit}]": _fact(name, each) for each in labelled(name, result) if _told(each, source)}
     errors = {key: each for key, each in run.outcomes[name].record.error.items() if isinstance(each, float) and each}
     return {
         "name": name,
         "room": _room(name),
         "title": name_of(stage.title),
-        "facts": facts,
+        "facts": [*facts.values()],
         **_table(name, dense.get(name, result), inputs, block),
         "warnings": [name_of(graded(each)[1]) for each in warnings_of(run, [name])],
         "errors": [[name_of(key), float(f"{each:.3g}")] for key, each in errors.items()],
@@ -119,13 +122,25 @@ def _room(name: str) -> str:
     return STAGES[name].home.split(".")[1]
 
 
-def _fact(told: Told) -> Content:
+def _told(fact: Labelled, source: str) -> bool:
+    """Whether a page tells it: a number; a word that is said in all languages, or stands in the spec."""
+    if not isinstance(fact.value, str):
+        return math.isfinite(fact.value)
+    said = name_of(fact.value)
+    return bool(fact.value) and (isinstance(said, list) or not ENGLISH.search(fact.value) or fact.value in source)
+
+
+def _fact(stage: str, fact: Labelled) -> Content:
+    """A fact; a truth value stays one, a word is said in all languages."""
+    meaning, symbol = meant(stage, fact)
+    if fact.part:
+        meaning = Phrase("{quantity}: {word}", quantity=fact.part, word=meaning)
     return {
-        "name": told.quantity,
-        "symbol": told.symbol,
-        "meaning": name_of(told.meaning),
-        "value": told.value,
-        "unit": unit_of(told.unit),
+        "name": fact.name,
+        "symbol": symbol,
+        "meaning": name_of(meaning),
+        "value": name_of(fact.value) if isinstance(fact.value, str) else fact.value,
+        "unit": unit_of(fact.unit),
     }
 
 
@@ -272,6 +287,24 @@ def _trial(same: Sequence[Trial], block: Block) -> Content:
             }
             for k, shown in enumerate(trial.shown)
         ],
+        "conditions": [
+            {**condition._asdict(), "text": alike([each.conditions[k].text for each in same])}
+            for k, condition in enumerate(trial.conditions)
+        ],
+        "sketch": {
+            **trial.sketch._asdict(),
+            "title": alike([each.sketch.title for each in same]),
+            "bodies": [
+                {
+                    **body._asdict(),
+                    "half": [piece._asdict() for piece in body.half],
+                    "worked": body.worked._asdict(),
+                    "beyond": alike([each.sketch.bodies[k].beyond for each in same]),
+                }
+                for k, body in enumerate(trial.sketch.bodies)
+            ],
+            "marks": [mark._asdict() for mark in trial.sketch.marks],
+        },
     }
 
 

@@ -2,9 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 from tmmcalc.report.language import LANGUAGES, speaking, tr, tr_name, tr_unit
+
+GREEK = {
+    **dict(zip(("alpha", "beta", "gamma", "delta", "eps", "zeta", "eta", "theta"), "αβγδεζηθ", strict=True)),
+    **dict(
+        zip(
+            ("lambda", "mu", "nu", "xi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega"),
+            "λμνξρστφχψω",
+            strict=True,
+        )
+    ),
+}
+LETTER = re.compile(rf"(?<![^\W_])(?:{'|'.join(GREEK)})(?![a-z])")
 
 Said = str | list[str]
 
@@ -24,8 +37,8 @@ def alike(texts: list[str]) -> Said:
 
 
 def name_of(text: str) -> Said:
-    """A text that the program says elsewhere: a meaning, a warning."""
-    return said(lambda: tr_name(text))
+    """A text that the program says elsewhere: a meaning, a warning; names of Greek letters become these."""
+    return said(lambda: LETTER.sub(lambda found: GREEK[found[0]], tr_name(text)))
 
 
 def unit_of(unit: str) -> Said:
@@ -60,12 +73,15 @@ def _words() -> dict[str, str]:
         "flawed": tr("within the tolerated contour only"),
         "outside": tr("outside the contour"),
         "least": tr("at least {low}"),
+        "absent": tr("there is no such pair: {why}"),
+        "useless": tr("the pair cannot work: {why}"),
         "show": tr("Show"),
         "paths": tr("Paths"),
         "numbers": tr("Numbers of links"),
         "names": tr("Names of points"),
         "masses": tr("Centres of mass"),
         "centres": tr("Instant centres"),
+        "ghosts": tr("Other variants"),
         "diagrams": tr("Diagrams"),
         "add": tr("Add a diagram"),
         "remove": tr("Take away"),
@@ -90,5 +106,7 @@ def _words() -> dict[str, str]:
         "precision": tr("Numbers of diagrams are stored with a relative error of {error}; results are whole."),
         "arrow": tr("1 cm: {value}"),
         "none": tr("nothing is found"),
+        "yes": tr("yes"),
+        "no": tr("no"),
         "drag": tr("Drag a link, or turn the input by the arrow keys."),
     }

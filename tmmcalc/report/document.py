@@ -23,6 +23,7 @@ class Fact:
     label: str
     text: str
     values: Mapping[str, Any] = field(default_factory=dict)
+    meaning: str = ""  # of its values, where no quantity declares it and the label alone says too little
 
 
 @record

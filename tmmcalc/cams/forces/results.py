@@ -54,7 +54,7 @@ class SpringFound:
     method: str = quantity("method", "how the spring is found: none, given, safety or preload")
     stiffness: float = quantity("c[{rate}]", "stiffness of the return spring")
     preload: float = quantity("{spring}0[{force}]", "preload of the spring at the lowest position")
-    highest: float = quantity("{spring}_max[{force}]", "force of the spring at the highest position")
+    highest: float = quantity("{spring}_max[{force}]", "force of the spring {spring} at the highest position")
     asked: float | None = quantity("K1", "safety of the contact that is asked for", symbol="K_1")
     lifting: float | None = quantity(  # None: nothing lifts off
         "{load}_M[{force}]", "largest force of inertia and weight that lifts off"

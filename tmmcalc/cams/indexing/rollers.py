@@ -26,7 +26,7 @@ class RollerLimit:
     """The radius [m] below which a roller works; None: any."""
 
     name: str
-    radius: float | None = quantity("r_max: {limit}[m]", "radius below which a roller works")
+    radius: float | None = quantity("r_max: {limit}[m]", "radius below which a roller works: {limit}")
     part: float | None = None  # k, where it is that of one place
 
 

@@ -56,7 +56,7 @@ class Reached:
         """Of the least."""
         return self.least.value
 
-    @derived("theta_{phase}_min_at_phi[rad]", "angle of the cam at the least pressure angle")
+    @derived("theta_{phase}_min_at_phi[rad]", "angle of the cam at the least pressure angle on the {phase}")
     def theta_min_phi(self) -> float:
         """Of the least."""
         return self.least.phi
@@ -66,7 +66,7 @@ class Reached:
         """Of the largest."""
         return self.largest.value
 
-    @derived("theta_{phase}_max_at_phi[rad]", "angle of the cam at the largest pressure angle")
+    @derived("theta_{phase}_max_at_phi[rad]", "angle of the cam at the largest pressure angle on the {phase}")
     def theta_max_phi(self) -> float:
         """Of the largest."""
         return self.largest.phi

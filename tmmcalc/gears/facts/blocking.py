@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from tmmcalc.core.notes import Phrase, listed
-from tmmcalc.core.quantity import components, keyed
+from tmmcalc.core.quantity import Quantity, components, keyed
 from tmmcalc.gears.facts.meshes import distinct, places
 from tmmcalc.gears.involute.contour.task import LINES
 from tmmcalc.gears.meshing.contours import UNBOUNDED, Area, Blocking, ContourLine, ContourPoint, Outline, PairContour
@@ -118,11 +118,15 @@ def _pieces(area: Area) -> str:
     return f"and {count} piece{'s' if count > 1 else ''} apart from it, area {number(size, 3)}"
 
 
+AREA = Quantity("area_{contour}", "area of the {contour} contour")
+BEST = Quantity("eps_alpha_max_{contour}", "largest contact ratio within the {contour} contour")
+
+
 def _area_values(kind: str, area: Area) -> dict[str, Any]:
     return {
-        f"area_{kind}": area.main.area if area.main is not None else 0.0,
+        AREA.of(contour=kind).key: area.main.area if area.main is not None else 0.0,
         f"pieces_{kind}": [piece.area for piece in area.pieces],
-        f"eps_alpha_max_{kind}": area.best_contact_ratio,
+        BEST.of(contour=kind).key: area.best_contact_ratio,
     }
 
 
@@ -149,6 +153,15 @@ def _interval_fact(pair: PairContour) -> Fact:
 def _line(key: str) -> str:
     """A line in words."""
     return LINES[key][1] if key in LINES else key
+
+
+MARGINS = (
+    Quantity("undercut{wheel}", "undercut of wheel {wheel}"),
+    Quantity("interference{wheel}", "interference of wheel {wheel}"),
+    Quantity("tolerated{wheel}", "tolerated undercut of wheel {wheel}"),
+    Quantity("thickness{wheel}", "tip thickness of wheel {wheel}"),
+    Quantity("contact_ratio", "contact ratio"),
+)
 
 
 def _margins_fact(pair: PairContour) -> Fact:

@@ -25,7 +25,10 @@ BEST = 3  # trains of the ranking that are named
 DIGITS = 5
 
 CRITERION = Quantity("{criterion}[{unit}]", "criterion of a train")
-EXTREME = Quantity("best_{criterion}[{unit}]", "best value of a criterion among all trains")
+RATIO = (Quantity("ratio", "ratio of the best train"), Quantity("ratio_exact", "ratio of the best train, exactly"))
+LEFT = Quantity("left", "sets that are left")
+EXTREME = Quantity("best_{criterion}[{unit}]", "best value among all trains: {criterion}")
+EXTREME_ROW = Quantity("best_{criterion}_row", "row of the best value among all trains: {criterion}")
 
 
 def summary(result: Selection, title: str) -> Document:
@@ -82,7 +85,7 @@ def _variant_fact(each: Weighed) -> Fact:
     lacks += [f"constraint {name} removed {count}" for name, count in each.refused.items() if count]
     text = "; ".join([f"{left} of {each.sized} tooth sets", *lacks]) if each.sized else "no tooth sets"
     key = each.title.replace(" ", "_")
-    values = keyed(each, "sized") | {"left": left} | keyed(each, "weak", "locking")
+    values = keyed(each, "sized") | LEFT.value(left) | keyed(each, "weak", "locking")
     return Fact(each.title, text, {key: values | ({"removed": each.refused} if each.refused else {})})
 
 
@@ -130,7 +133,7 @@ def _minimum_facts(result: Selection, columns: dict[str, np.ndarray]) -> Iterato
     for reason in result.minima:
         key = reason.criterion
         text = f"{_value(key, reason.value)}: {_train(columns, reason.winner)}{_tied(reason)}"
-        values = {_key(key, EXTREME): reason.value, f"best_{key}_row": reason.winner + 1}
+        values = {_key(key, EXTREME): reason.value, EXTREME_ROW.of(criterion=key).key: reason.winner + 1}
         yield Fact(f"{_extreme(key)} {_called(key)}", text, values)
 
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from tmmcalc.core.notes import Phrase
-from tmmcalc.core.quantity import keyed, quantities
+from tmmcalc.core.quantity import Quantity, keyed, quantities
 from tmmcalc.gears.gearing import Drive, Gearing
 from tmmcalc.gears.members import Columns, frequency_columns, member_columns, power_columns, torque_columns
 from tmmcalc.gears.network.model import FRAME
@@ -50,7 +50,7 @@ def _train_facts(result: Gearing) -> Iterator[Fact]:
         yield Fact("train", f"{task.layout}: {scheme.title}\n{teeth}", values)
     else:
         counted = f"{len(task.network.meshes)} meshes, {len(motion.members)} members that turn"
-        yield Fact("train", counted, {"meshes": len(task.network.meshes), "members": len(motion.members)})
+        yield Fact("train", counted, {MESHES.key: len(task.network.meshes), MEMBERS.key: len(motion.members)})
     if task.locked:
         pairs = ", ".join(" and ".join(pair) for pair in task.locked)
         yield Fact("locked", pairs, {"locked": [list(pair) for pair in task.locked]})
@@ -85,9 +85,17 @@ def _ratio_facts(result: Gearing) -> Iterator[Fact]:
         yield Fact("inverted train", text, {"i_inverted": float(inverted), "i_inverted_exact": str(inverted)})
 
 
+RATIO = Quantity("i_{first}_{last}", "ratio of the turns of {first} to those of {last}")
+EXACT = Quantity("i_{first}_{last}_exact", "exact ratio of the turns of {first} to those of {last}")
+MESHES, MEMBERS = Quantity("meshes", "number of meshes"), Quantity("members", "number of members")
+COUNTS = Quantity("counts", "members of this name")
+
+
 def _ratio_fact(first: str, last: str, value: Fraction) -> Fact:
-    name = f"i_{first}_{last}"
-    return Fact(f"ratio {first} : {last}", _exact(value), {name: float(value), f"{name}_exact": str(value)})
+    name = RATIO.of(first=first, last=last).key
+    return Fact(
+        f"ratio {first} : {last}", _exact(value), {name: float(value), EXACT.of(first=first, last=last).key: str(value)}
+    )
 
 
 def _exact(value: Fraction) -> str:
@@ -109,7 +117,11 @@ def _sum_facts(result: Gearing) -> Iterator[Fact]:
         terms = [(c, driven) for c, driven in zip(row, motion.driven, strict=True) if c]
         text = " ".join(f"{'-' if c < 0 else '+'} {_factor(abs(c))}n_{driven}" for c, driven in terms)
         values = {driven: str(c) for c, driven in terms}
-        yield Fact(f"speed of {name}", f"n_{name} = {text.removeprefix('+ ')}", {f"speed_of_{name}": values})
+        yield Fact(
+            Phrase("speed of {member}", member=name),
+            f"n_{name} = {text.removeprefix('+ ')}",
+            {f"speed_of_{name}": values},
+        )
 
 
 def _factor(value: Fraction) -> str:
@@ -185,7 +197,7 @@ def _sharing_facts(result: Gearing) -> Iterator[Fact]:
         lines.append(f"{text} (factor {network.sharing(name):g})" if network.sharing(name) != 1 else text)
     if lines:
         counts = {name: network.count(name) for name in several}
-        yield Fact("side by side", "\n".join(lines), {"counts": counts})
+        yield Fact("side by side", "\n".join(lines), {COUNTS.key: counts}, COUNTS.meaning)
 
 
 def _notes(result: Gearing) -> Iterator[str]:

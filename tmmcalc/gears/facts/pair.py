@@ -19,6 +19,7 @@ from tmmcalc.gears.meshing.results import Measures, MeshPair, Pairs, WheelSizes
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.sizes import drawn, plain
 
+FURTHER = ("tmmcalc.gears.facts.pair_facts",)  # where quantities stand, too
 SHORT = ("pair", "shifts", "operating angle", "centre distance", "contact ratio", "measured", "verdict")  # of a summary
 SIZES = (  # lengths, down the table
     *("reference", "operating", "tip", "root", "base", "form", "active", "active_shortened", "pointing"),

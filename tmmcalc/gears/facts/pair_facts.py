@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-from tmmcalc.core.quantity import components, keyed, quantities
+from tmmcalc.core.quantity import Quantity, components, keyed, quantities
 from tmmcalc.gears.facts.meshes import USUAL, millimetres, written
 from tmmcalc.gears.facts.pair_checks import verdict_fact
 from tmmcalc.gears.facts.pair_contact import clearance_fact, line_fact, ratio_fact, sliding_fact
@@ -15,6 +15,8 @@ from tmmcalc.gears.meshing.results import NOISE, Measures, MeshPair
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.report.document import Fact
 from tmmcalc.report.numbers import angle, number
+
+CLASS = Quantity("class", "class of the pair")
 
 RULES = {
     "given": "as given",
@@ -38,7 +40,7 @@ SPLITS = {
 def pair_facts(found: MeshPair) -> Iterator[Fact]:
     """All facts of one pair in the order of a calculation by hand."""
     task = found.task
-    yield Fact("pair", f"{task.title}, {_class(found)}", {"pair": task.title, "class": _class(found)})
+    yield Fact("pair", f"{task.title}, {_class(found)}", {"pair": task.title, **CLASS.value(_class(found))})
     yield from _data_facts(found)
     yield from _shift_facts(found)
     yield from _angle_facts(found)

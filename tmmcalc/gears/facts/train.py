@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.notes import Phrase, listed
+from tmmcalc.core.quantity import Quantity
 from tmmcalc.gears.advice import called, remedies, removals, why_none
 from tmmcalc.gears.bounds import step_bounds
 from tmmcalc.gears.columns import ANGLE, ASSEMBLY, COPRIME, GAP, STEP, TEXTBOOK, set_columns, stacked
@@ -18,6 +19,24 @@ from tmmcalc.gears.trains import Request, Trains, Variant
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
+RATIO = (
+    Quantity("ratio_kind", "which ratio is asked for"),
+    Quantity("ratio", "ratio that is asked for"),
+    Quantity("ratio_exact", "ratio that is asked for, exactly"),
+    Quantity("ratio_of", "where the ratio comes from"),
+)
+LEAST, LARGEST = Quantity("z_min", "least number of teeth"), Quantity("z_max", "largest number of teeth")
+LEAST_RING = Quantity("ring_min", "least number of teeth of a ring")
+LARGEST_RING = Quantity("ring_max", "largest number of teeth of a ring")
+COUNT, HELD = Quantity("count", "tooth sets that are found"), Quantity("held", "tooth sets that are kept in the table")
+PLANETS = Quantity("planets", "number of planets")
+STEPS = (  # of the textbook's search
+    Quantity("e_min_teeth", "least step e by the least number of teeth"),
+    Quantity("e_first", "first step e that is tried"),
+    Quantity("e_max", "largest step e"),
+    Quantity("e_min_neighbours", "least step e at which planets pass each other"),
+    Quantity("e_min_neighbours_textbook", "least step e at which planets pass each other, by the textbook's formula"),
+)
 ROWS, FEW = 20, 5  # rows of the table; of the summary of a whole run
 LISTED = 6  # proportions of modules that are named one by one
 
@@ -64,18 +83,18 @@ def _task_facts(request: Request) -> Iterator[Fact]:
     called = f" ({scheme.designation})" if scheme.planetary and scheme.designation != scheme.key else ""
     values: dict[str, Any] = {"layout": scheme.key}
     if scheme.branched:
-        values["planets"] = task.planets
+        values[PLANETS.key] = task.planets
     yield Fact("layout", f"{scheme.key}{called}: {scheme.title}", values)
     yield Fact("ratio", *_ratio(request))
     limits = task.limits
     text = f"{limits.least} to {limits.largest}"
-    values = {"z_min": limits.least, "z_max": limits.largest}
+    values = {LEAST.key: limits.least, LARGEST.key: limits.largest}
     if not scheme.branched:
         text += f", pinions to {limits.largest_pinion}"
         values["z_pinion_max"] = limits.largest_pinion
     if scheme.rings:
         text += f", rings {limits.least_ring} to {limits.largest_ring}"
-        values |= {"ring_min": limits.least_ring, "ring_max": limits.largest_ring}
+        values |= {LEAST_RING.key: limits.least_ring, LARGEST_RING.key: limits.largest_ring}
     if limits.largest_sum is not None:
         text += f", Z1 + Z2 to {limits.largest_sum}"
         values["sum_max"] = limits.largest_sum
@@ -159,7 +178,7 @@ def _removal_facts(variant: Variant) -> Iterator[Fact]:
 def _set_facts(variant: Variant, rows: int) -> Iterator[Fact]:
     """How many sets there are, and how many of them are held, coprime, in the textbook's way, in the table."""
     synthesis, held = variant.synthesis, len(variant.sets)
-    values: dict[str, Any] = {"count": synthesis.count, "held": held}
+    values: dict[str, Any] = {COUNT.key: synthesis.count, HELD.key: held}
     if not held:
         yield Fact("tooth sets", "none", values)
         return

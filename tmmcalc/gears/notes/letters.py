@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from tmmcalc.gears.letters import LETTER
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.network.model import Network
-from tmmcalc.gears.pictures.words import layout_word, teeth_text
+from tmmcalc.gears.pictures.words import KINDS, layout_word, teeth_text
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.tree import CONSTANTS, FUNCTIONS
 from tmmcalc.report.language import tr, tr_name
@@ -109,3 +109,12 @@ def short_train(sets: ToothSets) -> str:
     scheme = sets.scheme
     word = layout_word(scheme.key) if scheme.planetary else lowered(tr_name(scheme.title))
     return f"{word} {teeth_text(sets.teeth[0].tolist())}"
+
+
+def asked_ratio(kind: str) -> str:
+    """The letter of a ratio as it is asked for, beside that which the numbers of teeth give.
+
+    >>> asked_ratio("i_1H")
+    'i_{1H,0}'
+    """
+    return "U_0" if kind == "u" else f"{KINDS[kind][:-1]},0}}"

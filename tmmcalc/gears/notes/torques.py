@@ -17,7 +17,7 @@ from tmmcalc.gears.notes.inorder import Equation, Together, in_order
 from tmmcalc.gears.notes.letters import speed_of, teeth_of
 from tmmcalc.gears.notes.speeds import Told
 from tmmcalc.report.formula.digits import Given, significant
-from tmmcalc.report.language import tr, tr_name, tr_number
+from tmmcalc.report.language import tr, tr_number
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Table
 from tmmcalc.report.telling import named
 
@@ -260,7 +260,7 @@ def _powers(told: Told, marks: list[Mark], found: Gearing, flow: PowerFlow, outs
         )
     if flow.efficiency is None:
         return
-    said = tr_name("efficiency")
+    said = tr("efficiency of the train")
     told.lexicon.update(named({"eta": Given(flow.efficiency, "", said)}))
     put_in = [_power(name) for name in outside if flow.power(name) > 0]
     taken = [_power(name) for name in outside if flow.power(name) < 0]
@@ -270,4 +270,6 @@ def _powers(told: Told, marks: list[Mark], found: Gearing, flow: PowerFlow, outs
     if lossy:
         lost = " + ".join(mark.loss for _, mark in lossy)
         told.lexicon.update(named({"P_v": Given(flow.power_lost, "W", tr("power lost in all meshes"))}))
-        yield from told.lines(f"P_v = {lost}", f"P_v = {' + '.join([*put_in, *taken])}")
+        yield from told.lines(f"P_v = {lost}")
+        yield Paragraph(tr("As a check, the powers from outside leave the same:"))
+        yield from told.lines(f"P_v = {' + '.join([*put_in, *taken])}")

@@ -18,7 +18,7 @@ from tmmcalc.gears.details import searched_trains
 from tmmcalc.gears.gearing import Gearing, solve_gearing
 from tmmcalc.gears.gearingtask import layout_task
 from tmmcalc.gears.notes.conditions import told_conditions
-from tmmcalc.gears.notes.letters import joined, letter, lowered, short_train, teeth_of
+from tmmcalc.gears.notes.letters import asked_ratio, joined, letter, lowered, short_train, teeth_of
 from tmmcalc.gears.notes.speeds import Told, ends_of, told_motion, told_speeds
 from tmmcalc.gears.notes.torques import told_torques
 from tmmcalc.gears.pictures.pieces import motion_piece
@@ -85,7 +85,7 @@ def _searched(variant: Variant, chosen: Chosen | None, selection: Selection | No
 
 def _asked(request: Request) -> Iterator[Block]:
     """The ratio and its tolerance, the tooth ratio that follows."""
-    kind, nominal = KINDS[request.kind], float(request.nominal)
+    kind, nominal = asked_ratio(request.kind), float(request.nominal)
     low, high, value = (_number(float(x)) for x in (request.admitted.low, request.admitted.high, nominal))
     said = {"ratio": f"${kind}$ = {value}", "low": low, "high": high}
     if request.origin:
@@ -320,7 +320,7 @@ def _efficiency(told: Told, found: Gearing, chosen: Chosen) -> Iterator[Block]:
         product.append(name)
     way, basic = found.ways[0], found.basic
     if basic is None or way.formula is None:
-        told.lexicon.update(named({"eta": Given(way.efficiency, "", tr_name("efficiency"))}))
+        told.lexicon.update(named({"eta": Given(way.efficiency, "", tr("efficiency of the train"))}))
         yield from told.lines(f"eta = {'*'.join(product)}")
         return
     i = letter("i_1H")
@@ -329,7 +329,7 @@ def _efficiency(told: Told, found: Gearing, chosen: Chosen) -> Iterator[Block]:
         named(
             {
                 "eta_0": Given(basic.efficiency, "", tr("efficiency of the train with the carrier stopped")),
-                "eta": Given(way.formula, "", tr_name("efficiency")),
+                "eta": Given(way.formula, "", tr("efficiency of the train")),
                 i: Given(float(exact), "", tr("ratio of the train")),
             }
         )

@@ -78,8 +78,8 @@ def draw_motion(drawing: Drawing, box: Box, found: Moving) -> Drawn:
     speeds, pole = _draw_speeds(drawing, third, told, mu, velocities.mu_v, found, part)
     for text, place in (
         (tr("Kinematic scheme"), board.box),
-        (tr("Plan of velocities"), second),
-        (tr("Plan of speeds"), third),
+        (tr("Plan of linear velocities"), second),
+        (tr("Plan of angular velocities"), third),
     ):
         drawing.add(Words(complex(place.left, place.top + part * HEAD), text, part * TITLE, -1 + 1j))
     said = f"{scale_text(mu)}, {factor_text('μ_v', velocities.mu_v, '(m/s)/mm')}"

@@ -188,11 +188,15 @@ def _positions(labels: Sequence[str]) -> str:
     return f"position{'s' if len(labels) > 1 else ''} {', '.join(labels[:SHOWN])}{more}"
 
 
+FRICTION = Quantity("friction", "whether there is friction")
+PASSES = Quantity("friction_passes", "passes in which friction settles")
+
+
 def _friction_fact(result: Forces) -> Fact:
     """Coefficients, the positions where friction jumps, and the work that it took."""
     rubbing = [pair for pair in result.pairs if pair.friction and (pair.kind == "prismatic" or pair.radius)]
     if not rubbing:
-        return Fact("friction", "none", {"friction": False})
+        return Fact("friction", "none", FRICTION.value(False))
     every = set(result.labels)
     jumps = [label for label in result.labels if f"{label}-" in every]
     passes = result.counters["passes"]
@@ -203,7 +207,7 @@ def _friction_fact(result: Forces) -> Fact:
     if jumps:
         text += f"\njumps in {_positions(jumps)}: the row marked - is the limit before"
     text += f"\nsolved in {passes} pass{'es' if passes != 1 else ''} at most"
-    return Fact("friction", text, {"friction": True, "friction_jumps": jumps, "friction_passes": passes})
+    return Fact("friction", text, {**FRICTION.value(True), "friction_jumps": jumps, **PASSES.value(passes)})
 
 
 def _check_facts(result: Forces) -> list[Fact]:

@@ -12,7 +12,7 @@ from tmmcalc.core.columns import picked
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.linkage.synthesis.columns import columns
-from tmmcalc.linkage.synthesis.results import Check, Design, Precision, Size, StrokeTimes, Synthesis, check_key
+from tmmcalc.linkage.synthesis.results import SAME, Check, Design, Precision, Size, StrokeTimes, Synthesis, check_key
 from tmmcalc.report.document import Document, Fact, View, angles_in_degrees
 from tmmcalc.report.numbers import angle, number
 
@@ -24,7 +24,7 @@ def summary(result: Synthesis, title: str) -> Document:
     """Sizes of the best solution, its checks and warnings, and its merits unless the stage's table has them."""
     best = result.best
     merits = () if best.dwell is None else _merit_facts(best)
-    facts = (_kind_fact(result), *(_size_fact(size) for size in best.sizes), *map(_check_fact, best.checks), *merits)
+    facts = (_kind_fact(result), *_size_facts(best.sizes), *map(_check_fact, best.checks), *merits)
     warnings = tuple(note for note in result.notes if note.startswith("warning"))
     return angles_in_degrees(Document(title, facts, warnings))
 
@@ -50,8 +50,7 @@ def _facts(result: Synthesis, design: Design, choose: int) -> Iterator[Fact]:
     shown = f"{choose} of {count}, {design.name}" if count > 1 else design.name
     yield Fact("solution", shown, {"solution": choose, "solutions": count} | keyed(design, "name"))
     yield Fact("chosen by", result.rule, keyed(result, "rule"))
-    for size in design.sizes:
-        yield _size_fact(size)
+    yield from _size_facts(design.sizes)
     if design.times is not None:
         yield from _time_facts(design.times)
     for found in design.checks:
@@ -92,8 +91,15 @@ def shown(value: float, unit: str) -> str:
     return f"{number(1e3 * value, 7)} mm" if unit == "m" else number(value, 7)
 
 
-def _size_fact(size: Size) -> Fact:
-    return Fact(size.symbol, f"{shown(size.value, size.unit)}, {size.meaning}", {size.told.key: size.value})
+def _size_facts(sizes: Sequence[Size]) -> Iterator[Fact]:
+    meanings: list[str] = []
+    for size in sizes:
+        meanings.append(meanings[-1] if size.meaning == SAME else size.meaning)
+    for size, meaning in zip(sizes, meanings, strict=True):
+        alone = meanings.count(meaning) == 1
+        said = meaning if alone else Phrase("{quantity}: {word}", quantity=meaning, word=size.symbol)
+        text = f"{shown(size.value, size.unit)}, {size.meaning}"
+        yield Fact(size.symbol, text, {size.told.key: size.value}, said)
 
 
 def _time_facts(times: StrokeTimes) -> Iterator[Fact]:

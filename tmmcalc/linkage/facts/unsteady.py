@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 
 from tmmcalc.core.columns import Column
 from tmmcalc.core.notes import Phrase
-from tmmcalc.core.quantity import keyed
+from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.linkage.unsteady.columns import OUTPUT, unsteady_columns
 from tmmcalc.linkage.unsteady.results import Unsteady
 from tmmcalc.report.document import Document, Fact, angles_in_degrees
@@ -18,6 +18,10 @@ from tmmcalc.report.positions import with_positions
 from tmmcalc.report.timelaw import extreme_lines, extreme_values, law_facts
 
 POINTS = ("speed_", "acceleration_")
+POINT = (
+    Quantity("speed_{point}[m/s]", "speed of point {point}"),
+    Quantity("acceleration_{point}[m/s^2]", "acceleration of point {point}"),
+)
 CENTRE = re.compile(r"(speed|acceleration)_S\d+")  # of a centre of mass
 
 

@@ -175,11 +175,11 @@ def _columns(told: Told, dimensionless: bool) -> Columns:
 
 
 def _line(told: Told, k: int, link: int) -> float:
-    """The angle [deg] of the line of a link that the formulas use against its axis."""
+    """The angle [deg] of the line of a link that the formulas use against its axis, with their whole turns."""
     given = told.lexicons[0].get(f"phi_{link}")
     if given is None or not isinstance(given.value, float):
         return 0.0
-    return math.remainder(given.value - math.degrees(told.result.trace.angle[k][told.rows[0]]), 360.0)
+    return given.value - math.degrees(told.result.trace.angle[k][told.rows[0]])
 
 
 def _headed(name: str, unit: str) -> str:

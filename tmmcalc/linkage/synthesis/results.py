@@ -10,6 +10,8 @@ from tmmcalc.core.quantity import Quantity, quantity
 from tmmcalc.core.records import record
 from tmmcalc.linkage.synthesis.dwell.results import Dwell
 
+SAME = "the same"  # meaning of a size that is another coordinate of the one before
+
 
 @record
 class Size:

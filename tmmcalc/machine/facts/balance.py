@@ -21,13 +21,17 @@ from tmmcalc.machine.balance.schemes import RotatingWeight
 from tmmcalc.machine.balance.solve import Balancing, Scheme
 from tmmcalc.machine.balance.weights import Weight
 from tmmcalc.machine.facts.shakingmoment import less, moment, moment_left, moved, phi_at, raised
-from tmmcalc.machine.facts.weights import direction, ratios, size_text, size_values
+from tmmcalc.machine.facts.weights import MAX_RATIO, RATIO, direction, ratios, size_text, size_values
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import NOISE, angle, number
 from tmmcalc.report.positions import with_positions
 
 if TYPE_CHECKING:
     from tmmcalc.machine.stages.balance import Balances
+
+FURTHER = tuple(f"tmmcalc.machine.facts.{name}" for name in ("engine", "rotor"))  # where quantities stand, too
+
+TOLD = (RATIO, MAX_RATIO)
 
 GOALS = {
     "least squares": "counterweight for the least mean square of the force",

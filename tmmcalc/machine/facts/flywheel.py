@@ -151,6 +151,13 @@ def _rim_facts(result: Flywheel) -> list[Fact]:
     ]
 
 
+ELSEWHERE = (  # a flywheel on another shaft than the input
+    Quantity("{shaft}_shaft_rim_mean_diameter[m]", "mean diameter of the rim on the {shaft} shaft"),
+    Quantity("{shaft}_shaft_rim_mass[kg]", "mass of the rim on the {shaft} shaft"),
+    Quantity("{shaft}_shaft_rim_speed[m/s]", "speed of the rim on the {shaft} shaft"),
+)
+
+
 def _elsewhere_fact(wheel: Wheel) -> Fact:
     """The same flywheel on another shaft, with a rim of the usual proportions."""
     rim, label = wheel.rim, Phrase("or on the {shaft} shaft", shaft=wheel.shaft)
@@ -159,8 +166,8 @@ def _elsewhere_fact(wheel: Wheel) -> Fact:
     lines = [f"{number(wheel.inertia)} kg*m^2{faster}"]
     if rim is not None:
         lines.append(f"rim: mean diameter {number(1e3 * rim.diameter, 4)} mm, {number(rim.mass, 4)} kg")
-        sizes = keyed(rim, "diameter", "mass", "speed")
-        values |= {f"{wheel.shaft}_shaft_{key}": value for key, value in sizes.items()}
+        sizes = (rim.diameter, rim.mass, rim.speed)
+        values |= {told.of(shaft=wheel.shaft).key: size for told, size in zip(ELSEWHERE, sizes, strict=True)}
     return Fact(label, "\n".join((*lines, *(verdict.message for verdict in wheel.verdicts))), values)
 
 

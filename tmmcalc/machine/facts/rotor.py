@@ -19,6 +19,9 @@ from tmmcalc.report.numbers import NOISE, number
 STATES = ("as it is", "one plane", "two planes")
 
 UNBALANCE = Quantity("U[kg*m]", "resultant of the unbalances")
+UNBALANCE_ANGLE = Quantity("U_angle[deg]", "direction of the resultant of the unbalances")
+COUPLE_ANGLE = Quantity("U_couple_angle[deg]", "direction of the couple of the unbalances")
+KEPT = Quantity("grade_kept_{plan}", "whether the balance quality grade is kept, {plan}")
 COUPLE = Quantity("U_couple[kg*m^2]", "couple of the unbalances about the centre of mass")
 
 
@@ -94,7 +97,7 @@ def _grade_facts(grades: Sequence[RotorVerdict]) -> Iterator[Fact]:
     text = f"G {first.grade:g}{machines}\nallows {allowed[0]}: {allowed[1]} in plane A, {allowed[2]} in B"
     yield Fact("balance quality", text, keyed(first, "grade", "permissible", "allowed_a", "allowed_b"))
     text = ", ".join(f"{state}: {'yes' if v.passed else 'no'}" for state, v in zip(STATES, grades, strict=True))
-    kept = {f"grade_kept_{state.replace(' ', '_')}": v.passed for state, v in zip(STATES, grades, strict=True)}
+    kept = {KEPT.of(plan=state.replace(" ", "_")).key: v.passed for state, v in zip(STATES, grades, strict=True)}
     yield Fact("is it kept", text, kept)
 
 

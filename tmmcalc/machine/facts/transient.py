@@ -43,11 +43,11 @@ SWING_HIGH = Quantity("swing_high[rad/s]", "largest speed in the last turn under
 SWING_DELTA = Quantity("swing_delta", "coefficient of speed fluctuation in the last turn under the motor")
 MOTOR_RMS = Quantity("M_motor_rms[N*m]", "root mean square of the motor's moment over the time")
 MOTOR_OVER_RATED = Quantity("M_motor_rms_over_rated", "rms moment of the motor over its rated moment")
-LARGEST = Quantity("{moment}_largest[N*m]", "largest moment of the shaft, between the rows too")
-LARGEST_AT = Quantity("{moment}_largest_at_t[s]", "time of the largest moment of the shaft")
-MEAN = Quantity("{moment}_mean[N*m]", "mean moment of the shaft over the time")
-RIGID = Quantity("{moment}_rigid[N*m]", "largest moment if all shafts were rigid")
-FACTOR = Quantity("{moment}_dynamic_factor", "largest moment over that with rigid shafts")
+LARGEST = Quantity("{moment}_largest[N*m]", "largest moment {moment} of the shaft, between the rows too")
+LARGEST_AT = Quantity("{moment}_largest_at_t[s]", "time of the largest moment {moment} of the shaft")
+MEAN = Quantity("{moment}_mean[N*m]", "mean moment {moment} of the shaft over the time")
+RIGID = Quantity("{moment}_rigid[N*m]", "largest moment {moment} if all shafts were rigid")
+FACTOR = Quantity("{moment}_dynamic_factor", "largest moment {moment} over that with rigid shafts")
 WORK = Quantity("work_{cause}[J]", "work of {cause}")
 
 

@@ -98,7 +98,7 @@ def _scheme(result: Balancing, scheme: Scheme, place: Place, rate: str, told: se
     if known:
         yield Paragraph(tr("The other weights are known already: {weights}.", weights=", ".join(known)))
     if scheme.name != "given" and balance.ratio is not None:
-        said = tr("root mean square of what is left of it")
+        said = tr("root mean square of the shaking force that is left")
         place.lexicon.update(named({f"D_{mark}": Given(balance.after.rms, "N", said)}))
         yield from lines([f"D_{mark} = sqrt({_left_terms(scheme)})"], [place])
         yield Result(f"D_{mark}", place.lexicon[f"D_{mark}"], place=scheme_name(scheme.name))

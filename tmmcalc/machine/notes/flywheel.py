@@ -242,7 +242,8 @@ def _method(name: str) -> Method:
             tr("Method of Mertsalov"),
             tr(
                 "The kinetic energy of the links is taken at the mean angular velocity; what is left of the excess "
-                "work, $A - T_II$, falls to the flywheel, figure {fig:flywheel_ordinates}."
+                "work, $A - T_II$, falls to the flywheel, figure {fig:flywheel_ordinates}. Its ordinates measured in "
+                "the figure are $y_max = G^{(3)}/mu_A$ and $y_min = H^{(3)}/mu_A$."
             ),
             three(),
         ),
@@ -250,7 +251,8 @@ def _method(name: str) -> Method:
             tr("Method of Artobolevsky"),
             tr(
                 "The angular velocity is taken as extreme where the excess work is; the energy of the links counts "
-                "there with the extreme angular velocities."
+                "there with the extreme angular velocities. In the same figure $y_a$ and $y_b$ are the ordinates of "
+                "the excess work there, $z_a$ and $z_b$ those of the moment of inertia, in mm."
             ),
             slopes,
         ),

@@ -9,6 +9,9 @@ from functools import partial
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.linkage.chain import chain_of
+from tmmcalc.linkage.notes.told import rows_shown
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.nodes import nodal_tables, nodal_work
 from tmmcalc.machine.notes.motors import driven, of_motor
@@ -107,10 +110,22 @@ def _even(result: Motion) -> Iterator[Block]:
 
 
 def _shown(result: Motion, order: Order) -> list[int]:
-    """The positions whose step is worked out: those that are asked for, or one at a quarter of the cycle."""
+    """The positions whose step is worked out: those that are asked for, or one.
+
+    It is that of the working stroke that other chapters show, or without a linkage one at a quarter of the cycle.
+    """
     asked = order.rows(POSITIONS, result.labels)
-    rows = asked if asked is not None else [max(1, (len(result.labels) - 1) // 4)]
+    rows = asked if asked is not None else _first(result, order)
     return [row for row in rows if row > 0] or [1]
+
+
+def _first(result: Motion, order: Order) -> list[int]:
+    """The position that is shown where none is asked for."""
+    if order.spec.torque is not None:
+        return [max(1, (len(result.labels) - 1) // 4)]
+    kinematics = order.results["kinematics"]
+    chain = chain_of(to_linkage(order.spec.linkage), kinematics)
+    return [result.labels.index(kinematics.labels[rows_shown(order, chain)[0]])]
 
 
 def _recurrence(result: Motion, order: Order) -> Iterator[Block]:

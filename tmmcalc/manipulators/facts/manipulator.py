@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from tmmcalc.core.quantity import keyed
+from tmmcalc.core.quantity import Quantity, keyed
 from tmmcalc.manipulators.columns import manipulator_columns
 from tmmcalc.manipulators.results import LegFacts, Manipulator, PieceFacts
 from tmmcalc.report.document import Document, Fact, angles_in_degrees
@@ -18,6 +18,16 @@ ARMS = {
     "cylindrical": "cylindrical: height h, reach r",
     "angular": "angular: upper arm phi_2, forearm phi_3",
 }
+PROBLEM = Quantity("problem", "problem of the kinematics")
+ELBOW = Quantity("elbow", "side of the elbow")
+EXTREMES = (
+    Quantity("speed[m/s]", "speed of the gripper"),
+    Quantity("acceleration[m/s^2]", "acceleration of the gripper"),
+    Quantity("a_tangential[m/s^2]", "tangential acceleration of the gripper"),
+    Quantity("a_normal[m/s^2]", "normal acceleration of the gripper"),
+    Quantity("omega_elbow[rad/s]", "angular velocity at the elbow"),
+    Quantity("eps_elbow[rad/s^2]", "angular acceleration at the elbow"),
+)
 GRIPPER = ("speed", "acceleration", "a_tangential", "a_normal")
 
 

@@ -2,16 +2,16 @@
 import { columnOf, content, numbers, scene } from "./data.js";
 import { between } from "./motion.js";
 import { drawn } from "./marks.js";
-import { button, made } from "./elements.js";
+import { button, made, resized, widthIn } from "./elements.js";
 import { standard } from "./scales.js";
 import { parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 560;
-const HIGH = 190;
+const HIGH = 198;
 const LEFT = 62;
 const RIGHT = 14;
 const TOP = 12;
-const BOTTOM = 26;
+const BOTTOM = 34;
 const MANY = 200; // rows, of which neighbours lie so near
 const STEEP = 0.2; // that a step of this part of the height is a jump
 
@@ -72,6 +72,7 @@ export class Charts {
 }
 
 class Chart {
+  wide = WIDE;
   step = 1; // between the lines of the grid
   low = 0;
   high = 1;
@@ -96,7 +97,7 @@ class Chart {
     this.name = made("strong", {}, this.caption);
     this.value = made("button", { type: "button", class: "value" }, this.caption);
     this.meaning = made("span", { class: "meaning" }, this.caption);
-    this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, role: "img", tabindex: 0 }, this.card);
+    this.svg = drawn("svg", { role: "img", tabindex: 0 }, this.card);
     this.others = content.scenes.filter((each) => each !== scene()).flatMap((each) => {
       const found = columnOf(name, each);
       if (!found?.stage.rows) return [];
@@ -105,6 +106,7 @@ class Chart {
     this.scaled();
     this.head(gone);
     saying(() => this.draw());
+    resized(this.card, () => this.draw());
     if (state) {
       this.cursor = drawn("line", { class: "cursor", y1: TOP, y2: HIGH - BOTTOM }, this.svg);
       this.dot = drawn("circle", { class: "dot", r: 4 }, this.svg);
@@ -142,7 +144,7 @@ class Chart {
 
   /** @param {number} x */
   across(x) {
-    return LEFT + ((x - this.start) / (this.end - this.start || 1)) * (WIDE - LEFT - RIGHT);
+    return LEFT + ((x - this.start) / (this.end - this.start || 1)) * (this.wide - LEFT - RIGHT);
   }
 
   /** @param {number} y */
@@ -169,6 +171,8 @@ class Chart {
     const part = kept < of ? ` (${word("kept", { kept: String(kept), of: String(of) })})` : "";
     this.meaning.textContent = told(this.column.meaning) + part;
     this.svg.setAttribute("aria-label", `${this.column.name}: ${told(this.column.meaning)}`);
+    this.wide = widthIn(this.card, WIDE);
+    this.svg.setAttribute("viewBox", `0 0 ${this.wide} ${HIGH}`);
     this.back?.remove();
     const back = drawn("g");
     this.back = back;
@@ -177,7 +181,7 @@ class Chart {
     const digits = 3;
     for (let k = Math.round(this.low / this.step); k <= Math.round(this.high / this.step); k++) {
       const y = this.up(k * this.step);
-      drawn("line", { x1: LEFT, x2: WIDE - RIGHT, y1: y, y2: y, class: k === 0 ? "zero" : "" }, grid);
+      drawn("line", { x1: LEFT, x2: this.wide - RIGHT, y1: y, y2: y, class: k === 0 ? "zero" : "" }, grid);
       drawn("text", { x: LEFT - 6, y: y + 4, "text-anchor": "end" }, grid).textContent = written(k * this.step, digits);
     }
     const turns = told(this.rows.unit) === "°";
@@ -188,7 +192,7 @@ class Chart {
       drawn("text", { x, y: HIGH - BOTTOM + 15, "text-anchor": "middle" }, grid).textContent = written(k * along, digits);
     }
     const unit = told(this.rows.unit);
-    drawn("text", { x: WIDE - RIGHT, y: HIGH - 1, "text-anchor": "end", class: "axis" }, grid).textContent =
+    drawn("text", { x: this.wide - RIGHT, y: HIGH - 4, "text-anchor": "end", class: "axis" }, grid).textContent =
       `${this.state?.view.symbol ?? parted(this.rows.name).filter(Boolean).join(" ")}${unit ? `, ${unit}` : ""}`;
     if (this.state) {
       for (const stop of this.state.view.stops.filter((each) => each.at >= this.start && each.at <= this.end)) {
@@ -277,7 +281,7 @@ class Chart {
       const mark = drawn("circle", { class: "extreme", cx: at[0], cy: at[1], r: 3 }, back);
       const said = `${word(key)}: ${written(this.y[k])} ${told(this.column.unit)}`;
       drawn("title", {}, mark).textContent = said;
-      const inside = at[0] > WIDE - 110;
+      const inside = at[0] > this.wide - 110;
       const y = key === "lowest" ? at[1] - 7 : at[1] + 15;
       drawn("text", { class: "extreme", x: at[0] + (inside ? -6 : 6), y, "text-anchor": inside ? "end" : "start" }, back).textContent =
         written(this.y[k], 4);
@@ -304,8 +308,8 @@ class Chart {
   /** @param {PointerEvent} event */
   turn(event) {
     const box = this.svg.getBoundingClientRect();
-    const x = ((event.clientX - box.left) / box.width) * WIDE;
-    const part = (x - LEFT) / (WIDE - LEFT - RIGHT);
+    const x = ((event.clientX - box.left) / box.width) * this.wide;
+    const part = (x - LEFT) / (this.wide - LEFT - RIGHT);
     if (part > -0.05 && part < 1.05) this.state?.move(this.start + Math.min(1, Math.max(0, part)) * (this.end - this.start));
   }
 }

@@ -52,3 +52,31 @@ export function button(parent, sign, says, act) {
   found.addEventListener("click", act);
   return found;
 }
+
+const OTHER = 1.1; // a width larger or smaller by this is another
+
+/**
+ * The width that a drawing in an element has in its own pixels: of a narrow one as many as it is shown with.
+ * @param {Element} element
+ * @param {number} most
+ */
+export function widthIn(element, most) {
+  return Math.min(most, Math.max(280, element.clientWidth || most));
+}
+
+/**
+ * Call when an element has another width, or the window another height, until it is gone.
+ * @param {Element} element
+ * @param {() => void} act
+ */
+export function resized(element, act) {
+  let known = [element.clientWidth, innerHeight];
+  const look = new ResizeObserver(() => {
+    if (!element.isConnected) return look.disconnect(); // another variant stands in its place
+    const found = [element.clientWidth, innerHeight];
+    if (!found[0] || found.every((side, k) => side < OTHER * known[k] && known[k] < OTHER * side)) return;
+    known = found;
+    act();
+  });
+  look.observe(element);
+}

@@ -38,7 +38,7 @@ export function facts(parent, show) {
       for (const fact of stage.facts) {
         const row = made("tr", { "data-fact": `${stage.name}.${fact.name}` }, body);
         listed(row, fact, () => columnFor(stage, fact.name), show);
-        rows.push({ row, part, text: () => `${fact.name} ${told(fact.meaning)} ${told(stage.title)}`.toLowerCase() });
+        rows.push({ row, part, text: () => `${fact.name} ${told(fact.meaning)} ${typeof fact.value === "number" ? "" : valued(fact.value)} ${told(stage.title)}`.toLowerCase() });
       }
     }
     const { errors } = stage;
@@ -96,7 +96,7 @@ function listed(row, fact, column, show) {
   saying(() => {
     const unit = told(fact.unit);
     meaning.textContent = told(fact.meaning);
-    copy.textContent = `${written(fact.value)}${unit === "°" ? "°" : unit ? ` ${unit}` : ""}`;
+    copy.textContent = `${valued(fact.value)}${unit === "°" ? "°" : unit ? ` ${unit}` : ""}`;
     copy.title = word("copy");
   });
   copy.addEventListener("click", () => copied(copy));
@@ -104,6 +104,12 @@ function listed(row, fact, column, show) {
   if (name) {
     button(value, "curve", () => word("diagram"), () => show(name)).classList.add("show");
   }
+}
+
+/** @param {import("./data.js").Fact["value"]} value */
+function valued(value) {
+  if (typeof value === "boolean") return word(value ? "yes" : "no");
+  return typeof value === "number" ? written(value) : told(value);
 }
 
 /**

@@ -55,19 +55,66 @@ export function compiled(formula) {
 }
 
 /**
+ * What writes the names that steps tell into values that hold what they need.
+ * @param {import("./data.js").Step[]} steps
+ * @returns {(values: Values) => void}
+ */
+export function filling(steps) {
+  const acts = steps.map((step) => (step.length === 4 ? seeking(step) : telling(step)));
+  return (values) => {
+    for (const act of acts) act(values);
+  };
+}
+
+/**
+ * @param {import("./data.js").Told} step
+ * @returns {(values: Values) => void}
+ */
+function telling([name, left, formula]) {
+  const right = compiled(formula);
+  const back = INVERSES[left];
+  return (values) => {
+    values[name] = back ? back(right(values)) : right(values);
+  };
+}
+
+/**
+ * A root by halving: all that its steps tell there is known afterwards.
+ * @param {import("./data.js").Root} root
+ * @returns {(values: Values) => void}
+ */
+function seeking([name, low, high, steps]) {
+  const [from, to] = [compiled(low), compiled(high)];
+  const [fill, last] = [filling(steps), steps[steps.length - 1][0]];
+  return (values) => {
+    /** @param {number} x */
+    const at = (x) => {
+      values[name] = x;
+      fill(values);
+      return values[last];
+    };
+    let [near, far] = [from(values), to(values)];
+    const side = Math.sign(at(near));
+    const rounds = side * at(far) < 0 ? ROUNDS : 0;
+    for (let k = 0; k < rounds; k++) {
+      const middle = (near + far) / 2;
+      if (side * at(middle) > 0) near = middle;
+      else far = middle;
+    }
+    at(near);
+  };
+}
+
+/**
  * All names that steps tell, from given values and those of the inputs.
  * @param {import("./data.js").Step[]} steps
  * @returns {(given: Values) => Values}
  */
 export function chained(steps) {
-  const acts = steps.map(([name, left, formula]) => {
-    const right = compiled(formula);
-    const back = INVERSES[left];
-    return { name, act: back ? (/** @type {Values} */ values) => back(right(values)) : right };
-  });
+  const fill = filling(steps);
   return (given) => {
     const values = { ...given };
-    for (const { name, act } of acts) values[name] = act(values);
+    fill(values);
     return values;
   };
 }

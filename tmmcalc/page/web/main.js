@@ -2,17 +2,17 @@
 import { Charts } from "./charts.js";
 import { choose, content, scene } from "./data.js";
 import { button, made } from "./elements.js";
+import { Drawing } from "./drawing.js";
 import { facts } from "./facts.js";
+import { others } from "./ghosts.js";
 import { Plans } from "./plans.js";
 import { Player } from "./player.js";
 import { readings } from "./readings.js";
-import { Scene } from "./scene.js";
 import { coupled, State } from "./state.js";
 import { Plane } from "./trials.js";
 import { forget, language, remember, saying, speak, told, word } from "./words.js";
 
-const SHOWN = ["paths", "numbers", "names", "masses", "centres"];
-const HIDDEN = new Set(["centres", "acceleration", "reaction", "force"]);
+const SHOWN = ["paths", "numbers", "names", "masses", "centres", "ghosts"];
 
 const FIRST = 4; // diagrams of a scene that asks for none
 
@@ -117,19 +117,18 @@ function moved(parent, state) {
   saying(() => (note.textContent = told(state.view.note)));
   note.hidden = !state.view.note;
   const stage = made("div", { class: "stage" }, section);
-  const drawing = new Scene(stage, state);
-  const player = new Player(section, state, drawing.svg);
-  drawing.svg.addEventListener("pointerdown", () => player.play(false));
+  const drawing = new Drawing(stage, state);
+  const player = new Player(section, state, stage);
+  stage.addEventListener("pointerdown", () => player.play(false));
   readings(section, state);
   const layers = made("fieldset", { class: "layers" }, section);
   const legend = made("legend", {}, layers);
   saying(() => (legend.textContent = word("show")));
   const known = SHOWN.filter((name) => offers(state.view, name));
-  for (const name of known) tick(layers, drawing, name, () => word(name));
-  for (const layer of drawing.layers) {
-    /** @param {string} scale */
-    const said = (scale) => told(layer.layer.title) + (scale ? ` (${scale})` : "");
-    tick(layers, drawing, layer.layer.name, () => said(drawing.scaleOf(layer)), layer.colour);
+  for (const name of known) drawing.tick(layers, name, () => word(name));
+  for (const { layer, colour } of drawing.scene.layers) {
+    const scale = () => drawing.scene.layers.find((each) => each.layer === layer)?.scaled;
+    drawing.tick(layers, layer.name, () => told(layer.title) + (scale() ? ` (${scale()})` : ""), colour);
   }
   layers.hidden = !layers.querySelector("label");
   if (state.view.plans.length) new Plans(section, state);
@@ -147,25 +146,9 @@ function offers(view, name) {
     names: view.spots.some((spot) => spot.name && spot.kind !== "mass"),
     masses: view.spots.some((spot) => spot.kind === "mass"),
     centres: view.centres.length > 0,
+    ghosts: others(view).length > 0,
   };
   return has[/** @type {keyof typeof has} */ (name)];
-}
-
-/**
- * @param {Element} parent
- * @param {Scene} scene
- * @param {string} name
- * @param {() => string} says
- * @param {string} [colour]
- */
-function tick(parent, scene, name, says, colour) {
-  const label = made("label", colour ? { class: colour } : {}, parent);
-  const box = made("input", { type: "checkbox", name }, label);
-  const said = made("span", {}, label);
-  saying(() => (said.textContent = says()));
-  box.checked = !HIDDEN.has(name);
-  scene.show(name, box.checked);
-  box.addEventListener("change", () => scene.show(name, box.checked));
 }
 
 /** @param {Element} parent */

@@ -4,6 +4,8 @@ import { drawn, RING } from "./marks.js";
 import { between, placed, STILL } from "./motion.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
+/** @typedef {import("./labels.js").Pair} Pair */
+/** @typedef {{body: string, at: number[], shift: Pair, size: Pair}} Named a place in the axes of a body, and pixels from it */
 
 const CHORDS = 60; // of a curve that names keep off
 const MOMENTS = 25; // of the motion that places of names are chosen by
@@ -12,6 +14,7 @@ const LINES = new Set(["plate", "bar", "slot", "outline", "hole", "line"]);
 /**
  * Put names and numbers at places that suit the whole motion.
  * @param {Scene} scene
+ * @returns {Named[]} where they are
  */
 export function putNames(scene) {
   const { low, span, values } = scene.state;
@@ -54,6 +57,8 @@ export function putNames(scene) {
     ring.setAttribute("transform", `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
     if (x || y) group.prepend(drawn("line", { class: "leader", x2: x.toFixed(1), y2: y.toFixed(1) }));
   });
+  const named = [...scene.view.spots, ...rings.map((body) => ({ body: body.name, at: body.beside[0] ?? [0, 0] }))];
+  return named.map(({ body, at }, k) => ({ body, at, shift: shifts[k], size: items[k].size }));
 }
 
 /**

@@ -3,7 +3,7 @@ import { numbers } from "./data.js";
 import { between } from "./motion.js";
 import { around, settled } from "./labels.js";
 import { drawn, texted } from "./marks.js";
-import { made } from "./elements.js";
+import { made, resized, widthIn } from "./elements.js";
 import { perPixel, scaleTold } from "./scales.js";
 import { saying, told, word } from "./words.js";
 
@@ -13,6 +13,8 @@ const MARGIN = 36;
 const NAMED = 26; // a shorter vector has no room for its sign
 
 export class Plans {
+  wide = WIDE;
+
   /**
    * @param {Element} parent
    * @param {import("./state.js").State} state
@@ -30,14 +32,22 @@ export class Plans {
       const option = made("option", { value: String(k) }, choice);
       saying(() => (option.textContent = told(plan.title)));
     });
-    this.svg = drawn("svg", { viewBox: `0 0 ${WIDE} ${HIGH}`, class: "plan", role: "img" }, part);
+    this.svg = drawn("svg", { class: "plan", role: "img" }, part);
     this.under = made("p", { class: "errors" }, part);
     this.part = part;
     this.chosen = 0;
     choice.addEventListener("change", () => this.choose(Number(choice.value)));
-    part.addEventListener("toggle", () => this.update());
+    part.addEventListener("toggle", () => this.size());
+    resized(part, () => this.size());
     saying(() => this.choose(this.chosen));
     state.follow(() => this.update());
+  }
+
+  /** Draw it as wide as there is room. */
+  size() {
+    this.wide = widthIn(this.part, WIDE);
+    this.svg.setAttribute("viewBox", `0 0 ${this.wide} ${HIGH}`);
+    this.update();
   }
 
   get plan() {
@@ -101,10 +111,10 @@ export class Plans {
     const corners = this.corners ?? [];
     const [xs, ys] = [corners.map(({ x }) => x[k]), corners.map(({ y }) => y[k])];
     const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
-    const need = Math.max((right - left) / (WIDE - 2 * MARGIN), (high - low) / (HIGH - 2 * MARGIN));
+    const need = Math.max((right - left) / (this.wide - 2 * MARGIN), (high - low) / (HIGH - 2 * MARGIN));
     const per = perPixel(need || 1); // of the unit to a pixel
     this.under.textContent = [scaleTold(per, plan.unit), told(plan.note)].filter(Boolean).join("; ");
-    const x0 = WIDE / 2 - (left + right) / 2 / per;
+    const x0 = this.wide / 2 - (left + right) / 2 / per;
     const y0 = HIGH / 2 + (low + high) / 2 / per;
     return corners.map(({ x, y }) => [x0 + x[k] / per, y0 - y[k] / per]);
   }

@@ -79,9 +79,14 @@ export class Player {
    */
   stops(parent) {
     const list = made("div", { class: "stops" }, parent);
-    for (const stop of this.state.view.stops) {
+    const { stops, symbol } = this.state.view;
+    for (const stop of stops) {
       const found = made("button", { type: "button" }, list);
-      saying(() => (found.textContent = told(stop.title)));
+      saying(() => {
+        const title = told(stop.title);
+        const alike = stops.filter((each) => told(each.title) === title).length > 1;
+        found.textContent = alike ? `${title}, ${symbol} = ${this.measured(stop.at)}` : title;
+      });
       found.addEventListener("click", () => {
         this.play(false);
         this.state.move(stop.at);

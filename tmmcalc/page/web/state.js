@@ -83,6 +83,14 @@ export class State {
     this.listeners.push(act);
     act(this.at);
   }
+
+  /**
+   * Call no more.
+   * @param {(at: number) => void} act
+   */
+  leave(act) {
+    this.listeners = this.listeners.filter((each) => each !== act);
+  }
 }
 
 /**

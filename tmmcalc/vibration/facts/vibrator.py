@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from math import degrees, pi
 from typing import Any
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import headed, keyed, quantity_of
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
@@ -140,7 +141,7 @@ def _path(path: PointPath) -> Fact:
     x, y, z = (number(1e3 * size, 5) for size in path.amplitude.tolist())
     text = f"{x}, {y}, {z} mm along x, y, z\nellipse {number(1e3 * path.major, 5)} by {number(1e3 * path.minor, 5)} mm"
     values = keyed(path, "amplitude", "major", "minor", "direction", "normal")
-    return Fact(f"path of {path.name}", text, {f"path_{path.name}": values})
+    return Fact(Phrase("path of {point}", point=path.name), text, {f"path_{path.name}": values})
 
 
 def _start(name: str, start: Start | MotorStart) -> Fact:

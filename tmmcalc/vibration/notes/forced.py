@@ -60,6 +60,11 @@ def forced(task: VibratorTask, result: VibratorResult, known: Lexicon) -> Iterat
     yield Display(read("D*X^c + H*X^s = P^c"))
     yield Display(read("D*X^s - H*X^c = P^s"))
     stiff, damped = _dynamic(result)
+    yield Paragraph(
+        tr("The matrices $D$ and $H$ are in tables {tab:vibrator_dynamic} and {tab:vibrator_damped}.")
+        if np.any(damped)
+        else tr("The matrix $D$ is in table {tab:vibrator_dynamic}.")
+    )
     yield square(tr("Matrix $D = C - Omega**2*M$ at the speed of the rotor"), stiff, "D", "vibrator_dynamic")
     if np.any(damped):
         yield square(tr("Matrix $H = Omega*B$ at the speed of the rotor"), damped, "H", "vibrator_damped")

@@ -52,7 +52,10 @@ def lever(loaded: Loaded) -> Iterator[Block]:
     draw = partial(draw_lever, statics=loaded.statics, kinematics=told.result, result=result, row=row, tabled=False)
     yield Figure(caption, draw, size, KEY)
     tables = [_table(loaded, each, k) for k, each in enumerate(found)]
-    said = tr("The forces with their arms and moments about the pole are {where}.", where=located(tables))
+    said = tr(
+        "The forces with their arms and moments about the pole are {where}; those that pass through the pole have none.",
+        where=located(tables),
+    )
     yield Paragraph(said)
     yield from tables
     yield from _drive(loaded, found)
@@ -100,8 +103,8 @@ def _name(loaded: Loaded, force: LeverForce) -> str:
 
 
 def _table(loaded: Loaded, found: Lever, k: int) -> Table:
-    """The forces of a lever."""
-    forces = working(found.forces)
+    """The forces of a lever that have an arm."""
+    forces = [force for force in working(found.forces) if abs(force.arm) > LEAST_ARM]
     columns = {tr("Force"): [_name(loaded, force) for force in forces]}
     for symbol, unit, part in (("F_i", "N", "force"), ("h_i", "mm", "arm"), ("F_i*h_i", "N*mm", "moment")):
         head, factor = printed_head(symbol, unit)
