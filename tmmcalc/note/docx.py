@@ -22,6 +22,7 @@ from tmmcalc.note.tree import (
     Text,
     Title,
     Written,
+    leads,
     numeric,
 )
 from tmmcalc.report.drawing.pdf import png
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
 WIDE = 34.0  # of a formula before it is broken [em]
 INDENT = 12.5  # of the first line of a paragraph [mm]
 LEAD, FORMULA, NUMBER = 36, 121, 18  # widths of the words before a formula, of itself and of its number [mm]
+CLOSE = 1.15  # of the lines of the contents
 SVG = "{96DAC541-7B7A-43D3-8B79-37D633B846F1}"  # the extension of a picture that is beside it as SVG
 WHOLE, TOGETHER = 15, 3  # rows: so many stand on one page; of more so many on a page at least
 OPENING = '<m:r><m:rPr><m:nor/></m:rPr><m:t xml:space="preserve"> </m:t></m:r>'  # before a sign that goes on
@@ -138,6 +140,7 @@ class _Writer:
         for k, each in enumerate(self.titles):
             paragraph = self.found.add_paragraph() if k else first
             paragraph.paragraph_format.left_indent = Mm(6 * (each.level - 1))
+            paragraph.paragraph_format.line_spacing = CLOSE
             paragraph.paragraph_format.tab_stops.add_tab_stop(Mm(ACROSS), WD_TAB_ALIGNMENT.RIGHT, WD_TAB_LEADER.DOTS)
             said = run(f"{each.number} ".lstrip()) + runs(each.text) + "<w:r><w:tab/></w:r>"
             paragraph._p.extend(elements(said + field(f"PAGEREF {bookmark(mark_of(each))} \\h", "")))
@@ -161,6 +164,7 @@ class _Writer:
         paragraph = self.found.add_paragraph()
         paragraph.alignment = TO.JUSTIFY
         paragraph.paragraph_format.first_line_indent = Mm(0 if text.explains else INDENT)
+        paragraph.paragraph_format.keep_with_next = leads(text) or None
         paragraph._p.extend(elements(runs(text)))
 
     def add(self, text: str) -> None:

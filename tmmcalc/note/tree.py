@@ -124,6 +124,12 @@ def plain_text(text: Text) -> str:
     )
 
 
+def leads(text: Text) -> bool:
+    """Whether a paragraph ends with a colon: what it leads to stands with it."""
+    last = text.parts[-1] if text.parts else ""
+    return isinstance(last, str) and last.rstrip().endswith(":")
+
+
 def tied(text: str) -> str:
     """A text whose lines begin neither with a dash, nor with an equals sign, nor with the unit of a number.
 
