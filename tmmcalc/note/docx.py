@@ -10,6 +10,7 @@ from xml.sax.saxutils import escape, quoteattr
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from tmmcalc.note.tree import (
+    NUMERIC,
     Caption,
     Contents,
     Cover,
@@ -32,6 +33,7 @@ from tmmcalc.report.drawing.svg import svg
 from tmmcalc.report.formula.breaking import broken
 from tmmcalc.report.formula.layout import Sign
 from tmmcalc.report.formula.omml import omml
+from tmmcalc.report.formula.plain import plain
 
 if TYPE_CHECKING:
     from docx.document import Document
@@ -46,6 +48,9 @@ LEAD, FORMULA, NUMBER = 36, 121, 18  # widths of the words before a formula, of 
 ACROSS, ALONG = 175.0, 257.0  # widths of a table, and of one that is turned [mm]
 LETTER, PADDING = 2.45, 4.5  # of a column: by letter, and between its texts and lines [mm]
 TWIPS = 1440 / 25.4  # to a mm
+BESIDE = 108  # free beside the texts of a cell, by which its line would stand out of the margin [twips]
+AROUND = 50  # free over and under a formula with a number [twips]
+WHOLE = 12  # rows up to which a table stays on one page
 CELLS = (12, 11, 10, 9)  # sizes of tables [pt], the first in which one fits; one that does not stands turned
 SPACES = {
     "w": "http://schemas.openxmlformats.org/wordprocessingml/2006/main",
@@ -79,8 +84,8 @@ def document(blocks: Sequence[Written], title: str) -> bytes:
     _styled(found)
     found.settings.element.append(_xml('<w:updateFields w:val="true"/>'))
     writer = _Writer(found, [block for block in blocks if isinstance(block, Title) and block.level < 3])
-    for block in blocks:
-        writer.block(block)
+    for block, following in zip(blocks, [*blocks[1:], None], strict=True):
+        writer.block(block, following)
     buffer = BytesIO()
     found.save(buffer)
     return _undated(buffer)
@@ -149,7 +154,6 @@ def _styled(found: Document) -> None:
         heading.element.get_or_add_pPr().append(
             _xml(f'<w:numPr><w:ilvl w:val="{level - 1}"/><w:numId w:val="{NUMBERED}"/></w:numPr>')
         )
-    styles["Heading 1"].paragraph_format.page_break_before = True
     styles["Caption"].font.bold = False
     styles["Caption"].paragraph_format.keep_with_next = True
     numbering = found.part.numbering_part.element
@@ -178,10 +182,12 @@ def _run(text: str, size: float | None = None) -> str:
     return f'<w:r>{sized}<w:t xml:space="preserve">{escape(text)}</w:t></w:r>' if text else ""
 
 
-def _paragraph(runs: str, to: str = "left", style: str = "") -> str:
-    """A paragraph of single lines in a cell."""
+def _paragraph(runs: str, to: str = "left", style: str = "", *, holds: bool = False, free: int = 0) -> str:
+    """A paragraph of single lines in a cell, ``free`` over and under it [twips]; ``holds``: on a page with the next."""
     styled = f'<w:pStyle w:val="{style}"/>' if style else ""
-    return f'<w:p><w:pPr>{styled}<w:spacing w:line="240" w:lineRule="auto"/><w:jc w:val="{to}"/></w:pPr>{runs}</w:p>'
+    spaced = f'<w:spacing w:before="{free}" w:after="{free}" w:line="240" w:lineRule="auto"/>'
+    properties = f'{styled}{"<w:keepNext/>" * holds}{spaced}<w:jc w:val="{to}"/>'
+    return f"<w:p><w:pPr>{properties}</w:pPr>{runs}</w:p>"
 
 
 def _table(widths: Sequence[float], rows: Sequence[tuple[str, Sequence[str]]], style: str = "") -> str:
@@ -200,7 +206,8 @@ def _table(widths: Sequence[float], rows: Sequence[tuple[str, Sequence[str]]], s
         said.append(f"<w:tr><w:trPr><w:cantSplit/>{properties}</w:trPr>{''.join(each)}</w:tr>")
     styled = f'<w:tblStyle w:val="{style}"/>' if style else ""
     bare = '<w:tblCellMar><w:left w:w="0" w:type="dxa"/><w:right w:w="0" w:type="dxa"/></w:tblCellMar>' * (not style)
-    sized = f'<w:tblW w:w="{sum(dxa)}" w:type="dxa"/><w:tblLayout w:type="fixed"/>'
+    inwards = f'<w:tblInd w:w="{BESIDE}" w:type="dxa"/>' * bool(style)
+    sized = f'<w:tblW w:w="{sum(dxa)}" w:type="dxa"/>{inwards}<w:tblLayout w:type="fixed"/>'
     return f"<w:tbl><w:tblPr>{styled}{sized}{bare}</w:tblPr><w:tblGrid>{grid}</w:tblGrid>{''.join(said)}</w:tbl>"
 
 
@@ -213,7 +220,8 @@ class _Writer:
         self.marks = 0  # bookmarks so far
         self.lying = False  # whether the page is turned
 
-    def block(self, block: Written) -> None:
+    def block(self, block: Written, following: Written | None) -> None:
+        """Put a block; with what follows it stays on a page where one says nothing without the other."""
         if self.lying and not (isinstance(block, Grid) and _size_of(block, ACROSS) is None):
             self.turn()
         match block:
@@ -224,9 +232,11 @@ class _Writer:
             case Title():
                 self.title(block)
             case Text():
-                self.paragraph(block)
+                self.paragraph(block, holds=isinstance(following, Equation) and not block.explains)
             case Equation():
-                self.equation(block)
+                explained = isinstance(following, Text) and following.explains
+                placed = isinstance(following, Equation) and not following.number
+                self.equation(block, holds=bool(block.number) and (explained or placed))
             case Grid():
                 self.grid(block)
             case Image(caption, drawing):
@@ -267,6 +277,7 @@ class _Writer:
 
         head = self.found.add_paragraph()
         head.paragraph_format.page_break_before = True
+        head.paragraph_format.space_after = Mm(2)
         head.add_run(title).bold = True
         first = self.found.add_paragraph()
         for part in (
@@ -279,6 +290,7 @@ class _Writer:
         for k, each in enumerate(self.titles):
             paragraph = self.found.add_paragraph() if k else first
             paragraph.paragraph_format.left_indent = Mm(6 * (each.level - 1))
+            paragraph.paragraph_format.line_spacing = 1.0
             paragraph.paragraph_format.tab_stops.add_tab_stop(Mm(ACROSS), WD_TAB_ALIGNMENT.RIGHT, WD_TAB_LEADER.DOTS)
             said = _run(f"{each.number} ".lstrip()) + _runs(each.text) + "<w:r><w:tab/></w:r>"
             paragraph._p.extend(_elements(said + _field(f"PAGEREF {_bookmark(_heading(each))} \\h", "")))
@@ -290,29 +302,36 @@ class _Writer:
         heading = self.found.add_heading("", title.level)
         said = ("" if counted else _run(f"{title.number} ".lstrip())) + _runs(title.text)
         heading._p.extend(_elements(said + "".join(self.marked(_heading(title)))))
+        heading.paragraph_format.page_break_before = title.level == 1 and not counted
         if not counted:
             heading._p.get_or_add_pPr().append(_xml('<w:numPr><w:numId w:val="0"/></w:numPr>'))
 
-    def paragraph(self, text: Text) -> None:
-        """A paragraph of the text."""
+    def paragraph(self, text: Text, *, holds: bool) -> None:
+        """A paragraph of the text; ``holds``: on a page with the formula that it leads to."""
         from docx.enum.text import WD_PARAGRAPH_ALIGNMENT as TO
         from docx.shared import Mm
 
         paragraph = self.found.add_paragraph()
         paragraph.alignment = TO.JUSTIFY
         paragraph.paragraph_format.first_line_indent = Mm(0 if text.explains else INDENT)
+        paragraph.paragraph_format.keep_with_next = holds or None
         paragraph._p.extend(_elements(_runs(text)))
 
     def add(self, text: str) -> None:
         """Put an element behind all that is there."""
         self.found.element.body.sectPr.addprevious(_xml(text))
 
-    def equation(self, equation: Equation) -> None:
-        """A formula in the middle, its place before it or its number at the right margin, in a table without lines."""
+    def equation(self, equation: Equation, *, holds: bool) -> None:
+        """A formula in the middle, its place before it or its number at the right margin, in a table without lines.
+
+        ``holds``: it stays on a page with what is said of it.
+        """
         rows = []
+        free = AROUND if equation.number else 0
         for row in broken(equation.parts, WIDE):
             lead = OPENING if isinstance(row.boxes[0], Sign) and not row.boxes[0].leads else ""
-            rows.append(_paragraph(f"<m:oMathPara><m:oMath>{lead}{omml(row)}</m:oMath></m:oMathPara>", "center"))
+            formula = f"<m:oMathPara><m:oMath>{lead}{omml(row)}</m:oMath></m:oMathPara>"
+            rows.append(_paragraph(formula, "center", holds=holds, free=free))
         number = ""
         if equation.number:
             key = f"eq:{equation.key}" if equation.key else ""
@@ -357,19 +376,12 @@ class _Writer:
         self.caption(grid.caption, "Table", "tab").paragraph_format.page_break_before = follows
         size = size or _size_of(grid, ALONG) or CELLS[-1]
         right = [numeric(column) for column in zip(*grid.rows, strict=True)]
-        rows = [
-            ("<w:tblHeader/>", [_paragraph(_runs(cell), "center", f"Cell{size}") for cell in grid.head]),
-            *(
-                (
-                    "",
-                    [
-                        _paragraph(_runs(cell), "right" if to else "left", f"Cell{size}")
-                        for cell, to in zip(row, right, strict=True)
-                    ],
-                )
-                for row in grid.rows
-            ),
-        ]
+        style, whole = f"Cell{size}", len(grid.rows) <= WHOLE
+        rows = [("<w:tblHeader/>", [_paragraph(_runs(cell), "center", style, holds=True) for cell in grid.head])]
+        for k, row in enumerate(grid.rows, 1):
+            holds = whole and k < len(grid.rows)
+            cells = zip(row, ("right" if to else "left" for to in right), strict=True)
+            rows.append(("", [_paragraph(_runs(cell), to, style, holds=holds) for cell, to in cells]))
         self.add(_table(_widths(grid, size, ALONG if turned else ACROSS), rows, "TableGrid"))
         if not turned:
             self.found.add_paragraph()
@@ -430,7 +442,9 @@ def _runs(text: Text, size: float | None = None) -> str:
             case Reference(key, number):
                 found.append(_field(f"REF {_bookmark(key)} \\h", number))
             case _:
-                found.append(f"<m:oMath>{omml(part)}</m:oMath>")
+                number = plain(part)
+                alone = NUMERIC.fullmatch(number)
+                found.append(_run(number, size) if alone else f"<m:oMath>{omml(part)}</m:oMath>")
     return "".join(found)
 
 

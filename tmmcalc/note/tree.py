@@ -15,6 +15,7 @@ from tmmcalc.report.language import speaking, spoken, tr_unit
 from tmmcalc.spec.dimensions import UNITS
 
 LETTER = 0.53  # of an em, of words
+CAPITAL = 0.17  # that a capital takes beyond it
 NUMERIC = re.compile(r"[-−+–\d.,  \u202f%°]*")  # what a cell of numbers has
 
 
@@ -151,7 +152,7 @@ def part_width(part: str | Box | Reference) -> float:
     """About how wide a part of a text is [em]."""
     match part:
         case str():
-            return LETTER * len(part)
+            return LETTER * len(part) + CAPITAL * sum(map(str.isupper, part))
         case Reference(_, number):
             return LETTER * len(number)
     return width(part)
