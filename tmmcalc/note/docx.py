@@ -58,8 +58,8 @@ def document(blocks: Sequence[Written], title: str) -> bytes:
     styled(found)
     found.settings.element.append(element('<w:updateFields w:val="true"/>'))
     writer = _Writer(found, [block for block in blocks if isinstance(block, Title) and block.level < 3])
-    for block in blocks:
-        writer.block(block)
+    for block, following in zip(blocks, [*blocks[1:], None], strict=True):
+        writer.block(block, following)
     buffer = BytesIO()
     found.save(buffer)
     return undated(buffer)
@@ -74,7 +74,8 @@ class _Writer:
         self.marks = 0  # bookmarks so far
         self.lying = False  # whether the page is turned
 
-    def block(self, block: Written) -> None:
+    def block(self, block: Written, following: Written | None) -> None:
+        """Put a block; a formula stays on a page with what its letters are, or with its first numbers."""
         if self.lying and not (isinstance(block, Grid) and size_of(block, ACROSS) is None):
             self.turn()
         match block:
@@ -87,7 +88,9 @@ class _Writer:
             case Text():
                 self.paragraph(block)
             case Equation():
-                self.equation(block)
+                explained = isinstance(following, Text) and following.explains
+                placed = isinstance(following, Equation) and not following.number
+                self.equation(block, holds=bool(block.number) and (explained or placed))
             case Grid():
                 self.grid(block)
             case Image(caption, drawing):
@@ -171,12 +174,16 @@ class _Writer:
         """Put an element behind all that is there."""
         self.found.element.body.sectPr.addprevious(element(text))
 
-    def equation(self, equation: Equation) -> None:
-        """A formula in the middle, its place before it or its number at the right margin, in a table without lines."""
+    def equation(self, equation: Equation, *, holds: bool) -> None:
+        """A formula in the middle, its place before it or its number at the right margin, in a table without lines.
+
+        ``holds``: it stays on a page with what follows.
+        """
         rows = []
         for row in broken(equation.parts, WIDE):
             lead = OPENING if isinstance(row.boxes[0], Sign) and not row.boxes[0].leads else ""
-            rows.append(in_cell(f"<m:oMathPara><m:oMath>{lead}{omml(row)}</m:oMath></m:oMathPara>", "center"))
+            formula = f"<m:oMathPara><m:oMath>{lead}{omml(row)}</m:oMath></m:oMathPara>"
+            rows.append(in_cell(formula, "center", holds=holds))
         number = ""
         if equation.number:
             key = f"eq:{equation.key}" if equation.key else ""

@@ -6,8 +6,9 @@ import re
 from typing import Any
 from xml.sax.saxutils import escape
 
-from tmmcalc.note.tree import Reference, Text, Title, tied
+from tmmcalc.note.tree import NUMERIC, Reference, Text, Title, tied
 from tmmcalc.report.formula.omml import omml
+from tmmcalc.report.formula.plain import plain
 
 SPACES = {
     "w": "http://schemas.openxmlformats.org/wordprocessingml/2006/main",
@@ -67,7 +68,9 @@ def runs(text: Text, size: float | None = None) -> str:
             case Reference(key, number):
                 found.append(field(f"REF {bookmark(key)} \\h", number))
             case _:
-                found.append(f"<m:oMath>{omml(part)}</m:oMath>")
+                number = plain(part)
+                alone = NUMERIC.fullmatch(number)
+                found.append(run(number, size) if alone else f"<m:oMath>{omml(part)}</m:oMath>")
     return "".join(found)
 
 
