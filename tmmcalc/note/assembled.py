@@ -30,7 +30,8 @@ from tmmcalc.report.formula.digits import RESULT, Given, Worked, result_of, sign
 from tmmcalc.report.formula.layout import Box, Gap, Row, Word
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
-from tmmcalc.report.formula.tree import Name, Node, Over, Statement, Sum, mapped, names
+from tmmcalc.report.formula.tree import Call, Name, Node, Over, Statement, Sum, mapped, names
+from tmmcalc.report.formula.tree import parts as parts_of
 from tmmcalc.report.language import possessive, several, tr, tr_unit
 from tmmcalc.report.manuscript import (
     Block,
@@ -86,6 +87,7 @@ class Assembler:
         self._parts = [0, 0]  # how many of levels 2 and 3 there were
         self._counts: Counter[tuple[str, str]] = Counter()  # of tables, figures and formulas by chapter
         self._explained: dict[str, tuple[str, str]] = {}  # meaning and unit of a name
+        self._turned = False  # whether the arctangent of a whole turn is explained
         self._told: dict[tuple[str, Statement], str] = {}  # numbers of the formulas of each chapter
 
     def written(self, chapters: Iterable[Chapter]) -> list[Written]:
@@ -214,8 +216,18 @@ class Assembler:
                 parts += [", "] * bool(j) + [quantity(key)]
             said = meaning if len(keys) == 1 else _of_several(keys, meaning, unit)
             parts += [" – ", *inline(said).parts, *([f", {shown_unit(unit)}"] if unit else [])]
+        if not self._turned and _calls(line.formula, "atan2"):
+            self._turned = True
+            said = tr("$atan2(y, x)$ – angle of the vector with the projections $x$ and $y$ from the $x$ axis")
+            parts += ["; " if parts else tr("where") + " ", *inline(said).parts]
         if parts:
             yield Text((*parts, "."), explains=True)
+
+
+def _calls(node: Node | Statement, function: str) -> bool:
+    """Whether a function stands in a formula."""
+    own = isinstance(node, Call) and node.function == function
+    return own or any(_calls(part, function) for part in parts_of(node))
 
 
 def _summed(found: Worked) -> Row:

@@ -11,7 +11,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.pictures.toscale import closed_up
-from tmmcalc.cams.pictures.wording import deg, mm
+from tmmcalc.cams.pictures.wording import deg, limit_name, mm
 from tmmcalc.cams.pictures.zone import (
     BASE,
     HATCH,
@@ -147,7 +147,9 @@ def _mark_limit(board: Board, placed: Placed, family: Family, line: tuple[comple
     across *= 1 if (across * along.conjugate()).real > 0 else -1
     across /= abs(across)
     board.line([tip, tip + 1.2 * MARKED * board.mu * across], OTHER, level=6)
-    return mark_angle(board, tip, (across, along / abs(along)), MARKED, f"[$θ$] = {deg(family.limit)}")
+    return mark_angle(
+        board, tip, (across, along / abs(along)), MARKED, f"{limit_name(family.kind)} = {deg(family.limit)}"
+    )
 
 
 def _strokes(placed: Placed, task: CamTask, family: Family, lines: Lines) -> list[list[complex]]:

@@ -43,6 +43,11 @@ def phase_name(kind: str) -> str:
     return {"high dwell": tr("far dwell"), "low dwell": tr("near dwell")}.get(kind) or tr_name(kind)
 
 
+def limit_name(kind: str) -> str:
+    """The permissible pressure angle of a phase: of a rise or of a return."""
+    return "$θ_{Pc}$" if kind == "return" else "$θ_P$"
+
+
 def design_name(design: Design, sense: int) -> str:
     """A design of the synthesis; at a given offset with this, in the user's sense."""
     names = {

@@ -142,9 +142,6 @@ class Tooth:
             self.node("r_P - r_F"),
             tr("the teeth of wheel {wheel} are pointed below the beginning of their involutes", wheel=wheel),
         )
-        yield Condition(
-            self.node("pi/z - psi + phi_D"), tr("neighbouring fillets of wheel {wheel} overlap", wheel=wheel)
-        )
 
     def faults(self, mate: str) -> Iterator[Condition]:
         """What keeps a tooth that there is from its work."""
