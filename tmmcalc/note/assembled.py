@@ -58,6 +58,8 @@ LENGTHS = ("m", "mm")
 
 LONG = 20  # rows of a table that is folded where it is narrow
 WIDE, SMALL, CELL = 175.0, 9.0 * 25.4 / 72.0, 2.4  # of a page, of a letter M of a table, beside letters of a cell [mm]
+WORD = re.compile(r"[^\W\d_]{3,}")  # with which the head of a column begins
+UNITS = ("deg", "rad", "rpm", "град", "рад")
 MANY, FIRST = 8, 3  # terms of a sum over an index: up to which all are shown, and those of a longer one before its last
 
 
@@ -119,7 +121,11 @@ class Assembler:
                     yield Source(text)
                 case Table(caption, head, rows, key):
                     said = Caption(tr("Table"), self._numbered("tab", key), inline(caption), key)
-                    yield Grid(said, tuple(map(inline, head)), tuple(tuple(map(inline, row)) for row in rows))
+                    yield Grid(
+                        said,
+                        tuple(inline(_capital(each)) for each in head),
+                        tuple(tuple(map(inline, row)) for row in rows),
+                    )
                 case Figure(caption, _, _, key):
                     yield Image(Caption(tr("Figure"), self._numbered("fig", key), inline(caption), key), drawn(block))
 
@@ -241,6 +247,15 @@ def _folded(blocks: Sequence[Block]) -> Iterator[Block]:
                 yield folded(block, 2)
                 continue
         yield block
+
+
+def _capital(head: str) -> str:
+    """The head of a column, words with a capital.
+
+    >>> _capital("least"), _capital("rad"), _capital("$phi$, deg")
+    ('Least', 'rad', '$phi$, deg')
+    """
+    return head[:1].upper() + head[1:] if (word := WORD.match(head)) and word[0] not in UNITS else head
 
 
 def _numeric(table: Table) -> bool:

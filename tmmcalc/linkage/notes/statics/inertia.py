@@ -48,10 +48,8 @@ def inertia(loaded: Loaded) -> Iterator[Block]:
 def _quantities(loaded: Loaded, body: Body, found: FreeBody) -> dict[str, Given]:
     """Mass, inertia and weight of a link, its loads of inertia without what is rounding."""
     loading, link = loaded.loading, body.link
-    value = next((f.value for f in found.forces if f.kind == "inertia"), 0j)
+    force = loaded.clean(next((f.value for f in found.forces if f.kind == "inertia"), 0j))
     couple = next((c.value for c in found.couples if c.kind == "inertia"), 0.0)
-    least = NOTHING * loaded.largest[0]
-    force = complex(*(part if abs(part) > least else 0.0 for part in (value.real, value.imag)))
     centre = tr("moment of inertia of link {link} about its centre of mass", link=link)
     return {
         f"m_{link}": Given(body.mass, "kg", tr("mass of link {link}", link=link)),
