@@ -167,15 +167,15 @@ def _known(told: Told, found: Gearing, outside: list[str], *, sized: bool) -> It
         yield Paragraph(tr("No torque is given: ${torque}$ = 1 N·m is taken.", torque=_from_outside(found.input or "")))
     for name, torque in task.torques.items():
         if torque and name in outside:
-            said = {"torque": _from_outside(name), "value": tr_number(significant(torque, DIGITS))}
+            values = {"torque": _from_outside(name), "value": tr_number(significant(torque, DIGITS))}
             yield Paragraph(
                 tr(
                     "The torque from outside is that for which the strength is calculated below: ${torque}$ = {value} "
                     "N·m.",
-                    **said,
+                    **values,
                 )
                 if sized
-                else tr("The torque from outside is known: ${torque}$ = {value} N·m.", **said)
+                else tr("The torque from outside is known: ${torque}$ = {value} N·m.", **values)
             )
     for name, load in task.loads.items():
         if load:
