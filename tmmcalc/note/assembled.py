@@ -250,12 +250,14 @@ def _folded(blocks: Sequence[Block]) -> Iterator[Block]:
 
 
 def _capital(head: str) -> str:
-    """The head of a column, words with a capital.
+    """The head of a column, words of the language in force with a capital.
 
     >>> _capital("least"), _capital("rad"), _capital("$phi$, deg")
     ('Least', 'rad', '$phi$, deg')
     """
-    return head[:1].upper() + head[1:] if (word := WORD.match(head)) and word[0] not in UNITS else head
+    word = WORD.match(head)
+    named = head[:1].isascii() and spoken() != "en"  # a name that the spec gives
+    return head[:1].upper() + head[1:] if word and word[0] not in UNITS and not named else head
 
 
 def _numeric(table: Table) -> bool:
