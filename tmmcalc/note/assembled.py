@@ -32,7 +32,7 @@ from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
 from tmmcalc.report.formula.tree import Call, Name, Node, Over, Statement, Sum, mapped, names
 from tmmcalc.report.formula.tree import parts as parts_of
-from tmmcalc.report.language import possessive, several, tr, tr_unit
+from tmmcalc.report.language import possessive, several, spoken, tr, tr_unit
 from tmmcalc.report.manuscript import (
     Block,
     Chapter,
