@@ -166,6 +166,8 @@ def ends(vector: Vector) -> str:
 
     >>> ends(Vector("pi", "s3", "absolute", 3, "S3"))
     '$pi$$s_3$'
+    >>> ends(Vector("c", "k7'", "relative", 7, "K7", "C"))
+    "$c$$k'_7$"
     """
     return "".join(map(_vertex, (vector.tail, vector.head)))
 
@@ -174,7 +176,8 @@ def _vertex(name: str) -> str:
     if SPECIAL.fullmatch(name):
         return SPECIAL.sub(r"$\1_{\2(\3,\4)}$", name)
     if found := NUMBERED.fullmatch(name):
-        return f"${found[1]}_{found[2]}$"
+        number = found[2].rstrip("'")
+        return f"${found[1]}{found[2][len(number) :]}_{number}$"
     return f"${name}$" if len(name) == 1 or name == "pi" else name
 
 
