@@ -33,7 +33,9 @@ def _blocks(results: Sequence[Result], warnings: Sequence[str]) -> Iterator[Bloc
     if results:
         yield Paragraph(tr("The main results are listed in table {tab:results}."))
         head = (tr("Quantity"), tr("Designation"), tr("Value"), tr("Limit"), tr("Kept"))
-        yield Table(tr("Main results"), head, tuple(map(_row, results)), key="results")
+        columns = len(head) if any(each.limit is not None for each in results) else len(head) - 2
+        rows = tuple(_row(each)[:columns] for each in results)
+        yield Table(tr("Main results"), head[:columns], rows, key="results")
     told = list(_once(warnings))
     parts = [each.value / each.limit for each in told if isinstance(each, Note) and each.value and each.limit]
     failing = [each for each in results if _kept(each) is False and not _warned(each, parts)]

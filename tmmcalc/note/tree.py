@@ -14,7 +14,7 @@ from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.language import speaking, spoken, tr_unit
 from tmmcalc.spec.dimensions import UNITS
 
-LETTER = 0.53  # of an em, of words
+LETTER, CAPITAL = 0.53, 0.68  # of an em, of words
 NUMERIC = re.compile(r"[-−+–\d.,  \u202f%°]*")  # what a cell of numbers has
 
 
@@ -33,6 +33,7 @@ class Contents(NamedTuple):
     """The list of titles with their pages."""
 
     title: str
+    entries: int = 0  # about how many there are
 
 
 class Title(NamedTuple):
@@ -157,7 +158,7 @@ def part_width(part: str | Box | Reference) -> float:
     """About how wide a part of a text is [em]."""
     match part:
         case str():
-            return LETTER * len(part)
+            return LETTER * len(part) + (CAPITAL - LETTER) * sum(map(str.isupper, part))
         case Reference(_, number):
             return LETTER * len(number)
     return width(part)
@@ -166,7 +167,7 @@ def part_width(part: str | Box | Reference) -> float:
 def _unbroken(cell: Text) -> float:
     found, here = 0.0, 0.0
     for part in cell.parts:
-        words = part.split(" ") if isinstance(part, str) else [part]
+        words = tied(part).split(" ") if isinstance(part, str) else [part]
         for k, word in enumerate(words):
             here = part_width(word) + (0.0 if k else here)
             found = max(found, here)

@@ -8,9 +8,8 @@ from tmmcalc.note.tree import Caption, Reference, Text, part_width, tied
 from tmmcalc.report.formula.layout import Box
 from tmmcalc.report.formula.typst import typst as typeset
 
-SPANS = re.compile(r"(?<=\d)–(?=\d|$)")
 PRIMES = re.compile(r"(?<=\d)'+")
-PAIR = re.compile(r"(?<=\d)–(?=\d)|^–$")  # of links, the ends of a range
+PAIR = re.compile(r"(?<=\d)–(?=\d|$)|^–(?=\d|$)")  # of links, the ends of a range
 SIZE = 12.0  # of letters [pt]
 EM = SIZE * 25.4 / 72.0  # a letter M of the text [mm]
 WIDE = 175.0  # of the text [mm]
@@ -52,5 +51,4 @@ def escaped(text: str) -> str:
     text = PRIMES.sub(lambda found: "′" * len(found[0]), text)
     for sign in "\\#$*_`<>@[]~":
         text = text.replace(sign, "\\" + sign)
-    text = SPANS.sub("–\u2060", text)  # nor is 3.1–3.4
     return text.replace("/", "/\u2060")  # a unit is not broken

@@ -9,7 +9,6 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.gears.advice import called, removals
 from tmmcalc.gears.chosen.choice import Chosen
 from tmmcalc.gears.chosen.motion import Moving
 from tmmcalc.gears.columns import ratios
@@ -18,6 +17,7 @@ from tmmcalc.gears.details import searched_trains
 from tmmcalc.gears.gearing import Gearing, solve_gearing
 from tmmcalc.gears.gearingtask import layout_task
 from tmmcalc.gears.notes.conditions import told_conditions
+from tmmcalc.gears.notes.course import told_search
 from tmmcalc.gears.notes.letters import asked_ratio, joined, letter, lowered, short_train, teeth_of
 from tmmcalc.gears.notes.speeds import Told, ends_of, told_motion, told_speeds
 from tmmcalc.gears.notes.torques import told_torques
@@ -35,7 +35,7 @@ from tmmcalc.gears.trains import Request, Variant
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr, tr_name, tr_number
+from tmmcalc.report.language import tr, tr_number
 from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import lines, named, tabulated, titled
 
@@ -78,7 +78,7 @@ def _searched(variant: Variant, chosen: Chosen | None, selection: Selection | No
     elif request.scheme.stepped and request.task.nominal > 1:
         yield from _proportion(request)
     if request.task.teeth is None:
-        yield from _removed(variant, key)
+        yield from told_search(variant, key)
     if synthesis.count > 1:
         yield from _sets(variant, chosen, selection, key)
 
@@ -157,39 +157,6 @@ def _proportion(request: Request) -> Iterator[Block]:
     yield from lines(["u_2 = U/u_1", "mu^{*} = (u_1**2/u_2)**(1/4)"], [Place("", lexicon)])
 
 
-def _removed(variant: Variant, key: str) -> Iterator[Block]:
-    """The limits of the search and what each constraint removed."""
-    request, synthesis = variant.request, variant.synthesis
-    limits = request.task.limits
-    said = tr("Wheels have {low} to {high} teeth", low=limits.least, high=limits.largest)
-    if not request.scheme.branched:
-        said += tr(", pinions at most {high}", high=limits.largest_pinion)
-    if request.scheme.rings:
-        said += tr(", rings {low} to {high}", low=limits.least_ring, high=limits.largest_ring)
-    counts = {"candidates": _grouped(synthesis.candidates), "count": _grouped(synthesis.count)}
-    found = removals(variant)
-    if not found:
-        yield Paragraph(f"{said}. " + tr("The search found {count} sets of numbers of teeth.", count=counts["count"]))
-        return
-    tab = f"{{tab:{key}_removed}}"
-    yield Paragraph(
-        f"{said}. "
-        + tr(
-            "Of {candidates} combinations the constraints leave {count}; what each removes is in table {tab}.",
-            tab=tab,
-            **counts,
-        )
-    )
-    rows = tuple((tr_name(called(name)), _grouped(of), _grouped(number)) for name, number, of in found)
-    head = (tr("Constraint"), tr("Combinations before it"), tr("Removed"))
-    yield Table(tr("What the constraints removed"), head, rows, f"{key}_removed")
-
-
-def _grouped(count: int) -> str:
-    """A whole number, from 10 000 on with thin spaces between its thousands."""
-    return f"{count:,}".replace(",", "\u202f") if count >= 10_000 else str(count)
-
-
 def _number(value: float) -> str:
     return tr_number(significant(value, DIGITS)).replace("-", "−")
 
@@ -208,7 +175,8 @@ def _sets(variant: Variant, chosen: Chosen | None, selection: Selection | None, 
     if chosen is not None:
         told = {"number": own + 1, "count": variant.synthesis.count}
         chose = tr("The criteria chose set {number} of {count}; it is worked out here.", **told)
-        said += " " + (tr("Further on set {number} of {count} is taken.", **told) if selection is None else chose)
+        least = tr("Further on set {number} of {count} is taken, that of the least $z_1 + z_2$.", **told)
+        said += " " + (least if selection is None else chose)
     yield Paragraph(said)
     ratio, error = ratios(request, sets)
     parts = sets.modules[rows]
@@ -256,7 +224,7 @@ def _chosen(
     yield from told_plans(told.moving, f"{key}_plans")
     yield from _efficiency(told, found, chosen)
     if found.task.torques or chosen.sets.scheme.three_centrals:
-        yield from told_torques(told, found, f"{key}_meshes")
+        yield from told_torques(told, found, f"{key}_meshes", sized=torque is not None)
 
 
 def _reached(chosen: Chosen, *, several: bool) -> Iterator[Block]:

@@ -59,8 +59,9 @@ def stem(of: Judging) -> Iterator[Block]:
         return
     yield Heading(tr("Stem and guide"), 3)
     if bent is not None and bent.phi is not None and bent.value is not None:
-        where = shown_angle(bent.phi)
-        yield Paragraph(tr("The bending moment of the stem is largest at $phi$ = {angle}:", angle=where))
+        yield Paragraph(
+            tr("The bending moment of the stem is largest at $phi$ = {angle}:", angle=shown_angle(bent.phi))
+        )
         there = of.of.found(bent.phi, bent.value, lambda found: _bending(of, found))
         moment = "abs(R*S')" if of.of.kind == "flat" else "abs(R*sin(theta)*q)"
         texts = (f"M_T = {moment}/10**3", "sigma_F = 4*10**3*M_T/(pi*r_T**3)")
