@@ -17,6 +17,7 @@ from tmmcalc.cams.optimum.leastheight import least_height
 from tmmcalc.cams.optimum.margins import NUMBERS, judge, margins
 from tmmcalc.cams.optimum.options import MOST, with_law
 from tmmcalc.cams.optimum.peaks import ended, largest
+from tmmcalc.cams.optimum.results import Level, merged
 from tmmcalc.cams.optimum.scene import scene_of
 from tmmcalc.cams.optimum.slipbounds import may_roll
 from tmmcalc.cams.optimum.solve import solve_optimum
@@ -108,6 +109,17 @@ def test_no_lower_step_height_by_brute_force(law: str, spring: Spring | None) ->
     }
     for lower in found.height - 0.002 * np.arange(1, 8):
         assert not np.any(np.all(margins(scene, start, roller, np.full(len(start), lower)) >= -1e-12, axis=0))
+    *before, last = found.course
+    assert (last.height, last.kept) == (found.height, len(found.start))
+    assert last.margin == pytest.approx(np.max(np.min(found.margin, axis=0)))
+    assert not any(each.kept for each in before)
+
+
+def test_levels_of_stretches_make_one_course() -> None:
+    """A height that was tried with near points and with those farther out stands once; those above the least do not."""
+    near = [Level(0.10, 2, 2, 0, -0.2, 9), Level(0.11, 3, 3, 0, -0.1, 8)]
+    far = [Level(0.11, 4, 4, 1, 0.02, 2), Level(0.13, 9, 9, 9, 0.5, 5)]
+    assert merged(near + far, 0.11) == (near[0], Level(0.11, 7, 7, 1, 0.02, 2))
 
 
 @pytest.mark.slow

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from note.naming import unnamed
 from note.scenes import CONFIGS, told, written
 from tmmcalc.cams.laws.catalogue import NAMES
 from tmmcalc.cams.notes.laws import BOOK
@@ -111,8 +112,9 @@ def _undrawn(block: Block) -> Block:
 def test_every_kind_of_cam_is_exact_and_works_out_as_printed(kind: str, tmp_path: Path) -> None:
     spec = tmp_path / "spec.toml"
     spec.write_text(HEAD + KINDS[kind], encoding="utf-8")
-    found = Assembler()
-    note = found.written(blocks_of(spec))
+    found, chapters = Assembler(), blocks_of(spec)
+    assert not [each for chapter in chapters for each in unnamed(chapter.blocks)]
+    note = found.written(chapters)
     assert len(found.lines) > 20
     for line in found.lines:
         assert line.found.error <= EXACT, (line.formula, line.place, line.found.error)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from note.naming import unnamed
 from note.scenes import blocks, told, written
 from note.test_forms import LATIN, words
 from note.test_lines import mutants, wrong
@@ -119,6 +120,7 @@ def test_every_option_is_told_in_lines_that_are_exact(kind: str, tmp_path: Path)
     found = Assembler()
     made = chapters(kind, tmp_path)
     said = text(found.written([*made, conclusions(made, [], [])]))
+    assert not [each for chapter in made for each in unnamed(chapter.blocks)]
     assert len(found.lines) >= FEW.get(kind, 6)
     for line in found.lines:
         assert line.found.error <= EXACT, (line.formula, line.place, line.found.error)

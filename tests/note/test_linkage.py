@@ -14,8 +14,8 @@ from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.tree import Equation, Reference, Text
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.symbols import canonical
-from tmmcalc.report.formula.tree import Name, Statement
-from tmmcalc.report.manuscript import Block, Paragraph, Result, Table
+from tmmcalc.report.formula.tree import Name, Statement, names
+from tmmcalc.report.manuscript import Block, Line, Paragraph, Result, Table
 
 CHAPTERS = ("structure", "kinematics")
 
@@ -140,3 +140,29 @@ def test_a_note_on_motion_alone_has_results() -> None:
 def test_special_points_are_explained() -> None:
     """Those of the basic links of a class IV group stand in the plans."""
     assert any(isinstance(each, Paragraph) and "$W_{2(3,4)}$" in each.text for each in chapters("class-four"))
+
+
+def test_the_position_of_the_working_stroke_is_one_with_its_load() -> None:
+    """The sheet is cut from 105° on: a quarter of the turn, in the middle of the stroke, has no load."""
+    places = {place.name for block in chapters("course-project") if isinstance(block, Line) for place in block.places}
+    assert places - {""} == {"pos. 9", "pos. 18"}
+
+
+@pytest.mark.parametrize("name", ["course-project", "shaper", "four-dyads"])
+def test_an_angle_has_the_same_whole_turns_in_all_chapters_and_in_the_table(name: str) -> None:
+    known: dict[tuple[str, str], float] = {}
+    for block in blocks(told(name, only=(*CHAPTERS, "forces"))):
+        if not isinstance(block, Line):
+            continue
+        for place in block.places:
+            for key in names(block.formula):
+                value = place.lexicon[key].value
+                if key.startswith("phi_") and key[4:].isdigit() and isinstance(value, float):
+                    assert known.setdefault((place.name, key), value) == pytest.approx(value, abs=1e-6), key
+    table = tables(name, "course_si")
+    for column, head in enumerate(table.head):
+        key = head.strip("$").partition("$")[0]
+        for (place, one), value in known.items():
+            if one == key:
+                row = next(row for row in table.rows if f"pos. {row[0]}" == place)
+                assert number(row[column]) == pytest.approx(value, abs=0.06), (place, key)

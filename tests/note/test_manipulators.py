@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from note.naming import unnamed
 from note.scenes import told, written
 from note.test_lines import mutants, wrong
 from tmmcalc.note.assembled import Assembler, Checked
@@ -101,7 +102,8 @@ def of_kind(kind: str, folder: Path) -> tuple[list[Block], list[Checked], list[W
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_of_motion_is_exact_and_works_out_as_printed(kind: str, tmp_path: Path) -> None:
-    _, found, note = of_kind(kind, tmp_path)
+    blocks, found, note = of_kind(kind, tmp_path)
+    assert not [*unnamed(blocks)]
     assert len(found) > 15
     for line in found:
         assert line.found.error <= EXACT, (line.formula, line.place, line.found.error)

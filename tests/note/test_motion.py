@@ -129,6 +129,13 @@ def test_the_rim_carries_its_share() -> None:
     assert found["J_M1"] * 17.6316**2 == pytest.approx(found["J_M"], rel=5e-5)
 
 
+def test_a_flywheel_that_is_there_has_its_rim_told() -> None:
+    """The shaper needs none beside 43.2 kg*m^2; its own has 186 kg*m^2 at 1300 mm."""
+    found = values(told("shaper", only=("motion",)))
+    assert found["m_t"] == pytest.approx(4 * 186 / 1.3**2, rel=1e-4)
+    assert found["m_r"] * (found["D_o"] ** 2 + found["D_i"] ** 2) / 8 == pytest.approx(0.9 * 186, rel=2e-4)
+
+
 def test_a_time_optimal_motion_is_that_of_the_textbook() -> None:
     """Phases of 4 s each, a travel of 1.6 m (2.10.2.4)."""
     found = values(told("crane-luffing", only=("unsteady",)))
@@ -138,7 +145,7 @@ def test_a_time_optimal_motion_is_that_of_the_textbook() -> None:
 @pytest.mark.parametrize(
     ("name", "there", "absent"),
     [
-        ("shaper", "ω_min ≥ ω_N: 5.4789 ≥ 5.5676 rad/s. The condition fails.", "Sizes of the flywheel"),
+        ("shaper", "ω_min ≥ ω_N: 5.4789 ≥ 5.5676 rad/s. The condition fails.", "Sizes of the flywheel\n"),
         ("press", "Angular velocity by the kinetic energy", "Characteristic of the motor"),
         ("electric-braking", "do not change over the cycle", "Excess work"),
         ("elastic-drive", "M_i,i+1 = c_i (φ_i − φ_i+1)", "Angular velocity by the recurrence"),

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from note.naming import unnamed
 from note.scenes import told, written
 from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.plaintext import text
@@ -96,8 +97,9 @@ def test_every_kind_of_pair_is_exact_and_works_out_as_printed(kind: str, tmp_pat
     spec = tmp_path / "spec.toml"
     spec.write_text(HEAD + KINDS[kind], encoding="utf-8")
     done = run(load_spec(spec), target=stages_of(ONLY))
-    found = Assembler()
-    note = found.written(chapters_of({"gears": "Gears"}, done.spec, done.results, NONE))
+    found, chapters = Assembler(), chapters_of({"gears": "Gears"}, done.spec, done.results, NONE)
+    assert not [each for chapter in chapters for each in unnamed(chapter.blocks)]
+    note = found.written(chapters)
     assert len(found.lines) > 20
     for line in found.lines:
         assert line.found.error <= EXACT, (line.formula, line.found.error)

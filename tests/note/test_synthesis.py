@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from note.naming import unnamed
 from note.scenes import CONFIGS, told
 from note.test_forms import KINDS as DYAD_KINDS
 from note.test_forms import LATIN, words
@@ -209,6 +210,7 @@ def chapters(body: str, folder: Path, stage: str = "synthesis") -> list[Chapter]
 
 def checked(found: list[Chapter]) -> list[Written]:
     """What is written of chapters whose lines are all exact and right as printed."""
+    assert not [each for chapter in found for each in unnamed(chapter.blocks)]
     assembler = Assembler()
     note = assembler.written(found)
     assert len(assembler.lines) > 3

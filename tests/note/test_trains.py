@@ -148,3 +148,21 @@ def test_mutants_are_caught() -> None:
 
 def blocks(name: str) -> list[Block]:
     return [block for chapter in told(name, only=("gears",)) for block in chapter.blocks]
+
+
+@pytest.mark.parametrize("name", ["gears-coaxial", pytest.param("gears-single-planets", marks=pytest.mark.slow)])
+def test_the_course_of_the_choice_adds_up_and_its_best_train_is_the_chosen_one(name: str) -> None:
+    """Of the sets that are found those that fall away leave those that are compared; of these the first was taken."""
+    tables = {block.key: block for block in blocks(name) if isinstance(block, Table)}
+    sieve = tables["criteria_sieve"]
+    for column in range(1, len(sieve.head)):
+        found, *lost, left = (int(row[column]) for row in sieve.rows)
+        assert found - sum(lost) == left
+    best = tables["criteria_best"]
+    assert best.rows[0][1].endswith("*")
+    by = -1 if best.head[-1] == "$S$" else best.head.index("inertia, kg·m²")
+    order = [float(row[by]) for row in best.rows]
+    assert order == sorted(order)
+    for key in (each for each in tables if each.endswith("_removed")):
+        counts = [[int(cell.replace("\u202f", "")) for cell in row[2:]] for row in tables[key].rows]
+        assert all(before - removed == after for (before, removed), (after, _) in pairwise(counts))

@@ -11,6 +11,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 import pytest
 
+from note.naming import unnamed
 from note.scenes import told
 from note.test_lines import mutants, wrong
 from tmmcalc.note.assembled import Assembler, Checked
@@ -98,7 +99,8 @@ def of_kind(kind: str) -> tuple[list[Block], list[Checked], list[Written]]:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_is_exact_and_works_out_as_printed(kind: str) -> None:
-    _, found, note = of_kind(kind)
+    blocks, found, note = of_kind(kind)
+    assert not [*unnamed(blocks)]
     assert len(found) > 8
     for line in found:
         assert line.found.error <= EXACT, (line.formula, line.place, line.found.error)

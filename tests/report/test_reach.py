@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from tmmcalc.report.drawing.pens import MIDDLE
-from tmmcalc.report.drawing.reach import around, lowered, reach, trimmed
+from tmmcalc.report.drawing.pens import MIDDLE, THIN
+from tmmcalc.report.drawing.reach import BLANK, around, lowered, reach, trimmed
 from tmmcalc.report.drawing.shapes import Arc, Area, Dimension, Drawing, Hatching, Shape, Stroke, Words
 
 SQUARE = np.array([20 + 40j, 30 + 40j, 30 + 50j, 20 + 50j])
@@ -42,3 +42,15 @@ def test_a_trimmed_drawing_has_all_its_shapes_and_no_blank_over_and_under_them()
 def test_a_drawing_without_shapes_stays() -> None:
     drawing = Drawing(60.0, 100.0)
     assert trimmed(drawing) is drawing
+
+
+def test_words_above_and_below_come_near_to_what_is_drawn_which_stays_to_scale() -> None:
+    """A strip without anything between two strokes is part of the picture."""
+    drawing = Drawing(60.0, 100.0)
+    strokes = [Stroke(np.array([10 + y * 1j, 40 + y * 1j]), THIN) for y in (30.0, 60.0)]
+    drawing.add(Words(25 + 95j, "heading", 2.5), Words(25 + 5j, "note", 2.5), *strokes)
+    found = trimmed(drawing)
+    heading, note, *lines = [reach(shape) for shape in found.shapes]
+    assert lines[1].bottom - lines[0].top == pytest.approx(30.0)
+    assert heading.bottom - lines[1].top == pytest.approx(BLANK)
+    assert lines[0].bottom - note.top == pytest.approx(BLANK)

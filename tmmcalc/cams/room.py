@@ -112,7 +112,7 @@ ROOM = Room(
         ),
         Stage(
             "cam_optimum",
-            "the lowest cam mechanism within all constraints, with a rocker the smallest",
+            "the smallest cam mechanism within all constraints",
             needs=("cam_synthesis",),
             uses=("motion",),
             reads="read_at_speed",

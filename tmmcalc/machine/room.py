@@ -99,7 +99,7 @@ ROOM = Room(
         ),
         Stage(
             "drive",
-            "the ratio that motor and crank give the train; a motor to choose is settled with it",
+            "the ratio that motor and crank give the train",
             uses=("reduction",),
             reads="read_by_drive",
             chapter="reduction",
@@ -158,7 +158,7 @@ ROOM = Room(
         ),
         Stage(
             "balance",
-            "shaking forces of linkage, engine, rotor; counterweights",
+            "shaking forces and their balancing",
             uses=("kinematics",),
             wanted="balance",
             chapter="balance",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from tmmcalc import __version__
@@ -12,6 +13,7 @@ from tmmcalc.report.manuscript import Block, Chapter, Heading, Paragraph, Table,
 
 DIGITS = 2  # of an estimate
 LETTER = "A"  # of its sections and tables
+REMARK = re.compile(r"^([^#]*[^#\s])\s{3,}#")
 
 
 def appendix(errors: Mapping[str, Mapping[str, float]], source: str, own: Sequence[Block]) -> Chapter:
@@ -21,20 +23,28 @@ def appendix(errors: Mapping[str, Mapping[str, float]], source: str, own: Sequen
 
 def _blocks(errors: Mapping[str, Mapping[str, float]], source: str) -> Iterator[Block]:
     rows = [
-        (tr_name(title) if not k else "", _said(name), f"${significant(value, DIGITS)}$")
+        (tr_name(title), "; ".join(f"{_said(name)} ${significant(value, DIGITS)}$" for name, value in found.items()))
         for title, found in errors.items()
-        for k, (name, value) in enumerate(found.items())
     ]
     if rows:
         yield Heading(tr("Error estimates"))
         yield Paragraph(
             tr("The relative errors of the results, as the program estimates them, are listed in table {tab:errors}.")
         )
-        head = (tr("Calculation"), tr("Quantity"), tr("Estimate"))
+        head = (tr("Calculation"), tr("Estimates"))
         yield Table(tr("Estimates of relative errors"), head, tuple(rows), key="errors")
     yield Heading(tr("Input data"))
     yield Paragraph(tr("Calculated by tmmcalc {version} from this file:", version=__version__))
-    yield Verbatim(source)
+    yield Verbatim("\n".join(map(_narrow, source.splitlines())))
+
+
+def _narrow(line: str) -> str:
+    """A line of the spec with its remark beside it, not in a column of remarks.
+
+    >>> _narrow('mass = 24          # kg'), _narrow("#     C     pivot")
+    ('mass = 24  # kg', '#     C     pivot')
+    """
+    return REMARK.sub(r"\1  #", line)
 
 
 def _said(name: str) -> str:

@@ -18,7 +18,9 @@ from tmmcalc.note.tree import (
     Text,
     Title,
     Written,
+    numeric,
     plain_text,
+    widest,
 )
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.reach import trimmed
@@ -28,8 +30,9 @@ from tmmcalc.report.formula.digits import RESULT, Given, Worked, result_of, sign
 from tmmcalc.report.formula.layout import Box, Gap, Row, Word
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
-from tmmcalc.report.formula.tree import Name, Node, Statement, mapped, names
-from tmmcalc.report.language import several, tr, tr_unit
+from tmmcalc.report.formula.tree import Call, Name, Node, Over, Statement, Sum, mapped, names
+from tmmcalc.report.formula.tree import parts as parts_of
+from tmmcalc.report.language import possessive, several, tr, tr_unit
 from tmmcalc.report.manuscript import (
     Block,
     Chapter,
@@ -47,9 +50,17 @@ from tmmcalc.report.manuscript import (
     Verbatim,
 )
 from tmmcalc.report.printing import ANSWERS, FULL, SHORT, printed_as
+from tmmcalc.report.telling import folded
 
 REFERENCE = re.compile(r"\{((?:tab|eq|fig):\w+)\}")
 COUNTER = re.compile(r"(?<=_)(\w*)i(?=\^|$)|(?<=,)i(?=\})")
+LENGTHS = ("m", "mm")
+
+LONG = 20  # rows of a table that is folded where it is narrow
+WIDE, SMALL, CELL = 175.0, 9.0 * 25.4 / 72.0, 2.4  # of a page, of a letter M of a table, beside letters of a cell [mm]
+WORD = re.compile(r"[^\W\d_]{3,}")  # with which the head of a column begins
+UNITS = ("deg", "rad", "rpm", "град", "рад")
+MANY, FIRST = 8, 3  # terms of a sum over an index: up to which all are shown, and those of a longer one before its last
 
 
 class Checked(NamedTuple):
@@ -76,6 +87,8 @@ class Assembler:
         self._parts = [0, 0]  # how many of levels 2 and 3 there were
         self._counts: Counter[tuple[str, str]] = Counter()  # of tables, figures and formulas by chapter
         self._explained: dict[str, tuple[str, str]] = {}  # meaning and unit of a name
+        self._turned = False  # whether the arctangent of a whole turn is explained
+        self._told: dict[tuple[str, Statement], str] = {}  # numbers of the formulas of each chapter
 
     def written(self, chapters: Iterable[Chapter]) -> list[Written]:
         """What is written of these chapters, references in their texts replaced by numbers.
@@ -89,13 +102,13 @@ class Assembler:
                 found += [self._chapter(chapter), *self._written(blocks)]
         return [_referred(each, self._numbers) for each in found]
 
-    def _written(self, blocks: Iterable[Block]) -> Iterator[Written]:
-        for block in blocks:
+    def _written(self, blocks: Sequence[Block]) -> Iterator[Written]:
+        for block in _folded(blocks):
             match block:
                 case Heading(text, level):
                     yield self._title(text, level)
                 case Paragraph(text):
-                    yield inline(text)
+                    yield inline(text)._replace(explains=text.startswith(tr("where") + " "))
                 case Display(formula, key):
                     yield Equation((setting.statement(formula),), self._numbered("eq", key), key=key)
                 case Line():
@@ -108,7 +121,11 @@ class Assembler:
                     yield Source(text)
                 case Table(caption, head, rows, key):
                     said = Caption(tr("Table"), self._numbered("tab", key), inline(caption), key)
-                    yield Grid(said, tuple(map(inline, head)), tuple(tuple(map(inline, row)) for row in rows))
+                    yield Grid(
+                        said,
+                        tuple(inline(_capital(each)) for each in head),
+                        tuple(tuple(map(inline, row)) for row in rows),
+                    )
                 case Figure(caption, _, _, key):
                     yield Image(Caption(tr("Figure"), self._numbered("fig", key), inline(caption), key), drawn(block))
 
@@ -137,21 +154,34 @@ class Assembler:
         return number
 
     def _line(self, line: Line) -> Iterator[Written]:
-        """The formula, what its letters are, its numbers at each place; those that are one everywhere go on from it."""
+        """The formula, what its letters are, its numbers at each place; those that are one everywhere go on from it.
+
+        One that the chapter has told already, of the same quantities, stands with its numbers alone.
+        """
         left, right = line.formula.sides
         letters = setting.side(left), setting.side(right)
-        number = self._numbered("eq", line.key)
+        where = [*self._where(line)]
+        known = None if where else self._told.get((self._prefix, line.formula))
+        number = known or self._numbered("eq", line.key)
+        self._told[self._prefix, line.formula] = number
+        if known and line.key:
+            self._numbers[f"eq:{line.key}"] = known
         places = line.places[: 1 if self.depth == SHORT else None]
         found = [self._numbers_of(line, place) for place in places]
         own = {plain(setting.side(_indexed(left, place.index))) for place in places}
         if own == {plain(letters[0])} and len(set(found)) == 1 and (len(places) > 1 or not places[0].name):
+            if known:
+                yield Equation((letters[0], *found[0]), lead=tr("by ({number})", number=known))
+                return
             yield Equation((*letters, *found[0]), number, key=line.key)
-            yield from self._where(line)
+            yield from where
             return
-        yield Equation(letters, number, key=line.key)
-        yield from self._where(line)
+        if not known:
+            yield Equation(letters, number, key=line.key)
+            yield from where
         for place, parts in zip(places, found, strict=True):
-            yield Equation((setting.side(_indexed(left, place.index)), *parts), lead=place.name)
+            lead = ", ".join(each for each in (place.name, known and tr("by ({number})", number=known)) if each)
+            yield Equation((setting.side(_indexed(left, place.index)), *parts), lead=lead)
 
     def _numbers_of(self, line: Line, place: Place) -> tuple[Row, ...]:
         """The right side with the numbers of a place, and the result; the result alone where they are one."""
@@ -160,7 +190,7 @@ class Assembler:
         assert isinstance(given.value, float)
         found = worked(right, place.lexicon, given.value, unit=given.unit, digits=line.digits)
         self.lines.append(Checked(line.formula, place.name, found))
-        numbers = setting.side(found.tree, found.shown)
+        numbers = _summed(found) if isinstance(right, Over) else setting.side(found.tree, found.shown)
         result = with_unit(found.result, given.unit)
         same = not found.shown or plain(numbers) == plain(result.boxes[0])
         return (*(() if same else (numbers,)), result, *_converted(given))
@@ -184,10 +214,58 @@ class Assembler:
             parts.append("; " if k else tr("where") + " ")
             for j, key in enumerate(keys):
                 parts += [", "] * bool(j) + [quantity(key)]
-            said = several(meaning) if len(keys) > 1 and not _projections(keys) else meaning
+            said = meaning if len(keys) == 1 else _of_several(keys, meaning, unit)
             parts += [" – ", *inline(said).parts, *([f", {shown_unit(unit)}"] if unit else [])]
+        if not self._turned and _calls(line.formula, "atan2"):
+            self._turned = True
+            said = tr("$atan2(y, x)$ – angle of the vector with the projections $x$ and $y$ from the $x$ axis")
+            parts += ["; " if parts else tr("where") + " ", *inline(said).parts]
         if parts:
             yield Text((*parts, "."), explains=True)
+
+
+def _calls(node: Node | Statement, function: str) -> bool:
+    """Whether a function stands in a formula."""
+    own = isinstance(node, Call) and node.function == function
+    return own or any(_calls(part, function) for part in parts_of(node))
+
+
+def _summed(found: Worked) -> Row:
+    """The numbers of a sum over an index: of many terms the first ones and the last, for all stand in a table."""
+    tree, more = found.tree, "…"
+    if isinstance(tree, Sum) and len(tree.terms) > MANY:
+        tree = Sum((*tree.terms[:FIRST], (1, Name(more)), tree.terms[-1]))
+    return setting.side(tree, {**found.shown, more: Shown(more)})
+
+
+def _folded(blocks: Sequence[Block]) -> Iterator[Block]:
+    """The blocks; a long table of numbers that leaves half of the page free is folded, but beside another one."""
+    for before, block, after in zip((None, *blocks), blocks, (*blocks[1:], None), strict=False):
+        if isinstance(block, Table) and len(block.rows) >= LONG and 2 * (wide := _width(block)) <= WIDE:
+            others = (each for each in (before, after) if isinstance(each, Table))
+            if _numeric(block) and not any(wide + _width(each) <= WIDE for each in others):
+                yield folded(block, 2)
+                continue
+        yield block
+
+
+def _capital(head: str) -> str:
+    """The head of a column, words with a capital.
+
+    >>> _capital("least"), _capital("rad"), _capital("$phi$, deg")
+    ('Least', 'rad', '$phi$, deg')
+    """
+    return head[:1].upper() + head[1:] if (word := WORD.match(head)) and word[0] not in UNITS else head
+
+
+def _numeric(table: Table) -> bool:
+    return all(numeric([inline(cell) for cell in column]) for column in zip(*table.rows, strict=True))
+
+
+def _width(table: Table) -> float:
+    """About how wide a table is in small letters [mm]."""
+    columns = zip(table.head, *table.rows, strict=True)
+    return sum(widest([inline(cell) for cell in column]) * SMALL + CELL for column in columns)
 
 
 def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
@@ -200,9 +278,16 @@ def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
     yield from sorted((key, *same))
 
 
-def _projections(keys: Sequence[str]) -> bool:
-    """Whether names are those of one vector, but for the axis."""
-    return len({re.sub("[xy]", "x", key) for key in keys}) == 1
+def _of_several(keys: Sequence[str], meaning: str, unit: str) -> str:
+    """What names mean that have one meaning; those that differ by the axis alone are the parts of a vector."""
+    if len({re.sub("[xy]", "x", key) for key in keys}) > 1:
+        return several(meaning)
+    vector = possessive(meaning)
+    if not vector:
+        return meaning
+    if unit in LENGTHS:
+        return tr("coordinates of the {vector}", vector=vector)
+    return tr("projections of the {vector}", vector=vector)
 
 
 def _indexed(node: Node, index: str) -> Node:

@@ -13,9 +13,10 @@ from tmmcalc.report.formula.symbols import GREEK
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Chapter, Paragraph, Result, Table
 from tmmcalc.report.printing import printed_as
-from tmmcalc.report.telling import points
+from tmmcalc.report.telling import LATIN, points
 
-LETTER = re.compile(rf"(?<!\$)\b({'|'.join(GREEK)})\b")
+NAMED = {**{name: name for name in GREEK}, **LATIN}  # Greek letters and their names, by their names in formulas
+LETTER = re.compile(rf"(?<![\w$])({'|'.join(NAMED)})(?![\w$])")
 INDEXED = re.compile(rf"\b(?:[A-Za-z]|{'|'.join(GREEK)})_[A-Za-z0-9]+\b")
 DEGREES = re.compile(r"(?<=\d) deg\b")
 SAME = 1e-9  # relative
@@ -32,10 +33,15 @@ def _blocks(results: Sequence[Result], warnings: Sequence[str]) -> Iterator[Bloc
     if results:
         yield Paragraph(tr("The main results are listed in table {tab:results}."))
         head = (tr("Quantity"), tr("Designation"), tr("Value"), tr("Limit"), tr("Kept"))
-        yield Table(tr("Main results"), head, tuple(map(_row, results)), key="results")
+        columns = len(head) if any(each.limit is not None for each in results) else len(head) - 2
+        rows = tuple(_row(each)[:columns] for each in results)
+        yield Table(tr("Main results"), head[:columns], rows, key="results")
     told = list(_once(warnings))
     parts = [each.value / each.limit for each in told if isinstance(each, Note) and each.value and each.limit]
     failing = [each for each in results if _kept(each) is False and not _warned(each, parts)]
+    kept = [each for each in map(_kept, results) if each is not None]
+    if kept and all(kept):
+        yield Paragraph(tr("All limits in the table are kept."))
     if failing:
         yield Paragraph(tr("Limits that are not kept:"))
         yield points([_sentence(each) for each in failing])
@@ -57,12 +63,12 @@ def _once(warnings: Sequence[str]) -> Iterator[str]:
 
 
 def _lettered(text: str) -> str:
-    """A sentence of the program with Greek letters for their names, indices as formulas, and the sign of degrees.
+    """A sentence of the program with its Greek letters and indices as formulas, and the sign of degrees.
 
-    >>> _lettered("|theta| reaches 47.3 deg at phi = 25.4 deg, r_i = 75 mm")
-    '|θ| reaches 47.3° at φ = 25.4°, $r_i$ = 75 mm'
+    >>> _lettered("|theta| reaches 47.3 deg at φ = 25.4 deg, r_i = 75 mm")
+    '|$theta$| reaches 47.3° at $phi$ = 25.4°, $r_i$ = 75 mm'
     """
-    return DEGREES.sub("°", LETTER.sub(lambda name: GREEK[name[0]], INDEXED.sub(r"$\g<0>$", text)))
+    return DEGREES.sub("°", LETTER.sub(lambda name: f"${NAMED[name[0]]}$", INDEXED.sub(r"$\g<0>$", text)))
 
 
 def _warned(result: Result, parts: Sequence[float]) -> bool:

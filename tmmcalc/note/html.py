@@ -19,6 +19,7 @@ from tmmcalc.note.tree import (
     Text,
     Title,
     Written,
+    tied,
 )
 from tmmcalc.report.drawing.svg import svg
 from tmmcalc.report.formula.breaking import broken
@@ -97,7 +98,7 @@ def _words(words: Text) -> str:
 def _part(part: str | Box | Reference) -> str:
     match part:
         case str():
-            return escape(part)
+            return escape(tied(part))
         case Reference(key, number):
             return f'<a href="#{key}">{number}</a>'
     return f"<math>{mathml(part)}</math>"

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import cache
 from typing import NamedTuple
 
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.breaking import width
 from tmmcalc.report.formula.layout import Box, Row
 from tmmcalc.report.formula.plain import plain
+from tmmcalc.report.language import speaking, spoken, tr_unit
+from tmmcalc.spec.dimensions import UNITS
 
-LETTER = 0.53  # of an em, of words
+LETTER, CAPITAL = 0.53, 0.68  # of an em, of words
 NUMERIC = re.compile(r"[-−+–\d.,  \u202f%°]*")  # what a cell of numbers has
 
 
@@ -30,6 +33,7 @@ class Contents(NamedTuple):
     """The list of titles with their pages."""
 
     title: str
+    entries: int = 0  # about how many there are
 
 
 class Title(NamedTuple):
@@ -121,6 +125,30 @@ def plain_text(text: Text) -> str:
     )
 
 
+def leads(text: Text) -> bool:
+    """Whether a paragraph ends with a colon: what it leads to stands with it."""
+    last = text.parts[-1] if text.parts else ""
+    return isinstance(last, str) and last.rstrip().endswith(":")
+
+
+def tied(text: str) -> str:
+    """A text whose lines begin neither with a dash, nor with an equals sign, nor with the unit of a number.
+
+    >>> tied("l – length; 0.02 (m/s)/mm, 3 positions").replace("\u00a0", "~")
+    'l~– length; 0.02~(m/s)/mm, 3 positions'
+    """
+    return _loose(spoken()).sub("\u00a0", text)
+
+
+@cache
+def _loose(language: str) -> re.Pattern[str]:
+    """A space at which no line ends; a text that begins with a unit goes on from a formula."""
+    names = {name for units in UNITS.values() for unit in units for name in re.findall("[A-Za-z]+", unit)}
+    with speaking(language):
+        either = "|".join(sorted(names | set(map(tr_unit, names)), key=len, reverse=True))
+    return re.compile(rf" (?=[–—] )|(?<==) | (?== )|(?:(?<=\d)|^) (?=%|\(?(?:{either})(?!\w))")
+
+
 def widest(cells: Sequence[Text]) -> float:
     """The width of what cannot be broken in a column [em]: a word, or a formula with what is written to it."""
     return max(map(_unbroken, cells), default=0.0)
@@ -130,7 +158,7 @@ def part_width(part: str | Box | Reference) -> float:
     """About how wide a part of a text is [em]."""
     match part:
         case str():
-            return LETTER * len(part)
+            return LETTER * len(part) + (CAPITAL - LETTER) * sum(map(str.isupper, part))
         case Reference(_, number):
             return LETTER * len(number)
     return width(part)
@@ -139,7 +167,7 @@ def part_width(part: str | Box | Reference) -> float:
 def _unbroken(cell: Text) -> float:
     found, here = 0.0, 0.0
     for part in cell.parts:
-        words = part.split(" ") if isinstance(part, str) else [part]
+        words = tied(part).split(" ") if isinstance(part, str) else [part]
         for k, word in enumerate(words):
             here = part_width(word) + (0.0 if k else here)
             found = max(found, here)

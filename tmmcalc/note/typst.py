@@ -15,16 +15,19 @@ from tmmcalc.note.tree import (
     Text,
     Title,
     Written,
+    leads,
 )
 from tmmcalc.note.typstlines import set_lines
-from tmmcalc.note.typsttables import beside, has_room, set_pictured, set_tables
-from tmmcalc.note.typstwords import GAP, WIDE, escaped, label, quoted, set_text
+from tmmcalc.note.typstplaces import Place, placed
+from tmmcalc.note.typsttables import set_pictured, set_tables
+from tmmcalc.note.typstwords import escaped, label, quoted, set_text
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.lettering import FONTS
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.drawing.svg import svg
 from tmmcalc.report.sheets.gosttext import FIRST, OTHERS, PAGE, TextTitles, text_frame
 
+LETTERS, LONG = 53, 0.05  # of a line of a file in half a page; share of longer lines that are broken there
 HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 16mm, bottom: 18mm), numbering: "1")
 #set document(title: "TITLE", date: none)
 #set text(font: "TMM Text", size: 12pt, lang: "LANGUAGE")
@@ -39,6 +42,7 @@ HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 16mm, bo
 #set table(stroke: 0.5pt, inset: (x: 3pt, y: 3pt))
 #let line(columns, holds, ..cells) = block(width: 100%, breakable: false, sticky: holds, spacing: 0.55em,
   { set par(first-line-indent: 0pt); grid(columns: columns, align: horizon, ..cells) })
+#let leading(body) = block(sticky: true, spacing: 0.68em, par(body))
 #let explained(body) = par(first-line-indent: 0pt, body)
 #let listed(key, caption, continued, columns, aligned, size, wide, breaks, heads, cells) = {
   let said(words) = block(width: wide, spacing: 4pt, text(size: 12pt, words))
@@ -56,71 +60,51 @@ HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 16mm, bo
     #table(columns: columns, align: aligned, table.header(..named, ..heads), ..cells)]
 }
 #let stood(columns, ..tables) = grid(columns: columns, column-gutter: 3mm, align: top, ..tables)
-#let floated(body) = place(bottom, float: true, clearance: 1em, body)
+#let floated(key, stays, body, clearance: 1em) = if stays {
+  block(width: 100%, breakable: false, above: clearance, below: clearance, body)
+} else { context {
+  let found = query(label(key))  // under the text that tells of it; on a later page over the text
+  let late = found.len() > 0 and found.first().location().page() > here().page()
+  place(if late { top } else { bottom }, float: true, clearance: clearance, body)
+} }
 #let turned(body) = page(flipped: true, body)
 #let pictured(key, body, caption) = [#metadata(none) #label(key) #align(center)[#body #v(2mm, weak: true) #caption]]
-#let shown(..pictures) = place(bottom, float: true, clearance: 1.2em,
+#let shown(key, stays, ..pictures) = floated(key, stays, clearance: 1.2em,
   block(width: 100%, { set par(first-line-indent: 0pt, justify: false, leading: 0.5em)
   grid(columns: pictures.pos().len() * (1fr,), column-gutter: 3mm, align: bottom + center, ..pictures.pos()) }))
 """
+ONE_PAGE = 46, 60  # titles: more than the first do not fit on a page, up to the second do if they stand close
+CLOSE = "#set text(size: 11pt); #show outline.entry: set block(spacing: 0.36em); "
 
 
 def source(blocks: Iterable[Written], language: str, title: str, frame: TextTitles | None = None) -> str:
     """The text of the note, its pages after the title page in frames with these titles."""
     head = HEAD.replace("LANGUAGE", language).replace("TITLE", quoted(title))
     found = [head]
-    for group in _grouped(blocks):
+    for group, place in placed(blocks):
         if isinstance(group[0], Contents) and frame is not None:
             opened, others = _framed(frame, first=True), _framed(frame, first=False)
             found += [opened, _block(group[0]), "#pagebreak(weak: true)", others]
         else:
-            found += _group(group)
+            found += _group(group, place)
     return "\n".join(found) + "\n"
 
 
-def _grouped(blocks: Iterable[Written]) -> Iterator[list[Written]]:
-    """What may stand beside each other: a formula and its explanation, its numbers at places, tables and pictures."""
-    group: list[Written] = []
-    for block in blocks:
-        if group and not _joins(group, block):
-            yield group
-            group = []
-        group.append(block)
-    if group:
-        yield group
-
-
-def _joins(group: Sequence[Written], block: Written) -> bool:
-    """Whether a block stands beside those before it."""
-    last = group[-1]
-    match block:
-        case Text(_, explains):
-            return explains and isinstance(last, Equation) and bool(last.number)
-        case Equation(_, number):
-            return not number and isinstance(last, Equation | Text) and isinstance(group[0], Equation)
-        case Image(_, drawing) if isinstance(last, Grid):
-            return len(group) == 1 and has_room(last, drawing.width)
-        case Image(_, drawing):
-            drawings = [each.drawing for each in group if isinstance(each, Image)]
-            free = WIDE - sum(each.width + GAP for each in drawings)
-            return len(drawings) == len(group) and drawing.width <= free
-        case Grid():
-            grids = [each for each in (*group, block) if isinstance(each, Grid)]
-            return len(grids) > len(group) and beside(grids)
-    return False
-
-
-def _group(group: Sequence[Written]) -> Iterator[str]:
+def _group(group: Sequence[Written], place: Place) -> Iterator[str]:
     """A formula with what belongs to it, pictures beside each other, or a block by itself."""
-    if isinstance(group[0], Image):
-        yield f"#shown({', '.join(_picture(each) for each in group if isinstance(each, Image))})"
+    first, last, stays = group[0], group[-1], place is Place.LAST
+    if stays:
+        yield "#place.flush()"  # what floats stands before it
+    if isinstance(first, Image):
+        pictures = ", ".join(_picture(each) for each in group if isinstance(each, Image))
+        yield f"#shown({label('fig', first.caption)}, {str(stays).lower()}, {pictures})"
         return
-    first, last = group[0], group[-1]
     if isinstance(first, Grid) and isinstance(last, Image):
-        yield set_pictured(first, _picture(last), last.drawing.width)
+        yield set_pictured(first, _picture(last), last.drawing.width, stays=stays)
         return
-    if isinstance(group[0], Grid):
-        yield set_tables([each for each in group if isinstance(each, Grid)])
+    if isinstance(first, Grid):
+        grids = [each for each in group if isinstance(each, Grid)]
+        yield set_tables(grids, floats=place is not Place.HERE, stays=stays)
         return
     if not isinstance(group[0], Equation):
         yield _block(group[0])
@@ -167,25 +151,32 @@ def _block(block: Written) -> str:
     match block:
         case Cover():
             return _cover(block)
-        case Contents(title):
-            return f"#outline(title: [{escaped(title)}], depth: 2, indent: 5mm)"
+        case Contents(title, entries):
+            outline = f"#outline(title: [{escaped(title)}], depth: 2, indent: 5mm)"
+            return f"#[{CLOSE}{outline}]" if ONE_PAGE[0] < entries <= ONE_PAGE[1] else outline
         case Title(number, text, level):
             numbered = f"{escaped(number)} {set_text(text)}".strip()
             before = "#place.flush()\n" if level == 1 else ""  # what floats stands with its chapter
             before += "#pagebreak(weak: true)\n" if level == 1 and not number[:1].isdigit() else ""
             return f"{before}{'=' * level} {numbered}"
+        case Text() if leads(block):
+            return f"#leading[{set_text(block)}]"
         case Text():
             return set_text(block) + "\n"
         case Equation():
             return "\n".join(set_lines([block], None))
-        case Grid():
-            return set_tables([block])
-        case Image():
-            return f"#shown({_picture(block)})"
+        case Grid() | Image():
+            raise AssertionError(block.caption)  # they stand in groups
         case Points(items):
             return "\n".join(f"- {set_text(item)}" for item in items) + "\n"
         case Source(text):
-            return f'#columns(2, gutter: 5mm)[#raw(block: true, "{quoted(text)}")]'
+            return f'#columns({_columns(text)}, gutter: 5mm)[#raw(block: true, "{quoted(text)}")]'
+
+
+def _columns(text: str) -> int:
+    """How many columns of a page lines have room in as they are, but for a few that are longer."""
+    lines = text.splitlines()
+    return 2 if sum(len(line) > LETTERS for line in lines) <= LONG * len(lines) else 1
 
 
 def _cover(cover: Cover) -> str:

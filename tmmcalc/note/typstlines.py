@@ -43,16 +43,14 @@ def _formula(formula: Equation, said: Text | None, *, holds: bool) -> Iterator[s
 
 
 def _beside(two: Sequence[Equation]) -> str | None:
-    """Two formulas beside each other, where they take fewer rows so."""
+    """Two formulas beside each other, where each has room in one row so."""
     half = (WIDE - GAP) / 2
-    halves, wholes = [_broken(each, half) for each in two], [_broken(each, WIDE) for each in two]
-    rooms = [half - _lead(each) for each in two]
+    halves = [_broken(each, half) for each in two]
     fits = all(
-        width(row) * _em(each) <= room for each, rows, room in zip(two, halves, rooms, strict=True) for row in rows
+        len(rows) == 1 and width(rows[0]) * _em(each) <= half - _lead(each)
+        for each, rows in zip(two, halves, strict=True)
     )
-    if not fits or max(map(len, halves)) >= sum(map(len, wholes)):
-        return None
-    return _line(two, half)
+    return _line(two, half) if fits else None
 
 
 def _line(formulas: Sequence[Equation], wide: float, *, holds: bool = False) -> str:
@@ -94,7 +92,7 @@ def _em(formula: Equation) -> float:
 
 def _lead(formula: Equation) -> float:
     """The room of the words before a formula [mm]."""
-    return max(INDENT, part_width(formula.lead) * EM * WORDS / SIZE + 1.0)
+    return max(INDENT, part_width(formula.lead) * EM * WORDS / SIZE + GAP)
 
 
 def _eq(formula: Equation) -> str:

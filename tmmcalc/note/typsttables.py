@@ -12,7 +12,8 @@ from tmmcalc.report.language import tr
 
 SMALL = (9.5, 9.0, 8.5, 8.0)  # sizes of tables [pt], the first in which one fits
 CELL = 2.4  # beside the letters of a cell, with its line [mm]
-WHOLE = (12, 28)  # rows: up to the first a table stands where it is told of, up to the second on one page
+WHOLE = (12, 34)  # rows: up to the first a table stands where it is told of, up to the second on one page
+MOST = 40  # rows that a page has
 CHAPTER = re.compile(r"\d+\.")  # what the number of a table in a numbered chapter begins with
 SCRIPTED = "3.6pt"  # over and under the letters of a cell with indices
 
@@ -27,14 +28,25 @@ def has_room(grid: Grid, wide: float) -> bool:
     return _stands(grid) == "whole" and _width_at(grid, SMALL[0]) + GAP + wide <= WIDE
 
 
-def set_pictured(grid: Grid, picture: str, wide: float) -> str:
+def set_pictured(grid: Grid, picture: str, wide: float, *, stays: bool) -> str:
     """A table with a picture at its right hand."""
     own = WIDE - GAP - wide
-    return f"#floated(stood(({own:g}mm, {wide:g}mm), {_grid(grid, SMALL[0], own)}, {picture}))"
+    return _floated(grid, f"stood(({own:g}mm, {wide:g}mm), {_grid(grid, SMALL[0], own)}, {picture})", stays=stays)
 
 
-def set_tables(grids: Sequence[Grid]) -> str:
-    """Tables beside each other, or one, in letters as small as they need.
+def floating(group: Sequence[object], *, waits: bool) -> bool:
+    """Whether tables go where there is room: long ones, with a picture, or where another one ``waits`` before them."""
+    grids = [each for each in group if isinstance(each, Grid)]
+    stands = _stands(grids[0])
+    if len(grids) < len(group) or stands == "whole":
+        return True
+    numbered = CHAPTER.match(grids[0].caption.number)
+    rows = max(len(each.rows) for each in grids)
+    return waits and numbered is not None and rows <= MOST and _size_of(grids, SMALL) > 0
+
+
+def set_tables(grids: Sequence[Grid], *, floats: bool, stays: bool) -> str:
+    """Tables beside each other, or one, in letters as small as they need; one that ``stays`` floats no more.
 
     A short table stands where it is told of, a longer one whole where there is room, one of many rows over pages; one
     that is too wide in small letters stands turned on a page of its own.
@@ -46,7 +58,11 @@ def set_tables(grids: Sequence[Grid]) -> str:
     shares = [_width_at(each, size) + free for each in grids]
     tables = [_grid(each, size, wide) for each, wide in zip(grids, shares, strict=True)]
     stood = f"stood(({', '.join(f'{wide:g}mm' for wide in shares)}), {', '.join(tables)})" if tables[1:] else tables[0]
-    return f"#floated({stood})" if _stands(grids[0]) == "whole" else f"#{stood}"
+    return _floated(grids[0], stood, stays=stays) if floats else f"#{stood}"
+
+
+def _floated(first: Grid, stood: str, *, stays: bool) -> str:
+    return f"#floated({label('tab', first.caption)}, {str(stays).lower()}, {stood})"
 
 
 def _stands(grid: Grid) -> str:

@@ -287,6 +287,24 @@ def _trial(same: Sequence[Trial], block: Block) -> Content:
             }
             for k, shown in enumerate(trial.shown)
         ],
+        "conditions": [
+            {**condition._asdict(), "text": alike([each.conditions[k].text for each in same])}
+            for k, condition in enumerate(trial.conditions)
+        ],
+        "sketch": {
+            **trial.sketch._asdict(),
+            "title": alike([each.sketch.title for each in same]),
+            "bodies": [
+                {
+                    **body._asdict(),
+                    "half": [piece._asdict() for piece in body.half],
+                    "worked": body.worked._asdict(),
+                    "beyond": alike([each.sketch.bodies[k].beyond for each in same]),
+                }
+                for k, body in enumerate(trial.sketch.bodies)
+            ],
+            "marks": [mark._asdict() for mark in trial.sketch.marks],
+        },
     }
 
 

@@ -33,6 +33,8 @@ MODULES = (  # in this order: each imports from those before it
     "charts",
     "plans",
     "facts",
+    "outlines",
+    "sketch",
     "trials",
     "main",
 )

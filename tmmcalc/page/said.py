@@ -73,6 +73,8 @@ def _words() -> dict[str, str]:
         "flawed": tr("within the tolerated contour only"),
         "outside": tr("outside the contour"),
         "least": tr("at least {low}"),
+        "absent": tr("there is no such pair: {why}"),
+        "useless": tr("the pair cannot work: {why}"),
         "show": tr("Show"),
         "paths": tr("Paths"),
         "numbers": tr("Numbers of links"),

@@ -41,7 +41,15 @@ def task_of(spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | Non
 
 def sought_in(results: Mapping[str, Any], stages: Sequence[str]) -> list[str]:
     """What is to be found: what the stages that the note tells of are for, in the language in force."""
-    return [tr_name(STAGES[name].title) for name in stages if name in results]
+    return [tr_name(STAGES[name].title) for name in _as_told(stages) if name in results]
+
+
+def _as_told(stages: Sequence[str]) -> list[str]:
+    """Stages in the order of their chapters."""
+    from tmmcalc.rooms import CHAPTERS
+
+    order = [*CHAPTERS]
+    return sorted(stages, key=lambda name: order.index(STAGES[name].chapter))
 
 
 def _titled(chapter: Chapter) -> Chapter:
@@ -74,7 +82,7 @@ def _warnings(document: Document) -> Iterator[str]:
 def errors_of(run: RunResult, stages: Sequence[str]) -> dict[str, dict[str, float]]:
     """The relative errors that these stages estimate, by their titles."""
     found = {}
-    for name in stages:
+    for name in _as_told(stages):
         if name in run.outcomes:
             told = run.outcomes[name].record.error
             if numbers := {key: float(each) for key, each in told.items() if isinstance(each, float) and each}:

@@ -6,10 +6,10 @@ in which it is printed.
 
 from __future__ import annotations
 
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from tmmcalc.core.plane import Plane
-from tmmcalc.report.formula.carried import Step
+from tmmcalc.report.formula.carried import Root, Step
 
 Kind = Literal["strict", "tolerated", "piece"]  # admissible, admissible with a flaw, admissible but apart
 
@@ -48,6 +48,60 @@ class Shown(NamedTuple):
     where: str = ""  # a quantity that is not negative where this one has a sense; empty: everywhere
 
 
+class Condition(NamedTuple):
+    """What has to hold: a formula that is not negative, and what is told where it is or has no value."""
+
+    formula: Any
+    text: str
+    needed: bool = True  # for all that comes after it: nothing is drawn without it
+
+
+class Piece(NamedTuple):
+    """A part of a curve: where a parameter takes a point on its way from one end to the other."""
+
+    parameter: str
+    start: Any
+    end: Any
+    steps: tuple[Step, ...]  # which need the parameter
+    x: Any
+    y: Any
+
+
+class Toothed(NamedTuple):
+    """A body with teeth, whose centre is its origin: half a tooth left of +Y, from the middle of the gap to its own."""
+
+    half: tuple[Piece, ...]
+    worked: Piece  # what of the flank touches others; nothing where its end is before its start
+    beyond: str  # told where the half tooth reaches beyond its middle: nothing is drawn then
+    count: Any
+    turn: Any
+    x: Any
+    y: Any
+    tone: int
+
+
+class Drawn(NamedTuple):
+    """A mark of `tmmcalc.report.moving`, or a named point: its places by formulas."""
+
+    kind: Literal["line", "bar", "axis", "pitch", "base", "dot", "number"]
+    places: tuple[tuple[Any, Any], ...]
+    size: Any = 0.0  # of circles the radius
+    tone: int = 0
+    name: str = ""
+    side: int = 0  # of its name: right above, or with -1 left below
+    there: Any = 0.0  # where it is not negative
+
+
+class Sketch(NamedTuple):
+    """What is drawn of the point of a trial, in the units of its formulas, around a place that stays in the middle."""
+
+    title: str
+    middle: tuple[Any, Any]
+    reach: float  # that is shown above it, and below
+    bodies: tuple[Toothed, ...]
+    marks: tuple[Drawn, ...]
+
+
 class Trial(NamedTuple):
     """A plane with its point; all texts in the language in force."""
 
@@ -60,5 +114,7 @@ class Trial(NamedTuple):
     curves: tuple[Curve, ...]
     points: tuple[Point, ...]
     given: dict[str, float]  # what the formulas need beside the inputs
-    steps: tuple[Step, ...]  # in an order in which each needs those before it
+    steps: tuple[Step | Root, ...]  # in an order in which each needs those before it
     shown: tuple[Shown, ...]
+    conditions: tuple[Condition, ...]
+    sketch: Sketch

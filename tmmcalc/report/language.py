@@ -3,8 +3,8 @@
 A text stands in the program in English, ``tr("in position {label}", label="7")``. Files ``uk.toml`` beside what says it
 hold its translation, "English" = "Ukrainian", in which the same values stand; ``[names]`` texts that theory, manifests
 and specs say, ``[units]`` in one of them the units, ``[counts]`` words that follow a number, in the forms for 1, for 2
-to 4 and for 5, ``[plurals]`` words with which meanings begin. ``with speaking("uk"):`` holds for all that is drawn
-within.
+to 4 and for 5, ``[plurals]`` words with which meanings begin, ``[genitives]`` those of which there are projections.
+``with speaking("uk"):`` holds for all that is drawn within.
 A text without a translation stays English; `tests/report/test_language.py` finds it.
 """
 
@@ -41,6 +41,7 @@ class Catalogue(NamedTuple):
     units: Mapping[str, str]
     counts: Mapping[str, tuple[str, str, str]]
     plurals: Mapping[str, str]
+    genitives: Mapping[str, str]
 
 
 @contextmanager
@@ -156,14 +157,43 @@ def several(meaning: str) -> str:
     """
     language = _spoken.get()
     if language != "en":
-        plurals = catalogue(language).plurals
-        first, space, rest = meaning.partition(" ")
-        return plurals.get(meaning) or plurals.get(first, first) + space + rest
-    head = HEAD.match(meaning)
-    noun, rest = (head[0], meaning[head.end() :]) if head else (meaning, "")
+        return _begun(meaning, catalogue(language).plurals)
+    noun, rest = _headed(meaning)
     if noun.endswith("radius"):
         return noun.removesuffix("us") + "i" + rest
     return meaning if noun.endswith("s") else noun + "s" + rest
+
+
+def possessive(meaning: str) -> str:
+    """What one thing means as it stands after "of the"; nothing for a meaning of several things.
+
+    >>> possessive("weight of link 2"), possessive("coordinates of point A")
+    ('weight of link 2', '')
+    >>> with speaking("uk"):
+    ...     possessive("сила ваги ланки 2"), possessive("координати точки A")
+    ('сили ваги ланки 2', '')
+    """
+    language = _spoken.get()
+    if language != "en":
+        said = _begun(meaning, catalogue(language).genitives)
+        return said if said != meaning else ""
+    noun, _ = _headed(meaning)
+    return "" if noun.endswith("s") else meaning
+
+
+def _headed(meaning: str) -> tuple[str, str]:
+    """The noun of an English meaning with what is before it, and the rest."""
+    head = HEAD.match(meaning)
+    return (head[0], meaning[head.end() :]) if head else (meaning, "")
+
+
+def _begun(meaning: str, forms: Mapping[str, str]) -> str:
+    """The meaning with the most of its first words that have another form in that one."""
+    words = meaning.split(" ")
+    for count in range(len(words), 0, -1):
+        if (found := forms.get(" ".join(words[:count]))) is not None:
+            return " ".join((found, *words[count:]))
+    return meaning
 
 
 def tr_number(text: str) -> str:
@@ -184,14 +214,16 @@ def catalogue(language: str) -> Catalogue:
     units: dict[str, str] = {}
     counts: dict[str, tuple[str, str, str]] = {}
     plurals: dict[str, str] = {}
+    genitives: dict[str, str] = {}
     for file in files_of(language):
         words = tomllib.loads(file.read_text(encoding="utf-8"))
         names |= words.pop("names", {})
         units |= words.pop("units", {})
         counts |= {one: tuple(forms) for one, forms in words.pop("counts", {}).items()}
         plurals |= words.pop("plurals", {})
+        genitives |= words.pop("genitives", {})
         texts |= words
-    return Catalogue(texts, names, units, counts, plurals)
+    return Catalogue(texts, names, units, counts, plurals, genitives)
 
 
 def files_of(language: str) -> list[Path]:

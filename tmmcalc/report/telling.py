@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,6 +28,7 @@ from tmmcalc.report.manuscript import Figure, Lexicon, Line, Listing, Paragraph,
 from tmmcalc.report.printing import printed_as
 from tmmcalc.report.sheets.piece import Piece
 
+Step = TypeVar("Step")
 FOLDED, BROAD = 12, 12  # rows up to which a table of few columns is not folded; columns that a folded one has
 STILL = 1e-12  # a value this small in every shown place is nothing
 DIGITS = 5  # of the largest number of a column, of a number within a sentence
@@ -34,6 +36,7 @@ WIDE, HIGH = 160.0, 130.0  # that a picture may be [mm]
 LATIN = {greek: name for name, greek in GREEK.items()}  # names of Greek letters
 SIGNS = ("<=", ">=", "<", ">")
 ANGLE = 6  # decimals of an angle that are no rounding [deg]
+STEPS = (1, 2, 5, 10, 20, 50, 100, 200, 500)  # of a long course that are shown
 LETTERED = 1.15  # words of a picture against those of a drawing on screen
 
 
@@ -120,14 +123,16 @@ def tabulated(
     return Table(caption, tuple(found), tuple(zip(*found.values(), strict=True)), key)
 
 
-def folded(table: Table) -> Table:
+def folded(table: Table, parts: int = 0) -> Table:
     """A table of few columns and many rows with parts of it side by side, each under the head; the last may be shorter.
+
+    Without their number there are as many ``parts`` as its columns allow.
 
     >>> folded(Table("t", ("i", "x", "y", "z"), tuple((str(k), "", "", "") for k in range(14)))).rows[4]
     ('4', '', '', '', '9', '', '', '', '', '', '', '')
     """
     columns, count = len(table.head), len(table.rows)
-    parts = max(1, BROAD // columns) if count > FOLDED else 1
+    parts = parts or (max(1, BROAD // columns) if count > FOLDED else 1)
     high = math.ceil(count / parts)
     padded = (*table.rows, *((("",) * columns,) * (parts * high - count)))
     rows = (sum((padded[k + part * high] for part in range(parts)), ()) for k in range(high))
@@ -145,6 +150,16 @@ def headed(head: str) -> str:
     """The head of a column with its unit, after a comma, in the language in force."""
     name, comma, unit = head.partition(", ")
     return name + (comma and f", {tr_unit(unit)}")
+
+
+def spaced(steps: Sequence[Step]) -> list[Step]:
+    """Of the steps of a course the first, the last, and between them some at growing distances.
+
+    >>> spaced(range(30))
+    [0, 1, 2, 5, 10, 20, 29]
+    """
+    last = len(steps) - 1
+    return [steps[row] for row in sorted({0, last, *(row for row in STEPS if row < last)})]
 
 
 def numeral(value: float, digits: int = DIGITS) -> str:

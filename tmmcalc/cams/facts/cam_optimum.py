@@ -107,11 +107,14 @@ def _searched_facts(result: CamOptimum) -> Iterator[Fact]:
         f"{result.examined} step points of {quantity(result.step, 'm')} looked at, {result.excluded} of them fit no"
     )
     lowest = f"{quantity(result.chosen.height, 'm')} in steps of {quantity(result.height_step, 'm')} has a feasible one"
+    told = ("height", "points", "judged", "kept", "margin", "number")
+    course = {"course": [keyed(each, *told, **result.names) for each in result.course]}
     if result.kind == "oscillating":
         text = f"{looked} roller\nno l0 below {lowest}"
-        yield Fact("search", text, keyed(result, "examined", "excluded"))
+        yield Fact("search", text, {**keyed(result, "examined", "excluded"), **course})
         return
-    yield Fact("search", f"{looked} height\nno height below {lowest}", keyed(result, "examined", "excluded", "left_by"))
+    text = f"{looked} height\nno height below {lowest}"
+    yield Fact("search", text, {**keyed(result, "examined", "excluded", "left_by"), **course})
 
 
 def _point(result: CamOptimum, sizes: Mapping[str, float]) -> str:

@@ -148,7 +148,7 @@ def _peak(told: Told, result: ElasticResult, scene: Lexicon) -> Iterator[Block]:
     """The largest acceleration of the mass, the force in the train, the load along the lift there."""
     yield Paragraph(
         tr(
-            "In the steady motion the mass accelerates most at φ = {angle}°, {times} times as much as the law asks "
+            "In the steady motion the mass accelerates most at $phi$ = {angle}°, {times} times as much as the law asks "
             "anywhere; the force in the train is then",
             angle=degrees_of(result.peak_phi),
             times=plainly(abs(result.peak_response) / result.peak_given),
@@ -167,7 +167,7 @@ def _peak(told: Told, result: ElasticResult, scene: Lexicon) -> Iterator[Block]:
     lexicon = scene | _at_peak(told, result, words)
     yield Paragraph(
         tr(
-            "Nearby, at φ = {angle}°, the load along the lift is with the elastic train and with a rigid one",
+            "Nearby, at $phi$ = {angle}°, the load along the lift is with the elastic train and with a rigid one",
             angle=degrees_of(_node(result)[1]),
         )
     )

@@ -365,4 +365,4 @@ def _jump(told: Told, shock: Shock) -> str:
     unit = unit_of(told.law, shock.order)
     name = f"${filled('<y>', told.words)}{chr(39) * shock.order}$"
     size = spelt(f"{value:+.5g}") + (f" {unit}" if unit and not told.turns else "")
-    return tr("{name} by {size} at φ = {angle}°", name=name, size=size, angle=spelt(f"{degrees(shock.phi):.6g}"))
+    return tr("{name} by {size} at $phi$ = {angle}°", name=name, size=size, angle=spelt(f"{degrees(shock.phi):.6g}"))

@@ -53,15 +53,15 @@ def blocks(order: Order) -> Iterator[Block]:
     forces = order.results.get("cam_forces")
     guide = None if forces is None else forces.guide
     yield Heading(tr("Best sizes of the cam mechanism"))
-    yield from sought(result)
     sizes = sizes_of(result, follower, guide and guide.top, guide and guide.length)
+    yield from sought(result, task, sizes)
+    yield from search(result)
     yield from sizes_table(sizes)
     yield from _worked(task, follower, result)
     if result.flat is not None:
         yield from _chart(task, result, result.flat)
     yield from constraints(result, concave=task.limits.allow_concave)
     yield from _pressed(task, result)
-    yield from search(result)
     yield from relaxations(result)
     yield from _pictures(result)
     yield from game(result)

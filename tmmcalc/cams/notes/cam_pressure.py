@@ -130,7 +130,7 @@ def _judged(kind: str, on: Reached) -> Iterator[Block]:
     values = {"phase": phase, "theta": degrees_of(abs(worst.value)), "phi": degrees_of(worst.phi)}
     if on.limit is None:
         yield Paragraph(
-            tr("The largest pressure angle {phase} is {theta}° at φ = {phi}°; it is not limited there.", **values)
+            tr("The largest pressure angle {phase} is {theta}° at $phi$ = {phi}°; it is not limited there.", **values)
         )
     else:
         values["limit"] = degrees_of(on.limit)
@@ -138,17 +138,20 @@ def _judged(kind: str, on: Reached) -> Iterator[Block]:
             spans = "; ".join(f"{degrees_of(low)}°–{degrees_of(high)}°" for low, high in on.exceeded)
             yield Paragraph(
                 tr(
-                    "The largest pressure angle {phase} is {theta}° at φ = {phi}°, above the permissible {limit}°: it "
-                    "is exceeded for φ = {spans}.",
+                    "The largest pressure angle {phase} is {theta}° at $phi$ = {phi}°, above the permissible {limit}°: "
+                    "it is exceeded for $phi$ = {spans}.",
                     spans=spans,
                     **values,
                 )
             )
         else:
             yield Paragraph(
-                tr("The largest pressure angle {phase} is {theta}° at φ = {phi}°, not above the permissible {limit}°.",
-                   **values)
-            )  # fmt: skip
+                tr(
+                    "The largest pressure angle {phase} is {theta}° at $phi$ = {phi}°, not above the permissible "
+                    "{limit}°.",
+                    **values,
+                )
+            )
     name, said = "theta_y", tr("largest pressure angle on the rise")
     if kind == "return":
         name, said = "theta_c", tr("largest pressure angle on the return")

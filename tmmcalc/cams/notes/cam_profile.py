@@ -20,6 +20,7 @@ from tmmcalc.cams.notes.lexicon import (
     of_follower,
     of_motion,
     of_values,
+    shown_unit,
     table_rows,
     told_of,
 )
@@ -101,12 +102,12 @@ def _inverted(told: Told) -> str:
     if told.turns:
         return tr(
             "The cam turns {sense}. In the inverted motion it stands still and the rest turns against it. Axis $x$ "
-            "leads from the axis of the cam to the pivot of the rocker at φ = 0.",
+            "leads from the axis of the cam to the pivot of the rocker at $phi$ = 0.",
             sense=sense,
         )
     return tr(
         "The cam turns {sense}. In the inverted motion it stands still and the rest turns against it. Axis $y$ leads "
-        "along the lift at φ = 0, axis $x$ to the right.",
+        "along the lift at $phi$ = 0, axis $x$ to the right.",
         sense=sense,
     )
 
@@ -342,7 +343,7 @@ def _limits(told: Told, result: Profile, lexicon: Lexicon) -> Iterator[Block]:
 def _flat_limits(result: Profile, lexicon: Lexicon) -> Iterator[Block]:
     """The least radius under a flat face."""
     lexicon |= named({"rho_{min}": mm(result.sharpest.value, tr("least radius of curvature of the profile"))})
-    yield Paragraph(tr("The radius of curvature is least at φ = {angle}°:", angle=degrees_of(result.sharpest.phi)))
+    yield Paragraph(tr("The radius of curvature is least at $phi$ = {angle}°:", angle=degrees_of(result.sharpest.phi)))
     yield from _held("rho_{min}", lexicon, "r_m")
     if not result.working.sound:
         yield Paragraph(_unsound(result.working))
@@ -364,7 +365,7 @@ def _held(name: str, lexicon: Lexicon, limit: str) -> Iterator[Block]:
     holds = own >= least * (1 - KEPT)
     sides = f" {'>=' if holds else '<'} ".join(significant(each, 5) for each in (own, least))
     said = tr("The condition holds.") if holds else tr("The condition fails.")
-    yield Paragraph(f"${name} >= {limit}$: ${sides}$. {said}")
+    yield Paragraph(f"${name} >= {limit}$: ${sides}$ {shown_unit(given.unit)}. {said}")
     yield Result(name, given._replace(value=max(own, least) if holds else own), least, ">=")
 
 
@@ -378,14 +379,15 @@ def _reached(reach: Reach, wall: Wall) -> str:
     name, at = wall_name(wall.name), [degrees_of(phi) for phi in reach.at]
     if reach.cause == "cusp":
         return tr(
-            "The radius of the roller has to stay below ${radius}$, with which the {wall} has a cusp at φ = {angle}°.",
+            "The radius of the roller has to stay below ${radius}$, with which the {wall} has a cusp at "
+            "$phi$ = {angle}°.",
             radius="rho_1" if wall.name == "outer" else "rho_2",
             wall=name,
             angle=at[0],
         )
     return tr(
-        "The largest roller has a radius of {radius} mm: with it the {wall} touches itself at φ = {first}° and "
-        "φ = {second}°.",
+        "The largest roller has a radius of {radius} mm: with it the {wall} touches itself at $phi$ = {first}° and "
+        "$phi$ = {second}°.",
         radius=_radius(1e3 * reach.distance),
         wall=name,
         first=at[0],
@@ -397,7 +399,7 @@ def _unsound(wall: Wall) -> str:
     """Where a wall runs backwards or crosses itself."""
     name, spans = wall_name(wall.name), "; ".join(f"{degrees_of(a)}°–{degrees_of(b)}°" for a, b in wall.loops)
     if spans:
-        return tr("The {wall} is undercut: it runs backwards for φ = {spans}.", wall=name, spans=spans)
+        return tr("The {wall} is undercut: it runs backwards for $phi$ = {spans}.", wall=name, spans=spans)
     return tr("The {wall} crosses itself.", wall=name)
 
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from math import degrees, floor, isclose
+
+import numpy as np
 
 from tmmcalc.cams.notes.flatface import told_face
 from tmmcalc.cams.notes.hung import hung
@@ -119,7 +121,8 @@ def _governed(result: Synthesis) -> Iterator[Block]:
 
 def _designs(told: Told, result: Synthesis) -> Iterator[Block]:
     """The designs by several rules with the pressure angles that they reach, and whole millimetres."""
-    rows = [*result.designs, *([result.rounded] if result.rounded is not None and result.kind != "flat" else [])]
+    whole = [result.rounded] if result.rounded is not None and result.kind != "flat" else []
+    rows = [*_different(result.designs), *whole]
     if not rows:
         if result.rounded is not None:
             size = number(mm(result.rounded.start))
@@ -147,6 +150,16 @@ def _designs(told: Told, result: Synthesis) -> Iterator[Block]:
     yield Table(tr("Sizes by several rules"), head, tuple(zip(*cells, strict=True)), key="cam_designs")
 
 
+def _different(designs: Iterable[Design]) -> Iterator[Design]:
+    """The designs but those that have the sizes of one before them."""
+    known: list[tuple[float, ...]] = []
+    for each in designs:
+        sizes = each.base, each.start, each.offset, each.centres, each.rocker
+        if not any(np.allclose(sizes, other, equal_nan=True) for other in known):
+            yield each
+        known.append(sizes)
+
+
 def _rule(design: Design, sense: int) -> str:
     return tr("In whole millimetres") if design.name == WHOLE_NAME else design_name(design, sense)
 
@@ -157,11 +170,11 @@ def _roller(result: Synthesis, lexicon: Lexicon) -> Iterator[Block]:
     if choice is None:
         return
     yield Heading(tr("Roller"), 3)
-    said = tr("The least radius of convex parts of the pitch curve is $rho_2 = {convex}$ mm at φ = {angle}°",
+    said = tr("The least radius of convex parts of the pitch curve is $rho_2 = {convex}$ mm at $phi$ = {angle}°",
               convex=significant(1e3 * choice.convex.value, SHORT), angle=degrees_of(choice.convex.phi))  # fmt: skip
     walled = any("rho_1" in RULES[rule.name] for rule in choice.rules)
     if choice.concave is not None and walled:
-        said += tr(", that of concave parts $rho_1 = {concave}$ mm at φ = {angle}°",
+        said += tr(", that of concave parts $rho_1 = {concave}$ mm at $phi$ = {angle}°",
                    concave=significant(1e3 * choice.concave.value, SHORT),
                    angle=degrees_of(choice.concave.phi))  # fmt: skip
     yield Paragraph(f"{said}.")

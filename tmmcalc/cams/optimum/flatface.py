@@ -20,7 +20,7 @@ from tmmcalc.cams.optimum.guidelength import NEVER, TALL, Held, Range, masked, s
 from tmmcalc.cams.optimum.margins import SLACK
 from tmmcalc.cams.optimum.peaks import crest, largest, peak
 from tmmcalc.cams.optimum.relaxation import bought
-from tmmcalc.cams.optimum.results import NAMES, Check, Choice, FlatChart, Relaxation
+from tmmcalc.cams.optimum.results import NAMES, Check, Choice, FlatChart, Level, Relaxation
 from tmmcalc.cams.optimum.scene import WHERE, Scene, guided_at
 from tmmcalc.cams.strength.formulas import (
     BAD,
@@ -132,13 +132,14 @@ def lowest(scene: Scene) -> tuple[float, float]:
     return start, top
 
 
-def _by_length(scene: Scene, start: float, height: float) -> list[float]:
-    """Margins that the length of the guide decides."""
-    return [each.margin for each in choice_of(scene, start, height).checks if each.number > 3 and each.judged]
+def _by_length(scene: Scene, start: float, height: float) -> Check:
+    """The constraint of least margin among those that the length of the guide decides."""
+    checks = (each for each in choice_of(scene, start, height).checks if each.number > 3 and each.judged)
+    return min(checks, key=lambda each: each.margin)
 
 
-def steps(scene: Scene, step: float, height_step: float) -> tuple[float, Values, int]:
-    """The least H2 in whole steps, all S0 (n,) in whole steps that have it, and how many were looked at."""
+def steps(scene: Scene, step: float, height_step: float) -> tuple[float, Values, int, tuple[Level, ...]]:
+    """The least H2 in whole steps, all S0 (n,) that have it, how many were looked at, the heights that were tried."""
     seen = chart(scene)
     base = scene.stroke + scene.guide.gap
     far = seen.least_start + max(STRETCH[0] * scene.stroke, STRETCH[1])
@@ -146,12 +147,16 @@ def steps(scene: Scene, step: float, height_step: float) -> tuple[float, Values,
     found = lengths(scene)(side)
     first = np.ceil((side + base + found.least) / height_step - ROUNDING)
     last = np.floor((side + base + found.most) / height_step + ROUNDING)
+    course: list[Level] = []
     for level in np.sort(np.unique(first[found.some & (first <= last)])).tolist():
         top = level * height_step
-        rows = side[found.some & (first <= level) & (last >= level)]
-        good = [each for each in rows.tolist() if min(_by_length(scene, each, top)) >= -SLACK]
+        rows = side[found.some & (first <= level) & (last >= level)].tolist()
+        worst = [_by_length(scene, each, top) for each in rows]
+        good = [each for each, check in zip(rows, worst, strict=True) if check.margin >= -SLACK]
+        best = max(worst, key=lambda check: check.margin)
+        course.append(Level(top, len(rows), len(rows), len(good), best.margin, best.number))
         if good:
-            return top, np.array(good), len(side)
+            return top, np.array(good), len(side), tuple(course)
     raise _none(scene, far)
 
 

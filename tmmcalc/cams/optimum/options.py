@@ -167,7 +167,7 @@ def _variant(words: tuple[str, ...], task: CamTask, follower: Follower, asked: O
             return _rocker_option(words, task, of, mechanism, smaller)
         scene = scene_of(task, follower, phases)
         if follower.kind == "flat":
-            top, starts, _ = flatface.steps(scene, asked.step, asked.height_step)
+            top, starts, *_ = flatface.steps(scene, asked.step, asked.height_step)
             designs = [flatface.choice_of(scene, each, top) for each in starts.tolist()]
             best = max(designs, key=lambda each: each.worst.margin)
             least = flatface.choice_of(scene, *flatface.lowest(scene))

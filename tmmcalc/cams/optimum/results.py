@@ -2,6 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from tmmcalc.cams.forces.formulas import Mask
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.rounding import Errors
 from tmmcalc.core.notes import Said
@@ -86,6 +92,41 @@ class Choice:
 
 
 ACTIVE = 1e-7  # a margin this small is none
+
+
+@record
+class Level:
+    """A height that was tried; of a rocker a distance of the centres."""
+
+    height: float = quantity("{height}[m]", "height that was tried; of a rocker the distance of the centres")
+    points: int = quantity("points", "points S0, r2 that it suits; of a rocker l2, R0 that the pressure angle leaves")
+    judged: int = quantity("judged", "how many are judged by all constraints; of a rocker with every radius r2")
+    kept: int = quantity("kept", "how many of these keep all constraints")
+    margin: float | None = quantity("least_margin", "least margin of the constraints at the best of them", default=None)
+    number: int | None = quantity("constraint", "number of the constraint of this margin", default=None)
+
+
+def level(height: float, points: int, numbers: Sequence[int], margin: Values, good: Mask) -> Level:
+    """The margins (k, n) of constraints of these numbers at a height; ``good`` are the points that keep all."""
+    least = np.min(margin, axis=0)
+    best = int(np.argmax(least))
+    worst = numbers[int(np.argmin(margin[:, best]))]
+    return Level(height, points, margin.shape[1], int(np.count_nonzero(good)), float(least[best]), worst)
+
+
+def merged(levels: Sequence[Level], height: float) -> tuple[Level, ...]:
+    """The levels up to a height, ascending, those of one height together."""
+    found: dict[float, Level] = {}
+    for each in levels:
+        if each.height > height:
+            continue
+        other = found.get(each.height)
+        if other is not None:
+            best = max(each, other, key=lambda one: one.margin or 0.0)
+            counts = {key: getattr(each, key) + getattr(other, key) for key in ("points", "judged", "kept")}
+            each = replace(best, **counts)
+        found[each.height] = each
+    return tuple(found[key] for key in sorted(found))
 
 
 @record
@@ -234,6 +275,7 @@ class CamOptimum:
     examined: int = quantity("examined", "step points that were looked at")
     excluded: int = quantity("excluded", "how many of them no height suits")
     passed: tuple[tuple[int, int], ...]  # constraint, how many step points it alone leaves
+    course: tuple[Level, ...]  # the heights that were tried, ascending; the last is the least
     least: Choice  # of any sizes
     asked: float | None  # H2 of the spec [m]
     contours: tuple[Contour, ...]  # of the spec's height, and of the least in steps

@@ -10,8 +10,10 @@ import numpy as np
 
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.optimum.margins import SLACK
+from tmmcalc.cams.optimum.results import Level
+from tmmcalc.cams.optimum.results import level as judged_level
 from tmmcalc.cams.optimum.rockershapes import angles, bounds, thinned
-from tmmcalc.cams.optimum.rockersizes import RockerScene, Sizes, judge_rocker
+from tmmcalc.cams.optimum.rockersizes import NUMBERS, RockerScene, Sizes, judge_rocker
 from tmmcalc.cams.optimum.scene import WHERE
 from tmmcalc.cams.task import Optimum
 from tmmcalc.core.errors import NoSolutionError, UsageError
@@ -35,6 +37,7 @@ class FoundSteps:
     margin: Values  # (8, n)
     examined: int  # points l2, R0 that were looked at
     excluded: int  # of them without an r2
+    course: tuple[Level, ...]  # the l0 that were tried, ascending
 
 
 def search_steps(of: RockerScene, asked: Optimum, least: float) -> FoundSteps:
@@ -48,9 +51,10 @@ def search_steps(of: RockerScene, asked: Optimum, least: float) -> FoundSteps:
     if asked.centre_distances is not None:
         low, high = asked.centre_distances
         first, last = max(first, int(np.ceil(low / step - ROUND))), int(np.floor(high / step + ROUND))
-    examined = excluded = 0
+    examined, excluded, course = 0, 0, list[Level]()
     for level in range(first, last + 1):
-        points = _points(few, asked, round(level * step, DIGITS))
+        centres = round(level * step, DIGITS)
+        points = _points(few, asked, centres)
         examined += points.shape[1]
         if examined > MANY:
             raise _fine(step, examined)
@@ -60,13 +64,16 @@ def search_steps(of: RockerScene, asked: Optimum, least: float) -> FoundSteps:
         if sizes.shape[1] > MANY:
             raise _fine(step, sizes.shape[1])
         if not sizes.shape[1]:
+            course.append(Level(centres, points.shape[1], 0, 0))
             continue
         parts = [judge_rocker(of, Sizes(*sizes[:, i : i + FEW])).margin for i in range(0, sizes.shape[1], FEW)]
         margin = np.concatenate(parts, axis=1)
-        good = np.flatnonzero(np.all(margin >= -SLACK, axis=0))
+        holds = np.all(margin >= -SLACK, axis=0)
+        course.append(judged_level(centres, points.shape[1], NUMBERS, margin, holds))
+        good = np.flatnonzero(holds)
         if good.size:
             order = good[np.argsort(-np.min(margin[:, good], axis=0), kind="stable")]
-            return FoundSteps(sizes[:, order], margin[:, order], examined, excluded)
+            return FoundSteps(sizes[:, order], margin[:, order], examined, excluded, tuple(course))
     raise NoSolutionError(
         Phrase(
             "no sizes in whole steps of {step:g} mm keep all constraints with l0 up to {last:.6g} mm; of any sizes the "

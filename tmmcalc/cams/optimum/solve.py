@@ -129,6 +129,7 @@ def _solved(task: CamTask, follower: Follower, asked: Optimum, phases: Phases) -
         examined=known.examined,
         excluded=known.examined - len(known.start),
         passed=tuple(known.passed.items()),
+        course=found.course,
         least=least,
         asked=top,
         contours=tuple(_contours(scene, found, known, least, top)),
@@ -143,7 +144,7 @@ def _solved(task: CamTask, follower: Follower, asked: Optimum, phases: Phases) -
 
 def _flat(task: CamTask, follower: Follower, scene: Scene, asked: Optimum, phases: Phases) -> CamOptimum:
     """The same of a flat-faced follower, whose only size is S0."""
-    top, start, examined = flatface.steps(scene, asked.step, asked.height_step)
+    top, start, examined, course = flatface.steps(scene, asked.step, asked.height_step)
     designs = [flatface.choice_of(scene, each, top) for each in start.tolist()]
     designs.sort(key=lambda each: -each.worst.margin)
     least = flatface.choice_of(scene, *flatface.lowest(scene))
@@ -164,6 +165,7 @@ def _flat(task: CamTask, follower: Follower, scene: Scene, asked: Optimum, phase
         examined=examined,
         excluded=examined - len(designs),
         passed=(),
+        course=course,
         least=least,
         asked=task.guide.top,
         contours=(),
@@ -200,6 +202,7 @@ def _rocker(task: CamTask, follower: Follower, asked: Optimum, phases: Phases) -
         examined=steps.examined,
         excluded=steps.excluded,
         passed=(),
+        course=steps.course,
         least=least,
         asked=None,
         contours=(rocker_contour(of, found),),

@@ -15,7 +15,9 @@ import numpy as np
 from tmmcalc.cams.laws.law import Indices, Values
 from tmmcalc.cams.optimum.firstfeasible import FirstFeasible, first_feasible
 from tmmcalc.cams.optimum.guidelength import SINGLE, TALL, Range, ranges
-from tmmcalc.cams.optimum.margins import SLACK, margins
+from tmmcalc.cams.optimum.margins import NUMBERS, SLACK, margins
+from tmmcalc.cams.optimum.results import Level, merged
+from tmmcalc.cams.optimum.results import level as judged_level
 from tmmcalc.cams.optimum.scene import WHERE, Scene
 from tmmcalc.cams.optimum.slipbounds import may_roll
 from tmmcalc.cams.strength.formulas import rolling
@@ -64,6 +66,7 @@ class Found:
     start: Values  # S0 (n,) [m]
     roller: Values  # r2 (n,) [m]
     margin: Values  # (8, n)
+    course: tuple[Level, ...] = ()  # the heights that were tried, ascending
 
     @property
     def best(self) -> int:
@@ -86,7 +89,8 @@ def search(scene: Scene, asked: Optimum) -> tuple[Found | None, Candidates]:
     far = farthest(scene, asked)
     high = min(FIRST * scene.stroke, far)
     known = _stretch(scene, asked.step, 0.0, high)
-    found, known = _onwards(scene, asked, known, high, far)
+    course: list[Level] = []
+    found, known = _onwards(scene, asked, known, high, far, course)
     if found is not None or asked.heights is not None:
         return found, known
     first = first_feasible(scene, far)
@@ -95,19 +99,25 @@ def search(scene: Scene, asked: Optimum) -> tuple[Found | None, Candidates]:
     last = first.height - scene.stroke - scene.guide.gap
     if _rollers(scene, asked.step, far, last)[2].sum() > MANY:
         return None, replace(known, far=first)
-    return _onwards(scene, asked, known, far, last)
+    return _onwards(scene, asked, known, far, last, course)
 
 
 def _onwards(
-    scene: Scene, asked: Optimum, known: Candidates, high: float, far: float
+    scene: Scene, asked: Optimum, known: Candidates, high: float, far: float, course: list[Level]
 ) -> tuple[Found | None, Candidates]:
-    """The least height with S0 up to ``far``, of which the candidates up to ``high`` are known."""
+    """The least height with S0 up to ``far``, of which the candidates up to ``high`` are known.
+
+    The heights that were tried are added to ``course``.
+    """
     base, left = scene.stroke + scene.guide.gap, known
     while True:
-        found = _lowest(scene, asked, left)
+        before = len(course)
+        found = _lowest(scene, asked, left, course)
         bound = far if found is None else min(found.height - base, far)
         if bound <= high:
-            return found, known
+            return None if found is None else replace(found, course=merged(course, found.height)), known
+        if found is not None:
+            del course[before:]  # its points are judged again, with those farther out
         low, high = high, min(max(2 * high, 4 * asked.step), bound)
         fresh = _stretch(scene, asked.step, low, high)
         known, left = known.joined(fresh), fresh if found is None else left.joined(fresh)
@@ -156,7 +166,7 @@ def _candidates(scene: Scene, start: Values, roller: Values, examined: int) -> C
     )
 
 
-def _lowest(scene: Scene, asked: Optimum, known: Candidates) -> Found | None:
+def _lowest(scene: Scene, asked: Optimum, known: Candidates, course: list[Level]) -> Found | None:
     """The first height, ascending, at which a candidate keeps all constraints."""
     step = asked.height_step
     lower, upper = (0.0, np.inf) if asked.heights is None else asked.heights
@@ -179,6 +189,7 @@ def _lowest(scene: Scene, asked: Optimum, known: Candidates) -> Found | None:
         height = level * step
         margin = margins(scene, known.start[rows], known.roller[rows], np.full(len(rows), height))
         good = np.all(margin >= -SLACK, axis=0)
+        course.append(judged_level(height, len(rows), NUMBERS, margin, good))
         if good.any():
             rows = rows[good]
             return Found(height, known.start[rows], known.roller[rows], margin[:, good])

@@ -112,6 +112,7 @@ def _crest(result: Bearing, task: BearingTask) -> Iterator[Block]:
     top = max(result.crest)
     labels = [str(k) for k in range(1, len(places) + 1)]
     columns = {"$A_p$": task.peak, "$A_q$": task.rms, "$k_p$": result.crest}
+    yield Paragraph(tr("Table {tab:bearing_readings} has the readings with their crest factors."))
     yield tabulated(tr("Readings of the vibration"), columns, labels, head=tr("Reading"), key="bearing_readings")
     if top < HIGH:
         yield Paragraph(tr("The crest factor tells of no defect."))

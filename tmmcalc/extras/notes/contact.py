@@ -228,6 +228,7 @@ def _pressures(result: Contact, task: ContactTask) -> Iterator[Block]:
     yield drawn(tr("Pressures in the contact"), partial(draw_contact, result=result), FIGURE, "contact")
     yield course(tr("Pressures on the axis of x"), columns, "contact_axis")
     if smooth is not None:
+        yield Paragraph(tr("Table {tab:contact_both} compares the numerical solution with that by Hertz."))
         yield _beside(result, smooth)
 
 

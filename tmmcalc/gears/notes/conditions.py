@@ -12,7 +12,7 @@ from tmmcalc.gears.chosen.choice import Chosen
 from tmmcalc.gears.chosen.condition import Condition
 from tmmcalc.gears.chosen.conditions import conditions
 from tmmcalc.gears.columns import ratios
-from tmmcalc.gears.notes.letters import joined, letter, noted
+from tmmcalc.gears.notes.letters import asked_ratio, joined, letter, noted
 from tmmcalc.gears.pictures.words import KINDS, counted
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.syntax import read
@@ -94,7 +94,7 @@ def _error(chosen: Chosen, lexicon: Lexicon) -> Iterator[Block]:
     """The deviation of the ratio from the one that is asked for."""
     request = chosen.request
     assert request is not None
-    kind, asked = KINDS[request.kind], KINDS[request.kind][:-1] + ",0}" if request.kind != "u" else "U_0"
+    kind, asked = KINDS[request.kind], asked_ratio(request.kind)
     error = 100 * float(ratios(request, chosen.sets)[1][0])
     lexicon |= named(
         {

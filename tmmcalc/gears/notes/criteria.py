@@ -13,13 +13,14 @@ from tmmcalc.gears.criteria.size import orbits
 from tmmcalc.gears.criteria.speeds import speeds
 from tmmcalc.gears.criteria.wheels import Build, radii, stage_of, wheels
 from tmmcalc.gears.model import ToothSets
-from tmmcalc.gears.notes.letters import joined, layout_word, noted, short_train, teeth
+from tmmcalc.gears.notes.course import told_best, told_sieve
+from tmmcalc.gears.notes.letters import joined, noted, short_train, teeth
 from tmmcalc.gears.pictures.front import draw_pareto
-from tmmcalc.gears.pictures.words import CRITERIA, short_name, teeth_text
+from tmmcalc.gears.pictures.words import CRITERIA, layout_word, short_name, teeth_text
 from tmmcalc.gears.scheme import CARRIER, Mesh
 from tmmcalc.gears.selection.results import Selection
 from tmmcalc.gears.selection.solve import assumptions_of
-from tmmcalc.gears.selection.task import WEIGHTED
+from tmmcalc.gears.selection.task import ROW, WEIGHTED
 from tmmcalc.gears.sizing import rows_of
 from tmmcalc.gears.tables.tasks.sizing import to_selection
 from tmmcalc.report.drawing.box import Box
@@ -56,6 +57,7 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from chosen.wheels()
     yield from chosen.sums()
     yield Heading(tr("Comparison and choice"), 3)
+    yield from told_sieve(selection, order.results["train"].variants, order.results["strength"].variants)
     yield from _compared(selection)
     yield from _weights(selection)
     for key, found in (("planets", selection.by_planets), ("layouts", selection.by_layouts)):
@@ -216,7 +218,6 @@ def _compared(selection: Selection) -> Iterator[Block]:
     """How many trains there are, the front, the best by each criterion."""
     pool, objectives = selection.pool, selection.objectives
     told = {"count": len(pool), "front": len(selection.front), "criteria": ", ".join(map(short_name, objectives))}
-    weak = sum(each.weak + each.locking for each in selection.variants)
     yield Paragraph(
         tr(
             "{count} trains are strong enough; they are compared by: {criteria}. The Pareto front has {front} of them: "
@@ -226,17 +227,25 @@ def _compared(selection: Selection) -> Iterator[Block]:
             **told,
         )
     )
-    if weak:
-        yield Paragraph(tr("Left out as too weak or self-locking: {count}.", count=weak))
     yield Figure(tr("Mass and inertia of the trains"), partial(_front, found=selection), PARETO, "criteria_front")
     rows = [row for row in selection.front.tolist() if row != selection.winner.place]
     shown = [selection.winner.place, *rows][:SHOWN]
-    head = (tr("Row"), tr("Train"), "$m$, " + tr_unit("mm"), "$b$, " + tr_unit("mm"), *map(_head, objectives))
-    body = tuple((*_sizes(selection, row), *_criteria(selection, row)) for row in shown)
-    yield Table(tr("The chosen train and the Pareto front"), head, body, "criteria_front")
+    body = tuple(_train(selection, row) for row in shown)
+    yield Table(tr("The chosen train and the Pareto front"), _heads(selection), body, "criteria_front")
     for each in selection.minima:
         said = {"criterion": short_name(each.criterion), "value": _shown(each.criterion, each.value)}
         yield Paragraph(tr("The best {criterion}: {value}, train {row}.", row=each.winner + 1, **said))
+
+
+def _heads(selection: Selection) -> tuple[str, ...]:
+    """Over the cells of one train."""
+    objectives = map(_head, selection.objectives)
+    return tr("Row"), tr("Train"), "$m$, " + tr_unit("mm"), "$b$, " + tr_unit("mm"), *objectives
+
+
+def _train(selection: Selection, row: int) -> tuple[str, ...]:
+    """One train: its row, teeth, modules, widths, criteria."""
+    return (*_sizes(selection, row), *_criteria(selection, row))
 
 
 def _front(drawing: Drawing, box: Box, found: Selection) -> None:
@@ -328,7 +337,8 @@ def _series(selection: Selection) -> Iterator[Block]:
 def _why(selection: Selection) -> Iterator[Block]:
     """What decided."""
     winner, reason = selection.winner, selection.reason
-    name = f"{layout_word(winner.layout)} {teeth_text(winner.teeth)}"
+    row = int(selection.pool.row[winner.place])
+    name = short_train(rows_of(selection.variants[winner.variant].sets, np.array([row])))
     sizes = [
         tr_number("; ".join(significant(MM * value, RESULT) for value in each))
         for each in (winner.modules, winner.widths)
@@ -341,9 +351,12 @@ def _why(selection: Selection) -> Iterator[Block]:
         said = tr("By the least weighted sum the train {name} is chosen.", **told)
     else:
         said = tr("The train {name} is chosen as the task asks.", **told)
-    if reason.runner_up_value is not None and reason.criterion in CRITERIA:
+    if reason.tied and selection.choose != ROW:
+        said += " " + tr("Others as good by it: {tied}; the first in the list is taken.", tied=reason.tied)
+    elif reason.runner_up_value is not None and reason.criterion in CRITERIA:
         said += " " + tr("The next best has {value}.", value=_shown(reason.criterion, reason.runner_up_value))
     elif reason.runner_up_value is not None and selection.choose == WEIGHTED:
         value = tr_number(significant(reason.runner_up_value, RESULT))
         said += " " + tr("The next best has {value}.", value=value)
     yield Paragraph(f"{said} " + tr("Its modules are {modules} mm, its face widths {widths} mm.", **told))
+    yield from told_best(selection, partial(_train, selection), _heads(selection))

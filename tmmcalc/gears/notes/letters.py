@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from unicodedata import normalize
 
 from tmmcalc.gears.letters import LETTER
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.network.model import Network
-from tmmcalc.gears.pictures.words import teeth_text
-from tmmcalc.gears.scheme import known_layouts
+from tmmcalc.gears.pictures.words import KINDS, layout_word, teeth_text
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.tree import CONSTANTS, FUNCTIONS
 from tmmcalc.report.language import tr, tr_name
@@ -106,14 +104,17 @@ def member_name(network: Network, member: str) -> str:
     return tr("wheel {wheel}", wheel=member) if member[0].isdigit() else member
 
 
-def layout_word(key: str) -> str:
-    """A layout in a word, a planetary one by its designation; a number of planets as it is."""
-    scheme = known_layouts().get(key)
-    return normalize("NFC", scheme.designation) if scheme is not None and scheme.planetary else tr_name(key)
-
-
 def short_train(sets: ToothSets) -> str:
     """A train by its layout, a planetary one by its designation, and its teeth."""
     scheme = sets.scheme
     word = layout_word(scheme.key) if scheme.planetary else lowered(tr_name(scheme.title))
     return f"{word} {teeth_text(sets.teeth[0].tolist())}"
+
+
+def asked_ratio(kind: str) -> str:
+    """The letter of a ratio as it is asked for, beside that which the numbers of teeth give.
+
+    >>> asked_ratio("i_1H")
+    'i_{1H,0}'
+    """
+    return "U_0" if kind == "u" else f"{KINDS[kind][:-1]},0}}"

@@ -47,6 +47,7 @@ WHEELS = (
     *("s_n", "s", "s_t", "s_na", "s_a", "x_min", "alpha_a", "z_w", "W", "s_c", "h_c", "D", "M"),
 )
 MESH, CURVES = (WIDE, 125.0), (WIDE, 105.0)  # sizes of the pictures [mm]
+SCALE = 2.8  # height of the letters of the scale of a mesh [mm]
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -206,7 +207,9 @@ def _pictures(found: MeshPair, key: str, of: str) -> Iterator[Block]:
                 sliding=f"{{fig:{key}_sliding}}",
             )
         )
-        yield Figure(captioned(tr("Mesh of the pair"), of), partial(draw_to_scale, found=found), MESH, f"{key}_mesh")
+        yield Figure(
+            captioned(tr("Mesh of the pair"), of), partial(draw_to_scale, found=found, told=SCALE), MESH, f"{key}_mesh"
+        )
         caption = captioned(tr("Specific sliding and specific pressure of the pair"), of)
         caption = caption if of else tr("Specific sliding and specific pressure")
         yield Figure(caption, partial(draw_curves, placed=placed_pair(found)), CURVES, f"{key}_sliding")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tmmcalc.gears.notes.letters import layout_word
 from tmmcalc.gears.notes.strength import steel_word
+from tmmcalc.gears.pictures.words import layout_word
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Datum
@@ -22,7 +22,7 @@ def blocks(order: Order) -> Iterator[Block]:
     if train.tolerance is not None and train.tolerance_kind == "relative":
         yield Datum(tr("admitted error of the ratio"), ("Delta",), (100 * float(train.tolerance),), "%")
     if train.planets:
-        yield Datum(tr("number of planets"), ("k",), tuple(map(float, train.planets)))
+        yield Datum(tr("number of planets"), ("K",), tuple(map(float, train.planets)))
     if strength is not None and strength.torque is not None:
         yield Datum(tr("torque on wheel 1, of all branches together"), ("T_1",), (strength.torque,), "N*m")
     material = None if strength is None else strength.material

@@ -9,7 +9,6 @@ from functools import partial
 
 import numpy as np
 
-from tmmcalc.gears.advice import called, removals
 from tmmcalc.gears.chosen.choice import Chosen
 from tmmcalc.gears.chosen.motion import Moving
 from tmmcalc.gears.columns import ratios
@@ -18,7 +17,8 @@ from tmmcalc.gears.details import searched_trains
 from tmmcalc.gears.gearing import Gearing, solve_gearing
 from tmmcalc.gears.gearingtask import layout_task
 from tmmcalc.gears.notes.conditions import told_conditions
-from tmmcalc.gears.notes.letters import joined, letter, lowered, short_train, teeth_of
+from tmmcalc.gears.notes.course import told_search
+from tmmcalc.gears.notes.letters import asked_ratio, joined, letter, lowered, short_train, teeth_of
 from tmmcalc.gears.notes.speeds import Told, ends_of, told_motion, told_speeds
 from tmmcalc.gears.notes.torques import told_torques
 from tmmcalc.gears.pictures.pieces import motion_piece
@@ -35,7 +35,7 @@ from tmmcalc.gears.trains import Request, Variant
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given, significant
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr, tr_name, tr_number
+from tmmcalc.report.language import tr, tr_number
 from tmmcalc.report.manuscript import Block, Display, Figure, Heading, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import lines, named, tabulated, titled
 
@@ -78,14 +78,14 @@ def _searched(variant: Variant, chosen: Chosen | None, selection: Selection | No
     elif request.scheme.stepped and request.task.nominal > 1:
         yield from _proportion(request)
     if request.task.teeth is None:
-        yield from _removed(variant, key)
+        yield from told_search(variant, key)
     if synthesis.count > 1:
         yield from _sets(variant, chosen, selection, key)
 
 
 def _asked(request: Request) -> Iterator[Block]:
     """The ratio and its tolerance, the tooth ratio that follows."""
-    kind, nominal = KINDS[request.kind], float(request.nominal)
+    kind, nominal = asked_ratio(request.kind), float(request.nominal)
     low, high, value = (_number(float(x)) for x in (request.admitted.low, request.admitted.high, nominal))
     said = {"ratio": f"${kind}$ = {value}", "low": low, "high": high}
     if request.origin:
@@ -157,39 +157,6 @@ def _proportion(request: Request) -> Iterator[Block]:
     yield from lines(["u_2 = U/u_1", "mu^{*} = (u_1**2/u_2)**(1/4)"], [Place("", lexicon)])
 
 
-def _removed(variant: Variant, key: str) -> Iterator[Block]:
-    """The limits of the search and what each constraint removed."""
-    request, synthesis = variant.request, variant.synthesis
-    limits = request.task.limits
-    said = tr("Wheels have {low} to {high} teeth", low=limits.least, high=limits.largest)
-    if not request.scheme.branched:
-        said += tr(", pinions at most {high}", high=limits.largest_pinion)
-    if request.scheme.rings:
-        said += tr(", rings {low} to {high}", low=limits.least_ring, high=limits.largest_ring)
-    counts = {"candidates": _grouped(synthesis.candidates), "count": _grouped(synthesis.count)}
-    found = removals(variant)
-    if not found:
-        yield Paragraph(f"{said}. " + tr("The search found {count} sets of numbers of teeth.", count=counts["count"]))
-        return
-    tab = f"{{tab:{key}_removed}}"
-    yield Paragraph(
-        f"{said}. "
-        + tr(
-            "Of {candidates} combinations the constraints leave {count}; what each removes is in table {tab}.",
-            tab=tab,
-            **counts,
-        )
-    )
-    rows = tuple((tr_name(called(name)), _grouped(of), _grouped(number)) for name, number, of in found)
-    head = (tr("Constraint"), tr("Combinations before it"), tr("Removed"))
-    yield Table(tr("What the constraints removed"), head, rows, f"{key}_removed")
-
-
-def _grouped(count: int) -> str:
-    """A whole number, from 10 000 on with thin spaces between its thousands."""
-    return f"{count:,}".replace(",", "\u202f") if count >= 10_000 else str(count)
-
-
 def _number(value: float) -> str:
     return tr_number(significant(value, DIGITS)).replace("-", "−")
 
@@ -208,7 +175,8 @@ def _sets(variant: Variant, chosen: Chosen | None, selection: Selection | None, 
     if chosen is not None:
         told = {"number": own + 1, "count": variant.synthesis.count}
         chose = tr("The criteria chose set {number} of {count}; it is worked out here.", **told)
-        said += " " + (tr("Further on set {number} of {count} is taken.", **told) if selection is None else chose)
+        least = tr("Further on set {number} of {count} is taken, that of the least $z_1 + z_2$.", **told)
+        said += " " + (least if selection is None else chose)
     yield Paragraph(said)
     ratio, error = ratios(request, sets)
     parts = sets.modules[rows]
@@ -256,7 +224,7 @@ def _chosen(
     yield from told_plans(told.moving, f"{key}_plans")
     yield from _efficiency(told, found, chosen)
     if found.task.torques or chosen.sets.scheme.three_centrals:
-        yield from told_torques(told, found, f"{key}_meshes")
+        yield from told_torques(told, found, f"{key}_meshes", sized=torque is not None)
 
 
 def _reached(chosen: Chosen, *, several: bool) -> Iterator[Block]:
@@ -320,7 +288,7 @@ def _efficiency(told: Told, found: Gearing, chosen: Chosen) -> Iterator[Block]:
         product.append(name)
     way, basic = found.ways[0], found.basic
     if basic is None or way.formula is None:
-        told.lexicon.update(named({"eta": Given(way.efficiency, "", tr_name("efficiency"))}))
+        told.lexicon.update(named({"eta": Given(way.efficiency, "", tr("efficiency of the train"))}))
         yield from told.lines(f"eta = {'*'.join(product)}")
         return
     i = letter("i_1H")
@@ -329,7 +297,7 @@ def _efficiency(told: Told, found: Gearing, chosen: Chosen) -> Iterator[Block]:
         named(
             {
                 "eta_0": Given(basic.efficiency, "", tr("efficiency of the train with the carrier stopped")),
-                "eta": Given(way.formula, "", tr_name("efficiency")),
+                "eta": Given(way.formula, "", tr("efficiency of the train")),
                 i: Given(float(exact), "", tr("ratio of the train")),
             }
         )

@@ -7,7 +7,7 @@ import numpy as np
 from tmmcalc.gears.pictures.front import pairs_of, pairs_sheet, pareto_sheet
 from tmmcalc.gears.pictures.placed import placed
 from tmmcalc.gears.pictures.scheme import scheme_sheet
-from tmmcalc.gears.pictures.words import CRITERIA, layout_name, ratio_text, short_name, teeth_text
+from tmmcalc.gears.pictures.words import CRITERIA, layout_name, layout_word, ratio_text, short_name, teeth_text
 from tmmcalc.gears.selection.results import Pool, Selection
 from tmmcalc.gears.selection.solve import speed_ratio
 from tmmcalc.gears.sizing import rows_of
@@ -16,7 +16,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.page import sheets
 from tmmcalc.report.drawing.shapes import Drawing
-from tmmcalc.report.language import tr, tr_name, tr_unit
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 from tmmcalc.report.rows import check_choice
 
@@ -51,7 +51,7 @@ def _heading(result: Selection, place: int) -> str:
     first = tr(
         "Trains strong enough: {count}; on the Pareto front: {front}", count=len(result.pool), front=len(result.front)
     )
-    name = f"{tr_name(result.winner.layout)} {teeth_text(result.winner.teeth)}"
+    name = f"{layout_word(result.winner.layout)} {teeth_text(result.winner.teeth)}"
     winner = result.winner.place + 1
     if place != result.winner.place:
         said = tr("row {row} is drawn; chosen is row {chosen}, {name}", row=place + 1, chosen=winner, name=name)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from tmmcalc.core.plane import Plane
@@ -23,7 +25,7 @@ CENTRES = Pen("CENTRE_LINES", 0.18, (6.0, 1.5, 1.0, 1.5), "#7a7a7a")
 GAP = Pen("GAPS", 0.8)
 LEADER = Pen("LEADERS", 0.18)
 OUTWARD = (0.0, 4.0, 8.0, 12.0, 16.0, 20.0, 24.0, 28.0)  # places for the name of a gap, away from the main axis [mm]
-FAR = 4.5  # a name that stands higher or lower than this has a line to what it names [mm]
+FAR, NEAR = 4.5, 2.6  # a name that stands higher or lower than this has a line to what it names, as near to it [mm]
 RIM = 2.5  # [module] that is shown of a ring behind its pitch circle
 AROUND = np.exp(2j * np.pi * np.linspace(0, 1, 181))
 NAMED = np.exp(1j * np.radians([62, 118, 40, 140, 20, 160, 90, -40, -140]))  # where names of circles may stand
@@ -81,8 +83,9 @@ def label_end_view(board: Board, train: PlacedTrain, at: complex) -> None:
     name = board.labels.put(
         tr("gap {length}", length=length_text(train, gap.size)), free, gaps=(1.6, 2.6), prefer=outward
     )
-    if abs((name - middle).imag) > FAR:
-        board.drawing.line([middle, name], LEADER, level=9)
+    away = (name - middle).imag
+    if abs(away) > FAR:
+        board.drawing.line([middle, name - math.copysign(NEAR, away) * 1j], LEADER, level=9)
 
 
 def length_text(train: PlacedTrain, value: float) -> str:

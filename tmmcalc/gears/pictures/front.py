@@ -14,14 +14,14 @@ from tmmcalc.gears.criteria.choice import front
 from tmmcalc.gears.criteria.objectives import OBJECTIVES
 from tmmcalc.gears.model import ToothSets, Values
 from tmmcalc.gears.pictures.cloud import MANY, Mark, draw_marks, evenly, fitted, shares, write_key
-from tmmcalc.gears.pictures.words import CRITERIA, axis_name, of_many, short_name, teeth_text
+from tmmcalc.gears.pictures.words import CRITERIA, axis_name, layout_word, of_many, short_name, teeth_text
 from tmmcalc.gears.selection.results import Pool, Selection
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.diagram import HEIGHT, Axis, Diagram, ticks, written
 from tmmcalc.report.drawing.page import headed
 from tmmcalc.report.drawing.pens import THIN, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing, Words
-from tmmcalc.report.language import tr, tr_name, tr_unit
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 NAMED = 25  # members of the front that are numbered, evenly chosen
@@ -30,7 +30,7 @@ SIGNS = ("o", "^", "s", "D", "v", "P", "X", "<", ">")  # of variants
 SIZE = 1.7  # width of the sign of a train [mm]
 SHADES = 8  # of the size, about
 PALE, DEEP = np.array([0xBF, 0xDD, 0xF0]), np.array([0x06, 0x22, 0x50])  # colours of the least and the largest
-BAR, BESIDE = 4.0, 21.0  # width of the scale of shades, and room for it and its numbers at the right [mm]
+BAR, BESIDE = 4.0, 27.0  # width of the scale of shades, and room for it and its numbers at the right [mm]
 PAIRS = 6  # diagrams of two criteria on a sheet at most
 LEFT, BELOW = 19.0, 10.0  # room for numbers and names of the axes of a frame [mm]
 FAR = 3.2  # a number whose middle is farther from its point has a line to it [mm]
@@ -100,7 +100,7 @@ def _names(
     pool = result.pool
     sets = result.variants[int(pool.variant[place])].sets
     size = f"$D$ = {number(1e3 * float(pool.size[place]), 4)} {tr_unit('mm')}"
-    name = f"{tr_name(sets.layout)} {teeth_text(sets.teeth[int(pool.row[place])].tolist())}, {size}"
+    name = f"{layout_word(sets.layout)} {teeth_text(sets.teeth[int(pool.row[place])].tolist())}, {size}"
     chosen = place == result.winner.place
     row = {"row": place + 1, "name": name}
     names.append((tr("row {row}, chosen: {name}", **row) if chosen else tr("row {row}, drawn: {name}", **row), WINNER))
@@ -109,7 +109,7 @@ def _names(
 
 def _titled(sets: ToothSets) -> str:
     """A variant by the designation of its layout and its number of planets."""
-    name = tr_name(sets.layout)
+    name = layout_word(sets.layout)
     return f"{name}, $K$ = {sets.planets}" if sets.scheme.branched else name
 
 

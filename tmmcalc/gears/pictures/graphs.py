@@ -20,6 +20,7 @@ from tmmcalc.gears.kinds import from_tooth_ratio
 from tmmcalc.gears.network.curves import Curve, efficiency_over_ratio, efficiency_over_reduction, ratio_over_inverted
 from tmmcalc.gears.network.types import efficiency
 from tmmcalc.gears.pictures.cloud import Mark, draw_marks, write_key
+from tmmcalc.gears.pictures.words import layout_word
 from tmmcalc.gears.proportion import RANGE, RANGE_INTERNAL, curve, equal_strength
 from tmmcalc.gears.radial import ratio_limits
 from tmmcalc.gears.scheme import Layout
@@ -207,7 +208,7 @@ def _limits(drawing: Drawing, box: Box, request: Request) -> Diagram:
     across = Axis(tr("number of planets $K$"), known[0] - 0.7, known[-1] + 0.7, whole=True)
     up = Axis(f"${symbol}$", 0.0, ROOM * max(*tops, value))
     field = _graph(
-        drawing, box, tr("{layout}: neighbours clear each other", layout=tr_name(task.layout)), across, up, key
+        drawing, box, tr("{layout}: neighbours clear each other", layout=layout_word(task.layout)), across, up, key
     )
     half = BROAD / 2
     for starts, ends, colour in bars:

@@ -42,8 +42,11 @@ SECTOR = math.radians(65)  # of a circle on both sides of the line of centres
 
 
 def draw_mesh(drawing: Drawing, box: Box, pair: PlacedPair) -> Board:
-    """Draw in the rectangle, with columns of radii on both sides of it; the board has the scale and the limits."""
-    board = Board(drawing, box, *_shown(box, pair))
+    """Draw in the rectangle, no higher than it needs, with columns of radii on both sides; the board has the scale."""
+    content, margin, mu = _shown(box, pair)
+    blank = max(0.0, box.height - float(np.ptp(content.imag)) / mu - 2 * (margin + OUT))
+    box = box.inset(0, blank / 2, 0, blank / 2)
+    board = Board(drawing, box, content, margin, mu)
     corners = [complex(box.left, box.bottom), complex(box.right, box.bottom)]
     drawing.line([*corners, complex(box.right, box.top), complex(box.left, box.top)], GRID, closed=True, level=-1)
     picture = _Mesh(board, pair)

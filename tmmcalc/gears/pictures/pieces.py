@@ -108,11 +108,11 @@ def motion_piece(found: Moving) -> Piece:
     return Piece(SHEET, heading, partial(draw_motion, found=found), (290, 160), (340, 200))
 
 
-def draw_to_scale(drawing: Drawing, box: Box, found: MeshPair) -> None:
-    """The mesh of a pair whose wheels have profiles, with its scale."""
+def draw_to_scale(drawing: Drawing, box: Box, found: MeshPair, told: float = TOLD) -> None:
+    """The mesh of a pair whose wheels have profiles, with its scale in letters ``told`` mm high."""
     frame = box.inset(COLUMN, 0, COLUMN, HEAD)
     board = draw_mesh(drawing, frame, placed_pair(found))
-    drawing.add(Words(complex(box.left, box.top), scale_text(board.mu), TOLD, -1 + 1j))
+    drawing.add(Words(complex(box.left, box.top), scale_text(board.mu), told, -1 + 1j))
 
 
 def _course(drawing: Drawing, box: Box, found: MeshPair) -> None:

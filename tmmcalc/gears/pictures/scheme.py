@@ -24,7 +24,7 @@ from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import number
 
 MARGIN = 5.0  # free border of the views [mm]
-APART = 0.11  # between the views, in parts of the height of the train
+APART = 0.34  # between the views, in parts of the height of the train
 NAMED = 0.06  # room for the name at the left end of a shaft that lies across, in the same parts
 TABLE = 52.0  # width of the table [mm]
 NARROW, UNDER = 220.0, 50.0  # width of a picture whose table stands under the views, and its height there [mm]
@@ -88,7 +88,7 @@ def _arranged(train: PlacedTrain) -> tuple[sideview.To, complex, Plane]:
 def _axis_line(board: Board, train: PlacedTrain, to: sideview.To) -> None:
     """The main axis through the side view."""
     if train.scheme.branched:
-        frame, over = lengthwise.frame_of(train), 3 * board.mu
+        frame, over = lengthwise.frame_of(train), sideview.BEYOND * board.mu
         board.line((to(frame.left, 0.0) - over, to(frame.right, 0.0) + over), CENTRES, weight=0.2, level=2)
 
 

@@ -21,6 +21,7 @@ from tmmcalc.report.language import tr
 SLEEVE = 1.3  # half height of a sleeve around a shaft
 BEARING = (4.6, 0.9)  # length, and distance from the shaft
 BESIDE = 4.5  # from the end of a shaft to its name over or under its bearing [mm]
+BEYOND = 3.0  # from the end of a shaft to that of its centre line
 NAME = 2.5  # height of names
 FACE = ("#dbe9f4", "#f9e0d0", "#d3ece4")  # of wheels by plane
 
@@ -71,7 +72,7 @@ def label_side_view(board: Board, train: PlacedTrain, to: To, part: float = 1.0)
     for name, end, other in zip(names, ends, reversed(ends), strict=True):
         side = (end - other) / abs(end - other)
         away = BESIDE * board.mu * side  # over and under the bearing too, where there is no room beyond the shaft
-        places = board.paper([end, end - away + 1j * away, end - away - 1j * away])
+        places = board.paper([end + BEYOND * board.mu * side, end, end - away + 1j * away, end - away - 1j * away])
         board.labels.put(name, places, height=height, gaps=(1.5, 2.5, 4.0, 6.0), prefer=side)
 
 

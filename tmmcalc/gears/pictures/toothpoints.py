@@ -32,6 +32,7 @@ INTERVALS = 6  # equal steps of each curve
 TABLE = 0.42  # part of the width that the table takes at most
 MARGIN, FOOT = 6.0, 12.0  # free border, and room of the key under the drawing [mm]
 DOT, NAME = 0.8, 2.6  # radius of a point and height of its number [mm]
+APART = 2.4  # a point nearer than this to one with a number goes without [mm]
 LETTERS = 3.5  # height of the letters of the table at most [mm]
 THROUGH = Pen("TEXTBOOK_POINTS", 0.5, (2.4, 0.8), MARK.colour)
 ROUNDING = Pen("ROUNDINGS", 0.18, (), "#5b87a6")
@@ -143,8 +144,12 @@ class _Points(WheelDrawing):
         board.labels.put("$Ω$", [board.place(base)], height=NAME, prefer=1 + 1j)
         board.labels.put("$Y$", [board.place(1j * float(whole.imag.max()) + 4j * board.mu)], height=NAME)
         board.labels.put("$X$", [board.place(base + reach)], height=NAME, prefer=1 + 0j)
-        for each in points:
-            board.name(each.number.partition(" ")[0], [each.at], height=NAME, prefer=-1 + 0j)
+        named: list[complex] = []
+        for each in (points[0], points[-1], *points[1:-1]):
+            at = board.place(each.at)
+            if all(abs(at - other) > APART for other in named):
+                named.append(at)
+                board.name(each.number.partition(" ")[0], [each.at], height=NAME, prefer=-1 + 0j)
 
 
 def _fixed(value: float, places: int) -> str:

@@ -8,7 +8,7 @@ from unicodedata import normalize
 
 from tmmcalc.gears.meshing.task import PairTask
 from tmmcalc.gears.model import ToothSets
-from tmmcalc.gears.scheme import Layout
+from tmmcalc.gears.scheme import Layout, known_layouts
 from tmmcalc.report.drawing.lettering import minus, plain
 from tmmcalc.report.language import tr, tr_count, tr_name, tr_unit
 from tmmcalc.report.numbers import number
@@ -67,6 +67,12 @@ def layout_name(scheme: Layout, planets: int) -> str:
     title = title[0].upper() + title[1:]
     name = title + (f" ({normalize('NFC', scheme.designation)})" if scheme.planetary else "")
     return f"{name}, {counted(scheme, planets)}" if scheme.branched else name
+
+
+def layout_word(key: str) -> str:
+    """A layout in a word, a planetary one by its designation; a number of planets as it is."""
+    scheme = known_layouts().get(key)
+    return normalize("NFC", scheme.designation) if scheme is not None and scheme.planetary else tr_name(key)
 
 
 def train_name(sets: ToothSets) -> str:

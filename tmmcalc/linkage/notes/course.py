@@ -175,17 +175,18 @@ def _columns(told: Told, dimensionless: bool) -> Columns:
 
 
 def _line(told: Told, k: int, link: int) -> float:
-    """The angle [deg] of the line of a link that the formulas use against its axis."""
+    """The angle [deg] of the line of a link that the formulas use against its axis, with their whole turns."""
     given = told.lexicons[0].get(f"phi_{link}")
     if given is None or not isinstance(given.value, float):
         return 0.0
-    return math.remainder(given.value - math.degrees(told.result.trace.angle[k][told.rows[0]]), 360.0)
+    return given.value - math.degrees(told.result.trace.angle[k][told.rows[0]])
 
 
 def _headed(name: str, unit: str) -> str:
     """A quantity with its unit, or over the one that is made of the crank."""
     if unit.startswith(("l_1", "omega_1")):
-        return f"${name}/({unit.replace('^', '**')})$"
+        below = f"${unit.replace('^', '**')}$"
+        return f"${name}$/({below})" if "*" in unit else f"${name}$/{below}"
     return f"${name}$, {unit}"
 
 
@@ -238,8 +239,13 @@ def _stencil(
     unit = "rad" if angular else "m"
     per = "rad" if turns else "m"
     own, own2 = ("", "") if unit == per else (f"{unit}/{per}", f"{unit}/{per}^2")
-    there = tr("displacement of output {output} in the position", output=words["D"])
-    aside = tr("displacement of output {output} a step after the position and a step before it", output=words["D"])
+    name = {"output": words["D"]}
+    if angular:
+        there = tr("turn of link {output} in the position", **name)
+        aside = tr("turn of link {output} a step after the position and a step before it", **name)
+    else:
+        there = tr("displacement of {output} in the position", **name)
+        aside = tr("displacement of {output} a step after the position and a step before it", **name)
     found: Lexicon = {
         f"<S>_{{<D>}}^{{{mark}}}": Given(value, unit, there if mark == "0" else aside)
         for mark, value in zip("−0+", values, strict=True)
@@ -277,6 +283,11 @@ def _compared(told: Told, found: Kinematics, k: int, name: str) -> Iterator[Bloc
         )
     )
     apart = Given(max(worst), "%", tr("largest difference of numerical differentiation"))
-    yield Result("Delta", apart, place=name)
-    caption = tr("Numerical differentiation of output {output}", output=titled(point_name(name)))
+    shown = titled(point_name(name))
+    if result.angular[k]:
+        yield Result("Delta", apart, place=tr("link {link}", link=name))
+        caption = tr("Numerical differentiation of the motion of link {output}", output=name)
+    else:
+        yield Result("Delta", apart, place=shown)
+        caption = tr("Numerical differentiation of the motion of {output}", output=shown)
     yield Table(caption, tuple(heads), tuple(zip(*columns, strict=True)), key)

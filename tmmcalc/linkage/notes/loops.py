@@ -204,7 +204,7 @@ def _vector_quantities(configuration: Configuration, arm: Arm) -> Lexicon:
         letter, told = (
             ("h", tr("constant part of the vector {first}{second}", **ends))
             if arm.slid
-            else ("l", tr("distance of points {first} and {second}", **ends))
+            else ("l", tr("distance between points {first} and {second}", **ends))
         )
         between = tr("angle between the line {first}{second} and link {link}", link=own, **ends)
         found[f"{letter}_{{{arm.ends}}}"] = length(abs(arm.fixed), told)
@@ -232,9 +232,9 @@ def _right_sides(system: System) -> Lexicon:
         values = system.right(letter)
         for k in range(count):
             told = (
-                tr("right side of an equation for the velocities")
+                tr("right sides of the equations for the velocities")
                 if letter == "B"
-                else tr("right side of an equation for the accelerations")
+                else tr("right sides of the equations for the accelerations")
             )
             found |= vector(f"{letter}_{{{k + 1}%}}", complex(values[k], values[count + k]), unit, told)
     return found

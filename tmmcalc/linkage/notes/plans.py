@@ -18,6 +18,7 @@ from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.turning import turnings
 from tmmcalc.linkage.vectors import Polygon, Vector, VectorPolygons
 from tmmcalc.report.drawing.box import Box
+from tmmcalc.report.drawing.lettering import NUMBERED
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.formula.setting import spelt
@@ -26,7 +27,7 @@ from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
 from tmmcalc.report.telling import WIDE, cell, located, number_of
 
 SIDE_BY_SIDE = 3  # positions whose segments stand in one table
-LEAST, MOST = (70.0, 45.0), 110.0  # width and height of a plan, the largest height [mm]
+LEAST, MOST = (70.0, 45.0), 122.0  # width and height of a plan, the largest height [mm]
 TEXTS = 50.0, 36.0  # of it that words take [mm]
 UNITS = {"v": "m/s", "a": "m/s^2"}
 TURNS = {"v": ("omega", "rad/s"), "a": ("eps", "rad/s^2")}
@@ -140,13 +141,25 @@ def designation(vector: Vector, letter: str) -> str:
     >>> designation(Vector("a", "n3", "normal", 3, "B2", "A"), "a")
     'a_{B2A}^n'
     """
-    above = SUPERSCRIPTS.get(vector.kind, "r" if vector.kind == "sliding" and letter == "a" else "").replace("k", "K")
+    above = SUPERSCRIPTS.get(vector.kind, "r" if vector.kind == "sliding" and letter == "a" else "")
     return f"{letter}_{{{_told(vector.point + vector.base)}}}" + (f"^{above}" if above else "")
 
 
 def ends(vector: Vector) -> str:
-    """The vertices of a segment."""
-    return _told(f"{vector.tail}{vector.head}").replace("pi", "π")
+    """The vertices of a segment as they stand in the plan.
+
+    >>> ends(Vector("pi", "s3", "absolute", 3, "S3"))
+    '$pi$$s_3$'
+    """
+    return "".join(map(_vertex, (vector.tail, vector.head)))
+
+
+def _vertex(name: str) -> str:
+    if SPECIAL.fullmatch(name):
+        return SPECIAL.sub(r"$\1_{\2(\3,\4)}$", name)
+    if found := NUMBERED.fullmatch(name):
+        return f"${found[1]}_{found[2]}$"
+    return f"${name}$" if len(name) == 1 or name == "pi" else name
 
 
 def _told(name: str) -> str:

@@ -115,11 +115,11 @@ def _values(summary: OutputSummary) -> np.ndarray:
 def _stroke(summary: OutputSummary, name: str, values: np.ndarray) -> Lexicon:
     assert summary.stroke is not None
     if summary.angular:
-        said = tr("angle of link {output} in an extreme position", output=name)
+        said = tr("extreme angle of link {output}", output=name)
         stroke = Given(math.degrees(summary.stroke), "deg", tr("swing of link {output}", output=name))
         ends = {f"phi_{{{name}}}^{mark}": Given(float(v), "deg", said) for mark, v in zip(ENDS, values, strict=True)}
         return {f"psi_{{{name}}}": stroke, **ends}
-    said = tr("coordinate of {output} in an extreme position", output=name)
+    said = tr("extreme coordinate of {output}", output=name)
     ends = {f"S_{{{name}}}^{mark}": length(v, said) for mark, v in zip(ENDS, values, strict=True)}
     return {f"H_{{{name}}}": length(summary.stroke, tr("stroke of {output}", output=name)), **ends}
 

@@ -7,7 +7,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from tmmcalc.linkage.chain import Chain, Step, chain_of
+from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.loops.step import LoopStep
 from tmmcalc.linkage.notes import driven, loops, points
 from tmmcalc.linkage.notes.group import GroupAt, group_at, pin_quantities, plain_name
@@ -16,6 +19,7 @@ from tmmcalc.linkage.pictures.choice import at_parts
 from tmmcalc.linkage.pictures.cycle import LinkageMotion, whole_cycle
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.results import Kinematics
+from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.formula.digits import Given
@@ -26,6 +30,7 @@ from tmmcalc.report.telling import STILL, filled, lines, named
 
 SHOWN = ((1 / 2,), (1 / 2,))  # parts of the working and of the idle stroke whose positions are worked out
 NOISE = 1e-15  # of quantities in SI
+IDLE = 1e-9  # of the largest power of the loads: where they have less they do not act
 DYADS = "tmmcalc.linkage.notes.dyads"
 
 
@@ -105,7 +110,25 @@ def told_of(order: Order) -> Told:
 def rows_shown(order: Order, chain: Chain) -> list[int]:
     """Rows of the kinematics that are asked for, or one of each stroke."""
     result = order.results["kinematics"]
-    return order.rows(POSITIONS, result.labels) or at_parts(chain, result, *SHOWN)
+    return order.rows(POSITIONS, result.labels) or _working(order, chain, at_parts(chain, result, *SHOWN))
+
+
+def _working(order: Order, chain: Chain, rows: list[int]) -> list[int]:
+    """The rows; where no load acts in any of them the first gives place to that in which the loads do most."""
+    kinematics, loading = order.results["kinematics"], to_loading(order.spec)
+    if not loading.loads:
+        return rows
+    scene = compile_scene(chain.mechanism, loading, kinematics)
+    theta, labels = scene.travel.rows(kinematics)
+    own = [labels.index(label) for label in kinematics.labels]
+    place = scene.place(theta[own], scene.travel.sides(theta[own]))
+    power = np.zeros(len(own))
+    for source in scene.sources:
+        if source.kind == "load":
+            given = sum(action.power(place.configuration) for action in source.actions(place))
+            power = power + np.abs(source.factor(kinematics.speed) * given)
+    most = int(np.argmax(power))
+    return rows if np.any(power[rows] > IDLE * power[most]) else list(dict.fromkeys((most, *rows[1:])))
 
 
 def _gathered(cycle: LinkageMotion, result: Kinematics, rows: Sequence[int]) -> Told:
@@ -130,7 +153,10 @@ def _gathered(cycle: LinkageMotion, result: Kinematics, rows: Sequence[int]) -> 
             groups.append(_dyad(chain, step, result, rows, known, lexicons))
     for lexicon in lexicons:
         lexicon |= {key: given._replace(value=0.0) for key, given in lexicon.items() if _noise(given)}
-    return Told(cycle, result, rows, lexicons, slider, crank, groups)
+    told = Told(cycle, result, rows, lexicons, slider, crank, groups)
+    for dyad in told.dyads:  # angles have from here on as many whole turns as these formulas give, in every chapter
+        list(told.lines(dyad.kind.POSITION, dyad.places))
+    return told
 
 
 def _noise(given: Given) -> bool:

@@ -51,6 +51,7 @@ def draw_load_diagram(
     diagram.links()
     diagram.forces()
     diagram.couples()
+    diagram.names()
     return diagram.board.mu
 
 
@@ -71,6 +72,8 @@ class _Diagram:
         shapes = bodies(self.mechanism, self.pins, cycle, 0.0)
         self.shapes = [shape for shape in shapes if shape.link in body.links]
         self.content = self._content()
+        self.arrows: list[tuple[Acting, complex, complex]] = []  # forces with tail and head
+        self.arcs: list[tuple[Couple, Plane]] = []
 
     def on(self, drawing: Drawing, box: Box, margin: float) -> None:
         """Take a rectangle to draw in."""
@@ -116,7 +119,6 @@ class _Diagram:
             at = self.place_of(pin)
             if pin.joints:
                 signs.pin(self.board, at)
-                self.board.labels.put(point_name(pin.name), self.board.paper([at]), gaps=(1.3, 2.2, 3.2))
             else:
                 signs.centre_of_mass(self.board, at)
 
@@ -142,15 +144,9 @@ class _Diagram:
 
     def _force(self, force: Acting, size: float) -> None:
         """One arrow where it is nearest to its point and covers least."""
-        e = force.value / abs(force.value)
-        tail, head = free_arrow(self.board, force.at, e, size)
-        pen = FORCES[force.kind]
-        self.board.vector(tail, head, pen, HEAD, level=13)
-        anchors = sorted((tail, head), key=lambda p: -abs(p - force.at))
-        prefer = anchors[0] - anchors[1]
-        label = symbol(force.letter, force.index)
-        at = self.board.paper(anchors)
-        self.board.labels.put(label, at, colour=pen.colour, prefer=prefer, gaps=(0.9, 1.6, 2.6))
+        tail, head = free_arrow(self.board, force.at, force.value / abs(force.value), size)
+        self.board.vector(tail, head, FORCES[force.kind], HEAD, level=13)
+        self.arrows.append((force, tail, head))
 
     def couples(self) -> None:
         """Arcs around their points; of several the later ones are wider."""
@@ -169,8 +165,21 @@ class _Diagram:
         tip = complex(arc[-1])
         direction = 1j * sense * (tip - couple.at) + 0.25 * (couple.at - tip)
         self.board.arrowhead(tip, direction, pen, HEAD * 0.9, level=14)
-        anchors = self.board.paper([complex(arc[len(arc) // 2]), complex(arc[8])])
-        self.board.labels.put(symbol(couple.letter, couple.index), anchors, colour=pen.colour, gaps=(0.8, 1.6, 2.6))
+        self.arcs.append((couple, arc))
+
+    def names(self) -> None:
+        """The names of forces, couples and pins when all is drawn, so that none covers an arrow."""
+        put, paper = self.board.labels.put, self.board.paper
+        for force, tail, head in self.arrows:
+            far, near = (tail, head) if abs(tail - force.at) >= abs(head - force.at) else (head, tail)
+            name, colour = symbol(force.letter, force.index), FORCES[force.kind].colour
+            put(name, paper([far, near]), colour=colour, prefer=far - near, gaps=(0.9, 1.6, 2.6))
+        for couple, arc in self.arcs:
+            name, colour = symbol(couple.letter, couple.index), FORCES[couple.kind].colour
+            put(name, paper([arc[len(arc) // 2], arc[8]]), colour=colour, gaps=(0.8, 1.6, 2.6))
+        for pin in self.own_pins():
+            if pin.joints:
+                put(point_name(pin.name), paper([self.place_of(pin)]), gaps=(1.3, 2.2, 3.2))
 
 
 def arrow_length(board: Board, part: float) -> float:

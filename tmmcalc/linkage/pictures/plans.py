@@ -165,7 +165,7 @@ def _rotations(plan: VectorPolygons, letter: str) -> str:
     """The angular velocities, or accelerations, of the links with their senses."""
     rates, symbol, unit = (plan.omega, "ω", "rad/s") if letter == "v" else (plan.eps, "ε", "rad/s^2")
     largest = max(map(abs, rates.values()), default=0.0)
-    listed = "; ".join(f"${symbol}_{{{link}}}$ = {_size(rate, largest)}" for link, rate in rates.items())
+    listed = "; ".join(f"${symbol}_{{{link}}}$\u00a0=\u00a0{_size(rate, largest)}" for link, rate in rates.items())
     return f"{listed} {tr_unit(unit)}" if listed else ""
 
 
@@ -203,7 +203,7 @@ def _segment_rows(polygon: Polygon, letter: str, mu: float) -> list[list[str]]:
 def _size(rate: float, largest: float) -> str:
     """The size of an angular velocity or acceleration with its sense."""
     still = abs(rate) <= STILL * largest
-    return "0" if still else f"{number(abs(rate), 5)} {SENSES[rate > 0]}"
+    return "0" if still else f"{number(abs(rate), 5)}\u00a0{SENSES[rate > 0]}"
 
 
 def _draw_kinds(drawing: Drawing, box: Box, plan: VectorPolygons) -> None:

@@ -21,7 +21,7 @@ SPECK = 0.4  # and a segment shorter than this has no designation [mm]
 HEAD = 2.8  # length of an arrowhead [mm]
 VERTEX, DESIGNATION = 3.0, 2.3  # height of names [mm]
 AT = (0.55, 0.7, 0.4, 0.82, 0.28)  # where along a segment its designation may stand
-SUPERSCRIPTS = {"normal": "n", "tangential": "t", "coriolis": "k"}
+SUPERSCRIPTS = {"normal": "n", "tangential": "t", "coriolis": "K"}
 SPECIAL = re.compile(r"([Ww])(\d+)_(\d+)_(\d+)")  # a special point of a basic link on the lines of two legs
 
 

@@ -23,7 +23,7 @@ from tmmcalc.report.printing import printed_as
 from tmmcalc.report.telling import drawn, lines, named, number_of, tabulated, vector
 
 MARKS = {"least squares": "1", "minimax": "m", "lanchester": "L", "lanchester 2": "LL", "given": "z"}
-HIGH = 95.0  # of the picture [mm]
+HIGH = 112.0  # of the picture [mm]
 
 
 def balanced(result: Balancing, link: int) -> Iterator[Block]:
@@ -47,7 +47,7 @@ def balanced(result: Balancing, link: int) -> Iterator[Block]:
 def _means(result: Balancing, link: int) -> Lexicon:
     """Speed and acceleration of the crank, means and harmonics of the force, what is chosen of the weights."""
     found = result.shaking
-    mean = tr("mean projection of the shaking force on an axis of the crank")
+    mean = tr("mean projection of the shaking force on the axis of the crank")
     quantities = {
         f"omega_{link}": Given(found.speed, "rad/s", tr("angular velocity of link {link}", link=link)),
         f"eps_{link}": Given(found.acceleration, "rad/s^2", tr("angular acceleration of link {link}", link=link)),
@@ -56,7 +56,7 @@ def _means(result: Balancing, link: int) -> Lexicon:
         "Y_0": Given(found.mean_across, "N", mean),
     }
     for k in (-1, 2, -2):
-        said = tr("projection of the harmonic of the shaking force of order {order}", order=signed(k))
+        said = tr("projections of the harmonic of the shaking force of order {order}", order=signed(k))
         quantities |= vector(f"C_{{{k},%}}", found.series.coefficient(k), "N", said)
         size = tr("size of the harmonic of the shaking force of order {order}", order=signed(k))
         quantities[f"C_{{{k}}}"] = Given(abs(found.series.coefficient(k)), "N", size)
@@ -98,7 +98,7 @@ def _scheme(result: Balancing, scheme: Scheme, place: Place, rate: str, told: se
     if known:
         yield Paragraph(tr("The other weights are known already: {weights}.", weights=", ".join(known)))
     if scheme.name != "given" and balance.ratio is not None:
-        said = tr("root mean square of what is left of it")
+        said = tr("root mean square of the shaking force that is left")
         place.lexicon.update(named({f"D_{mark}": Given(balance.after.rms, "N", said)}))
         yield from lines([f"D_{mark} = sqrt({_left_terms(scheme)})"], [place])
         yield Result(f"D_{mark}", place.lexicon[f"D_{mark}"], place=scheme_name(scheme.name))
@@ -146,7 +146,7 @@ def _weight_lines(
     if index == MARKS["minimax"]:
         x, y = f"X_{index}", f"Y_{index}"
         centre = -weight.amplitude(result.shaking.speed, result.shaking.acceleration)
-        said = tr("centre of the smallest circle")
+        said = tr("coordinate of the centre of the smallest circle")
         lexicon |= named({x: Given(centre.real, "N", said), y: Given(centre.imag, "N", said)})
     words = {"order": signed(k)}
     lexicon |= named(

@@ -111,6 +111,7 @@ def _quantities(cylinders: Sequence[Cylinder], balance: EngineBalance) -> Lexico
             "z_j": Given([each.position_along_shaft for each in cylinders], "m", tr("place of the cylinder")),
             "z_0": Given(balance.reference, "m", tr("middle of the engine")),
             "n_c": Given(float(len(cylinders)), "", tr("number of cylinders")),
+            "n": Given(balance.speed * 30 / math.pi, "rpm", tr("speed of the shaft")),
             "omega": Given(balance.speed, "rad/s", tr("angular velocity of the shaft")),
         }
     )
@@ -148,6 +149,7 @@ def _shafts(result: Engine, lexicon: Lexicon) -> Iterator[Block]:
             "with projections where the angle of the crankshaft is zero:"
         )
     )
+    yield from lines(["omega = pi*n/30"], [Place("", lexicon)])
     for shaft in made:
         yield from _shaft_lines(balance, shaft, lexicon)
     rows = (

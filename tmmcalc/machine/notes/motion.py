@@ -9,6 +9,9 @@ from functools import partial
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
+from tmmcalc.linkage.chain import chain_of
+from tmmcalc.linkage.notes.told import rows_shown
+from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.nodes import nodal_tables, nodal_work
 from tmmcalc.machine.notes.motors import driven, of_motor
@@ -21,12 +24,12 @@ from tmmcalc.machine.verdicts import SLACK
 from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_count
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
 from tmmcalc.report.telling import degrees, drawn, filled, held, lines, named, numeral, plainly, tabulated
 
 SPEED = 78.0  # height of the picture [mm]
-TURNS = 6  # of the iteration that are shown in the table of turns
+TURNS = 5  # of the iteration that are shown in the table of turns
 NOTHING = 1e-6  # of a deviation after a cycle: less is nothing
 EVEN = 1e-9  # coefficient of speed fluctuation below which the speed is constant
 REACHED = 1e-6  # of the allowed coefficient: what it may be above
@@ -107,10 +110,22 @@ def _even(result: Motion) -> Iterator[Block]:
 
 
 def _shown(result: Motion, order: Order) -> list[int]:
-    """The positions whose step is worked out: those that are asked for, or one at a quarter of the cycle."""
+    """The positions whose step is worked out: those that are asked for, or one.
+
+    It is that of the working stroke that other chapters show, or without a linkage one at a quarter of the cycle.
+    """
     asked = order.rows(POSITIONS, result.labels)
-    rows = asked if asked is not None else [max(1, (len(result.labels) - 1) // 4)]
+    rows = asked if asked is not None else _first(result, order)
     return [row for row in rows if row > 0] or [1]
+
+
+def _first(result: Motion, order: Order) -> list[int]:
+    """The position that is shown where none is asked for."""
+    if order.spec.torque is not None:
+        return [max(1, (len(result.labels) - 1) // 4)]
+    kinematics = order.results["kinematics"]
+    chain = chain_of(to_linkage(order.spec.linkage), kinematics)
+    return [result.labels.index(kinematics.labels[rows_shown(order, chain)[0]])]
 
 
 def _recurrence(result: Motion, order: Order) -> Iterator[Block]:
@@ -181,16 +196,21 @@ def _turns(result: Motion, run: Run, idle: Run | None) -> Iterator[Block]:
     if not run.history:
         yield Paragraph(tr("Begun with the rated angular velocity the recurrence does not settle."))
         return
-    yield Paragraph(
-        tr(
+    columns: dict[str, Values] = {"$M_c$, N*m": run.nodes.moment, "$J$, kg*m^2": run.nodes.inertia}
+    columns |= {f"$omega^{{({k + 1})}}$, rad/s": run.turn(k) for k in range(min(len(run.history), TURNS))}
+    if len(run.history) <= TURNS:
+        said = tr(
             "Turn by turn, begun with the rated angular velocity, the angular velocities come to those that repeat "
             "themselves, table {tab:motion_turns}."
         )
-    )
-    count = min(len(run.history), TURNS)
-    columns: dict[str, Values] = {"$M_c$, N*m": run.nodes.moment, "$J$, kg*m^2": run.nodes.inertia}
-    for k in range(count):
-        columns[f"$omega^{{({k + 1})}}$, rad/s"] = run.turn(k)
+    else:
+        said = tr(
+            "Turn by turn, begun with the rated angular velocity, the angular velocities come to those that repeat "
+            "themselves, after {count}; table {tab:motion_turns} has the first turns, and $omega$ that repeats itself.",
+            count=tr_count(len(run.history), "turn", "turns"),
+        )
+        columns["$omega$, rad/s"] = run.regime.omega
+    yield Paragraph(said)
     if idle is not None:
         columns["$omega_x$, rad/s"] = idle.regime.omega
         yield Paragraph(tr("In the table $omega_x$ is the angular velocity without technological loads."))

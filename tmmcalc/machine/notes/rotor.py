@@ -33,6 +33,7 @@ RESULTANT = (
     "K = sqrt(K_x**2 + K_y**2)",
 )
 LOADS = (
+    "omega = pi*n/30",
     "A_x = omega**2*sum((z_B - z_i)*m_i*r_i*cos(alpha_i), i)/(z_B - z_A)",
     "A_y = omega**2*sum((z_B - z_i)*m_i*r_i*sin(alpha_i), i)/(z_B - z_A)",
     "A = sqrt(A_x**2 + A_y**2)",
@@ -85,6 +86,7 @@ def _quantities(task: RotorTask, result: BalancedRotor) -> Lexicon:
         "alpha_i": Given([math.degrees(each.angle) for each in parts], "deg", tr("its angle")),
         "z_i": Given([each.position for each in parts], "m", tr("its place along the axis")),
         "m": Given(rotor.mass, "kg", tr("mass of the rotor")),
+        "n": Given(rotor.speed * 30 / math.pi, "rpm", tr("highest service speed")),
         "omega": Given(rotor.speed, "rad/s", tr("angular velocity of the rotor")),
         "z_S": Given(rotor.center, "m", tr("place of the centre of mass along the axis")),
         "z_A": Given(rotor.bearings[0], "m", bearing),

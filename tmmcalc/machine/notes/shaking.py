@@ -33,7 +33,7 @@ from tmmcalc.report.telling import drawn, lines, named, tabulated, vector
 
 ON_LINE = 1e-12  # of a rod: a centre of mass so near to its line lies on it
 HIGHEST = 4  # order of harmonics that are told
-HODOGRAPHS = 140.0  # height of the picture [mm]
+HODOGRAPHS = 100.0  # height of the picture [mm]
 
 
 def linkage_blocks(order: Order, result: Balancing) -> Iterator[Block]:
@@ -104,7 +104,9 @@ def _lumped_lines(moving: Moving, loading: Loading, bodies: Sequence[Body]) -> I
         for name, end in zip(at, ends, strict=True):
             lengths[f"{name}{centre}"] = abs(body.center - end)
         for name, length in lengths.items():
-            said = tr("distance of points {first} and {second}", first=name[: len(at[0])], second=name[len(at[0]) :])
+            said = tr(
+                "distance between points {first} and {second}", first=name[: len(at[0])], second=name[len(at[0]) :]
+            )
             moving.give(f"l_{{{name}}}", np.asarray(length), "m", said)
         moving.give(f"m_{link}", np.asarray(body.mass), "kg", tr("mass of link {link}", link=link))
         masses_of(moving, parts)

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 
 from tmmcalc.machine.notes.motors import motor_data
 from tmmcalc.machine.power import Power
+from tmmcalc.machine.tables.tasks.balance import to_engine, to_rotor
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Datum
+
+RPM = 30 / math.pi
 
 
 def blocks(order: Order) -> Iterator[Block]:
@@ -20,6 +24,7 @@ def blocks(order: Order) -> Iterator[Block]:
     if spec.motion is not None and spec.motion.inertia:
         said = tr("further constant moment of inertia of the input link")
         yield Datum(said, ("J_e",), (spec.motion.inertia,), "kg*m^2")
+    yield from _turning(order)
     flywheel = spec.flywheel
     if flywheel is None:
         return
@@ -32,6 +37,28 @@ def blocks(order: Order) -> Iterator[Block]:
     for key, (value, unit, meaning) in words.items():
         if value is not None:
             yield Datum(meaning, (key,), (value,), unit)
+
+
+def _turning(order: Order) -> Iterator[Datum]:
+    """A rotor and an engine, without masses and cylinders, which have tables in their chapter."""
+    rotor, engine = to_rotor(order.spec), to_engine(order.spec)
+    if rotor is not None:
+        made = rotor.rotor
+        yield Datum(tr("mass of the rotor"), ("m",), (made.mass,), "kg")
+        yield Datum(tr("place of the centre of mass along the axis"), ("z_S",), (made.center,), "m")
+        yield Datum(tr("places of the bearings along the axis"), ("z_A", "z_B"), made.bearings, "m")
+        yield Datum(tr("places of the planes of correction along the axis"), ("z_I", "z_II"), rotor.planes, "m")
+        yield Datum(tr("highest service speed"), ("n",), (made.speed * RPM,), "rpm")
+        if rotor.radius is not None:
+            yield Datum(tr("radius of the correction weights"), ("r_k",), (rotor.radius,), "m")
+        if rotor.grade is not None:
+            yield Datum(tr("grade of balance quality"), ("G",), (rotor.grade,), "mm/s")
+    if engine is not None:
+        yield Datum(tr("number of cylinders"), ("n_c",), (float(len(engine.cylinders)),))
+        yield Datum(tr("number of strokes of the cycle"), (), (), text=str(engine.strokes))
+        if engine.firing_order is not None:
+            yield Datum(tr("firing order"), text="–".join(map(str, engine.firing_order)))
+        yield Datum(tr("speed of the shaft"), ("n",), (engine.speed * RPM,), "rpm")
 
 
 def _motor(power: Power, *, given_ratio: bool) -> Iterator[Datum]:

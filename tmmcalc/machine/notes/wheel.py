@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from tmmcalc.machine.flywheel.placement import Wheel, wheels
 from tmmcalc.machine.flywheel.results import Flywheel
 from tmmcalc.machine.flywheel.rim import DEFAULT, POISSON, Rim
 from tmmcalc.machine.model import FlywheelTask
@@ -19,46 +20,53 @@ MEGA = 1e6
 
 
 def of_wheel(order: Order) -> Iterator[Block]:
-    """Where the flywheel stands, its rim, the other shafts; and the flywheel that is there."""
+    """Where the needed flywheel stands, its rim, the other shafts; without one the flywheel that is there."""
     result: Flywheel = order.results["flywheel"]
+    task = to_flywheel(order.spec)
+    assert task is not None
     if result.addition > 0:
         yield Heading(tr("Sizes of the flywheel"), 2)
-        yield from _shaft(result)
-        task = to_flywheel(order.spec)
-        assert task is not None
-        if result.rim is not None:
-            yield from _rim(result, result.rim, task)
+        reduced = Given(result.addition, "kg*m^2", tr("moment of inertia of the flywheel, reduced to the input link"))
+        yield from _sized(result.wheels[0], task, "J_M", reduced)
         if len(result.wheels) > 1:
             yield from _elsewhere(result)
         if result.existing:
             yield Paragraph(tr("The flywheel that is there, $J_f$, against the needed one:"))
             sides = (result.existing, result.addition)
             yield held("J_f >= J_M", sides, "kg*m^2", holds=bool(result.sufficient))
+    elif result.existing:
+        yield Heading(tr("Sizes of the flywheel that is there"), 2)
+        motion = order.results.get("motion")
+        fastest = result.fastest / abs(result.ratio) if motion is None else motion.regime.omega_max
+        wheel = wheels(task, result.existing, fastest, result.ratio, None)[0]
+        yield from _sized(wheel, task, "J_f", Given(result.existing, "kg*m^2", tr("moment of inertia of the flywheel")))
 
 
-def _shaft(result: Flywheel) -> Iterator[Block]:
-    """The inertia on its own shaft, and how fast that turns."""
-    wheel = result.wheels[0]
+def _sized(wheel: Wheel, task: FlywheelTask, name: str, reduced: Given) -> Iterator[Block]:
+    """Its shaft, and its rim, if it has one; ``reduced`` to the input link its inertia has this name."""
+    own, inertia = name, reduced
     if wheel.ratio == 1:
         yield Paragraph(tr("The flywheel stands on the input shaft."))
-        return
-    yield Paragraph(
-        tr("The flywheel stands on the shaft of the motor.")
-        if wheel.shaft == "motor"
-        else tr("The flywheel stands on a shaft of its own.")
-    )
-    lexicon = {
-        "J_M1": Given(wheel.inertia, "kg*m^2", tr("moment of inertia of the flywheel on its own shaft")),
-        "J_M": Given(result.addition, "kg*m^2", tr("moment of inertia of the flywheel, reduced to the input link")),
-        "u_M": Given(wheel.ratio, "", tr("speed of the flywheel over the speed of the input link")),
-    }
-    yield from lines(("J_M1 = J_M/u_M**2",), [Place("", named(lexicon))])
+    else:
+        own, said = f"{name}1", tr("moment of inertia of the flywheel on its own shaft")
+        inertia = Given(wheel.inertia, "kg*m^2", said)
+        yield Paragraph(
+            tr("The flywheel stands on the shaft of the motor.")
+            if wheel.shaft == "motor"
+            else tr("The flywheel stands on a shaft of its own.")
+        )
+        ratio = Given(wheel.ratio, "", tr("speed of the flywheel over the speed of the input link"))
+        at = Place("", named({own: inertia, name: reduced, "u_M": ratio}))
+        yield from lines((f"{own} = {name}/u_M**2",), [at])
+    if wheel.rim is not None:
+        yield from _rim(wheel, wheel.rim, task, (own, inertia))
 
 
-def _rim(result: Flywheel, rim: Rim, task: FlywheelTask) -> Iterator[Block]:
-    """Its sizes, mass, speed and stresses."""
-    material, own = rim.material, "J_M" if result.ratio == 1 else "J_M1"
-    lexicon = named(_of_rim(result, rim, own))
+def _rim(wheel: Wheel, rim: Rim, task: FlywheelTask, whole: tuple[str, Given]) -> Iterator[Block]:
+    """Its sizes, mass, speed and stresses; ``whole`` is the name of the flywheel's inertia with its value."""
+    own, inertia = whole
+    material = rim.material
+    lexicon = named({own: inertia, **_of_rim(wheel, rim)})
     place = [Place("", lexicon)]
     yield Paragraph(
         tr("The rim is of {material}; it carries this part of the moment of inertia:", material=tr_name(material.name))
@@ -102,12 +110,11 @@ def _sizes_said(task: FlywheelTask) -> str:
     }["".join(given)]
 
 
-def _of_rim(result: Flywheel, rim: Rim, own: str) -> Lexicon:
+def _of_rim(wheel: Wheel, rim: Rim) -> Lexicon:
     """The sizes of the rim and what it is loaded with, by their letters."""
-    material, wheel = rim.material, result.wheels[0]
+    material = rim.material
     share = tr("share of the rim in the moment of inertia")
     return {
-        own: Given(wheel.inertia, "kg*m^2", tr("moment of inertia of the flywheel on its own shaft")),
         "J_r": Given(rim.inertia, "kg*m^2", tr("moment of inertia of the rim")),
         "c_J": Given(DEFAULT.rim_inertia, "", share),
         "c_m": Given(DEFAULT.rim_mass, "", tr("share of the rim in the mass")),

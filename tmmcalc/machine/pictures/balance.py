@@ -76,8 +76,9 @@ def draw_shaking(drawing: Drawing, box: Box, result: Balancing) -> list[Diagram]
 
 
 def draw_hodographs(drawing: Drawing, box: Box, result: Balancing) -> None:
-    """The hodographs in the fixed axes and in those of the crank, one under the other."""
-    for part, hodograph in zip(box.split(1.0, 1.0, gap=4), (_fixed(result), _turning(result)), strict=True):
+    """The hodographs in the fixed axes and in those of the crank, beside each other."""
+    halves = box.split(1.0, 1.0, gap=4, across=True)
+    for part, hodograph in zip(halves, (_fixed(result), _turning(result)), strict=True):
         hodograph.draw(drawing, part)
 
 
@@ -137,7 +138,7 @@ def _turning(result: Balancing) -> Polar:
     rings = []
     for scheme in result.schemes:
         if scheme.name == "minimax":
-            weight, name = scheme.balance.series.coefficient(1) - mean, tr("smallest circle about $O_2$: least maximum")
+            weight, name = scheme.balance.series.coefficient(1) - mean, tr("smallest circle, $O_2$")
             rings.append(Ring(name, -weight, scheme.balance.after.largest, CIRCLE))
             spots.append(Spot("$O_2$", -weight, CIRCLE))
     heading = tr("In the axes of the crank; the best counterweight takes $OO_1$ away")

@@ -90,16 +90,12 @@ def draw_motor(drawing: Drawing, box: Box, motor: MotorCurves, *, scaled: bool =
 
 
 def _diagram(drawing: Drawing, frame: Box, ends: tuple[Axis, Axis], unit: str, scaled: bool) -> Diagram:
-    """The diagram of a characteristic, with scale factors in the names of its axes or without."""
+    """The diagram of a characteristic, with both scale factors beside the name of its abscissa or without."""
     if not scaled:
         return Diagram(drawing, frame, *ends)
-    axes = []
-    names = f"$ω$, {tr_unit('rad/s')}", ends[1].name
-    of_both = zip(ends, (frame.width, frame.height), "ωM", ("rad/s", unit), names, strict=True)
-    for axis, size, letter, of, name in of_both:
-        longer, mu = to_scale(axis, size)
-        axes.append(longer._replace(name=f"{name}; {scale_factor(letter, mu, of)}"))
-    return Diagram(drawing, frame, *axes)
+    (along, mu_along), (up, mu_up) = map(to_scale, ends, (frame.width, frame.height))
+    factors = f"{scale_factor('ω', mu_along, 'rad/s')}, {scale_factor('M', mu_up, unit)}"
+    return Diagram(drawing, frame, along._replace(name=f"$ω$, {tr_unit('rad/s')}; {factors}"), up)
 
 
 def _draw_near(drawing: Drawing, box: Box, motor: MotorCurves, scaled: bool) -> None:

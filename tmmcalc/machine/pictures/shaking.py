@@ -13,7 +13,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.curves import Graph, column, suited
 from tmmcalc.report.drawing.diagram import ROW, Diagram, key_above, key_rows
 from tmmcalc.report.drawing.field import Board
-from tmmcalc.report.drawing.lettering import minus
+from tmmcalc.report.drawing.lettering import minus, wrapped
 from tmmcalc.report.drawing.pens import MIDDLE, Pen
 from tmmcalc.report.drawing.polar import AROUND, name_axes, number_tips
 from tmmcalc.report.drawing.shapes import Drawing, Words
@@ -21,7 +21,7 @@ from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.numbers import NOISE, number
 
 MARGIN = 8.0  # free border of a hodograph [mm]
-TITLE = 8.5  # height of its title
+HEIGHT, TITLE = 2.4, 4.2  # of the letters and of a row of its title
 RMS = Pen("LEVELS", 0.25, (5.0, 2.2))
 
 
@@ -89,7 +89,9 @@ class Polar:
         """Draw in a rectangle, with the heading and the names of the lines above."""
         peak = self._peak
         names = [*((p.label, p.pen) for p in self.paths), *((r.label, r.pen) for r in self.rings)]
-        room = TITLE + ROW * len(key_rows(names, box.width - AROUND[0] - AROUND[2]))
+        wide, larger = box.width - AROUND[0] - AROUND[2], drawing.letters
+        heading = wrapped(self.heading, wide, HEIGHT)
+        room = TITLE * (1 + len(heading)) + ROW * larger * len(key_rows(names, wide, larger))
         board = Board(drawing, box.inset(*AROUND, room), self._everything, MARGIN)
         name_axes(board, self.names, peak, self.unit)
         for ring in self.rings:
@@ -104,8 +106,8 @@ class Polar:
             board.labels.put(spot.name, at, gaps=gaps, prefer=spot.at or 1, colour=spot.pen.colour)
         number_tips(board, self.labels, self.paths[0].nodes, self.paths[0].pen)
         factor, unit = suited(peak, self.unit)
-        title = f"{self.heading}\n$μ$ = {number(board.mu * factor, 4)} {unit}/{tr_unit('mm')}"
-        drawing.add(Words(complex(board.box.middle.real, box.top), title, 2.4, 1j))
+        title = "\n".join(heading) + f"\n$μ$ = {number(board.mu * factor, 4)} {unit}/{tr_unit('mm')}"
+        drawing.add(Words(complex(board.box.middle.real, box.top), title, HEIGHT, 1j))
         key_above(drawing, board.box, names)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.manipulators.notes import along, arms, moves
-from tmmcalc.manipulators.notes.path import path
+from tmmcalc.manipulators.notes.path import path, seen
 from tmmcalc.manipulators.notes.told import Told, joint_words, letter
 from tmmcalc.manipulators.notes.verdicts import verdicts
 from tmmcalc.manipulators.pictures.manipulator import pieces_of
@@ -46,6 +46,7 @@ def blocks(order: Order) -> Iterator[Block]:
         elif isinstance(motion, TableTask):
             yield from moves.by_table(told, motion)
         yield from arms.direct(told)
+        yield seen(told)
         yield pictured(first, key="manipulator_path")
     yield from _tables(told)
     yield pictured(second, key="manipulator_time")
@@ -178,23 +179,19 @@ def _tables(told: Told) -> Iterator[Block]:
     """The motion over all rows: gripper, joints, elbow."""
     result = told.result
     yield Heading(tr("Motion over the time"), 2)
-    where = {
-        "gripper": "{tab:manipulator_gripper}",
-        "joints": "{tab:manipulator_joints}",
-        "figure": "{fig:manipulator_time}",
-    }
+    keys = [
+        *(["way"] if result.inverse else []),
+        *(["gripper", "gripper_2"] if told.arm.spatial else ["gripper"]),
+        *(["joints", "joints_2"] if told.arm.spatial else ["joints"]),
+        *(["elbow"] if result.elbow is not None and result.elbow_angle is not None else []),
+    ]
     yield Paragraph(
         tr(
-            "Tables {way}, {gripper} and {joints} and figure {figure} have the motion over the time; a minus after the "
-            "number of a row marks the limit before a jump of the acceleration.",
-            way="{tab:manipulator_way}",
-            **where,
-        )
-        if result.inverse
-        else tr(
-            "Tables {gripper} and {joints} and figure {figure} have the motion over the time; a minus after the number "
-            "of a row marks the limit before a jump of the acceleration.",
-            **where,
+            "Tables {first}–{last} and figure {figure} have the motion over the time; a minus after the number of a "
+            "row marks the limit before a jump of the acceleration.",
+            first=f"{{tab:manipulator_{keys[0]}}}",
+            last=f"{{tab:manipulator_{keys[-1]}}}",
+            figure="{fig:manipulator_time}",
         )
     )
     if result.inverse:
@@ -231,4 +228,4 @@ def _parted(told: Told, captions: Sequence[str], columns: Sequence[Mapping[str, 
     parts = [columns] if len(captions) == 1 else [columns[:-1], columns[-1:]]
     for k, (caption, own) in enumerate(zip(captions, parts, strict=True)):
         joined = {"$t$, s": told.result.t, **{name: row for each in own for name, row in each.items()}}
-        yield tabulated(caption, joined, told.result.labels, head=tr("Row"), key=key * (k == 0))
+        yield tabulated(caption, joined, told.result.labels, head=tr("Row"), key=f"{key}_{k + 1}" if k else key)

@@ -231,7 +231,12 @@ def _knots(told: Told, joint: Joint, curve: tuple[Values, Values, Values]) -> It
         f"$w_k$, {tr_unit(unit + '/s')}": column_of(rates),
     }
     labels = [str(k) for k in range(len(t))]
-    yield Table(caption, ("$k$", *columns), tuple(zip(labels, *columns.values(), strict=True)))
+    key = f"manipulator_knots_{joint.name}"
+    said = tr("Table {tab} has the coefficients of the system with its solution.", tab=f"{{tab:{key}}}")
+    if not inner:
+        said = tr("Table {tab} has the given values of the coordinate with its rates.", tab=f"{{tab:{key}}}")
+    yield Paragraph(said)
+    yield Table(caption, ("$k$", *columns), tuple(zip(labels, *columns.values(), strict=True)), key)
     if not inner:
         return
     yield Paragraph(tr("The solution satisfies the equations:"))

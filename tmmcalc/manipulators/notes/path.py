@@ -34,8 +34,26 @@ def path(told: Told, picture: PicturePiece) -> Iterator[Block]:
         yield from _polyline(told, route)
     else:
         yield from _arc(told, route)
+    yield seen(told)
     yield pictured(picture, key="manipulator_path")
     yield from _pieces(told)
+
+
+def seen(told: Told) -> Paragraph:
+    """What the picture of the path shows."""
+    if told.arm.spatial:
+        return Paragraph(
+            tr(
+                "Figure {fig:manipulator_path} shows the path of the gripper from above and in the plane of the arm; "
+                "its points are equally spaced in time, so where they are close the gripper is slow."
+            )
+        )
+    return Paragraph(
+        tr(
+            "Figure {fig:manipulator_path} shows the path of the gripper with the arm in several places; the points "
+            "of the path are equally spaced in time, so where they are close the gripper is slow."
+        )
+    )
 
 
 def unit_vector(name: str, told: Told, values: Values, meaning: str) -> Lexicon:

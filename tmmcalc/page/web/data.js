@@ -77,7 +77,20 @@
  * @property {[Said, number][]} errors
  */
 /** @typedef {number | string | [string, ...any[]]} Formula as `tmmcalc.report.formula.carried` writes it */
-/** @typedef {[string, string, Formula]} Step name, function of it on the left side or none, formula */
+/** @typedef {[string, string, Formula]} Told name, function of it on the left side or none, formula */
+/** @typedef {[string, Formula, Formula, Told[]]} Root name, its ends, steps of which the last one vanishes */
+/** @typedef {Told | Root} Step */
+/** @typedef {{parameter: string, start: Formula, end: Formula, steps: Told[], x: Formula, y: Formula}} Piece */
+/**
+ * @typedef {{half: Piece[], worked: Piece, beyond: Said, count: Formula, turn: Formula, x: Formula, y: Formula,
+ *   tone: number}} Toothed half a tooth left of +Y, and where the body stands
+ */
+/**
+ * @typedef {{kind: string, places: [Formula, Formula][], size: Formula, tone: number, name: string, side: number,
+ *   there: Formula}} Drawn
+ */
+/** @typedef {{title: Said, middle: [Formula, Formula], reach: number, bodies: Toothed[], marks: Drawn[]}} Sketch */
+/** @typedef {{formula: Formula, text: Said, needed: boolean}} Condition holds where its formula is not negative */
 /**
  * @typedef {object} Trial a plane of two inputs with a point, sizes that follow by formulas
  * @property {string} name
@@ -91,6 +104,8 @@
  * @property {Record<string, number>} given
  * @property {Step[]} steps
  * @property {{name: string, meaning: Said, unit: Said, least: number | string | null, where: string}[]} shown
+ * @property {Condition[]} conditions
+ * @property {Sketch} sketch
  */
 /** @typedef {{what: Said, keys: string[], values: number[], unit: Said, text: Said}} Datum */
 /** @typedef {{name: string, stages: Stage[], given: Datum[], source: string, views: View[], trials: Trial[]}} Variant */

@@ -15,6 +15,7 @@ const FUNCTIONS = {
 const INVERSES = { inv: angleOf };
 
 const ROUNDS = 60;
+const CLOSE = 1e-15; // relative steps with which a root is found
 
 /**
  * The angle whose involute function has a value; none below 0.
@@ -55,19 +56,72 @@ export function compiled(formula) {
 }
 
 /**
+ * What writes the names that steps tell into values that hold what they need.
+ * @param {import("./data.js").Step[]} steps
+ * @returns {(values: Values) => void}
+ */
+export function filling(steps) {
+  const acts = steps.map((step) => (step.length === 4 ? seeking(step) : telling(step)));
+  return (values) => {
+    for (const act of acts) act(values);
+  };
+}
+
+/**
+ * @param {import("./data.js").Told} step
+ * @returns {(values: Values) => void}
+ */
+function telling([name, left, formula]) {
+  const right = compiled(formula);
+  const back = INVERSES[left];
+  return (values) => {
+    values[name] = back ? back(right(values)) : right(values);
+  };
+}
+
+/**
+ * A root between ends of different signs by secants (Illinois); all that its steps tell there is known afterwards.
+ * @param {import("./data.js").Root} root
+ * @returns {(values: Values) => void}
+ */
+function seeking([name, low, high, steps]) {
+  const [from, to] = [compiled(low), compiled(high)];
+  const [fill, last] = [filling(steps), steps[steps.length - 1][0]];
+  return (values) => {
+    /** @param {number} x */
+    const at = (x) => {
+      values[name] = x;
+      fill(values);
+      return values[last];
+    };
+    let [near, far] = [from(values), to(values)];
+    let [below, above] = [at(near), at(far)];
+    if (!(below * above < 0)) {
+      at(near);
+      return;
+    }
+    for (let k = 0; k < ROUNDS; k++) {
+      const x = (near * above - far * below) / (above - below);
+      const step = Math.abs(x - far);
+      const y = at(x);
+      if (y === 0 || step <= CLOSE * Math.abs(x)) break;
+      if (y * above < 0) [near, below] = [far, above];
+      else below /= 2;
+      [far, above] = [x, y];
+    }
+  };
+}
+
+/**
  * All names that steps tell, from given values and those of the inputs.
  * @param {import("./data.js").Step[]} steps
  * @returns {(given: Values) => Values}
  */
 export function chained(steps) {
-  const acts = steps.map(([name, left, formula]) => {
-    const right = compiled(formula);
-    const back = INVERSES[left];
-    return { name, act: back ? (/** @type {Values} */ values) => back(right(values)) : right };
-  });
+  const fill = filling(steps);
   return (given) => {
     const values = { ...given };
-    for (const { name, act } of acts) values[name] = act(values);
+    fill(values);
     return values;
   };
 }

@@ -1,13 +1,18 @@
-// A plane of two inputs whose point is moved by hand: regions, lines, points; sizes follow by formulas.
+// A plane of two inputs whose point is moved by hand: regions, lines, points; sizes and a drawing follow by formulas.
 import { numbers } from "./data.js";
-import { chained } from "./formulas.js";
-import { drawn, named } from "./marks.js";
 import { button, made } from "./elements.js";
+import { chained, compiled } from "./formulas.js";
+import { around, settled } from "./labels.js";
+import { drawn, named } from "./marks.js";
+import { away } from "./outlines.js";
 import { standard } from "./scales.js";
+import { Sketch } from "./sketch.js";
 import { parted, saying, told, word, written } from "./words.js";
 
 const PHONE = 600; // pixels of a window below which the plane is drawn smaller, its letters are not
-const MOST = 0.82; // height of the plane to its width at most
+// width, height to it of the plane at most, height of the drawing
+const SHAPES = { wide: [760, 0.6, 350], phone: [420, 0.82, 300] };
+const LETTER = 13; // height of a name
 const LEFT = 52;
 const BELOW = 40;
 const NEAR = 1e-4; // of an edge: what lies on it belongs to its region
@@ -27,9 +32,8 @@ export class Plane {
     const title = made("h2", {}, section);
     saying(() => (title.textContent = told(trial.title)));
     const [low, bottom, high, top] = trial.box;
-    const wide = innerWidth < PHONE ? 420 : 760;
-    this.wide = wide;
-    this.scale = Math.min((wide - LEFT - 8) / (high - low), (MOST * wide - BELOW - 8) / (top - bottom));
+    const [wide, most, deep] = innerWidth < PHONE ? SHAPES.phone : SHAPES.wide;
+    this.scale = Math.min((wide - LEFT - 8) / (high - low), (most * wide - BELOW - 8) / (top - bottom));
     this.width = (high - low) * this.scale;
     this.height = (top - bottom) * this.scale;
     this.left = LEFT + (wide - LEFT - 8 - this.width) / 2;
@@ -43,6 +47,9 @@ export class Plane {
     drawn("rect", { ...frame, class: "frame" }, this.svg);
     this.points();
     this.hand = drawn("circle", { class: "hand", r: 8 }, this.frame);
+    this.sketch = new Sketch(section, trial.sketch, wide, deep);
+    this.conditions = trial.conditions.map((each) => ({ ...each, spare: compiled(each.formula) }));
+    this.refusal = made("output", { class: "wrong" }, section);
     const bar = made("div", { class: "player" }, section);
     const back = button(bar, "back", () => word("chosen"), () => this.move(trial.start));
     back.classList.add("main");
@@ -142,17 +149,34 @@ export class Plane {
       if (same) same.names.push(point);
       else places.push({ x, y, names: [point] });
     }
-    for (const { x, y, names } of places) {
-      const group = drawn("g", { class: "point" }, this.frame);
+    const above = drawn("g", { transform: `translate(${this.left} 8)` }, this.svg);
+    const texts = places.map(({ x, y, names }) => {
+      const group = drawn("g", { class: "point" }, above);
       drawn("circle", { cx: x, cy: y, r: 4 }, group);
-      const right = x < 0.7 * this.width;
-      const text = drawn("text", { x: x + (right ? 9 : -9), y: y - 7, "text-anchor": right ? "start" : "end" }, group);
+      const text = /** @type {SVGTextElement} */ (drawn("text", { "text-anchor": "middle" }, group));
       const title = drawn("title", {}, group);
       saying(() => {
         text.textContent = names.map((each) => told(each.name)).join(", ");
         title.textContent = names.map((each) => `${told(each.name)}: ${told(each.title)}`).join("; ");
       });
-    }
+      return text;
+    });
+    saying(() => {
+      const others = places.map(({ x, y }) => /** @type {[number, number, number, number]} */ ([x - 4, y, x + 4, y]));
+      const items = places.map(({ x, y }, k) => {
+        const wide = texts[k].getComputedTextLength();
+        const all = around(wide, LETTER);
+        const within = all.filter(([dx]) => x + dx > wide / 2 && x + dx < this.width - wide / 2);
+        const choices = within.length ? within : all; // a narrow plane has names beside it
+        /** @type {[number, number][]} */
+        const at = [[x, y]];
+        return { at, size: /** @type {[number, number]} */ ([wide, LETTER]), choices };
+      });
+      settled(items, [others]).forEach(([dx, dy], k) => {
+        texts[k].setAttribute("x", String(places[k].x + dx));
+        texts[k].setAttribute("y", String(places[k].y + dy + 4));
+      });
+    });
   }
 
   /** The hand follows the pointer, and the keys. */
@@ -179,12 +203,10 @@ export class Plane {
 
   /** The place of the plane under a pointer. @param {PointerEvent} event @returns {[number, number]} */
   pointed(event) {
-    const box = this.svg.getBoundingClientRect();
-    const factor = this.wide / box.width;
+    const svg = /** @type {SVGSVGElement} */ (this.svg);
+    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM()?.inverse());
     const [left, , , top] = this.trial.box;
-    const x = ((event.clientX - box.left) * factor - this.left) / this.scale + left;
-    const y = top - ((event.clientY - box.top) * factor - 8) / this.scale;
-    return [x, y];
+    return [(at.x - this.left) / this.scale + left, top - (at.y - 8) / this.scale];
   }
 
   /** @param {[number, number]} asked */
@@ -208,6 +230,18 @@ export class Plane {
     return inside;
   }
 
+  /**
+   * Draw what there is at these values; why there is nothing, or why it is of no use.
+   * @param {Record<string, number>} values
+   */
+  drawing(values) {
+    const broken = this.conditions.filter((each) => !(each.spare(values) >= 0));
+    const missing = broken.find((each) => each.needed)?.text ?? this.sketch.draw(values);
+    this.sketch.hide(missing !== null);
+    if (missing !== null) return word("absent", { why: told(missing) });
+    return broken.length ? word("useless", { why: broken.map((each) => told(each.text)).join("; ") }) : "";
+  }
+
   /** Sizes and figures at the point. */
   tell() {
     const { inputs, given, regions } = this.trial;
@@ -219,15 +253,16 @@ export class Plane {
     const place = kinds.includes("strict") ? "within" : kinds.length ? "flawed" : "outside";
     this.verdict.textContent = `${this.said(inputs[0], x)}; ${this.said(inputs[1], y)}: ${word(place)}`;
     this.verdict.classList.toggle("broken", place === "outside");
+    put(this.refusal, this.drawing(values));
     for (const { shown, row, meaning, value, least } of this.rows) {
       const unit = told(shown.unit);
       const factor = unit === "°" ? 180 / Math.PI : 1;
       const found = shown.where && values[shown.where] < 0 ? NaN : values[shown.name] * factor;
       const limit = typeof shown.least === "string" ? values[shown.least] : shown.least;
-      meaning.textContent = told(shown.meaning);
+      put(meaning, told(shown.meaning));
       const behind = unit === "°" ? "°" : unit ? ` ${unit}` : "";
-      value.textContent = Number.isFinite(found) ? `${written(found)}${behind}` : "–";
-      least.textContent = limit === null ? "" : word("least", { low: written(limit, 4) });
+      put(value, Number.isFinite(found) ? `${written(found)}${behind}` : "–");
+      put(least, limit === null ? "" : word("least", { low: written(limit, 4) }));
       row.classList.toggle("broken", limit !== null && !(found >= limit - 1e-9));
     }
   }
@@ -242,14 +277,10 @@ export class Plane {
 }
 
 /**
- * The distance of a place from a segment.
- * @param {number[]} from
- * @param {number[]} to
- * @param {number[]} place
+ * Say a text that is not said yet: what stays the same is not set anew at every move.
+ * @param {Element} where
+ * @param {string} text
  */
-function away(from, to, place) {
-  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-  const [px, py] = [place[0] - from[0], place[1] - from[1]];
-  const part = Math.min(1, Math.max(0, (px * dx + py * dy) / (dx * dx + dy * dy || 1)));
-  return Math.hypot(px - part * dx, py - part * dy);
+function put(where, text) {
+  if (where.textContent !== text) where.textContent = text;
 }

@@ -101,8 +101,9 @@ const GREEK = {
  */
 export function parted(name) {
   const [letter, ...index] = name.replaceAll(/[{}]/g, "").split("_");
-  const greek = GREEK[/** @type {keyof typeof GREEK} */ (letter)];
-  return [greek ?? letter, index.map((part) => GREEK[/** @type {keyof typeof GREEK} */ (part)] ?? part).join(", ")];
+  const plain = letter.replaceAll("'", "");
+  const greek = GREEK[/** @type {keyof typeof GREEK} */ (plain)];
+  return [(greek ?? plain) + "′".repeat(letter.length - plain.length), index.map((part) => GREEK[/** @type {keyof typeof GREEK} */ (part)] ?? part).join(", ")];
 }
 
 /**

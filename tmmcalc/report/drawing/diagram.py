@@ -122,7 +122,8 @@ class Diagram(Field):
         if lettered:
             widest = max((width(written(value, up), height) for value in up), default=0.0)
             side = complex(box.left - 3.5 - widest, box.middle.imag)
-            draw.add(Words(side, self.y.name, 1.2 * height, -1j, math.pi / 2))
+            size = 1.2 * height * min(1.0, box.height / (width(self.y.name, 1.2 * height) or 1.0))
+            draw.add(Words(side, self.y.name, size, -1j, math.pi / 2))
         if numbered:
             below = complex(box.middle.real, box.bottom - 3.0 - 1.6 * height)
             draw.add(Words(below, self.x.name, 1.2 * height, 1j))

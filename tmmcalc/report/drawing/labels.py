@@ -27,6 +27,7 @@ WRONG = 50.0  # and what it costs to be nearer to another one
 FURTHER = (4.0, 6.0, 8.5, 11.5, 15.0, 19.0, 24.0, 30.0)  # gaps of a name that found no free place nearby [mm]
 FAR = 3.0  # a name that stands farther from its anchor has a leader [mm]
 TOUCHING = 0.3  # strokes nearer than this all along are told apart by no name [mm]
+AWAY, LIKED, SECOND = 0.8, 0.5, 0.4  # cost of each gap farther away, gain of the preferred side, cost of a later anchor
 CROSSED = 3.0  # what it costs a leader to cross another name, by mm
 OUTSIDE = 60.0  # what it costs to reach over the border
 COVERED = 3.0  # covering more than this is a fault
@@ -40,6 +41,15 @@ class Fault(NamedTuple):
     text: str
     at: complex  # on paper
     cost: float
+
+
+class Place(NamedTuple):
+    """Where a name stands."""
+
+    at: complex  # its middle
+    anchor: complex
+    cost: float  # of what it covers
+    whole: float  # and of all that is said against the place
 
 
 class Labels:
@@ -108,10 +118,10 @@ class Labels:
         radius = max(abs(complex(*half)) + 0.4, 0.95 * height)
         half = (radius, radius) if ring else half
         places = [complex(anchor) for anchor in anchors]
-        at, anchor, cost = self._best(places, half, gaps, prefer, _strokes(own, others))
-        if cost > COVERED:
-            led = self._best(places, half, FURTHER, prefer, [])
-            at, anchor, cost = min((at, anchor, cost), led, key=lambda found: found[2])
+        best = self._best(places, half, gaps, prefer, _strokes(own, others))
+        if best.cost > COVERED:
+            best = min(best, self._best(places, half, FURTHER, prefer, []), key=lambda found: found.cost)
+        at, anchor, cost, _ = best
         self.count += 1
         if cost > COVERED:
             self.faults.append(Fault(text, at, cost))
@@ -135,8 +145,7 @@ class Labels:
         """Write a name that may be left out: its middle, or None where no place around the anchor is free."""
         larger = height * self.drawing.letters
         above, below = extent(text, larger)
-        _, cost, dislike = self._tried(anchor, (width(text, larger) / 2, (above + below) / 2), gaps, prefer)
-        if float((cost + dislike).min()) > COVERED:
+        if self._best([anchor], (width(text, larger) / 2, (above + below) / 2), gaps, prefer, []).whole > COVERED:
             return None
         return self.put(text, [anchor], height=height, gaps=gaps, prefer=prefer, colour=colour)
 
@@ -147,19 +156,27 @@ class Labels:
         gaps: tuple[float, ...],
         prefer: complex,
         strokes: Sequence[Plane],
-    ) -> tuple[complex, complex, float]:
-        """Where a name covers least, and near its anchor: its middle, its anchor, the cost of what it covers."""
-        found = []
+    ) -> Place:
+        """Where a name covers least, and near its anchor."""
+        way = prefer / abs(prefer) if prefer else 0.0
+        liking = LIKED * (AROUND * np.conj(way)).real
+        best = Place(anchors[0], anchors[0], np.inf, np.inf)
         for rank, anchor in enumerate(anchors):
-            tried, cost, dislike = self._tried(anchor, half, gaps, prefer)
-            if strokes:
-                cost = cost + _astray(tried, strokes)
-            if gaps[-1] > FAR:
-                cost = cost + self._crossed(anchor, tried, half)
-            best = int(np.argmin(cost + dislike))
-            whole = float(cost[best] + dislike[best]) + 0.4 * rank
-            found.append((whole, complex(tried[best]), anchor, float(cost[best])))
-        return min(found, key=lambda each: each[0])[1:]
+            for step, gap in enumerate(gaps):
+                against = AWAY * step + SECOND * rank
+                if best.whole <= against - LIKED * abs(way):
+                    break  # what is said against places so far away is more than all that the best one costs
+                tried = anchor + _outward(AROUND, half, gap)
+                cost = self._covered(tried, half)
+                if strokes:
+                    cost = cost + _astray(tried, strokes)
+                if gaps[-1] > FAR:
+                    cost = cost + self._crossed(anchor, tried, half)
+                at = int(np.argmin(cost - liking))
+                whole = float(cost[at] - liking[at]) + against
+                if whole < best.whole:
+                    best = Place(complex(tried[at]), anchor, float(cost[at]), whole)
+        return best
 
     def _crossed(self, anchor: complex, centres: Plane, half: tuple[float, float]) -> Real:
         """What the leaders (n,) from an anchor to names at these places cost for the names that they cross."""
@@ -199,21 +216,13 @@ class Labels:
         inside &= (points.imag > line.imag.min() - beyond) & (points.imag < line.imag.max() + beyond)
         return points[inside], weights[inside]
 
-    def _tried(
-        self, anchor: complex, half: tuple[float, float], gaps: tuple[float, ...], prefer: complex
-    ) -> tuple[Plane, Real, Real]:
-        """Centres of the name around an anchor, what each would cover, and what else is said against it."""
-        centres = np.concatenate([anchor + _outward(AROUND, half, gap) for gap in gaps])
-        way = prefer / abs(prefer) if prefer else 0.0
-        liking = np.tile((AROUND * np.conj(way)).real, len(gaps))
-        distance = np.repeat(np.arange(len(gaps)), len(AROUND))
-        return centres, self._covered(centres, half), 0.8 * distance - 0.5 * liking
-
     def _covered(self, centres: Plane, half: tuple[float, float]) -> Real:
+        """What a name would cover with its middle at each of these places, by weight."""
         wide, high = half[0] + AIR, half[1] + AIR
         points, weights = self._around(centres, max(wide, high))
-        away = points[None, :] - centres[:, None]
-        cost = ((np.abs(away.real) < wide) & (np.abs(away.imag) < high)) @ weights
+        under = np.abs(np.subtract.outer(centres.real, points.real)) < wide
+        under &= np.abs(np.subtract.outer(centres.imag, points.imag)) < high
+        cost = under @ weights
         x0, x1, y0, y1 = self._rectangles(1)
         over_x = np.minimum(centres.real + wide, x1) - np.maximum(centres.real - wide, x0)
         over_y = np.minimum(centres.imag + high, y1) - np.maximum(centres.imag - high, y0)

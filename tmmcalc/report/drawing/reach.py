@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -11,6 +11,8 @@ from tmmcalc.core.plane import Plane
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.shapes import Arc, Dimension, Drawing, Hatching, Shape, Words
 from tmmcalc.report.drawing.wording import corners
+
+BLANK = 6.0  # height of a strip without anything that is left [mm]
 
 
 def reach(shape: Shape) -> Box:
@@ -42,13 +44,34 @@ def _extremes(arc: Arc) -> Plane:
 
 
 def trimmed(drawing: Drawing, margin: float = 1.0) -> Drawing:
-    """The drawing on paper that is no higher than its shapes need, with a margin [mm]."""
+    """The drawing on paper that is no higher than its shapes need, with a margin [mm].
+
+    Words above or below all else stand no farther from it than `BLANK`.
+    """
     if not drawing.shapes:
         return drawing
-    box = around(map(reach, drawing.shapes))
+    boxes = [*map(reach, drawing.shapes)]
+    box = around(boxes)
     low, high = max(0.0, box.bottom - margin), min(drawing.height, box.top + margin)
-    found = Drawing(drawing.width, math.ceil(10 * (high - low)) / 10, drawing.title)
-    found.add(*(lowered(shape, low) for shape in drawing.shapes))
+    strips = _blank(drawing.shapes, boxes)
+    found = Drawing(drawing.width, math.ceil(10 * (high - low - sum(strips.values()))) / 10, drawing.title)
+    for shape, own in zip(drawing.shapes, boxes, strict=True):
+        found.add(lowered(shape, low + sum(size for place, size in strips.items() if own.bottom >= place)))
+    return found
+
+
+def _blank(shapes: Sequence[Shape], boxes: Sequence[Box]) -> dict[float, float]:
+    """Blank strips between words and all else: where what is above them begins, and how much they are too high [mm]."""
+    other = [box for shape, box in zip(shapes, boxes, strict=True) if not isinstance(shape, Words)]
+    if not other:
+        return {}
+    body = around(other)
+    found, reached = {}, math.inf
+    for box in sorted(boxes, key=lambda each: each.bottom):
+        beside = reached < body.bottom or body.top <= reached < math.inf
+        if beside and box.bottom - reached > BLANK:
+            found[box.bottom] = box.bottom - reached - BLANK
+        reached = box.top if math.isinf(reached) else max(reached, box.top)
     return found
 
 

@@ -19,14 +19,14 @@ TERMS = {"+", "−"}
 def width(box: layout.Box) -> float:
     """About how wide it is [em], rather more than less."""
     match box:
+        case layout.Row(boxes):
+            return sum(map(width, boxes))
         case layout.Letter(text) | layout.Word(text) | layout.Digits(text):
             return sum(map(_letter, text))
         case layout.Sign(text, leads=leads):
             return {"·": 0.73, ";": 0.45}.get(text, 0.78 + (0.0 if leads else SPACE))
         case layout.Gap():
             return GAP
-        case layout.Row(boxes):
-            return sum(map(width, boxes))
         case layout.Fraction(over, under):
             return max(width(over), width(under)) + 0.2
         case layout.Marked(inner, mark):
@@ -56,11 +56,14 @@ def broken(parts: Sequence[layout.Row], wide: float) -> list[layout.Row]:
 
     A row that goes on begins with the sign at which it was broken; the first part has at least one piece beside it.
     """
+    joined = [(*([layout.Sign("=", main=True)] if k else []), *_flat(part)) for k, part in enumerate(parts)]
+    whole = layout.Row(tuple(box for boxes in joined for box in boxes))
+    if width(whole) <= wide:
+        return [whole]
     rows: list[list[layout.Box]] = []
     free = wide
-    for k, part in enumerate(parts):
-        lead: list[layout.Box] = [layout.Sign("=", main=True)] if k else []
-        for j, piece in enumerate(_pieces(layout.Row((*lead, *_flat(part))), free if k == 1 else wide)):
+    for k, boxes in enumerate(joined):
+        for j, piece in enumerate(_pieces(layout.Row(boxes), free if k == 1 else wide)):
             size = _wide(piece)
             if rows and (size <= free or (k == 1 and not j)):
                 rows[-1] += piece

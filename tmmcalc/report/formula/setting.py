@@ -58,6 +58,7 @@ PRINTED = {
 }
 
 
+NEGATIVE = re.compile(r"(?<![^,])-(?=\d)")  # the sign of a number among the parts of an index
 PARTS = re.compile(r"(?<![A-Za-z])I{1,3}(?=[xy]?$)|[a-zа-яіїєґ]{2,}|[A-Za-zα-ωΑ-Ω]|[^A-Za-zα-ωΑ-Ω]+")  # of an index
 ROMAN = re.compile(r"I|[IVX]{2,}|[IVX]+,[IVX]+")
 BELOW, ABOVE = "xyzijkn", "ijk"  # single letters of an index that are axes or counters
@@ -108,6 +109,7 @@ def _index(text: str, slanted: str) -> Box:
     """An index: points and Greek letters, axes and counters are quantities; words, numbers and Roman ones are not."""
     if ROMAN.fullmatch(text):
         return Word(text)
+    text = NEGATIVE.sub("−", text)
     boxes: list[Box] = []
     for found in PARTS.finditer(text):
         part, counted = found[0], ROMAN.fullmatch(found[0]) and (not found.start() or text[found.start() - 1] == ",")

@@ -177,6 +177,13 @@ def mapped(node: Node, change: Callable[[Node], Node]) -> Node:
             return Over(change(body), counter)
 
 
+def renamed(node: Node, other: Mapping[str, str]) -> Node:
+    """The node with other names for some of its own."""
+    if isinstance(node, Name):
+        return Name(other.get(node.key, node.key))
+    return mapped(node, lambda part: renamed(part, other))
+
+
 def names(node: Node | Statement) -> list[str]:
     """The names in it, each once, in the order in which they stand; constants are none."""
     found: dict[str, None] = {}

@@ -89,7 +89,12 @@ def matrices(task: VibratorTask, result: VibratorResult, known: Lexicon) -> Iter
     yield from lines(MASSES, place)
     yield Paragraph(tr("Further $M_22 = M_11$, $M_27 = M_17$, the matrix is symmetrical, all other elements are zero."))
     yield from lines(STIFFNESSES, place)
-    yield Paragraph(tr("Further $C_22 = C_11$, $C_55 = C_44$; the stiffness matrix is diagonal."))
+    yield Paragraph(
+        tr(
+            "Further $C_22 = C_11$, $C_55 = C_44$; the stiffness matrix is diagonal. Table {tab:vibrator_mass} has "
+            "both matrices."
+        )
+    )
     cleaned = np.array([[_clean(result.mass, k, j) for j in range(COUNT)] for k in range(COUNT)])
     yield square(
         tr("Mass matrix $M$ (kg, kg·m, kg·m²) with the diagonal of $C$ (N/m, N·m/rad)"),

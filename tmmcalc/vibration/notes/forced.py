@@ -60,6 +60,11 @@ def forced(task: VibratorTask, result: VibratorResult, known: Lexicon) -> Iterat
     yield Display(read("D*X^c + H*X^s = P^c"))
     yield Display(read("D*X^s - H*X^c = P^s"))
     stiff, damped = _dynamic(result)
+    yield Paragraph(
+        tr("The matrices $D$ and $H$ are in tables {tab:vibrator_dynamic} and {tab:vibrator_damped}.")
+        if np.any(damped)
+        else tr("The matrix $D$ is in table {tab:vibrator_dynamic}.")
+    )
     yield square(tr("Matrix $D = C - Omega**2*M$ at the speed of the rotor"), stiff, "D", "vibrator_dynamic")
     if np.any(damped):
         yield square(tr("Matrix $H = Omega*B$ at the speed of the rotor"), damped, "H", "vibrator_damped")
@@ -248,7 +253,9 @@ def _point(task: VibratorTask, result: VibratorResult, path: PointPath) -> Place
     }
     for k, axis in enumerate("xyz"):
         found[f"A_{axis}"] = Given(float(path.amplitude[k]), "m", tr("amplitudes of the point along the axes"))
-        found[f"n_{axis}"] = Given(float(path.normal[k]), "", tr("normal of the plane of the ellipse"))
+        found[f"n_{axis}"] = Given(
+            float(path.normal[k]), "", tr("projections of the normal of the plane of the ellipse")
+        )
         found[f"{axis}_c"] = Given(float(path.path[0, k]), "m", said)
         found[f"{axis}_s"] = Given(float(path.path[STEPS // 4, k]), "m", said)
     return Place(tr("for point {name}", name=path.name), {**_quantities(task, result), **named(found)})

@@ -34,6 +34,12 @@ def blocks(order: Order) -> Iterator[Block]:
     if result.rigid is not None:
         yield from _rigid(task, result)
     yield from whirling(task, result)
+    yield Paragraph(
+        tr(
+            "Figure {fig:pendulum_modes} shows the mode shapes along the rod, the largest displacement of each being "
+            "1; the higher the mode, the more the rod bends."
+        )
+    )
     yield pictured(pieces["modes"], key="pendulum_modes")
     yield from critical(task, result)
     if result.campbell is not None:
@@ -45,6 +51,12 @@ def blocks(order: Order) -> Iterator[Block]:
         yield from _torsion(task, result)
     if result.swing is not None:
         yield from _swing(task, result)
+        yield Paragraph(
+            tr(
+                "Figure {fig:pendulum_swing} shows the path of the lower end seen from above, against the joint, and "
+                "over the time its displacements and the place of the joint."
+            )
+        )
         yield pictured(pieces["swing"], key="pendulum_swing")
 
 

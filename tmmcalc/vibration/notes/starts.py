@@ -175,7 +175,8 @@ def _regimes(task: VibratorTask, result: VibratorResult, start: MotorStart, aske
             f"$M_d$, {tr_unit('N*m')}",
             tr("Verdict"),
         )
-        yield Table(tr("Steady regimes of the rotor"), head, rows)
+        yield Paragraph(tr("All steady regimes are listed in table {tab:vibrator_regimes}."))
+        yield Table(tr("Steady regimes of the rotor"), head, rows, "vibrator_regimes")
     else:
         yield Paragraph(tr("The motor has no steady regime up to its no-load speed."))
     yield from _barriers(start)
@@ -186,7 +187,12 @@ def _barriers(start: MotorStart) -> Iterator[Block]:
     """What resonances ask of the motor."""
     if not start.barriers:
         return
-    yield Paragraph(tr("At resonance the vibration takes a moment that the motor has to give:"))
+    yield Paragraph(
+        tr(
+            "At resonance the vibration takes a moment that the motor has to give; table {tab:vibrator_barriers} has "
+            "both."
+        )
+    )
     rows = tuple(
         (str(each.mode), *column_of([each.speed * RPM]), *column_of([each.load]), *column_of([each.motor]))
         for each in start.barriers
@@ -197,7 +203,7 @@ def _barriers(start: MotorStart) -> Iterator[Block]:
         f"{tr('Moment of the load')}, {tr_unit('N*m')}",
         f"{tr('Moment of the motor')}, {tr_unit('N*m')}",
     )
-    yield Table(tr("Moments at the resonances"), head, rows)
+    yield Table(tr("Moments at the resonances"), head, rows, "vibrator_barriers")
 
 
 def _end(result: VibratorResult, start: MotorStart) -> Iterator[Block]:

@@ -35,20 +35,45 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from _springs(task, result)
     yield from matrices(task, result, known)
     yield from modes(task, result, known)
+    yield Paragraph(
+        tr(
+            "Figure {fig:vibrator_modes} shows the modes: a bar is the amplitude of its coordinate, that of a turn is "
+            "the displacement at the radius $R_2$."
+        )
+    )
     yield pictured(pieces["modes"], key="vibrator_modes")
     if result.steady is not None:
         yield from forced(task, result, known)
         if "paths" in pieces:
+            yield Paragraph(
+                tr(
+                    "Figure {fig:vibrator_paths} shows the ellipses of the points in space and from above; a diamond "
+                    "is where a point is at $psi = 0$."
+                )
+            )
             yield pictured(pieces["paths"], key="vibrator_paths")
     if result.curve is not None:
         yield from _curve(result)
         yield pictured(pieces["curve"], key="vibrator_curve")
     if result.run_up is not None and task.run_up is not None:
         yield from given_angle(task, result.run_up)
+        yield _started("{fig:vibrator_start}")
         yield pictured(pieces["start"], key="vibrator_start")
     if result.drive is not None and task.drive is not None:
         yield from driven(task, result, result.drive)
+        yield _started("{fig:vibrator_drive}")
         yield pictured(pieces["drive"], key="vibrator_drive")
+
+
+def _started(figure: str) -> Paragraph:
+    """What the picture of a start shows."""
+    return Paragraph(
+        tr(
+            "Figure {figure} shows over the time the speed of the rotor, with the natural frequencies by their numbers "
+            "as dash-dotted lines, the displacements and the turns.",
+            figure=figure,
+        )
+    )
 
 
 def _given(task: VibratorTask) -> Iterator[Block]:

@@ -57,8 +57,17 @@ def whirling(task: PendulumTask, result: PendulumResult) -> Iterator[Block]:
     )
     yield Display(read("(K - omega**2*M + omega*Omega*G)*z = 0" if task.spin else "(K - omega**2*M)*z = 0"))
     parts = few(task)
-    yield Paragraph(tr("With {count} functions the matrices have these elements:", count=FEW))
-    for letter, matrix in _matrices(task, parts).items():
+    made = _matrices(task, parts)
+    first, last = (f"{{tab:pendulum_{letter}}}" for letter in (next(iter(made)), [*made][-1]))
+    yield Paragraph(
+        tr(
+            "Tables {first}–{last} have the elements of the matrices by {count} functions.",
+            first=first,
+            last=last,
+            count=FEW,
+        )
+    )
+    for letter, matrix in made.items():
         yield square(_captions()[letter], matrix, letter, f"pendulum_{letter}")
     if task.pivot is not None:
         yield from _first(task, parts)
@@ -307,4 +316,6 @@ def _solved(parts: Matrices, shape: Values) -> Iterator[Block]:
     labels: Sequence[str] = [str(k + 1) for k in range(FEW)]
     columns = [[f"${significant(float(v), RESULT)}$" for v in values] for values in (parts.tip, shape)]
     head = ("$k$", "$f_k$", f"$z_k$, {tr_unit('m')}")
-    yield Table(tr("Amplitudes of the whirl of the unbalance"), head, tuple(zip(labels, *columns, strict=True)))
+    yield Paragraph(tr("Table {tab:pendulum_unbalance} has its solution by {count} functions.", count=FEW))
+    caption = tr("Amplitudes of the whirl of the unbalance")
+    yield Table(caption, head, tuple(zip(labels, *columns, strict=True)), "pendulum_unbalance")

@@ -101,7 +101,7 @@ def _errors(
     if task.rod.torsion is not None:
         found["torsion"] = TORSION
     if moved is not None:
-        found["swing"] = moved.error
+        found["displacement"] = moved.error
     return found
 
 

@@ -12,11 +12,13 @@ from tmmcalc.cams.notes.lexicon import of_follower
 from tmmcalc.cams.notes.loaded.margins import concave_margin_said
 from tmmcalc.cams.optimum.results import CamOptimum, Check, Option, Relaxation
 from tmmcalc.cams.pictures.wording import constraint_name
+from tmmcalc.cams.strength.formulas import BAD
+from tmmcalc.cams.task import CamTask, Optimum
 from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Paragraph, Table
-from tmmcalc.report.telling import column_of, plainly
+from tmmcalc.report.telling import column_of, plainly, spaced
 
 FIGURES, PERCENT = 5, 100
 SAME = 1e-9  # of a size: what changes nothing
@@ -33,7 +35,8 @@ CONDITIONS = {  # by the number of the constraint, in table 5.5 and beyond
     10: "theta_max <= theta_P",
     11: "r_max <= l_0 - r_A",
 }
-CONCAVE = 4
+CONCAVE, CURVED = 4, (3, 4)
+FEW = 5  # step points of the table of the best
 FLAT = {3: "S_0 >= r_m - F_min", 6: "S_0 >= r_1^{*}"}
 UNITS = {"m": ("mm", 1e3), "Pa": ("MPa", 1e-6), "-": ("", 1.0), "rad": ("°", degrees(1.0))}
 NAMES = {"H2": "H_2", "S0": "S_0", "l": "l", "l0": "l_0", "R0": "R_0", "l2": "l_2"}
@@ -49,8 +52,8 @@ class Size(NamedTuple):
     least: float  # [m]
 
 
-def sought(result: CamOptimum) -> Iterator[Block]:
-    """The objective, the variables, what is examined; why another cam than the one asked for is shown."""
+def sought(result: CamOptimum, task: CamTask, sizes: Sequence[Size]) -> Iterator[Block]:
+    """The objective, the variables with their bounds, what is examined; why another cam than the one asked is shown."""
     if result.kind == "oscillating":
         text = tr(
             "Sought are the distance $l_0$ of the axes, the length $l_2$ of the rocker, the radius $R_0$ of the base "
@@ -68,8 +71,11 @@ def sought(result: CamOptimum) -> Iterator[Block]:
         )
     yield Paragraph(text)
     whole = tr("The whole turn is examined.") if result.phases == "turn" else tr("The rise alone is examined.")
-    step = tr("The sizes are sought in steps of {step} mm.", step=plainly(1e3 * result.step))
-    yield Paragraph(f"{whole} {step}")
+    yield Paragraph(f"{whole} {tr('Table {tab:cam_sought} has the bounds within which the sizes are sought.')}")
+    ends = _bounds(result, task)
+    rows = tuple((each.meaning, f"${each.name}$", *ends[each.name]) for each in sizes if each.name in ends)
+    head = (tr("Size, mm"), tr("Designation"), tr("From"), tr("To"), tr("Step"))
+    yield Table(tr("Bounds of the search"), head, rows, "cam_sought")
     if result.refused:
         yield Paragraph(
             tr(
@@ -77,6 +83,29 @@ def sought(result: CamOptimum) -> Iterator[Block]:
                 option=changed(result.options, result.shown),
             )
         )
+
+
+def _bounds(result: CamOptimum, task: CamTask) -> dict[str, tuple[str, str, str]]:
+    """From where, up to where and in which steps each size is sought."""
+    step, asked = _mm(result.step), task.optimum or Optimum()
+    if result.kind == "oscillating":
+        angle = tr("by the pressure angle")
+        rocker = (step, "$l_0/cos(theta_P)$") if asked.rocker_lengths is None else _ends(asked.rocker_lengths)
+        return {
+            "l_0": (*_ends(asked.centre_distances), step),
+            "l_2": (*rocker, step),
+            "R_0": (angle, angle, step),
+            "r_2": (step, "$R_0 - r_1^{*}$", step),
+        }
+    far = "$H_2 - h - Delta_g$" if task.guide.gap else "$H_2 - h$"
+    if result.flat is not None:
+        return {"H_2": ("–", "–", _mm(result.height_step)), "S_0": (_mm(result.flat.least_start), far, step)}
+    heights = (*_ends(asked.heights), _mm(result.height_step))
+    return {"H_2": heights, "S_0": (step, far, step), "r_2": (step, "$R_0$", step)}
+
+
+def _ends(given: tuple[float, float] | None) -> tuple[str, str]:
+    return ("–", "–") if given is None else (_mm(given[0]), _mm(given[1]))
 
 
 def changed(options: Sequence[Option], changes: Sequence[str]) -> str:
@@ -199,19 +228,116 @@ def _row(result: CamOptimum, each: Check, least: Check) -> tuple[str, ...]:
 
 
 def search(result: CamOptimum) -> Iterator[Block]:
-    """How many step points there are, how many each constraint alone leaves, all that are as low."""
+    """What each step of the search left; the best of what keeps all constraints, and why the first is taken."""
+    if result.kind == "oscillating":
+        yield Paragraph(
+            tr(
+                "The least $l_0$ of any sizes is found first, {least} mm; whole steps are tried from just below it "
+                "upwards. At each the pressure angle leaves points $l_2$, $R_0$; with every radius of the roller that "
+                "suits them they are judged by all constraints.",
+                least=_mm(result.least.height),
+            )
+        )
+    elif result.flat is not None:
+        yield Paragraph(
+            tr(
+                "{examined} start distances in whole steps were looked at. The length of the guide by each constraint "
+                "has a closed form, which gives every $S_0$ a range of $H_2$. The heights are tried upwards.",
+                examined=result.examined,
+            )
+        )
+    else:
+        yield from _left(result)
+    yield from _course(result)
+    yield from _few(result)
+
+
+def _left(result: CamOptimum) -> Iterator[Block]:
+    """How many step points there are, what the curvature leaves of them, and each other constraint of these."""
+    left = dict(result.passed)
+    curved = min(left[number] for number in CURVED)
     yield Paragraph(
         tr(
-            "{examined} points in whole steps were looked at. None with a smaller {size} keeps all constraints; with "
-            "it {count} do.",
+            "{examined} points $S_0$, $r_2$ in whole steps were looked at. The limits of curvature leave {curved} of "
+            "them; how many of these each other constraint leaves by itself, at some height, is in table "
+            "{tab}. All of them but that of the slip of the roller leave {suited} points, each with a range of "
+            "$H_2$ in closed form. The heights are tried upwards.",
             examined=result.examined,
-            size=f"${NAMES[result.names['height']]}$",
-            count=len(result.start),
+            curved=curved,
+            tab="{tab:cam_left}",
+            suited=result.examined - result.excluded,
         )
     )
-    if result.passed:
-        left = "; ".join(f"{constraint_name(number)} – {count}" for number, count in result.passed)
-        yield Paragraph(tr("Each constraint alone leaves of them: {left}.", left=left))
+    rows = tuple(
+        (str(number), constraint_name(number), str(count)) for number, count in left.items() if number not in CURVED
+    )
+    yield Table(
+        tr("What each constraint leaves"), (tr("Number"), tr("Design constraint"), tr("Points left")), rows, "cam_left"
+    )
+
+
+def _course(result: CamOptimum) -> Iterator[Block]:
+    """The heights that were tried, the last and others before it at growing distances."""
+    last, height = result.course[-1], f"${NAMES[result.names['height']]}$"
+    if len(result.course) == 1:
+        yield Paragraph(
+            tr(
+                "The first of them is {size} = {value} mm. Points that it suits: {judged}; of these keep all "
+                "constraints: {kept}.",
+                size=height,
+                value=_mm(last.height),
+                judged=last.judged,
+                kept=last.kept,
+            )
+        )
+        return
+    yield Paragraph(
+        tr(
+            "Table {tab:cam_course} has the course of the search up to the first {size} at which points keep all "
+            "constraints, with the least margin of the best point at each.",
+            size=height,
+        )
+    )
+    levels = spaced(result.course[::-1])[::-1]
+    columns = {f"{height}, {tr_unit('mm')}": [_mm(each.height) for each in levels]}
+    if result.kind == "oscillating":
+        columns[tr("Points $l_2$, $R_0$")] = [str(each.points) for each in levels]
+    columns |= {
+        tr("Points judged"): [str(each.judged) for each in levels],
+        tr("Points that keep all constraints"): [str(each.kept) for each in levels],
+        tr("Least margin, %"): [_margin(each.margin) for each in levels],
+        tr("Its constraint"): ["–" if each.number is None else constraint_name(each.number) for each in levels],
+    }
+    rows = tuple(zip(*columns.values(), strict=True))
+    yield Table(tr("Course of the search"), tuple(columns), rows, "cam_course")
+
+
+def _margin(value: float | None) -> str:
+    """A margin in percent; none where nothing was judged, or the mechanism does not work at all."""
+    return "–" if value is None or value <= BAD else plainly(PERCENT * value, 4)
+
+
+def _few(result: CamOptimum) -> Iterator[Block]:
+    """The best step points at the least height."""
+    count = len(result.start)
+    if count == 1:
+        yield Paragraph(tr("There is one such point, which is taken."))
+        return
+    said = tr("Table {tab:cam_few} has these points, those of the largest least margin first.")
+    if count > FEW:
+        said = tr("Table {tab:cam_few} has the best of these points, those of the largest least margin first.")
+    yield Paragraph(f"{said} {tr('The first is taken, as it stays farthest from all limits.')}")
+    sizes = {name: getattr(result, name) for name in ("length", "start", "roller")}
+    if result.kind == "flat":
+        del sizes["roller"]
+    heads = {"length": "$l_2$", "start": f"${NAMES[result.names['start']]}$", "roller": "$r_2$"}
+    columns = {tr("Number"): [str(k) for k in range(1, min(count, FEW) + 1)]}
+    for name, values in sizes.items():
+        if values is not None:
+            columns[f"{heads[name]}, {tr_unit('mm')}"] = [_mm(value) for value in values[:FEW].tolist()]
+    columns[tr("Least margin, %")] = [_margin(value) for value in result.margin[:FEW].tolist()]
+    rows = tuple(zip(*columns.values(), strict=True))
+    yield Table(tr("Best points in whole steps"), tuple(columns), rows, "cam_few")
 
 
 def relaxations(result: CamOptimum) -> Iterator[Block]:

@@ -21,7 +21,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
 from tmmcalc.report.telling import WIDE, cell, located, named
 
-SIZE = (WIDE, 105.0)  # of the picture [mm]
+HIGH = {0: 105.0, 12: 165.0}  # height of the picture from so many forces on [mm]
 KEY = "forces_lever"
 DIGITS = 5  # of a number in the table
 
@@ -29,9 +29,11 @@ DIGITS = 5  # of a number in the table
 def lever(loaded: Loaded) -> Iterator[Block]:
     """What is done, the pairs of forces in place of couples, the moments, the drive, the difference."""
     told, row, result = loaded.told, loaded.rows[0], loaded.result
-    mu = lever_scale(Box(0.0, 0.0, *SIZE), loaded.statics, told.result, result, row)
-    side = np.array([side_of(result, each) for each in loaded.rows])
-    found = levers(loaded.statics, told.result, result.theta[[*loaded.rows]], side, mu)
+    at = result.theta[[*loaded.rows]], np.array([side_of(result, each) for each in loaded.rows])
+    count = len(working(levers(loaded.statics, told.result, *at, 1.0)[0].forces))
+    size = WIDE, HIGH[max(least for least in HIGH if least <= count)]
+    mu = lever_scale(Box(0.0, 0.0, *size), loaded.statics, told.result, result, row)
+    found = levers(loaded.statics, told.result, *at, mu)
     if not any(working(each.forces) for each in found):
         return
     yield Heading(tr("Lever of Zhukovsky"), 2)
@@ -48,9 +50,13 @@ def lever(loaded: Loaded) -> Iterator[Block]:
     yield from _pairs(loaded, found)
     caption = tr("Lever of Zhukovsky {place}", place=told.there(0))
     draw = partial(draw_lever, statics=loaded.statics, kinematics=told.result, result=result, row=row, tabled=False)
-    yield Figure(caption, draw, SIZE, KEY)
+    yield Figure(caption, draw, size, KEY)
     tables = [_table(loaded, each, k) for k, each in enumerate(found)]
-    said = tr("The forces with their arms and moments about the pole are {where}.", where=located(tables))
+    said = tr(
+        "The forces with their arms and moments about the pole are {where}; those that pass through the pole have "
+        "none.",
+        where=located(tables),
+    )
     yield Paragraph(said)
     yield from tables
     yield from _drive(loaded, found)
@@ -64,7 +70,7 @@ def _pairs(loaded: Loaded, found: Sequence[Lever]) -> Iterator[Block]:
     for link, name, kind in seen:
         (tail, a), (head, b) = replaced_at(mechanism, link)
         points = plain_name(tail) + plain_name(head)
-        distance = tr("distance of points {first} and {second}", first=plain_name(tail), second=plain_name(head))
+        distance = tr("distance between points {first} and {second}", first=plain_name(tail), second=plain_name(head))
         for lexicon, each, bodies in zip(loaded.told.lexicons, found, loaded.bodies, strict=True):
             couple = next(c for c in bodies[link].couples if (f"{c.letter}{c.index}", c.kind) == (name, kind))
             force = next((f.force for f in each.forces if (f.link, f.name, f.kind) == (link, name, kind)), 0.0)
@@ -98,8 +104,8 @@ def _name(loaded: Loaded, force: LeverForce) -> str:
 
 
 def _table(loaded: Loaded, found: Lever, k: int) -> Table:
-    """The forces of a lever."""
-    forces = working(found.forces)
+    """The forces of a lever that have an arm."""
+    forces = [force for force in working(found.forces) if abs(force.arm) > LEAST_ARM]
     columns = {tr("Force"): [_name(loaded, force) for force in forces]}
     for symbol, unit, part in (("F_i", "N", "force"), ("h_i", "mm", "arm"), ("F_i*h_i", "N*mm", "moment")):
         head, factor = printed_head(symbol, unit)

@@ -16,7 +16,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Line, Paragraph, Place, Table
-from tmmcalc.report.telling import cell, lines, named
+from tmmcalc.report.telling import cell, lines, named, spaced
 
 LETTERS = {  # of sizes whose symbols are no letters of formulas
     "two_phi": "Theta",
@@ -28,9 +28,6 @@ LETTERS = {  # of sizes whose symbols are no letters of formulas
     "s_start": "s_s",
     "body": "beta",
 }
-
-
-STEPS = (1, 2, 5, 10, 20, 50, 100, 200, 500)  # of a search that are shown
 NOISE = 1e-12  # in SI: of an error that is rounding alone
 
 
@@ -196,17 +193,10 @@ def course_of(told: Told, best: str, *, of: str = "", run: str = "", called: Seq
     several = len(rounds) > 1
     rows = []
     for k, steps in rounds.items():
-        for step in _some(steps):
+        for step in spaced(steps):
             name = called[k - 1] if called else str(k)
             counted = [str(step.linkages)] if of else []
             rows.append((*[name] * several, str(step.number), *counted, cell(step.best, 4)))
     head = (*[run or tr("Round")] * several, tr("Step"), *([of] if of else []), best)
     yield Paragraph(tr("Table {tab:synthesis_course} has steps of the search."))
     yield Table(tr("Course of the search"), head, tuple(rows), "synthesis_course")
-
-
-def _some(steps: Sequence[SearchStep]) -> list[SearchStep]:
-    """The first, the last, and between them some at growing distances."""
-    last = len(steps) - 1
-    rows = {0, last, *(row for row in STEPS if row < last)}
-    return [steps[row] for row in sorted(rows)]

@@ -1,0 +1,147 @@
+"""The blocking contour in a browser: the point of shifts is dragged and moved by keys, sizes and teeth follow."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from gears.outlines import far, followed
+
+from page.conftest import Open
+from page.opened import Opened
+from page.scenes import CONFIGS, write
+from page.test_diagrams import number
+from tmmcalc.core.plane import Plane
+from tmmcalc.gears.meshing.results import MeshPair
+from tmmcalc.gears.meshing.solve import solve_pair
+from tmmcalc.gears.pictures.placedpair import placed_pair
+from tmmcalc.gears.tables.tasks.pair import to_pairs
+from tmmcalc.project import load_spec
+
+NAME = "pair-blocking"
+TRIAL = "[data-trial=blocking_2]"
+HEIGHT = 350  # of the drawing, in its pixels
+REACH = 3.1  # modules above the pitch point that are in sight
+MICROMETRE = 1e-6
+STEP = 0.01  # of an arrow key
+
+
+def chosen() -> MeshPair:
+    """The pair whose plane is looked at, whose contour tolerates undercut."""
+    return solve_pair(to_pairs(load_spec(CONFIGS / f"{NAME}.toml")).pairs[1])
+
+
+def pressed(found: Opened, across: int, up: int) -> tuple[float, float]:
+    """Where the point is after so many presses of arrow keys, from the chosen shifts."""
+    plane = found.page.locator(f"{TRIAL} .plane")
+    plane.focus()
+    for count, ways in ((across, ("ArrowLeft", "ArrowRight")), (up, ("ArrowDown", "ArrowUp"))):
+        for _ in range(abs(count)):
+            plane.press(ways[count > 0])
+    x1, x2 = chosen().shifts
+    return x1 + STEP * across, x2 + STEP * up
+
+
+def outlines(found: Opened, pitch: complex, module: float) -> list[Plane]:
+    """Points of the outlines of both wheels [m], from the paths that are drawn."""
+    paths = found.page.locator(f"{TRIAL} .sketch .gear").evaluate_all(
+        "all => all.map((each) => each.getAttribute('d'))"
+    )
+    box = found.page.locator(f"{TRIAL} .sketch").get_attribute("viewBox").split()
+    scale = REACH * module / (HEIGHT / 2)
+    lines = []
+    for path in paths:
+        numbers = np.array(re.findall(r"-?[\d.]+", path.split("L")[0]), float).reshape(-1, 2)
+        x, y = numbers.T - np.array([[float(box[2]) / 2], [HEIGHT / 2]])
+        controls = pitch + scale * (x - 1j * y)
+        lines.append(followed(controls))
+    return lines
+
+
+@pytest.mark.parametrize("way", [(0, 0), (-24, -13), (31, -12)])
+def test_teeth_are_drawn_as_the_program_has_them(way: tuple[int, int], open_page: Open) -> None:
+    """To a micrometre where the chosen pair, an undercut one and one that cannot work stand."""
+    found = open_page(NAME)
+    shifts = pressed(found, *way)
+    pair = placed_pair(solve_pair(replace(chosen().task, strategy="given", shifts=shifts, refuse=False)))
+    module = pair.found.task.module
+    for body, drawn in zip(pair.bodies, outlines(found, pair.pitch_point, module), strict=True):
+        assert far(body.edge[::4], drawn) < MICROMETRE
+    told = found.page.locator(f"{TRIAL} tr").all_inner_texts()
+    ratio = next(text for text in told if text.startswith("transverse contact ratio of the flanks that are left"))
+    assert number(ratio.split("\t")[2]) == pytest.approx(pair.found.shortened, abs=1e-5)
+
+
+def test_the_point_is_dragged_and_teeth_follow(open_page: Open) -> None:
+    found = open_page(NAME)
+    plane, gear = found.page.locator(f"{TRIAL} .plane"), found.page.locator(f"{TRIAL} .sketch .gear").first
+    plane.scroll_into_view_if_needed()
+    hand = found.page.locator(f"{TRIAL} .hand").bounding_box()
+    x, y = hand["x"] + hand["width"] / 2, hand["y"] + hand["height"] / 2
+    mouse, seen = found.page.mouse, {gear.get_attribute("d")}
+    mouse.move(x, y)
+    mouse.down()
+    for k in range(1, 6):
+        mouse.move(x - 6 * k, y + 4 * k)
+        seen.add(gear.get_attribute("d"))
+        moved = found.page.locator(f"{TRIAL} .hand").bounding_box()
+        assert moved["x"] + moved["width"] / 2 == pytest.approx(x - 6 * k, abs=0.6)
+        assert moved["y"] + moved["height"] / 2 == pytest.approx(y + 4 * k, abs=0.6)
+    mouse.up()
+    assert len(seen) == 6
+    assert not any("NaN" in path for path in seen)
+
+
+def test_contacts_lie_on_the_line_of_action(open_page: Open) -> None:
+    """As many as the pair has at the pitch point, between the ends of the contact."""
+    found = open_page(NAME)
+    pressed(found, -10, 5)
+    dots = found.page.locator(f"{TRIAL} .sketch [data-mark=dot]:not(.lost)")
+    shifts = chosen().shifts
+    pair = placed_pair(
+        solve_pair(replace(chosen().task, strategy="given", shifts=(shifts[0] - 0.1, shifts[1] + 0.05), refuse=False))
+    )
+    scale = (HEIGHT / 2) / (REACH * pair.found.task.module)
+    places = dots.evaluate_all("all => all.map((each) => each.getAttribute('transform'))")
+    true = pair.on_line(pair.contacts()) - pair.pitch_point
+    ours = [complex(*map(float, re.findall(r"-?[\d.]+", place))) for place in places]
+    assert len(ours) == len(true) >= 1
+    for mine, other in zip(ours, true, strict=True):
+        assert mine == pytest.approx(complex(380 + scale * other.real, HEIGHT / 2 - scale * other.imag), abs=2e-3)
+
+
+@pytest.mark.parametrize(("language", "said"), [("en", "there is no such pair"), ("uk", "такої пари немає")])
+def test_where_there_is_no_pair_it_is_said_why(language: str, said: str, tmp_path: Path, open_page: Open) -> None:
+    """The sum of shifts of this pair is too small in a corner of its plane; within it teeth come back."""
+    spec = tmp_path / "pair.toml"
+    spec.write_text('[pair]\nteeth = [12, 40]\nmodule = "3 mm"\nhelix_angle = "20 deg"\n', encoding="utf-8")
+    write(spec, tmp_path / "pair.html")
+    found = open_page(tmp_path / "pair.html")
+    page = found.page
+    page.locator("select[name=language]").select_option(language)
+    plane, told = page.locator(".plane"), page.locator(".trial .wrong")
+    assert told.inner_text() == ""
+    plane.scroll_into_view_if_needed()
+    box = page.locator(".plane rect.frame").bounding_box()
+    page.mouse.click(box["x"] + 3, box["y"] + box["height"] - 3)
+    assert told.inner_text().startswith(said)
+    assert not page.locator(".sketch .gear").first.is_visible()
+    plane.press("Home")
+    assert told.inner_text() == ""
+    assert page.locator(".sketch .gear").first.is_visible()
+
+
+@pytest.mark.parametrize("size", [(1500, 1000), (900, 1100), (390, 800)])
+def test_plane_and_teeth_are_in_sight_together(size: tuple[int, int], open_page: Open) -> None:
+    found = open_page(NAME, size=size)
+    section = found.page.locator(TRIAL)
+    section.evaluate("each => each.scrollIntoView()")
+    for part in (".plane", ".sketch"):
+        box = section.locator(part).bounding_box()
+        assert box["y"] >= 0
+        assert box["y"] + box["height"] <= size[1]
+    module = found.page.locator(f"{TRIAL} .sketch").bounding_box()["height"] / (2 * REACH)
+    assert module > 35
