@@ -25,6 +25,7 @@ from tmmcalc.note.tree import (
     Written,
     numeric,
     plain_text,
+    tied,
     widest,
 )
 from tmmcalc.report.drawing.pdf import png
@@ -438,7 +439,7 @@ def _runs(text: Text, size: float | None = None) -> str:
     for part in text.parts:
         match part:
             case str():
-                found.append(_run(part, size))
+                found.append(_run(tied(part), size))
             case Reference(key, number):
                 found.append(_field(f"REF {_bookmark(key)} \\h", number))
             case _:

@@ -161,7 +161,7 @@ def part_width(part: str | Box | Reference) -> float:
 def _unbroken(cell: Text) -> float:
     found, here = 0.0, 0.0
     for part in cell.parts:
-        words = part.split(" ") if isinstance(part, str) else [part]
+        words = tied(part).split(" ") if isinstance(part, str) else [part]
         for k, word in enumerate(words):
             here = part_width(word) + (0.0 if k else here)
             found = max(found, here)
