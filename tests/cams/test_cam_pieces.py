@@ -206,7 +206,8 @@ def test_the_borders_of_the_region_have_the_allowed_pressure_angle() -> None:
     assert angles == limits == {30.0, 45.0}
     marked = [shape for shape in drawing.shapes if isinstance(shape, Arc) and shape.pen == MARKED]
     assert {round(degrees(each.end - each.start), 6) for each in marked} == limits
-    said = {float(match[1]) for text in written(drawing) if (match := re.fullmatch(r"\[\$θ\$\] = ([\d.]+)°", text))}
+    named = re.compile(r"\$θ_(?:P|{Pc})\$ = ([\d.]+)°")
+    said = {float(match[1]) for text in written(drawing) if (match := named.fullmatch(text))}
     assert said == limits
     o = -1e3 * complex(result.follower.start, result.follower.offset)
     assert any(abs(centre - o) < 1e-9 for centre, _ in arcs(board))

@@ -17,6 +17,7 @@ from tmmcalc.cams.pictures.cam_law import law_drawing
 from tmmcalc.cams.pictures.cam_profile import profile_drawing
 from tmmcalc.cams.pictures.curvature import CUSP, PITCH, WORKING
 from tmmcalc.cams.pictures.profilemarks import NUMBER
+from tmmcalc.cams.pictures.wording import phase_name
 from tmmcalc.cams.profile import solve_profile
 from tmmcalc.cams.task import Loads
 from tmmcalc.core.errors import UsageError
@@ -53,7 +54,7 @@ def test_profiles(name, tmp_path: Path):
     said = texts(drawing)
     assert ("second wall" in said) == (name == "groove")
     assert ("undercut" in said) == (name == "undercut")
-    assert "low dwell" in said
+    assert "near dwell" in said
     files = tmp_path / "a.svg", tmp_path / "b.svg"
     for file in files:
         draw_cam("cam_profile", task, result, file)
@@ -117,8 +118,8 @@ def test_phases_are_named_clear_of_each_other_and_of_the_walls(name):
     task = task_of(program, follower.kind, **asked)
     result = solve_profile(task, follower)
     drawing = profile_drawing(task, result)
-    found = boxes(drawing, ("rise ", "high dwell ", "return ", "low dwell "))
-    assert sorted(found) == sorted(f"{phase.kind} {degrees(phase.angle):.6g}°" for phase in program.phases)
+    found = boxes(drawing, ("rise ", "far dwell ", "return ", "near dwell "))
+    assert sorted(found) == sorted(f"{phase_name(phase.kind)} {degrees(phase.angle):.6g}°" for phase in program.phases)
     assert apart(found.values())
     board = board_of(drawing)
     for wall in (result.working, result.outer):
@@ -199,7 +200,7 @@ def test_only_the_line_of_the_cusp_has_its_look():
 def test_short_phases_are_named_beside_each_other():
     task = task_of(turn("cosine", rise=5, high=5, back=5))
     drawing = law_drawing(task, solve_law(task))
-    found = boxes(drawing, ("rise\n", "high\ndwell\n", "return\n", "low dwell\n"))
+    found = boxes(drawing, ("rise\n", "far\ndwell\n", "return\n", "near dwell\n"))
     assert len(found) == 4
     assert apart(found.values())
     frame = frames(drawing)[0].box

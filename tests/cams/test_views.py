@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from tmmcalc.cams.views import indexing
+from tmmcalc.cams.views.flatregion import region_under_face
 from tmmcalc.cams.views.motion import CamInMotion
 from tmmcalc.cams.views.region import region_of_axis
 from tmmcalc.pipeline.picturing import order_of
@@ -236,3 +237,20 @@ def test_rollers_of_an_indexing_drive_touch_its_cams(name: str) -> None:
     angle = bodies["wheel"].angle.values
     assert angle[-1] - angle[0] == pytest.approx(-4 * math.pi / done.results["indexing"].rollers)
     assert view.values[-1] == pytest.approx(360)
+
+
+def test_a_flat_face_has_its_region() -> None:
+    """The line cuts off the radius of the profile, least where the stage says; the axis stands within the region."""
+    spec = load_spec(CONFIGS[0].parent / "cam-flat.toml")
+    results = run(spec, target=("cam_synthesis", "cam_profile")).results
+    found = results["cam_synthesis"].convexity
+    [view] = region_under_face(CamInMotion(order_of(spec, results)), results["cam_synthesis"])
+    [radius] = view.readings
+    assert radius.value.values.min() == pytest.approx(1e3 * found.radius, rel=1e-3)
+    [region] = [mark for mark in view.bodies[0].marks if mark.kind == "gear"]
+    axis = next(spot.at for spot in view.spots if spot.name == "O")
+    left, right = region.points[:2]
+    top = left.imag + (right.imag - left.imag) * (axis.real - left.real) / (right.real - left.real)
+    assert axis.imag < top + 1e-9
+    [line, point] = view.bodies[1:]
+    np.testing.assert_allclose(line.y.values, point.x.values + point.y.values, atol=1e-15)

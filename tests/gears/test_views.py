@@ -22,6 +22,7 @@ from tmmcalc.gears.network.model import INTERNAL, Mesh, Network
 from tmmcalc.gears.network.model import Body as Borne
 from tmmcalc.gears.views.front import Front
 from tmmcalc.gears.views.pair import Rolling
+from tmmcalc.gears.views.wheels import members_of
 from tmmcalc.report.moving import Body, Track, View
 
 PAIRS = {
@@ -211,12 +212,11 @@ def test_wheels_mesh_wherever_it_stands(front: Front) -> None:
     """At every pitch point a tooth of one wheel stands in a space of the other, to a millionth of the pitch."""
     view = front.view("train")
     members = {member.name: member for member in front.members}
-    fits = front.found.chosen is not None  # three equal angles do not suit the Ravigneaux set
     seen = 0
     for at in (0.0, 17.0, 123.4):
         for first, second in front.meshes:
             one, other = members[first[0]], members[second[0]]
-            for k in range(max(len(one.axes), len(other.axes)) if fits else 1):
+            for k in range(max(len(one.axes), len(other.axes))):
                 a, b = (copy_of(view, each.name, k, len(each.axes)) for each in (one, other))
                 ends = [pose(view, each, at)[0] for each in (a, b)]
                 rings = [members[name].circles[place].ring for name, place in (first, second)]
@@ -229,6 +229,21 @@ def test_wheels_mesh_wherever_it_stands(front: Front) -> None:
                 assert (apart + 0.5) % 1.0 == pytest.approx(1.0, abs=1e-6) or (apart + 0.5) % 1.0 < 1e-6
                 seen += 1
     assert seen or front.found.chosen is None
+
+
+def test_planets_stand_where_they_fit() -> None:
+    """Three pairs of the Ravigneaux set at multiples of 1/22 of a turn, where 44 and 66 teeth go on by whole ones."""
+    found = members_of(trains()["written out"])[0]
+    for name in ("short", "long"):
+        axes = np.array(next(member.axes for member in found if member.name == name))
+        turns = np.angle(axes / axes[0]) / (2 * math.pi) % 1.0
+        np.testing.assert_allclose(np.sort(turns), [0.0, 7 / 22, 15 / 22], atol=1e-12)
+
+
+def test_planets_without_room_are_one() -> None:
+    crowded = Network((Mesh("1", 20, "2", 60), Mesh("2", 60, "3", 140, INTERNAL)), (Borne("2", "H", 4),))
+    found = members_of(written(solve_gearing(GearingTask(crowded, {"1": 100.0, "3": 0.0}, outputs=("H",)))))[0]
+    assert len(next(member.axes for member in found if member.name == "2")) == 1
 
 
 def copy_of(view: View, name: str, k: int, count: int) -> str:

@@ -156,7 +156,7 @@ class _Cut:
 
     def _one(self, z: Any) -> complex:
         """The value at the position of what may be the same at all."""
-        values = np.ravel(z)
+        values = z if isinstance(z, np.ndarray) and z.ndim == 1 else np.ravel(z)
         return complex(values[self.row if len(values) > 1 else 0])
 
     def _give(self, name: str, kind: Any, action: Action, factor: float) -> None:

@@ -1,4 +1,4 @@
-"""The motion of links at one position, in time."""
+"""The motion of links in time, at one position or at all."""
 
 from __future__ import annotations
 
@@ -14,32 +14,35 @@ from tmmcalc.linkage.results import Kinematics
 
 @record
 class LinkState:
-    """Motion of a link in time: place, velocity, acceleration of its base point and its rotation."""
+    """Motion of a link in time: place, velocity, acceleration of its base point and its rotation; numbers or (n,)."""
 
     base: complex
-    r: complex
-    v: complex
-    a: complex
-    u: complex
-    omega: float
-    eps: float
+    r: Any
+    v: Any
+    a: Any
+    u: Any
+    omega: Any
+    eps: Any
 
-    def arm(self, p: complex) -> complex:
+    def arm(self, p: Any) -> Any:
         """The vector from the base point to the point p of the link."""
         return (p - self.base) * self.u
 
-    def point(self, p: complex) -> tuple[complex, complex]:
+    def point(self, p: Any) -> tuple[Any, Any]:
         """Velocity and acceleration of the point p of the link."""
         d = self.arm(p)
         return self.v + 1j * self.omega * d, self.a + (1j * self.eps - self.omega**2) * d
 
-    def own(self, place: complex) -> complex:
+    def own(self, place: Any) -> Any:
         """The point of the link that lies at this place, in the link's axes."""
         return self.base + (place - self.r) / self.u
 
 
-def in_time(motion: LinkMotion, result: Kinematics, row: int = 0) -> LinkState:
-    """The motion of a link at one of its positions, at the speed and acceleration of the result."""
+def in_time(motion: LinkMotion, result: Kinematics, row: int | None = 0) -> LinkState:
+    """The motion of a link at one of its positions (None: at all), at the speed and acceleration of the result."""
+    if row is None:
+        rates = (*result.in_time(motion.v, motion.a), motion.u, *result.in_time(motion.omega, motion.eps))
+        return LinkState(motion.base, motion.r, *rates)
     r, u, v, a = (complex(_at(z, row)) for z in (motion.r, motion.u, *result.in_time(motion.v, motion.a)))
     omega, eps = (float(_at(z, row)) for z in result.in_time(motion.omega, motion.eps))
     return LinkState(motion.base, r, v, a, u, omega, eps)

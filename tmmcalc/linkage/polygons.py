@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import isnan
+from typing import Any
 
 import numpy as np
 
@@ -47,14 +48,14 @@ def polygons(mechanism: Mechanism, result: Kinematics, position: int, *, special
     return plan.finished(position)
 
 
-def polygons_of_all(mechanism: Mechanism, result: Kinematics) -> list[VectorPolygons]:
-    """The polygons of every position, which have the same vertices and vectors."""
+def polygons_of_all(mechanism: Mechanism, result: Kinematics) -> VectorPolygons:
+    """The polygons of all positions, which have the same vertices and vectors: arrays (n,) in place of numbers."""
     configuration = chain_of(mechanism, result).evaluate(result.x)
-    return [_planned(mechanism, result, configuration, row).finished(row) for row in range(len(result.x))]
+    return _planned(mechanism, result, configuration, None).finished(0)
 
 
-def _planned(mechanism: Mechanism, result: Kinematics, configuration: Configuration, row: int) -> _Plan:
-    """Both polygons at one of the positions."""
+def _planned(mechanism: Mechanism, result: Kinematics, configuration: Configuration, row: int | None) -> _Plan:
+    """Both polygons at one of the positions; None: at all of them, with arrays (n,) for the numbers."""
     states = {k: in_time(motion, result, row) for k, motion in configuration.motions.items()}
     plan = _Plan(mechanism, result, states)
     plan.name_vertices()
@@ -77,8 +78,8 @@ class _Plan:
         self.names: dict[Pin, str] = {}
         self.points: dict[str, str] = {}  # vertex -> the point whose motion it shows: B, of slider 2 at its pin A2
         self.guides: dict[str, tuple[Pin, str]] = {}  # joint -> the slider's pin, the vertex of the guide's point
-        self.velocity: dict[str, complex] = {"p": 0j}
-        self.acceleration: dict[str, complex] = {"pi": 0j}
+        self.velocity: dict[str, Any] = {"p": 0j}
+        self.acceleration: dict[str, Any] = {"pi": 0j}
         self.v_vectors: list[Vector] = []
         self.a_vectors: list[Vector] = []
 
@@ -103,7 +104,7 @@ class _Plan:
         turning = [j for j in self.sliding if j.links[1] in self.turning]
         return ["k"] if len(turning) == 1 else [f"k{j.links[0]}" for j in turning]
 
-    def _place(self, pin: Pin) -> complex:
+    def _place(self, pin: Pin) -> Any:
         link, p = next(iter(pin.at.items()))
         state = self.states[link]
         return state.r + state.arm(p)

@@ -16,7 +16,6 @@ from collections.abc import Iterator
 import numpy as np
 
 from tmmcalc.core.columns import Column
-from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import Quantity
 from tmmcalc.manipulators.results import Manipulator
@@ -28,16 +27,10 @@ TOLD = (
     Quantity("s[m]", "way along the path"),
     Quantity("v[m/s]", "speed along the path"),
     Quantity("a[m/s^2]", "tangential acceleration along the path"),
-    *(
-        Quantity(f"{prefix}{axis}[{unit}]", Phrase(meaning, axis=axis))
-        for prefix, unit, meaning in (
-            ("", "m", "coordinate {axis} of the gripper"),
-            ("v", "m/s", "velocity of the gripper along {axis}"),
-            ("a", "m/s^2", "acceleration of the gripper along {axis}"),
-        )
-        for axis in AXES
-    ),
-    *(Quantity(f"{axis}_E[m]", Phrase("coordinate {axis} of the elbow", axis=axis)) for axis in AXES),
+    Quantity("{along}[m]", "coordinate {along} of the gripper"),
+    Quantity("v{along}[m/s]", "velocity of the gripper along {along}"),
+    Quantity("a{along}[m/s^2]", "acceleration of the gripper along {along}"),
+    Quantity("{along}_E[m]", "coordinate {along} of the elbow"),
     Quantity("psi[deg]", "angle of the base"),
     Quantity("omega_1[rad/s]", "angular velocity of the base"),
     Quantity("eps_1[rad/s^2]", "angular acceleration of the base"),

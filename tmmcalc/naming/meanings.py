@@ -17,16 +17,19 @@ from tmmcalc.naming.language import ANY
 AXES = ("x", "y")  # what stands in a place of this name
 WORDS = {  # all that may stand in places of these names
     "axis": AXES,
+    "along": ("x", "y", "z"),
     "coordinate": ("S", "psi"),
     "spring": ("Q", "M"),
     "kind": ("steps", "least"),
     "height": ("H2", "l0"),
     "start": ("S0", "R0"),
     "shafts": ("crankshaft", "shafts"),
+    "left": ("D", "M_D"),
 }
 PREFIX = "prefix"  # a place of this name is empty or ends with _
 SOME = re.compile(r"\{\w+\}")  # a unit that is a place alone: there may be none
-LONG = ("phase", "cause", "shaft", "plan", "way")  # words in these places may have _ themselves
+ENDED = re.compile(r"_(min|max|rms)(_at.*)?$")  # what words with _ do not end with
+LONG = ("phase", "cause", "shaft", "plan", "way", "scheme")  # words in these places may have _ themselves
 
 
 @cache
@@ -63,8 +66,7 @@ def described(stage: str, column: bool) -> Callable[[str, str], tuple[str, str]]
             of_name, of_unit = _places(each.name, name), _units(each.unit, unit)
             if of_name is None or of_unit is None:
                 continue
-            words = [word for place, word in of_name.items() if place not in (PREFIX, "moment", *LONG)]
-            if column or not any("_" in word for word in words):  # of S_{output} no fact is S_D_min
+            if column or not any(_beyond(place, word) for place, word in of_name.items()):
                 return _filled(each, {**of_unit, **of_name})
         return "", ""
 
@@ -77,6 +79,13 @@ def _units(form: str, unit: str) -> dict[str, str] | None:
         return {}
     found = _places(form, unit) if unit or not SOME.fullmatch(form) else {}
     return {} if found is None and (form, unit) in FORMS else found
+
+
+def _beyond(place: str, word: str) -> bool:
+    """Whether a word in a place is more than a name there: of S_{output} no fact is S_D_min."""
+    if place in (PREFIX, "moment"):
+        return False
+    return ENDED.search(word) is not None if place in LONG else "_" in word
 
 
 def _closed(form: str) -> bool:
@@ -119,6 +128,6 @@ def _matched(parts: Sequence[tuple[str, str | None]], text: str) -> dict[str, st
         if place == PREFIX and end and text[end - 1] != "_":
             continue
         found = _matched(rest, text[end:])
-        if found is not None:
-            return {place: text[:end], **found} if text[:end] in WORDS.get(place, (text[:end],)) else None
+        if found is not None and text[:end] in WORDS.get(place, (text[:end],)):
+            return {place: text[:end], **found}
     return None

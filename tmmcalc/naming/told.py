@@ -228,11 +228,13 @@ def meant(stage: str, fact: Labelled) -> tuple[str, str]:
     known = described(stage, column=False)
     meaning, symbol = known(name, unit)
     if not meaning:
-        meaning = _of_extreme(stage, name) or _of_place(stage, name)
+        meaning = _of_place(stage, name) or _of_extreme(stage, name)
     if fact.within and meaning != fact.label:
         label = fact.label
         if fact.apart:
-            label = Phrase("{quantity}, {word}", quantity=label, word=fact.within.rpartition(".")[2])
+            label = Phrase(
+                "{quantity}, {word}", quantity=label, word=fact.within.rpartition(".")[2].removesuffix("_peak")
+            )
         return Phrase("{quantity}: {word}", quantity=label, word=meaning or name), symbol
     if not meaning and (found := EXTREME.fullmatch(name)):
         return _extreme(fact.label, found, stage), symbol

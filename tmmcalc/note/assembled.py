@@ -30,7 +30,8 @@ from tmmcalc.report.formula.digits import RESULT, Given, Worked, result_of, sign
 from tmmcalc.report.formula.layout import Box, Gap, Row, Word
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.setting import Shown, printed, quantity
-from tmmcalc.report.formula.tree import Name, Node, Over, Statement, Sum, mapped, names
+from tmmcalc.report.formula.tree import Call, Name, Node, Over, Statement, Sum, mapped, names
+from tmmcalc.report.formula.tree import parts as parts_of
 from tmmcalc.report.language import possessive, several, tr, tr_unit
 from tmmcalc.report.manuscript import (
     Block,
@@ -57,6 +58,8 @@ LENGTHS = ("m", "mm")
 
 LONG = 20  # rows of a table that is folded where it is narrow
 WIDE, SMALL, CELL = 175.0, 9.0 * 25.4 / 72.0, 2.4  # of a page, of a letter M of a table, beside letters of a cell [mm]
+WORD = re.compile(r"[^\W\d_]{3,}")  # with which the head of a column begins
+UNITS = ("deg", "rad", "rpm", "град", "рад")
 MANY, FIRST = 8, 3  # terms of a sum over an index: up to which all are shown, and those of a longer one before its last
 
 
@@ -84,6 +87,7 @@ class Assembler:
         self._parts = [0, 0]  # how many of levels 2 and 3 there were
         self._counts: Counter[tuple[str, str]] = Counter()  # of tables, figures and formulas by chapter
         self._explained: dict[str, tuple[str, str]] = {}  # meaning and unit of a name
+        self._turned = False  # whether the arctangent of a whole turn is explained
         self._told: dict[tuple[str, Statement], str] = {}  # numbers of the formulas of each chapter
 
     def written(self, chapters: Iterable[Chapter]) -> list[Written]:
@@ -117,7 +121,11 @@ class Assembler:
                     yield Source(text)
                 case Table(caption, head, rows, key):
                     said = Caption(tr("Table"), self._numbered("tab", key), inline(caption), key)
-                    yield Grid(said, tuple(map(inline, head)), tuple(tuple(map(inline, row)) for row in rows))
+                    yield Grid(
+                        said,
+                        tuple(inline(_capital(each)) for each in head),
+                        tuple(tuple(map(inline, row)) for row in rows),
+                    )
                 case Figure(caption, _, _, key):
                     yield Image(Caption(tr("Figure"), self._numbered("fig", key), inline(caption), key), drawn(block))
 
@@ -208,8 +216,18 @@ class Assembler:
                 parts += [", "] * bool(j) + [quantity(key)]
             said = meaning if len(keys) == 1 else _of_several(keys, meaning, unit)
             parts += [" – ", *inline(said).parts, *([f", {shown_unit(unit)}"] if unit else [])]
+        if not self._turned and _calls(line.formula, "atan2"):
+            self._turned = True
+            said = tr("$atan2(y, x)$ – angle of the vector with the projections $x$ and $y$ from the $x$ axis")
+            parts += ["; " if parts else tr("where") + " ", *inline(said).parts]
         if parts:
             yield Text((*parts, "."), explains=True)
+
+
+def _calls(node: Node | Statement, function: str) -> bool:
+    """Whether a function stands in a formula."""
+    own = isinstance(node, Call) and node.function == function
+    return own or any(_calls(part, function) for part in parts_of(node))
 
 
 def _summed(found: Worked) -> Row:
@@ -229,6 +247,15 @@ def _folded(blocks: Sequence[Block]) -> Iterator[Block]:
                 yield folded(block, 2)
                 continue
         yield block
+
+
+def _capital(head: str) -> str:
+    """The head of a column, words with a capital.
+
+    >>> _capital("least"), _capital("rad"), _capital("$phi$, deg")
+    ('Least', 'rad', '$phi$, deg')
+    """
+    return head[:1].upper() + head[1:] if (word := WORD.match(head)) and word[0] not in UNITS else head
 
 
 def _numeric(table: Table) -> bool:

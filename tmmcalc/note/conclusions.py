@@ -13,9 +13,10 @@ from tmmcalc.report.formula.symbols import GREEK
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Chapter, Paragraph, Result, Table
 from tmmcalc.report.printing import printed_as
-from tmmcalc.report.telling import points
+from tmmcalc.report.telling import LATIN, points
 
-LETTER = re.compile(rf"(?<!\$)\b({'|'.join(GREEK)})\b")
+NAMED = {**{name: name for name in GREEK}, **LATIN}  # Greek letters and their names, by their names in formulas
+LETTER = re.compile(rf"(?<![\w$])({'|'.join(NAMED)})(?![\w$])")
 INDEXED = re.compile(rf"\b(?:[A-Za-z]|{'|'.join(GREEK)})_[A-Za-z0-9]+\b")
 DEGREES = re.compile(r"(?<=\d) deg\b")
 SAME = 1e-9  # relative
@@ -62,12 +63,12 @@ def _once(warnings: Sequence[str]) -> Iterator[str]:
 
 
 def _lettered(text: str) -> str:
-    """A sentence of the program with Greek letters for their names, indices as formulas, and the sign of degrees.
+    """A sentence of the program with its Greek letters and indices as formulas, and the sign of degrees.
 
-    >>> _lettered("|theta| reaches 47.3 deg at phi = 25.4 deg, r_i = 75 mm")
-    '|θ| reaches 47.3° at φ = 25.4°, $r_i$ = 75 mm'
+    >>> _lettered("|theta| reaches 47.3 deg at φ = 25.4 deg, r_i = 75 mm")
+    '|$theta$| reaches 47.3° at $phi$ = 25.4°, $r_i$ = 75 mm'
     """
-    return DEGREES.sub("°", LETTER.sub(lambda name: GREEK[name[0]], INDEXED.sub(r"$\g<0>$", text)))
+    return DEGREES.sub("°", LETTER.sub(lambda name: f"${NAMED[name[0]]}$", INDEXED.sub(r"$\g<0>$", text)))
 
 
 def _warned(result: Result, parts: Sequence[float]) -> bool:

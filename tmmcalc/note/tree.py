@@ -14,8 +14,7 @@ from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.language import speaking, spoken, tr_unit
 from tmmcalc.spec.dimensions import UNITS
 
-LETTER = 0.53  # of an em, of words
-CAPITAL = 0.17  # that a capital takes beyond it
+LETTER, CAPITAL = 0.53, 0.68  # of an em, of words
 NUMERIC = re.compile(r"[-−+–\d.,  \u202f%°]*")  # what a cell of numbers has
 
 
@@ -34,6 +33,7 @@ class Contents(NamedTuple):
     """The list of titles with their pages."""
 
     title: str
+    entries: int = 0  # about how many there are
 
 
 class Title(NamedTuple):
@@ -125,6 +125,12 @@ def plain_text(text: Text) -> str:
     )
 
 
+def leads(text: Text) -> bool:
+    """Whether a paragraph ends with a colon: what it leads to stands with it."""
+    last = text.parts[-1] if text.parts else ""
+    return isinstance(last, str) and last.rstrip().endswith(":")
+
+
 def tied(text: str) -> str:
     """A text whose lines begin neither with a dash, nor with an equals sign, nor with the unit of a number.
 
@@ -152,7 +158,7 @@ def part_width(part: str | Box | Reference) -> float:
     """About how wide a part of a text is [em]."""
     match part:
         case str():
-            return LETTER * len(part) + CAPITAL * sum(map(str.isupper, part))
+            return LETTER * len(part) + (CAPITAL - LETTER) * sum(map(str.isupper, part))
         case Reference(_, number):
             return LETTER * len(number)
     return width(part)

@@ -15,6 +15,7 @@ from tmmcalc.note.tree import (
     Text,
     Title,
     Written,
+    leads,
 )
 from tmmcalc.note.typstlines import set_lines
 from tmmcalc.note.typstplaces import Place, placed
@@ -41,6 +42,7 @@ HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 16mm, bo
 #set table(stroke: 0.5pt, inset: (x: 3pt, y: 3pt))
 #let line(columns, holds, ..cells) = block(width: 100%, breakable: false, sticky: holds, spacing: 0.55em,
   { set par(first-line-indent: 0pt); grid(columns: columns, align: horizon, ..cells) })
+#let leading(body) = block(sticky: true, spacing: 0.68em, par(body))
 #let explained(body) = par(first-line-indent: 0pt, body)
 #let listed(key, caption, continued, columns, aligned, size, wide, breaks, heads, cells) = {
   let said(words) = block(width: wide, spacing: 4pt, text(size: 12pt, words))
@@ -71,6 +73,8 @@ HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 16mm, bo
   block(width: 100%, { set par(first-line-indent: 0pt, justify: false, leading: 0.5em)
   grid(columns: pictures.pos().len() * (1fr,), column-gutter: 3mm, align: bottom + center, ..pictures.pos()) }))
 """
+ONE_PAGE = 46, 60  # titles: more than the first do not fit on a page, up to the second do if they stand close
+CLOSE = "#set text(size: 11pt); #show outline.entry: set block(spacing: 0.36em); "
 
 
 def source(blocks: Iterable[Written], language: str, title: str, frame: TextTitles | None = None) -> str:
@@ -147,13 +151,16 @@ def _block(block: Written) -> str:
     match block:
         case Cover():
             return _cover(block)
-        case Contents(title):
-            return f"#outline(title: [{escaped(title)}], depth: 2, indent: 5mm)"
+        case Contents(title, entries):
+            outline = f"#outline(title: [{escaped(title)}], depth: 2, indent: 5mm)"
+            return f"#[{CLOSE}{outline}]" if ONE_PAGE[0] < entries <= ONE_PAGE[1] else outline
         case Title(number, text, level):
             numbered = f"{escaped(number)} {set_text(text)}".strip()
             before = "#place.flush()\n" if level == 1 else ""  # what floats stands with its chapter
             before += "#pagebreak(weak: true)\n" if level == 1 and not number[:1].isdigit() else ""
             return f"{before}{'=' * level} {numbered}"
+        case Text() if leads(block):
+            return f"#leading[{set_text(block)}]"
         case Text():
             return set_text(block) + "\n"
         case Equation():

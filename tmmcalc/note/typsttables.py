@@ -12,7 +12,7 @@ from tmmcalc.report.language import tr
 
 SMALL = (9.5, 9.0, 8.5, 8.0)  # sizes of tables [pt], the first in which one fits
 CELL = 2.4  # beside the letters of a cell, with its line [mm]
-WHOLE = (12, 28)  # rows: up to the first a table stands where it is told of, up to the second on one page
+WHOLE = (12, 34)  # rows: up to the first a table stands where it is told of, up to the second on one page
 MOST = 40  # rows that a page has
 CHAPTER = re.compile(r"\d+\.")  # what the number of a table in a numbered chapter begins with
 SCRIPTED = "3.6pt"  # over and under the letters of a cell with indices

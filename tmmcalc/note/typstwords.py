@@ -9,7 +9,7 @@ from tmmcalc.report.formula.layout import Box
 from tmmcalc.report.formula.typst import typst as typeset
 
 PRIMES = re.compile(r"(?<=\d)'+")
-PAIR = re.compile(r"(?<=\d)–(?=\d)|^–$")  # of links, the ends of a range
+PAIR = re.compile(r"(?<=\d)–(?=\d|$)|^–(?=\d|$)")  # of links, the ends of a range
 SIZE = 12.0  # of letters [pt]
 EM = SIZE * 25.4 / 72.0  # a letter M of the text [mm]
 WIDE = 175.0  # of the text [mm]

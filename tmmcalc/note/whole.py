@@ -9,10 +9,12 @@ from tmmcalc.note.appendix import appendix
 from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.conclusions import conclusions
 from tmmcalc.note.task import task
-from tmmcalc.note.tree import Contents, Cover, Written
+from tmmcalc.note.tree import Contents, Cover, Title, Written
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Chapter
 from tmmcalc.report.tables.note import AuthorTable
+
+CONTENTS = 2  # levels of titles in the contents
 
 
 class Work(NamedTuple):
@@ -39,7 +41,9 @@ def whole(work: Work, chapters: Sequence[Chapter], depth: str) -> list[Written]:
         *_own(work, {"literature": tr("References")}),
         appendix(work.errors, work.source, work.own.get("appendix", ())),
     ]
-    return [_cover(work), Contents(tr("Contents")), *Assembler(depth).written(parts)]
+    written = Assembler(depth).written(parts)
+    entries = sum(isinstance(block, Title) and block.level <= CONTENTS for block in written)
+    return [_cover(work), Contents(tr("Contents"), entries), *written]
 
 
 def _own(work: Work, titles: Mapping[str, str]) -> Iterator[Chapter]:

@@ -106,7 +106,7 @@ def _words() -> dict[str, str]:
         "precision": tr("Numbers of diagrams are stored with a relative error of {error}; results are whole."),
         "arrow": tr("1 cm: {value}"),
         "none": tr("nothing is found"),
-        "yes": tr("yes"),
-        "no": tr("no"),
+        "holds": tr("yes"),
+        "fails": tr("no"),
         "drag": tr("Drag a link, or turn the input by the arrow keys."),
     }

@@ -111,10 +111,10 @@ def _searched_facts(result: CamOptimum) -> Iterator[Fact]:
     course = {"course": [keyed(each, *told, **result.names) for each in result.course]}
     if result.kind == "oscillating":
         text = f"{looked} roller\nno l0 below {lowest}"
-        yield Fact("search", text, keyed(result, "examined", "excluded") | course)
+        yield Fact("search", text, {**keyed(result, "examined", "excluded"), **course})
         return
-    values = keyed(result, "examined", "excluded", "left_by") | course
-    yield Fact("search", f"{looked} height\nno height below {lowest}", values)
+    text = f"{looked} height\nno height below {lowest}"
+    yield Fact("search", text, {**keyed(result, "examined", "excluded", "left_by"), **course})
 
 
 def _point(result: CamOptimum, sizes: Mapping[str, float]) -> str:

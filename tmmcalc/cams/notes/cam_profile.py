@@ -20,6 +20,7 @@ from tmmcalc.cams.notes.lexicon import (
     of_follower,
     of_motion,
     of_values,
+    shown_unit,
     table_rows,
     told_of,
 )
@@ -364,7 +365,7 @@ def _held(name: str, lexicon: Lexicon, limit: str) -> Iterator[Block]:
     holds = own >= least * (1 - KEPT)
     sides = f" {'>=' if holds else '<'} ".join(significant(each, 5) for each in (own, least))
     said = tr("The condition holds.") if holds else tr("The condition fails.")
-    yield Paragraph(f"${name} >= {limit}$: ${sides}$. {said}")
+    yield Paragraph(f"${name} >= {limit}$: ${sides}$ {shown_unit(given.unit)}. {said}")
     yield Result(name, given._replace(value=max(own, least) if holds else own), least, ">=")
 
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from math import degrees, floor, isclose
+
+import numpy as np
 
 from tmmcalc.cams.notes.flatface import told_face
 from tmmcalc.cams.notes.hung import hung
@@ -119,7 +121,8 @@ def _governed(result: Synthesis) -> Iterator[Block]:
 
 def _designs(told: Told, result: Synthesis) -> Iterator[Block]:
     """The designs by several rules with the pressure angles that they reach, and whole millimetres."""
-    rows = [*result.designs, *([result.rounded] if result.rounded is not None and result.kind != "flat" else [])]
+    whole = [result.rounded] if result.rounded is not None and result.kind != "flat" else []
+    rows = [*_different(result.designs), *whole]
     if not rows:
         if result.rounded is not None:
             size = number(mm(result.rounded.start))
@@ -145,6 +148,16 @@ def _designs(told: Told, result: Synthesis) -> Iterator[Block]:
     cells = [[_rule(each, told.follower.sense) for each in rows], *(column_of(each) for each in columns.values())]
     head = tr("How they are chosen"), *(headed(name) for name in columns)
     yield Table(tr("Sizes by several rules"), head, tuple(zip(*cells, strict=True)), key="cam_designs")
+
+
+def _different(designs: Iterable[Design]) -> Iterator[Design]:
+    """The designs but those that have the sizes of one before them."""
+    known: list[tuple[float, ...]] = []
+    for each in designs:
+        sizes = each.base, each.start, each.offset, each.centres, each.rocker
+        if not any(np.allclose(sizes, other, equal_nan=True) for other in known):
+            yield each
+        known.append(sizes)
 
 
 def _rule(design: Design, sense: int) -> str:

@@ -49,6 +49,7 @@ class Told(NamedTuple):
     follower: Follower
     rows: tuple[int, ...]  # that are worked out
     words: Mapping[str, str]  # for the places in angle brackets
+    asked: bool  # whether rows were asked for
 
     @property
     def turns(self) -> bool:
@@ -75,7 +76,7 @@ def told_of(order: Order) -> Told:
     task, law = cam_of(order), order.results["cam_law"]
     follower: Follower = order.results["cam_synthesis"].follower
     rows = tuple(_rows(order, law))
-    return Told(task, law, follower, rows, words_of(follower))
+    return Told(task, law, follower, rows, words_of(follower), _asked(order, law) is not None)
 
 
 def words_of(follower: Follower) -> dict[str, str]:
@@ -88,7 +89,7 @@ def words_of(follower: Follower) -> dict[str, str]:
 
 def _rows(order: Order, law: LawResult) -> Iterator[int]:
     """The rows of the flag, which of a machine counts those of its linkage; a moving phase without one has its own."""
-    asked = order.rows(POSITIONS, law.labels) if "kinematics" not in order.results else None
+    asked = _asked(order, law)
     listed = told_rows(np.degrees(law.positions.phi), phase_ends(law))
     found = list(asked or ())
     for number, phase in enumerate(law.phases):
@@ -97,6 +98,11 @@ def _rows(order: Order, law: LawResult) -> Iterator[int]:
             wanted = THIRD if phase.kind == "rise" else 1 - THIRD
             found.append(min(own, key=lambda row: _fitness(float(law.part[row]), wanted, row in listed)))
     yield from sorted(found)
+
+
+def _asked(order: Order, law: LawResult) -> Sequence[int] | None:
+    """The rows that are asked for."""
+    return order.rows(POSITIONS, law.labels) if "kinematics" not in order.results else None
 
 
 def _fitness(part: float, wanted: float, listed: bool) -> tuple[bool, bool, float]:

@@ -105,7 +105,10 @@ def _height(told: Told, each: Bound, lexicon: Lexicon) -> Iterator[Block]:
     said = tr("bound {number} of the start distance without offset", number=each.number)
     lexicon |= named({name: mm(each.line.height, said)})
     place = Place(tr("at φ = {angle}°", angle=degrees_of(phi)), lexicon | told.named(at))
-    yield Paragraph(tr("On the rise:") if each.kind == "rise" else tr("On the return:"))
+    if each.rests:
+        yield Paragraph(tr("Where the follower is at rest:"))
+    else:
+        yield Paragraph(tr("On the rise:") if each.kind == "rise" else tr("On the return:"))
     if not each.rests:
         yield from lines((f"{name} = {sign}S'/tan({ANGLES[each.kind]}) - DeltaS",), [place])
     yield Display(read(f"S_0 >= {_bound(told, each)}"))
@@ -139,7 +142,7 @@ def _textbook(told: Told, lexicon: Lexicon) -> Iterator[Block]:
     tops = translatingsizes.velocity_tops(told.task)
     e, start = translatingsizes.textbook(told.task, None)
     yield Paragraph(
-        tr("As if the limits were reached where the velocity is largest, the textbook’s approximate sizes are (5.44):")
+        tr("As if the limits were reached where the velocity is largest, the textbook’s approximate sizes follow:")
     )
     lexicon |= named(
         {

@@ -9,6 +9,7 @@ import numpy as np
 from tmmcalc.cams.elastic import ElasticResult
 from tmmcalc.cams.pictures.cam_forces import LOST
 from tmmcalc.cams.pictures.ordered import cam_of
+from tmmcalc.cams.pictures.wording import phase_name
 from tmmcalc.cams.separation import Contact
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.box import Box
@@ -89,5 +90,5 @@ def draw_spectra(drawing: Drawing, box: Box, result: ElasticResult) -> None:
         if phase.ratio < result.ratios[-1]:
             diagram.vertical(phase.ratio, OWN)
             at = diagram.place(complex(phase.ratio, TOP)) - 1j * (3.0 if phase.kind == "rise" else 7.0)
-            words = f"{tr_name(phase.kind)}: {number(phase.ratio, 4)}"
+            words = f"{phase_name(phase.kind)}: {number(phase.ratio, 4)}"
             drawing.add(Words(at + 1.5, words, 2.5, -1, colour=INK, clear=True), level=20)

@@ -10,7 +10,7 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.ordered import cam_of
 from tmmcalc.cams.pictures.phasenames import PhaseRow, draw_phases, line_phases, phase_row
 from tmmcalc.cams.pictures.toscale import ends_to_scale, turn_to_scale
-from tmmcalc.cams.pictures.wording import deg
+from tmmcalc.cams.pictures.wording import deg, limit_name
 from tmmcalc.cams.pictures.zone import LIMIT
 from tmmcalc.cams.pressure.angle import Reached, pressure_angle
 from tmmcalc.cams.pressure.solve import Pressure
@@ -88,8 +88,8 @@ def draw_angle(
     diagram.curve(np.degrees(phi) + 1j * np.degrees(theta), CURVES[0])
     if len(result.phi) <= DOTTED:
         diagram.dots(np.degrees(result.phi), np.degrees(result.theta), CURVES[0])
-    for on, span in zip((result.rise, result.back), spans, strict=True):
-        _name_limit(diagram, on, *span, degrees(high))
+    for kind, on, span in zip(("rise", "return"), (result.rise, result.back), spans, strict=True):
+        _name_limit(diagram, limit_name(kind), on, span, degrees(high))
     done: list[complex] = []
     for extreme in (each for on in (result.rise, result.back) for each in (on.least, on.largest)):
         at = complex(degrees(extreme.phi), degrees(extreme.value) if abs(extreme.value) > NOISE else 0.0)
@@ -99,14 +99,15 @@ def draw_angle(
     return diagram
 
 
-def _name_limit(diagram: Diagram, on: Reached, a: float, b: float, top: float) -> None:
+def _name_limit(diagram: Diagram, name: str, on: Reached, span: tuple[float, float], top: float) -> None:
+    a, b = span
     if on.limit is None:
         at = diagram.paper([complex((a + b) / 2, part * top) for part in (-0.5, 0.5, -0.9)])
         diagram.labels.put(tr("not limited"), at, height=2.2, gaps=(0.0, 0.9, 1.7), colour=LIMIT.colour)
         return
     for sign in (1, -1):
         level = sign * degrees(on.limit)
-        text = f"{'' if sign > 0 else '−'}[$θ$] = {deg(sign * on.limit)}"
+        text = f"{'' if sign > 0 else '−'}{name} = {deg(sign * on.limit)}"
         at = diagram.paper([complex(a + part * (b - a), level) for part in (1.0, 0.0, 0.5)])
         diagram.labels.put(text, at, height=2.2, prefer=1 + sign * 1j, colour=LIMIT.colour)
 

@@ -7,7 +7,7 @@ from tmmcalc.cams.pictures.flatregion import draw_flat_region
 from tmmcalc.cams.pictures.ordered import cam_of
 from tmmcalc.cams.pictures.phaseplane import plane_board
 from tmmcalc.cams.pictures.rockers import rocker_board
-from tmmcalc.cams.pictures.wording import deg, design_name, mm
+from tmmcalc.cams.pictures.wording import deg, design_name, limit_name, mm
 from tmmcalc.cams.pictures.zone import BASE, LIMIT, OTHER, PASSING, ZONE
 from tmmcalc.cams.synthesis.results import Design, Synthesis
 from tmmcalc.cams.task import CamTask
@@ -68,8 +68,13 @@ def _parts(result: Synthesis, mu: float) -> list[Part]:
     for size in result.sizes:
         sign = f"${SYMBOLS[size.symbol]}$"
         sizes.append((tr("{sign} (given)", sign=sign) if size.given else sign, _shown(size.symbol, size.value)))
-    phases = [(word, on) for word, on in ((tr("rise"), result.rise), (tr("return"), result.back)) if on is not None]
-    limits = [(f"[$θ$], {word}", tr("not limited") if on.limit is None else deg(on.limit)) for word, on in phases]
+    kinds = ("rise", tr("rise"), result.rise), ("return", tr("return"), result.back)
+    phases = [(word, on) for _, word, on in kinds if on is not None]
+    limits = [
+        (f"{limit_name(kind)}, {word}", tr("not limited") if on.limit is None else deg(on.limit))
+        for kind, word, on in kinds
+        if on is not None
+    ]
     reached = []
     for word, on in phases:
         angle, phi = deg(abs(on.worst.value)), deg(on.worst.phi, 4)

@@ -8,12 +8,12 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.cams.laws.law import Values
+from tmmcalc.cams.pictures.wording import phase_name
 from tmmcalc.cams.program import PhaseKind
 from tmmcalc.report.drawing.diagram import Diagram
 from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.pens import Pen
 from tmmcalc.report.drawing.shapes import Words
-from tmmcalc.report.language import tr_name
 from tmmcalc.report.numbers import number
 
 SIZE, BETWEEN = 2.2, 2.5  # of the names; least between two of them [mm]
@@ -35,7 +35,7 @@ def phase_row(kinds: Sequence[PhaseKind], ends: Values, room: float, *, angles: 
     scale = room / float(ends[-1])
     names = []
     for kind, span in zip(kinds, np.diff(ends).tolist(), strict=True):
-        name = tr_name(kind)
+        name = phase_name(kind)
         if width(name, SIZE) + BETWEEN > span * scale:
             name = name.replace(" ", "\n")
         names.append(f"{name}\n{number(span, 5)}°" if angles else name)

@@ -13,7 +13,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.pictures.toscale import closed_up, scale_of_mm
-from tmmcalc.cams.pictures.wording import deg, mm
+from tmmcalc.cams.pictures.wording import deg, limit_name, mm
 from tmmcalc.cams.pictures.zone import (
     HATCH,
     LIMIT,
@@ -123,7 +123,8 @@ def _marked(board: Board, task: CamTask, line: Line) -> Angle:
     if not left < foot.real < right - room:
         foot = at - 0.5 * (at.real - left) * along
         board.line([foot, foot + 1.2 * room], OTHER, level=6)
-    return mark_angle(board, foot, (1.0, along), MARKED, f"[$θ$] = {deg(abs(cmath.phase(along)))}")
+    name = limit_name("rise" if at.imag >= 0 else "return")
+    return mark_angle(board, foot, (1.0, along), MARKED, f"{name} = {deg(abs(cmath.phase(along)))}")
 
 
 def _draw_axis(board: Board, result: Synthesis) -> None:
@@ -135,7 +136,7 @@ def _draw_axis(board: Board, result: Synthesis) -> None:
     axis_of_cam(board, o)
     book = next((each for each in result.designs if each.name.startswith("textbook (")), None)
     if book is not None:
-        textbook_choice(board, -1e3 * complex(book.start, book.offset), "$O^*$ (5.44)")
+        textbook_choice(board, -1e3 * complex(book.start, book.offset), "$O^*$")
     if result.follower.offset:
         e = result.follower.sense * result.follower.offset
         dimension(board, complex(o.real, 0), o, f"$e$ = {mm(e, 6)}")

@@ -14,7 +14,7 @@ import numpy as np
 from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.pictures.curvature import farthest
 from tmmcalc.cams.pictures.followersketch import centre_of, top_of
-from tmmcalc.cams.pictures.wording import mm
+from tmmcalc.cams.pictures.wording import mm, phase_name
 from tmmcalc.cams.profile.offsets import Rim
 from tmmcalc.cams.profile.results import Profile
 from tmmcalc.cams.task import CamTask
@@ -23,7 +23,6 @@ from tmmcalc.report.drawing.field import Board
 from tmmcalc.report.drawing.pens import DIMENSION, OTHER
 from tmmcalc.report.drawing.shapes import Arc, Dimension, Words, arrowhead
 from tmmcalc.report.drawing.wording import corners
-from tmmcalc.report.language import tr_name
 from tmmcalc.report.numbers import number
 
 HEIGHT = 2.3  # of dimensions [mm]
@@ -80,7 +79,7 @@ def name_phases(board: Board, task: CamTask, result: Profile) -> None:
         others = [chord for other, chord in enumerate(chords) if other != k]
         middle, half = (begin + end) / 2, (end - begin) / 2
         places = [part * _cut(result.follower, middle + by * half, radius) for part, by in PLACES]
-        text = f"{tr_name(phase.kind)} {number(degrees(phase.angle), 5)}°"
+        text = f"{phase_name(phase.kind)} {number(degrees(phase.angle), 5)}°"
         board.labels.put(
             text, board.paper(places), height=PHASE, prefer=places[0], gaps=GAPS, own=chords[k], others=others
         )

@@ -11,7 +11,7 @@ import numpy as np
 
 from tmmcalc.cams.follower import Complex
 from tmmcalc.cams.pictures.toscale import closed_up
-from tmmcalc.cams.pictures.wording import deg, mm
+from tmmcalc.cams.pictures.wording import deg, limit_name, mm
 from tmmcalc.cams.pictures.zone import (
     BASE,
     HATCH,
@@ -147,7 +147,9 @@ def _mark_limit(board: Board, placed: Placed, family: Family, line: tuple[comple
     across *= 1 if (across * along.conjugate()).real > 0 else -1
     across /= abs(across)
     board.line([tip, tip + 1.2 * MARKED * board.mu * across], OTHER, level=6)
-    return mark_angle(board, tip, (across, along / abs(along)), MARKED, f"[$θ$] = {deg(family.limit)}")
+    return mark_angle(
+        board, tip, (across, along / abs(along)), MARKED, f"{limit_name(family.kind)} = {deg(family.limit)}"
+    )
 
 
 def _strokes(placed: Placed, task: CamTask, family: Family, lines: Lines) -> list[list[complex]]:
@@ -198,7 +200,7 @@ def _draw_axis(board: Board, placed: Placed, task: CamTask, result: Synthesis) -
     book = next((each for each in result.designs if each.name.startswith("textbook (")), None)
     if book is not None:
         at = book.centres / follower.rocker * np.exp(-1j * book.start)
-        textbook_choice(board, complex(placed.at(np.array([at]))[0]), "$O^*$ (5.50)")
+        textbook_choice(board, complex(placed.at(np.array([at]))[0]), "$O^*$")
     distance = f"$l_0$ = {mm(follower.centres, 6)}"
     board.labels.put(distance, board.paper([part * pivot for part in (0.5, 0.65, 0.35)]), height=HEIGHT, prefer=-1j)
     axis_of_cam(board, 0j)

@@ -8,7 +8,7 @@ from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.profile.results import WallName
 from tmmcalc.cams.synthesis.results import Design
 from tmmcalc.report.drawing.lettering import minus
-from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.language import tr, tr_name, tr_unit
 from tmmcalc.report.numbers import number
 
 
@@ -38,6 +38,16 @@ def deg(value: float, digits: int = 5) -> str:
     return f"{minus(number(float(f'{degrees(value):.5f}') + 0.0, digits))}°"
 
 
+def phase_name(kind: str) -> str:
+    """A phase of the motion."""
+    return {"high dwell": tr("far dwell"), "low dwell": tr("near dwell")}.get(kind) or tr_name(kind)
+
+
+def limit_name(kind: str) -> str:
+    """The permissible pressure angle of a phase: of a rise or of a return."""
+    return "$θ_{Pc}$" if kind == "return" else "$θ_P$"
+
+
 def design_name(design: Design, sense: int) -> str:
     """A design of the synthesis; at a given offset with this, in the user's sense."""
     names = {
@@ -47,8 +57,8 @@ def design_name(design: Design, sense: int) -> str:
         "least start distance": tr("Least $S_0$"),
         "least centre distance": tr("Least centre distance"),
         "textbook": tr("Textbook"),
-        "textbook (5.44)": tr("Textbook (5.44)"),
-        "textbook (5.50, 5.51)": tr("Textbook (5.50, 5.51)"),
+        "textbook (5.44)": tr("Textbook, approximately"),
+        "textbook (5.50, 5.51)": tr("Textbook, approximately"),
     }
     if design.name in names:
         return names[design.name]

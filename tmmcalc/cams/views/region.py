@@ -27,7 +27,7 @@ BLUE, GREEN = 1, 3
 
 
 def region_of_axis(made: CamInMotion, result: Synthesis) -> Iterator[View]:
-    """The region with the construction of the pressure angle over the turn; a flat face has none."""
+    """The region with the construction of the pressure angle over the turn; that of a flat face is another one."""
     if result.region is None or not len(result.region.x) or made.profile.flat:
         return
     laid = laid_off(made)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import Quantity, components, keyed, quantities
 from tmmcalc.gears.facts.meshes import USUAL, millimetres, written
 from tmmcalc.gears.facts.pair_checks import verdict_fact
@@ -17,6 +18,11 @@ from tmmcalc.report.document import Fact
 from tmmcalc.report.numbers import angle, number
 
 CLASS = Quantity("class", "class of the pair")
+FORMS = {  # of spur and of helical teeth
+    "external": ("spur external", "helical external"),
+    "internal": ("spur internal", "helical internal"),
+    "rack": ("spur rack and pinion", "helical rack and pinion"),
+}
 
 RULES = {
     "given": "as given",
@@ -67,8 +73,7 @@ def _class(found: MeshPair) -> str:
         shifted = "equally shifted" if abs(x1) > NOISE else "zero"
     else:
         shifted = "positive" if total > 0 else "negative"
-    form = {"external": "external", "internal": "internal", "rack": "rack and pinion"}[found.task.kind]
-    return f"{'helical' if found.task.helix else 'spur'} {form}, {shifted}"
+    return Phrase("{form}, {shift}", form=FORMS[found.task.kind][bool(found.task.helix)], shift=shifted)
 
 
 def _data_facts(found: MeshPair) -> Iterator[Fact]:

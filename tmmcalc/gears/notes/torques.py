@@ -53,8 +53,11 @@ class Mark(NamedTuple):
         return f"P_v^{{{self.number}}}"
 
 
-def told_torques(told: Told, found: Gearing, key: str) -> Iterator[Block]:
-    """Meshes, torques in an order in which each follows from those before, powers; ``key`` of the table of meshes."""
+def told_torques(told: Told, found: Gearing, key: str, *, sized: bool = False) -> Iterator[Block]:
+    """Meshes, torques in an order in which each follows from those before, powers; ``key`` of the table of meshes.
+
+    Where the train is ``sized`` the torque on its first wheel is that of the strength calculation.
+    """
     flow = found.flow
     if flow is None:
         return
@@ -70,7 +73,7 @@ def told_torques(told: Told, found: Gearing, key: str) -> Iterator[Block]:
         )
     )
     yield _table(told, marks, key)
-    yield from _known(told, found, outside)
+    yield from _known(told, found, outside, sized=sized)
     equations = [*_meshes(told, marks, flow), *_members(told, found, marks, outside)]
     for step in in_order(equations, {_from_outside(name) for name in _given(found)}):
         if isinstance(step, Together):
@@ -157,20 +160,22 @@ def _table(told: Told, marks: list[Mark], key: str) -> Table:
     return Table(tr("Meshes of the train"), head, tuple(rows), key)
 
 
-def _known(told: Told, found: Gearing, outside: list[str]) -> Iterator[Block]:
+def _known(told: Told, found: Gearing, outside: list[str], *, sized: bool) -> Iterator[Block]:
     """The torques from outside that are given."""
     task, flow = found.task, found.flow
     if found.assumed:
         yield Paragraph(tr("No torque is given: ${torque}$ = 1 N·m is taken.", torque=_from_outside(found.input or "")))
     for name, torque in task.torques.items():
         if torque and name in outside:
-            value = tr_number(significant(torque, DIGITS))
+            values = {"torque": _from_outside(name), "value": tr_number(significant(torque, DIGITS))}
             yield Paragraph(
                 tr(
-                    "The torque from outside is known: ${torque}$ = {value} N·m.",
-                    torque=_from_outside(name),
-                    value=value,
+                    "The torque from outside is that for which the strength is calculated below: ${torque}$ = {value} "
+                    "N·m.",
+                    **values,
                 )
+                if sized
+                else tr("The torque from outside is known: ${torque}$ = {value} N·m.", **values)
             )
     for name, load in task.loads.items():
         if load:

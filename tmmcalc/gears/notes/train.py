@@ -224,7 +224,7 @@ def _chosen(
     yield from told_plans(told.moving, f"{key}_plans")
     yield from _efficiency(told, found, chosen)
     if found.task.torques or chosen.sets.scheme.three_centrals:
-        yield from told_torques(told, found, f"{key}_meshes")
+        yield from told_torques(told, found, f"{key}_meshes", sized=torque is not None)
 
 
 def _reached(chosen: Chosen, *, several: bool) -> Iterator[Block]:

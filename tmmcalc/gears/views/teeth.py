@@ -69,10 +69,7 @@ FILLET = (
     "F = phi - psi",
 )
 REACH = 3.1  # [module] that is shown above the pitch point, and below
-ASIDE, AWAY = (
-    0.5,
-    2.75,
-)  # [module] where the numbers of the wheels stand: from the line of centres, from the pitch point
+ASIDE, AWAY = 0.5, 2.75  # [module] from the line of centres and the pitch point to the numbers of the wheels
 CONTACTS = 4  # pitches before and behind the pitch point at which flanks may touch
 # points of the line of action: distances from N1, on which side of it their names stand
 POINTS = ("N1", "0", -1), ("A2", "rho_p1", 1), ("P", "rho_w1", -1), ("A1", "rho_a1", 1), ("N2", "g", -1)
@@ -142,9 +139,6 @@ class Tooth:
             self.node("r_P - r_F"),
             tr("the teeth of wheel {wheel} are pointed below the beginning of their involutes", wheel=wheel),
         )
-        yield Condition(
-            self.node("pi/z - psi + phi_D"), tr("neighbouring fillets of wheel {wheel} overlap", wheel=wheel)
-        )
 
     def faults(self, mate: str) -> Iterator[Condition]:
         """What keeps a tooth that there is from its work."""
@@ -209,13 +203,7 @@ def _marks(first: Tooth, second: Tooth, m: float) -> Iterator[Drawn]:
     for k in range(-CONTACTS, CONTACTS + 1):
         rho = f"rho_w1 + {k}*p_b"
         yield Drawn("dot", (on_line(rho),), tone=ACTION, there=node(f"min({rho} - rho_s1, rho_e1 - ({rho}))"))
-    for name, rho, side in (
-        ("N1", "0", -1),
-        ("A2", "rho_p1", 1),
-        ("P", "rho_w1", -1),
-        ("A1", "rho_a1", 1),
-        ("N2", "g", -1),
-    ):
+    for name, rho, side in POINTS:
         yield Drawn("dot", (on_line(rho),), name=name, side=side)
     for wheel, way in ((first, -1), (second, 1)):
         yield Drawn("number", ((ASIDE * m, node(f"r_w + {way * AWAY * m}")),), name=wheel.name)

@@ -22,6 +22,7 @@ from tmmcalc.gears.network.model import FRAME, INTERNAL, Network
 from tmmcalc.gears.network.places import places
 from tmmcalc.gears.pictures.placed import placed
 from tmmcalc.gears.scheme import CARRIER
+from tmmcalc.gears.views.fitting import spread
 
 ALIKE = 1e-9  # relative: lengths that are one
 
@@ -106,13 +107,11 @@ def _same(one: Circle, other: Circle) -> bool:
 
 
 def _copies(network: Network, axes: dict[str, complex], name: str) -> Iterator[complex]:
-    """Where all that are called so stand: planets around the axis of their carrier."""
+    """Where all that are called so stand: planets around the axis of their carrier, as far as they fit in."""
     bearer, count = network.bearer(name), network.count(name)
     centre = axes[bearer] if bearer != FRAME else axes[name]
-    for k in range(count):
-        yield centre + (axes[name] - centre) * complex(
-            math.cos(2 * math.pi * k / count), math.sin(2 * math.pi * k / count)
-        )
+    for turn in spread(network, axes, bearer, MODULE)[:count]:
+        yield centre + (axes[name] - centre) * complex(math.cos(2 * math.pi * turn), math.sin(2 * math.pi * turn))
 
 
 def teeth_of(members: list[Member], meshes: list[tuple[Place, Place]]) -> dict[tuple[str, int, int], float]:

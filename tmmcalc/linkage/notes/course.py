@@ -185,7 +185,8 @@ def _line(told: Told, k: int, link: int) -> float:
 def _headed(name: str, unit: str) -> str:
     """A quantity with its unit, or over the one that is made of the crank."""
     if unit.startswith(("l_1", "omega_1")):
-        return f"${name}/({unit.replace('^', '**')})$"
+        below = f"${unit.replace('^', '**')}$"
+        return f"${name}$/({below})" if "*" in unit else f"${name}$/{below}"
     return f"${name}$, {unit}"
 
 

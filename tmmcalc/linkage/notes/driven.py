@@ -97,7 +97,9 @@ def quantities(triangle: Triangle, lexicon: Lexicon) -> Lexicon:
     turn = angle((pin - pivot) / (other - pivot), tr("angle of the triangle at {point}", point=first))
     assert isinstance(turn.value, float)
     return {
-        f"l_{{{first}{second}}}": length(abs(other - pivot), tr("distance of points {first} and {second}", **said)),
+        f"l_{{{first}{second}}}": length(
+            abs(other - pivot), tr("distance between points {first} and {second}", **said)
+        ),
         f"phi_{{{first}{second}}}": angle(other - pivot, tr("angle of the line {first}{second}", **said)),
         f"theta_{{{first}}}": turn._replace(value=abs(turn.value)),
     }

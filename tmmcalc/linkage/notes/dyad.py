@@ -246,7 +246,7 @@ def _points(alone: Alone) -> Iterator[Block]:
         alone.lexicon.update(named(point_quantities(name, name, state)))
         own = {
             f"l_{{{axes.origin}{name}}}": length(
-                abs(place), tr("distance of points {first} and {second}", first=axes.origin, second=name)
+                abs(place), tr("distance between points {first} and {second}", first=axes.origin, second=name)
             ),
             f"alpha_{{{name}}}": Given(
                 math.degrees(math.atan2(mark.y, mark.x)),

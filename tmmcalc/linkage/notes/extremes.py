@@ -16,11 +16,16 @@ from tmmcalc.report.formula.digits import Given, value_of
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Statement
 from tmmcalc.report.language import tr
-from tmmcalc.report.manuscript import Block, Lexicon, Place
+from tmmcalc.report.manuscript import Block, Lexicon, Paragraph, Place
 from tmmcalc.report.telling import filled, lines, named, number_of
 
 NEAR = 1e-7  # [deg] of an angle that a formula gives
+ENDS = {"RRR": "OQ", "RPR": "QO"}  # of the line of the pivots
 OFFSET = "e_<b> = (y_{<Q>} - y_{<O>})*cos(gamma_<b>) - (x_{<Q>} - x_{<O>})*sin(gamma_<b>) + h_<b>"
+PIVOTS = (
+    "l_{<F><S>} = sqrt((x_{<S>} - x_{<F>})**2 + (y_{<S>} - y_{<F>})**2)",
+    "phi_{<F><S>} = atan2(y_{<S>} - y_{<F>}, x_{<S>} - x_{<F>})",
+)
 IN_LINE = {
     "RRP": (
         "gamma_<b> + asin(e_<b>/(l_{<O><P>} + l_<a>))",
@@ -62,8 +67,16 @@ def lines_of(told: Told, summary: OutputSummary, lexicon: Lexicon) -> Iterator[B
             if _gives(formula, lexicon, math.degrees(centre.x)):
                 chosen.append(f"{name} = {text}")
     if len(chosen) == len(summary.dead_centres) == 2:
+        yield Paragraph(
+            tr("In the extreme positions the slotted link touches the circle of the crank pin:")
+            if dyad.step.group.kind == "RPR"
+            else tr("In the extreme positions the crank and link {link} are in line:", link=words["a"])
+        )
         if dyad.step.group.kind == "RRP":
             yield from lines([OFFSET], [place], words)
+        else:
+            ends = ENDS[dyad.step.group.kind]
+            yield from lines(PIVOTS, [place], {"F": words[ends[0]], "S": words[ends[1]]})
         yield from lines(chosen, [place], words)
 
 
@@ -87,12 +100,12 @@ def _quantities(dyad: Dyad, words: dict[str, str], lexicon: Lexicon) -> Lexicon:
         guide = dyad.states[0].port2
         offset = ((other - pivot) * complex(guide.e).conjugate()).imag + dyad.states[0].dyad.h
         return {filled("e_<b>", words): length(offset, tr("offset of the guide from the pivot of the crank"))}
-    ends = "OQ" if dyad.step.group.kind == "RRR" else "QO"
+    ends = ENDS[dyad.step.group.kind]
     way = other - pivot if ends == "OQ" else pivot - other
     first, second = (words[key] for key in ends)
     said = {"first": first, "second": second}
     return {
-        f"l_{{{first}{second}}}": length(abs(way), tr("distance of points {first} and {second}", **said)),
+        f"l_{{{first}{second}}}": length(abs(way), tr("distance between points {first} and {second}", **said)),
         f"phi_{{{first}{second}}}": angle(way, tr("angle of the line {first}{second}", **said)),
     }
 

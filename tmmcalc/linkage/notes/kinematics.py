@@ -47,13 +47,33 @@ def _dyad(told: Told, dyad: Dyad) -> Iterator[Block]:
     """A dyad by the formulas of its kind."""
     marks = "e" if dyad.step.group.kind != "PRP" else "e{}"
     yield Heading(tr("Positions"), 3)
+    yield Paragraph(_how(dyad))
     yield from told.lines(dyad.kind.POSITION, dyad.places)
-    yield Heading(tr("Velocities"), 3)
-    yield from equations.velocities(told, dyad.loops, marks)
-    yield from told.lines(dyad.kind.VELOCITY, dyad.places)
-    yield Heading(tr("Accelerations"), 3)
-    yield from equations.accelerations(told, dyad.loops, marks)
-    yield from told.lines(dyad.kind.ACCELERATION, dyad.places)
+    for heading, of_rates, texts in (
+        (tr("Velocities"), equations.velocities, dyad.kind.VELOCITY),
+        (tr("Accelerations"), equations.accelerations, dyad.kind.ACCELERATION),
+    ):
+        yield Heading(heading, 3)
+        yield from of_rates(told, dyad.loops, marks)
+        yield Paragraph(tr("The projections of the equation give:"))
+        yield from told.lines(texts, dyad.places)
+
+
+def _how(dyad: Dyad) -> str:
+    """What gives the places of the links of a dyad."""
+    places, kind = dyad.places, dyad.step.group.kind
+    if kind == "RRR":
+        return tr(
+            "Of the triangle {first}{pin}{second} all sides are known; the law of cosines gives its angle at {first}:",
+            first=places["P"],
+            pin=places["B"],
+            second=places["Q"],
+        )
+    if kind == "RRP":
+        return tr("The projections of link {link} across and along the guide give:", link=places["a"])
+    if kind == "RPR":
+        return tr("The distance of the pivots and that of the line of the slide from them give:")
+    return tr("The projections along both guides give:")
 
 
 def _looped(told: Told, group: loops.Looped) -> Iterator[Block]:

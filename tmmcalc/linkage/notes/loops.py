@@ -204,7 +204,7 @@ def _vector_quantities(configuration: Configuration, arm: Arm) -> Lexicon:
         letter, told = (
             ("h", tr("constant part of the vector {first}{second}", **ends))
             if arm.slid
-            else ("l", tr("distance of points {first} and {second}", **ends))
+            else ("l", tr("distance between points {first} and {second}", **ends))
         )
         between = tr("angle between the line {first}{second} and link {link}", link=own, **ends)
         found[f"{letter}_{{{arm.ends}}}"] = length(abs(arm.fixed), told)

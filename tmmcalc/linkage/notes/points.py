@@ -60,7 +60,7 @@ def carried(chain: Chain, carrier: Carrier, known: set[str]) -> Iterator[Carried
         turn = math.degrees(cmath.phase(way)) if abs(way) else 0.0
         quantities = {
             f"l_{{{carrier.origin}{name}}}": length(
-                abs(way), tr("distance of points {first} and {second}", first=carrier.origin, second=name)
+                abs(way), tr("distance between points {first} and {second}", first=carrier.origin, second=name)
             ),
             f"alpha_{{{name}}}": Given(
                 turn, "deg", tr("angle of {point} on link {link}", point=name, link=carrier.link)

@@ -86,7 +86,7 @@ def _point(said: str, name: str, at: complex) -> Datum:
 
 
 def _distance(first: str, second: str, vector: complex) -> Datum:
-    said = tr("distance of points {first} and {second}", first=first, second=second)
+    said = tr("distance between points {first} and {second}", first=first, second=second)
     return Datum(said, (f"l_{{{first}{second}}}",), (abs(vector),), "m")
 
 

@@ -171,7 +171,7 @@ class _Diagram:
         """The names of forces, couples and pins when all is drawn, so that none covers an arrow."""
         put, paper = self.board.labels.put, self.board.paper
         for force, tail, head in self.arrows:
-            far, near = sorted((tail, head), key=lambda p, at=force.at: -abs(p - at))
+            far, near = (tail, head) if abs(tail - force.at) >= abs(head - force.at) else (head, tail)
             name, colour = symbol(force.letter, force.index), FORCES[force.kind].colour
             put(name, paper([far, near]), colour=colour, prefer=far - near, gaps=(0.9, 1.6, 2.6))
         for couple, arc in self.arcs:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -29,26 +29,26 @@ ARROW = 0.45  # of the plan: how long the largest force of the lever is drawn
 def plans_of_motion(mechanism: Mechanism, result: Kinematics) -> Iterator[Plan]:
     """The plans of velocities and of accelerations."""
     found = polygons_of_all(mechanism, result)
-    for name, letter, title, unit, plans in (
-        ("plan-v", "v", "Plan of velocities", "m/s", [each.velocity for each in found]),
-        ("plan-a", "a", "Plan of accelerations", "m/s^2", [each.acceleration for each in found]),
+    for name, letter, title, unit, plan in (
+        ("plan-v", "v", "Plan of velocities", "m/s", found.velocity),
+        ("plan-a", "a", "Plan of accelerations", "m/s^2", found.acceleration),
     ):
-        yield _plan_of_motion(name, letter, title, unit, plans, found[0].fixed)
+        tips = {each: np.broadcast_to(tip, len(result.x)) for each, tip in plan.vertices.items()}
+        yield _plan_of_motion(name, letter, title, unit, plan, tips, found.fixed)
 
 
 def _plan_of_motion(
-    name: str, letter: str, title: str, unit: str, plans: Sequence[Polygon], fixed: Sequence[str]
+    name: str, letter: str, title: str, unit: str, plan: Polygon, tips: Mapping[str, Plane], fixed: Sequence[str]
 ) -> Plan:
-    names = list(plans[0].vertices)
-    tips = {each: np.array([plan.vertices[each] for plan in plans]) for each in names}
+    names = list(tips)
     size = max(float(np.abs(tip).max()) for tip in tips.values())
     edges = tuple(
         Edge(names.index(each.tail), names.index(each.head), designation(each, letter).strip("$"), each.kind)
-        for each in plans[0].vectors
+        for each in plan.vectors
         if float(np.abs(tips[each.head] - tips[each.tail]).max()) > SHORT * size
     )
-    pole = ", ".join([vertex_name(plans[0].pole), *map(vertex_name, fixed)])
-    said = {each: pole if each == plans[0].pole else vertex_name(each) for each in names}
+    pole = ", ".join([vertex_name(plan.pole), *map(vertex_name, fixed)])
+    said = {each: pole if each == plan.pole else vertex_name(each) for each in names}
     return Plan(name, title, unit, tuple((said[each].replace("$", ""), tips[each]) for each in names), edges)
 
 

@@ -14,8 +14,8 @@ SAME = 1e-9  # relative: a largest value so near to the root mean square belongs
 RMS = Quantity("{name}_rms[{unit}]", "root mean square over a turn")
 MAX = Quantity("{name}_max[{unit}]", "largest magnitude over a turn")
 MAX_AT = Quantity("{name}_max_at{place}[deg]", "angle of the largest magnitude")
-RATIO = Quantity("{cause}_ratio", "root mean square before over that after: {cause}")
-MAX_RATIO = Quantity("{cause}_max_ratio", "largest magnitude before over that after: {cause}")
+RATIO = Quantity("{left}_{scheme}_ratio", "root mean square before over that of {left} after: {scheme}")
+MAX_RATIO = Quantity("{left}_{scheme}_max_ratio", "largest magnitude before over that of {left} after: {scheme}")
 PLANE = Quantity("z[m]", "place of the plane of a weight along the shaft")
 MOMENT = Quantity("moment[kg*m]", "static moment of a weight")
 DIRECTION = Quantity("{name}angle[deg]", "direction of a weight, of an unbalance")
@@ -45,9 +45,10 @@ def polar(told: Quantity, value: complex) -> dict[str, float]:
 
 def ratios(name: str, before: Magnitude, after: Magnitude) -> dict[str, float]:
     """How many times less root mean square and largest value are than before, for programs."""
+    left, _, scheme = name.rpartition("D_")
     return {
-        RATIO.of(cause=name).key: before.rms / after.rms,
-        MAX_RATIO.of(cause=name).key: before.largest / after.largest,
+        RATIO.of(left=f"{left}D", scheme=scheme).key: before.rms / after.rms,
+        MAX_RATIO.of(left=f"{left}D", scheme=scheme).key: before.largest / after.largest,
     }
 
 

@@ -23,7 +23,7 @@ from tmmcalc.report.printing import printed_as
 from tmmcalc.report.telling import drawn, lines, named, number_of, tabulated, vector
 
 MARKS = {"least squares": "1", "minimax": "m", "lanchester": "L", "lanchester 2": "LL", "given": "z"}
-HIGH = 95.0  # of the picture [mm]
+HIGH = 112.0  # of the picture [mm]
 
 
 def balanced(result: Balancing, link: int) -> Iterator[Block]:

@@ -18,7 +18,7 @@ from tmmcalc.machine.notes.wheel import of_wheel
 from tmmcalc.machine.pictures.constructions import draw_ordinates, machine_of
 from tmmcalc.machine.pictures.energymass import draw_energy_mass
 from tmmcalc.machine.pictures.words import method_name
-from tmmcalc.machine.power import moment_at
+from tmmcalc.machine.power import Power, moment_at
 from tmmcalc.machine.reduction.results import Reduction
 from tmmcalc.machine.stages.flywheel import mean, methods_of
 from tmmcalc.report.drawing.order import Order
@@ -59,17 +59,37 @@ def blocks(order: Order) -> Iterator[Block]:
     every = {each.key: each for each in methods_of(order.spec, order.results)}
     on_paper = paper(picture, round_scales(picture), result.sense)
     told = Told(result, order.results["reduction"], every, speed, on_paper)
-    yield from _excess(told)
+    yield from _excess(told, order.results.get("power"))
     yield from _curve(told)
     yield from _methods(told)
     yield from _inertia(told, order)
     yield from of_wheel(order)
 
 
-def _excess(told: Told) -> Iterator[Block]:
-    """The moment that closes the cycle, the excess work at the positions."""
-    cycle, result = told.reduction.cycle, told.result
+def _excess(told: Told, power: Power | None) -> Iterator[Block]:
+    """The moment that closes the cycle, unless it is that of the mean power, and the excess work at the positions."""
+    result = told.result
     yield Heading(tr("Excess work"), 2)
+    if power is not None and math.isclose(power.mean_moment, result.picture.drive):
+        yield Paragraph(
+            tr(
+                "The flywheel has to keep the coefficient of speed fluctuation $delta_0 = {delta}$ at the mean angular "
+                "velocity $omega_m$. The methods take the drive as constant, with the mean driving moment "
+                "$M_dm = {moment}$ N·m.",
+                delta=numeral(result.delta),
+                moment=numeral(result.picture.drive),
+            )
+        )
+    else:
+        yield from _closing(told)
+    yield Paragraph(tr("The excess work is the work of all moments from position 0, the change of the kinetic energy:"))
+    yield Display(read("A = DeltaT = T - T_0"))
+    yield from _excess_table(told)
+
+
+def _closing(told: Told) -> Iterator[Block]:
+    """The constant moment that makes the work of the cycle zero."""
+    cycle, result = told.reduction.cycle, told.result
     yield Paragraph(
         tr(
             "The flywheel has to keep the coefficient of speed fluctuation $delta_0 = {delta}$ at the mean angular "
@@ -85,9 +105,12 @@ def _excess(told: Told) -> Iterator[Block]:
         "phi_c": Given(cycle.period, "rad", tr("angle of the cycle")),
     }
     yield from lines(("M_{dm} = -A_Sigma/phi_c",), [Place("", named(lexicon))])
-    yield Paragraph(tr("The excess work is the work of all moments from position 0, the change of the kinetic energy:"))
-    yield Display(read("A = DeltaT = T - T_0"))
-    reduction = told.reduction
+
+
+def _excess_table(told: Told) -> Iterator[Block]:
+    """The excess work and what the links have of it at the positions; where it is extreme."""
+    reduction, result = told.reduction, told.result
+    cycle = reduction.cycle
     theta = np.minimum(np.abs(reduction.phi - reduction.phi[0]), cycle.period)
     found = {each.name: each.make() for each in curve_columns(result.picture, cycle, theta, told.speed, (1.0, 1.0))}
     inertia = reduced()["J"]

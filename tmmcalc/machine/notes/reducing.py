@@ -41,6 +41,7 @@ from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Heading, Line
 from tmmcalc.report.telling import lines
 
+ATTACHED = {"cam": "c"}  # indices of what goes round beside the linkage
 OWN = {  # indices of the causes that the program names
     "weight": "G",
     "friction": "F",
@@ -78,7 +79,7 @@ class Names(NamedTuple):
     def part(self, of: object) -> str:
         """What a link, or what is attached, adds to the inertia: ``J_{red,3}``."""
         letter, _, index = self.inertia.partition("_")
-        return f"{letter}_{{{index},{of}}}"
+        return f"{letter}_{{{index},{ATTACHED.get(str(of), of)}}}"
 
     def slope(self, of: object = "") -> str:
         """Its derivative: ``J'_red``."""
@@ -238,15 +239,27 @@ def _friction_lines(told: Reducing) -> list[str]:
     for joint in statics.rubbing:
         name, pair = plain_name(joint.name), statics.pairs[joint.name]
         left = f"{told.names.moment}_{{F,{name}}}"
-        letter = told.names.moment
-        column = FRICTION_REDUCED.of(joint=joint.name, letter=letter, unit=told.names.unit).name
-        told.give(left, told.columns[column], told.names.unit, tr("reduced friction in pair {pair}", pair=joint.name))
+        said = tr("reduced friction in pair {pair}", pair=joint.name)
+        told.give(left, _friction_of(told, joint), told.names.unit, said)
         friction = tr("coefficient of friction in pair {pair}", pair=joint.name)
         told.moving.give(f"f_{name}", np.asarray(pair.friction), "", friction)
         lefts.append(left)
         rubs = _sliding if joint.kind == "prismatic" else _turning
         texts.append(f"{left} = -f_{name}*{rubs(told, joint, pair, state.reactions[joint.name])}/<w>")
     return [*texts, f"{told.names.moment}_F = {' + '.join(lefts)}"] if lefts else []
+
+
+def _friction_of(told: Reducing, joint: Joint) -> Real:
+    """The reduced friction of a pair at all positions."""
+    key = FRICTION_REDUCED.of(joint=joint.name, letter=told.names.moment, unit=told.names.unit).name
+    return told.columns[key]
+
+
+def friction_by_pairs(told: Reducing) -> dict[str, Real]:
+    """The reduced friction of every pair at all positions, by the heads of columns."""
+    first, unit = told.names.moment, told.names.unit
+    rubbing = told.causes.statics.rubbing
+    return {f"${first}_{{F,{plain_name(joint.name)}}}$, {unit}": _friction_of(told, joint) for joint in rubbing}
 
 
 def _sliding(told: Reducing, joint: Joint, pair: Pair, reaction: Reaction) -> str:

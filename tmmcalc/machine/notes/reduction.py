@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from tmmcalc.core.numerics.simpson import simpson_weights
 from tmmcalc.core.plane import Real
-from tmmcalc.machine.notes.reducing import Names, Reducing, inertia_lines, moment_lines, reducing
+from tmmcalc.machine.notes.reducing import Names, Reducing, friction_by_pairs, inertia_lines, moment_lines, reducing
 from tmmcalc.machine.pictures.reduction import draw_course
 from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.reduction.columns import contribution_name
@@ -48,6 +48,7 @@ def blocks(order: Order) -> Iterator[Block]:
         yield from _still(told)
         yield Paragraph(tr("Reduced values in all positions are in table {tab:reduction_moments}."))
     yield from _moments_table(result, names)
+    yield from _by_pairs(result, names, {} if told is None else friction_by_pairs(told))
     yield from _works(result, names)
     if np.any(result.inertia):
         yield Heading(tr("Reduced moment of inertia") if result.turns else tr("Reduced mass"))
@@ -107,6 +108,15 @@ def _moments_table(result: Reduction, names: Names) -> Iterator[Table]:
     caption = tr("Reduced moments of forces") if result.turns else tr("Reduced forces")
     table = tabulated(caption, columns, result.labels, head=tr("No."), key="reduction_moments")
     yield _with_factors(table, result) if _simple(result) else table
+
+
+def _by_pairs(result: Reduction, names: Names, friction: Mapping[str, Real]) -> Iterator[Block]:
+    """Friction pair by pair at all positions, where there are several that rub."""
+    if len(friction) > 1:
+        yield Paragraph(tr("The parts of the pairs in the friction are in table {tab:reduction_friction}."))
+        columns = {**_coordinate(result, names), **friction}
+        caption = tr("Reduced friction by pairs")
+        yield tabulated(caption, columns, result.labels, head=tr("No."), key="reduction_friction")
 
 
 def _simple(result: Reduction) -> bool:
@@ -228,7 +238,11 @@ def _inertia_table(result: Reduction, names: Names, further: Mapping[str, Real])
     yield tabulated(caption, columns, result.labels, head=tr("No."), key="reduction_inertia")
     if result.other is not None:
         name, rods = f"${names.part('l')}$", ", ".join(map(str, result.rod_links))
-        lumped = tr("In column {name} the masses of the rods ({rods}) are lumped in their pins.", name=name, rods=rods)
+        lumped = (
+            tr("In column {name} the masses of the rods ({rods}) are lumped in their pins.", name=name, rods=rods)
+            if len(result.rod_links) > 1
+            else tr("In column {name} the mass of the rod, link {rods}, is lumped in its pins.", name=name, rods=rods)
+        )
         yield Paragraph(
             lumped if result.rods == "exact" else tr("In column {name} the rods are taken exactly.", name=name)
         )

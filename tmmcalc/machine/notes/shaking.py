@@ -104,7 +104,9 @@ def _lumped_lines(moving: Moving, loading: Loading, bodies: Sequence[Body]) -> I
         for name, end in zip(at, ends, strict=True):
             lengths[f"{name}{centre}"] = abs(body.center - end)
         for name, length in lengths.items():
-            said = tr("distance of points {first} and {second}", first=name[: len(at[0])], second=name[len(at[0]) :])
+            said = tr(
+                "distance between points {first} and {second}", first=name[: len(at[0])], second=name[len(at[0]) :]
+            )
             moving.give(f"l_{{{name}}}", np.asarray(length), "m", said)
         moving.give(f"m_{link}", np.asarray(body.mass), "kg", tr("mass of link {link}", link=link))
         masses_of(moving, parts)

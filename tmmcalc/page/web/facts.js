@@ -108,7 +108,7 @@ function listed(row, fact, column, show) {
 
 /** @param {import("./data.js").Fact["value"]} value */
 function valued(value) {
-  if (typeof value === "boolean") return word(value ? "yes" : "no");
+  if (typeof value === "boolean") return word(value ? "holds" : "fails");
   return typeof value === "number" ? written(value) : told(value);
 }
 

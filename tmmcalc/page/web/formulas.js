@@ -15,6 +15,7 @@ const FUNCTIONS = {
 const INVERSES = { inv: angleOf };
 
 const ROUNDS = 60;
+const CLOSE = 1e-15; // relative steps with which a root is found
 
 /**
  * The angle whose involute function has a value; none below 0.
@@ -79,7 +80,7 @@ function telling([name, left, formula]) {
 }
 
 /**
- * A root by halving: all that its steps tell there is known afterwards.
+ * A root between ends of different signs by secants (Illinois); all that its steps tell there is known afterwards.
  * @param {import("./data.js").Root} root
  * @returns {(values: Values) => void}
  */
@@ -94,14 +95,20 @@ function seeking([name, low, high, steps]) {
       return values[last];
     };
     let [near, far] = [from(values), to(values)];
-    const side = Math.sign(at(near));
-    const rounds = side * at(far) < 0 ? ROUNDS : 0;
-    for (let k = 0; k < rounds; k++) {
-      const middle = (near + far) / 2;
-      if (side * at(middle) > 0) near = middle;
-      else far = middle;
+    let [below, above] = [at(near), at(far)];
+    if (!(below * above < 0)) {
+      at(near);
+      return;
     }
-    at(near);
+    for (let k = 0; k < ROUNDS; k++) {
+      const x = (near * above - far * below) / (above - below);
+      const step = Math.abs(x - far);
+      const y = at(x);
+      if (y === 0 || step <= CLOSE * Math.abs(x)) break;
+      if (y * above < 0) [near, below] = [far, above];
+      else below /= 2;
+      [far, above] = [x, y];
+    }
   };
 }
 

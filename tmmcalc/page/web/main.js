@@ -1,6 +1,6 @@
 // The page put together: what moves with its player and layers, diagrams, results.
 import { Charts } from "./charts.js";
-import { choose, content, scene } from "./data.js";
+import { choose, content, numbers, scene } from "./data.js";
 import { button, made } from "./elements.js";
 import { Drawing } from "./drawing.js";
 import { facts } from "./facts.js";
@@ -15,6 +15,7 @@ import { forget, language, remember, saying, speak, told, word } from "./words.j
 const SHOWN = ["paths", "numbers", "names", "masses", "centres", "ghosts"];
 
 const FIRST = 4; // diagrams of a scene that asks for none
+const ROWS = 8; // of a table that is a curve and no list
 
 const title = /** @type {HTMLElement} */ (document.getElementById("title"));
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
@@ -59,8 +60,11 @@ function shown(columns, part) {
   const diagrams = made("section", { class: "diagrams" }, right);
   heading(diagrams, () => word("diagrams"));
   const charts = new Charts(diagrams, states);
-  const ordered = stages.filter((stage) => stage.rows?.header && stage.columns.length);
-  const first = ordered.map((stage) => `${stage.name}.${stage.columns[0].name}`);
+  const ordered = stages.filter((stage) => stage.rows?.header && stage.rows.of >= ROWS);
+  const first = ordered.flatMap((stage) => {
+    const column = stage.columns.find(({ values }) => numbers(values).some((value, _, all) => value !== all[0]));
+    return column ? [`${stage.name}.${column.name}`] : [];
+  });
   const wished = views.flatMap((view) => view.shown);
   const usual = wished.length ? wished : first.slice(0, FIRST);
   for (const name of columns.length ? columns : usual) charts.add(name);

@@ -30,8 +30,8 @@ export function traced({ parameter, start, end, steps, x, y }) {
       const [[ax, ay], [bx, by]] = [at(t - over), at(t + over)];
       return { t, at: at(t), dx: (bx - ax) / (2 * over), dy: (by - ay) / (2 * over) };
     };
+    if (low === high) return [at(low)];
     const [first, last] = [knot(low), knot(high)];
-    if (low === high) return [first.at];
     /** @type {Chain} */
     const chain = [first.at];
     /** @param {ReturnType<typeof knot>} a @param {ReturnType<typeof knot>} b @param {number} depth */

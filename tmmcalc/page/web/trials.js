@@ -253,16 +253,16 @@ export class Plane {
     const place = kinds.includes("strict") ? "within" : kinds.length ? "flawed" : "outside";
     this.verdict.textContent = `${this.said(inputs[0], x)}; ${this.said(inputs[1], y)}: ${word(place)}`;
     this.verdict.classList.toggle("broken", place === "outside");
-    this.refusal.textContent = this.drawing(values);
+    put(this.refusal, this.drawing(values));
     for (const { shown, row, meaning, value, least } of this.rows) {
       const unit = told(shown.unit);
       const factor = unit === "°" ? 180 / Math.PI : 1;
       const found = shown.where && values[shown.where] < 0 ? NaN : values[shown.name] * factor;
       const limit = typeof shown.least === "string" ? values[shown.least] : shown.least;
-      meaning.textContent = told(shown.meaning);
+      put(meaning, told(shown.meaning));
       const behind = unit === "°" ? "°" : unit ? ` ${unit}` : "";
-      value.textContent = Number.isFinite(found) ? `${written(found)}${behind}` : "–";
-      least.textContent = limit === null ? "" : word("least", { low: written(limit, 4) });
+      put(value, Number.isFinite(found) ? `${written(found)}${behind}` : "–");
+      put(least, limit === null ? "" : word("least", { low: written(limit, 4) }));
       row.classList.toggle("broken", limit !== null && !(found >= limit - 1e-9));
     }
   }
@@ -274,4 +274,13 @@ export class Plane {
   said(name, value) {
     return `${parted(name).join("")} = ${written(value, 4)}`;
   }
+}
+
+/**
+ * Say a text that is not said yet: what stays the same is not set anew at every move.
+ * @param {Element} where
+ * @param {string} text
+ */
+function put(where, text) {
+  if (where.textContent !== text) where.textContent = text;
 }

@@ -87,7 +87,11 @@ def carried(node: Node) -> Any:
 
 
 def needed(steps: Iterable[Step | Root]) -> list[str]:
-    """The names that steps need and do not tell, each once, in the order in which they are needed."""
+    """The names that steps need and do not tell, each once, in the order in which they are needed.
+
+    >>> needed([Step("y", "", ["*", 2.0, "x"]), Root("t", 0.0, "y", (Step("z", "", ["+", [1, "t"], [-1, "a"]]),))])
+    ['x', 'a']
+    """
     known: set[str] = set()
     found: dict[str, None] = {}
     for step in steps:

@@ -29,7 +29,7 @@ def shaft(of: Judging) -> Iterator[Block]:
     radii: Lexicon = {"r_1^{*}": mm(found.radius, tr("least radius of the camshaft, in whole millimetres"))}
     if found.strength is not None and found.moment is not None and found.moment_phi is not None:
         yield Paragraph(
-            tr("Bending and torque together are largest at φ = {angle}:", angle=shown_angle(found.moment_phi))
+            tr("Bending and torque together are largest at $phi$ = {angle}:", angle=shown_angle(found.moment_phi))
         )
         there = of.of.found(found.moment_phi, found.moment, lambda place: _reduced(of, place))
         radii["r'_1"] = mm(found.strength, tr("radius of the camshaft by its strength"))
@@ -59,14 +59,16 @@ def stem(of: Judging) -> Iterator[Block]:
         return
     yield Heading(tr("Stem and guide"), 3)
     if bent is not None and bent.phi is not None and bent.value is not None:
-        yield Paragraph(tr("The bending moment of the stem is largest at φ = {angle}:", angle=shown_angle(bent.phi)))
+        yield Paragraph(
+            tr("The bending moment of the stem is largest at $phi$ = {angle}:", angle=shown_angle(bent.phi))
+        )
         there = of.of.found(bent.phi, bent.value, lambda found: _bending(of, found))
         moment = "abs(R*S')" if of.of.kind == "flat" else "abs(R*sin(theta)*q)"
         texts = (f"M_T = {moment}/10**3", "sigma_F = 4*10**3*M_T/(pi*r_T**3)")
         yield from of.lines(texts, of.at(there, bending=bent.value))
     if pressed is not None and pressed.phi is not None and pressed.value is not None:
         yield Paragraph(
-            tr("The larger reaction of the guide is largest at φ = {angle}:", angle=shown_angle(pressed.phi))
+            tr("The larger reaction of the guide is largest at $phi$ = {angle}:", angle=shown_angle(pressed.phi))
         )
         there = of.of.found(pressed.phi, pressed.value, lambda found: _pressure(of, found))
         lower, upper = (abs(float(each[0])) for each in (there.now.lower, there.now.upper))

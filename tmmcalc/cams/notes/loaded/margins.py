@@ -60,7 +60,8 @@ def margins(of: Judging) -> Iterator[Block]:
     for each in slips:
         yield Paragraph(
             tr(
-                "The force of the cam passes through zero at φ = {angle}°, where the roller cannot roll without slip.",
+                "The force of the cam passes through zero at $phi$ = {angle}°, where the roller cannot roll without "
+                "slip.",
                 angle=spelt(f"{degrees(each.phi or 0.0):.6g}"),
             )
         )

@@ -154,8 +154,8 @@ def _jamming(of: Loaded) -> Iterator[Block]:
     place = [Place("", lexicon)]
     yield Paragraph(
         tr(
-            "The follower is nearest to jamming at φ = {angle}; it would jam where friction takes all of the useful "
-            "component, $chi = 1$:",
+            "The follower is nearest to jamming at $phi$ = {angle}; it would jam where friction takes all of the "
+            "useful component, $chi = 1$:",
             angle=shown_angle(reserve.phi),
         )
     )
@@ -245,7 +245,7 @@ def _contact(of: Loaded) -> Iterator[Block]:
     if result.closure == "groove":
         if result.reversals:
             where = ", ".join(map(shown_angle, result.reversals))
-            yield Paragraph(tr("The roller goes to the other wall of the groove at φ = {where}.", where=where))
+            yield Paragraph(tr("The roller goes to the other wall of the groove at $phi$ = {where}.", where=where))
         else:
             yield Paragraph(tr("The same wall of the groove presses on the roller all over the turn."))
     elif result.lost:

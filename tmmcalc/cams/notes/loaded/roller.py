@@ -73,12 +73,11 @@ def rolling_blocks(of: Judging) -> Iterator[Block]:
     texts = ("C_1 = (k_r + f_0*r_0)/(f_r*r_2)", "C_2 = 10**3*J_r*omega_m**2/(f_r*r_2**2)")
     yield from of.lines(texts, {})
     said = tr("The roller rolls where the slip function $D$ is at most 1.")
-    places = [of.row(row) for row in of.of.told.rows if of.found.touching[row]]
-    worst = of.margin("no slip")
+    places, worst = _rows(of), of.margin("no slip")
     if worst is not None and worst.phi is not None and worst.value is not None:
-        said += " " + tr("It is largest at φ = {angle}, where it is worked out too.", angle=shown_angle(worst.phi))
+        said += " " + tr("It is largest at $phi$ = {angle}:", angle=shown_angle(worst.phi))
         there = of.of.found(worst.phi, worst.value, lambda found: _slip_at(of, found))
-        places.append(Place(at_angle(worst.phi), of.at(there, slip=worst.value)))
+        places = [*_asked(of), Place(at_angle(worst.phi), of.at(there, slip=worst.value))]
     yield Paragraph(said)
     yield from _slipped(of, places)
     if rolls.slipping:
@@ -123,16 +122,20 @@ def contact(of: Judging, steel: CamMaterialTable | None) -> Iterator[Block]:
     yield Heading(tr("Contact stress"), 3)
     if steel is not None:
         yield from _permissible(steel)
-    yield Paragraph(
-        tr(
-            "The contact stress is largest at φ = {angle}; it is worked out there and in the positions that are shown.",
-            angle=shown_angle(worst.phi),
-        )
-    )
+    yield Paragraph(tr("The contact stress is largest at $phi$ = {angle}:", angle=shown_angle(worst.phi)))
     there = of.of.found(worst.phi, worst.value, lambda found: _stress_at(of, found))
-    rows = [] if of.found.stress is None else [row for row in of.of.told.rows if of.found.touching[row]]
-    places = [Place(at_angle(worst.phi), of.at(there, stress=worst.value))]
-    yield from _stressed(of, [*map(of.row, rows), *places])
+    asked = [] if of.found.stress is None else _asked(of)
+    yield from _stressed(of, [*asked, Place(at_angle(worst.phi), of.at(there, stress=worst.value))])
+
+
+def _rows(of: Judging) -> list[Place]:
+    """The positions that are shown, where the roller is on the cam."""
+    return [of.row(row) for row in of.of.told.rows if of.found.touching[row]]
+
+
+def _asked(of: Judging) -> list[Place]:
+    """Those that are asked for; else the place where a value is largest is enough."""
+    return _rows(of) if of.of.told.asked else []
 
 
 def at_angle(phi: float) -> str:
@@ -151,16 +154,12 @@ def _stress_at(of: Judging, found: Found) -> np.ndarray:
 
 
 def _stressed(of: Judging, places: Sequence[Place]) -> Iterator[Block]:
-    """The curvature that is pressed, and the stress; on the outer wall of a groove it bulges the other way.
-
-    Where rolling is told of, the arc of the positions stands there.
-    """
+    """The curvature that is pressed, and the stress; on the outer wall of a groove it bulges the other way."""
     if of.of.kind == "flat":
         yield from lines(["rho = S + S''", f"sigma_H = {HERTZ:g}*sqrt(E_n*R/(b*rho))"], places)
         return
     words = _words(of)
-    told = of.found.rolling is not None and of.found.slip is not None
-    yield from lines(PITCH[of.of.kind], places[-1:] if told else places, words)
+    yield from lines(PITCH[of.of.kind], places, words)
     yield from lines(CURVATURE[of.of.kind], places, words)
     for sign in (1, -1):
         own = [place for place in places if (number_of(place.lexicon, "R") >= 0) == (sign > 0)]

@@ -96,7 +96,7 @@ def _by_safety(of: Loaded, spring: SpringFound) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "The spring has to keep the follower on the cam with the safety $K_1$ where inertia lifts it off most, "
-            "without technological forces. That is on the {phase} at φ = {angle}:",
+            "without technological forces. That is on the {phase} at $phi$ = {angle}:",
             phase=_phase(spring.phase),
             angle=shown_angle(spring.phi),
         )
@@ -132,7 +132,7 @@ def _governed(of: Loaded, spring: SpringFound, place: Place) -> Iterator[Block]:
     yield from of.lines(["c_r = <P>_M/<dy>_M"], [Place("", lexicon)])
     yield Paragraph(
         tr(
-            "The {phase} lifts the follower off lower down, at φ = {angle}, and asks for a stiffer spring:",
+            "The {phase} lifts the follower off lower down, at $phi$ = {angle}, and asks for a stiffer spring:",
             phase=_phase(other.phase),
             angle=shown_angle(other.phi),
         )
@@ -151,7 +151,7 @@ def _exact(of: Loaded, spring: SpringFound, name: str) -> Iterator[Block]:
     lexicon = _lifted(of, task, phi, force, "E")
     said = tr("least stiffness that keeps the safety at every angle")
     lexicon |= {name: Given(of_rate(of, spring.exact), _rate(of), said)}
-    yield Paragraph(tr("The angle φ = {angle} asks for the stiffness:", angle=shown_angle(phi)))
+    yield Paragraph(tr("The angle $phi$ = {angle} asks for the stiffness:", angle=shown_angle(phi)))
     yield from of.lines([LIFTING.replace("<i>", "E"), f"{name} = (K_1*<P>_E - <Q>_0)/<dy>_E"], [Place("", lexicon)])
 
 
@@ -174,7 +174,7 @@ def _by_tangent(of: Loaded, spring: SpringFound) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "The line of the spring over the displacement starts at $-f_1$ and touches the curve of the lifting force "
-            "raised by the least load of the contact; it does so at φ = {angle}:",
+            "raised by the least load of the contact; it does so at $phi$ = {angle}:",
             angle=shown_angle(spring.phi),
         )
     )
@@ -195,7 +195,7 @@ def _reached(of: Loaded, spring: SpringFound) -> Iterator[Block]:
     index = "M" if known else "r"
     lexicon = _lifted(of, task, phi, force, index)
     lexicon["K_min"] = Given(spring.reached, "", tr("least safety of the closure over the turn"))
-    yield Paragraph(tr("The safety is least at φ = {angle}:", angle=shown_angle(phi)))
+    yield Paragraph(tr("The safety is least at $phi$ = {angle}:", angle=shown_angle(phi)))
     texts = ("K_min = (<Q>_0 + c*<dy>_<i>)/<P>_<i>",) if known else (LIFTING, "K_min = (<Q>_0 + c*<dy>_<i>)/<P>_<i>")
     yield from of.lines([text.replace("<i>", index) for text in texts], [Place("", lexicon)])
     yield Result("K_min", lexicon["K_min"], spring.asked or 1.0, ">=")

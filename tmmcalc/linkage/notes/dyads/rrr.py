@@ -59,7 +59,7 @@ def quantities(at: GroupAt) -> dict[str, Given]:
         "l_<a>": length(abs(a), tr("length of link {link}", link=places["a"])),
         "l_<b>": length(abs(b), tr("length of link {link}", link=places["b"])),
         "l_{<P><Q>}": length(
-            abs(q), tr("distance of points {first} and {second}", first=places["P"], second=places["Q"])
+            abs(q), tr("distance between points {first} and {second}", first=places["P"], second=places["Q"])
         ),
         "phi_{<P><Q>}": angle(q, tr("angle of the line {first}{second}", first=places["P"], second=places["Q"])),
         "psi_<a>": angle(

@@ -35,8 +35,11 @@ class Cut:
         """The picture of each body of these links."""
         own = [body for body in self.bodies if set(body.links) <= set(links)]
         figures = [self._figure(body, f"forces_body_{body.links[0]}") for body in own]
+        where = located(figures)
         yield Paragraph(
-            tr("The forces on what is cut out, with their closed polygon, are {where}.", where=located(figures))
+            tr("The forces on each link, with their closed polygon, are {where}.", where=where)
+            if len(figures) > 1
+            else tr("The forces on what is cut out, with their closed polygon, are {where}.", where=where)
         )
         yield from figures
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.freebody import FreeBody
-from tmmcalc.linkage.loading import Body, Loading
+from tmmcalc.linkage.loading import Body
 from tmmcalc.linkage.loads.sources import inertia_load
 from tmmcalc.linkage.notes.group import plain_name
 from tmmcalc.linkage.notes.statics.loaded import NOTHING, Loaded, packed
@@ -35,7 +35,7 @@ def inertia(loaded: Loaded) -> Iterator[Block]:
         at = next((plain_name(pin.name) for pin in pins if pin.at.get(link) == body.center), None)
         places = {"k": str(link), "S": at or ""}
         for lexicon, each in zip(loaded.told.lexicons, loaded.bodies, strict=True):
-            lexicon |= named(_quantities(loaded.loading, body, each[link]))
+            lexicon |= named(_quantities(loaded, body, each[link]))
         texts = []
         if abs(loaded.loading.gravity):
             texts.append("G_<k> = m_<k>*g")
@@ -45,9 +45,10 @@ def inertia(loaded: Loaded) -> Iterator[Block]:
     yield from _tables(loaded)
 
 
-def _quantities(loading: Loading, body: Body, found: FreeBody) -> dict[str, Given]:
-    link = body.link
-    force = next((f.value for f in found.forces if f.kind == "inertia"), 0j)
+def _quantities(loaded: Loaded, body: Body, found: FreeBody) -> dict[str, Given]:
+    """Mass, inertia and weight of a link, its loads of inertia without what is rounding."""
+    loading, link = loaded.loading, body.link
+    force = loaded.clean(next((f.value for f in found.forces if f.kind == "inertia"), 0j))
     couple = next((c.value for c in found.couples if c.kind == "inertia"), 0.0)
     centre = tr("moment of inertia of link {link} about its centre of mass", link=link)
     return {

@@ -53,7 +53,8 @@ def lever(loaded: Loaded) -> Iterator[Block]:
     yield Figure(caption, draw, size, KEY)
     tables = [_table(loaded, each, k) for k, each in enumerate(found)]
     said = tr(
-        "The forces with their arms and moments about the pole are {where}; those that pass through the pole have none.",
+        "The forces with their arms and moments about the pole are {where}; those that pass through the pole have "
+        "none.",
         where=located(tables),
     )
     yield Paragraph(said)
@@ -69,7 +70,7 @@ def _pairs(loaded: Loaded, found: Sequence[Lever]) -> Iterator[Block]:
     for link, name, kind in seen:
         (tail, a), (head, b) = replaced_at(mechanism, link)
         points = plain_name(tail) + plain_name(head)
-        distance = tr("distance of points {first} and {second}", first=plain_name(tail), second=plain_name(head))
+        distance = tr("distance between points {first} and {second}", first=plain_name(tail), second=plain_name(head))
         for lexicon, each, bodies in zip(loaded.told.lexicons, found, loaded.bodies, strict=True):
             couple = next(c for c in bodies[link].couples if (f"{c.letter}{c.index}", c.kind) == (name, kind))
             force = next((f.force for f in each.forces if (f.link, f.name, f.kind) == (link, name, kind)), 0.0)

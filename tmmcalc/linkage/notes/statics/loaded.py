@@ -70,6 +70,11 @@ class Loaded(NamedTuple):
         """Friction and size of a pair."""
         return next((pair for pair in self.loading.pairs if pair.joint == joint), Pair(joint))
 
+    def clean(self, force: complex) -> complex:
+        """A force without the projections that are rounding alone."""
+        least = NOTHING * self.largest[0]
+        return complex(*(part if abs(part) > least else 0.0 for part in (force.real, force.imag)))
+
     def row_of(self, joint: str) -> int:
         """The row of a joint in the result."""
         return next(j for j, pair in enumerate(self.result.pairs) if pair.joint == joint)
@@ -120,7 +125,7 @@ def sums(loaded: Loaded, link: int, own: set[str]) -> list[str]:
         total = 0j
         acting = {loaded.key(f): f for f in given_forces(each[link], own)}
         for key, like in seen.items():
-            value = acting[key].value if key in acting else 0j
+            value = loaded.clean(acting[key].value) if key in acting else 0j
             total += value
             for axis, part in (("x", value.real), ("y", value.imag)):
                 lexicon[canonical(loaded.key(like, axis))] = Given(part, "N", said(loaded, like))

@@ -316,7 +316,7 @@ def _outputs(told: Told, slides: bool, places: Sequence[Place]) -> Iterator[Bloc
         beside = cmath.rect(1.0, float(found)) / across
         signs.add(beside.imag > 0)
         triangle = {
-            "f_i": length(abs(across), tr("distance of points {first} and {second}", first="D", second="B")),
+            "f_i": length(abs(across), tr("distance between points {first} and {second}", first="D", second="B")),
             "delta_i": angle(cmath.phase(across), tr("angle of the line {first}{second}", first="D", second="B")),
             "gamma_i": angle(abs(cmath.phase(beside)), tr("angle of the triangle at D")),
             "psi_i^{*}": angle(float(found), tr("angle of the rocker of the linkage")),

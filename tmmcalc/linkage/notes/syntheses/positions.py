@@ -133,7 +133,7 @@ def _places(told: Told, drawn: Drawn, scale: float) -> list[Place]:
             **_point("Di", d, "D"),
             **first,
             **vector("%'_Ci", complex(back[k]), "m", seen),
-            "f_i": length(abs(gap), tr("distance of points {first} and {second}", first="A", second="B")),
+            "f_i": length(abs(gap), tr("distance between points {first} and {second}", first="A", second="B")),
             "delta_i": angle(float(np.angle(gap)), tr("angle of the line {first}{second}", first="A", second="B")),
             "gamma_i": angle(abs(float(np.angle(reach))), tr("angle of the triangle at A")),
         }

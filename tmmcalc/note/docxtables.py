@@ -1,0 +1,65 @@
+"""Tables of a document of Word: in letters in which they fit, no wider than they need, or turned."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from tmmcalc.note.tree import Grid, part_width, widest
+
+ACROSS, ALONG = 175.0, 257.0  # widths of a table, and of one that is turned [mm]
+CELLS = (12, 11, 10, 9, 8)  # sizes of tables [pt], the first in which one fits; one that does not stands turned
+MARGIN = 68  # between a text and a line; so far a table stands in, for its lines to keep the margin [twips]
+PADDING = 3.0  # of a column between its texts and lines [mm]
+TWIPS = 1440 / 25.4  # to a mm
+MILLIMETRE = 25.4 / 72.0  # of a point
+
+
+def table(widths: Sequence[float], rows: Sequence[tuple[str, Sequence[str]]], style: str = "") -> str:
+    """A table of columns so wide [mm]; rows are what is said of them, and cells of paragraphs.
+
+    Without a style there are no lines, and nothing is kept free beside the texts.
+    """
+    dxa = [round(size * TWIPS) for size in widths]
+    grid = "".join(f'<w:gridCol w:w="{size}"/>' for size in dxa)
+    said = []
+    for properties, cells in rows:
+        each = (
+            f'<w:tc><w:tcPr><w:tcW w:w="{size}" w:type="dxa"/><w:vAlign w:val="center"/></w:tcPr>{cell}</w:tc>'
+            for size, cell in zip(dxa, cells, strict=True)
+        )
+        said.append(f"<w:tr><w:trPr><w:cantSplit/>{properties}</w:trPr>{''.join(each)}</w:tr>")
+    styled = f'<w:tblStyle w:val="{style}"/>' if style else ""
+    free = MARGIN if style else 0
+    sized = f'<w:tblW w:w="{sum(dxa)}" w:type="dxa"/><w:tblInd w:w="{free}" w:type="dxa"/><w:tblLayout w:type="fixed"/>'
+    beside = "".join(f'<w:{side} w:w="{free}" w:type="dxa"/>' for side in ("left", "right"))
+    told = f"{styled}{sized}<w:tblCellMar>{beside}</w:tblCellMar>"
+    return f"<w:tbl><w:tblPr>{told}</w:tblPr><w:tblGrid>{grid}</w:tblGrid>{''.join(said)}</w:tbl>"
+
+
+def size_of(grid: Grid, room: float) -> int | None:
+    """The size of letters [pt] in which a table fits so much room [mm], if there is one."""
+    return next((size for size in CELLS if sum(_least(grid, size)) <= room), None)
+
+
+def widths_of(grid: Grid, size: float, whole: float) -> list[float]:
+    """How wide columns are [mm]: as their longest texts ask, where there is room for them.
+
+    Else each is as its longest word asks, and what is left is shared by the lengths of the texts.
+    """
+    least = _least(grid, size)
+    columns = zip(grid.head, *grid.rows, strict=True)
+    texts = [max(sum(map(part_width, cell.parts)) for cell in column) for column in columns]
+    wished = [max(need, text * size * MILLIMETRE + PADDING) for text, need in zip(texts, least, strict=True)]
+    if sum(wished) <= whole:
+        return wished
+    more = [wish - need for wish, need in zip(wished, least, strict=True)]
+    left = whole - sum(least)
+    if left <= 0 or not sum(more):
+        return [whole * need / sum(least) for need in least]
+    return [need + left / sum(more) * each for need, each in zip(least, more, strict=True)]
+
+
+def _least(grid: Grid, size: float) -> list[float]:
+    """How wide columns are at least in letters of a size [mm]: as what cannot be broken in them asks."""
+    columns = zip(grid.head, *grid.rows, strict=True)
+    return [widest(column) * size * MILLIMETRE + PADDING for column in columns]
