@@ -331,7 +331,8 @@ def _series(selection: Selection) -> Iterator[Block]:
         )
     )
     best = "; ".join(f"{short_name(key)} {_shown(key, value)}" for key, value in pairs.best.items())
-    yield Paragraph(tr("Their best values: {values}.", values=best))
+    said = tr("Their best values: {values}.", values=best)
+    yield Paragraph(f"{said} {tr('They are for comparison; the choice is among single trains.')}")
 
 
 def _why(selection: Selection) -> Iterator[Block]:
