@@ -26,7 +26,7 @@ from tmmcalc.report.formula.symbols import symbol_of
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.typst import typst
 from tmmcalc.report.language import speaking
-from tmmcalc.report.manuscript import Chapter, Line, Paragraph, Place, Table
+from tmmcalc.report.manuscript import Chapter, Heading, Line, Paragraph, Place, Table
 
 LATIN = re.compile(r"[A-Za-z]{3,}")
 KINDS = {"RRR", "RRP", "RPR", "PRP", "RPP"}  # of dyads
@@ -177,3 +177,47 @@ def test_words_in_an_index_have_no_gaps_beside_them() -> None:
     for name in ("M_{F,A}", "a_{Σ,max}", "v_{W2(3,4)C}", "R_{x1,i}"):
         index = typst(letters(symbol_of(name))).partition("b: ")[2].partition(", t:")[0]
         assert " " not in index.replace(", upright", ",upright"), index
+
+
+@pytest.mark.parametrize(
+    ("names", "unit", "meaning", "told"),
+    [
+        (("R_x", "R_y"), "N", "reaction of link 1", "projections of the reaction of link 1"),
+        (("x_A", "y_A"), "m", "pivot of the crank", "coordinates of the pivot of the crank"),
+        (("v_x", "v_y"), "m/s", "projections of the velocity", "projections of the velocity"),
+        (("z_1", "z_2"), "", "number of teeth", "numbers of teeth"),
+    ],
+)
+def test_letters_of_one_meaning_are_explained_together(
+    names: tuple[str, str], unit: str, meaning: str, told: str
+) -> None:
+    lexicon = {name: Given(2.0, unit, meaning) for name in names} | {"S": Given(4.0, unit, "sum")}
+    line = Line(read(f"S = {names[0]} + {names[1]}"), (Place("", lexicon),))
+    with speaking("en"):
+        found = next(each for each in Assembler().written([Chapter("x", "X", (line,))]) if isinstance(each, Text))
+    assert told in plain_text(found)
+
+
+@pytest.mark.parametrize(("words", "floating"), [(1, 2), (2000, 1)])
+def test_tables_that_follow_a_waiting_one_float_after_it(words: int, floating: int) -> None:
+    """One that stood in the text would come before the one that waits for the next page."""
+    long, short = (Table("A", ("B",), ((60 * "b ",),) * rows, f"t{rows}") for rows in (20, 3))
+    note = Assembler().written([Chapter("x", "X", (long, Paragraph("word " * words), short, Heading("C")))])
+    assert source(note, "en", "X").count("#floated(") == floating
+
+
+def test_what_ends_with_a_colon_is_not_parted_from_what_it_leads_to() -> None:
+    blocks = (Paragraph("The table:"), Table("A", ("B",), (("c",),), "a"))
+    note = Assembler().written([Chapter("x", "X", blocks)])
+    assert "#leading[The table:]" in source(note, "en", "X")
+    root = ElementTree.fromstring(zipfile.ZipFile(BytesIO(document(note, "X"))).read("word/document.xml"))
+    space = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
+    (paragraph,) = (p for p in root.iter(f"{space}p") if "The table:" in "".join(p.itertext()))
+    assert paragraph.find(f"{space}pPr/{space}keepNext") is not None
+
+
+def test_numbers_of_parts_without_a_chapter_do_not_begin_anew_in_word() -> None:
+    parts = [Chapter(name, name, (Table("A", ("B",), (("c",),), name),), number="") for name in ("task", "conclusions")]
+    held = document(Assembler().written(parts), "X")
+    said = zipfile.ZipFile(BytesIO(held)).read("word/document.xml").decode()
+    assert re.findall(r"SEQ Table \\\* ARABIC \\s 1 \\r (\d)", said) == ["1", "2"]

@@ -19,7 +19,7 @@ OUTSIDE = """() => [...document.querySelectorAll("body *")].filter((each) => {
 }).map((each) => each.outerHTML.slice(0, 80))"""
 LEAST = 10.7  # pixels of the window that a letter is high, of an index 0.7 of them
 # letters of drawings that are smaller
-SMALL = """(least) => [...document.querySelectorAll("svg:not(.plane) text")].filter((each) => {
+SMALL = """(least) => [...document.querySelectorAll("svg text")].filter((each) => {
   const m = each.getScreenCTM();
   return each.getClientRects().length && Math.hypot(m.a, m.b) * parseFloat(getComputedStyle(each).fontSize) < least;
 }).map((each) => [each.textContent, each.closest("svg").getAttribute("class")])"""

@@ -180,3 +180,21 @@ def test_print_leaves_the_controls_out(open_page: Open) -> None:
     assert page.locator("svg.scene:visible").count() == 1
     assert page.locator(".chart:visible").count() >= 2
     assert page.locator(".told:visible").count() == 1
+
+
+def test_results_are_told_in_words(open_page: Open) -> None:
+    """Truth values, names of methods and formulas stand among the numbers, and are found by their words."""
+    page = open_page("shaper").page
+
+    def value(fact: str) -> str:
+        return str(page.locator(f"[data-fact='{fact}'] button.value").text_content())
+
+    assert value("structure.formula").startswith("I(0,1) -> II RPR(2,3)")
+    assert value("kinematics.assembles_everywhere") == "yes"
+    assert value("motion.stability") == "stable"
+    page.locator("select[name=language]").select_option("uk")
+    assert value("kinematics.assembles_everywhere") == "так"
+    assert value("motion.stability") == "стійкий"
+    page.locator(".find input").fill("стійкий")
+    assert page.locator("[data-fact='motion.stability']").is_visible()
+    assert not page.locator("[data-fact='structure.formula']").is_visible()

@@ -29,7 +29,8 @@ WORDS = {  # all that may stand in places of these names
 PREFIX = "prefix"  # a place of this name is empty or ends with _
 SOME = re.compile(r"\{\w+\}")  # a unit that is a place alone: there may be none
 ENDED = re.compile(r"_(min|max|rms)(_at.*)?$")  # what words with _ do not end with
-LONG = ("phase", "cause", "shaft", "plan", "way", "scheme")  # words in these places may have _ themselves
+# words in these places may have _ themselves: what is said for it
+LONG = {**dict.fromkeys(("phase", "cause", "shaft", "plan", "scheme"), " "), "way": " → "}
 
 
 @cache
@@ -43,11 +44,12 @@ def described(stage: str, column: bool) -> Callable[[str, str], tuple[str, str]]
     ('velocity of point D along x', '')
     """
     own = STAGES[stage]
-    every = [each for kind in own.kinds for each in given_out(kind)]
-    if not column:
-        facts = import_module(own.facts)  # what the document alone tells, with the modules that it imports late
+    every: list[Quantity] = []
+    if not column:  # what the document alone tells, also in modules that it imports late
+        facts = import_module(own.facts)
         for module in (facts, *map(import_module, getattr(facts, "FURTHER", ()))):
             every += standing_in(module)
+    every += [each for kind in own.kinds for each in given_out(kind)]
     if column and (columns := own.part("columns")):
         every += standing_in(getmodule(columns))
         every += [each._replace(key=each.header) for each in every if each.header]
@@ -99,7 +101,7 @@ def _literal(form: str) -> int:
 
 def _filled(form: Quantity, places: Mapping[str, str]) -> tuple[str, str]:
     """Meaning and symbol with the names of the scene; a symbol has braces of its own."""
-    words = {place: word.replace("_", " ") if place in LONG else word for place, word in places.items()}
+    words = {place: word.replace("_", LONG[place]) if place in LONG else word for place, word in places.items()}
     meaning = Phrase(form.meaning, **words) if "{" in form.meaning else form.meaning
     if prefix := places.get(PREFIX, "").removesuffix("_"):
         meaning = Phrase("{quantity}: {word}", quantity=meaning, word=prefix)

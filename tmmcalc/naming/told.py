@@ -163,7 +163,8 @@ def listed(stage: str, result: Any) -> Iterator[Told | Extent]:
     for at, header in enumerate(table.headers if table else ()):
         if table is not None and np.asarray(table.make(at)).dtype.kind in "fi":
             (column, unit), values = named(header), table.column(header)
-            meant = declared.get(column) or known(column, unit)
+            own = declared.get(column, ("", ""))
+            meant = own if own[0] else known(column, unit)
             least, greatest = float(np.min(values)), float(np.max(values))
             yield Extent(stage, column, unit, least, greatest, len(values), *meant)
 
@@ -228,7 +229,7 @@ def meant(stage: str, fact: Labelled) -> tuple[str, str]:
     known = described(stage, column=False)
     meaning, symbol = known(name, unit)
     if not meaning:
-        meaning = _of_place(stage, name) or _of_extreme(stage, name)
+        meaning = _of_place(stage, name) or _of_extreme(stage, name, unit)
     if fact.within and meaning != fact.label:
         label = fact.label
         if fact.apart:
@@ -237,23 +238,25 @@ def meant(stage: str, fact: Labelled) -> tuple[str, str]:
             )
         return Phrase("{quantity}: {word}", quantity=label, word=meaning or name), symbol
     if not meaning and (found := EXTREME.fullmatch(name)):
-        return _extreme(fact.label, found, stage), symbol
+        return _extreme(fact.label, found, stage, unit), symbol
     return meaning or fact.label, symbol
 
 
-def _of_extreme(stage: str, name: str) -> str:
+def _of_extreme(stage: str, name: str, unit: str) -> str:
     """An extreme of a quantity that is declared, or its place, as R_A_max, R_A_max_at_phi; empty for others."""
     found = EXTREME.fullmatch(name)
     meaning = found and (
         described(stage, column=False)(found[1], ANY)[0] or described(stage, column=True)(found[1], ANY)[0]
     )
-    return _extreme(meaning, found, stage) if found and meaning else ""
+    return _extreme(meaning, found, stage, unit) if found and meaning else ""
 
 
-def _extreme(quantity: str, found: re.Match[str], stage: str) -> str:
+def _extreme(quantity: str, found: re.Match[str], stage: str, unit: str) -> str:
     if not found[3] or found[2] not in PLACES:
         return Phrase(EXTREMES[found[2]], quantity=quantity)
-    return Phrase(PLACES[found[2]], quantity=quantity, place=_place(stage, found[4] or "t"))
+    return Phrase(
+        PLACES[found[2]], quantity=quantity, place=_place(stage, found[4] or ("phi" if unit == "deg" else "t"))
+    )
 
 
 def _of_place(stage: str, name: str) -> str:

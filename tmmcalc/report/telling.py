@@ -221,7 +221,7 @@ def quantities(caption: str, known: Mapping[str, Given], key: str = "", digits: 
         assert isinstance(given.value, float)
         shown = "°" if unit == "deg" else tr_unit(unit)
         rows.append((given.meaning, f"${name}$", shown, cell(factor * given.value, digits)))
-    return Table(caption, (tr("Quantity"), tr("Symbol"), tr("Unit"), tr("Value")), tuple(rows), key)
+    return Table(caption, (tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value")), tuple(rows), key)
 
 
 def drawn(caption: str, draw: Callable[[Drawing, Box], object], high: float, key: str) -> Figure:

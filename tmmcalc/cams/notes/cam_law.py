@@ -75,7 +75,7 @@ def _given(told: Told) -> Iterator[Block]:
         else:
             rows.append((each.meaning, f"${name}$", shown_unit(each.unit), _short(each.value)))
     yield Paragraph(tr("Its motion is given in table {tab:cam_given}."))
-    head = tr("Quantity"), tr("Symbol"), tr("Unit"), tr("Value")
+    head = tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value")
     yield Table(tr("Given data of the motion"), head, tuple(rows), key="cam_given")
 
 

@@ -217,7 +217,7 @@ def quantities_table(caption: str, names: Sequence[str], lexicon: Lexicon, key: 
         for name, given in found
         if given is not None
     ]
-    return Table(caption, (tr("Quantity"), tr("Symbol"), tr("Unit"), tr("Value")), tuple(rows), key)
+    return Table(caption, (tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value")), tuple(rows), key)
 
 
 def number(given: Given) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from math import nan
 
@@ -18,6 +19,7 @@ from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
 from tmmcalc.report.telling import WIDE
 
+SHIFTS = re.compile(r"x[₁₂](?: \+ x[₁₂])*")
 HEADS = "$x_1$", "$x_2$", "$eps_alpha$", "$s_a1/m$", "$s_a2/m$", "$theta_1$", "$theta_2$"
 SIZE = WIDE, 150.0  # of the picture [mm]
 PLACES = 4  # decimals of shifts and distances
@@ -44,7 +46,7 @@ def _contour(found: PairContour, key: str) -> Iterator[Block]:
     yield Paragraph(said)
     picture = Drawing(*SIZE)
     seen = draw_plane(picture, Box(0.0, 0.0, *SIZE), found)
-    rows = tuple((stroke.number, stroke.text) for stroke in seen if stroke.number)
+    rows = tuple((stroke.number, _lettered(stroke.text)) for stroke in seen if stroke.number)
     yield Table(tr("Lines of the blocking contour"), (tr("Line"), tr("What it is")), rows, f"{key}_numbers")
     yield Figure(tr("Blocking contour"), lambda drawing, _: drawing.add(*picture.shapes), SIZE, key)
     if (point := chosen(found)) is not None:
@@ -96,12 +98,21 @@ def _points(found: PairContour, key: str) -> Iterator[Block]:
     rows = []
     for point in found.points:
         values = point.x1, point.x2, point.contact_ratio, *point.tip_thickness, *map(_sliding, point.sliding)
-        name = (
-            tr_name(point.name) if point.name == "chosen" else f"{tr_name(point.name)}: {indexed(tr_name(point.title))}"
-        )
+        name = tr_name(point.name)
+        if point.name != "chosen":
+            name += f": {_lettered(indexed(tr_name(point.title)))}"
         rows.append((name, *(decimals(value, PLACES - 1) for value in values)))
     yield Paragraph(tr("Points of the contour are in table {table}.", table=f"{{tab:{key}_points}}"))
     yield Table(tr("Points of the blocking contour"), (tr("Point"), *HEADS), tuple(rows), f"{key}_points")
+
+
+def _lettered(text: str) -> str:
+    """The shifts that a drawing writes with small numbers, as a formula.
+
+    >>> _lettered("largest x₁ + x₂")
+    'largest $x_1 + x_2$'
+    """
+    return SHIFTS.sub(lambda found: f"${found[0].replace('₁', '_1').replace('₂', '_2')}$", text)
 
 
 def _sliding(theta: float) -> float:

@@ -137,7 +137,7 @@ def draw_parameters(drawing: Drawing, box: Box, found: MeshPair) -> None:
     """Two tables with lines: what both wheels have in common, then the wheels."""
     common, wheels = of_pair(found), of_wheels(found)
     upper, _ = box.split(len(common) + 1, len(wheels) + 1, gap=APART)
-    head = (tr("Quantity"), tr("Symbol"), tr("Unit"))
+    head = (tr("Quantity"), tr("Designation"), tr("Unit"))
     below = box.top - draw_table(drawing, upper, (*head, tr("Value")), _told(common), LETTERS)
     lower = Box(box.left, box.bottom, box.right, below - APART)
     named = tuple(plain(sizes.name) for sizes in found.sizes)

@@ -61,6 +61,7 @@ def blocks(told: Told) -> Iterator[Block]:
         )
     )
     yield from _special(plans)
+    yield from _sliding(told, plans)
     for plan, tables in zip(plans, segments, strict=True):
         yield from tables
         yield from plan.figures
@@ -79,6 +80,21 @@ def _special(plans: Sequence[Plan]) -> Iterator[Block]:
                 points=names,
             )
         )
+
+
+def _sliding(told: Told, plans: Sequence[Plan]) -> Iterator[Block]:
+    """Which vectors of the plans are the motion along a guide that the equations of the groups have."""
+    same: dict[str, str] = {}
+    for plan in plans:
+        for vector in (v for polygon in plan.polygons for v in polygon.vectors if v.kind in ("sliding", "coriolis")):
+            links = [NUMBERED.fullmatch(name) for name in (vector.point, vector.base)]
+            index = "".join(link[2] for link in links if link)
+            name = f"{plan.letter}_{index}" + "^K" * (vector.kind == "coriolis")
+            if all(links) and name in told.lexicons[0]:
+                same[f"${designation(vector, plan.letter)}$"] = f"${name}$"
+    if same:
+        names = ", ".join(f"{ours} = {theirs}" for ours, theirs in same.items())
+        yield Paragraph(tr("In the equations of the groups {names}.", names=names))
 
 
 def _plan(told: Told, found: Sequence[VectorPolygons], letter: str) -> Plan:
@@ -150,6 +166,8 @@ def ends(vector: Vector) -> str:
 
     >>> ends(Vector("pi", "s3", "absolute", 3, "S3"))
     '$pi$$s_3$'
+    >>> ends(Vector("c", "k7'", "relative", 7, "K7", "C"))
+    "$c$$k'_7$"
     """
     return "".join(map(_vertex, (vector.tail, vector.head)))
 
@@ -158,7 +176,8 @@ def _vertex(name: str) -> str:
     if SPECIAL.fullmatch(name):
         return SPECIAL.sub(r"$\1_{\2(\3,\4)}$", name)
     if found := NUMBERED.fullmatch(name):
-        return f"${found[1]}_{found[2]}$"
+        number = found[2].rstrip("'")
+        return f"${found[1]}{found[2][len(number) :]}_{number}$"
     return f"${name}$" if len(name) == 1 or name == "pi" else name
 
 

@@ -127,17 +127,18 @@ def _centre(body: Body, pins: Sequence[Pin]) -> Iterator[Datum]:
 
 def _load(table: object, name: str) -> Iterator[Datum]:
     """A load that is constant or a polynomial of the angle, and where it acts."""
+    called = tr("“{name}”", name=name)
     for kind, unit in (("force", "N"), ("moment", "N*m")):
         value = getattr(table, kind, None)
         if isinstance(value, float):
-            yield Datum(f"{tr('given load')} {name}", (force_key(name),), (value,), unit)
+            yield Datum(f"{tr('given load')} {called}", (force_key(name),), (value,), unit)
         coefficients = getattr(getattr(table, "polynomial", None), kind, None)
         if coefficients is not None:
-            said = tr("given load {name}; $theta$ – angle of the crank from its beginning, rad", name=name)
+            said = tr("given load {name}; $theta$ – angle of the crank from its beginning, rad", name=called)
             yield Datum(said, (force_key(name),), text=f"${_polynomial(coefficients)}$ {tr_unit(unit)}")
     between = getattr(table, "between", None)
     if between is not None:
-        said = tr("where load {name} begins and ends, by the angle of the crank from the first position", name=name)
+        said = tr("where load {name} begins and ends, by the angle of the crank from the first position", name=called)
         yield Datum(said, ("phi",), tuple(map(math.degrees, between)), "deg")
 
 

@@ -21,7 +21,7 @@ from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import column, held, lines, named
+from tmmcalc.report.telling import column, held, lines, named, plainly
 
 RPM = 30 / math.pi
 WORKING, ENGINE = "eta = A_c/(A_c + A_F)", "eta = (A_d + A_F)/A_d"  # (3.36), (3.37)
@@ -143,7 +143,15 @@ def _motor(power: Power, duty: MotorDuty, order: Order, lexicon: Lexicon, rate: 
     yield from lines([*RATED, *_ratio_texts(power.line, rate)], place, losing)
     peak = ["psi_p = M_{cmax}/M_N"] if power.peak_moment else []
     mean = ["psi_m = M_{dm}/M_N"] if power.mean_moment > 0 and not power.balancing else []
-    yield from lines([*mean, *peak, "J_{R1} = J_R*u**2"], place)
+    yield from lines([*mean, *peak], place)
+    if peak and motor.overload and duty.peak_load > motor.overload and "flywheel" in order.results:
+        yield Paragraph(
+            tr(
+                "The peak is above the overload factor {factor} of the motor: it falls to the flywheel.",
+                factor=plainly(motor.overload),
+            )
+        )
+    yield from lines(["J_{R1} = J_R*u**2"], place)
 
 
 def _taken(order: Order, duty: MotorDuty) -> str:

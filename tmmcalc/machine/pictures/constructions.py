@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -186,6 +187,10 @@ def draw_ordinates(drawing: Drawing, box: Box, machine: Machine) -> tuple[float,
         for each, factor in zip((above, below), factors, strict=True)
     )
     own, excess = machine.rows["mertsalov_by_cycle"], machine.rows["artobolevsky_by_cycle"]
+    for diagram, theta in product((above, below), (excess.at_max, excess.at_min)):
+        diagram.vertical(math.degrees(theta), PROJECTED)
+        across = diagram.place(complex(math.degrees(theta), 0.0)).real
+        diagram.labels.avoid([complex(across, diagram.box.bottom), complex(across, diagram.box.top)], 0.5)
     _mark_rest(above, own, factors[0], mu_a)
     for word, theta, work, links in (
         ("a", excess.at_max, excess.work_max, excess.links_max),
@@ -194,22 +199,20 @@ def draw_ordinates(drawing: Drawing, box: Box, machine: Machine) -> tuple[float,
         degrees = math.degrees(theta)
         above.mark(complex(degrees, work * factors[0]), f"$y_{word}$ = {_length(work / mu_a)}", WORK, 2.2)
         below.mark(complex(degrees, links * factors[1]), f"$z_{word}$ = {_length(links / mu_j)}", INERTIA, 2.2)
-        for diagram in (above, below):
-            diagram.vertical(degrees, PROJECTED)
     return mu_a, mu_j
 
 
 def _mark_rest(diagram: Diagram, own: Worked, factor: float, mu: float) -> None:
     """The extremes of what is left to the flywheel, and the excess work between their levels."""
-    ends = []
-    for word, theta, value in (("max", own.at_max, own.intercept_max), ("min", own.at_min, own.intercept_min)):
-        place = complex(math.degrees(theta), value * factor)
-        diagram.mark(place, f"$y_{{{word}}}$ = {_length(value / mu)}", REST, 2.2)
-        diagram.level(place.imag, PROJECTED)
-        ends.append(complex(diagram.box.right - 8.0, diagram.place(place).imag))
-    high, low = ends
+    read = ("max", own.at_max, own.intercept_max), ("min", own.at_min, own.intercept_min)
+    for _, _, value in read:
+        diagram.level(value * factor, PROJECTED)
+    high, low = (complex(diagram.box.right - 8.0, diagram.place(1j * value * factor).imag) for _, _, value in read)
     diagram.drawing.add(Dimension(low, high, low, ""), level=6)
     diagram.labels.avoid((low, high), 2.0)
+    for word, theta, value in read:
+        text = f"$y_{{{word}}}$ = {_length(value / mu)}"
+        diagram.mark(complex(math.degrees(theta), value * factor), text, REST, 2.2)
     along = low + (high - low) * np.linspace(0.1, 0.9, 9)
     text = f"$ΔT$ = {_length(own.segment / mu)}"
     diagram.labels.put(text, along.tolist(), height=2.2, gaps=(0.8, 1.4), prefer=-1)

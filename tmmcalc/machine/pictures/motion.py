@@ -58,8 +58,7 @@ def draw_speed(drawing: Drawing, box: Box, result: Motion, cycle: Cycle) -> Diag
 
 
 def _complete(speeds: Diagram, result: Motion) -> None:
-    """The mean speed, and the speeds of the textbook at the positions."""
-    speeds.level(result.regime.mean, MEAN)
+    """The speeds of the textbook at the positions."""
     if result.omega_textbook is not None:
         for at, value in zip(along_input(True, result.phi).tolist(), result.omega_textbook.tolist(), strict=True):
             speeds.point(complex(at, value), NODAL, 0.6)
@@ -128,7 +127,8 @@ def _of_speed(result: Motion, theta: Values, lines: tuple[Line, ...]) -> Graph:
         circles = tr("by the recurrence: circles") if result.by_energy is None else tr("by the kinetic energy: circles")
         names.append((circles, NODAL))
     graph = _graph(result, theta, "ω", "rad/s", lines)
-    return replace(graph, digits=5, ends=(low - air, high + air), key=tuple(names))
+    mean = ((result.regime.mean, MEAN, ""),)
+    return replace(graph, digits=5, ends=(low - air, high + air), key=tuple(names), levels=mean)
 
 
 def _graph(result: Motion, theta: Values, symbol: str, unit: str, lines: tuple[Line, ...]) -> Graph:

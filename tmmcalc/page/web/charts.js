@@ -4,7 +4,7 @@ import { between } from "./motion.js";
 import { drawn } from "./marks.js";
 import { button, made, resized, widthIn } from "./elements.js";
 import { standard } from "./scales.js";
-import { parted, saying, told, word, written } from "./words.js";
+import { measured, parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 560;
 const HIGH = 198;
@@ -279,7 +279,7 @@ class Chart {
     for (const [key, k] of /** @type {[string, number][]} */ ([["lowest", least], ["highest", greatest]])) {
       const at = [this.across(this.x[k]), this.up(this.y[k])];
       const mark = drawn("circle", { class: "extreme", cx: at[0], cy: at[1], r: 3 }, back);
-      const said = `${word(key)}: ${written(this.y[k])} ${told(this.column.unit)}`;
+      const said = `${word(key)}: ${measured(this.y[k], this.column.unit)}`;
       drawn("title", {}, mark).textContent = said;
       const inside = at[0] > this.wide - 110;
       const y = key === "lowest" ? at[1] - 7 : at[1] + 15;
@@ -302,7 +302,7 @@ class Chart {
       this.dot.setAttribute("cx", String(this.across(this.x[k])));
       this.dot.setAttribute("cy", String(this.up(this.y[k])));
     }
-    this.value.textContent = `${written(this.y[k])} ${told(this.column.unit)}`;
+    this.value.textContent = measured(this.y[k], this.column.unit);
   }
 
   /** @param {PointerEvent} event */

@@ -2,7 +2,7 @@
 import { content, scene } from "./data.js";
 import { copied } from "./charts.js";
 import { button, made } from "./elements.js";
-import { parted, saying, told, word, written } from "./words.js";
+import { isCode, measured, parted, saying, told, word, written } from "./words.js";
 
 const FEW = 2; // stages, of which all are unfolded
 
@@ -38,7 +38,7 @@ export function facts(parent, show) {
       for (const fact of stage.facts) {
         const row = made("tr", { "data-fact": `${stage.name}.${fact.name}` }, body);
         listed(row, fact, () => columnFor(stage, fact.name), show);
-        rows.push({ row, part, text: () => `${fact.name} ${told(fact.meaning)} ${typeof fact.value === "number" ? "" : valued(fact.value)} ${told(stage.title)}`.toLowerCase() });
+        rows.push({ row, part, text: () => `${fact.name} ${told(fact.meaning)} ${typeof fact.value === "number" ? "" : valued(fact)} ${told(stage.title)}`.toLowerCase() });
       }
     }
     const { errors } = stage;
@@ -89,14 +89,14 @@ function listed(row, fact, column, show) {
   const meaning = made("td", {}, row);
   const sign = made("td", { class: "sign", title: fact.name }, row);
   const value = made("td", { class: "number" }, row);
-  const [letter, index] = parted(fact.name);
+  const [letter, index] = isCode(fact.name) ? [fact.name, ""] : parted(fact.name);
   sign.append(letter);
+  sign.classList.toggle("code", isCode(fact.name));
   if (index) made("sub", {}, sign).textContent = index;
   const copy = made("button", { type: "button", class: "value" }, value);
   saying(() => {
-    const unit = told(fact.unit);
     meaning.textContent = told(fact.meaning);
-    copy.textContent = `${valued(fact.value)}${unit === "°" ? "°" : unit ? ` ${unit}` : ""}`;
+    copy.textContent = valued(fact);
     copy.title = word("copy");
   });
   copy.addEventListener("click", () => copied(copy));
@@ -106,10 +106,10 @@ function listed(row, fact, column, show) {
   }
 }
 
-/** @param {import("./data.js").Fact["value"]} value */
-function valued(value) {
+/** @param {import("./data.js").Fact} fact */
+function valued({ value, unit }) {
   if (typeof value === "boolean") return word(value ? "holds" : "fails");
-  return typeof value === "number" ? written(value) : told(value);
+  return typeof value === "number" ? measured(value, unit) : told(value);
 }
 
 /**

@@ -2,7 +2,7 @@
 import { numbers } from "./data.js";
 import { isThere, trackAt } from "./motion.js";
 import { made } from "./elements.js";
-import { parted, saying, told, written } from "./words.js";
+import { measured, parted, saying, told } from "./words.js";
 
 const DIGITS = 4;
 const NOTHING = 1e-6; // of the greatest value: what rounding leaves of nothing
@@ -30,11 +30,9 @@ export function readings(parent, state) {
   const tell = () => {
     for (const { reading, name, value, least } of rows) {
       const there = isThere(reading.there, state.at);
-      const unit = told(reading.unit);
       name.textContent = told(reading.name);
       const found = trackAt(reading.value, state.values, state.there);
-      const shown = written(Math.abs(found) < least ? 0 : found, DIGITS);
-      value.textContent = there ? `${shown}${unit ? ` ${unit}` : ""}` : "–";
+      value.textContent = there ? measured(Math.abs(found) < least ? 0 : found, reading.unit, DIGITS) : "–";
     }
   };
   saying(tell);

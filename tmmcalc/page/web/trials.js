@@ -11,7 +11,7 @@ import { parted, saying, told, word, written } from "./words.js";
 
 const PHONE = 600; // pixels of a window below which the plane is drawn smaller, its letters are not
 // width, height to it of the plane at most, height of the drawing
-const SHAPES = { wide: [760, 0.6, 350], phone: [420, 0.82, 300] };
+const SHAPES = { wide: [760, 0.6, 350], phone: [360, 0.95, 280] };
 const LETTER = 13; // height of a name
 const LEFT = 52;
 const BELOW = 40;

@@ -78,6 +78,17 @@ function raised(power) {
   return [...power].map((sign) => signs[/** @type {"-"} */ (sign)] ?? "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)]).join("");
 }
 
+/**
+ * A number with its unit; the sign of degrees stands at it.
+ * @param {number} value
+ * @param {import("./data.js").Said} unit
+ * @param {number} [digits]
+ */
+export function measured(value, unit, digits) {
+  const said = told(unit);
+  return `${written(value, digits)}${said && said !== "°" ? " " : ""}${said}`;
+}
+
 const GREEK = {
   omega: "ω", eps: "ε", phi: "φ", eta: "η", angle: "φ", mu: "μ", delta: "δ", alpha: "α", beta: "β", gamma: "γ",
   rho: "ρ", sigma: "σ", tau: "τ", theta: "θ", psi: "ψ", lambda: "λ", nu: "ν", xi: "ξ", chi: "χ",
@@ -93,4 +104,12 @@ export function parted(name) {
   const plain = letter.replaceAll("'", "");
   const greek = GREEK[/** @type {keyof typeof GREEK} */ (plain)];
   return [(greek ?? plain) + "′".repeat(letter.length - plain.length), index.map((part) => GREEK[/** @type {keyof typeof GREEK} */ (part)] ?? part).join(", ")];
+}
+
+/**
+ * Whether a name is one of programs, no letter with an index.
+ * @param {string} name
+ */
+export function isCode(name) {
+  return parted(name)[0].length > 2 || /[.[]/.test(name);
 }

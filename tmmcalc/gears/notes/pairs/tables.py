@@ -19,7 +19,7 @@ def parameters(caption: str, names: Sequence[str], lexicon: Lexicon, key: str) -
     rows = [
         (given.meaning, f"${name}$", shown_unit(given.unit), shown(given)) for name, given in _known(names, lexicon)
     ]
-    head = tr("Quantity"), tr("Symbol"), tr("Unit"), tr("Value")
+    head = tr("Quantity"), tr("Designation"), tr("Unit"), tr("Value")
     return Table(caption, head, tuple(rows), key)
 
 
@@ -34,7 +34,7 @@ def of_wheels(
         if first is not None:
             cells = ["–" if given is None else shown(given) for given in found]
             rows.append((first.meaning, f"${name}$", shown_unit(first.unit), *cells))
-    head = tr("Quantity"), tr("Symbol"), tr("Unit"), *(tr("wheel {wheel}", wheel=wheel) for wheel in wheels)
+    head = tr("Quantity"), tr("Designation"), tr("Unit"), *(tr("wheel {wheel}", wheel=wheel) for wheel in wheels)
     return Table(caption, head, tuple(rows), key)
 
 
