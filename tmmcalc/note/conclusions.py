@@ -30,8 +30,10 @@ def conclusions(chapters: Iterable[Chapter], warnings: Sequence[str], own: Seque
 
 
 def _blocks(results: Sequence[Result], warnings: Sequence[str]) -> Iterator[Block]:
+    kept = [each for each in map(_kept, results) if each is not None]
     if results:
-        yield Paragraph(tr("The main results are listed in table {tab:results}."))
+        held = f" {tr('All limits in the table are kept.')}" if kept and all(kept) else ""
+        yield Paragraph(tr("The main results are listed in table {tab:results}.") + held)
         head = (tr("Quantity"), tr("Designation"), tr("Value"), tr("Limit"), tr("Kept"))
         columns = len(head) if any(each.limit is not None for each in results) else len(head) - 2
         rows = tuple(_row(each)[:columns] for each in results)
@@ -39,9 +41,6 @@ def _blocks(results: Sequence[Result], warnings: Sequence[str]) -> Iterator[Bloc
     told = list(_once(warnings))
     parts = [each.value / each.limit for each in told if isinstance(each, Note) and each.value and each.limit]
     failing = [each for each in results if _kept(each) is False and not _warned(each, parts)]
-    kept = [each for each in map(_kept, results) if each is not None]
-    if kept and all(kept):
-        yield Paragraph(tr("All limits in the table are kept."))
     if failing:
         yield Paragraph(tr("Limits that are not kept:"))
         yield points([_sentence(each) for each in failing])

@@ -15,6 +15,7 @@ from tmmcalc.report.language import speaking, spoken, tr_unit
 from tmmcalc.spec.dimensions import UNITS
 
 LETTER, CAPITAL = 0.53, 0.68  # of an em, of words
+BROAD, BEYOND = frozenset("mwMWжмфшщюЖМФШЩЮ"), 0.2  # letters that are broader, by so much
 NUMERIC = re.compile(r"[-−+–\d.,  \u202f%°]*")  # what a cell of numbers has
 
 
@@ -158,7 +159,8 @@ def part_width(part: str | Box | Reference) -> float:
     """About how wide a part of a text is [em]."""
     match part:
         case str():
-            return LETTER * len(part) + (CAPITAL - LETTER) * sum(map(str.isupper, part))
+            broader = (CAPITAL - LETTER) * sum(map(str.isupper, part)) + BEYOND * sum(c in BROAD for c in part)
+            return LETTER * len(part) + broader
         case Reference(_, number):
             return LETTER * len(number)
     return width(part)
