@@ -66,6 +66,12 @@ def test_numbers_have_points_between_and_brackets_about_negative_ones() -> None:
         assert plain(side(read("gcd(x, y)").sides[0])) == "НСД(x; y)"
 
 
+def test_no_line_of_numbers_begins_with_minus_nothing() -> None:
+    shown = {"v": Shown("0"), "w": Shown("0.5"), "phi": Shown("90", degrees=True)}
+    assert plain(side(read("-v*cos(phi) - v*w").sides[0], shown)) == "0·cos 90° − 0·0.5"
+    assert plain(side(read("-w*v").sides[0], shown)) == "−0.5·0"
+
+
 def test_an_angle_has_its_sign_within_a_power_and_enough_digits_in_rad() -> None:
     values = {"phi": Shown("90", degrees=True)}
     assert plain(statement(read("phi**2"), values)) == "(90°)^2"

@@ -64,7 +64,7 @@ def _how(dyad: Dyad) -> str:
     places, kind = dyad.places, dyad.step.group.kind
     if kind == "RRR":
         return tr(
-            "Of the triangle {first}, {pin}, {second} all sides are known; the law of cosines gives its angle at "
+            "Of the triangle of {first}, {pin} and {second} all sides are known; the law of cosines gives its angle at "
             "{first}:",
             first=places["P"],
             pin=places["B"],

@@ -133,9 +133,10 @@ def _terms(node: Node, values: Values, *, main: bool = False) -> list[Box]:
         return [_box(node, values)]
     boxes: list[Box] = []
     for k, (sign, term) in enumerate(node.terms):
-        if k or sign < 0:
+        box = _term(term, values, leads=not k and sign > 0)
+        if k or (sign < 0 and not _starts_with_zero(box)):  # no -0 before the first term
             boxes.append(Sign("+" if sign > 0 else "−", main=main and k > 0, leads=not k))
-        boxes.append(_term(term, values, leads=not k and sign > 0))
+        boxes.append(box)
     return boxes
 
 
@@ -214,6 +215,18 @@ def _starts_with_digits(box: Box) -> bool:
             return _starts_with_digits(over) and _starts_with_digits(under)
         case Fenced(inner):
             return _starts_with_digits(inner) or _signed(inner)
+        case _:
+            return False
+
+
+def _starts_with_zero(box: Box) -> bool:
+    match box:
+        case Digits(text):
+            return not text.strip("0.")
+        case Row(boxes):
+            return bool(boxes) and _starts_with_zero(boxes[0])
+        case Script(inner) | Marked(inner):
+            return _starts_with_zero(inner)
         case _:
             return False
 
