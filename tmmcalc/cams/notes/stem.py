@@ -142,7 +142,10 @@ def _textbook(told: Told, lexicon: Lexicon) -> Iterator[Block]:
     tops = translatingsizes.velocity_tops(told.task)
     e, start = translatingsizes.textbook(told.task, None)
     yield Paragraph(
-        tr("As if the limits were reached where the velocity is largest, the textbook’s approximate sizes follow:")
+        tr(
+            "If the limits were reached where the velocity is largest, the sizes would be, by the textbook’s "
+            "approximate formulas:"
+        )
     )
     lexicon |= named(
         {

@@ -147,7 +147,7 @@ def _motor(power: Power, duty: MotorDuty, order: Order, lexicon: Lexicon, rate: 
     if peak and motor.overload and duty.peak_load > motor.overload and "flywheel" in order.results:
         yield Paragraph(
             tr(
-                "The peak is above the overload factor {factor} of the motor: it falls to the flywheel.",
+                "The ratio $psi_p$ is above the overload factor {factor} of the motor; the flywheel takes the excess.",
                 factor=plainly(motor.overload),
             )
         )

@@ -259,8 +259,8 @@ def _left(result: CamOptimum) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "{examined} points $S_0$, $r_2$ in whole steps were looked at. The limits of curvature leave {curved} of "
-            "them; how many of these each other constraint leaves by itself, at some height, is in table "
-            "{tab}. All of them but that of the slip of the roller leave {suited} points, each with a range of "
+            "them; table {tab} has how many of these each of the other constraints, taken alone, leaves at some "
+            "height. All constraints but that of the slip of the roller leave {suited} points, each with a range of "
             "$H_2$ in closed form. The heights are tried upwards.",
             examined=result.examined,
             curved=curved,
@@ -280,16 +280,20 @@ def _course(result: CamOptimum) -> Iterator[Block]:
     """The heights that were tried, the last and others before it at growing distances."""
     last, height = result.course[-1], f"${NAMES[result.names['height']]}$"
     if len(result.course) == 1:
-        yield Paragraph(
-            tr(
-                "The first of them is {size} = {value} mm. Points that it suits: {judged}; of these keep all "
-                "constraints: {kept}.",
-                size=height,
-                value=_mm(last.height),
-                judged=last.judged,
-                kept=last.kept,
+        tried = {"size": height, "value": _mm(last.height), "judged": last.judged, "kept": last.kept}
+        if result.kind == "oscillating":
+            said = tr(
+                "The first distance that was tried is {size} = {value} mm. Points that it suits: {judged}; of these "
+                "keep all constraints: {kept}.",
+                **tried,
             )
-        )
+        else:
+            said = tr(
+                "The first height that was tried is {size} = {value} mm. Points that it suits: {judged}; of these "
+                "keep all constraints: {kept}.",
+                **tried,
+            )
+        yield Paragraph(said)
         return
     yield Paragraph(
         tr(

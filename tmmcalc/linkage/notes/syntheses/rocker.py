@@ -124,8 +124,8 @@ def _settled(told: Told, asked: CrankRockerTask, side: int) -> Iterator[Block]:
     elif asked.transmission is not None:
         yield Paragraph(
             tr(
-                "One size is free: the family, table {tab:synthesis_family}, is gone along until the least "
-                "transmission angle is that which is asked; the root is bracketed and refined until its digits stand."
+                "One size is free: it is varied along the family, table {tab:synthesis_family}, until the least "
+                "transmission angle is the one asked for; the root is bracketed and refined until its digits stand."
             )
         )
         yield _around(told, asked, side)
