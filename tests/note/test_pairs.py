@@ -118,7 +118,7 @@ def test_a_wheel_of_two_meshes_is_told_once() -> None:
     said = text(written("gears-pairs", only=ONLY))
     assert said.count("Tooth of wheel 2 by points") == 1
     assert said.count("Index 1 is that of wheel 2, index 2 that of wheel 3.") == 1
-    assert "External pair 19/38 (1-2)" in said
+    assert "External pair 19/38 (1–2)" in said
 
 
 def test_the_open_pair_on_the_crank() -> None:

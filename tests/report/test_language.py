@@ -6,6 +6,7 @@ import ast
 import csv
 import re
 import tomllib
+from collections.abc import Iterator
 from functools import cache
 from inspect import getmodule
 from pathlib import Path
@@ -25,6 +26,7 @@ from tmmcalc.report.language import (
     PLACE,
     catalogue,
     files_of,
+    possessive,
     speaking,
     spoken,
     tr,
@@ -40,6 +42,7 @@ APOSTROPHE = re.compile(r"[А-Яа-яЄІЇҐєіїґ]['`][А-Яа-яЄІЇҐє�
 POINT = re.compile(r"\d\.\d")
 FORMULA_NUMBER = re.compile(r"\(\d+\.\d+[^)]*\)|Д\.\d\.\d")  # and of a table
 NAME = re.compile(r'^name = "(.+)"', re.MULTILINE)
+PARTS = re.compile("координати |складові |проєкції ")  # what is said of several things already
 SHORT = 5  # letters of an f-string that could be of any text
 RUSSIAN = re.compile("[ыэъё]", re.IGNORECASE)
 
@@ -83,6 +86,77 @@ def meant() -> dict[str, str]:
 def test_every_meaning_has_its_translation(language: str) -> None:
     words = catalogue(language)
     assert {text: stage for text, stage in meant().items() if text not in words.names and text not in words.texts} == {}
+
+
+def texts_in(node: ast.AST) -> list[str]:
+    """The texts that it says."""
+    calls = (each for each in ast.walk(node) if isinstance(each, ast.Call) and ast.unparse(each.func) == "tr")
+    return [str(call.args[0].value) for call in calls if isinstance(call.args[0], ast.Constant)]
+
+
+def meanings_of(node: ast.expr, within: ast.FunctionDef, functions: dict[str, ast.FunctionDef]) -> list[str]:
+    """What an expression of a function may mean: its texts, those that its name stands for, those of what it calls."""
+    if isinstance(node, ast.Call) and ast.unparse(node.func) in functions:
+        return texts_in(functions[ast.unparse(node.func)])
+    if not isinstance(node, ast.Name):
+        return texts_in(node) or [
+            text
+            for name in ast.walk(node)
+            if isinstance(name, ast.Name)
+            for text in meanings_of(name, within, functions)
+        ]
+    before: dict[int, ast.expr] = {}
+    for each in ast.walk(within):
+        if isinstance(each, ast.For) and node.id in names_in(each.target):
+            before[each.lineno] = each.iter
+        elif isinstance(each, ast.Assign) and each.lineno < node.lineno and node.id in names_in(each.targets[0]):
+            target, value = each.targets[0], each.value
+            if isinstance(target, ast.Tuple) and isinstance(value, ast.Tuple):
+                value = value.elts[names_in(target).index(node.id)]
+            before[each.lineno] = value
+    return meanings_of(before[max(before)], within, functions) if before else []
+
+
+def names_in(node: ast.AST) -> list[str]:
+    return [each.id for each in ast.walk(node) if isinstance(each, ast.Name)]
+
+
+def vectors_of(within: ast.FunctionDef) -> Iterator[ast.expr]:
+    """The meanings that a function of a note gives to vectors: to both projections the same."""
+    for node in ast.walk(within):
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "vector":
+            yield node.args[-1]
+        elif isinstance(node, ast.For) and "axis" in names_in(node.target):
+            calls = (each for each in ast.walk(node) if isinstance(each, ast.Call))
+            yield from (call.args[-1] for call in calls if ast.unparse(call.func) == "Given")
+        elif isinstance(node, ast.Dict):
+            seen = set()
+            for key, value in zip(node.keys, node.values, strict=True):
+                if isinstance(key, ast.Constant | ast.JoinedStr) and isinstance(value, ast.Call) and value.args:
+                    said = re.sub("[xy]", "x", ast.unparse(key)), ast.unparse(value.args[-1])
+                    if said in seen and not isinstance(value.args[-1], ast.Constant):
+                        yield value.args[-1]
+                    seen.add(said)
+
+
+@pytest.mark.parametrize("language", OTHERS)
+def test_every_vector_of_the_notes_has_projections(language: str) -> None:
+    """In English there are projections of any noun; in another language of those whose genitive is known."""
+    found: dict[str, str] = {}
+    for file in ROOT.rglob("notes/**/*.py"):
+        tree = ast.parse(file.read_text(encoding="utf-8"))
+        functions = {each.name: each for each in ast.walk(tree) if isinstance(each, ast.FunctionDef)}
+        for function in functions.values():
+            for node in vectors_of(function):
+                told = meanings_of(node, function, functions)
+                assert told, f"{file}: what does {ast.unparse(node)} mean?"
+                found |= dict.fromkeys(told, file.name)
+    assert len(found) > 30
+    vectors = [text for text in found if possessive(text)]
+    assert len(vectors) > 10
+    with speaking(language):
+        said = {text: tr(text) for text in vectors}
+        assert {text: each for text, each in said.items() if not (possessive(each) or PARTS.match(each))} == {}
 
 
 @pytest.mark.parametrize("language", OTHERS)

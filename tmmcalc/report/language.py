@@ -26,6 +26,7 @@ from tmmcalc.core.notes import Phrase
 LANGUAGES = {"en": "English", "uk": "Ukrainian"}
 PLACE = re.compile(r"\{(\w+)\}")
 HEAD = re.compile(r"[\w' -]+?(?= (?:of|at|on|in|for|to|from|by|that|where|with|over|between|about)\b|,|$)")
+INERTIA = "moment of inertia"  # one in each of two planes is no vector
 UNIT = re.compile(r"[A-Za-z°%]+")
 POINT = re.compile(r"(?<=\d)\.(?=\d)")
 NUMBER = re.compile(r"([-+−]?\d+(?:[.,]\d+)?(?:e[-+]?\d{1,2})?)(?: (%|°|[A-Za-z][\w*/^²³·]*))?")  # and its unit
@@ -157,7 +158,7 @@ def several(meaning: str) -> str:
     """
     language = _spoken.get()
     if language != "en":
-        return _begun(meaning, catalogue(language).plurals)
+        return _begun(meaning, catalogue(language).plurals) or meaning
     noun, rest = _headed(meaning)
     if noun.endswith("radius"):
         return noun.removesuffix("us") + "i" + rest
@@ -165,20 +166,19 @@ def several(meaning: str) -> str:
 
 
 def possessive(meaning: str) -> str:
-    """What one thing means as it stands after "of the"; nothing for a meaning of several things.
+    """What a vector means as it stands after "of the"; nothing for a meaning of several things, or of no vector.
 
-    >>> possessive("weight of link 2"), possessive("coordinates of point A")
-    ('weight of link 2', '')
+    >>> possessive("weight of link 2"), possessive("coordinates of point A"), possessive("moment of inertia of link 2")
+    ('weight of link 2', '', '')
     >>> with speaking("uk"):
-    ...     possessive("сила ваги ланки 2"), possessive("координати точки A")
-    ('сили ваги ланки 2', '')
+    ...     possessive("сила ваги ланки 2"), possessive("прискорення ролика"), possessive("координати точки A")
+    ('сили ваги ланки 2', 'прискорення ролика', '')
     """
     language = _spoken.get()
     if language != "en":
-        said = _begun(meaning, catalogue(language).genitives)
-        return said if said != meaning else ""
+        return _begun(meaning, catalogue(language).genitives)
     noun, _ = _headed(meaning)
-    return "" if noun.endswith("s") else meaning
+    return "" if noun.endswith("s") or meaning.startswith(INERTIA) else meaning
 
 
 def _headed(meaning: str) -> tuple[str, str]:
@@ -188,12 +188,13 @@ def _headed(meaning: str) -> tuple[str, str]:
 
 
 def _begun(meaning: str, forms: Mapping[str, str]) -> str:
-    """The meaning with the most of its first words that have another form in that one."""
+    """The meaning with the most of its first words that have another form in that one; nothing if they have none."""
     words = meaning.split(" ")
     for count in range(len(words), 0, -1):
-        if (found := forms.get(" ".join(words[:count]))) is not None:
-            return " ".join((found, *words[count:]))
-    return meaning
+        first = " ".join(words[:count])
+        if (found := forms.get(bare := first.rstrip(","))) is not None:
+            return " ".join((found + first[len(bare) :], *words[count:]))
+    return ""
 
 
 def tr_number(text: str) -> str:

@@ -11,6 +11,7 @@ from tmmcalc.gears.meshing.contours import UNBOUNDED, ContourPoint, PairContour
 from tmmcalc.gears.notes.pairs.tables import decimals
 from tmmcalc.gears.pictures.contourlines import Stroke, chosen, indexed, number_of
 from tmmcalc.gears.pictures.contourplane import draw_plane
+from tmmcalc.gears.pictures.words import pair_name
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.drawing.shapes import Drawing
@@ -33,7 +34,7 @@ def blocks(order: Order) -> Iterator[Block]:
 
 def _contour(found: PairContour, key: str) -> Iterator[Block]:
     title = tr("Blocking contour of the pair {teeth}", teeth="/".join(map(str, found.teeth)))
-    yield Heading(f"{title} ({tr_name(found.name)})" if found.name else title)
+    yield Heading(f"{title} ({pair_name(found.name)})" if found.name else title)
     thickness = f"{_text(found.thickness)}*m" if found.thickness else "0"
     limits = f"$eps_alpha >= {_text(found.contact_ratio)}$, $s_a >= {thickness}$"
     said = tr(

@@ -20,9 +20,10 @@ from tmmcalc.gears.notes.pairs.sizes import SECTION, circles, teeth
 from tmmcalc.gears.notes.pairs.tables import of_wheels, parameters
 from tmmcalc.gears.pictures.pieces import draw_curves, draw_to_scale
 from tmmcalc.gears.pictures.placedpair import placed_pair
+from tmmcalc.gears.pictures.words import pair_name
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
-from tmmcalc.report.language import tr, tr_name
+from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Result
 from tmmcalc.report.telling import WIDE, named
 
@@ -118,7 +119,7 @@ def title_of(found: MeshPair) -> str:
         said = tr("Internal pair {teeth}", teeth=f"{first}/{second}")
     else:
         said = tr("External pair {teeth}", teeth=f"{first}/{second}")
-    return f"{said} ({tr_name(task.name)})" if task.name else said
+    return f"{said} ({pair_name(task.name)})" if task.name else said
 
 
 def captioned(caption: str, of: str) -> str:

@@ -12,6 +12,7 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.gears.meshing.contours import Blocking, PairContour
 from tmmcalc.gears.pictures.contourkey import write_key
 from tmmcalc.gears.pictures.contourplane import draw_plane
+from tmmcalc.gears.pictures.words import pair_name
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import minus, plain
 from tmmcalc.report.drawing.order import Order
@@ -55,7 +56,7 @@ def blocking_drawing(result: Blocking, *, choose: int | None = None) -> Drawing:
 def _heading(pair: PairContour) -> str:
     """The pair and the limits that its contour keeps."""
     teeth = f"{pair.teeth[0]}/{pair.teeth[1]}"
-    called = plain(pair.name)
+    called = plain(pair_name(pair.name))
     name = called if teeth in called else f"{called}: $z$ = {teeth}" if called else f"$z$ = {teeth}"
     tips = f"{minus(number(pair.thickness, 4))} $m$" if pair.thickness else "0"
     limits = f"$ε_α$ {LEAST} {minus(number(pair.contact_ratio, 4))}, $s_a$ {LEAST} {tips}"

@@ -23,7 +23,7 @@ from tmmcalc.gears.pictures.placedpair import PlacedPair, placed_pair
 from tmmcalc.gears.pictures.sketch import COLUMN
 from tmmcalc.gears.pictures.slidingcurves import draw_course
 from tmmcalc.gears.pictures.toothpoints import INTERVALS, draw_tooth_points
-from tmmcalc.gears.pictures.words import pair_title, train_name
+from tmmcalc.gears.pictures.words import pair_name, pair_title, train_name
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.lettering import plain
 from tmmcalc.report.drawing.order import Order
@@ -98,7 +98,7 @@ def blocking(order: Order) -> Iterator[Piece]:
 
 def contour_of(found: PairContour) -> Piece:
     """A contour with its lines and points."""
-    heading = tr("Blocking contour {pair}", pair=plain(found.name))
+    heading = tr("Blocking contour {pair}", pair=plain(pair_name(found.name)))
     return Piece(SHEET, heading, partial(_contour, found=found), (290, 185), (310, 195))
 
 

@@ -155,7 +155,7 @@ def _facts(train: PlacedTrain) -> list[str]:
     for mesh, distance, angle in zip(train.scheme.meshes, train.distances, train.angles, strict=True):
         one, other = train.wheel(mesh.first).teeth, train.wheel(mesh.second).teeth
         length = length_text(train, distance)
-        text = tr("mesh {first}-{second}: $a_w$ = {length}", first=mesh.first, second=mesh.second, length=length)
+        text = tr("mesh {first}–{second}: $a_w$ = {length}", first=mesh.first, second=mesh.second, length=length)
         if _raised(train):
             text += f", $α_w$ = {number(math.degrees(angle), 4)}°"
         shared = math.gcd(one, other)

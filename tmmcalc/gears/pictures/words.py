@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from fractions import Fraction
 from unicodedata import normalize
@@ -15,6 +16,7 @@ from tmmcalc.report.numbers import number
 
 KINDS = {"u": "U", "i_1H": "i_{1H}", "i_H1": "i_{H1}", "i_14": "i_{14}"}
 EXACT = 100_000  # larger denominators are not written out
+WHEELS = re.compile(r"(\d+'*)-(\d+'*)")  # of a mesh
 
 CRITERIA: dict[str, tuple[float, str]] = {  # factor from SI, and the unit in which a criterion is shown
     "mass": (1.0, "kg"),
@@ -80,6 +82,16 @@ def train_name(sets: ToothSets) -> str:
     return f"{layout_name(sets.scheme, sets.planets)}: $z$ = {teeth_text(sets.teeth[0].tolist())}"
 
 
+def pair_name(name: str) -> str:
+    """The name of a pair as it is read: a mesh has a dash between its wheels.
+
+    >>> pair_name("2'-3"), pair_name("high-speed pair")
+    ("2'–3", 'high-speed pair')
+    """
+    wheels = WHEELS.fullmatch(name)
+    return f"{wheels[1]}–{wheels[2]}" if wheels else tr_name(name)
+
+
 def pair_title(task: PairTask) -> str:
     """A pair by its name and its teeth."""
     first, second = task.teeth
@@ -88,7 +100,7 @@ def pair_title(task: PairTask) -> str:
         teeth = tr("$z$ = {teeth} and a rack", teeth=first)
     elif task.kind == "internal":
         teeth = tr("$z$ = {teeth}, internal", teeth=f"{first}/{second}")
-    return f"{plain(task.name)}: {teeth}" if task.name else teeth
+    return f"{plain(pair_name(task.name))}: {teeth}" if task.name else teeth
 
 
 def ratio_text(kind: str, value: Fraction) -> str:

@@ -94,7 +94,9 @@ def _sliding(told: Told, plans: Sequence[Plan]) -> Iterator[Block]:
                 same[f"${designation(vector, plan.letter)}$"] = f"${name}$"
     if same:
         names = ", ".join(f"{ours} = {theirs}" for ours, theirs in same.items())
-        yield Paragraph(tr("In the equations of the groups some of these vectors have other letters: {names}.", names=names))
+        yield Paragraph(
+            tr("In the equations of the groups some of these vectors have other letters: {names}.", names=names)
+        )
 
 
 def _plan(told: Told, found: Sequence[VectorPolygons], letter: str) -> Plan:

@@ -259,7 +259,7 @@ def _left(result: CamOptimum) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "{examined} points $S_0$, $r_2$ in whole steps were looked at. The limits of curvature leave {curved} of "
-            "them; table {tab} has how many of these each of the other constraints, taken alone, leaves at some "
+            "them; table {tab} shows how many of these each of the other constraints, taken alone, leaves at some "
             "height. All constraints but that of the slip of the roller leave {suited} points, each with a range of "
             "$H_2$ in closed form. The heights are tried upwards.",
             examined=result.examined,
