@@ -95,7 +95,7 @@ def _sliding(told: Told, plans: Sequence[Plan]) -> Iterator[Block]:
     if same:
         names = ", ".join(f"{ours} = {theirs}" for ours, theirs in same.items())
         yield Paragraph(
-            tr("In the equations of the groups some of these vectors have other letters: {names}.", names=names)
+            tr("In the equations of the groups some vectors of the plans have other letters: {names}.", names=names)
         )
 
 
