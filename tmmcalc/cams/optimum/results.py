@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 
@@ -122,7 +123,7 @@ def merged(levels: Sequence[Level], height: float) -> tuple[Level, ...]:
             continue
         other = found.get(each.height)
         if other is not None:
-            best = max(each, other, key=lambda one: one.margin or 0.0)
+            best = max(each, other, key=lambda one: -inf if one.margin is None else one.margin)
             counts = {key: getattr(each, key) + getattr(other, key) for key in ("points", "judged", "kept")}
             each = replace(best, **counts)
         found[each.height] = each

@@ -89,8 +89,7 @@ def search(scene: Scene, asked: Optimum) -> tuple[Found | None, Candidates]:
     far = farthest(scene, asked)
     high = min(FIRST * scene.stroke, far)
     known = _stretch(scene, asked.step, 0.0, high)
-    course: list[Level] = []
-    found, known = _onwards(scene, asked, known, high, far, course)
+    found, known = _onwards(scene, asked, known, high, far)
     if found is not None or asked.heights is not None:
         return found, known
     first = first_feasible(scene, far)
@@ -99,17 +98,15 @@ def search(scene: Scene, asked: Optimum) -> tuple[Found | None, Candidates]:
     last = first.height - scene.stroke - scene.guide.gap
     if _rollers(scene, asked.step, far, last)[2].sum() > MANY:
         return None, replace(known, far=first)
-    return _onwards(scene, asked, known, far, last, course)
+    return _onwards(scene, asked, known, far, last)
 
 
 def _onwards(
-    scene: Scene, asked: Optimum, known: Candidates, high: float, far: float, course: list[Level]
+    scene: Scene, asked: Optimum, known: Candidates, high: float, far: float
 ) -> tuple[Found | None, Candidates]:
-    """The least height with S0 up to ``far``, of which the candidates up to ``high`` are known.
-
-    The heights that were tried are added to ``course``.
-    """
+    """The least height with S0 up to ``far``, of which the candidates up to ``high`` are known."""
     base, left = scene.stroke + scene.guide.gap, known
+    course: list[Level] = []  # the heights that were tried
     while True:
         before = len(course)
         found = _lowest(scene, asked, left, course)

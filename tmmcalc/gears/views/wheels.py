@@ -110,7 +110,8 @@ def _copies(network: Network, axes: dict[str, complex], name: str) -> Iterator[c
     """Where all that are called so stand: planets around the axis of their carrier, as far as they fit in."""
     bearer, count = network.bearer(name), network.count(name)
     centre = axes[bearer] if bearer != FRAME else axes[name]
-    for turn in spread(network, axes, bearer, MODULE)[:count]:
+    turns = spread(network, axes, bearer, MODULE)
+    for turn in turns[:: max(len(turns) // count, 1)][:count]:
         yield centre + (axes[name] - centre) * complex(math.cos(2 * math.pi * turn), math.sin(2 * math.pi * turn))
 
 

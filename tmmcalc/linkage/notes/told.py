@@ -128,6 +128,8 @@ def _working(order: Order, chain: Chain, rows: list[int]) -> list[int]:
             given = sum(action.power(place.configuration) for action in source.actions(place))
             power = power + np.abs(source.factor(kinematics.speed) * given)
     most = int(np.argmax(power))
+    if not power[most] > 0.0:
+        return rows
     return rows if np.any(power[rows] > IDLE * power[most]) else list(dict.fromkeys((most, *rows[1:])))
 
 

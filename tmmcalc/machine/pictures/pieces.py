@@ -56,7 +56,7 @@ def of_motion(order: Order) -> Iterator[Piece]:
         high = 70.0 if motor.kloss is None else 130.0
         draw = partial(draw_motor, motor=motor, scaled=True)
         heading = tr("Characteristic of the motor and its working part")
-        yield _piece(heading, draw, (130.0, 1.3 * high), (160.0, 1.7 * high))
+        yield _piece(heading, draw, (152.0, 1.3 * high), (160.0, 1.7 * high))
 
 
 def of_balance(order: Order) -> Iterator[Piece]:
