@@ -24,6 +24,7 @@ from tmmcalc.page.said import alike, name_of, unit_of, words
 from tmmcalc.pipeline.chapters import task_of, warnings_of
 from tmmcalc.pipeline.picturing import order_of
 from tmmcalc.report.exploring import Trial
+from tmmcalc.report.formula.symbols import GREEK
 from tmmcalc.report.language import LANGUAGES, speaking
 from tmmcalc.report.manuscript import Datum
 from tmmcalc.report.moving import Body, Mark, Plan, Track, View
@@ -58,6 +59,7 @@ def content(variants: Sequence[Variant], title: str, key: str, language: str, po
         "languages": dict(LANGUAGES),
         "language": language,
         "words": words(),
+        "letters": GREEK,
         "error": ERROR,
         "scenes": scenes,
     }
