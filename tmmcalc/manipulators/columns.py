@@ -11,26 +11,32 @@ x_E y_E z_E                     elbow
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 import numpy as np
 
-from tmmcalc.core.columns import Column
+from tmmcalc.core.columns import Column, column
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.quantity import Quantity
 from tmmcalc.manipulators.results import Manipulator
 
 AXES = "xyz"
 
-TOLD = (
-    Quantity("t[s]", "time"),
+TIME = Quantity("t[s]", "time")
+WAY = (
     Quantity("s[m]", "way along the path"),
     Quantity("v[m/s]", "speed along the path"),
     Quantity("a[m/s^2]", "tangential acceleration along the path"),
+)
+GRIPPER = (
     Quantity("{along}[m]", "coordinate {along} of the gripper"),
     Quantity("v{along}[m/s]", "velocity of the gripper along {along}"),
     Quantity("a{along}[m/s^2]", "acceleration of the gripper along {along}"),
-    Quantity("{along}_E[m]", "coordinate {along} of the elbow"),
+)
+ELBOW = Quantity("{along}_E[m]", "coordinate {along} of the elbow")
+ELBOW_ANGLE = Quantity("elbow[deg]", "angle between upper arm and forearm")
+JOINTS = (
     Quantity("psi[deg]", "angle of the base"),
     Quantity("omega_1[rad/s]", "angular velocity of the base"),
     Quantity("eps_1[rad/s^2]", "angular acceleration of the base"),
@@ -40,7 +46,6 @@ TOLD = (
     Quantity("phi_3[deg]", "angle of the forearm above the horizontal"),
     Quantity("omega_3[rad/s]", "angular velocity of the forearm"),
     Quantity("eps_3[rad/s^2]", "angular acceleration of the forearm"),
-    Quantity("elbow[deg]", "angle between upper arm and forearm"),
     Quantity("l_3[m]", "extension of the arm"),
     Quantity("v_3[m/s]", "velocity of the extension"),
     Quantity("a_3[m/s^2]", "acceleration of the extension"),
@@ -59,22 +64,25 @@ def manipulator_columns(result: Manipulator) -> list[Column]:
 
 
 def _columns(result: Manipulator) -> Iterator[Column]:
-    yield _column("t", "s", result.t)
+    yield column(TIME, lambda: result.t)
     if result.inverse:
-        for name, unit, row in zip(("s", "v", "a"), ("m", "m/s", "m/s^2"), result.way, strict=True):
-            yield _column(name, unit, row)
-    for order, (prefix, unit) in enumerate((("", "m"), ("v", "m/s"), ("a", "m/s^2"))):
-        for axis, row in zip(AXES, result.gripper[order], strict=False):
-            yield _column(f"{prefix}{axis}", unit, row)
+        yield from _of_rows(WAY, result.way)
+    for told, rows in zip(GRIPPER, result.gripper, strict=True):
+        yield from _along(told, rows)
+    joints = {each.name: each for each in JOINTS}
     for k, joint in enumerate(result.arm.joints):
-        units = ("deg", "rad/s", "rad/s^2") if joint.turns else ("m", "m/s", "m/s^2")
-        for order, (name, unit) in enumerate(zip(joint[:3], units, strict=True)):
-            yield _column(name, unit, np.degrees(result.q[order, k]) if unit == "deg" else result.q[order, k])
+        yield from _of_rows([joints[name] for name in joint[:3]], result.q[:, k])
     if result.elbow is not None and result.elbow_angle is not None:
-        yield _column("elbow", "deg", np.degrees(result.elbow_angle[0]))
-        for axis, row in zip(AXES, result.elbow, strict=False):
-            yield _column(f"{axis}_E", "m", row)
+        yield from _of_rows([ELBOW_ANGLE], result.elbow_angle[:1])
+        yield from _along(ELBOW, result.elbow)
 
 
-def _column(name: str, unit: str, values: Values) -> Column:
-    return Column(name, unit, lambda: values)
+def _along(told: Quantity, rows: Values) -> Iterator[Column]:
+    """The columns along the axes of the gripper's space."""
+    return _of_rows([told.of(along=axis) for axis in AXES[: len(rows)]], rows)
+
+
+def _of_rows(told: Sequence[Quantity], rows: Values) -> Iterator[Column]:
+    """The columns of quantities; an angle [rad] is told in degrees."""
+    for each, row in zip(told, rows, strict=True):
+        yield column(each, partial(np.degrees, row) if each.unit == "deg" else partial(np.asarray, row))

@@ -28,7 +28,8 @@ WORDS = {  # all that may stand in places of these names
 }
 PREFIX = "prefix"  # a place of this name is empty or ends with _
 SOME = re.compile(r"\{\w+\}")  # a unit that is a place alone: there may be none
-ENDED = re.compile(r"_(min|max|rms)(_at.*)?$")  # what words with _ do not end with
+# name of a fact: quantity, what value of it; of an extreme the place, and what that is counted by
+EXTREME = re.compile(r"(.+)_(min|max|rms|start|end)((?<=_min|_max)_at(?:_(\w+))?)?")
 # words in these places may have _ themselves: what is said for it
 LONG = {**dict.fromkeys(("phase", "cause", "shaft", "plan", "scheme"), " "), "way": " → "}
 
@@ -87,7 +88,7 @@ def _beyond(place: str, word: str) -> bool:
     """Whether a word in a place is more than a name there: of S_{output} no fact is S_D_min."""
     if place in (PREFIX, "moment"):
         return False
-    return ENDED.search(word) is not None if place in LONG else "_" in word
+    return EXTREME.fullmatch(word) is not None if place in LONG else "_" in word
 
 
 def _closed(form: str) -> bool:

@@ -17,16 +17,13 @@ from tmmcalc.core.records import record
 from tmmcalc.core.stage import STAGES
 from tmmcalc.naming.choice import Chosen, chosen_facts, error_meaning, forms_of_details, of_itself
 from tmmcalc.naming.language import ANY, Name, Place, like, near
-from tmmcalc.naming.meanings import described
+from tmmcalc.naming.meanings import EXTREME, described
 from tmmcalc.naming.rows import There, asked_of
 from tmmcalc.naming.scene import Scene
 from tmmcalc.naming.table import Table, columns_of, table_of
 
 MEANT = {"at_max": "where it is largest", "at_min": "where it is smallest", "at_size": "where its magnitude is largest"}
 CHOICE = "by choice"
-EXTREME = re.compile(
-    r"(.+)_(min|max|rms|start|end)(_at(?:_(\w+))?)?"
-)  # name of a fact: quantity, extreme, place, what it is of
 EXTREMES = {
     "min": "{quantity}: least value",
     "max": "{quantity}: greatest value",
@@ -252,7 +249,7 @@ def _of_extreme(stage: str, name: str, unit: str) -> str:
 
 
 def _extreme(quantity: str, found: re.Match[str], stage: str, unit: str) -> str:
-    if not found[3] or found[2] not in PLACES:
+    if not found[3]:
         return Phrase(EXTREMES[found[2]], quantity=quantity)
     return Phrase(
         PLACES[found[2]], quantity=quantity, place=_place(stage, found[4] or ("phi" if unit == "deg" else "t"))

@@ -8,6 +8,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from tmmcalc.note.tree import (
+    ACROSS,
+    CELL,
+    POINT,
     Caption,
     Equation,
     Grid,
@@ -57,7 +60,7 @@ COUNTER = re.compile(r"(?<=_)(\w*)i(?=\^|$)|(?<=,)i(?=\})")
 LENGTHS = ("m", "mm")
 
 LONG = 20  # rows of a table that is folded where it is narrow
-WIDE, SMALL, CELL = 175.0, 9.0 * 25.4 / 72.0, 2.4  # of a page, of a letter M of a table, beside letters of a cell [mm]
+SMALL = 9.0 * POINT  # a letter M of a table [mm]
 WORD = re.compile(r"[^\W\d_]{3,}")  # with which the head of a column begins
 UNITS = ("deg", "rad", "rpm", "град", "рад")
 MANY, FIRST = 8, 3  # terms of a sum over an index: up to which all are shown, and those of a longer one before its last
@@ -241,9 +244,9 @@ def _summed(found: Worked) -> Row:
 def _folded(blocks: Sequence[Block]) -> Iterator[Block]:
     """The blocks; a long table of numbers that leaves half of the page free is folded, but beside another one."""
     for before, block, after in zip((None, *blocks), blocks, (*blocks[1:], None), strict=False):
-        if isinstance(block, Table) and len(block.rows) >= LONG and 2 * (wide := _width(block)) <= WIDE:
+        if isinstance(block, Table) and len(block.rows) >= LONG and 2 * (wide := _width(block)) <= ACROSS:
             others = (each for each in (before, after) if isinstance(each, Table))
-            if _numeric(block) and not any(wide + _width(each) <= WIDE for each in others):
+            if _numeric(block) and not any(wide + _width(each) <= ACROSS for each in others):
                 yield folded(block, 2)
                 continue
         yield block

@@ -9,15 +9,14 @@ from math import isclose
 from tmmcalc.core.notes import Note, graded
 from tmmcalc.note.assembled import shown_unit
 from tmmcalc.report.formula.digits import RESULT, significant
-from tmmcalc.report.formula.symbols import GREEK
+from tmmcalc.report.formula.symbols import with_letters
 from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Chapter, Paragraph, Result, Table
 from tmmcalc.report.printing import printed_as
 from tmmcalc.report.telling import LATIN, points
 
-NAMED = {**{name: name for name in GREEK}, **LATIN}  # Greek letters and their names, by their names in formulas
-LETTER = re.compile(rf"(?<![\w$])({'|'.join(NAMED)})(?![\w$])")
-INDEXED = re.compile(rf"\b(?:[A-Za-z]|{'|'.join(GREEK)})_[A-Za-z0-9]+\b")
+GREEK = "".join(LATIN)
+SYMBOL = re.compile(rf"\b(?:[{GREEK}]|[A-Za-z{GREEK}]_[A-Za-z0-9{GREEK}]+)\b")
 DEGREES = re.compile(r"(?<=\d) deg\b")
 SAME = 1e-9  # relative
 SENSES = {"<=": "≤", ">=": "≥"}
@@ -67,7 +66,8 @@ def _lettered(text: str) -> str:
     >>> _lettered("|theta| reaches 47.3 deg at φ = 25.4 deg, r_i = 75 mm")
     '|$theta$| reaches 47.3° at $phi$ = 25.4°, $r_i$ = 75 mm'
     """
-    return DEGREES.sub("°", LETTER.sub(lambda name: f"${NAMED[name[0]]}$", INDEXED.sub(r"$\g<0>$", text)))
+    found = SYMBOL.sub(lambda symbol: f"${''.join(LATIN.get(each, each) for each in symbol[0])}$", with_letters(text))
+    return DEGREES.sub("°", found)
 
 
 def _warned(result: Result, parts: Sequence[float]) -> bool:

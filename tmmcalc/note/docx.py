@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 from xml.sax.saxutils import quoteattr
 
 from tmmcalc.note.docxpages import SIZE, SMALL, styled, undated
-from tmmcalc.note.docxtables import ACROSS, ALONG, CELLS, size_of, table, widths_of
+from tmmcalc.note.docxtables import ALONG, CELLS, size_of, table, widths_of
 from tmmcalc.note.docxwords import SPACES, bookmark, element, elements, field, in_cell, mark_of, run, runs
 from tmmcalc.note.tree import (
+    ACROSS,
     Caption,
     Contents,
     Cover,

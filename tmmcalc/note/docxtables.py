@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tmmcalc.note.tree import Grid, part_width, widest
+from tmmcalc.note.tree import POINT, Grid, part_width, widest
 
-ACROSS, ALONG = 175.0, 257.0  # widths of a table, and of one that is turned [mm]
+ALONG = 257.0  # width of a table that is turned [mm]
 CELLS = (12, 11, 10, 9, 8)  # sizes of tables [pt], the first in which one fits; one that does not stands turned
 MARGIN = 68  # between a text and a line; so far a table stands in, for its lines to keep the margin [twips]
 PADDING = 3.0  # of a column between its texts and lines [mm]
 TWIPS = 1440 / 25.4  # to a mm
-MILLIMETRE = 25.4 / 72.0  # of a point
 
 
 def table(widths: Sequence[float], rows: Sequence[tuple[str, Sequence[str]]], style: str = "") -> str:
@@ -49,7 +48,7 @@ def widths_of(grid: Grid, size: float, whole: float) -> list[float]:
     least = _least(grid, size)
     columns = zip(grid.head, *grid.rows, strict=True)
     texts = [max(sum(map(part_width, cell.parts)) for cell in column) for column in columns]
-    wished = [max(need, text * size * MILLIMETRE + PADDING) for text, need in zip(texts, least, strict=True)]
+    wished = [max(need, text * size * POINT + PADDING) for text, need in zip(texts, least, strict=True)]
     if sum(wished) <= whole:
         return wished
     more = [wish - need for wish, need in zip(wished, least, strict=True)]
@@ -62,4 +61,4 @@ def widths_of(grid: Grid, size: float, whole: float) -> list[float]:
 def _least(grid: Grid, size: float) -> list[float]:
     """How wide columns are at least in letters of a size [mm]: as what cannot be broken in them asks."""
     columns = zip(grid.head, *grid.rows, strict=True)
-    return [widest(column) * size * MILLIMETRE + PADDING for column in columns]
+    return [widest(column) * size * POINT + PADDING for column in columns]

@@ -14,6 +14,9 @@ from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.language import speaking, spoken, tr_unit
 from tmmcalc.spec.dimensions import UNITS
 
+POINT = 25.4 / 72.0  # of letters [mm]
+ACROSS = 175.0  # width of the text of a page [mm]
+CELL = 2.4  # of a cell of a table beside its letters, with its line [mm]
 LETTER, CAPITAL = 0.53, 0.68  # of an em, of words
 BROAD, BEYOND = frozenset("mwMWжмфшщюЖМФШЩЮ"), 0.2  # letters that are broader, by so much
 NUMERIC = re.compile(r"[-−+–\d.,  \u202f%°]*")  # what a cell of numbers has

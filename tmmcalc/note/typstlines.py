@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from tmmcalc.note.tree import Equation, Text, part_width
-from tmmcalc.note.typstwords import EM, GAP, SIZE, WIDE, escaped, set_text
+from tmmcalc.note.tree import ACROSS, Equation, Text, part_width
+from tmmcalc.note.typstwords import EM, GAP, SIZE, escaped, set_text
 from tmmcalc.report.formula.breaking import broken, width
 from tmmcalc.report.formula.layout import Row
 from tmmcalc.report.formula.typst import typst as typeset
@@ -23,28 +23,28 @@ def set_lines(group: Sequence[Equation], said: Text | None) -> Iterator[str]:
     while formulas:
         two = formulas[:2]
         beside = _beside(two) if len(two) == 2 else None
-        yield beside or _line([two[0]], WIDE)
+        yield beside or _line([two[0]], ACROSS)
         del formulas[: 2 if beside else 1]
 
 
 def _formula(formula: Equation, said: Text | None, *, holds: bool) -> Iterator[str]:
     """A formula with its number; what its letters are beside it, where there is room, or under it."""
-    (row, *more) = _broken(formula, WIDE)
-    free = WIDE - INDENT - NUMBER - width(row) * EM - 2 * GAP
+    (row, *more) = _broken(formula, ACROSS)
+    free = ACROSS - INDENT - NUMBER - width(row) * EM - 2 * GAP
     if said is not None and not more and sum(map(part_width, said.parts)) * EM <= free:
         cells = f"[], [$ {typeset(row)} $], [,], [{set_text(said)}], [({formula.number})]"
         columns = f"({INDENT:g}mm, auto, auto, 1fr, auto)"
         gutter = f"column-gutter: (0mm, 0mm, {GAP:g}mm, 0mm)"
         yield f"#line({columns}, {str(holds).lower()}, {gutter}, {cells}){_eq(formula)}"
         return
-    yield _line([formula], WIDE, holds=holds)
+    yield _line([formula], ACROSS, holds=holds)
     if said is not None:
         yield f"#explained[{set_text(said)}]"
 
 
 def _beside(two: Sequence[Equation]) -> str | None:
     """Two formulas beside each other, where each has room in one row so."""
-    half = (WIDE - GAP) / 2
+    half = (ACROSS - GAP) / 2
     halves = [_broken(each, half) for each in two]
     fits = all(
         len(rows) == 1 and width(rows[0]) * _em(each) <= half - _lead(each)

@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from enum import Enum, auto
 
-from tmmcalc.note.tree import Equation, Grid, Image, Points, Text, Title, Written, part_width
+from tmmcalc.note.tree import ACROSS, Equation, Grid, Image, Points, Text, Title, Written, part_width
 from tmmcalc.note.typsttables import beside, floating, has_room
-from tmmcalc.note.typstwords import EM, GAP, WIDE
+from tmmcalc.note.typstwords import EM, GAP
 
 HIGH, ROW = 263.0, 5.0  # of the text of a page, and of a row of it at least [mm]
 CLOSING = 3  # paragraphs at the end of a chapter which stand over the pictures and tables that it ends with
@@ -70,7 +70,7 @@ def _least_height(block: Written) -> float:
     """About how high a block is at least in the text [mm]; of what floats nothing."""
     match block:
         case Text():
-            return ROW * math.ceil(sum(map(part_width, block.parts)) * EM / WIDE)
+            return ROW * math.ceil(sum(map(part_width, block.parts)) * EM / ACROSS)
         case Points(items):
             return sum(map(_least_height, items))
         case Grid():
@@ -104,7 +104,7 @@ def _joins(group: Sequence[Written], block: Written) -> bool:
             return len(group) == 1 and has_room(last, drawing.width)
         case Image(_, drawing):
             drawings = [each.drawing for each in group if isinstance(each, Image)]
-            free = WIDE - sum(each.width + GAP for each in drawings)
+            free = ACROSS - sum(each.width + GAP for each in drawings)
             return len(drawings) == len(group) and drawing.width <= free
         case Grid():
             grids = [each for each in (*group, block) if isinstance(each, Grid)]

@@ -5,13 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from tmmcalc.note.tree import Grid, Text, numeric, widest
-from tmmcalc.note.typstwords import EM, GAP, SIZE, WIDE, escaped, label, set_text
+from tmmcalc.note.tree import ACROSS, CELL, Grid, Text, Written, numeric, widest
+from tmmcalc.note.typstwords import EM, GAP, SIZE, escaped, label, set_text
 from tmmcalc.report.formula.layout import Box, Fraction, Row, Script, inner
 from tmmcalc.report.language import tr
 
 SMALL = (9.5, 9.0, 8.5, 8.0)  # sizes of tables [pt], the first in which one fits
-CELL = 2.4  # beside the letters of a cell, with its line [mm]
 WHOLE = (12, 34)  # rows: up to the first a table stands where it is told of, up to the second on one page
 MOST = 40  # rows that a page has
 CHAPTER = re.compile(r"\d+\.")  # what the number of a table in a numbered chapter begins with
@@ -25,16 +24,16 @@ def beside(grids: Sequence[Grid]) -> bool:
 
 def has_room(grid: Grid, wide: float) -> bool:
     """Whether a picture so wide [mm] stands beside a table, in letters of it that are not small, on one page."""
-    return _stands(grid) == "whole" and _width_at(grid, SMALL[0]) + GAP + wide <= WIDE
+    return _stands(grid) == "whole" and _width_at(grid, SMALL[0]) + GAP + wide <= ACROSS
 
 
 def set_pictured(grid: Grid, picture: str, wide: float, *, stays: bool) -> str:
     """A table with a picture at its right hand."""
-    own = WIDE - GAP - wide
+    own = ACROSS - GAP - wide
     return _floated(grid, f"stood(({own:g}mm, {wide:g}mm), {_grid(grid, SMALL[0], own)}, {picture})", stays=stays)
 
 
-def floating(group: Sequence[object], *, waits: bool) -> bool:
+def floating(group: Sequence[Written], *, waits: bool) -> bool:
     """Whether tables go where there is room: long ones, with a picture, or where another one ``waits`` before them."""
     grids = [each for each in group if isinstance(each, Grid)]
     stands = _stands(grids[0])
@@ -53,8 +52,8 @@ def set_tables(grids: Sequence[Grid], *, floats: bool, stays: bool) -> str:
     """
     size = _size_of(grids, SMALL)
     if not size:
-        return f"#turned[#{_grid(grids[0], SMALL[0], WIDE)}]"
-    free = (WIDE - GAP * (len(grids) - 1) - sum(_width_at(each, size) for each in grids)) / len(grids)
+        return f"#turned[#{_grid(grids[0], SMALL[0], ACROSS)}]"
+    free = (ACROSS - GAP * (len(grids) - 1) - sum(_width_at(each, size) for each in grids)) / len(grids)
     shares = [_width_at(each, size) + free for each in grids]
     tables = [_grid(each, size, wide) for each, wide in zip(grids, shares, strict=True)]
     stood = f"stood(({', '.join(f'{wide:g}mm' for wide in shares)}), {', '.join(tables)})" if tables[1:] else tables[0]
@@ -75,7 +74,7 @@ def _stands(grid: Grid) -> str:
 
 def _size_of(grids: Sequence[Grid], sizes: Sequence[float]) -> float:
     """The size of letters [pt] in which tables have room beside each other, or 0."""
-    room = WIDE - GAP * (len(grids) - 1)
+    room = ACROSS - GAP * (len(grids) - 1)
     return next((size for size in sizes if sum(_width_at(each, size) for each in grids) <= room), 0.0)
 
 

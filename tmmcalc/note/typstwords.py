@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import re
 
-from tmmcalc.note.tree import Caption, Reference, Text, part_width, tied
+from tmmcalc.note.tree import POINT, Caption, Reference, Text, part_width, tied
 from tmmcalc.report.formula.layout import Box
 from tmmcalc.report.formula.typst import typst as typeset
 
 PRIMES = re.compile(r"(?<=\d)'+")
 PAIR = re.compile(r"(?<=\d)–(?=\d|$)|^–(?=\d|$)")  # of links, the ends of a range
 SIZE = 12.0  # of letters [pt]
-EM = SIZE * 25.4 / 72.0  # a letter M of the text [mm]
-WIDE = 175.0  # of the text [mm]
+EM = SIZE * POINT  # a letter M of the text [mm]
 GAP = 2.0  # between what stands beside each other [mm]
 WHOLE = 50.0  # of a formula of a text: no line ends within a shorter one [mm]
 

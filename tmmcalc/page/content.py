@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import tomllib
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -24,6 +25,7 @@ from tmmcalc.page.said import alike, name_of, unit_of, words
 from tmmcalc.pipeline.chapters import task_of, warnings_of
 from tmmcalc.pipeline.picturing import order_of
 from tmmcalc.report.exploring import Trial
+from tmmcalc.report.formula.symbols import GREEK
 from tmmcalc.report.language import LANGUAGES, speaking
 from tmmcalc.report.manuscript import Datum
 from tmmcalc.report.moving import Body, Mark, Plan, Track, View
@@ -33,7 +35,7 @@ if TYPE_CHECKING:
     from tmmcalc.report.drawing.order import Order
 
 POSITIONS = 360  # that a page solves of its own
-ENGLISH = re.compile(r"[a-z]{4,}")  # a word that is no symbol
+ENGLISH = re.compile(r"[a-z]{4,}|\b[A-Z]?[a-z]{2,3}\b")  # a word that is no symbol
 ROWS = 1000  # of a longer table so many are shown, and those of extremes
 
 Indices = NDArray[np.intp]
@@ -58,6 +60,7 @@ def content(variants: Sequence[Variant], title: str, key: str, language: str, po
         "languages": dict(LANGUAGES),
         "language": language,
         "words": words(),
+        "letters": GREEK,
         "error": ERROR,
         "scenes": scenes,
     }
@@ -65,13 +68,13 @@ def content(variants: Sequence[Variant], title: str, key: str, language: str, po
 
 
 def _scene(variant: Variant, block: Block, positions: int, *, planned: bool) -> Content:
-    run = variant.run
+    run, given = variant.run, {*_strings(tomllib.loads(variant.source))}
     dense = _dense(run, positions)
     views = [*_views(run, dense, block, planned=planned)]
     inputs = {(view["room"], view["column"]) for view in views}
     return {
         "name": variant.name,
-        "stages": [_stage(stage, variant, dense, inputs, block) for stage in run.outcomes],
+        "stages": [_stage(stage, run, given, dense, inputs, block) for stage in run.outcomes],
         "given": _given(run),
         "source": variant.source,
         "views": views,
@@ -96,15 +99,20 @@ def _dense(run: RunResult, positions: int) -> Content:
 
 
 def _stage(
-    name: str, variant: Variant, dense: Mapping[str, Any], inputs: Container[tuple[str, str]], block: Block
+    name: str,
+    run: RunResult,
+    given: Container[str],
+    dense: Mapping[str, Any],
+    inputs: Container[tuple[str, str]],
+    block: Block,
 ) -> Content:
     """A stage: facts of the run, columns over many positions where it has them, warnings, errors.
 
-    Its rows go along one of the ``inputs`` of views, each a room and a column, where they have it.
+    Its rows go along one of the ``inputs`` of views, each a room and a column, where they have it; ``given`` are the
+    texts of the spec.
     """
-    _, run, source = variant
     stage, result = STAGES[name], run.results[name]
-    facts = {f"{each.name}[{each.unit}]": _fact(name, each) for each in labelled(name, result) if _told(each, source)}
+    facts = {f"{each.name}[{each.unit}]": _fact(name, each) for each in labelled(name, result) if _told(each, given)}
     errors = {key: each for key, each in run.outcomes[name].record.error.items() if isinstance(each, float) and each}
     return {
         "name": name,
@@ -122,12 +130,21 @@ def _room(name: str) -> str:
     return STAGES[name].home.split(".")[1]
 
 
-def _told(fact: Labelled, source: str) -> bool:
-    """Whether a page tells it: a number; a word that is said in all languages, or stands in the spec."""
+def _strings(value: Any) -> Iterator[str]:
+    """The texts that stand in a spec, at whatever depth."""
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, dict | list):
+        for each in value.values() if isinstance(value, dict) else value:
+            yield from _strings(each)
+
+
+def _told(fact: Labelled, given: Container[str]) -> bool:
+    """Whether a page tells it: a number; a word that is said in all languages, or that the spec gives."""
     if not isinstance(fact.value, str):
         return math.isfinite(fact.value)
     said = name_of(fact.value)
-    return bool(fact.value) and (isinstance(said, list) or not ENGLISH.search(fact.value) or fact.value in source)
+    return bool(fact.value) and (isinstance(said, list) or not ENGLISH.search(fact.value) or fact.value in given)
 
 
 def _fact(stage: str, fact: Labelled) -> Content:

@@ -35,6 +35,7 @@ MODULES = (  # in this order: each imports from those before it
     "facts",
     "outlines",
     "sketch",
+    "field",
     "trials",
     "main",
 )

@@ -2,22 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 
+from tmmcalc.report.formula.symbols import with_letters
 from tmmcalc.report.language import LANGUAGES, speaking, tr, tr_name, tr_unit
-
-GREEK = {
-    **dict(zip(("alpha", "beta", "gamma", "delta", "eps", "zeta", "eta", "theta"), "αβγδεζηθ", strict=True)),
-    **dict(
-        zip(
-            ("lambda", "mu", "nu", "xi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega"),
-            "λμνξρστφχψω",
-            strict=True,
-        )
-    ),
-}
-LETTER = re.compile(rf"(?<![^\W_])(?:{'|'.join(GREEK)})(?![a-z])")
 
 Said = str | list[str]
 
@@ -38,7 +26,7 @@ def alike(texts: list[str]) -> Said:
 
 def name_of(text: str) -> Said:
     """A text that the program says elsewhere: a meaning, a warning; names of Greek letters become these."""
-    return said(lambda: LETTER.sub(lambda found: GREEK[found[0]], tr_name(text)))
+    return said(lambda: with_letters(tr_name(text)))
 
 
 def unit_of(unit: str) -> Said:

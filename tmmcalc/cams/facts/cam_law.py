@@ -20,7 +20,7 @@ from tmmcalc.cams.lawresult import (
 from tmmcalc.cams.laws.catalogue import NAMES, title_of
 from tmmcalc.cams.laws.constants import LawConstants
 from tmmcalc.core.columns import Column
-from tmmcalc.core.quantity import Quantity, keyed
+from tmmcalc.core.quantity import keyed
 from tmmcalc.report.document import Document, Fact, angles_in_degrees
 from tmmcalc.report.numbers import angle, number
 
@@ -29,12 +29,6 @@ CONSTANTS = (
     *("braking", "braking_at", "braking_lift", "power", "power_at"),
 )
 TIMED = ("velocity", "acceleration", "jerk")
-FOLLOWER = (  # whose extremes are told
-    Quantity("velocity[m/s]", "velocity of the follower"),
-    Quantity("acceleration[m/s^2]", "acceleration of the follower"),
-    Quantity("velocity[rad/s]", "velocity of the follower"),
-    Quantity("acceleration[rad/s^2]", "acceleration of the follower"),
-)
 
 
 def summary(result: LawResult, title: str) -> Document:

@@ -16,6 +16,7 @@ from tmmcalc.cams.notes.lexicon import ANGLES, Told, degrees_of, mm, of_task, qu
 from tmmcalc.cams.notes.loaded.duhamel import integrals
 from tmmcalc.cams.notes.loaded.quantities import ROCKER, STEM, listed
 from tmmcalc.cams.pictures.cam_elastic import draw_spectra, draw_vibration
+from tmmcalc.cams.pictures.wording import phase_name
 from tmmcalc.cams.response import rate_of, residual, steady
 from tmmcalc.cams.rounding import sides
 from tmmcalc.cams.speed import constant_speed
@@ -116,7 +117,7 @@ def _phases(told: Told, result: ElasticResult, scene: Lexicon) -> Iterator[Block
             "omega_d": scene["omega_d"]._replace(meaning=tr("angular frequency of the damped vibration")),
         }
         timed = (f"t_{i} = {ANGLES[phase.kind]}/omega_m",) if task.turning is None else ()
-        name = tr("rise") if found.kind == "rise" else tr("return")
+        name = phase_name(found.kind)
         place = Place(name, scene | named(values))
         yield from lines((*timed, f"tau_{i} = t_{i}*f_e"), [place])
         if task.turning is None and phase.law is not None:
@@ -140,7 +141,7 @@ def _residual_table(told: Told, result: ElasticResult) -> Table:
         f"{tr('amplitude over the stroke')}, %": [PERCENT * each.relative for each in result.phases],
         f"{tr('amplitude in the steady motion')}, {unit}": [factor * each.steady for each in result.phases],
     }
-    labels = [tr("rise") if each.kind == "rise" else tr("return") for each in result.phases]
+    labels = [phase_name(each.kind) for each in result.phases]
     return tabulated(tr("Residual vibration"), columns, labels, head=tr("Phase"), key="cam_residual")
 
 

@@ -155,13 +155,10 @@ def _line(key: str) -> str:
     return LINES[key][1] if key in LINES else key
 
 
-MARGINS = (
-    Quantity("undercut{wheel}", "undercut of wheel {wheel}"),
-    Quantity("interference{wheel}", "interference of wheel {wheel}"),
-    Quantity("tolerated{wheel}", "tolerated undercut of wheel {wheel}"),
-    Quantity("thickness{wheel}", "tip thickness of wheel {wheel}"),
-    Quantity("contact_ratio", "contact ratio"),
-)
+UNDERCUT = Quantity("undercut{wheel}", "undercut of wheel {wheel}")
+INTERFERENCE = Quantity("interference{wheel}", "interference of wheel {wheel}")
+TOLERATED = Quantity("tolerated{wheel}", "tolerated undercut of wheel {wheel}")
+MARGINS = (Quantity("thickness{wheel}", "tip thickness of wheel {wheel}"), Quantity("contact_ratio", "contact ratio"))
 
 
 def _margins_fact(pair: PairContour) -> Fact:
@@ -173,11 +170,11 @@ def _margins_fact(pair: PairContour) -> Fact:
 
 def _holds(key: str, pair: PairContour) -> bool:
     """Interference is that of wheels without undercut, the other line that of undercut ones."""
-    kind, wheel = key[:-1], key[-1]
-    if kind not in ("interference", "tolerated"):
+    wheel = key[-1]
+    interference, tolerated, undercut = (each.of(wheel=wheel).key for each in (INTERFERENCE, TOLERATED, UNDERCUT))
+    if key not in (interference, tolerated):
         return True
-    undercut = pair.margins.get(f"undercut{wheel}", 0.0) < 0
-    return undercut == (kind == "tolerated")
+    return (pair.margins.get(undercut, 0.0) < 0) == (key == tolerated)
 
 
 def _notes(pair: PairContour) -> Iterator[str]:

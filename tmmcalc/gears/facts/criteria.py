@@ -25,7 +25,8 @@ BEST = 3  # trains of the ranking that are named
 DIGITS = 5
 
 CRITERION = Quantity("{criterion}[{unit}]", "criterion of a train")
-RATIO = (Quantity("ratio", "ratio of the best train"), Quantity("ratio_exact", "ratio of the best train, exactly"))
+RATIO = Quantity("ratio", "ratio of the best train")
+RATIO_EXACT = Quantity("ratio_exact", "ratio of the best train, exactly")
 LEFT = Quantity("left", "sets that are left")
 EXTREME = Quantity("best_{criterion}[{unit}]", "best value among all trains: {criterion}")
 EXTREME_ROW = Quantity("best_{criterion}_row", "row of the best value among all trains: {criterion}")
@@ -100,7 +101,7 @@ def _winner_facts(result: Selection) -> Iterator[Fact]:
     criteria = [f"{_called(key)} {_value(key, best.values[key])}" for key in OBJECTIVES if key != "width_deviation"]
     yield Fact("its criteria", ", ".join(criteria), {_key(key): best.values[key] for key in OBJECTIVES})
     exact = f" = {best.ratio}" if best.ratio.denominator > 1 else ""
-    values = {"ratio": float(best.ratio), "ratio_exact": str(best.ratio)}
+    values = {**RATIO.value(float(best.ratio)), **RATIO_EXACT.value(str(best.ratio))}
     yield Fact("its ratio", f"{number(float(best.ratio), 10)}{exact}", values)
     text = f"{number(best.inertia)} kg*m^2 on its output shaft"
     if best.beyond != 1:

@@ -19,23 +19,21 @@ from tmmcalc.gears.trains import Request, Trains, Variant
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
-RATIO = (
-    Quantity("ratio_kind", "which ratio is asked for"),
-    Quantity("ratio", "ratio that is asked for"),
-    Quantity("ratio_exact", "ratio that is asked for, exactly"),
-    Quantity("ratio_of", "where the ratio comes from"),
-)
+RATIO_KIND = Quantity("ratio_kind", "which ratio is asked for")
+RATIO = Quantity("ratio", "ratio that is asked for")
+RATIO_EXACT = Quantity("ratio_exact", "ratio that is asked for, exactly")
+RATIO_OF = Quantity("ratio_of", "where the ratio comes from")
 LEAST, LARGEST = Quantity("z_min", "least number of teeth"), Quantity("z_max", "largest number of teeth")
 LEAST_RING = Quantity("ring_min", "least number of teeth of a ring")
 LARGEST_RING = Quantity("ring_max", "largest number of teeth of a ring")
 COUNT, HELD = Quantity("count", "tooth sets that are found"), Quantity("held", "tooth sets that are kept in the table")
 PLANETS = Quantity("planets", "number of planets")
-STEPS = (  # of the textbook's search
-    Quantity("e_min_teeth", "least step e by the least number of teeth"),
-    Quantity("e_first", "first step e that is tried"),
-    Quantity("e_max", "largest step e"),
-    Quantity("e_min_neighbours", "least step e at which planets pass each other"),
-    Quantity("e_min_neighbours_textbook", "least step e at which planets pass each other, by the textbook's formula"),
+# steps of the textbook's search
+BY_TEETH = Quantity("e_min_teeth", "least step e by the least number of teeth")
+FIRST, LAST = Quantity("e_first", "first step e that is tried"), Quantity("e_max", "largest step e")
+BY_NEIGHBOURS = Quantity("e_min_neighbours", "least step e at which planets pass each other")
+BY_NEIGHBOURS_BOOK = Quantity(
+    "e_min_neighbours_textbook", "least step e at which planets pass each other, by the textbook's formula"
 )
 ROWS, FEW = 20, 5  # rows of the table; of the summary of a whole run
 LISTED = 6  # proportions of modules that are named one by one
@@ -111,11 +109,11 @@ def _steps_fact(task: TrainTask) -> Fact:
     """The textbook's bounds of e for the one proportion of modules; the search does not rest on them."""
     mu1, mu2 = task.proportions[0]
     bounds = step_bounds(task, (mu1, mu2))
-    values: dict[str, Any] = {"e_min_teeth": bounds.teeth.root, "e_first": bounds.first, "e_max": bounds.largest}
+    values: dict[str, Any] = {BY_TEETH.key: bounds.teeth.root, FIRST.key: bounds.first, LAST.key: bounds.largest}
     text = f"from {bounds.first} to {number(bounds.largest, 4)}: by teeth {number(bounds.teeth.root, 6)}"
     if bounds.neighbours is not None and bounds.neighbours_book is not None:
-        values["e_min_neighbours"] = bounds.neighbours.root
-        values["e_min_neighbours_textbook"] = bounds.neighbours_book.root
+        values[BY_NEIGHBOURS.key] = bounds.neighbours.root
+        values[BY_NEIGHBOURS_BOOK.key] = bounds.neighbours_book.root
         own, book = (number(part.root, 6) for part in (bounds.neighbours, bounds.neighbours_book))
         text += f", by neighbours {own} (textbook {book})"
     if not bounds.compatible:
@@ -128,14 +126,14 @@ def _ratio(request: Request) -> tuple[str, dict[str, Any]]:
     kind, nominal = request.kind, float(request.nominal)
     text = f"{kind} = {number(nominal, 10)}, {_interval(request.admitted)} admitted"
     values = {
-        "ratio_kind": kind,
-        "ratio": nominal,
-        "ratio_exact": str(request.nominal),
+        RATIO_KIND.key: kind,
+        RATIO.key: nominal,
+        RATIO_EXACT.key: str(request.nominal),
         "ratio_admitted": _ends(request.admitted),
     }
     if request.origin:
         text += f"\n{request.origin}"
-        values["ratio_of"] = request.origin
+        values[RATIO_OF.key] = request.origin
     if kind not in ("u", "i_14"):
         text += f"\nU = {number(float(request.task.nominal), 10)}, {_interval(request.task.ratio)}"
         values["U_admitted"] = _ends(request.task.ratio)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tmmcalc.gears.advice import called, removals
 from tmmcalc.gears.criteria.choice import costs
-from tmmcalc.gears.pictures.words import KINDS, layout_word
+from tmmcalc.gears.pictures.words import KINDS, variant_word
 from tmmcalc.gears.selection.results import Selection, Weighed
 from tmmcalc.gears.selection.task import ROW, WEIGHTED
 from tmmcalc.gears.sizing import MOST, Sized
@@ -121,7 +121,11 @@ def told_sieve(selection: Selection, variants: Sequence[Variant], sized: Sequenc
     """What becomes of the sets of every variant up to those that are compared."""
     counts = [_counts(*each) for each in zip(selection.variants, variants, sized, strict=True)]
     steps = [step for step in counts[0] if any(each[step] for each in counts)]
-    heads = [_variant_name(each.request) for each in variants] if len(variants) > 1 else [tr("Sets")]
+    heads = (
+        [variant_word(each.request.scheme, each.request.task.planets) for each in variants]
+        if len(variants) > 1
+        else [tr("Sets")]
+    )
     rows = tuple((step, *(grouped(each[step]) for each in counts)) for step in steps)
     yield Paragraph(
         tr(
@@ -131,11 +135,6 @@ def told_sieve(selection: Selection, variants: Sequence[Variant], sized: Sequenc
     )
     caption = tr("From the numbers of teeth to the trains that are compared")
     yield Table(caption, (tr("Step of the choice"), *heads), rows, "criteria_sieve")
-
-
-def _variant_name(request: Request) -> str:
-    name = layout_word(request.task.layout)
-    return f"{name}, $K$ = {request.task.planets}" if request.scheme.branched else name
 
 
 def _counts(weighed: Weighed, variant: Variant, sized: Sized) -> dict[str, int]:

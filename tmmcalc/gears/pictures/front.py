@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from tmmcalc.core.plane import Plane
 from tmmcalc.gears.criteria.choice import front
 from tmmcalc.gears.criteria.objectives import OBJECTIVES
-from tmmcalc.gears.model import ToothSets, Values
+from tmmcalc.gears.model import Values
 from tmmcalc.gears.pictures.cloud import MANY, Mark, draw_marks, evenly, fitted, shares, write_key
-from tmmcalc.gears.pictures.words import CRITERIA, axis_name, layout_word, of_many, short_name, teeth_text
+from tmmcalc.gears.pictures.words import CRITERIA, axis_name, layout_word, of_many, short_name, teeth_text, variant_word
 from tmmcalc.gears.selection.results import Pool, Selection
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.diagram import HEIGHT, Axis, Diagram, ticks, written
@@ -92,7 +92,7 @@ def _names(
     for k, variant in enumerate(result.variants):
         if len(variant.sets):
             mark = _sign_of(k)._replace(fill=_colour(0.5))
-            said = f"{_titled(variant.sets)}: {len(variant.sets)}"
+            said = f"{variant_word(variant.sets.scheme, variant.sets.planets)}: {len(variant.sets)}"
             names.append((of_many(said, len(shown[k]), len(shown[k]) < len(clouds[k])), mark))
     said = ", ".join(map(short_name, result.objectives))
     names.append((tr("front in {criteria}: {count}, numbered by rows", criteria=said, count=len(result.front)), FRONT))
@@ -105,12 +105,6 @@ def _names(
     row = {"row": place + 1, "name": name}
     names.append((tr("row {row}, chosen: {name}", **row) if chosen else tr("row {row}, drawn: {name}", **row), WINNER))
     return names
-
-
-def _titled(sets: ToothSets) -> str:
-    """A variant by the designation of its layout and its number of planets."""
-    name = layout_word(sets.layout)
-    return f"{name}, $K$ = {sets.planets}" if sets.scheme.branched else name
 
 
 def _sign_of(variant: int) -> Mark:

@@ -77,6 +77,12 @@ def layout_word(key: str) -> str:
     return normalize("NFC", scheme.designation) if scheme is not None and scheme.planetary else tr_name(key)
 
 
+def variant_word(scheme: Layout, planets: int) -> str:
+    """A layout in a word with the number of its planets or layshafts."""
+    name = layout_word(scheme.key)
+    return f"{name}, $K$ = {planets}" if scheme.branched else name
+
+
 def train_name(sets: ToothSets) -> str:
     """A tooth set by its layout and its teeth."""
     return f"{layout_name(sets.scheme, sets.planets)}: $z$ = {teeth_text(sets.teeth[0].tolist())}"

@@ -17,11 +17,11 @@ from tmmcalc.report.numbers import angle, number
 from tmmcalc.report.positions import with_positions
 from tmmcalc.report.timelaw import extreme_lines, extreme_values, law_facts
 
-POINTS = ("speed_", "acceleration_")
 POINT = (
     Quantity("speed_{point}[m/s]", "speed of point {point}"),
     Quantity("acceleration_{point}[m/s^2]", "acceleration of point {point}"),
 )
+POINTS = tuple(each.name.removesuffix("{point}") for each in POINT)
 CENTRE = re.compile(r"(speed|acceleration)_S\d+")  # of a centre of mass
 
 

@@ -13,7 +13,7 @@ from tmmcalc.linkage.notes.group import plain_name
 from tmmcalc.linkage.notes.told import Told
 from tmmcalc.linkage.outputs import default_outputs
 from tmmcalc.linkage.pictures.plans import SENSES, draw_plans_of_kind, plans_of
-from tmmcalc.linkage.pictures.vectors import SPECIAL, SUPERSCRIPTS, drawn_vectors
+from tmmcalc.linkage.pictures.vectors import SUPERSCRIPTS, drawn_vectors, lettered
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.turning import turnings
 from tmmcalc.linkage.vectors import Polygon, Vector, VectorPolygons
@@ -22,6 +22,7 @@ from tmmcalc.report.drawing.lettering import NUMBERED
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import significant
 from tmmcalc.report.formula.setting import spelt
+from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
 from tmmcalc.report.telling import WIDE, cell, located, number_of
@@ -72,7 +73,7 @@ def _special(plans: Sequence[Plan]) -> Iterator[Block]:
     """What the special points are, where a group has some."""
     points = {v.point: v.link for plan in plans for p in plan.polygons for v in p.vectors if v.kind == "special"}
     if points:
-        names = ", ".join(SPECIAL.sub(r"$\1_{\2(\3,\4)}$", name) for name in points)
+        names = ", ".join(map(_vertex, points))
         yield Paragraph(
             tr(
                 "The special points {points} belong to the basic link with the first number; the lines of the two "
@@ -160,7 +161,8 @@ def designation(vector: Vector, letter: str) -> str:
     'a_{B2A}^n'
     """
     above = SUPERSCRIPTS.get(vector.kind, "r" if vector.kind == "sliding" and letter == "a" else "")
-    return f"{letter}_{{{_told(vector.point + vector.base)}}}" + (f"^{above}" if above else "")
+    points = "".join((*lettered(vector.point), *lettered(vector.base)))
+    return f"{letter}_{{{points}}}" + (f"^{above}" if above else "")
 
 
 def ends(vector: Vector) -> str:
@@ -175,17 +177,11 @@ def ends(vector: Vector) -> str:
 
 
 def _vertex(name: str) -> str:
-    if SPECIAL.fullmatch(name):
-        return SPECIAL.sub(r"$\1_{\2(\3,\4)}$", name)
-    if found := NUMBERED.fullmatch(name):
-        number = found[2].rstrip("'")
-        return f"${found[1]}{found[2][len(number) :]}_{number}$"
+    letter, index = lettered(name)
+    if index:
+        number = index.rstrip("'")
+        return f"${canonical(f'{letter}{index[len(number) :]}_{{{number}}}')}$"
     return f"${name}$" if len(name) == 1 or name == "pi" else name
-
-
-def _told(name: str) -> str:
-    """A name of points, a special point with its legs in brackets."""
-    return SPECIAL.sub(r"\1\2(\3,\4)", name)
 
 
 def _compared(told: Told, found: Sequence[VectorPolygons], plans: Sequence[Plan]) -> Iterator[Block]:

@@ -156,9 +156,18 @@ def _gathered(cycle: LinkageMotion, result: Kinematics, rows: Sequence[int]) -> 
     for lexicon in lexicons:
         lexicon |= {key: given._replace(value=0.0) for key, given in lexicon.items() if _noise(given)}
     told = Told(cycle, result, rows, lexicons, slider, crank, groups)
-    for dyad in told.dyads:  # angles have from here on as many whole turns as these formulas give, in every chapter
-        list(told.lines(dyad.kind.POSITION, dyad.places))
+    _turn_angles(told)
     return told
+
+
+def _turn_angles(told: Told) -> None:
+    """Give angles as many whole turns as the formulas of the positions give, as `lines` does in the lexicons.
+
+    They have them from here on, in every chapter and in whatever order chapters are told.
+    """
+    for dyad in told.dyads:
+        for _ in told.lines(dyad.kind.POSITION, dyad.places):
+            pass
 
 
 def _noise(given: Given) -> bool:

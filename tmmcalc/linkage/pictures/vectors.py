@@ -74,10 +74,22 @@ def designation(vector: Vector, letter: str) -> str:
     return f"${letter}{f'^{{{above}}}' if above else ''}_{{{joint.join(names)}}}$"
 
 
+def lettered(name: str) -> tuple[str, str]:
+    """The letter and the index of a name of a point or a vertex, a special point with its legs in brackets.
+
+    >>> lettered("W2_3_4"), lettered("B2"), lettered("pivot")
+    (('W', '2(3,4)'), ('B', '2'), ('pivot', ''))
+    """
+    if found := SPECIAL.fullmatch(name):
+        return found[1], f"{found[2]}({found[3]},{found[4]})"
+    return (found[1], found[2]) if (found := NUMBERED.fullmatch(name)) else (name, "")
+
+
 def _index(name: str) -> str:
     """The name of a point as it stands in an index."""
-    if found := SPECIAL.fullmatch(name):
-        return f"{found[1]}_{{{found[2]}({found[3]},{found[4]})}}"
+    letter, index = lettered(name)
+    if index:
+        return f"{letter}_{{{index}}}"
     formula = point_name(name)
     return formula.strip("$") if formula.startswith("$") else name.replace("_", " ")
 
@@ -86,7 +98,7 @@ def vertex_name(name: str) -> str:
     """The name of a vertex, italic, with its number as an index."""
     if name == "pi":
         return "$π$"
-    return f"${_index(name)}$" if SPECIAL.fullmatch(name) else point_name(name)
+    return f"${_index(name)}$" if lettered(name)[1] else point_name(name)
 
 
 def _ends(polygon: Polygon, vector: Vector) -> list[complex]:

@@ -15,7 +15,7 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.fourier import Magnitude
 from tmmcalc.core.quantity import Quantity, keyed
-from tmmcalc.machine.balance.columns import FORCE, LEFT, MOMENT, MOMENT_LEFT, ON_LINKS, columns
+from tmmcalc.machine.balance.columns import FORCE, LEFT, MOMENT, ON_LINKS, columns
 from tmmcalc.machine.balance.redistribution import Redistribution
 from tmmcalc.machine.balance.schemes import RotatingWeight
 from tmmcalc.machine.balance.solve import Balancing, Scheme
@@ -170,20 +170,20 @@ def _scheme_fact(result: Balancing, scheme: Scheme) -> Fact:
     lines = [GOALS[scheme.name], *(_weight_line(result, scheme, *pair) for pair in pairs)]
     if not pairs:
         lines.append("no weight: there is nothing of it to balance")
-    left, values = _left(result, LEFT.of(scheme=key), balance.before, balance.after)
-    turning, more = moment_left(result, MOMENT_LEFT.of(scheme=key), balance.moment_before, balance.moment_after)
+    left, values = _left(result, key, balance.before, balance.after)
+    turning, more = moment_left(result, key, balance.moment_before, balance.moment_after)
     lines += [left, turning]
     weights = [_weight_values(scheme, *pair) for pair in pairs]
     named = WEIGHTS.of(scheme=key).value(weights) if weights else {}
     return Fact(scheme.name, "\n".join(lines), {**named, **values, **more})
 
 
-def _left(result: Balancing, told: Quantity, before: Magnitude, after: Magnitude) -> tuple[str, dict[str, Any]]:
-    """What is left of the force, and how many times less that is."""
-    _, values = _force(result, told, after)
+def _left(result: Balancing, scheme: str, before: Magnitude, after: Magnitude) -> tuple[str, dict[str, Any]]:
+    """What a scheme leaves of the force, and how many times less that is."""
+    _, values = _force(result, LEFT.of(scheme=scheme), after)
     if after.largest <= NOISE * result.shaking.scale:
         return "leaves no force", values
-    less_by = ratios(told.name, before, after)
+    less_by = ratios("D", scheme, before, after)
     rms, largest = map(less, less_by.values())
     place = f"at phi = {angle(phi_at(result, after.at))} deg"
     text = f"leaves rms {number(after.rms)} N, {rms}\nmax {number(after.largest)} N {place}, {largest}"
@@ -217,9 +217,8 @@ def _redistribution_facts(result: Balancing, found: Redistribution) -> Iterator[
         for body in found.counterweights
     ]
     before, after = found.before.size, found.after.size
-    left, values = _left(result, LEFT.of(scheme=ON_LINKS), before, after)
-    told = MOMENT_LEFT.of(scheme=ON_LINKS)
-    turning, more = moment_left(result, told, found.before.moment_size, found.after.moment_size)
+    left, values = _left(result, ON_LINKS, before, after)
+    turning, more = moment_left(result, ON_LINKS, found.before.moment_size, found.after.moment_size)
     lines += [f"{number(found.added, 5)} kg in all", left, turning]
     bodies = [
         {LINK.key: b.link, MASS.key: b.mass, X.key: b.center.real, Y.key: b.center.imag} for b in found.counterweights

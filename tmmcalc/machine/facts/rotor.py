@@ -12,7 +12,7 @@ from tmmcalc.machine.balance.grades import EXAMPLES
 from tmmcalc.machine.balance.rotors import RotorState, RotorVerdict
 from tmmcalc.machine.balance.rotortask import BalancedRotor
 from tmmcalc.machine.balance.weights import Weight
-from tmmcalc.machine.facts.weights import MOMENT, PLANE, direction, polar
+from tmmcalc.machine.facts.weights import DIRECTION, MOMENT, PLANE, direction, polar
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import NOISE, number
 
@@ -51,10 +51,10 @@ def _unbalance_facts(before: RotorState, peak: float) -> Iterator[Fact]:
     text = _moment(before.resultant, peak)
     if not text.startswith("0 "):
         text += f", shift of the centre of mass {number(1e6 * before.eccentricity, 5)} um"
-    values = {**polar(UNBALANCE, before.resultant), **keyed(before, "eccentricity")}
+    values = {**polar(UNBALANCE, UNBALANCE_ANGLE, before.resultant), **keyed(before, "eccentricity")}
     yield Fact("unbalance", text, values)
     text = f"{_moment(before.couple, peak, 'g*mm^2', 1e9)}, about the centre of mass"
-    yield Fact("unbalance couple", text, polar(COUPLE, before.couple))
+    yield Fact("unbalance couple", text, polar(COUPLE, COUPLE_ANGLE, before.couple))
 
 
 def _moment(moment: complex, peak: float = 0.0, unit: str = "g*mm", factor: float = 1e6) -> str:
@@ -72,7 +72,7 @@ def _correction_fact(
     for (z, moment), weight in zip(moments, weights, strict=True):
         line, found = (
             f"z = {number(1e3 * z)} mm: {_moment(moment, peak)}",
-            {**PLANE.value(z), **polar(MOMENT, moment)},
+            {**PLANE.value(z), **polar(MOMENT, DIRECTION.of(name="moment_"), moment)},
         )
         if weight is not None:
             found |= keyed(weight, "mass", "radius")

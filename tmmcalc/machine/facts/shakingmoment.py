@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.numerics.fourier import TURN, Magnitude
 from tmmcalc.core.quantity import Quantity
+from tmmcalc.machine.balance.columns import MOMENT_LEFT
 from tmmcalc.machine.balance.schemes import Balance
 from tmmcalc.machine.balance.solve import Balancing
 from tmmcalc.machine.facts.weights import SAME, ratios, size_text, size_values
@@ -28,8 +29,9 @@ def moment(result: Balancing, told: Quantity, size: Magnitude, *, placed: bool =
     return text, size_values(size, told, "_phi", phi)
 
 
-def moment_left(result: Balancing, told: Quantity, before: Magnitude, after: Magnitude) -> tuple[str, dict[str, float]]:
-    """The moment with the weights and that without them."""
+def moment_left(result: Balancing, scheme: str, before: Magnitude, after: Magnitude) -> tuple[str, dict[str, float]]:
+    """The moment with the weights of a scheme and that without them."""
+    told = MOMENT_LEFT.of(scheme=scheme)
     text, values = moment(result, told, after)
     noise = NOISE * result.shaking.scale
     if not changed(before, after) or max(before.largest, after.largest) <= noise:
@@ -37,7 +39,7 @@ def moment_left(result: Balancing, told: Quantity, before: Magnitude, after: Mag
     was = f"\nmoment before: {moment(result, told, before)[0]}"
     if min(before.largest, after.largest) <= noise:
         return f"moment left: {text}{was}", values
-    less_by = ratios(told.name, before, after)
+    less_by = ratios("M_D", scheme, before, after)
     rms, largest = map(less, less_by.values())
     return f"moment left: {text}\nrms {rms}, max {largest}{was}", {**values, **less_by}
 

@@ -37,18 +37,16 @@ def size_values(size: Magnitude, told: Quantity, place: str, degrees: float) -> 
     return {each.of(**names).key: value for each, value in found}
 
 
-def polar(told: Quantity, value: complex) -> dict[str, float]:
+def polar(size: Quantity, angle: Quantity, value: complex) -> dict[str, float]:
     """Size and direction of a vector for programs."""
-    angle = DIRECTION.of(name=f"{told.name}_")
-    return {**told.value(abs(value)), **angle.value(math.degrees(cmath.phase(value)))}
+    return {**size.value(abs(value)), **angle.value(math.degrees(cmath.phase(value)))}
 
 
-def ratios(name: str, before: Magnitude, after: Magnitude) -> dict[str, float]:
-    """How many times less root mean square and largest value are than before, for programs."""
-    left, _, scheme = name.rpartition("D_")
+def ratios(left: str, scheme: str, before: Magnitude, after: Magnitude) -> dict[str, float]:
+    """How many times less root mean square and largest value of what is ``left`` are than before, for programs."""
     return {
-        RATIO.of(left=f"{left}D", scheme=scheme).key: before.rms / after.rms,
-        MAX_RATIO.of(left=f"{left}D", scheme=scheme).key: before.largest / after.largest,
+        RATIO.of(left=left, scheme=scheme).key: before.rms / after.rms,
+        MAX_RATIO.of(left=left, scheme=scheme).key: before.largest / after.largest,
     }
 
 

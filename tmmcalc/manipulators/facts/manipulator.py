@@ -20,15 +20,16 @@ ARMS = {
 }
 PROBLEM = Quantity("problem", "problem of the kinematics")
 ELBOW = Quantity("elbow", "side of the elbow")
-EXTREMES = (
+GRIPPER = (  # whose extremes are told
     Quantity("speed[m/s]", "speed of the gripper"),
     Quantity("acceleration[m/s^2]", "acceleration of the gripper"),
     Quantity("a_tangential[m/s^2]", "tangential acceleration of the gripper"),
     Quantity("a_normal[m/s^2]", "normal acceleration of the gripper"),
+)
+ELBOW_RATES = (
     Quantity("omega_elbow[rad/s]", "angular velocity at the elbow"),
     Quantity("eps_elbow[rad/s^2]", "angular acceleration at the elbow"),
 )
-GRIPPER = ("speed", "acceleration", "a_tangential", "a_normal")
 
 
 def summary(result: Manipulator, title: str) -> Document:
@@ -73,13 +74,14 @@ def _facts(result: Manipulator) -> Iterator[Fact]:
 def _arm_fact(result: Manipulator) -> Fact:
     arm = result.arm
     lines = [f"{ARMS[arm.kind]}{'; base psi' if arm.spatial else ''}"]
-    values = {**keyed(arm, "kind"), "problem": "inverse" if result.inverse else "direct"}
+    values = {**keyed(arm, "kind"), **PROBLEM.value("inverse" if result.inverse else "direct")}
     if arm.kind == "angular":
         values |= keyed(arm, "upper", "forearm")
         side = ""
         if result.inverse:  # else the joints settle it
-            values["elbow"] = "up" if arm.elbow > 0 else "down"
-            side = f", elbow {values['elbow']}"
+            up = "up" if arm.elbow > 0 else "down"
+            values |= ELBOW.value(up)
+            side = f", elbow {up}"
         lines.append(f"arms of {number(arm.upper)} m and {number(arm.forearm)} m{side}")
     if arm.height:
         lines.append(f"shoulder at a height of {number(arm.height)} m")
@@ -122,8 +124,8 @@ def _values(piece: PieceFacts) -> dict[str, object]:
 def _extreme_facts(result: Manipulator) -> Iterator[Fact]:
     """Extremes of the gripper and of each joint, for people without what never changes."""
     found = {each.name: each for each in result.extremes}
-    groups = {joint.name: joint[:3] for joint in result.arm.ranged}
-    for what, names in {"gripper": GRIPPER, **groups}.items():
+    groups = {"gripper": tuple(each.name for each in GRIPPER)}
+    for what, names in (groups | {joint.name: joint[:3] for joint in result.arm.ranged}).items():
         own = [found[name] for name in names if name in found]
         told = [each for each in own if each.least != each.largest]
         if told:

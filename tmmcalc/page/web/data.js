@@ -116,6 +116,7 @@
  * @property {Record<string, string>} languages
  * @property {string} language
  * @property {Record<string, Said>} words
+ * @property {Record<string, string>} letters Greek ones by their names
  * @property {number} error
  * @property {Variant[]} scenes
  * @property {string} block

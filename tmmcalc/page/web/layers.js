@@ -169,7 +169,7 @@ function arrow({ line, name, size }, [ax, ay], [dx, dy], long, taken) {
   const aside = (Math.abs(ey) * size[0] + Math.abs(ex) * size[1]) / 2 + 5;
   const places = [[long + out, 0], [0.7 * long, aside], [0.7 * long, -aside], [0.4 * long, aside], [0.4 * long, -aside]];
   const free = places
-    .map(([along, beside]) => boxed(ax + along * ex - beside * ey, ay + along * ey + beside * ex, size))
+    .map(([along, beside]) => rectangle(ax + along * ex - beside * ey, ay + along * ey + beside * ex, size))
     .find((box) => !taken.some((each) => box[0] < each[2] && each[0] < box[2] && box[1] < each[3] && each[1] < box[3]));
   const told = long >= NAMED && free !== undefined;
   name.classList.toggle("lost", !told);
@@ -185,6 +185,6 @@ function arrow({ line, name, size }, [ax, ay], [dx, dy], long, taken) {
  * @param {import("./labels.js").Pair} size
  * @returns {Place}
  */
-function boxed(x, y, [wide, high]) {
+function rectangle(x, y, [wide, high]) {
   return [x - wide / 2, y - high / 2, x + wide / 2, y + high / 2];
 }

@@ -113,7 +113,7 @@ export function toothed(body) {
  * @param {Point} place
  * @param {number} width
  */
-export function around({ half, worked, count, turn, x, y }, place, width) {
+export function teethAt({ half, worked, count, turn, x, y }, place, width) {
   const step = (2 * Math.PI) / count;
   const towards = Math.atan2(place[1] - y, place[0] - x) - Math.PI / 2 - turn;
   const seen = Math.ceil(width / Math.hypot(place[0] - x, place[1] - y) / step) + 2;

@@ -1,8 +1,8 @@
 // What is drawn of the point of a trial: bodies with teeth and marks, all by formulas, around a place in the middle.
 import { compiled } from "./formulas.js";
 import { COLOURS, drawn, named, RING } from "./marks.js";
-import { around, toothed } from "./outlines.js";
-import { saying, told } from "./words.js";
+import { teethAt, toothed } from "./outlines.js";
+import { told } from "./words.js";
 
 const FINE = 5e-4; // how far cubics may lie from curves, in the units of the formulas
 const BESIDE = [10, -9]; // pixels from a point to its name
@@ -26,7 +26,7 @@ export class Sketch {
     this.high = high;
     this.scale = high / 2 / sketch.reach;
     this.svg = drawn("svg", { viewBox: `0 0 ${wide} ${high}`, class: "scene sketch", role: "img" }, parent);
-    saying(() => this.svg.setAttribute("aria-label", told(sketch.title)));
+    this.title = sketch.title;
     this.middle = sketch.middle.map(compiled);
     this.at = [0, 0];
     this.bodies = sketch.bodies.map((body) => {
@@ -95,12 +95,17 @@ export class Sketch {
     const gone = placed.findIndex((each) => each.beyond);
     if (gone >= 0) return this.bodies[gone].beyond;
     this.bodies.forEach(({ gear, flank }, k) => {
-      const { outline, flanks, centre } = around(placed[k], [this.at[0], this.at[1]], this.wide / this.scale);
+      const { outline, flanks, centre } = teethAt(placed[k], [this.at[0], this.at[1]], this.wide / this.scale);
       gear.setAttribute("d", `${this.path(outline)}${centre ? `L${this.shown(centre).map(tidy).join(",")}` : ""}z`);
       flank.setAttribute("d", flanks.map((each) => this.path(each)).join(""));
     });
     for (const place of this.marks) place(values);
     return null;
+  }
+
+  /** What it is, in the language. */
+  say() {
+    this.svg.setAttribute("aria-label", told(this.title));
   }
 
   /** @param {boolean} gone */

@@ -89,10 +89,8 @@ export function measured(value, unit, digits) {
   return `${written(value, digits)}${said && said !== "°" ? " " : ""}${said}`;
 }
 
-const GREEK = {
-  omega: "ω", eps: "ε", phi: "φ", eta: "η", angle: "φ", mu: "μ", delta: "δ", alpha: "α", beta: "β", gamma: "γ",
-  rho: "ρ", sigma: "σ", tau: "τ", theta: "θ", psi: "ψ", lambda: "λ", nu: "ν", xi: "ξ", chi: "χ",
-};
+/** @type {Record<string, string>} */
+const letters = { ...content.letters, angle: "φ" };
 
 /**
  * A name as it is set: its letter and its index.
@@ -102,8 +100,7 @@ const GREEK = {
 export function parted(name) {
   const [letter, ...index] = name.replaceAll(/[{}]/g, "").split("_");
   const plain = letter.replaceAll("'", "");
-  const greek = GREEK[/** @type {keyof typeof GREEK} */ (plain)];
-  return [(greek ?? plain) + "′".repeat(letter.length - plain.length), index.map((part) => GREEK[/** @type {keyof typeof GREEK} */ (part)] ?? part).join(", ")];
+  return [(letters[plain] ?? plain) + "′".repeat(letter.length - plain.length), index.map((part) => letters[part] ?? part).join(", ")];
 }
 
 /**

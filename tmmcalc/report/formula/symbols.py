@@ -37,6 +37,7 @@ GREEK = {
     "Psi": "Ψ",
     "Omega": "Ω",
 }
+LETTER = re.compile(rf"(?<![^\W_])(?:{'|'.join(GREEK)})(?![a-z])")  # its name within a sentence
 NAME = re.compile(r"(?P<base>[A-Za-z]+)(?P<primes>'*)(?:_(?:\{(?P<index>[^{}]*)\}|(?P<sub>\w+)))?"
                   r"(?:\^(?:\{(?P<upper>[^{}]*)\}|(?P<sup>[A-Za-z]+)))?")  # fmt: skip
 
@@ -67,6 +68,15 @@ Symbol(base='a', lower='BA', upper='n', primes=0))
     index = found["index"] if found["index"] is not None else found["sub"] or ""
     upper = found["upper"] if found["upper"] is not None else found["sup"] or ""
     return Symbol(base, _words(index), _words(upper), len(found["primes"]))
+
+
+def with_letters(sentence: str) -> str:
+    """A sentence in which Greek letters stand for their names.
+
+    >>> with_letters("eps_alpha is below 1.2 at phi = 0, delta_0 of the alphabet")
+    'ε_α is below 1.2 at φ = 0, δ_0 of the alphabet'
+    """
+    return LETTER.sub(lambda name: GREEK[name[0]], sentence)
 
 
 def canonical(key: str) -> str:

@@ -17,6 +17,7 @@ from tmmcalc.cams.forces.spring import DEFLECTION, lifting_force
 from tmmcalc.cams.forces.turn import at_rows
 from tmmcalc.cams.notes.lexicon import mm
 from tmmcalc.cams.notes.loaded.quantities import Loaded, of_rate, of_scene, shown_angle
+from tmmcalc.cams.pictures.wording import phase_name
 from tmmcalc.cams.rounding import sides
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.formula.digits import Given
@@ -97,7 +98,7 @@ def _by_safety(of: Loaded, spring: SpringFound) -> Iterator[Block]:
         tr(
             "The spring has to keep the follower on the cam with the safety $K_1$ where inertia lifts it off most, "
             "without technological forces. That is on the {phase} at $phi$ = {angle}:",
-            phase=_phase(spring.phase),
+            phase=phase_name(spring.phase),
             angle=shown_angle(spring.phi),
         )
     )
@@ -133,7 +134,7 @@ def _governed(of: Loaded, spring: SpringFound, place: Place) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "The {phase} lifts the follower off lower down, at $phi$ = {angle}, and asks for a stiffer spring:",
-            phase=_phase(other.phase),
+            phase=phase_name(other.phase),
             angle=shown_angle(other.phi),
         )
     )
@@ -199,10 +200,6 @@ def _reached(of: Loaded, spring: SpringFound) -> Iterator[Block]:
     texts = ("K_min = (<Q>_0 + c*<dy>_<i>)/<P>_<i>",) if known else (LIFTING, "K_min = (<Q>_0 + c*<dy>_<i>)/<P>_<i>")
     yield from of.lines([text.replace("<i>", index) for text in texts], [Place("", lexicon)])
     yield Result("K_min", lexicon["K_min"], spring.asked or 1.0, ">=")
-
-
-def _phase(kind: str) -> str:
-    return tr("rise") if kind == "rise" else tr("return")
 
 
 def _rate(of: Loaded) -> str:
