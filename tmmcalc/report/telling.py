@@ -299,7 +299,7 @@ def column_of(values: ArrayLike, digits: int = DIGITS) -> list[str]:
     """
     numbers = np.asarray(values, dtype=float)
     largest = np.max(np.abs(numbers[np.isfinite(numbers)]), initial=0.0)
-    exponent = math.floor(math.log10(largest)) if largest > 0 else 0
+    exponent = int(f"{largest:.{digits - 1}e}".partition("e")[2])  # of the largest as it is printed
     last = exponent - digits + 1
     if PLAIN[0] < exponent < PLAIN[1]:
         texts = [spelt(f"{round(each, -last) + 0.0:.{max(0, -last)}f}") for each in numbers]

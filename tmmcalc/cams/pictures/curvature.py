@@ -106,7 +106,7 @@ def limits_of(task: CamTask, result: Profile) -> list[tuple[float, str, Pen]]:
         return [(1e3 * limits.convex, tr("least radius $r_m$"), CUSP)] if limits.convex else []
     found = []
     if cusp := _cusp(result):
-        found.append((cusp, tr("$1/r_2$: cusp of the pitch curve"), CUSP))
+        found.append((cusp, tr("$1/r_2$: cusp of the working profile"), CUSP))
     peak = _working_peak(result)
     if limits.convex and peak is not None and 1e-3 / limits.convex < NEAR_LIMIT * peak:
         found.append((1e-3 / limits.convex, tr("$1/r_m$: least convex radius"), CONVEX))

@@ -59,6 +59,8 @@ def _extremes(told: Told, summary: OutputSummary, key: str) -> Iterator[Block]:
     full = closed(told.chain)
     counted = np.array([along(result, centre.x, full) for centre in centres])
     x, values = np.array([each.x for each in centres]), _values(summary)
+    if summary.working_angle is not None:  # the second one after the first, as the angle between them is told
+        x[1] = x[0] + math.copysign(summary.working_angle, result.speed)
     name, index = plain_name(summary.name), result.structure.input_link
     angles = np.degrees if result.turns else np.asarray
     heads = (f"$phi_{index}$, deg", "$phi$, deg") if result.turns else ("$s$, m", "$Deltas$, m")

@@ -188,7 +188,8 @@ def _curve(told: Told) -> Iterator[Block]:
     yield from lines(segment, place)
     yield Paragraph(tr("The constant moment of inertia that the machine must have"))
     yield from lines((f"J_F = mu_A*l_GH/{DIVISOR}",), place)
-    yield Result("J_F", lexicon["J_F"])
+    if told.result.required is None:
+        yield Result("J_F", lexicon["J_F"])
     draw = partial(
         draw_energy_mass,
         picture=told.result.picture,
@@ -304,7 +305,9 @@ def _compared(told: Told) -> Iterator[Block]:
             columns[tr("$delta$ under the motor")] = [row.delta for row in result.rows]
     said = tr("Table {tab:flywheel_methods} compares the methods with the exact one.")
     if all(nodal):
-        said += " " + tr("The same by the positions alone misses the extremes between them.")
+        said += " " + tr(
+            "By the positions alone, with works by the trapezoid rule, jumps and extremes between them are missed."
+        )
     yield Paragraph(said)
     shown = {head: [math.nan if each is None else each for each in cells] for head, cells in columns.items()}
     caption = tr("Constant moment of inertia by all methods")
@@ -320,19 +323,23 @@ def _inertia(told: Told, order: Order) -> Iterator[Block]:
     result = told.result
     yield Heading(tr("Moment of inertia of the flywheel"), 2)
     needed = result.rows[0].positional.inertia
+    symbol, said = "J_F", tr("constant moment of inertia that is needed, reduced to the input link")
     if result.required is not None:
         yield from _under_motor(result)
         needed = result.required.inertia
+        symbol, said = "J_c", tr("constant moment of inertia with which the steady motion keeps $delta_0$")
     lexicon = {
         **inertias(result.at_hand, order),
         "J_0": Given(result.without, "kg*m^2", tr("constant moment of inertia at hand without a flywheel")),
-        "J_F": Given(needed, "kg*m^2", tr("constant moment of inertia that is needed, reduced to the input link")),
+        symbol: Given(needed, "kg*m^2", said),
         "J_M": Given(result.addition, "kg*m^2", tr("moment of inertia of the flywheel, reduced to the input link")),
     }
     place = [Place("", named(lexicon))]
     yield from lines(("J_0 = J_R*u**2 + J_g + J_e",), place)
     if result.addition > 0:
-        yield from lines(("J_M = J_F - J_0",), place)
+        yield from lines((f"J_M = {symbol} - J_0",), place)
+        if result.required is not None:
+            yield Result(symbol, lexicon[symbol])
         yield Result("J_M", lexicon["J_M"])
     elif result.required is not None:
         delta = result.required.delta
@@ -393,7 +400,7 @@ def _trials(trials: Sequence[Trial], caption: str, key: str) -> Block:
         "$J$, kg*m^2": [trial.inertia for trial in trials],
         "$delta$": [math.nan if trial.delta is None else trial.delta for trial in trials],
     }
-    return tabulated(caption, columns, [str(k) for k in range(len(trials))], head=tr("Step"), key=key)
+    return tabulated(caption, columns, [str(k) for k in range(len(trials))], head=tr("No."), key=key)
 
 
 def _customary(delta: float) -> Iterator[Block]:

@@ -89,12 +89,15 @@ def _machine(result: Motion, order: Order) -> Iterator[Block]:
             J=reduced()["J"],
         )
     )
+    found, own = order.results.get("flywheel"), result.inertia.flywheel
+    designed = found is not None and own > 0 and math.isclose(found.addition, own)
+    wheel = "J_M" if designed else "J_f"  # the letter that the wheel has where it was found
     lexicon = {
         **inertias(result.inertia, order),
-        "J_f": Given(result.inertia.flywheel, "kg*m^2", tr("moment of inertia of the flywheel")),
+        wheel: Given(own, "kg*m^2", tr("moment of inertia of the flywheel")),
         "J_c": Given(result.inertia.total, "kg*m^2", tr("constant moment of inertia of the machine")),
     }
-    yield from lines(("J_c = J_R*u**2 + J_g + J_e + J_f",), [Place("", named(lexicon))])
+    yield from lines((f"J_c = J_R*u**2 + J_g + J_e + {wheel}",), [Place("", named(lexicon))])
 
 
 def _even(result: Motion) -> Iterator[Block]:

@@ -127,7 +127,7 @@ def _simple(result: Reduction) -> bool:
 def _cleaned(ordinates: Real) -> str:
     """The sum of ordinates as it is printed, nothing where it is but rounding."""
     found = float(np.sum(ordinates))
-    return column_of([found if abs(found) > NOISE * float(np.sum(np.abs(ordinates))) else 0.0])[0]
+    return column_of([found if abs(found) > CANCELLED * float(np.sum(np.abs(ordinates))) else 0.0])[0]
 
 
 def _with_factors(table: Table, result: Reduction) -> Table:

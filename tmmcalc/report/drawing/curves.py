@@ -21,7 +21,7 @@ DOTTED = 72  # more positions than this are not marked one by one
 PREFIXES = ((1e7, 1e-6, "M"), (1e4, 1e-3, "k"))
 SIDES = (17.0, 3.0, 3.0, 2.0)  # room for numbers and names around a frame: left, bottom, right, top [mm]
 LONGER = 3.0  # and on the left for the numbers of an ordinate that a standard factor makes longer
-BELOW = 8.0  # and for those of the abscissa under the lowest
+BELOW = 9.5  # and for those of the abscissa under the lowest
 
 
 @record

@@ -68,7 +68,7 @@ def _table(found: Iteration, pairs: Mapping[str, ToldPair], loaded: Loaded, capt
             head, factor = printed_head(symbol, unit)
             rows.append((head, *column_of(factor * values)))
     change = [cell(100 * each, 2) for each in found.change]
-    rows.append((tr("largest change, %"), *("–" if k == 0 else change[k] for k in shown), "–"))
+    rows.append((tr("Largest relative change of a component, %"), *("–" if k == 0 else change[k] for k in shown), "–"))
     return Table(caption, (tr("Pass"), *(str(k + 1) for k in shown), tr("solution")), tuple(rows), key)
 
 
