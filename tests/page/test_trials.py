@@ -95,6 +95,22 @@ def test_the_point_is_dragged_and_teeth_follow(open_page: Open) -> None:
     assert not any("NaN" in path for path in seen)
 
 
+def test_plane_and_sketch_follow_the_width_of_the_window(open_page: Open) -> None:
+    """The point stays where it is, and keys move it on."""
+    found = open_page(NAME)
+    shifts = pressed(found, -3, 2)
+    told = found.page.locator(f"{TRIAL} .told")
+    for wide in (390, 1280):
+        found.page.set_viewport_size({"width": wide, "height": 800})
+        shape = 360 if wide < 600 else 760
+        for drawing in (".plane", ".sketch"):
+            found.page.wait_for_selector(f"{TRIAL} {drawing}[viewBox^='0 0 {shape} ']")
+            assert found.page.locator(f"{TRIAL} {drawing}").count() == 1
+        assert number(told.inner_text().split("= ")[1]) == pytest.approx(shifts[0], abs=1e-4)
+    found.page.locator(f"{TRIAL} .plane").press("ArrowRight")
+    assert number(told.inner_text().split("= ")[1]) == pytest.approx(shifts[0] + STEP, abs=1e-4)
+
+
 def test_contacts_lie_on_the_line_of_action(open_page: Open) -> None:
     """As many as the pair has at the pitch point, between the ends of the contact."""
     found = open_page(NAME)

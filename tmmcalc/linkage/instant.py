@@ -6,10 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.core.plane import LinkMotion
+from tmmcalc.core.plane import LinkMotion, Plane, Real
 from tmmcalc.core.records import record
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.results import Kinematics
+
+Place = complex | Plane  # at one position, or at all (n,)
 
 
 @record
@@ -17,23 +19,23 @@ class LinkState:
     """Motion of a link in time: place, velocity, acceleration of its base point and its rotation; numbers or (n,)."""
 
     base: complex
-    r: Any
-    v: Any
-    a: Any
-    u: Any
-    omega: Any
-    eps: Any
+    r: Place
+    v: Place
+    a: Place
+    u: Place
+    omega: float | Real
+    eps: float | Real
 
-    def arm(self, p: Any) -> Any:
+    def arm(self, p: Place) -> Place:
         """The vector from the base point to the point p of the link."""
         return (p - self.base) * self.u
 
-    def point(self, p: Any) -> tuple[Any, Any]:
+    def point(self, p: Place) -> tuple[Place, Place]:
         """Velocity and acceleration of the point p of the link."""
         d = self.arm(p)
         return self.v + 1j * self.omega * d, self.a + (1j * self.eps - self.omega**2) * d
 
-    def own(self, place: Any) -> Any:
+    def own(self, place: Place) -> Place:
         """The point of the link that lies at this place, in the link's axes."""
         return self.base + (place - self.r) / self.u
 
@@ -48,7 +50,7 @@ def in_time(motion: LinkMotion, result: Kinematics, row: int | None = 0) -> Link
     return LinkState(motion.base, r, v, a, u, omega, eps)
 
 
-def _at(z: Any, row: int) -> Any:
+def _at(z: Plane | Real, row: int) -> Any:
     """The value at the position of what may be the same at all."""
     values = np.ravel(z)
     return values[row if len(values) > 1 else 0]

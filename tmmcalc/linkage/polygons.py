@@ -17,18 +17,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import isnan
-from typing import Any
 
 import numpy as np
 
 from tmmcalc.linkage.chain import Configuration, chain_of
-from tmmcalc.linkage.instant import LinkState, in_time, turning_links
+from tmmcalc.linkage.instant import LinkState, Place, in_time, turning_links
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.pins import Pin, find_pins
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.special import Special, meeting, special_points
 from tmmcalc.linkage.turning import slider_pin, turnings
-from tmmcalc.linkage.vectors import Polygon, Vector, VectorPolygons
+from tmmcalc.linkage.vectors import Polygon, PolygonOverAll, Vector, VectorPolygons
 
 
 def polygons(mechanism: Mechanism, result: Kinematics, position: int, *, special: bool = False) -> VectorPolygons:
@@ -45,13 +44,13 @@ def polygons(mechanism: Mechanism, result: Kinematics, position: int, *, special
             place = complex(meeting(configuration, point).r[0])
             if not isnan(place.real):
                 plan.add_special(point, place)
-    return plan.finished(position)
+    return plan.at(position)
 
 
-def polygons_of_all(mechanism: Mechanism, result: Kinematics) -> VectorPolygons:
-    """The polygons of all positions, which have the same vertices and vectors: arrays (n,) in place of numbers."""
+def polygons_of_all(mechanism: Mechanism, result: Kinematics) -> tuple[PolygonOverAll, PolygonOverAll, tuple[str, ...]]:
+    """The polygons of velocities and of accelerations over all positions, and the points in their poles."""
     configuration = chain_of(mechanism, result).evaluate(result.x)
-    return _planned(mechanism, result, configuration, None).finished(0)
+    return _planned(mechanism, result, configuration, None).over_all()
 
 
 def _planned(mechanism: Mechanism, result: Kinematics, configuration: Configuration, row: int | None) -> _Plan:
@@ -78,8 +77,8 @@ class _Plan:
         self.names: dict[Pin, str] = {}
         self.points: dict[str, str] = {}  # vertex -> the point whose motion it shows: B, of slider 2 at its pin A2
         self.guides: dict[str, tuple[Pin, str]] = {}  # joint -> the slider's pin, the vertex of the guide's point
-        self.velocity: dict[str, Any] = {"p": 0j}
-        self.acceleration: dict[str, Any] = {"pi": 0j}
+        self.velocity: dict[str, Place] = {"p": 0j}
+        self.acceleration: dict[str, Place] = {"pi": 0j}
         self.v_vectors: list[Vector] = []
         self.a_vectors: list[Vector] = []
 
@@ -104,7 +103,7 @@ class _Plan:
         turning = [j for j in self.sliding if j.links[1] in self.turning]
         return ["k"] if len(turning) == 1 else [f"k{j.links[0]}" for j in turning]
 
-    def _place(self, pin: Pin) -> Any:
+    def _place(self, pin: Pin) -> Place:
         link, p = next(iter(pin.at.items()))
         state = self.states[link]
         return state.r + state.arm(p)
@@ -125,7 +124,7 @@ class _Plan:
             else:
                 self._turn(each.link, each.base, self.names[each.head], each.head.at[each.link])
 
-    def _turn(self, link: int, base: Pin, head: str, p: complex) -> None:
+    def _turn(self, link: int, base: Pin, head: str, p: Place) -> None:
         """Normal and tangential part of the acceleration of point p of a link about its attachment point."""
         state = self.states[link]
         tail, pole = self._vertex(base, "p"), self._vertex(base, "pi")
@@ -192,17 +191,33 @@ class _Plan:
         for head in vertices[1:]:
             yield vertices[0], head
 
-    def finished(self, position: int) -> VectorPolygons:
-        """Freeze the plan."""
+    def at(self, position: int) -> VectorPolygons:
+        """The plan that has numbers, as that of its position."""
         links = sorted(self.turning & self.states.keys())
         return VectorPolygons(
             position,
-            Polygon("p", self.velocity, tuple(self.v_vectors)),
-            Polygon("pi", self.acceleration, tuple(self.a_vectors)),
-            tuple(pin.name.lower() for pin in self.pins if pin.fixed and pin.joints),
-            {link: self.states[link].omega for link in links},
-            {link: self.states[link].eps for link in links},
+            Polygon("p", {name: complex(z) for name, z in self.velocity.items()}, tuple(self.v_vectors)),
+            Polygon("pi", {name: complex(z) for name, z in self.acceleration.items()}, tuple(self.a_vectors)),
+            self._fixed(),
+            {link: float(self.states[link].omega) for link in links},
+            {link: float(self.states[link].eps) for link in links},
         )
+
+    def over_all(self) -> tuple[PolygonOverAll, PolygonOverAll, tuple[str, ...]]:
+        """The plan that has arrays; what is the same at all positions, as the poles, has them too."""
+        velocity, acceleration = (
+            {name: np.broadcast_to(z, len(self.result.x)) for name, z in tips.items()}
+            for tips in (self.velocity, self.acceleration)
+        )
+        return (
+            PolygonOverAll("p", velocity, tuple(self.v_vectors)),
+            PolygonOverAll("pi", acceleration, tuple(self.a_vectors)),
+            self._fixed(),
+        )
+
+    def _fixed(self) -> tuple[str, ...]:
+        """The points in the poles."""
+        return tuple(pin.name.lower() for pin in self.pins if pin.fixed and pin.joints)
 
 
 def _free(name: str, taken: set[str], otherwise: str = "") -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from tmmcalc.core.plane import Plane
 from tmmcalc.core.records import record
 
 Kind = Literal["absolute", "relative", "normal", "tangential", "sliding", "coriolis", "special"]
@@ -35,6 +36,15 @@ class Polygon:
     def value(self, vector: Vector) -> complex:
         """The vector itself, head less tail."""
         return self.vertices[vector.head] - self.vertices[vector.tail]
+
+
+@record
+class PolygonOverAll:
+    """The polygon of n positions: vertices (n,) by name, and the vectors, which are the same at all of them."""
+
+    pole: str
+    vertices: dict[str, Plane]
+    vectors: tuple[Vector, ...]
 
 
 @record

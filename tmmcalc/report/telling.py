@@ -29,7 +29,6 @@ from tmmcalc.report.printing import printed_as
 from tmmcalc.report.sheets.piece import Piece
 
 Step = TypeVar("Step")
-FOLDED, BROAD = 12, 12  # rows up to which a table of few columns is not folded; columns that a folded one has
 STILL = 1e-12  # a value this small in every shown place is nothing
 DIGITS = 5  # of the largest number of a column, of a number within a sentence
 WIDE, HIGH = 160.0, 130.0  # that a picture may be [mm]
@@ -123,16 +122,13 @@ def tabulated(
     return Table(caption, tuple(found), tuple(zip(*found.values(), strict=True)), key)
 
 
-def folded(table: Table, parts: int = 0) -> Table:
-    """A table of few columns and many rows with parts of it side by side, each under the head; the last may be shorter.
+def folded(table: Table, parts: int) -> Table:
+    """A table of many rows with parts of it side by side, each under the head; the last may be shorter.
 
-    Without their number there are as many ``parts`` as its columns allow.
-
-    >>> folded(Table("t", ("i", "x", "y", "z"), tuple((str(k), "", "", "") for k in range(14)))).rows[4]
-    ('4', '', '', '', '9', '', '', '', '', '', '', '')
+    >>> folded(Table("t", ("i", "x"), tuple((str(k), "") for k in range(14))), 3).rows[4]
+    ('4', '', '9', '', '', '')
     """
     columns, count = len(table.head), len(table.rows)
-    parts = parts or (max(1, BROAD // columns) if count > FOLDED else 1)
     high = math.ceil(count / parts)
     padded = (*table.rows, *((("",) * columns,) * (parts * high - count)))
     rows = (sum((padded[k + part * high] for part in range(parts)), ()) for k in range(high))

@@ -22,7 +22,7 @@ from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import WIDE, folded, lines, tabulated
+from tmmcalc.report.telling import WIDE, lines, tabulated
 
 STEM = ("theta = atan((S' <+> e)/S)",)
 ROCKER = ("theta = atan((l_2*(1 <d-> psi') - l_0*cos(psi))/(l_0*sin(psi)))",)
@@ -62,7 +62,7 @@ def blocks(order: Order) -> Iterator[Block]:
         )
     )
     labels = [result.labels[row] for row in shown]
-    yield folded(tabulated(tr("Pressure angle"), columns, labels, head="$i$", key="cam_pressure"))
+    yield tabulated(tr("Pressure angle"), columns, labels, head="$i$", key="cam_pressure")
     yield Figure(
         tr("Pressure angle over a turn of the cam"), partial(_draw, task=told.task, result=result), SIZE, "cam_pressure"
     )

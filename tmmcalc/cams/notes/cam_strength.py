@@ -17,7 +17,7 @@ from tmmcalc.cams.pictures.cam_strength import draw_requirements
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Table
-from tmmcalc.report.telling import WIDE, folded, tabulated
+from tmmcalc.report.telling import WIDE, tabulated
 
 GIVEN = (  # without the limits of the profile, which stand with its sizes
     *("b", "E_n", "sigma_HP", "k_r", "f_r", "f_0", "p_0P", "alpha_2", "alpha_0", "rho_s", "l_s", "sigma_FP", "Delta_P"),
@@ -85,4 +85,4 @@ def _table(of: Judging) -> Table | None:
     shown = {"$phi$, deg": np.degrees(found.positions.phi)[rows], **columns}
     labels = [found.positions.labels[row] for row in rows]
     caption = tr("Values over the turn")
-    return folded(tabulated(caption, shown, labels, head="$i$", key="cam_judged"))
+    return tabulated(caption, shown, labels, head="$i$", key="cam_judged")

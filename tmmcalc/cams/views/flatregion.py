@@ -12,10 +12,10 @@ import numpy as np
 
 from tmmcalc.cams.synthesis.results import Convexity, Synthesis
 from tmmcalc.cams.views.motion import CamInMotion
+from tmmcalc.cams.views.region import boxed, shown_region
 from tmmcalc.core.plane import Plane
-from tmmcalc.report.moving import FRAME, Body, Driver, Mark, Reading, Span, Spot, View
+from tmmcalc.report.moving import FRAME, Body, Mark, Reading, Span, Spot, View
 
-AROUND = 0.12  # of its size: what is shown around all
 BLUE, GREEN = 1, 3
 NOTE = (
     "S'' is laid off across, the displacement up; the line at 45° through their point M cuts off the radius of "
@@ -31,20 +31,9 @@ def region_under_face(made: CamInMotion, result: Synthesis) -> Iterator[View]:
     start, laid = made.follower.start, made.motion[2] + 1j * made.motion[0]
     cut = laid.real + laid.imag
     content = np.concatenate((laid, 1j * cut, [-1j * start]))
-    low, high = complex(content.real.min(), content.imag.min()), complex(content.real.max(), content.imag.max())
-    around = AROUND * max((high - low).real, (high - low).imag) * (1 + 1j)
-    low, high = low - around, high + around
+    low, high = boxed(content)
     along, still = abs(high - low) * (1 - 1j), made.still(0.0)
-    yield View(
-        name="cam_region",
-        title="Admissible places of the cam's axis",
-        symbol="φ",
-        unit="deg",
-        values=made.profile.positions.degrees,
-        whole=True,
-        column="phi[deg]",
-        steps=(),
-        box=(low, high),
+    yield shown_region(made, (low, high))._replace(
         bodies=(
             Body("region", still, still, still, tuple(_static(found, laid, low, high))),
             Body("line", still, made.traced(cut), still, (Mark("line", (-along, along)),)),
@@ -53,7 +42,6 @@ def region_under_face(made: CamInMotion, result: Synthesis) -> Iterator[View]:
         frame=tuple(_lines(found, low, high)),
         spots=(Spot("O", FRAME, -1j * start, "pin"), Spot("M", "point", 0j, "point")),
         spans=(Span("bar", ((FRAME, -1j * start), ("line", 0j))),),
-        driver=Driver("cam_profile", 1.0, 0.0),
         note=NOTE,
         readings=(Reading("radius of curvature of the profile", "rho", "mm", made.traced(1e3 * (start + cut))),),
     )

@@ -32,8 +32,7 @@ def region_of_axis(made: CamInMotion, result: Synthesis) -> Iterator[View]:
         return
     laid = laid_off(made)
     content = np.concatenate((laid, made.seat, [-BELOW * made.follower.base * 1j, made.pivot]))
-    low, high = complex(content.real.min(), content.imag.min()), complex(content.real.max(), content.imag.max())
-    around = AROUND * max((high - low).real, (high - low).imag) * (1 + 1j)
+    box = boxed(content)
     ray = np.unwrap(np.angle(laid))
     theta = np.angle(laid / made.upward)
     start = np.unwrap(np.angle(made.upward))
@@ -45,7 +44,29 @@ def region_of_axis(made: CamInMotion, result: Synthesis) -> Iterator[View]:
         *made.shown_alone(),
     )
     angle = Angle("theta", "end", made.traced(start), made.traced(start + theta), "cam_pressure.theta")
-    yield View(
+    yield shown_region(made, box)._replace(
+        bodies=bodies,
+        spots=(
+            Spot("O", FRAME, 0j, "pin"),
+            *((Spot("A", FRAME, made.pivot, "pin"),) if made.rocks else ()),
+            Spot("C", "centre", 0j, "point"),
+            Spot("K", "end", 0j, "point"),
+        ),
+        layers=(Layer("pressure", "Pressure angle", "deg", (), angles=(angle,)),),
+        front=((Mark("pivot", (made.pivot, -1j)),) if made.rocks else ()),
+    )
+
+
+def boxed(content: Plane) -> tuple[complex, complex]:
+    """Lower left and upper right corner of what is shown, with air around all."""
+    low, high = complex(content.real.min(), content.imag.min()), complex(content.real.max(), content.imag.max())
+    around = AROUND * max((high - low).real, (high - low).imag) * (1 + 1j)
+    return low - around, high + around
+
+
+def shown_region(made: CamInMotion, box: tuple[complex, complex]) -> View:
+    """The view of a region over the turn of the cam, which moves it; without what is shown."""
+    return View(
         name="cam_region",
         title="Admissible places of the cam's axis",
         symbol="φ",
@@ -54,18 +75,11 @@ def region_of_axis(made: CamInMotion, result: Synthesis) -> Iterator[View]:
         whole=True,
         column="phi[deg]",
         steps=(),
-        box=(low - around, high + around),
-        bodies=bodies,
+        box=box,
+        bodies=(),
         frame=(),
-        spots=(
-            Spot("O", FRAME, 0j, "pin"),
-            *((Spot("A", FRAME, made.pivot, "pin"),) if made.rocks else ()),
-            Spot("C", "centre", 0j, "point"),
-            Spot("K", "end", 0j, "point"),
-        ),
-        layers=(Layer("pressure", "Pressure angle", "deg", (), angles=(angle,)),),
+        spots=(),
         driver=Driver("cam_profile", 1.0, 0.0),
-        front=((Mark("pivot", (made.pivot, -1j)),) if made.rocks else ()),
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.pictures.vectors import designation, vertex_name
 from tmmcalc.linkage.polygons import polygons_of_all
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.linkage.vectors import Polygon
+from tmmcalc.linkage.vectors import PolygonOverAll
 from tmmcalc.report.drawing.lettering import symbol
 from tmmcalc.report.moving import Edge, Plan
 
@@ -28,18 +28,16 @@ ARROW = 0.45  # of the plan: how long the largest force of the lever is drawn
 
 def plans_of_motion(mechanism: Mechanism, result: Kinematics) -> Iterator[Plan]:
     """The plans of velocities and of accelerations."""
-    found = polygons_of_all(mechanism, result)
+    velocity, acceleration, fixed = polygons_of_all(mechanism, result)
     for name, letter, title, unit, plan in (
-        ("plan-v", "v", "Plan of velocities", "m/s", found.velocity),
-        ("plan-a", "a", "Plan of accelerations", "m/s^2", found.acceleration),
+        ("plan-v", "v", "Plan of velocities", "m/s", velocity),
+        ("plan-a", "a", "Plan of accelerations", "m/s^2", acceleration),
     ):
-        tips = {each: np.broadcast_to(tip, len(result.x)) for each, tip in plan.vertices.items()}
-        yield _plan_of_motion(name, letter, title, unit, plan, tips, found.fixed)
+        yield _plan_of_motion(name, letter, title, unit, plan, fixed)
 
 
-def _plan_of_motion(
-    name: str, letter: str, title: str, unit: str, plan: Polygon, tips: Mapping[str, Plane], fixed: Sequence[str]
-) -> Plan:
+def _plan_of_motion(name: str, letter: str, title: str, unit: str, plan: PolygonOverAll, fixed: Sequence[str]) -> Plan:
+    tips = plan.vertices
     names = list(tips)
     size = max(float(np.abs(tip).max()) for tip in tips.values())
     edges = tuple(
