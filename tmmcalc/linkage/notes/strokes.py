@@ -64,7 +64,7 @@ def _extremes(told: Told, summary: OutputSummary, key: str) -> Iterator[Block]:
     name, index = plain_name(summary.name), result.structure.input_link
     angles = np.degrees if result.turns else np.asarray
     heads = (f"$phi_{index}$, deg", "$phi$, deg") if result.turns else ("$s$, m", "$Deltas$, m")
-    own = f"$phi_{{{name}}}$, deg" if summary.angular else f"$S_{{{name}}}$, m"
+    own = f"$phi_{{{name}}}$, deg" if summary.angular else f"$s_{{{name}}}$, m"
     caption = (
         tr("Extreme positions of link {output}", output=name)
         if summary.angular
@@ -84,7 +84,7 @@ def _extremes(told: Told, summary: OutputSummary, key: str) -> Iterator[Block]:
     if len(centres) == 2 and summary.stroke is not None:
         lexicon |= named(_stroke(summary, name, values))
         left = f"psi_{{{name}}}" if summary.angular else f"H_{{{name}}}"
-        letter = "phi" if summary.angular else "S"
+        letter = "phi" if summary.angular else "s"
         yield from lines([f"{left} = abs({letter}_{{{name}}}^{{II}} - {letter}_{{{name}}}^I)"], place)
         yield Result(left, lexicon[canonical(left)])
     if summary.working_angle is not None and summary.idle_angle is not None and summary.time_ratio is not None:
@@ -122,7 +122,7 @@ def _stroke(summary: OutputSummary, name: str, values: np.ndarray) -> Lexicon:
         ends = {f"phi_{{{name}}}^{mark}": Given(float(v), "deg", said) for mark, v in zip(ENDS, values, strict=True)}
         return {f"psi_{{{name}}}": stroke, **ends}
     said = tr("extreme coordinate of {output}", output=name)
-    ends = {f"S_{{{name}}}^{mark}": length(v, said) for mark, v in zip(ENDS, values, strict=True)}
+    ends = {f"s_{{{name}}}^{mark}": length(v, said) for mark, v in zip(ENDS, values, strict=True)}
     return {f"H_{{{name}}}": length(summary.stroke, tr("stroke of {output}", output=name)), **ends}
 
 

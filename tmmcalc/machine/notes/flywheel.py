@@ -74,9 +74,10 @@ def _excess(told: Told, power: Power | None) -> Iterator[Block]:
         yield Paragraph(
             tr(
                 "The flywheel has to keep the coefficient of speed fluctuation $delta_0 = {delta}$ at the mean angular "
-                "velocity $omega_m$. The methods take the drive as constant, with the mean driving moment "
-                "$M_dm = {moment}$ N·m.",
+                "velocity $omega_m = {speed}$ rad/s. The methods take the drive as constant, with the mean driving "
+                "moment $M_dm = {moment}$ N·m.",
                 delta=numeral(result.delta),
+                speed=numeral(told.speed),
                 moment=numeral(result.picture.drive),
             )
         )
@@ -93,9 +94,10 @@ def _closing(told: Told) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "The flywheel has to keep the coefficient of speed fluctuation $delta_0 = {delta}$ at the mean angular "
-            "velocity $omega_m$. The methods take the drive as a constant moment that makes the work of the cycle "
-            "zero:",
+            "velocity $omega_m = {speed}$ rad/s. The methods take the drive as a constant moment that makes the work "
+            "of the cycle zero:",
             delta=numeral(result.delta),
+            speed=numeral(told.speed),
         )
     )
     work = float(cycle.panels.total(moment_at(cycle, told.speed)))
@@ -359,12 +361,12 @@ def _under_motor(result: Flywheel) -> Iterator[Block]:
         tr(
             "The motor gives way when it is loaded, and evens the speed by itself. So the constant moment of inertia "
             "is sought for which the steady motion under the characteristic of the motor keeps $delta_0$; table "
-            "{tab:flywheel_trials} has the motions that were computed."
+            "{tab:flywheel_trials} has the motions that were computed, in the order of $J$."
         )
         if not result.undriven
         else tr(
             "The loads set the speed. So the constant moment of inertia is sought for which the steady motion keeps "
-            "$delta_0$; table {tab:flywheel_trials} has the motions that were computed."
+            "$delta_0$; table {tab:flywheel_trials} has the motions that were computed, in the order of $J$."
         )
     )
     kept = [trial for k, trial in enumerate(required.trials) if k == 0 or _apart(trial, required.trials[k - 1])]
