@@ -54,7 +54,7 @@ EXACT = 1e-9
 MICROMETRE = 1e-3  # mm
 SCRIPT = """
 import {{ chained, compiled }} from "{folder}/formulas.js";
-import {{ around, toothed }} from "{folder}/outlines.js";
+import {{ teethAt, toothed }} from "{folder}/outlines.js";
 let text = "";
 process.stdin.on("data", (part) => (text += part));
 process.stdin.on("end", () => {{
@@ -68,7 +68,7 @@ process.stdin.on("end", () => {{
     const broken = spares.map((spare, k) => (spare(values) >= 0 ? -1 : k)).filter((k) => k >= 0);
     if (broken.some((k) => conditions[k][1])) return {{ values, broken, bodies: null }};
     const bodies = placed.map((each) => each(values, 5e-4));
-    const seen = bodies.map((each) => around(each, [x(values), y(values)], 3 * Math.PI * values.m));
+    const seen = bodies.map((each) => teethAt(each, [x(values), y(values)], 3 * Math.PI * values.m));
     return {{ values, broken, bodies: bodies.some((each) => each.beyond) ? null : bodies, seen }};
   }})));
 }});

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -44,7 +45,10 @@ SECTOR = math.radians(65)  # of a circle on both sides of the line of centres
 def draw_mesh(drawing: Drawing, box: Box, pair: PlacedPair) -> Board:
     """Draw in the rectangle, no higher than it needs, with columns of radii on both sides; the board has the scale."""
     content, margin, mu = _shown(box, pair)
-    blank = max(0.0, box.height - float(np.ptp(content.imag)) / mu - 2 * (margin + OUT))
+    low, high = float(content.imag.min()), float(content.imag.max())
+    away = [abs(y - (low + high) / 2) for y in _crossings(pair)]
+    seen = [each for each in away if each <= mu * (box.height / 2 - margin)]  # circles that are in sight stay so
+    blank = max(0.0, box.height - 2 * (max((high - low) / 2, *seen, 0.0) / mu + margin + OUT))
     box = box.inset(0, blank / 2, 0, blank / 2)
     board = Board(drawing, box, content, margin, mu)
     corners = [complex(box.left, box.bottom), complex(box.right, box.bottom)]
@@ -79,6 +83,18 @@ def _shown(box: Box, pair: PlacedPair) -> tuple[Plane, float, float]:
     return (everything if mu >= widest else contact), MARGIN, mu
 
 
+def _towards(body: Body) -> int:
+    """Whether the mesh lies above the centre of a wheel or below."""
+    return -1 if body.number == 2 and body.sizes is not None and body.sizes.kind == "external" else 1
+
+
+def _crossings(pair: PlacedPair) -> Iterator[float]:
+    """Where circles of the wheels cross the line of centres at the mesh."""
+    for body in pair.bodies:
+        if body.sizes is not None:
+            yield from (body.centre.imag + _towards(body) * getattr(body.sizes, circle) for circle in CIRCLES)
+
+
 class _Mesh(Sketch):
     """One mesh while it is drawn."""
 
@@ -108,7 +124,7 @@ class _Mesh(Sketch):
                 named[same[0]].append(circle)
             else:
                 named[circle] = [circle]
-        towards = -math.pi / 2 if body.number == 2 and sizes.kind == "external" else math.pi / 2
+        towards = _towards(body) * math.pi / 2
         for circle, names in named.items():
             radius = getattr(sizes, circle)
             pen, ends = circle_pen(circle, colour, body.number), (towards - SECTOR, towards + SECTOR)
