@@ -300,7 +300,7 @@ def _compared(told: Told) -> Iterator[Block]:
     }
     nodal = [told.worked.get(f"{name.replace(' ', '_')}_by_positions") for name in names]
     if all(nodal):
-        columns[tr("by positions $J_F$, kg*m^2")] = [each.inertia for each in nodal if each is not None]
+        columns[tr("$J_F$ by positions, kg*m^2")] = [each.inertia for each in nodal if each is not None]
     if result.addition > 0:
         columns[tr("$delta$ by positional forces")] = [row.positional.delta for row in result.rows]
         if result.required is not None:
