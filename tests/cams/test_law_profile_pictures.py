@@ -193,7 +193,7 @@ def test_only_the_line_of_the_cusp_has_its_look():
     (cusp,) = curves(field, CUSP)
     assert cusp.imag == pytest.approx(1e-3 / follower.roller, rel=1e-9)
     assert {PITCH.colour, WORKING.colour}.isdisjoint({CUSP.colour})
-    assert "cusp of the pitch curve" in texts(drawing)
+    assert "cusp of the working profile" in texts(drawing)
 
 
 @pytest.mark.slow
