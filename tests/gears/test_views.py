@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 from typing import Any
@@ -244,6 +245,18 @@ def test_planets_without_room_are_one() -> None:
     crowded = Network((Mesh("1", 20, "2", 60), Mesh("2", 60, "3", 140, INTERNAL)), (Borne("2", "H", 4),))
     found = members_of(written(solve_gearing(GearingTask(crowded, {"1": 100.0, "3": 0.0}, outputs=("H",)))))[0]
     assert len(next(member.axes for member in found if member.name == "2")) == 1
+
+
+@pytest.mark.parametrize(("sun", "planet", "count"), [(8, 3, 6), (8, 3, 5), (20, 18, 4), (19, 38, 3), (30, 9, 7)])
+def test_no_two_planets_overlap(sun: int, planet: int, count: int) -> None:
+    """Wherever they are put; the nearest two need not be the first ones: six on 22 places are 0, 4, 7, 11, 15, 18."""
+    meshes = (Mesh("1", sun, "2", planet), Mesh("2", planet, "3", sun + 2 * planet, INTERNAL))
+    task = GearingTask(Network(meshes, (Borne("2", "H", count),)), {"1": 100.0, "3": 0.0}, outputs=("H",))
+    member = next(each for each in members_of(written(solve_gearing(task)))[0] if each.name == "2")
+    module = 2 * member.circles[0].radius / planet
+    gaps = [abs(one - other) for one, other in itertools.combinations(member.axes, 2)]
+    assert len(member.axes) in (1, count)
+    assert all(gap >= module * (planet + 2) for gap in gaps)
 
 
 def copy_of(view: View, name: str, k: int, count: int) -> str:

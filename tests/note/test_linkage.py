@@ -12,6 +12,7 @@ import pytest
 from note.scenes import blocks, told
 from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.tree import Equation, Reference, Text
+from tmmcalc.report.formula.digits import value_of
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.tree import Name, Statement, names
@@ -166,3 +167,16 @@ def test_an_angle_has_the_same_whole_turns_in_all_chapters_and_in_the_table(name
             if one == key:
                 row = next(row for row in table.rows if f"pos. {row[0]}" == place)
                 assert number(row[column]) == pytest.approx(value, abs=0.06), (place, key)
+
+
+@pytest.mark.parametrize("name", ["course-project", "shaper", "four-bar", "crank-slider"])
+def test_the_angle_of_an_extreme_position_is_on_the_turn_of_its_formula(name: str) -> None:
+    """And the second one follows the first by the working angle that is told."""
+    found: dict[str, float] = {}
+    for block in chapters(name):
+        for place in block.places if isinstance(block, Line) else ():
+            left, right = block.formula.sides
+            if isinstance(left, Name) and left.key in ("phi_1^I", "phi_1^II", "phi_{I,II}"):
+                found[left.key] = value_of(right, place.lexicon, "deg")
+                assert place.lexicon[left.key].value == pytest.approx(found[left.key], abs=1e-9), left.key
+    assert abs(found["phi_1^II"] - found["phi_1^I"]) == pytest.approx(found["phi_{I,II}"], abs=1e-9)

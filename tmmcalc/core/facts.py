@@ -44,8 +44,8 @@ def labelled(stage: str, result: Any) -> Iterator[Labelled]:
     document = STAGES[stage].summary(result, stage)
     for name, part in (("", document), *zip(beginnings(document.parts), document.parts, strict=True)):
         for fact in part.facts:
+            label, apart = fact.meaning or fact.label, _apart(fact.values)
             for told, value, unit, within in _leaves(fact.values, name):
-                label, apart = fact.meaning or fact.label, _apart(fact.values)
                 yield Labelled(told, value, unit, label, within, apart, part.title if name else "")
 
 

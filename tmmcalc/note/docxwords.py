@@ -51,26 +51,26 @@ def run(text: str, size: float | None = None) -> str:
     return f'<w:r>{sized}<w:t xml:space="preserve">{escape(tied(text))}</w:t></w:r>' if text else ""
 
 
-def in_cell(runs: str, to: str = "left", style: str = "", *, holds: bool = False) -> str:
+def in_cell(content: str, to: str = "left", style: str = "", *, holds: bool = False) -> str:
     """A paragraph of single lines in a cell; one that ``holds`` stays on a page with the row under it."""
     styled = f'<w:pStyle w:val="{style}"/>' if style else ""
     told = f'{styled}{"<w:keepNext/>" * holds}<w:spacing w:line="240" w:lineRule="auto"/><w:jc w:val="{to}"/>'
-    return f"<w:p><w:pPr>{told}</w:pPr>{runs}</w:p>"
+    return f"<w:p><w:pPr>{told}</w:pPr>{content}</w:p>"
 
 
-def runs(text: Text, size: float | None = None) -> str:
+def runs(text: Text) -> str:
     """Words, equations, references."""
     found = []
     for part in text.parts:
         match part:
             case str():
-                found.append(run(part, size))
+                found.append(run(part))
             case Reference(key, number):
                 found.append(field(f"REF {bookmark(key)} \\h", number))
             case _:
                 number = plain(part)
                 alone = NUMERIC.fullmatch(number)
-                found.append(run(number, size) if alone else f"<m:oMath>{omml(part)}</m:oMath>")
+                found.append(run(number) if alone else f"<m:oMath>{omml(part)}</m:oMath>")
     return "".join(found)
 
 

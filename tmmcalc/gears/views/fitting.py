@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from fractions import Fraction
+from itertools import permutations
 
 from tmmcalc.gears.network.model import FRAME, INTERNAL, Mesh, Network
 
@@ -74,8 +75,9 @@ def _crowded(network: Network, axes: Mapping[str, complex], bearer: str, turns: 
                 pairs.add((name, name))
         if mesh.sign != INTERNAL and network.bearer(mesh.first) == network.bearer(mesh.second) == bearer:
             pairs.add((mesh.first, mesh.second))
+    ways = {other - one for one, other in permutations(turns, 2)}
     for one, other in pairs:
-        for turn in (each - turns[0] for each in turns[1:]):
+        for turn in ways:
             angle = 2 * math.pi * float(turn)
             apart = (axes[other] - axes[bearer]) * complex(math.cos(angle), math.sin(angle)) - axes[one] + axes[bearer]
             if abs(apart) < sizes[one] + sizes[other]:

@@ -49,6 +49,14 @@ IN_LINE = {
 }
 
 
+def inputs_of(told: Told, summary: OutputSummary) -> list[float]:
+    """The input coordinate [rad or m] in the extreme positions: of two the second one after the first."""
+    found = [centre.x for centre in summary.dead_centres]
+    if summary.working_angle is not None:
+        found[1] = found[0] + math.copysign(summary.working_angle, told.result.speed)
+    return found
+
+
 def lines_of(told: Told, summary: OutputSummary, lexicon: Lexicon) -> Iterator[Block]:
     """The angles of the crank in the extreme positions of an output, which are put into the lexicon."""
     found = _dyad_of(told)
@@ -59,13 +67,16 @@ def lines_of(told: Told, summary: OutputSummary, lexicon: Lexicon) -> Iterator[B
     place = Place("", lexicon)
     index = told.result.structure.input_link
     chosen: list[str] = []
-    for mark, centre in zip(("I", "{II}"), summary.dead_centres, strict=False):
-        name = f"phi_{index}^{mark}"
-        lexicon |= named({name: Given(math.degrees(centre.x), "deg", tr("angle of the crank in an extreme position"))})
+    for mark, x in zip(("I", "{II}"), inputs_of(told, summary), strict=False):
+        name, wanted = f"phi_{index}^{mark}", math.degrees(x)
+        lexicon |= named({name: Given(wanted, "deg", tr("angle of the crank in an extreme position"))})
         for text in IN_LINE[dyad.step.group.kind]:
             formula = read(filled(f"{name} = {text}", words))
-            if _gives(formula, lexicon, math.degrees(centre.x)):
-                chosen.append(f"{name} = {text}")
+            if (given := _given_by(formula, lexicon)) is None:
+                continue
+            turns = round((given - wanted) / 360.0)
+            if abs(given - wanted - 360.0 * turns) < NEAR:
+                chosen.append(f"{name} = {_turned_back(text, turns)}")
     if len(chosen) == len(summary.dead_centres) == 2:
         yield Paragraph(
             tr("In the extreme positions the slotted link touches the circle of the crank pin:")
@@ -110,10 +121,17 @@ def _quantities(dyad: Dyad, words: dict[str, str], lexicon: Lexicon) -> Lexicon:
     }
 
 
-def _gives(formula: Statement, lexicon: Lexicon, wanted: float) -> bool:
-    """Whether a formula gives this angle [deg]; not where it has no value."""
+def _given_by(formula: Statement, lexicon: Lexicon) -> float | None:
+    """The angle [deg] that a formula gives, if it has a value."""
     try:
-        found = value_of(formula.sides[1], lexicon, "deg")
+        return value_of(formula.sides[1], lexicon, "deg")
     except (ValueError, ArithmeticError):
-        return False
-    return abs(math.remainder(found - wanted, 360.0)) < NEAR
+        return None
+
+
+def _turned_back(text: str, turns: int) -> str:
+    """A formula that gives as many whole turns less, half a turn that it has taken the other way where that does."""
+    signs = {1: "+", -1: "-"}
+    if turns in signs and f"{signs[turns]} deg(180)" in text:
+        return text.replace(f"{signs[turns]} deg(180)", f"{signs[-turns]} deg(180)")
+    return text if not turns else f"{text} - deg({360 * turns})" if turns > 0 else f"{text} + deg({-360 * turns})"

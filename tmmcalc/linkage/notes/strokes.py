@@ -58,9 +58,7 @@ def _extremes(told: Told, summary: OutputSummary, key: str) -> Iterator[Block]:
     result, centres = told.result, summary.dead_centres
     full = closed(told.chain)
     counted = np.array([along(result, centre.x, full) for centre in centres])
-    x, values = np.array([each.x for each in centres]), _values(summary)
-    if summary.working_angle is not None:  # the second one after the first, as the angle between them is told
-        x[1] = x[0] + math.copysign(summary.working_angle, result.speed)
+    x, values = np.array(extremes.inputs_of(told, summary)), _values(summary)
     name, index = plain_name(summary.name), result.structure.input_link
     angles = np.degrees if result.turns else np.asarray
     heads = (f"$phi_{index}$, deg", "$phi$, deg") if result.turns else ("$s$, m", "$Deltas$, m")
@@ -130,8 +128,7 @@ def _angles(told: Told, summary: OutputSummary, names: tuple[str, str]) -> Lexic
     """The angles of the crank over the strokes, the second extreme position after the first."""
     assert summary.working_angle is not None
     assert summary.time_ratio is not None
-    index, first = told.result.structure.input_link, summary.dead_centres[0].x
-    second = first + math.copysign(summary.working_angle, told.result.speed)
+    index, (first, second) = told.result.structure.input_link, extremes.inputs_of(told, summary)
     said = tr("angle of the crank in an extreme position")
     return {
         f"phi_{index}^I": Given(math.degrees(first), "deg", said),

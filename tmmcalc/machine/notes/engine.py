@@ -10,6 +10,7 @@ from tmmcalc.machine.balance.cylinders import Cylinder
 from tmmcalc.machine.balance.engines import EngineBalance, ShaftWeights
 from tmmcalc.machine.balance.enginetask import Engine
 from tmmcalc.machine.notes.counterweights import signed
+from tmmcalc.machine.notes.told import RPM
 from tmmcalc.machine.pictures.engine import draw_engine
 from tmmcalc.machine.tables.tasks.balance import to_engine
 from tmmcalc.report.drawing.order import Order
@@ -111,7 +112,7 @@ def _quantities(cylinders: Sequence[Cylinder], balance: EngineBalance) -> Lexico
             "z_j": Given([each.position_along_shaft for each in cylinders], "m", tr("place of the cylinder")),
             "z_0": Given(balance.reference, "m", tr("middle of the engine")),
             "n_c": Given(float(len(cylinders)), "", tr("number of cylinders")),
-            "n": Given(balance.speed * 30 / math.pi, "rpm", tr("speed of the shaft")),
+            "n": Given(balance.speed * RPM, "rpm", tr("speed of the shaft")),
             "omega": Given(balance.speed, "rad/s", tr("angular velocity of the shaft")),
         }
     )

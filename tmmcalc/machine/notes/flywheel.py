@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tmmcalc.machine.flywheel.materials import RECOMMENDED
-from tmmcalc.machine.flywheel.results import Flywheel, Trial
+from tmmcalc.machine.flywheel.results import Flywheel, RequiredInertia, Trial
 from tmmcalc.machine.flywheel.worked import Paper, Worked, curve_columns, paper, round_scales
 from tmmcalc.machine.notes.motors import of_motor
 from tmmcalc.machine.notes.told import inertias, reduced
@@ -329,7 +329,8 @@ def _inertia(told: Told, order: Order) -> Iterator[Block]:
     if result.required is not None:
         yield from _under_motor(result)
         needed = result.required.inertia
-        symbol, said = "J_c", tr("constant moment of inertia with which the steady motion keeps $delta_0$")
+        symbol = "J_c^{*}" if result.existing else "J_c"  # the machine's own one, unless another wheel is there
+        said = tr("constant moment of inertia with which the steady motion keeps $delta_0$")
     lexicon = {
         **inertias(result.at_hand, order),
         "J_0": Given(result.without, "kg*m^2", tr("constant moment of inertia at hand without a flywheel")),
@@ -369,8 +370,7 @@ def _under_motor(result: Flywheel) -> Iterator[Block]:
             "$delta_0$; table {tab:flywheel_trials} has the motions that were computed, in the order of $J$."
         )
     )
-    kept = [trial for k, trial in enumerate(required.trials) if k == 0 or _apart(trial, required.trials[k - 1])]
-    yield _trials(kept, tr("Trials of the constant moment of inertia"), "flywheel_trials")
+    yield _trials(list(_apart(required)), tr("Trials of the constant moment of inertia"), "flywheel_trials")
     if len(result.history) < 2:
         return
     first, second = result.history[:2]
@@ -392,9 +392,13 @@ def _under_motor(result: Flywheel) -> Iterator[Block]:
     yield _trials(result.history, tr("Correction of the constant moment of inertia"), "flywheel_correction")
 
 
-def _apart(trial: Trial, before: Trial) -> bool:
-    """Whether two trials differ as they are printed."""
-    return trial.inertia - before.inertia > SAME * trial.inertia
+def _apart(required: RequiredInertia) -> Iterator[Trial]:
+    """The trials that differ as they are printed: of those that do not, that which keeps the coefficient."""
+    kept = [trial for trial in required.trials if trial.inertia == required.inertia]
+    for trial in required.trials:
+        if all(abs(trial.inertia - each.inertia) > SAME * trial.inertia for each in kept):
+            kept.append(trial)
+    yield from sorted(kept, key=lambda trial: trial.inertia)
 
 
 def _trials(trials: Sequence[Trial], caption: str, key: str) -> Block:

@@ -90,7 +90,7 @@ def _machine(result: Motion, order: Order) -> Iterator[Block]:
         )
     )
     found, own = order.results.get("flywheel"), result.inertia.flywheel
-    designed = found is not None and own > 0 and math.isclose(found.addition, own)
+    designed = found is not None and not found.existing
     wheel = "J_M" if designed else "J_f"  # the letter that the wheel has where it was found
     lexicon = {
         **inertias(result.inertia, order),

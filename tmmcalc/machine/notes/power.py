@@ -13,6 +13,7 @@ from tmmcalc.machine.judged import START, TEXTBOOK, Judged, rules
 from tmmcalc.machine.motors.model import Motor
 from tmmcalc.machine.notes.motors import RATED, losses, motor_data
 from tmmcalc.machine.notes.reducing import index_of
+from tmmcalc.machine.notes.told import RPM
 from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.power import LOSSES, MotorDuty, Power
 from tmmcalc.machine.reduction.results import Contribution, Reduction
@@ -23,7 +24,6 @@ from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
 from tmmcalc.report.telling import column, held, lines, named, plainly
 
-RPM = 30 / math.pi
 WORKING, ENGINE = "eta = A_c/(A_c + A_F)", "eta = (A_d + A_F)/A_d"  # (3.36), (3.37)
 DIGITS = 4  # of the table of motors
 COLUMNS = {

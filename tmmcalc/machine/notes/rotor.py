@@ -14,6 +14,7 @@ from tmmcalc.machine.balance.rotors import Rotor, RotorVerdict
 from tmmcalc.machine.balance.rotortask import BalancedRotor
 from tmmcalc.machine.balance.weights import Weight
 from tmmcalc.machine.model import RotorTask
+from tmmcalc.machine.notes.told import RPM
 from tmmcalc.machine.tables.tasks.balance import to_rotor
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
@@ -86,7 +87,7 @@ def _quantities(task: RotorTask, result: BalancedRotor) -> Lexicon:
         "alpha_i": Given([math.degrees(each.angle) for each in parts], "deg", tr("its angle")),
         "z_i": Given([each.position for each in parts], "m", tr("its place along the axis")),
         "m": Given(rotor.mass, "kg", tr("mass of the rotor")),
-        "n": Given(rotor.speed * 30 / math.pi, "rpm", tr("highest service speed")),
+        "n": Given(rotor.speed * RPM, "rpm", tr("highest service speed")),
         "omega": Given(rotor.speed, "rad/s", tr("angular velocity of the rotor")),
         "z_S": Given(rotor.center, "m", tr("place of the centre of mass along the axis")),
         "z_A": Given(rotor.bearings[0], "m", bearing),

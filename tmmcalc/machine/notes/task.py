@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 
 from tmmcalc.machine.notes.motors import motor_data
+from tmmcalc.machine.notes.told import RPM
 from tmmcalc.machine.power import Power
 from tmmcalc.machine.tables.tasks.balance import to_engine, to_rotor
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Datum
-
-RPM = 30 / math.pi
 
 
 def blocks(order: Order) -> Iterator[Block]:

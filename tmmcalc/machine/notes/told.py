@@ -1,12 +1,16 @@
-"""What several parts of the chapter on motion say alike: the reduced inertia, the constant ones."""
+"""What several chapters on machines say alike: speeds in rpm, the reduced inertia, the constant ones."""
 
 from __future__ import annotations
+
+import math
 
 from tmmcalc.machine.driver import ConstantInertia
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Lexicon
+
+RPM = 30 / math.pi  # to a rad/s
 
 
 def reduced() -> dict[str, str]:
