@@ -23,6 +23,7 @@ from tmmcalc.note.tree import (
     Written,
     numeric,
     plain_text,
+    unit_names,
     widest,
 )
 from tmmcalc.report.drawing.box import Box as Rectangle
@@ -62,7 +63,6 @@ LENGTHS = ("m", "mm")
 LONG = 20  # rows of a table that is folded where it is narrow
 SMALL = 9.0 * POINT  # a letter M of a table [mm]
 WORD = re.compile(r"[^\W\d_]{3,}")  # with which the head of a column begins
-UNITS = ("deg", "rad", "rpm", "град", "рад")
 MANY, FIRST = 8, 3  # terms of a sum over an index: up to which all are shown, and those of a longer one before its last
 
 
@@ -260,7 +260,7 @@ def _capital(head: str) -> str:
     """
     word = WORD.match(head)
     named = head[:1].isascii() and spoken() != "en"  # a name that the spec gives
-    return head[:1].upper() + head[1:] if word and word[0] not in UNITS and not named else head
+    return head[:1].upper() + head[1:] if word and word[0] not in unit_names(spoken()) and not named else head
 
 
 def _numeric(table: Table) -> bool:

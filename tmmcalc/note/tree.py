@@ -145,11 +145,17 @@ def tied(text: str) -> str:
 
 
 @cache
-def _loose(language: str) -> re.Pattern[str]:
-    """A space at which no line ends; a text that begins with a unit goes on from a formula."""
+def unit_names(language: str) -> frozenset[str]:
+    """What units are called, as in the spec and in a language."""
     names = {name for units in UNITS.values() for unit in units for name in re.findall("[A-Za-z]+", unit)}
     with speaking(language):
-        either = "|".join(sorted(names | set(map(tr_unit, names)), key=len, reverse=True))
+        return frozenset(names | set(map(tr_unit, names)))
+
+
+@cache
+def _loose(language: str) -> re.Pattern[str]:
+    """A space at which no line ends; a text that begins with a unit goes on from a formula."""
+    either = "|".join(sorted(unit_names(language), key=len, reverse=True))
     return re.compile(rf" (?=[–—] )|(?<==) | (?== )|(?:(?<=\d)|^) (?=%|\(?(?:{either})(?!\w))")
 
 
