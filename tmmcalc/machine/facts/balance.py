@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 FURTHER = tuple(f"tmmcalc.machine.facts.{name}" for name in ("engine", "rotor"))  # where quantities stand, too
 
-TOLD = (RATIO, MAX_RATIO)
+TOLD = (RATIO, MAX_RATIO)  # of `weights`, found here: their general forms would answer for others
 
 GOALS = {
     "least squares": "counterweight for the least mean square of the force",
