@@ -114,7 +114,8 @@ def test_plane_and_sketch_follow_the_width_of_the_window(open_page: Open) -> Non
 def test_keys_with_alt_or_ctrl_belong_to_the_browser(open_page: Open) -> None:
     page = open_page(NAME).page
     plane, told = page.locator(f"{TRIAL} .plane"), page.locator(f"{TRIAL} .told")
-    taken = """(plane, init) => !plane.dispatchEvent(new KeyboardEvent("keydown", {bubbles: true, cancelable: true, ...init}))"""
+    taken = """(plane, init) =>
+      !plane.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, cancelable: true, ...init }))"""
     before = told.inner_text()
     for more in ("altKey", "ctrlKey", "metaKey"):
         assert not plane.evaluate(taken, {"key": "ArrowLeft", more: True})

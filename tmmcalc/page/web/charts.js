@@ -239,8 +239,13 @@ class Chart {
     drawn("path", { class: "curve", d: this.path(this.x, this.y) }, back);
     if (this.rows.header) drawn("path", { class: "curve jump", d: this.jumps() }, back);
     this.extremes(back);
-    if (this.state) this.follow();
-    else this.value.hidden = true;
+    if (!this.state) {
+      this.value.hidden = true;
+      return;
+    }
+    this.svg.setAttribute("aria-valuemin", String(this.start));
+    this.svg.setAttribute("aria-valuemax", String(this.end));
+    this.follow();
   }
 
   /**
