@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
-from page.conftest import Open
+from page.altered import altered, stored
+from page.conftest import Open, Written
 from page.opened import Opened
-from page.scenes import Real, solved
+from page.scenes import CONFIGS, Real, solved, write
 
 ERROR = 6e-6  # of a value that is written with six digits, and of a single float
 LEFT, RIGHT, WIDE = 62, 14, 560  # of the plane of a diagram
@@ -133,3 +136,127 @@ def test_results_are_found_by_a_word(open_page: Open) -> None:
     assert found.page.get_by_text("nothing is found").is_visible()
     field.fill("")
     assert not found.page.get_by_text("nothing is found").is_visible()
+
+
+def test_a_diagram_that_is_added_comes_into_sight(open_page: Open) -> None:
+    found = open_page("shaper", size=(900, 700))
+    found.page.locator('details[data-stage="forces"]').evaluate("part => { part.open = true; }")
+    found.page.locator('[data-fact="forces.R_A_max"]').get_by_role("button", name="Diagram").click()
+    box = found.page.locator('.chart[data-column="forces.R_A"]').bounding_box()
+    assert box["y"] >= -1
+    assert box["y"] + box["height"] <= 701
+
+
+def test_a_search_that_is_cleared_leaves_stages_as_they_were(open_page: Open) -> None:
+    page = open_page("shaper").page
+    unfolded = "() => [...document.querySelectorAll('details.stage')].map((each) => each.open)"
+    page.locator('details[data-stage="forces"] summary').click()
+    before = page.evaluate(unfolded)
+    assert any(before)
+    field = page.get_by_role("searchbox")
+    for text in ("largest reaction", "no such word"):
+        field.fill(text)
+        assert page.evaluate(unfolded) != before
+        field.fill("")
+        assert page.evaluate(unfolded) == before
+
+
+def test_keys_move_the_input_in_a_diagram(open_page: Open) -> None:
+    found = open_page("shaper")
+    keys = found.page.keyboard
+    plane = found.page.locator(".chart > svg").first
+    plane.focus()
+    keys.press("ArrowRight")
+    assert found.at == pytest.approx(1)
+    assert plane.get_attribute("aria-valuetext").startswith("1°: ")
+    keys.press("ArrowUp")
+    assert found.at == pytest.approx(15)
+    keys.press("Home")
+    assert found.at == 0
+
+
+def test_what_no_key_moves_takes_no_focus(open_page: Open) -> None:
+    page = open_page("pair-blocking").page
+    page.locator(".adding select").select_option("pair.s")
+    plane = page.locator('.chart[data-column="pair.s"] > svg')
+    assert plane.get_attribute("tabindex") is None
+    assert plane.get_attribute("role") == "img"
+
+
+def test_a_diagram_that_is_taken_away_is_drawn_no_more(open_page: Open) -> None:
+    found = open_page("shaper")
+    found.page.evaluate(
+        """() => {
+          const card = document.querySelector(".chart");
+          window.changes = 0;
+          new MutationObserver((all) => { window.changes += all.length; })
+            .observe(card, { subtree: true, childList: true, attributes: true });
+          card.querySelector(".close").click();
+        }"""
+    )
+    found.page.evaluate("() => new Promise((done) => setTimeout(() => { window.changes = 0; done(); }, 50))")
+    found.move(77)
+    found.page.get_by_label("Language").select_option("uk")
+    assert found.page.evaluate("() => new Promise((done) => setTimeout(() => done(window.changes), 50))") == 0
+
+
+def test_beyond_its_rows_a_diagram_has_no_value(written: Written, open_page: Open, tmp_path: Path) -> None:
+    def halved(content: Any) -> None:
+        for stage in content["scenes"][0]["stages"]:
+            if stage["rows"]:
+                stage["rows"]["values"][1] = 181
+                for each in stage["columns"]:
+                    each["values"][1] = 181
+
+    found = open_page(altered(written("four-bar"), tmp_path / "half.html", halved))
+    card = found.page.locator(".chart").first
+    for at, known in ((180, True), (200, False), (20, True)):
+        found.move(at)
+        assert (card.locator("button.value").inner_text() != "–") == known
+        assert card.locator(".dot").is_visible() == known
+        assert card.locator(".cursor:not(.lost)").count() == known
+
+
+def test_an_axis_may_end_at_nothing(written: Written, open_page: Open, tmp_path: Path) -> None:
+    def before(content: Any) -> None:
+        [stage] = content["scenes"][0]["stages"][-1:]
+        assert stage["name"] == "kinematics"
+        stage["rows"]["values"] = stored(content, np.linspace(-360, 0, 361).tolist())
+
+    found = open_page(altered(written("four-bar"), tmp_path / "before.html", before))
+    texts = found.page.locator(".chart").first.locator(".grid text[text-anchor=middle]")
+    assert texts.last.inner_html() == "0"
+    view = found.page.locator(".chart > svg").first.get_attribute("viewBox").split()
+    assert float(texts.last.get_attribute("x")) == pytest.approx(float(view[2]) - RIGHT)
+
+
+def test_a_diagram_overlays_what_is_alike_in_its_whole_length(open_page: Open, tmp_path: Path) -> None:
+    """The other variant goes twice as far; then its values are in another unit, then over something else."""
+    file = tmp_path / "two.html"
+    write(CONFIGS / "four-bar.toml", file, str(CONFIGS / "four-bar.toml"))
+
+    def kinematics(content: Any) -> Any:
+        [stage] = [each for each in content["scenes"][1]["stages"] if each["name"] == "kinematics"]
+        return stage
+
+    def longer(content: Any) -> None:
+        kinematics(content)["rows"]["values"] = stored(content, np.linspace(0, 720, 361).tolist())
+
+    def in_inches(content: Any) -> None:
+        for each in kinematics(content)["columns"]:
+            each["unit"] = "in"
+
+    def over_time(content: Any) -> None:
+        kinematics(content)["rows"].update(header="t[s]", unit="s")
+
+    for change, count in ((longer, 1), (in_inches, 0), (over_time, 0)):
+        page = open_page(altered(file, tmp_path / f"{change.__name__}.html", change)).page
+        card = page.locator(".chart").first
+        assert card.locator(".curve.other").count() == count
+        if count:
+            wide = float(card.locator("svg[role=slider]").get_attribute("viewBox").split()[2])
+            ends = [
+                float(re.findall(r"[\d.]+", card.locator(f"path.curve{kind}").first.get_attribute("d"))[-2])
+                for kind in (".other", ":not(.other)")
+            ]
+            assert ends == pytest.approx([wide - RIGHT, (LEFT + wide - RIGHT) / 2], abs=0.2)

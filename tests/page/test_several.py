@@ -49,6 +49,24 @@ def test_the_swept_key_is_a_slider(swept: Path, open_page: Open) -> None:
     assert len(set(seen)) == len(LENGTHS)
 
 
+def test_the_slider_is_dragged_over_all_variants(swept: Path, open_page: Open) -> None:
+    """By one hand that does not let go; keys go on from there."""
+    found = open_page(swept)
+    choice = found.page.locator(".variants input")
+    box = choice.bounding_box()
+    mouse, said = found.page.mouse, []
+    mouse.move(box["x"] + 8, box["y"] + box["height"] / 2)
+    mouse.down()
+    for part in (0.5, 1, 0.5, 0):
+        mouse.move(box["x"] + 8 + part * (box["width"] - 16), box["y"] + box["height"] / 2, steps=4)
+        said.append((choice.input_value(), found.page.locator(".variants").inner_text().split(": ")[1]))
+        assert found.page.locator("[data-view=kinematics]").count() == 1
+    mouse.up()
+    assert said == [(str(k), f"{LENGTHS[k]:g} m") for k in (1, 2, 1, 0)]
+    found.page.keyboard.press("ArrowRight")
+    assert choice.input_value() == "1"
+
+
 def test_other_variants_are_ghosts(swept: Path, open_page: Open) -> None:
     """They stand where the same variant does when it is shown itself, to the same scale."""
     found = open_page(swept)

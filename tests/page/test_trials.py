@@ -111,6 +111,31 @@ def test_plane_and_sketch_follow_the_width_of_the_window(open_page: Open) -> Non
     assert number(told.inner_text().split("= ")[1]) == pytest.approx(shifts[0] + STEP, abs=1e-4)
 
 
+def test_keys_with_alt_or_ctrl_belong_to_the_browser(open_page: Open) -> None:
+    page = open_page(NAME).page
+    plane, told = page.locator(f"{TRIAL} .plane"), page.locator(f"{TRIAL} .told")
+    taken = """(plane, init) =>
+      !plane.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, cancelable: true, ...init }))"""
+    before = told.inner_text()
+    for more in ("altKey", "ctrlKey", "metaKey"):
+        assert not plane.evaluate(taken, {"key": "ArrowLeft", more: True})
+    assert told.inner_text() == before
+    for key in ("ArrowLeft", "Home"):
+        assert plane.evaluate(taken, {"key": key})  # or the window would scroll
+    assert told.inner_text() == before
+
+
+def test_named_points_are_reached_by_keys(open_page: Open) -> None:
+    page = open_page(NAME).page
+    names = page.locator(f"{TRIAL} .stops button")
+    assert [*names.all_inner_texts()] == ["chosen", "C", "D", "E", "balanced", "equal strength"]
+    names.nth(2).focus()
+    page.keyboard.press("Enter")
+    said = page.locator(f"{TRIAL} .told").inner_text()
+    assert number(said.split("= ")[1]) == pytest.approx(0.39477, abs=1e-4)
+    assert number(said.split("= ")[2]) == pytest.approx(0.11346, abs=1e-4)
+
+
 def test_contacts_lie_on_the_line_of_action(open_page: Open) -> None:
     """As many as the pair has at the pitch point, between the ends of the contact."""
     found = open_page(NAME)

@@ -15,6 +15,8 @@ WEB = Path(__file__).parent / "web"
 MODULES = (  # in this order: each imports from those before it
     "data",
     "words",
+    "kept",
+    "keys",
     "motion",
     "state",
     "marks",

@@ -2,7 +2,9 @@
 import { columnOf, content, numbers, scene } from "./data.js";
 import { between } from "./motion.js";
 import { drawn } from "./marks.js";
-import { button, made, resized, widthIn } from "./elements.js";
+import { called, copied, made, resized, signed, widthIn } from "./elements.js";
+import { keep, kept } from "./kept.js";
+import { keyed, turning } from "./keys.js";
 import { standard } from "./scales.js";
 import { measured, parted, saying, told, word, written } from "./words.js";
 
@@ -13,14 +15,16 @@ const RIGHT = 14;
 const TOP = 12;
 const BOTTOM = 34;
 const MANY = 200; // rows, of which neighbours lie so near
+const END = 1e-5; // of the axis: what is beyond the rows by less is at their end
 const STEEP = 0.2; // that a step of this part of the height is a jump
 
 export class Charts {
   /**
    * @param {Element} parent
    * @param {import("./state.js").State[]} states
+   * @param {string[]} usual columns, of which diagrams are shown where none are chosen, or this variant has none of these
    */
-  constructor(parent, states) {
+  constructor(parent, states, usual) {
     this.states = states;
     this.parent = parent;
     const bar = made("div", { class: "adding" }, parent);
@@ -36,6 +40,10 @@ export class Charts {
     this.list = made("div", { class: "charts" }, parent);
     /** @type {Map<string, Chart>} */
     this.shown = new Map();
+    const wished = kept("columns", usual);
+    const own = wished.filter((name) => columnOf(name)?.stage.rows);
+    this.lacking = wished.filter((name) => !own.includes(name));
+    for (const name of wished.length && !own.length ? usual : own) this.show(name);
   }
 
   /** All columns, by stage. */
@@ -51,13 +59,25 @@ export class Charts {
     }
   }
 
+  /** What is shown now was chosen; so was what this variant lacks and another one has. */
+  chosen() {
+    keep("columns", [...this.lacking, ...this.shown.keys()]);
+  }
+
   /**
-   * Show the diagram of a column; one that is there comes into sight.
+   * Bring the diagram of a column into sight, be it there already or not.
    * @param {string} name
    */
   add(name) {
-    const shown = this.shown.get(name);
-    if (shown) return shown.card.scrollIntoView({ block: "nearest" });
+    if (!this.shown.has(name)) {
+      this.show(name);
+      this.chosen();
+    }
+    this.shown.get(name)?.card.scrollIntoView({ block: "nearest" });
+  }
+
+  /** @param {string} name */
+  show(name) {
     const found = columnOf(name);
     if (!found?.stage.rows) return;
     const header = found.stage.rows.header;
@@ -66,8 +86,11 @@ export class Charts {
       ({ view }) => header && view.column === header && (!view.stages.length || view.stages.includes(stage)),
     );
     const state = known.find(({ view }) => view.room === room) ?? known[0] ?? null;
-    const chart = new Chart(this.list, name, found, state, () => this.shown.delete(name));
-    this.shown.set(name, chart);
+    const gone = () => {
+      this.shown.delete(name);
+      this.chosen();
+    };
+    this.shown.set(name, new Chart(this.list, name, found, state, gone));
   }
 }
 
@@ -97,20 +120,27 @@ class Chart {
     this.name = made("strong", {}, this.caption);
     this.value = made("button", { type: "button", class: "value" }, this.caption);
     this.meaning = made("span", { class: "meaning" }, this.caption);
-    this.svg = drawn("svg", { role: "img", tabindex: 0 }, this.card);
+    this.svg = drawn("svg", state ? { role: "slider", tabindex: 0 } : { role: "img" }, this.card);
     this.others = content.scenes.filter((each) => each !== scene()).flatMap((each) => {
       const found = columnOf(name, each);
-      if (!found?.stage.rows) return [];
+      if (!found?.stage.rows || !alike(this.rows, found.stage.rows) || !same(column.unit, found.column.unit)) return [];
       return [{ name: each.name, x: numbers(found.stage.rows.values), y: cleared(numbers(found.column.values)) }];
     });
     this.scaled();
-    this.head(gone);
-    saying(() => this.draw());
+    this.value.addEventListener("click", () => copied(this.value));
+    this.close = signed(this.caption, "close", () => {
+      this.leave();
+      gone();
+    });
+    this.close.classList.add("close");
+    this.silent = saying(() => this.draw());
     resized(this.card, () => this.draw());
     if (state) {
       this.cursor = drawn("line", { class: "cursor", y1: TOP, y2: HIGH - BOTTOM }, this.svg);
       this.dot = drawn("circle", { class: "dot", r: 4 }, this.svg);
-      state.follow(() => this.follow());
+      this.following = () => this.follow();
+      state.follow(this.following);
+      keyed(this.svg, turning(state));
       /** @param {Event} event */
       const turn = (event) => this.turn(/** @type {PointerEvent} */ (event));
       this.svg.addEventListener("pointerdown", turn);
@@ -138,8 +168,10 @@ class Chart {
     this.step = step;
     this.low = Math.floor(least / step + 1e-9) * step;
     this.high = Math.ceil(greatest / step - 1e-9) * step;
-    this.start = Math.min(this.x[0], this.x[this.x.length - 1]);
-    this.end = Math.max(this.x[0], this.x[this.x.length - 1]) || 1;
+    const all = [this.x, ...this.others.map((each) => each.x)].flatMap((x) => [x[0], x[x.length - 1]]);
+    this.start = Math.min(...all);
+    this.end = Math.max(...all);
+    if (this.end === this.start) this.end += 1;
   }
 
   /** @param {number} x */
@@ -152,14 +184,11 @@ class Chart {
     return HIGH - BOTTOM - ((y - this.low) / (this.high - this.low || 1)) * (HIGH - TOP - BOTTOM);
   }
 
-  /** @param {() => void} gone */
-  head(gone) {
-    saying(() => (this.value.title = word("copy")));
-    this.value.addEventListener("click", () => copied(this.value));
-    button(this.caption, "close", () => word("remove"), () => {
-      gone();
-      this.card.remove();
-    }).classList.add("close");
+  /** Go, and listen to nothing any more. */
+  leave() {
+    this.silent?.();
+    if (this.following) this.state?.leave(this.following);
+    this.card.remove();
   }
 
   /** Axes, curve, extremes, dead centres, in the language. */
@@ -171,6 +200,8 @@ class Chart {
     const part = kept < of ? ` (${word("kept", { kept: String(kept), of: String(of) })})` : "";
     this.meaning.textContent = told(this.column.meaning) + part;
     this.svg.setAttribute("aria-label", `${this.column.name}: ${told(this.column.meaning)}`);
+    this.value.title = word("copy");
+    called(this.close, word("remove"));
     this.wide = widthIn(this.card, WIDE);
     this.svg.setAttribute("viewBox", `0 0 ${this.wide} ${HIGH}`);
     this.back?.remove();
@@ -208,8 +239,13 @@ class Chart {
     drawn("path", { class: "curve", d: this.path(this.x, this.y) }, back);
     if (this.rows.header) drawn("path", { class: "curve jump", d: this.jumps() }, back);
     this.extremes(back);
-    if (this.state) this.follow();
-    else this.value.hidden = true;
+    if (!this.state) {
+      this.value.hidden = true;
+      return;
+    }
+    this.svg.setAttribute("aria-valuemin", String(this.start));
+    this.svg.setAttribute("aria-valuemax", String(this.end));
+    this.follow();
   }
 
   /**
@@ -291,18 +327,25 @@ class Chart {
   /** The cursor and the value at the nearest solved position. */
   follow() {
     if (!this.state || !this.cursor || !this.dot) return;
-    const k = between(this.x, this.state.at).near;
-    const x = this.across(this.state.at);
+    const { at } = this.state;
+    const k = between(this.x, at).near;
+    const x = this.across(at);
     this.cursor.setAttribute("x1", String(x));
     this.cursor.setAttribute("x2", String(x));
-    this.cursor.classList.toggle("lost", this.state.at > this.end + 1e-3 || this.state.at < this.start - 1e-3);
-    const known = Number.isFinite(this.y[k]);
+    const ends = [this.x[0], this.x[this.x.length - 1]];
+    const small = END * (this.end - this.start);
+    const beyond = at > Math.max(...ends) + small || at < Math.min(...ends) - small;
+    this.cursor.classList.toggle("lost", beyond);
+    const value = beyond ? NaN : this.y[k];
+    const known = Number.isFinite(value);
     this.dot.classList.toggle("lost", !known);
     if (known) {
       this.dot.setAttribute("cx", String(this.across(this.x[k])));
       this.dot.setAttribute("cy", String(this.up(this.y[k])));
     }
-    this.value.textContent = measured(this.y[k], this.column.unit);
+    this.value.textContent = known ? measured(value, this.column.unit) : "–";
+    this.svg.setAttribute("aria-valuenow", String(at));
+    this.svg.setAttribute("aria-valuetext", `${measured(at, this.state.view.unit, 5)}: ${this.value.textContent}`);
   }
 
   /** @param {PointerEvent} event */
@@ -310,7 +353,7 @@ class Chart {
     const box = this.svg.getBoundingClientRect();
     const x = ((event.clientX - box.left) / box.width) * this.wide;
     const part = (x - LEFT) / (this.wide - LEFT - RIGHT);
-    if (part > -0.05 && part < 1.05) this.state?.move(this.start + Math.min(1, Math.max(0, part)) * (this.end - this.start));
+    if (part > -0.05 && part < 1.05) this.state?.take(this.start + Math.min(1, Math.max(0, part)) * (this.end - this.start));
   }
 }
 
@@ -324,23 +367,18 @@ function cleared(values) {
 }
 
 /**
- * Copy what an element says.
- * @param {HTMLElement} element
+ * Whether rows are over the same, in the same unit.
+ * @param {NonNullable<import("./data.js").Stage["rows"]>} one
+ * @param {NonNullable<import("./data.js").Stage["rows"]>} other
  */
-export function copied(element) {
-  const text = element.textContent ?? "";
-  const done = () => {
-    element.classList.add("done");
-    setTimeout(() => element.classList.remove("done"), 900);
-  };
-  if (navigator.clipboard) navigator.clipboard.writeText(text).then(done, () => selected(element));
-  else selected(element);
+function alike(one, other) {
+  return one.header === other.header && one.name === other.name && same(one.unit, other.unit);
 }
 
 /**
- * Where there is no clipboard the text is selected.
- * @param {HTMLElement} element
+ * @param {import("./data.js").Said} one
+ * @param {import("./data.js").Said} other
  */
-function selected(element) {
-  getSelection()?.selectAllChildren(element);
+function same(one, other) {
+  return told(one) === told(other);
 }

@@ -55,10 +55,10 @@ export function dragged(scene) {
         const now = angle(event, pivot);
         wanted += Math.atan2(Math.sin(now - last), Math.cos(now - last)) / (rate(scene, body.angle) || 1);
         last = now;
-        scene.state.move(wanted);
+        scene.state.take(wanted);
       } else {
         const before = scene.state.at;
-        scene.state.move(sought(scene, body, held, pointed(scene, event)));
+        scene.state.take(sought(scene, body, held, pointed(scene, event)));
         const pose = scene.poses?.get(body.name);
         const round = Math.abs(scene.state.at - before) > scene.state.span / 2;
         if (round && pose) held = within(pose, pointed(scene, event)); // another tooth is there now

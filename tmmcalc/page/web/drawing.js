@@ -2,6 +2,7 @@
 import { content } from "./data.js";
 import { made, resized } from "./elements.js";
 import { MANY } from "./ghosts.js";
+import { keep, kept } from "./kept.js";
 import { Scene } from "./scene.js";
 import { saying } from "./words.js";
 
@@ -36,7 +37,9 @@ export class Drawing {
     const box = made("input", { type: "checkbox", name }, label);
     const said = made("span", {}, label);
     const tell = () => (said.textContent = says());
-    box.checked = !HIDDEN.has(name) && !(name === "ghosts" && content.scenes.length > MANY);
+    const key = `tick ${this.scene.view.name} ${name}`;
+    box.checked = kept(key, !HIDDEN.has(name) && !(name === "ghosts" && content.scenes.length > MANY));
+    box.addEventListener("change", () => keep(key, box.checked));
     const show = () => this.scene.show(name, box.checked);
     box.addEventListener("change", show);
     this.ticks.push(() => [show(), tell()]);

@@ -1,4 +1,5 @@
 // Elements of the page: made with their attributes, buttons that say what they do, icons.
+import { keep, kept } from "./kept.js";
 import { drawn } from "./marks.js";
 import { saying } from "./words.js";
 
@@ -43,14 +44,74 @@ export function icon(name) {
  * @param {() => void} act
  */
 export function button(parent, sign, says, act) {
+  const found = signed(parent, sign, act);
+  saying(() => called(found, says()));
+  return found;
+}
+
+/**
+ * A button with a sign, that is not called anything yet.
+ * @param {Element} parent
+ * @param {keyof typeof ICONS} sign
+ * @param {() => void} act
+ */
+export function signed(parent, sign, act) {
   const found = made("button", { type: "button" }, parent);
   found.append(icon(sign));
-  saying(() => {
-    found.title = says();
-    found.setAttribute("aria-label", says());
-  });
   found.addEventListener("click", act);
   return found;
+}
+
+/**
+ * Say what a button with a sign does.
+ * @param {HTMLElement} element
+ * @param {string} name
+ */
+export function called(element, name) {
+  element.title = name;
+  element.setAttribute("aria-label", name);
+}
+
+/**
+ * A part that can be folded; whether it is stays as the hand chose it.
+ * @param {Element} parent
+ * @param {string} name its class, and with `key` what its choice is kept by
+ * @param {string} key
+ * @param {() => string} says
+ */
+export function folding(parent, name, key, says) {
+  const part = made("details", { class: name }, parent);
+  const title = made("summary", {}, part);
+  saying(() => (title.textContent = says()));
+  const choice = `${name} ${key}`;
+  title.addEventListener("click", () => keep(choice, !part.open)); // it is about to change
+  /** @param {boolean} usual */
+  const fold = (usual) => {
+    part.open = kept(choice, usual);
+  };
+  return { part, fold };
+}
+
+/**
+ * Copy what an element says.
+ * @param {HTMLElement} element
+ */
+export function copied(element) {
+  const text = element.textContent ?? "";
+  const done = () => {
+    element.classList.add("done");
+    setTimeout(() => element.classList.remove("done"), 900);
+  };
+  if (navigator.clipboard) navigator.clipboard.writeText(text).then(done, () => selected(element));
+  else selected(element);
+}
+
+/**
+ * Where there is no clipboard the text is selected.
+ * @param {HTMLElement} element
+ */
+function selected(element) {
+  getSelection()?.selectAllChildren(element);
 }
 
 const OTHER = 1.1; // a width larger or smaller by this is another

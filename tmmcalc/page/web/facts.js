@@ -1,7 +1,7 @@
 // Results of the stages in tables: found by a word, copied, each with its diagram; warnings, errors, the given data.
 import { content, scene } from "./data.js";
-import { copied } from "./charts.js";
-import { button, made } from "./elements.js";
+import { button, copied, folding, made } from "./elements.js";
+import { keep, kept } from "./kept.js";
 import { isCode, measured, parted, saying, told, word, written } from "./words.js";
 
 const FEW = 2; // stages, of which all are unfolded
@@ -15,21 +15,22 @@ export function facts(parent, show) {
   const label = made("label", { class: "find" }, parent);
   const said = made("span", {}, label);
   const field = made("input", { type: "search" }, label);
+  field.value = kept("search", "");
   saying(() => (said.textContent = word("find")));
   /** @type {{row: HTMLElement, text: () => string, part: HTMLDetailsElement}[]} */
   const rows = [];
+  /** @type {{part: HTMLDetailsElement, unfold: () => void}[]} */
+  const parts = [];
   const nothing = made("p", { class: "nothing", hidden: "" }, parent);
   saying(() => (nothing.textContent = word("none")));
   if (scene().given.length) given(parent);
   for (const stage of scene().stages) {
-    const part = made("details", { class: "stage", "data-stage": stage.name }, parent);
-    part.open = scene().stages.length <= FEW;
-    const title = made("summary", {}, part);
-    saying(() => (title.textContent = told(stage.title)));
+    const { part, fold } = folding(parent, "stage", stage.name, () => told(stage.title));
+    part.dataset.stage = stage.name;
+    parts.push({ part, unfold: () => fold(scene().stages.length <= FEW || stage.warnings.length > 0) });
     for (const warning of stage.warnings) {
       const line = made("p", { class: "warning" }, part);
       saying(() => (line.textContent = told(warning)));
-      part.open = true;
     }
     if (stage.facts.length) {
       const table = made("table", {}, part);
@@ -47,7 +48,7 @@ export function facts(parent, show) {
       saying(() => (line.textContent = `${word("errors")}: ${errors.map(([name, value]) => `${told(name)} ${written(value, 2)}`).join("; ")}`));
     }
   }
-  field.addEventListener("input", () => {
+  const search = () => {
     const asked = field.value.trim().toLowerCase();
     let found = 0;
     const open = new Set();
@@ -58,11 +59,17 @@ export function facts(parent, show) {
         open.add(part);
       }
     }
-    for (const part of parent.querySelectorAll("details.stage")) {
-      /** @type {HTMLDetailsElement} */ (part).hidden = asked !== "" && !open.has(part);
-      if (asked) /** @type {HTMLDetailsElement} */ (part).open = open.has(part);
+    for (const { part, unfold } of parts) {
+      part.hidden = asked !== "" && !open.has(part);
+      if (asked) part.open = open.has(part);
+      else unfold();
     }
-    nothing.hidden = found > 0;
+    nothing.hidden = found > 0 || asked === "";
+  };
+  search();
+  field.addEventListener("input", () => {
+    keep("search", field.value);
+    search();
   });
   source(parent);
 }
@@ -125,9 +132,8 @@ function columnFor(stage, name) {
 
 /** @param {Element} parent */
 function given(parent) {
-  const part = made("details", { class: "given" }, parent);
-  const title = made("summary", {}, part);
-  saying(() => (title.textContent = word("given")));
+  const { part, fold } = folding(parent, "given", "", () => word("given"));
+  fold(false);
   const table = made("table", {}, part);
   header(table, ["quantity", "designation", "value"]);
   const body = made("tbody", {}, table);
@@ -152,9 +158,8 @@ function given(parent) {
 
 /** @param {Element} parent */
 function source(parent) {
-  const part = made("details", { class: "source" }, parent);
-  const title = made("summary", {}, part);
-  saying(() => (title.textContent = word("spec")));
+  const { part, fold } = folding(parent, "source", "", () => word("spec"));
+  fold(false);
   made("pre", {}, part).textContent = scene().source;
   const line = made("p", { class: "errors" }, part);
   saying(() => (line.textContent = word("precision", { error: written(content.error, 2) })));

@@ -5,10 +5,11 @@ import { button, made } from "./elements.js";
 import { Drawing } from "./drawing.js";
 import { facts } from "./facts.js";
 import { others } from "./ghosts.js";
+import { keep, kept } from "./kept.js";
 import { Plans } from "./plans.js";
 import { Player } from "./player.js";
 import { readings } from "./readings.js";
-import { coupled, State } from "./state.js";
+import { coupled, halt, State } from "./state.js";
 import { Plane } from "./trials.js";
 import { forget, language, remember, saying, speak, told, word } from "./words.js";
 
@@ -21,10 +22,13 @@ const title = /** @type {HTMLElement} */ (document.getElementById("title"));
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
 title.textContent = content.title;
 tools(/** @type {HTMLElement} */ (document.getElementById("tools")));
+const choice = content.scenes.length > 1 ? variants() : null;
+/** @type {Map<State, number>} */
+const states = new Map(); // those that are shown, with the place where each was put
 
 printed();
 remember();
-shown([], 0);
+shown();
 
 /** What is folded is printed all the same: data, results; not the spec. */
 function printed() {
@@ -39,63 +43,67 @@ function printed() {
   });
 }
 
-/**
- * Show the variant that is chosen, with diagrams of these columns (those that it asks for, if none), at a place.
- * @param {string[]} columns
- * @param {number} part of the travel
- */
-function shown(columns, part) {
+/** Show the variant that is chosen, with what the hand has chosen in others: only the slider stays itself. */
+function shown() {
+  halt();
+  for (const [state, put] of states) if (state.at !== put) keep(placeOf(state.view), state.at);
   forget();
-  main.replaceChildren();
+  main.style.minHeight = `${main.offsetHeight}px`; // the window stays where it is
+  while (main.lastElementChild && main.lastElementChild !== choice) main.lastElementChild.remove();
+  states.clear();
   const { views, trials, stages } = scene();
-  const states = views.map((view) => new State(view));
-  const left = states.length || trials.length ? made("div", { class: "moving" }, main) : null;
-  for (const state of states) {
+  const left = views.length || trials.length ? made("div", { class: "moving" }, main) : null;
+  for (const view of views) {
+    const state = new State(view);
     if (left) moved(left, state);
-    state.move(state.low + part * state.span);
+    state.move(kept(placeOf(view), state.at));
+    states.set(state, state.at);
   }
-  coupled(states);
+  coupled([...states.keys()]);
+  for (const state of states.keys()) states.set(state, state.at);
   for (const trial of trials) if (left) new Plane(left, trial);
   const right = made("div", { class: "read" }, main);
   const diagrams = made("section", { class: "diagrams" }, right);
   heading(diagrams, () => word("diagrams"));
-  const charts = new Charts(diagrams, states);
   const ordered = stages.filter((stage) => stage.rows?.header && stage.rows.of >= ROWS);
   const first = ordered.flatMap((stage) => {
     const column = stage.columns.find(({ values }) => numbers(values).some((value, _, all) => value !== all[0]));
     return column ? [`${stage.name}.${column.name}`] : [];
   });
   const wished = views.flatMap((view) => view.shown);
-  const usual = wished.length ? wished : first.slice(0, FIRST);
-  for (const name of columns.length ? columns : usual) charts.add(name);
+  const charts = new Charts(diagrams, [...states.keys()], wished.length ? wished : first.slice(0, FIRST));
   const results = made("section", { class: "results" }, right);
   heading(results, () => word("facts"));
   facts(results, (column) => charts.add(column));
-  if (content.scenes.length > 1) {
-    const chosen = variants((k) => {
-      choose(k);
-      shown([...charts.shown.keys()], states.length ? (states[0].at - states[0].low) / (states[0].span || 1) : 0);
-      /** @type {HTMLElement | null} */ (main.querySelector(".variants input"))?.focus();
-    });
-    main.prepend(chosen);
-  }
+  main.style.minHeight = "";
 }
 
 /**
- * A slider over the variants.
- * @param {(k: number) => void} act
+ * What the place of a view is kept by: views of this name over the same are put there, as ghosts are.
+ * @param {import("./data.js").View} view
  */
-function variants(act) {
-  const section = made("section", { class: "variants" });
+function placeOf({ room, name, unit }) {
+  return `place ${room} ${name} ${JSON.stringify(unit)}`;
+}
+
+/** A slider over the variants; it stays while all else is made anew, for a hand holds it. */
+function variants() {
+  const section = made("section", { class: "variants" }, main);
   const label = made("label", {}, section);
   const said = made("span", {}, label);
   const slider = made("input", { type: "range", min: "0", max: String(content.scenes.length - 1), step: "1" }, label);
-  const now = content.scenes.indexOf(scene());
-  slider.value = String(now);
-  slider.setAttribute("aria-valuetext", scene().name);
-  saying(() => (said.textContent = `${content.key || word("variant")}: ${scene().name}`));
+  slider.value = String(content.scenes.indexOf(scene()));
+  const tell = () => {
+    said.textContent = `${content.key || word("variant")}: ${scene().name}`;
+    slider.setAttribute("aria-valuetext", scene().name);
+  };
+  saying(tell);
   slider.addEventListener("input", () => {
-    if (Number(slider.value) !== now) act(Number(slider.value));
+    const k = Number(slider.value);
+    if (content.scenes[k] === scene()) return;
+    choose(k);
+    tell();
+    shown();
   });
   return section;
 }
@@ -122,8 +130,8 @@ function moved(parent, state) {
   note.hidden = !state.view.note;
   const stage = made("div", { class: "stage" }, section);
   const drawing = new Drawing(stage, state);
-  const player = new Player(section, state, stage);
-  stage.addEventListener("pointerdown", () => player.play(false));
+  new Player(section, state, stage);
+  stage.addEventListener("pointerdown", halt);
   readings(section, state);
   const layers = made("fieldset", { class: "layers" }, section);
   const legend = made("legend", {}, layers);

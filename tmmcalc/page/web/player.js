@@ -1,6 +1,9 @@
 // What moves the scene: play, speed, steps, a slider, keys.
 import { numbers } from "./data.js";
-import { button, icon, made } from "./elements.js";
+import { button, called, icon, made } from "./elements.js";
+import { keep, kept } from "./kept.js";
+import { keyed, turning } from "./keys.js";
+import { halt, plays } from "./state.js";
 import { saying, told, word, written } from "./words.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
@@ -14,32 +17,34 @@ export class Player {
   constructor(parent, state, keys) {
     this.state = state;
     this.playing = false;
-    this.speed = 1;
+    const speed = `speed ${state.view.name}`;
+    this.speed = kept(speed, 1);
     this.sense = 1;
     const place = made("div", {}, parent);
     const bar = made("div", { class: "player", role: "group" }, place);
     this.docked(bar, place);
-    this.toggle = button(bar, "play", () => word(this.playing ? "pause" : "play"), () => this.play(!this.playing));
+    this.toggle = button(bar, "play", () => word(this.playing ? "pause" : "play"), () => this.toggled());
     this.toggle.classList.add("main");
-    button(bar, "back", () => word("back"), () => this.step(-1));
-    button(bar, "on", () => word("on"), () => this.step(1));
+    if (state.steps) {
+      button(bar, "back", () => word("back"), () => state.step(-1));
+      button(bar, "on", () => word("on"), () => state.step(1));
+    }
     this.slider = made("input", { type: "range", step: "any" }, bar);
     this.slider.min = String(state.low);
     this.slider.max = String(state.high);
     saying(() => this.slider.setAttribute("aria-label", word("input")));
-    this.slider.addEventListener("input", () => {
-      this.play(false);
-      state.move(Number(this.slider.value));
-    });
-    this.slider.addEventListener("keydown", (event) => this.key(event));
-    keys.addEventListener("keydown", (event) => this.key(/** @type {KeyboardEvent} */ (event)));
+    this.slider.addEventListener("input", () => state.take(Number(this.slider.value)));
+    for (const each of [this.slider, keys]) keyed(each, { ...turning(state), " ": () => this.toggled() });
     const label = made("label", { class: "speed" }, bar);
     const said = made("span", {}, label);
     saying(() => (said.textContent = word("speed")));
     const choice = made("select", {}, label);
-    for (const speed of SPEEDS) made("option", { value: String(speed) }, choice).textContent = `${speed}×`;
-    choice.value = "1";
-    choice.addEventListener("change", () => (this.speed = Number(choice.value)));
+    for (const each of SPEEDS) made("option", { value: String(each) }, choice).textContent = `${each}×`;
+    choice.value = String(this.speed);
+    choice.addEventListener("change", () => {
+      this.speed = Number(choice.value);
+      keep(speed, this.speed);
+    });
     this.told = made("output", { class: "told", "aria-live": "off" }, parent);
     this.wrong = made("p", { class: "wrong", role: "status" }, parent);
     if (state.view.stops.length) this.stops(parent);
@@ -87,10 +92,7 @@ export class Player {
         const alike = stops.filter((each) => told(each.title) === title).length > 1;
         found.textContent = alike ? `${title}, ${symbol} = ${this.measured(stop.at)}` : title;
       });
-      found.addEventListener("click", () => {
-        this.play(false);
-        this.state.move(stop.at);
-      });
+      found.addEventListener("click", () => this.state.take(stop.at));
     }
   }
 
@@ -113,65 +115,34 @@ export class Player {
     this.told.textContent = `${here}${step?.[0] ? ` ${word("step", { label: step[0] })}` : ""}${solved}`;
   }
 
-  /** @param {number} sense */
-  step(sense) {
-    this.play(false);
-    this.state.step(sense);
-  }
-
-  /** @param {KeyboardEvent} event */
-  key(event) {
-    const { state } = this;
-    const small = state.view.nudge ?? state.span / 360;
-    const acts = {
-      ArrowRight: () => this.turn(small),
-      ArrowLeft: () => this.turn(-small),
-      ArrowUp: () => this.step(1),
-      ArrowDown: () => this.step(-1),
-      PageUp: () => this.step(1),
-      PageDown: () => this.step(-1),
-      Home: () => state.move(state.values[0]),
-      " ": () => this.play(!this.playing),
-    };
-    const act = acts[/** @type {keyof typeof acts} */ (event.key)];
-    if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
-    event.preventDefault();
-    act();
-  }
-
-  /** @param {number} way */
-  turn(way) {
-    this.play(false);
-    const sense = Math.sign(this.state.values[this.state.values.length - 1] - this.state.values[0]) || 1;
-    this.state.move(this.state.at + sense * way);
-  }
-
-  /**
-   * Let it go, or stop it.
-   * @param {boolean} playing
-   */
-  play(playing) {
-    if (playing === this.playing) return;
-    this.playing = playing;
-    this.toggle.replaceChildren(icon(playing ? "pause" : "play"));
-    this.toggle.title = word(playing ? "pause" : "play");
-    this.toggle.setAttribute("aria-label", this.toggle.title);
-    this.dock?.();
-    if (!playing) return;
+  /** Let it go, or stop it. */
+  toggled() {
+    if (this.playing) return halt();
+    plays(() => this.play(false));
+    this.play(true);
     let last = performance.now();
     /** @param {number} now */
     const frame = (now) => {
-      if (!this.playing || !this.toggle.isConnected) return; // another variant may stand in its place
+      if (!this.playing) return;
       const { state } = this;
       const way = (Math.min(Math.max(now - last, 0), 100) / (1000 * state.view.seconds)) * this.speed * state.span;
-      const along = Math.sign(state.values[state.values.length - 1] - state.values[0]) || 1;
+      const next = () => state.at + this.sense * state.along * way;
       last = now;
-      if (!state.view.whole && (state.at + this.sense * along * way > state.high || state.at + this.sense * along * way < state.low)) {
-        this.sense = -this.sense; // to and fro
-      }
-      state.move(state.at + this.sense * along * way);
+      if (!state.view.whole && (next() > state.high || next() < state.low)) this.sense = -this.sense; // to and fro
+      state.move(next());
       requestAnimationFrame(frame);
     };
     requestAnimationFrame(frame);
+  }
+
+  /**
+   * Show that it plays, or does not.
+   * @param {boolean} playing
+   */
+  play(playing) {
+    this.playing = playing;
+    this.toggle.replaceChildren(icon(playing ? "pause" : "play"));
+    called(this.toggle, word(playing ? "pause" : "play"));
+    this.dock?.();
   }
 }

@@ -2,6 +2,25 @@
 import { numbers } from "./data.js";
 import { between } from "./motion.js";
 
+/** @type {() => void} */
+let stop = () => {};
+
+/**
+ * One plays in the page: what played before stops.
+ * @param {() => void} stopped what stops it
+ */
+export function plays(stopped) {
+  halt();
+  stop = stopped;
+}
+
+/** Stop what plays. */
+export function halt() {
+  const playing = stop;
+  stop = () => {};
+  playing();
+}
+
 export class State {
   /** @param {import("./data.js").View} view */
   constructor(view) {
@@ -18,6 +37,16 @@ export class State {
 
   get span() {
     return this.high - this.low;
+  }
+
+  /** The sense in which it goes on. */
+  get along() {
+    return Math.sign(this.values[this.values.length - 1] - this.values[0]) || 1;
+  }
+
+  /** Whether there are positions to step by. */
+  get steps() {
+    return this.view.whole || this.view.steps.length > 0;
   }
 
   get there() {
@@ -51,6 +80,15 @@ export class State {
   }
 
   /**
+   * Move the input by hand: what plays stops.
+   * @param {number} asked
+   */
+  take(asked) {
+    halt();
+    return this.move(asked);
+  }
+
+  /**
    * Whether the links close there, be it within the travel or not.
    * @param {number} asked
    */
@@ -61,18 +99,18 @@ export class State {
   }
 
   /**
-   * Move to the next position of the spec, or the one before.
+   * Move by hand to the next position of the spec, or the one before.
    * @param {number} sense
    */
   step(sense) {
-    const way = Math.sign(this.values[this.values.length - 1] - this.values[0]) || 1;
+    const way = this.along;
     const places = this.view.steps.map((step) => step[1] * way).sort((a, b) => a - b);
     const at = this.at * way;
     const small = 1e-5 * this.span;
     const next =
       sense > 0 ? places.find((place) => place > at + small) : places.findLast((place) => place < at - small);
-    if (next !== undefined) this.move(next * way);
-    else if (this.view.whole) this.move(sense > 0 ? this.values[0] : (places.at(-2) ?? 0) * way);
+    if (next !== undefined) this.take(next * way);
+    else if (this.view.whole) this.take(sense > 0 ? this.values[0] : (places.at(-2) ?? 0) * way);
   }
 
   /**
@@ -115,7 +153,8 @@ export function coupled(states) {
     state.follow(() =>
       once(() => {
         const turns = Math.round((state.at - wanted()) / state.span); // whole turns make no difference
-        other.move(other.at + (state.at - wanted() - turns * state.span) / driver.ratio);
+        const moved = other.move(other.at + (state.at - wanted() - turns * state.span) / driver.ratio);
+        if (!moved) state.move(wanted()); // where the other one ends this one does
       }),
     );
   }

@@ -3,6 +3,7 @@ import { numbers } from "./data.js";
 import { button, made, resized } from "./elements.js";
 import { Field, shaped } from "./field.js";
 import { chained, compiled } from "./formulas.js";
+import { keyed } from "./keys.js";
 import { away } from "./outlines.js";
 import { parted, saying, told, word, written } from "./words.js";
 
@@ -31,6 +32,7 @@ export class Plane {
     const back = button(bar, "back", () => word("chosen"), () => this.move(trial.start));
     back.classList.add("main");
     this.verdict = made("output", { class: "told" }, bar);
+    if (trial.points.length) this.points(section);
     const table = made("table", { class: "readings" }, section);
     const body = made("tbody", {}, table);
     this.rows = trial.shown.map((shown) => {
@@ -71,15 +73,28 @@ export class Plane {
       const one = /** @type {PointerEvent} */ (event);
       if (one.buttons && svg.hasPointerCapture(one.pointerId)) this.move(field.pointed(one));
     });
-    svg.addEventListener("keydown", (event) => {
-      const one = /** @type {KeyboardEvent} */ (event);
-      const way = KEYS[/** @type {keyof typeof KEYS} */ (one.key)];
-      if (one.key === "Home") this.move(this.trial.start);
-      if (!way) return;
-      event.preventDefault();
-      const step = one.shiftKey ? STEP / 10 : STEP;
-      this.move([this.at[0] + way[0] * step, this.at[1] + way[1] * step]);
-    });
+    /** @type {import("./keys.js").Acts} */
+    const acts = { Home: () => this.move(this.trial.start) };
+    for (const [key, [across, up]] of Object.entries(KEYS)) {
+      acts[key] = ({ shiftKey }) => {
+        const step = shiftKey ? STEP / 10 : STEP;
+        this.move([this.at[0] + across * step, this.at[1] + up * step]);
+      };
+    }
+    keyed(svg, acts);
+  }
+
+  /** Named points, each a button that takes the hand there. @param {Element} parent */
+  points(parent) {
+    const list = made("div", { class: "stops" }, parent);
+    for (const point of this.trial.points) {
+      const found = made("button", { type: "button" }, list);
+      saying(() => {
+        found.textContent = told(point.name);
+        found.title = told(point.title);
+      });
+      found.addEventListener("click", () => this.move(point.at));
+    }
   }
 
   /** @param {[number, number]} asked */

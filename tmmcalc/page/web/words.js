@@ -22,12 +22,16 @@ export function speak(chosen) {
 }
 
 /**
- * Call now and whenever the language changes.
+ * Call now and whenever the language changes, until what is returned is called.
  * @param {() => void} say
  */
 export function saying(say) {
   listeners.push(say);
   say();
+  return () => {
+    const at = listeners.indexOf(say);
+    if (at >= 0) listeners.splice(at, 1);
+  };
 }
 
 /** Listeners that are there stay for good: `forget` keeps them. */
