@@ -356,9 +356,16 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
                 "unit": unit_of(layer.unit),
                 "arrows": [each._asdict() for each in layer.arrows],
                 "vectors": [
-                    {**each._asdict(), "x": _track(each.x, block), "y": _track(each.y, block)} for each in layer.vectors
+                    {
+                        **each._asdict(),
+                        "x": _track(each.x, block),
+                        "y": _track(each.y, block),
+                        "places": None if each.places is None else block.put(each.places),
+                    }
+                    for each in layer.vectors
                 ],
                 "tone": layer.tone,
+                "hidden": layer.hidden,
                 "angles": [
                     {**each._asdict(), "start": _track(each.start, block), "end": _track(each.end, block)}
                     for each in layer.angles

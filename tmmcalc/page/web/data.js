@@ -20,11 +20,11 @@
 /** @typedef {{name: string, body: string, at: number[], kind: "pin" | "mass" | "point" | "word", path: boolean}} Spot */
 /** @typedef {[string, [string, number, number][]]} Span kind; its points, each a body and a place in its axes */
 /** @typedef {{sign: string, spot: string, x: string, y: string, sense: number}} Arrow */
-/** @typedef {{sign: string, body: string, x: Track, y: Track}} Vector */
+/** @typedef {{sign: string, body: string, x: Track, y: Track, places: Ref | null}} Vector the nearest of its places counts */
 /** @typedef {{sign: string, body: string, start: Track, end: Track, column: string}} Angle */
 /**
- * @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[], vectors: Vector[], angles: Angle[], tone: number}}
- *   Layer
+ * @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[], vectors: Vector[], angles: Angle[], tone: number,
+ *   hidden: boolean}} Layer hidden until it is asked for
  */
 /** @typedef {{name: Said, sign: string, unit: Said, value: Track, there: Range}} Reading */
 /** @typedef {[number, number, string, string]} Edge tail, head, sign, kind */

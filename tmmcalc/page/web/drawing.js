@@ -1,11 +1,7 @@
 // A scene as large as there is room for it, with what is ticked of it.
-import { content } from "./data.js";
 import { made, resized } from "./elements.js";
-import { MANY } from "./ghosts.js";
 import { Scene } from "./scene.js";
 import { saying } from "./words.js";
-
-const HIDDEN = new Set(["centres", "acceleration", "reaction", "force"]);
 
 export class Drawing {
   /**
@@ -29,14 +25,14 @@ export class Drawing {
    * @param {Element} parent
    * @param {string} name
    * @param {() => string} says
-   * @param {string} [colour]
+   * @param {{colour?: string, hidden?: boolean}} [choices] hidden until it is asked for
    */
-  tick(parent, name, says, colour) {
+  tick(parent, name, says, { colour, hidden = false } = {}) {
     const label = made("label", colour ? { class: colour } : {}, parent);
     const box = made("input", { type: "checkbox", name }, label);
     const said = made("span", {}, label);
     const tell = () => (said.textContent = says());
-    box.checked = !HIDDEN.has(name) && !(name === "ghosts" && content.scenes.length > MANY);
+    box.checked = !hidden;
     const show = () => this.scene.show(name, box.checked);
     box.addEventListener("change", show);
     this.ticks.push(() => [show(), tell()]);

@@ -4,7 +4,7 @@ import { choose, content, numbers, scene } from "./data.js";
 import { button, made } from "./elements.js";
 import { Drawing } from "./drawing.js";
 import { facts } from "./facts.js";
-import { others } from "./ghosts.js";
+import { MANY, others } from "./ghosts.js";
 import { Plans } from "./plans.js";
 import { Player } from "./player.js";
 import { readings } from "./readings.js";
@@ -129,10 +129,11 @@ function moved(parent, state) {
   const legend = made("legend", {}, layers);
   saying(() => (legend.textContent = word("show")));
   const known = SHOWN.filter((name) => offers(state.view, name));
-  for (const name of known) drawing.tick(layers, name, () => word(name));
+  const hidden = { centres: true, ghosts: content.scenes.length > MANY };
+  for (const name of known) drawing.tick(layers, name, () => word(name), { hidden: hidden[/** @type {"ghosts"} */ (name)] });
   for (const { layer, colour } of drawing.scene.layers) {
     const scale = () => drawing.scene.layers.find((each) => each.layer === layer)?.scaled;
-    drawing.tick(layers, layer.name, () => told(layer.title) + (scale() ? ` (${scale()})` : ""), colour);
+    drawing.tick(layers, layer.name, () => told(layer.title) + (scale() ? ` (${scale()})` : ""), { colour, hidden: layer.hidden });
   }
   layers.hidden = !layers.querySelector("label");
   if (state.view.plans.length) new Plans(section, state);
