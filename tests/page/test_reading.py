@@ -182,6 +182,61 @@ def test_print_leaves_the_controls_out(open_page: Open) -> None:
     assert page.locator(".told:visible").count() == 1
 
 
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_print_has_the_colours_of_paper(scheme: str, open_page: Open) -> None:
+    """Whatever is chosen on the screen, and by the system."""
+    found = open_page("shaper", color_scheme=scheme)
+    lit = colours(found) if scheme == "light" else {}
+    button = found.page.get_by_role("button", name="Light or dark")
+    for _ in range(3):
+        found.page.emulate_media(media="print")
+        of = colours(found)
+        assert channels(of["paper"]) == [255, 255, 255]
+        assert all(contrast(of[name], of["paper"]) > 4.5 for name in COLOURS)
+        assert luminance(of["warn-soft"]) > 0.8
+        if lit:
+            assert {name: of[name] for name in ("blue", "orange", "green", "purple", "warn")} == {
+                name: lit[name] for name in ("blue", "orange", "green", "purple", "warn")
+            }
+        found.page.emulate_media(media="screen")
+        button.click()
+
+
+def test_what_is_folded_is_printed_and_folded_again(open_page: Open) -> None:
+    page = open_page("shaper").page
+    folded = page.locator("details:not([open])")
+    before = folded.count()
+    assert before > 3
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    assert folded.evaluate_all("all => all.map((each) => each.className).sort()") == ["plans", "source"]
+    assert page.locator("details.given tbody tr:visible").count() > 5
+    assert page.locator("details.stage").evaluate_all("all => all.every((each) => each.open)")
+    page.emulate_media(media="screen")
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert folded.count() == before
+
+
+def test_print_tells_where_the_point_of_shifts_is(open_page: Open) -> None:
+    page = open_page("pair-blocking").page
+    page.emulate_media(media="print")
+    assert page.locator(".trial .player:visible").count() == 0
+    told = page.locator(".trial .told")
+    assert told.count() == page.locator(".trial .told:visible").count() > 0
+    assert "within the" in told.first.inner_text()
+    refusal = page.locator(".trial .wrong").first
+    assert not refusal.is_visible()
+    page.emulate_media(media="screen")
+    plane = page.locator(".plane").first
+    plane.focus()
+    for _ in range(200):
+        plane.press("ArrowDown")
+        if refusal.inner_text():
+            break
+    page.emulate_media(media="print")
+    assert refusal.is_visible()
+
+
 def test_results_are_told_in_words(open_page: Open) -> None:
     """Truth values, names of methods and formulas stand among the numbers, and are found by their words."""
     page = open_page("shaper").page

@@ -271,7 +271,7 @@ def _trial(same: Sequence[Trial], block: Block) -> Content:
         "start": [trial.start.real, trial.start.imag],
         "box": [*_pair(trial.box[0]), *_pair(trial.box[1])],
         "regions": [
-            {"kind": each.kind, "x": block.put(each.edge.real), "y": block.put(each.edge.imag)}
+            {"kind": each.kind, "apart": each.apart, "x": block.put(each.edge.real), "y": block.put(each.edge.imag)}
             for each in trial.regions
         ],
         "curves": [

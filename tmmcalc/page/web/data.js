@@ -98,7 +98,7 @@
  * @property {[string, string]} inputs
  * @property {[number, number]} start
  * @property {number[]} box
- * @property {{kind: "strict" | "tolerated" | "piece", x: Ref, y: Ref}[]} regions
+ * @property {{kind: "strict" | "tolerated", apart: boolean, x: Ref, y: Ref}[]} regions
  * @property {{number: string, title: Said, value: number, x: Ref, y: Ref}[]} curves
  * @property {{name: Said, title: Said, at: [number, number]}[]} points
  * @property {Record<string, number>} given
