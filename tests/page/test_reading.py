@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from page.conftest import Open
 from page.opened import Opened
+from page.scenes import CONFIGS, command, write
 from page.test_all import SIZES
 
 LATIN = re.compile(r"[A-Za-z]{3,}")
@@ -75,6 +77,30 @@ def test_the_language_is_switched(name: str, open_page: Open) -> None:
     if name == "shaper":
         found.move(0)
     assert page.evaluate(CONTROLS) == english
+
+
+def test_variants_of_a_sweep_are_named_in_the_language(open_page: Open, tmp_path: Path) -> None:
+    spec, table, file = CONFIGS / "four-bar.toml", tmp_path / "my.csv", tmp_path / "my.html"
+    key = "mechanism.links[id=1].points.A[0]"
+    command("sweep", str(spec), "--set", f"{key}=82.5 mm:97.5 mm:2", "-o", str(table), "--quiet")
+    write(spec, file, "--sweep", str(table))
+    page = open_page(file).page
+    slider, others = page.locator(".variants input"), page.locator(".chart .other > title")
+    assert slider.get_attribute("aria-valuetext") == "82.5 mm"
+    assert set(others.all_text_contents()) == {"97.5 mm"}
+    page.get_by_label("Language").select_option("uk")
+    assert slider.get_attribute("aria-valuetext") == "82,5 мм"
+    assert page.locator(".variants").inner_text() == f"{key}: 82,5 мм"
+    assert set(others.all_text_contents()) == {"97,5 мм"}
+    assert page.locator(".speed option").all_text_contents()[:2] == ["0,1×", "0,25×"]
+    page.evaluate("document.querySelectorAll('details').forEach(each => { each.open = true; })")
+    said = [text.replace(key, "") for text in page.evaluate(CONTROLS)]
+    assert [text for text in said if LATIN.search(text)] == []
+
+
+def test_languages_call_themselves_by_their_own_names(open_page: Open) -> None:
+    page = open_page("extra-tie-down").page
+    assert page.locator("select[name=language] option").all_text_contents() == ["English", "Українська"]
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

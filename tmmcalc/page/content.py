@@ -21,7 +21,7 @@ from tmmcalc.naming.told import Extent, listed, meant
 from tmmcalc.note.assembled import inline
 from tmmcalc.note.tree import plain_text
 from tmmcalc.page.packing import ERROR, Block
-from tmmcalc.page.said import alike, name_of, unit_of, words
+from tmmcalc.page.said import Said, alike, name_of, unit_of, words
 from tmmcalc.pipeline.chapters import task_of, warnings_of
 from tmmcalc.pipeline.picturing import order_of
 from tmmcalc.report.exploring import Trial
@@ -45,7 +45,7 @@ Content = dict[str, Any]
 class Variant(NamedTuple):
     """A run, what tells it from the others on the page, and the text of its spec."""
 
-    name: str
+    name: Said
     run: RunResult
     source: str
 

@@ -108,7 +108,7 @@
  * @property {Sketch} sketch
  */
 /** @typedef {{what: Said, keys: string[], values: number[], unit: Said, text: Said}} Datum */
-/** @typedef {{name: string, stages: Stage[], given: Datum[], source: string, views: View[], trials: Trial[]}} Variant */
+/** @typedef {{name: Said, stages: Stage[], given: Datum[], source: string, views: View[], trials: Trial[]}} Variant */
 /**
  * @typedef {object} Content
  * @property {string} title

@@ -92,8 +92,11 @@ function variants(act) {
   const slider = made("input", { type: "range", min: "0", max: String(content.scenes.length - 1), step: "1" }, label);
   const now = content.scenes.indexOf(scene());
   slider.value = String(now);
-  slider.setAttribute("aria-valuetext", scene().name);
-  saying(() => (said.textContent = `${content.key || word("variant")}: ${scene().name}`));
+  saying(() => {
+    const name = told(scene().name);
+    slider.setAttribute("aria-valuetext", name);
+    said.textContent = `${content.key || word("variant")}: ${name}`;
+  });
   slider.addEventListener("input", () => {
     if (Number(slider.value) !== now) act(Number(slider.value));
   });
@@ -163,7 +166,7 @@ function tools(parent) {
   saying(() => (said.textContent = word("language")));
   const choice = made("select", { name: "language" }, label);
   for (const [key, name] of Object.entries(content.languages)) {
-    made("option", { value: key, lang: key }, choice).textContent = key === "uk" ? "Українська" : name;
+    made("option", { value: key, lang: key }, choice).textContent = name;
   }
   choice.value = language();
   choice.addEventListener("change", () => speak(choice.value));

@@ -37,7 +37,10 @@ export class Player {
     const said = made("span", {}, label);
     saying(() => (said.textContent = word("speed")));
     const choice = made("select", {}, label);
-    for (const speed of SPEEDS) made("option", { value: String(speed) }, choice).textContent = `${speed}×`;
+    for (const speed of SPEEDS) {
+      const option = made("option", { value: String(speed) }, choice);
+      saying(() => (option.textContent = `${written(speed)}×`));
+    }
     choice.value = "1";
     choice.addEventListener("change", () => (this.speed = Number(choice.value)));
     this.told = made("output", { class: "told", "aria-live": "off" }, parent);
