@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 POSITIONS = 360  # that a page solves of its own
 ENGLISH = re.compile(r"[a-z]{4,}|\b[A-Z]?[a-z]{2,3}\b")  # a word that is no symbol
+PLANNED = 3  # variants at most, that have plans of vectors: a page of more would be too large
 ROWS = 1000  # of a longer table so many are shown, and those of extremes
 
 Indices = NDArray[np.intp]
@@ -51,9 +52,9 @@ class Variant(NamedTuple):
 
 
 def content(variants: Sequence[Variant], title: str, key: str, language: str, positions: int = POSITIONS) -> Content:
-    """All that a page holds; ``key`` is what the variants differ in. Of several plans of vectors are left out."""
+    """All that a page holds; ``key`` is what the variants differ in. Of many plans of vectors are left out."""
     block = Block()
-    scenes = [_scene(each, block, positions, planned=len(variants) == 1) for each in variants]
+    scenes = [_scene(each, block, positions, planned=len(variants) <= PLANNED) for each in variants]
     found = {
         "title": title,
         "key": key,
