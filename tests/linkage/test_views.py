@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ import pytest
 
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Grid
+from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.linkage.views.kinematics import Cycle
 from tmmcalc.pipeline.picturing import order_of
@@ -115,3 +117,54 @@ def test_where_a_rocker_is_driven_it_tells_its_reach() -> None:
         assert np.min(np.abs(seen - high % 360)) < 1e-6
     assert view.note
     assert not any(low <= outside + turn <= high for low, high in view.reach for turn in (-360, 0, 360))
+
+
+@pytest.mark.parametrize(
+    "name", ["shaper", "geared-press", "hydraulic-lift", "four-stroke-engine", "piston-pump", "elastic-drive"]
+)
+def test_applied_forces_hold_the_reactions(name: str) -> None:
+    """On every link at every place, both limits of jumps too, they sum up to nothing with what the pairs bear."""
+    from tmmcalc.linkage.acting import sides
+    from tmmcalc.linkage.forces.rows import Rows
+    from tmmcalc.linkage.freebody import solved
+    from tmmcalc.linkage.views.applied import applied
+
+    spec = loaded(name)
+    found = run(spec, target=["forces"]).results
+    mechanism, forces = to_linkage(spec.linkage), found["forces"]
+    view = Cycle(mechanism, found["kinematics"], forces, spec).view()
+    layers = [each for each in view.layers if each.name in ("given", "inertia")]
+    rows = Rows(mechanism, to_loading(spec), found["kinematics"], forces)
+    every = [*applied(solved(rows.statics, forces.theta, rows.side))]
+    bodies = {body.name: body for body in view.bodies}
+    assert all(layer.hidden for layer in layers)
+    every.sort(key=lambda force: force.kind == "inertia")
+    for vector, force in zip((each for layer in layers for each in layer.vectors), every, strict=True):
+        np.testing.assert_array_equal(vector.x.values + 1j * vector.y.values, force.value)
+        np.testing.assert_allclose(vector.places, forces.phi / (math.pi / 180 if forces.turns else 1.0))
+        assert bodies[vector.body].on in {str(force.link), "", *(str(link.id) for link in mechanism.links)}
+    for link in (each.id for each in mechanism.links):
+        total = sum(
+            (force.value for force in every if force.link == link), start=np.zeros(len(forces.theta), np.complex128)
+        )
+        for joint, reaction in zip(mechanism.joints, forces.reaction, strict=True):
+            if link in joint.links:
+                total = total + sides(joint, link)[0] * reaction
+        assert np.abs(total).max() <= 1e-9 * np.abs(forces.reaction).max()
+
+
+def test_applied_forces_stand_at_their_points() -> None:
+    """Weights and forces of inertia at the centres of mass, whatever the link does."""
+    spec = loaded("shaper")
+    found = run(spec, target=["forces"]).results
+    view = Cycle(to_linkage(spec.linkage), found["kinematics"], found["forces"], spec).view()
+    bodies = {body.name: body for body in view.bodies}
+    centres = {str(body.link): body.center for body in to_loading(spec).bodies}
+    shown = [each for layer in view.layers if layer.name in ("given", "inertia") for each in layer.vectors]
+    heavy = [each for each in shown if each.sign[0] in "GP"]
+    assert len(heavy) >= 4
+    for vector in heavy:
+        x, y, angle = bodies[vector.body][1:4]
+        assert not angle.values.any()
+        assert bodies[vector.body].on == vector.sign[3:-1]
+        assert x.values[0] + 1j * y.values[0] == pytest.approx(centres[bodies[vector.body].on])

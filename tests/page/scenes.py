@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import tomllib
 from collections.abc import Collection, Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -20,33 +21,7 @@ from tmmcalc.project import load_spec
 CONFIGS = Path(__file__).parents[2] / "configs"
 SPECS = [file.stem for file in sorted(CONFIGS.glob("*.toml"))]
 MOVING = [  # those in which a linkage moves
-    "class-four",
-    "class-three",
-    "class-three-slider",
-    "course-project",
-    "crane-luffing",
-    "crank-slider",
-    "elastic-drive",
-    "engine-compressor",
-    "four-bar",
-    "four-dyads",
-    "four-stroke-angles",
-    "four-stroke-engine",
-    "geared-press",
-    "geared-pump",
-    "hydraulic-lift",
-    "inertial-conveyor",
-    "piston-compressor",
-    "piston-pump",
-    "press",
-    "scissor-lift",
-    "scotch-yoke",
-    "shaper",
-    "slotted-link",
-    "slotter",
-    "tipper",
-    "trammel",
-    "v-engine",
+    name for name in SPECS if "mechanism" in tomllib.loads((CONFIGS / f"{name}.toml").read_text(encoding="utf-8"))
 ]
 
 Real = NDArray[np.float64]

@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from page.conftest import Open
-from page.scenes import solved
+from page.scenes import CONFIGS, solved
 from page.test_diagrams import column, number
+from tmmcalc.linkage.tables.tasks.loading import to_loading
+from tmmcalc.project import load_spec
 
 CENTIMETRE = 37.8  # pixels of a drawing
 # of a layer that is shown: the columns of its arrows, and how these are drawn, y upwards
@@ -16,6 +18,14 @@ ARROWS = """(name) => {
   const layer = content.scenes[0].views[0].layers.find((each) => each.name === name);
   const lines = document.querySelectorAll(`[data-view=kinematics] [data-layer=${name}] line`);
   return layer.arrows.map(({ x, y, sense }, k) => [x, y, sense, lines[k].classList.contains("lost"),
+    ["x1", "y1", "x2", "y2"].map((key) => Number(lines[k].getAttribute(key)))]);
+}"""
+
+VECTORS = """(name) => {
+  const content = JSON.parse(document.getElementById("content").textContent);
+  const layer = content.scenes[0].views[0].layers.find((each) => each.name === name);
+  const lines = document.querySelectorAll(`[data-view=kinematics] [data-layer=${name}] line`);
+  return layer.vectors.map(({ sign }, k) => [sign, lines[k].classList.contains("lost"),
     ["x1", "y1", "x2", "y2"].map((key) => Number(lines[k].getAttribute(key)))]);
 }"""
 
@@ -41,6 +51,33 @@ def test_vectors_are_drawn_to_the_scale_that_is_told(layer: str, open_page: Open
                 assert np.abs(complex(x2 - x1, y1 - y2) - true).min() < 0.11
                 drawn += 1
     assert drawn >= 8
+
+
+@pytest.mark.parametrize("layer", ["given", "inertia"])
+def test_weights_and_forces_of_inertia_are_drawn_to_scale(layer: str, open_page: Open) -> None:
+    """Weights as they are given, forces of inertia against the accelerations that the kinematics finds."""
+    found = open_page("press")
+    box = found.page.locator(f"[data-view=kinematics] input[name={layer}]")
+    assert not box.is_checked()
+    box.check()
+    per = number(box.locator("xpath=..").inner_text().split("1 cm: ")[1]) / CENTIMETRE
+    loading = to_loading(load_spec(CONFIGS / "press.toml"))
+    bodies = {f"{body.link}": body for body in loading.bodies}
+    table, seen = solved("press", "kinematics"), set()
+    for at in (10.2, 97.7, 200.0, 299.1):
+        found.move(at)
+        row = int(np.argmin(np.abs(column(table, "phi") - found.at)))
+        for sign, lost, (x1, y1, x2, y2) in found.page.evaluate(VECTORS, layer):
+            link = sign[3:-1]
+            if sign[0] not in "GP" or lost or f"ax_S{link}[m/s^2]" not in table:
+                continue
+            a = column(table, f"ax_S{link}")[row] + 1j * column(table, f"ay_S{link}")[row]
+            true = bodies[link].mass * (loading.gravity if layer == "given" else -a)
+            assert complex(x2 - x1, y1 - y2) == pytest.approx(true / per, abs=0.11)
+            seen.add(sign)
+    assert len(seen) >= 2
+    box.uncheck()
+    assert found.page.locator(f"[data-layer={layer}] line:visible").count() == 0
 
 
 def test_what_is_not_wanted_is_hidden(open_page: Open) -> None:

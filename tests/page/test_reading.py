@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from page.conftest import Open
 from page.opened import Opened
+from page.scenes import CONFIGS, command, write
 from page.test_all import SIZES
 
 LATIN = re.compile(r"[A-Za-z]{3,}")
@@ -75,6 +77,30 @@ def test_the_language_is_switched(name: str, open_page: Open) -> None:
     if name == "shaper":
         found.move(0)
     assert page.evaluate(CONTROLS) == english
+
+
+def test_variants_of_a_sweep_are_named_in_the_language(open_page: Open, tmp_path: Path) -> None:
+    spec, table, file = CONFIGS / "four-bar.toml", tmp_path / "my.csv", tmp_path / "my.html"
+    key = "mechanism.links[id=1].points.A[0]"
+    command("sweep", str(spec), "--set", f"{key}=82.5 mm:97.5 mm:2", "-o", str(table), "--quiet")
+    write(spec, file, "--sweep", str(table))
+    page = open_page(file).page
+    slider, others = page.locator(".variants input"), page.locator(".chart .other > title")
+    assert slider.get_attribute("aria-valuetext") == "82.5 mm"
+    assert set(others.all_text_contents()) == {"97.5 mm"}
+    page.get_by_label("Language").select_option("uk")
+    assert slider.get_attribute("aria-valuetext") == "82,5 мм"
+    assert page.locator(".variants").inner_text() == f"{key}: 82,5 мм"
+    assert set(others.all_text_contents()) == {"97,5 мм"}
+    assert page.locator(".speed option").all_text_contents()[:2] == ["0,1×", "0,25×"]
+    page.evaluate("document.querySelectorAll('details').forEach(each => { each.open = true; })")
+    said = [text.replace(key, "") for text in page.evaluate(CONTROLS)]
+    assert [text for text in said if LATIN.search(text)] == []
+
+
+def test_languages_call_themselves_by_their_own_names(open_page: Open) -> None:
+    page = open_page("extra-tie-down").page
+    assert page.locator("select[name=language] option").all_text_contents() == ["English", "Українська"]
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
@@ -180,6 +206,61 @@ def test_print_leaves_the_controls_out(open_page: Open) -> None:
     assert page.locator("svg.scene:visible").count() == 1
     assert page.locator(".chart:visible").count() >= 2
     assert page.locator(".told:visible").count() == 1
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_print_has_the_colours_of_paper(scheme: str, open_page: Open) -> None:
+    """Whatever is chosen on the screen, and by the system."""
+    found = open_page("shaper", color_scheme=scheme)
+    lit = colours(found) if scheme == "light" else {}
+    button = found.page.get_by_role("button", name="Light or dark")
+    for _ in range(3):
+        found.page.emulate_media(media="print")
+        of = colours(found)
+        assert channels(of["paper"]) == [255, 255, 255]
+        assert all(contrast(of[name], of["paper"]) > 4.5 for name in COLOURS)
+        assert luminance(of["warn-soft"]) > 0.8
+        if lit:
+            assert {name: of[name] for name in ("blue", "orange", "green", "purple", "warn")} == {
+                name: lit[name] for name in ("blue", "orange", "green", "purple", "warn")
+            }
+        found.page.emulate_media(media="screen")
+        button.click()
+
+
+def test_what_is_folded_is_printed_and_folded_again(open_page: Open) -> None:
+    page = open_page("shaper").page
+    folded = page.locator("details:not([open])")
+    before = folded.count()
+    assert before > 3
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    assert folded.evaluate_all("all => all.map((each) => each.className).sort()") == ["plans", "source"]
+    assert page.locator("details.given tbody tr:visible").count() > 5
+    assert page.locator("details.stage").evaluate_all("all => all.every((each) => each.open)")
+    page.emulate_media(media="screen")
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert folded.count() == before
+
+
+def test_print_tells_where_the_point_of_shifts_is(open_page: Open) -> None:
+    page = open_page("pair-blocking").page
+    page.emulate_media(media="print")
+    assert page.locator(".trial .player:visible").count() == 0
+    told = page.locator(".trial .told")
+    assert told.count() == page.locator(".trial .told:visible").count() > 0
+    assert "within the" in told.first.inner_text()
+    refusal = page.locator(".trial .wrong").first
+    assert not refusal.is_visible()
+    page.emulate_media(media="screen")
+    plane = page.locator(".plane").first
+    plane.focus()
+    for _ in range(200):
+        plane.press("ArrowDown")
+        if refusal.inner_text():
+            break
+    page.emulate_media(media="print")
+    assert refusal.is_visible()
 
 
 def test_results_are_told_in_words(open_page: Open) -> None:

@@ -119,4 +119,5 @@ def test_several_specs_are_overlaid(open_page: Open, tmp_path: Path) -> None:
             choice.evaluate("(each, k) => { each.value = String(k); each.dispatchEvent(new Event('input')); }", k)
             assert name in found.page.locator(".variants").inner_text()
             assert found.page.locator("[data-view=kinematics]").count() == 1
+            assert found.page.locator("details.plans option").count() >= 2
             assert found.page.evaluate("document.scrollingElement.scrollWidth <= innerWidth")

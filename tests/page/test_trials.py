@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from gears.outlines import far, followed
+from numpy.typing import NDArray
 
 from page.conftest import Open
 from page.opened import Opened
 from page.scenes import CONFIGS, write
 from page.test_diagrams import number
-from tmmcalc.core.plane import Plane
-from tmmcalc.gears.meshing.results import MeshPair
+from tmmcalc.core.plane import Plane, Real
+from tmmcalc.gears.meshing.blocking import solve_blocking
+from tmmcalc.gears.meshing.contours import Outline
+from tmmcalc.gears.meshing.results import MeshPair, Pairs
 from tmmcalc.gears.meshing.solve import solve_pair
 from tmmcalc.gears.pictures.placedpair import placed_pair
 from tmmcalc.gears.tables.tasks.pair import to_pairs
@@ -186,3 +190,44 @@ def test_plane_and_teeth_are_in_sight_together(size: tuple[int, int], open_page:
         assert box["y"] + box["height"] <= size[1]
     module = found.page.locator(f"{TRIAL} .sketch").bounding_box()["height"] / (2 * REACH)
     assert module > 35
+
+
+def test_parts_of_the_contour_that_lie_apart_are_what_they_are(tmp_path: Path, open_page: Open) -> None:
+    """One without undercut is no tolerated one, and both are said to lie apart."""
+    spec = tmp_path / "pair.toml"
+    spec.write_text('[pair]\nteeth = [20, 40]\nmodule = "2 mm"\nstrategy = "given"\nx1 = 0\nx2 = 0\n', encoding="utf-8")
+    write(spec, tmp_path / "pair.html")
+    contour = solve_blocking(Pairs((solve_pair(to_pairs(load_spec(spec)).pairs[0]),), "", ())).pairs[0]
+    page = open_page(tmp_path / "pair.html").page
+    told = page.locator(".trial .told")
+    assert told.inner_text().endswith(": within the contour")
+    content = page.evaluate("JSON.parse(document.getElementById('content').textContent)")
+    left, bottom, right, top = content["scenes"][0]["trials"][0]["box"]
+    page.locator(".plane").scroll_into_view_if_needed()
+    frame = page.locator(".plane rect.frame").bounding_box()
+    parts = np.linspace(0.01, 0.99, 66)
+    x, y = np.meshgrid(left + parts * (right - left), bottom + parts * (top - bottom))
+    main, piece = (_held(each, x, y) for each in ([contour.strict.main], contour.strict.pieces))
+    wide, far_off = (_held(each, x, y) for each in ([contour.tolerated.main], contour.tolerated.pieces))
+    for where, said in (
+        (main, "within the contour"),
+        (piece & ~main, "within the contour, in a part that lies apart"),
+        (wide & ~main & ~piece, "within the tolerated contour only"),
+        (far_off & ~wide & ~main & ~piece, "within the tolerated contour only, in a part that lies apart"),
+        (~(main | piece | wide | far_off), "outside the contour"),
+    ):
+        inner = where.copy()  # a point whose neighbours are alike
+        inner[1:-1, 1:-1] &= where[:-2, 1:-1] & where[2:, 1:-1] & where[1:-1, :-2] & where[1:-1, 2:]
+        row, k = np.argwhere(inner)[len(np.argwhere(inner)) // 2]
+        page.mouse.click(frame["x"] + parts[k] * frame["width"], frame["y"] + (1 - parts[row]) * frame["height"])
+        assert told.inner_text().endswith(f": {said}")
+
+
+def _held(outlines: Sequence[Outline | None], x: Real, y: Real) -> NDArray[np.bool_]:
+    """Whether one of the outlines goes round points."""
+    found = np.zeros(x.shape, bool)
+    for each in outlines:
+        if each is not None:
+            edge = each.x1 + 1j * each.x2 - (x + 1j * y)[..., None]
+            found |= np.abs(np.angle(np.roll(edge, -1, axis=-1) / edge).sum(axis=-1)) > np.pi
+    return found

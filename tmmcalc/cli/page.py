@@ -20,6 +20,7 @@ from tmmcalc.core.errors import TmmError, UsageError
 
 if TYPE_CHECKING:
     from tmmcalc.page.content import Variant
+    from tmmcalc.page.said import Said
     from tmmcalc.project import Spec
 
 
@@ -71,7 +72,8 @@ def command(
         raise UsageError("a sweep is of one spec", where="--sweep", remedy="name one spec, or leave --sweep out")
     if store:
         check_folders(specs)
-    key, wanted = "", [(spec.stem, spec, tuple(overrides or ())) for spec in specs]
+    wanted: list[tuple[Said, Path, tuple[str, ...]]] = [(spec.stem, spec, tuple(overrides or ())) for spec in specs]
+    key = ""
     if sweep is not None:
         found = swept(sweep)
         key = found.key
@@ -83,7 +85,7 @@ def command(
     failures: dict[str, TmmError] = {}
     with nullcontext(lambda words: None) if quiet or not sys.stderr.isatty() else described() as show:
         for (name, *_), each, scene in zip(wanted, jobs, scenes, strict=True):
-            show(f"solving {name}")
+            show(f"solving {name if isinstance(name, str) else name[0]}")
             run = each.run(scene, None)
             variants.append(Variant(name, run, text_of(scene)))
             failures |= run.failures

@@ -21,7 +21,7 @@ from tmmcalc.naming.told import Extent, listed, meant
 from tmmcalc.note.assembled import inline
 from tmmcalc.note.tree import plain_text
 from tmmcalc.page.packing import ERROR, Block
-from tmmcalc.page.said import alike, name_of, unit_of, words
+from tmmcalc.page.said import Said, alike, name_of, unit_of, words
 from tmmcalc.pipeline.chapters import task_of, warnings_of
 from tmmcalc.pipeline.picturing import order_of
 from tmmcalc.report.exploring import Trial
@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 POSITIONS = 360  # that a page solves of its own
 ENGLISH = re.compile(r"[a-z]{4,}|\b[A-Z]?[a-z]{2,3}\b")  # a word that is no symbol
+PLANNED = 3  # variants at most, that have plans of vectors: a page of more would be too large
 ROWS = 1000  # of a longer table so many are shown, and those of extremes
 
 Indices = NDArray[np.intp]
@@ -45,15 +46,15 @@ Content = dict[str, Any]
 class Variant(NamedTuple):
     """A run, what tells it from the others on the page, and the text of its spec."""
 
-    name: str
+    name: Said
     run: RunResult
     source: str
 
 
 def content(variants: Sequence[Variant], title: str, key: str, language: str, positions: int = POSITIONS) -> Content:
-    """All that a page holds; ``key`` is what the variants differ in. Of several plans of vectors are left out."""
+    """All that a page holds; ``key`` is what the variants differ in. Of many plans of vectors are left out."""
     block = Block()
-    scenes = [_scene(each, block, positions, planned=len(variants) == 1) for each in variants]
+    scenes = [_scene(each, block, positions, planned=len(variants) <= PLANNED) for each in variants]
     found = {
         "title": title,
         "key": key,
@@ -271,7 +272,7 @@ def _trial(same: Sequence[Trial], block: Block) -> Content:
         "start": [trial.start.real, trial.start.imag],
         "box": [*_pair(trial.box[0]), *_pair(trial.box[1])],
         "regions": [
-            {"kind": each.kind, "x": block.put(each.edge.real), "y": block.put(each.edge.imag)}
+            {"kind": each.kind, "apart": each.apart, "x": block.put(each.edge.real), "y": block.put(each.edge.imag)}
             for each in trial.regions
         ],
         "curves": [
@@ -356,9 +357,16 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
                 "unit": unit_of(layer.unit),
                 "arrows": [each._asdict() for each in layer.arrows],
                 "vectors": [
-                    {**each._asdict(), "x": _track(each.x, block), "y": _track(each.y, block)} for each in layer.vectors
+                    {
+                        **each._asdict(),
+                        "x": _track(each.x, block),
+                        "y": _track(each.y, block),
+                        "places": None if each.places is None else block.put(each.places),
+                    }
+                    for each in layer.vectors
                 ],
                 "tone": layer.tone,
+                "hidden": layer.hidden,
                 "angles": [
                     {**each._asdict(), "start": _track(each.start, block), "end": _track(each.end, block)}
                     for each in layer.angles

@@ -60,6 +60,7 @@ def _words() -> dict[str, str]:
         "within": tr("within the contour"),
         "flawed": tr("within the tolerated contour only"),
         "outside": tr("outside the contour"),
+        "apart": tr("{place}, in a part that lies apart"),
         "least": tr("at least {low}"),
         "absent": tr("there is no such pair: {why}"),
         "useless": tr("the pair cannot work: {why}"),

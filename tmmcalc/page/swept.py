@@ -10,6 +10,8 @@ from typing import NamedTuple
 from tmmcalc.batch.table import cells_of, is_key, key_and_unit
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.stage import STAGES
+from tmmcalc.page.said import Said, said
+from tmmcalc.report.language import tr_number, tr_unit
 from tmmcalc.spec.variants import Axis
 
 MOST = 24  # variants that a page has: of more, so many in equal steps
@@ -20,7 +22,7 @@ class Swept(NamedTuple):
     """What was swept, and of each variant its name and the overrides that make it."""
 
     key: str
-    variants: tuple[tuple[str, tuple[str, ...]], ...]
+    variants: tuple[tuple[Said, tuple[str, ...]], ...]
 
 
 def swept(file: Path) -> Swept:
@@ -44,9 +46,15 @@ def swept(file: Path) -> Swept:
     for row in solved[::step]:
         values = [*map(float, row[len(labels) : len(labels) + len(axes)])]
         own = [*zip(axes, values, strict=True)]
-        told = row[: len(labels)] or [f"{value:.6g} {axis.unit}".strip() for axis, value in own]
-        variants.append((", ".join(told), tuple(axis.assignment(value) for axis, value in own)))
+        name = ", ".join(row[: len(labels)]) or said(lambda own=own: "; ".join(_measured(*each) for each in own))
+        variants.append((name, tuple(axis.assignment(value) for axis, value in own)))
     return Swept(", ".join(labels or (axis.key for axis in axes)), tuple(variants))
+
+
+def _measured(axis: Axis, value: float) -> str:
+    """A value with its unit in the language in force."""
+    number = tr_number(f"{value:.6g}").replace("-", "−")
+    return f"{number}°" if axis.unit == "deg" else f"{number} {tr_unit(axis.unit)}".strip()
 
 
 def _keys(head: Sequence[str]) -> list[str]:

@@ -11,7 +11,7 @@ from typing import Any, Literal, NamedTuple
 from tmmcalc.core.plane import Plane
 from tmmcalc.report.formula.carried import Root, Step
 
-Kind = Literal["strict", "tolerated", "piece"]  # admissible, admissible with a flaw, admissible but apart
+Kind = Literal["strict", "tolerated"]  # admissible, admissible with a flaw
 
 
 class Region(NamedTuple):
@@ -19,6 +19,7 @@ class Region(NamedTuple):
 
     kind: Kind
     edge: Plane  # (n,) closed, first input + i second
+    apart: bool = False  # from the main part of its kind
 
 
 class Curve(NamedTuple):

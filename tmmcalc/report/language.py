@@ -23,7 +23,7 @@ from typing import Any, NamedTuple
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.notes import Phrase
 
-LANGUAGES = {"en": "English", "uk": "Ukrainian"}
+LANGUAGES = {"en": "English", "uk": "Українська"}  # as each calls itself
 PLACE = re.compile(r"\{(\w+)\}")
 HEAD = re.compile(r"[\w' -]+?(?= (?:of|at|on|in|for|to|from|by|that|where|with|over|between|about)\b|,|$)")
 INERTIA = "moment of inertia"  # one in each of two planes is no vector

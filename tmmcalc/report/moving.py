@@ -122,12 +122,16 @@ class Arrow(NamedTuple):
 
 
 class Vector(NamedTuple):
-    """A vector at the origin of a body that no column tells, in the unit of its layer, in the axes of the frame."""
+    """A vector at the origin of a body that no column tells, in the unit of its layer, in the axes of the frame.
+
+    What jumps has ``places`` of its own, as a stage has rows: the nearest of them counts.
+    """
 
     sign: str
     body: str
     x: Track
     y: Track
+    places: Real | None = None  # (n,) of the input, where they are others than those of the view
 
 
 class Angle(NamedTuple):
@@ -150,6 +154,7 @@ class Layer(NamedTuple):
     vectors: tuple[Vector, ...] = ()
     tone: int = 0  # number of their colour, from 1; 0: by the place of the layer
     angles: tuple[Angle, ...] = ()
+    hidden: bool = False  # until it is asked for
 
 
 class Edge(NamedTuple):

@@ -293,9 +293,8 @@ class CamInMotion:
             sign = "v" if self.profile.flat else "v_C"
             yield Layer("velocity", "Velocities", "m/s", (), (Vector(sign, "centre", x, y),))
         if self.forces is not None:
-            yield Layer(
-                "force", "Forces on the follower", "N", tuple(self._arrows()), tuple(self._vectors(self.forces))
-            )
+            arrows, vectors = tuple(self._arrows()), tuple(self._vectors(self.forces))
+            yield Layer("force", "Forces on the follower", "N", arrows, vectors, hidden=True)
 
     def _arrows(self) -> Iterator[Arrow]:
         """The force of the frame on a rocker."""

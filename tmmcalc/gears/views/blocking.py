@@ -12,7 +12,7 @@ from collections.abc import Container, Iterator
 import numpy as np
 
 from tmmcalc.core.plane import Plane
-from tmmcalc.gears.meshing.contours import Outline, PairContour
+from tmmcalc.gears.meshing.contours import Area, Outline, PairContour
 from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.notes.pair import BY_SHIFTS, MODIFIED, OPERATING, REFERENCE, SHORTENED, TOTAL
 from tmmcalc.gears.notes.pairs import contact, sizes
@@ -21,7 +21,7 @@ from tmmcalc.gears.pictures.contourplane import content_of
 from tmmcalc.gears.views.teeth import Tooth, axes_of_rounding, conditions_of, sketch_of
 from tmmcalc.report.drawing.lettering import plain
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.exploring import Curve, Point, Region, Shown, Trial
+from tmmcalc.report.exploring import Curve, Kind, Point, Region, Shown, Trial
 from tmmcalc.report.formula.carried import needed, step_of
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
@@ -106,11 +106,12 @@ def _inner(given: Given) -> float:
 
 
 def _regions(contour: PairContour) -> Iterator[Region]:
-    """The tolerated contour beneath the strict one, pieces that lie apart."""
-    for area, kind in ((contour.tolerated, "tolerated"), (contour.strict, "strict")):
-        yield from (Region("piece", _closed(piece)) for piece in area.pieces)
+    """The tolerated contour beneath the strict one, of both the parts that lie apart first."""
+    kinds: tuple[tuple[Area, Kind], ...] = (contour.tolerated, "tolerated"), (contour.strict, "strict")
+    for area, kind in kinds:
+        yield from (Region(kind, _closed(piece), apart=True) for piece in area.pieces)
         if area.main is not None:
-            yield Region("strict" if kind == "strict" else "tolerated", _closed(area.main))
+            yield Region(kind, _closed(area.main))
 
 
 def _closed(outline: Outline) -> Plane:

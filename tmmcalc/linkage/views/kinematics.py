@@ -11,10 +11,12 @@ import numpy as np
 from tmmcalc.core.notes import Phrase
 from tmmcalc.linkage.columns import PHI
 from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.forces.rows import Rows
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
 from tmmcalc.linkage.pictures.bodies import centre_of_block
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+from tmmcalc.linkage.views.applied import Drawn, applied_of
 from tmmcalc.linkage.views.linkage import MovingLinkage
 from tmmcalc.linkage.views.plans import plans_of_forces, plans_of_motion
 from tmmcalc.report.drawing.order import Order
@@ -37,10 +39,16 @@ class Cycle:
         self.mechanism, self.result, self.forces, self.spec = mechanism, result, forces, spec
         self.per = math.pi / 180 if result.turns else 1.0  # of the input in its unit
         self.moved = MovingLinkage(mechanism, result, result.x, self.per)
+        self.rows: Rows | None = None
+        if isinstance(forces, Forces):
+            from tmmcalc.linkage.tables.tasks.loading import to_loading
+
+            self.rows = Rows(mechanism, to_loading(spec), result, forces)
 
     def view(self) -> View:
         """The view."""
         result, moved, unreached = self.result, self.moved, tuple(self._unreached())
+        applied = Drawn((), ()) if self.rows is None else applied_of(self.rows, self.per)
         return View(
             name="kinematics",
             title="Mechanism",
@@ -51,11 +59,11 @@ class Cycle:
             column=PHI.of(unit="deg" if result.turns else "m").key,
             steps=(),
             box=moved.box,
-            bodies=tuple(moved.bodies()),
+            bodies=(*moved.bodies(), *applied.points),
             frame=(*unreached, *moved.frame()),
             spots=tuple(moved.spots()),
             handle=self._handle(),
-            layers=tuple(self._layers()),
+            layers=(*self._layers(), *applied.layers),
             centres=tuple(moved.centres()),
             plans=self._plans,
             stops=tuple(self._stops()),
@@ -95,7 +103,7 @@ class Cycle:
     def _layers(self) -> Iterator[Layer]:
         yield from self.moved.layers("kinematics")
         if isinstance(self.forces, Forces):
-            yield Layer("reaction", "Reactions", "N", tuple(self._reactions()))
+            yield Layer("reaction", "Reactions", "N", tuple(self._reactions()), hidden=True)
 
     def _reactions(self) -> Iterator[Arrow]:
         """The force of the lower-numbered link on the higher-numbered one in every pair."""
@@ -118,12 +126,8 @@ class Cycle:
     def _plans(self) -> Iterator[Plan]:
         """Plans of velocities and accelerations; of forces, where they are computed."""
         yield from plans_of_motion(self.mechanism, self.result)
-        if isinstance(self.forces, Forces):
-            from tmmcalc.linkage.pictures.course import statics_of
-            from tmmcalc.linkage.tables.tasks.loading import to_loading
-
-            statics = statics_of(self.mechanism, to_loading(self.spec), self.result)
-            yield from plans_of_forces(statics, self.result, self.forces, self.per)
+        if self.rows is not None:
+            yield from plans_of_forces(self.rows, self.per)
 
     def _stops(self) -> Iterator[Stop]:
         """Dead centres of the outputs."""

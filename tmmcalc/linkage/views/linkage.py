@@ -145,7 +145,7 @@ class MovingLinkage:
                 if pin.name in known
             )
             if arrows:
-                yield Layer(name, title, unit, arrows)
+                yield Layer(name, title, unit, arrows, hidden=name == "acceleration")
 
     def centres(self) -> Iterator[Centre]:
         """Instant centres of the moving links against the frame."""

@@ -10,8 +10,7 @@ import numpy as np
 
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Plane, Real
-from tmmcalc.linkage.forces.kinetostatics import Statics
-from tmmcalc.linkage.forces.results import Forces, side_of
+from tmmcalc.linkage.forces.rows import Rows
 from tmmcalc.linkage.freebody import FreeBody, bodies_at, solved
 from tmmcalc.linkage.lever import Lever, LeverForce, levers, working
 from tmmcalc.linkage.model import Mechanism
@@ -50,15 +49,15 @@ def _plan_of_motion(name: str, letter: str, title: str, unit: str, plan: Polygon
     return Plan(name, title, unit, tuple((said[each].replace("$", ""), tips[each]) for each in names), edges)
 
 
-def plans_of_forces(statics: Statics, kinematics: Kinematics, forces: Forces, per: float) -> Iterator[Plan]:
+def plans_of_forces(rows: Rows, per: float) -> Iterator[Plan]:
     """The polygon of forces of each free body, the lever of Zhukovsky; ``per`` is the unit of the places."""
-    places = forces.phi / per
-    sides = np.array([side_of(forces, row) for row in range(len(forces.labels))])
-    found = solved(statics, forces.theta, sides)
-    rows = [bodies_at(found, row) for row in range(len(forces.labels))]
-    for k, body in enumerate(rows[0]):
-        yield _polygon(f"forces-{k}", [row[k] for row in rows], body.name, places)
-    yield _lever(levers(statics, kinematics, forces.theta, sides, 1.0), places)
+    result = rows.result
+    places = result.phi / per
+    found = solved(rows.statics, result.theta, rows.side)
+    bodies = [bodies_at(found, row) for row in range(len(result.labels))]
+    for k, body in enumerate(bodies[0]):
+        yield _polygon(f"forces-{k}", [each[k] for each in bodies], body.name, places)
+    yield _lever(levers(rows.statics, rows.kinematics, result.theta, rows.side, 1.0), places)
 
 
 def _polygon(name: str, bodies: Sequence[FreeBody], title: str, places: Real) -> Plan:

@@ -196,7 +196,7 @@ class _PlaneArm:
             ("acceleration", "a", "Accelerations", "m/s^2"),
         ):
             arrow = Arrow(f"{letter}_P", "P", f"manipulator.{letter}x", f"manipulator.{letter}y")
-            yield Layer(name, title, unit, (arrow,))
+            yield Layer(name, title, unit, (arrow,), hidden=name == "acceleration")
 
 
 def _jaws(at: float, side: float, size: float) -> Iterator[Mark]:

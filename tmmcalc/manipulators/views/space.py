@@ -148,7 +148,7 @@ class AslantArm:
             ("acceleration", "a", "Accelerations", "m/s^2", 2),
         ):
             x, y = (Track(part, still) for part in (seen[order].real, seen[order].imag))
-            yield Layer(name, title, unit, (), (Vector(f"{letter}_P", "hand", x, y),))
+            yield Layer(name, title, unit, (), (Vector(f"{letter}_P", "hand", x, y),), hidden=order == 2)
 
 
 def _level(obstacle: Obstacle, height: float) -> Values:

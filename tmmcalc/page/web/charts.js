@@ -234,7 +234,7 @@ class Chart {
     }
     this.others.forEach((other) => {
       const curve = drawn("path", { class: "curve other", d: this.path(other.x, other.y) }, back);
-      drawn("title", {}, curve).textContent = other.name;
+      drawn("title", {}, curve).textContent = told(other.name);
     });
     drawn("path", { class: "curve", d: this.path(this.x, this.y) }, back);
     if (this.rows.header) drawn("path", { class: "curve jump", d: this.jumps() }, back);

@@ -20,11 +20,11 @@
 /** @typedef {{name: string, body: string, at: number[], kind: "pin" | "mass" | "point" | "word", path: boolean}} Spot */
 /** @typedef {[string, [string, number, number][]]} Span kind; its points, each a body and a place in its axes */
 /** @typedef {{sign: string, spot: string, x: string, y: string, sense: number}} Arrow */
-/** @typedef {{sign: string, body: string, x: Track, y: Track}} Vector */
+/** @typedef {{sign: string, body: string, x: Track, y: Track, places: Ref | null}} Vector the nearest of its places counts */
 /** @typedef {{sign: string, body: string, start: Track, end: Track, column: string}} Angle */
 /**
- * @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[], vectors: Vector[], angles: Angle[], tone: number}}
- *   Layer
+ * @typedef {{name: string, title: Said, unit: Said, arrows: Arrow[], vectors: Vector[], angles: Angle[], tone: number,
+ *   hidden: boolean}} Layer hidden until it is asked for
  */
 /** @typedef {{name: Said, sign: string, unit: Said, value: Track, there: Range}} Reading */
 /** @typedef {[number, number, string, string]} Edge tail, head, sign, kind */
@@ -98,7 +98,7 @@
  * @property {[string, string]} inputs
  * @property {[number, number]} start
  * @property {number[]} box
- * @property {{kind: "strict" | "tolerated" | "piece", x: Ref, y: Ref}[]} regions
+ * @property {{kind: "strict" | "tolerated", apart: boolean, x: Ref, y: Ref}[]} regions
  * @property {{number: string, title: Said, value: number, x: Ref, y: Ref}[]} curves
  * @property {{name: Said, title: Said, at: [number, number]}[]} points
  * @property {Record<string, number>} given
@@ -108,7 +108,7 @@
  * @property {Sketch} sketch
  */
 /** @typedef {{what: Said, keys: string[], values: number[], unit: Said, text: Said}} Datum */
-/** @typedef {{name: string, stages: Stage[], given: Datum[], source: string, views: View[], trials: Trial[]}} Variant */
+/** @typedef {{name: Said, stages: Stage[], given: Datum[], source: string, views: View[], trials: Trial[]}} Variant */
 /**
  * @typedef {object} Content
  * @property {string} title

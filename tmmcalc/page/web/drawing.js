@@ -1,12 +1,8 @@
 // A scene as large as there is room for it, with what is ticked of it.
-import { content } from "./data.js";
 import { made, resized } from "./elements.js";
-import { MANY } from "./ghosts.js";
 import { keep, kept } from "./kept.js";
 import { Scene } from "./scene.js";
 import { saying } from "./words.js";
-
-const HIDDEN = new Set(["centres", "acceleration", "reaction", "force"]);
 
 export class Drawing {
   /**
@@ -30,15 +26,15 @@ export class Drawing {
    * @param {Element} parent
    * @param {string} name
    * @param {() => string} says
-   * @param {string} [colour]
+   * @param {{colour?: string, hidden?: boolean}} [choices] hidden until it is asked for
    */
-  tick(parent, name, says, colour) {
+  tick(parent, name, says, { colour, hidden = false } = {}) {
     const label = made("label", colour ? { class: colour } : {}, parent);
     const box = made("input", { type: "checkbox", name }, label);
     const said = made("span", {}, label);
     const tell = () => (said.textContent = says());
     const key = `tick ${this.scene.view.name} ${name}`;
-    box.checked = kept(key, !HIDDEN.has(name) && !(name === "ghosts" && content.scenes.length > MANY));
+    box.checked = kept(key, !hidden);
     box.addEventListener("change", () => keep(key, box.checked));
     const show = () => this.scene.show(name, box.checked);
     box.addEventListener("change", show);

@@ -102,7 +102,10 @@ export class Field {
   }
 
   regions() {
-    for (const region of this.trial.regions) drawn("path", { class: `region ${region.kind}`, d: `${this.path(region)}z` }, this.frame);
+    for (const region of this.trial.regions) {
+      const kind = `region ${region.kind}${region.apart ? " apart" : ""}`;
+      drawn("path", { class: kind, d: `${this.path(region)}z` }, this.frame);
+    }
   }
 
   /** Lines with their numbers where they are in sight. */

@@ -71,8 +71,20 @@ export class Layer {
     const { state, view } = this.scene;
     const { values, low, high } = state;
     const [from, to] = view.bodies.find((each) => each.name === vector.body)?.there ?? [low, high];
-    const places = [from, ...values.filter((value) => value > from && value < to), to].map((at) => between(values, at));
-    return Math.max(...places.map((each) => Math.hypot(trackAt(vector.x, values, each), trackAt(vector.y, values, each))));
+    const own = vector.places ? [...numbers(vector.places)] : [from, ...values.filter((value) => value > from && value < to), to];
+    return Math.max(...own.map((at) => Math.hypot(...this.valued(vector, at, between(values, at)))));
+  }
+
+  /**
+   * A vector at a place of the input: at the nearest of its own places, where it has such.
+   * @param {import("./data.js").Vector} vector
+   * @param {number} at
+   * @param {import("./motion.js").Between} there
+   */
+  valued({ x, y, places }, at, there) {
+    const { values } = this.scene.state;
+    const near = places ? between(numbers(places), at).near : 0;
+    return [x, y].map((track) => (places && typeof track !== "number" ? numbers(track[0])[near] : trackAt(track, values, there)));
   }
 
   /** The scale in words, where it has vectors. */
@@ -92,7 +104,7 @@ export class Layer {
    */
   update(taken) {
     const { state, poses, gone } = this.scene;
-    const { values, there, at } = state;
+    const { there, at } = state;
     /** @type {{shown: Drawn, from: number[], way: number[], long: number}[]} */
     const all = [];
     /** @param {Drawn} shown @param {number[]} from @param {number[]} value */
@@ -108,7 +120,7 @@ export class Layer {
     for (const shown of this.vectors) {
       const { vector } = shown;
       const pose = gone?.has(vector.body) ? undefined : poses?.get(vector.body);
-      const value = [trackAt(vector.x, values, there), trackAt(vector.y, values, there)];
+      const value = this.valued(vector, at, there);
       add(shown, pose ? [pose.x, pose.y] : [0, 0], pose ? value : [0, 0]);
     }
     all.sort((a, b) => b.long - a.long);

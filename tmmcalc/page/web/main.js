@@ -4,7 +4,7 @@ import { choose, content, numbers, scene } from "./data.js";
 import { button, made } from "./elements.js";
 import { Drawing } from "./drawing.js";
 import { facts } from "./facts.js";
-import { others } from "./ghosts.js";
+import { MANY, others } from "./ghosts.js";
 import { keep, kept } from "./kept.js";
 import { Plans } from "./plans.js";
 import { Player } from "./player.js";
@@ -94,8 +94,9 @@ function variants() {
   const slider = made("input", { type: "range", min: "0", max: String(content.scenes.length - 1), step: "1" }, label);
   slider.value = String(content.scenes.indexOf(scene()));
   const tell = () => {
-    said.textContent = `${content.key || word("variant")}: ${scene().name}`;
-    slider.setAttribute("aria-valuetext", scene().name);
+    const name = told(scene().name);
+    said.textContent = `${content.key || word("variant")}: ${name}`;
+    slider.setAttribute("aria-valuetext", name);
   };
   saying(tell);
   slider.addEventListener("input", () => {
@@ -137,10 +138,11 @@ function moved(parent, state) {
   const legend = made("legend", {}, layers);
   saying(() => (legend.textContent = word("show")));
   const known = SHOWN.filter((name) => offers(state.view, name));
-  for (const name of known) drawing.tick(layers, name, () => word(name));
+  const hidden = { centres: true, ghosts: content.scenes.length > MANY };
+  for (const name of known) drawing.tick(layers, name, () => word(name), { hidden: hidden[/** @type {"ghosts"} */ (name)] });
   for (const { layer, colour } of drawing.scene.layers) {
     const scale = () => drawing.scene.layers.find((each) => each.layer === layer)?.scaled;
-    drawing.tick(layers, layer.name, () => told(layer.title) + (scale() ? ` (${scale()})` : ""), colour);
+    drawing.tick(layers, layer.name, () => told(layer.title) + (scale() ? ` (${scale()})` : ""), { colour, hidden: layer.hidden });
   }
   layers.hidden = !layers.querySelector("label");
   if (state.view.plans.length) new Plans(section, state);
@@ -170,7 +172,7 @@ function tools(parent) {
   saying(() => (said.textContent = word("language")));
   const choice = made("select", { name: "language" }, label);
   for (const [key, name] of Object.entries(content.languages)) {
-    made("option", { value: key, lang: key }, choice).textContent = key === "uk" ? "Українська" : name;
+    made("option", { value: key, lang: key }, choice).textContent = name;
   }
   choice.value = language();
   choice.addEventListener("change", () => speak(choice.value));

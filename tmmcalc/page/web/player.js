@@ -39,7 +39,10 @@ export class Player {
     const said = made("span", {}, label);
     saying(() => (said.textContent = word("speed")));
     const choice = made("select", {}, label);
-    for (const each of SPEEDS) made("option", { value: String(each) }, choice).textContent = `${each}×`;
+    for (const each of SPEEDS) {
+      const option = made("option", { value: String(each) }, choice);
+      saying(() => (option.textContent = `${written(each)}×`));
+    }
     choice.value = String(this.speed);
     choice.addEventListener("change", () => {
       this.speed = Number(choice.value);

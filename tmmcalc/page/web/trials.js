@@ -27,11 +27,11 @@ export class Plane {
     this.field = new Field(room, trial);
     this.moved();
     this.conditions = trial.conditions.map((each) => ({ ...each, spare: compiled(each.formula) }));
+    this.verdict = made("output", { class: "told" }, section);
     this.refusal = made("output", { class: "wrong" }, section);
     const bar = made("div", { class: "player" }, section);
     const back = button(bar, "back", () => word("chosen"), () => this.move(trial.start));
     back.classList.add("main");
-    this.verdict = made("output", { class: "told" }, bar);
     if (trial.points.length) this.points(section);
     const table = made("table", { class: "readings" }, section);
     const body = made("tbody", {}, table);
@@ -136,9 +136,12 @@ export class Plane {
     const [x, y] = this.at;
     this.field.mark(this.at);
     const values = this.compute({ ...given, [inputs[0]]: x, [inputs[1]]: y });
-    const kinds = regions.filter((region) => this.holds(region)).map((region) => region.kind);
-    const place = kinds.includes("strict") ? "within" : kinds.length ? "flawed" : "outside";
-    this.verdict.textContent = `${this.said(inputs[0], x)}; ${this.said(inputs[1], y)}: ${word(place)}`;
+    const held = regions.filter((region) => this.holds(region));
+    const strict = held.filter((region) => region.kind === "strict");
+    const place = strict.length ? "within" : held.length ? "flawed" : "outside";
+    const apart = held.length > 0 && (strict.length ? strict : held).every((region) => region.apart);
+    const verdict = apart ? word("apart", { place: word(place) }) : word(place);
+    this.verdict.textContent = `${this.said(inputs[0], x)}; ${this.said(inputs[1], y)}: ${verdict}`;
     this.verdict.classList.toggle("broken", place === "outside");
     put(this.refusal, this.drawing(values));
     for (const { shown, row, meaning, value, least } of this.rows) {

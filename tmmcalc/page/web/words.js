@@ -97,6 +97,14 @@ export function measured(value, unit, digits) {
 const letters = { ...content.letters, angle: "φ" };
 
 /**
+ * A letter by its name, another name as it is.
+ * @param {string} name
+ */
+function lettered(name) {
+  return Object.hasOwn(letters, name) ? letters[name] : name;
+}
+
+/**
  * A name as it is set: its letter and its index.
  * @param {string} name
  * @returns {[string, string]}
@@ -104,7 +112,7 @@ const letters = { ...content.letters, angle: "φ" };
 export function parted(name) {
   const [letter, ...index] = name.replaceAll(/[{}]/g, "").split("_");
   const plain = letter.replaceAll("'", "");
-  return [(letters[plain] ?? plain) + "′".repeat(letter.length - plain.length), index.map((part) => letters[part] ?? part).join(", ")];
+  return [lettered(plain) + "′".repeat(letter.length - plain.length), index.map(lettered).join(", ")];
 }
 
 /**
