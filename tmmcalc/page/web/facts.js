@@ -2,7 +2,7 @@
 import { content, scene } from "./data.js";
 import { button, copied, folding, made } from "./elements.js";
 import { keep, kept } from "./kept.js";
-import { isCode, measured, parted, saying, told, word, written } from "./words.js";
+import { decimal, isCode, measured, minus, parted, saying, told, word, written } from "./words.js";
 
 const FEW = 2; // stages, of which all are unfolded
 
@@ -116,7 +116,8 @@ function listed(row, fact, column, show) {
 /** @param {import("./data.js").Fact} fact */
 function valued({ value, unit }) {
   if (typeof value === "boolean") return word(value ? "holds" : "fails");
-  return typeof value === "number" ? measured(value, unit) : told(value);
+  if (typeof value !== "number") return minus(told(value));
+  return Number.isSafeInteger(value) && unit === "" ? decimal(value) : measured(value, unit); // a count has all digits
 }
 
 /**

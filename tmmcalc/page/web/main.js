@@ -17,6 +17,8 @@ const SHOWN = ["paths", "numbers", "names", "masses", "centres", "ghosts"];
 
 const FIRST = 4; // diagrams of a scene that asks for none
 const ROWS = 8; // of a table that is a curve and no list
+const BENT = 1e-3; // of its greatest value: what a curve differs from a straight line by
+const NOTHING = 1e-12;
 
 const title = /** @type {HTMLElement} */ (document.getElementById("title"));
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
@@ -67,7 +69,8 @@ function shown() {
   heading(diagrams, () => word("diagrams"));
   const ordered = stages.filter((stage) => stage.rows?.header && stage.rows.of >= ROWS);
   const first = ordered.flatMap((stage) => {
-    const column = stage.columns.find(({ values }) => numbers(values).some((value, _, all) => value !== all[0]));
+    const along = stage.rows ? numbers(stage.rows.values) : new Float32Array();
+    const column = stage.columns.find(({ values }) => curved(along, numbers(values)));
     return column ? [`${stage.name}.${column.name}`] : [];
   });
   const wished = views.flatMap((view) => view.shown);
@@ -76,6 +79,18 @@ function shown() {
   heading(results, () => word("facts"));
   facts(results, (column) => charts.add(column));
   main.style.minHeight = "";
+}
+
+/**
+ * Whether values go along a curve: a straight line tells little, what rounding leaves of nothing tells nothing.
+ * @param {Float32Array} x
+ * @param {Float32Array} y
+ */
+function curved(x, y) {
+  const last = x.length - 1;
+  const most = y.reduce((size, value) => Math.max(size, Math.abs(value) || 0), 0);
+  const slope = (y[last] - y[0]) / (x[last] - x[0]);
+  return most > NOTHING && y.some((value, k) => Math.abs(value - y[0] - slope * (x[k] - x[0])) > BENT * most);
 }
 
 /**

@@ -5,7 +5,7 @@ import { Field, shaped } from "./field.js";
 import { chained, compiled } from "./formulas.js";
 import { keyed } from "./keys.js";
 import { away } from "./outlines.js";
-import { parted, saying, told, word, written } from "./words.js";
+import { lowered, parted, saying, told, word, written } from "./words.js";
 
 const NEAR = 1e-4; // of an edge: what lies on it belongs to its region
 const STEP = 0.01; // of the arrow keys; with Shift a tenth of it
@@ -162,7 +162,8 @@ export class Plane {
    * @param {number} value
    */
   said(name, value) {
-    return `${parted(name).join("")} = ${written(value, 4)}`;
+    const [letter, index] = parted(name);
+    return `${letter}${lowered(index)} = ${written(value, 4)}`;
   }
 }
 
