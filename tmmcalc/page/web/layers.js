@@ -3,7 +3,7 @@ import { columnOf, numbers } from "./data.js";
 import { between, placed, STILL, trackAt } from "./motion.js";
 import { drawn, named } from "./marks.js";
 import { perPixel, scaleTold } from "./scales.js";
-import { parted, told, written } from "./words.js";
+import { measured, parted } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {{line: SVGElement, name: SVGElement, size: import("./labels.js").Pair}} Drawn an arrow and its sign */
@@ -43,7 +43,8 @@ export class Layer {
       const found = columnOf(angle.column);
       const legs = [0, 1].map(() => drawn("line", { class: "leg" }, this.group));
       const arc = drawn("path", { class: "arc" }, this.group);
-      return { angle, found, legs, arc, name: drawn("text", { class: "name" }, this.group) };
+      const name = named(this.group, parted(angle.sign), { class: "name" });
+      return { angle, found, legs, arc, name, value: drawn("tspan", {}, name) };
     });
     let largest = 0;
     for (const { x, y } of this.arrows) largest = x.reduce((most, _, k) => Math.max(most, Math.hypot(x[k], y[k]) || 0), largest);
@@ -59,7 +60,7 @@ export class Layer {
   drawn(sign) {
     const [letter, index] = parted(sign);
     const line = drawn("line", { "marker-end": `url(#head-${this.colour})` }, this.group);
-    const name = named(this.group, letter, index, { class: "name", "text-anchor": "middle" });
+    const name = named(this.group, [letter, index], { class: "name", "text-anchor": "middle" });
     return { line, name, size: [8 * letter.length + 6 * index.length, 14] };
   }
 
@@ -132,7 +133,7 @@ export class Layer {
    * An angle with its legs and its value at the nearest solved position.
    * @param {Layer["angles"][number]} shown
    */
-  opened({ angle, found, legs, arc, name }) {
+  opened({ angle, found, legs, arc, name, value }) {
     const { state, poses, scale, x0, y0, width, height } = this.scene;
     const pose = poses?.get(angle.body) ?? STILL;
     const { values, there, at } = state;
@@ -154,8 +155,8 @@ export class Layer {
     const [ex, ey] = point(to, leg - 6);
     const [tx, ty] = [ex + 8 * Math.cos(away), ey - 8 * Math.sin(away) + 5];
     const rows = found?.stage.rows;
-    const value = rows ? numbers(found.column.values)[between(numbers(rows.values), at).near] : NaN;
-    name.textContent = `${parted(angle.sign)[0]} = ${written(value, 3)}${told(found?.column.unit ?? "")}`;
+    const size = rows ? numbers(found.column.values)[between(numbers(rows.values), at).near] : NaN;
+    value.textContent = ` = ${measured(size, found?.column.unit ?? "", 3)}`;
     const before = Math.cos(away) < 0;
     const [left, right] = [-x0 + 4 + (before ? SIGN : 0), width - x0 - 4 - (before ? 0 : SIGN)];
     name.setAttribute("x", Math.min(right, Math.max(left, tx)).toFixed(1));

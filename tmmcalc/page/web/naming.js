@@ -2,6 +2,7 @@
 import { around, settled } from "./labels.js";
 import { drawn, RING } from "./marks.js";
 import { between, placed, STILL } from "./motion.js";
+import { spelled } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./labels.js").Pair} Pair */
@@ -30,7 +31,7 @@ export function putNames(scene) {
   /** @type {import("./labels.js").Item[]} */
   const items = [];
   for (const spot of scene.view.spots) {
-    const [letter, index] = lettered(spot.name);
+    const [letter, index] = spelled(spot.name);
     /** @type {import("./labels.js").Pair} */
     const size = [9.5 * letter.length + 6 * index.length, 14];
     /** @type {import("./labels.js").Pair[]} */
@@ -128,14 +129,4 @@ function blocked(scale, found, pose, flat) {
     const [px, py] = [x * scale - ey * side, -y * scale - ex * side];
     found.push([px - 17 * ex, py + 17 * ey, px + 17 * ex, py - 17 * ey]);
   }
-}
-
-/**
- * The letter of a point and its number: S3 has an index.
- * @param {string} name
- * @returns {[string, string]}
- */
-export function lettered(name) {
-  const found = /^([A-Za-z]+)_?(\d+)$/.exec(name);
-  return found ? [found[1], found[2]] : [name, ""];
 }

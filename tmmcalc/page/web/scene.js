@@ -4,9 +4,9 @@ import { dragged } from "./drag.js";
 import { boxed, Ghosts } from "./ghosts.js";
 import { Layer } from "./layers.js";
 import { isThere, placed, poseOf, posesOf, STILL } from "./motion.js";
-import { lettered, putNames } from "./naming.js";
+import { putNames } from "./naming.js";
 import { centreOfMass, COLOURS, draw, drawn, named, PIN, RING, stretch } from "./marks.js";
-import { parted, told, word } from "./words.js";
+import { parted, spelled, told, word } from "./words.js";
 
 const WIDE = 760;
 const LEAST = 480; // width of a tall scene: it is larger on a narrow screen
@@ -141,7 +141,7 @@ export class Scene {
     if (spot.kind === "pin") drawn("circle", { r: PIN, class: "joint" }, group);
     else if (spot.kind === "mass") centreOfMass(group);
     else if (spot.kind === "point") drawn("circle", { r: 2, class: "dot" }, group);
-    named(group, ...lettered(spot.name), { class: "name", "text-anchor": "middle" });
+    named(group, spelled(spot.name), { class: "name", "text-anchor": "middle" });
     return group;
   }
 
@@ -166,7 +166,7 @@ export class Scene {
   centred(centre, world) {
     const group = drawn("g", { class: "centre" }, world);
     drawn("path", { d: "M-5,-5L5,5M5,-5L-5,5" }, group);
-    named(group, ...parted(centre.name), { class: "name", x: 8, y: 14 });
+    named(group, parted(centre.name), { class: "name", x: 8, y: 14 });
     return group;
   }
 
