@@ -1,14 +1,15 @@
 // Vectors and angles that are shown together: arrows from their spots to one scale, angles with their legs and values.
 import { columnOf, numbers } from "./data.js";
 import { between, placed, STILL, trackAt } from "./motion.js";
-import { drawn, named } from "./marks.js";
+import { drawn, named, sized } from "./marks.js";
 import { perPixel, scaleTold } from "./scales.js";
 import { measured, parted } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
-/** @typedef {{line: SVGElement, name: SVGElement, size: import("./labels.js").Pair}} Drawn an arrow and its sign */
+/** @typedef {{line: SVGElement, name: SVGElement, size: import("./labels.js").Pair, drop: number}} Drawn an arrow and its sign */
 /** @typedef {[number, number, number, number]} Place left, top, right, bottom of a sign */
 
+const FONT = 14; // of signs, in pixels
 const LONGEST = 110; // of a vector, in pixels
 const PART = 0.2; // of the width of the drawing, that it has at most
 const NAMED = 13; // a shorter vector has no room for its sign
@@ -58,10 +59,10 @@ export class Layer {
    * @returns {Drawn}
    */
   drawn(sign) {
-    const [letter, index] = parted(sign);
+    const letters = parted(sign);
     const line = drawn("line", { "marker-end": `url(#head-${this.colour})` }, this.group);
-    const name = named(this.group, [letter, index], { class: "name", "text-anchor": "middle" });
-    return { line, name, size: [8 * letter.length + 6 * index.length, 14] };
+    const name = named(this.group, letters, { class: "name", "text-anchor": "middle" });
+    return { line, name, ...sized(letters.filter(Boolean).join("_"), FONT) };
   }
 
   /**
@@ -173,7 +174,7 @@ export class Layer {
  * @param {number} long
  * @param {Place[]} taken
  */
-function arrow({ line, name, size }, [ax, ay], [dx, dy], long, taken) {
+function arrow({ line, name, size, drop }, [ax, ay], [dx, dy], long, taken) {
   const seen = long > 1;
   line.classList.toggle("lost", !seen);
   if (seen) for (const [key, value] of Object.entries({ x1: ax, y1: ay, x2: ax + dx, y2: ay + dy })) line.setAttribute(key, value.toFixed(1));
@@ -189,7 +190,7 @@ function arrow({ line, name, size }, [ax, ay], [dx, dy], long, taken) {
   if (!told) return;
   taken.push(free);
   name.setAttribute("x", ((free[0] + free[2]) / 2).toFixed(1));
-  name.setAttribute("y", ((free[1] + free[3]) / 2 + 5).toFixed(1));
+  name.setAttribute("y", ((free[1] + free[3]) / 2 + drop).toFixed(1));
 }
 
 /**

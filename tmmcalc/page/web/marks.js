@@ -4,11 +4,14 @@ const SVG = "http://www.w3.org/2000/svg";
 export const PIN = 5;
 export const RING = 9; // radius of the ring of a number
 export const COLOURS = ["blue", "orange", "green", "purple"];
-const BLOCK = [34, 19];
-const PIVOT = [22, 17];
+export const BLOCK = [34, 19];
+export const PIVOT = [22, 17];
 const WALL = 2.5; // half the thickness of a rod that slides along one
 const [COILS, COIL] = [5, 7]; // turns of a spring, half its width
 const DOT = 4.5;
+const INDEX = 0.72; // of the size of a letter that its index has
+const LOWER = 5; // pixels that an index stands below its letter, or above it
+const [WIDTH, ABOVE, BELOW] = [0.58, 0.7, 0.22]; // of the size of a letter: its width, what is above its line and below
 const FINEST = 0.8; // module in pixels below which teeth are not drawn
 const SLOPE = Math.tan(Math.PI / 9); // of their flanks
 
@@ -340,7 +343,7 @@ export function texted(parent, sign, attributes = {}) {
   /** @param {string} text @param {number} wanted */
   const put = (text, wanted) => {
     if (!text) return;
-    const part = drawn("tspan", { "font-size": wanted ? "72%" : "100%", dy: (wanted - level) * 5 }, found);
+    const part = drawn("tspan", { "font-size": wanted ? `${100 * INDEX}%` : "100%", dy: (wanted - level) * LOWER }, found);
     part.textContent = text;
     level = wanted;
   };
@@ -359,6 +362,21 @@ export function texted(parent, sign, attributes = {}) {
   };
   read(sign, 0);
   return found;
+}
+
+/**
+ * About how large a sign is in pixels, and how far its line is below its middle.
+ * @param {string} sign as `texted` has it
+ * @param {number} font
+ * @returns {{size: [number, number], drop: number}}
+ */
+export function sized(sign, font) {
+  const [letter, ...index] = sign.split(/[_^]/);
+  const small = INDEX * font;
+  const wide = WIDTH * (font * letter.length + small * index.join("").replaceAll(/[{}]/g, "").length);
+  const up = Math.max(ABOVE * font, sign.includes("^") ? LOWER + ABOVE * small : 0);
+  const down = Math.max(BELOW * font, sign.includes("_") ? LOWER + BELOW * small : 0);
+  return { size: [wide, up + down], drop: (up - down) / 2 };
 }
 
 /**

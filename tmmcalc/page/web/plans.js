@@ -2,7 +2,7 @@
 import { numbers } from "./data.js";
 import { between } from "./motion.js";
 import { around, settled } from "./labels.js";
-import { drawn, texted } from "./marks.js";
+import { drawn, sized, texted } from "./marks.js";
 import { made, resized, widthIn } from "./elements.js";
 import { perPixel, scaleTold } from "./scales.js";
 import { saying, told, word } from "./words.js";
@@ -10,6 +10,7 @@ import { saying, told, word } from "./words.js";
 const WIDE = 560;
 const HIGH = 360;
 const MARGIN = 36;
+const FONT = 15; // of names, in pixels
 const NAMED = 26; // a shorter vector has no room for its sign
 
 export class Plans {
@@ -72,32 +73,32 @@ export class Plans {
   name(at, names) {
     /** @type {[number, number, number, number][]} */
     const lines = this.plan.edges.map(([tail, head]) => [at[tail][0], at[tail][1], at[head][0], at[head][1]]);
-    /** @type {(import("./labels.js").Item & {text: string, kind: string})[]} */
+    /** @type {(import("./labels.js").Item & {text: string, kind: string, drop: number})[]} */
     const items = [];
     /** @type {number[][]} */
     const done = [];
     this.corners?.forEach(({ name }, k) => {
       if (!name || done.some(([x, y]) => Math.hypot(x - at[k][0], y - at[k][1]) < 12)) return;
       done.push(at[k]);
-      const size = sized(name);
-      items.push({ at: [[at[k][0], at[k][1]]], size, choices: around(...size), text: name, kind: "vertex" });
+      const { size, drop } = sized(name, FONT);
+      items.push({ at: [[at[k][0], at[k][1]]], size, drop, choices: around(...size), text: name, kind: "vertex" });
     });
     this.plan.edges.forEach(([, , sign, kind], k) => {
       const [x1, y1, x2, y2] = lines[k];
       const long = Math.hypot(x2 - x1, y2 - y1);
       if (!sign || long < NAMED) return;
-      const size = sized(sign);
+      const { size, drop } = sized(sign, FONT);
       const [ex, ey] = [(x2 - x1) / long, (y2 - y1) / long];
       const off = (Math.abs(ey) * size[0] + Math.abs(ex) * size[1]) / 2 + 3;
       /** @type {import("./labels.js").Pair[]} */
       const choices = [0, 0.15, -0.15, 0.28, -0.28].flatMap((part) =>
         [1, -1].map((side) => /** @type {import("./labels.js").Pair} */ ([part * long * ex + side * off * ey, part * long * ey - side * off * ex])),
       );
-      items.push({ at: [[(x1 + x2) / 2, (y1 + y2) / 2]], size, choices, text: sign, kind: `sign ${kind}` });
+      items.push({ at: [[(x1 + x2) / 2, (y1 + y2) / 2]], size, drop, choices, text: sign, kind: `sign ${kind}` });
     });
     settled(items, [lines]).forEach(([dx, dy], k) => {
-      const { at: places, text, kind } = items[k];
-      texted(names, text, { class: kind, x: places[0][0] + dx, y: places[0][1] + dy + 5, "text-anchor": "middle" });
+      const { at: places, text, kind, drop } = items[k];
+      texted(names, text, { class: kind, x: places[0][0] + dx, y: places[0][1] + dy + drop, "text-anchor": "middle" });
     });
   }
 
@@ -145,14 +146,4 @@ export class Plans {
     this.name(at, names);
     drawn("circle", { class: "pole", cx: at[0][0], cy: at[0][1], r: 3 }, this.svg);
   }
-}
-
-/**
- * About how large a sign is, in pixels.
- * @param {string} sign
- * @returns {[number, number]}
- */
-function sized(sign) {
-  const [letter, ...index] = sign.split(/[_^]/);
-  return [8 * letter.length + 6 * index.join("").replaceAll(/[{}]/g, "").length, index.length ? 19 : 14];
 }
