@@ -68,6 +68,9 @@ def test_ticks_speed_details_and_search_are_kept(pairs: Path, open_page: Open) -
     page.locator("input[name=paths]").uncheck()
     page.locator(".speed select").select_option("0.25")
     page.locator("details.given summary").click()
+    page.locator("details.plans summary").click()
+    plan = page.locator("details.plans select")
+    plan.select_option(index=1)
     page.get_by_role("searchbox").fill("rocker")
     rows = page.locator("tr[data-fact]:visible").count()
     found.choose(1)
@@ -75,5 +78,7 @@ def test_ticks_speed_details_and_search_are_kept(pairs: Path, open_page: Open) -
     assert not page.locator(".scene .paths").is_visible()
     assert page.locator(".speed select").input_value() == "0.25"
     assert page.locator("details.given").get_attribute("open") is not None
+    assert plan.is_visible()
+    assert plan.input_value() == "1"
     assert page.get_by_role("searchbox").input_value() == "rocker"
     assert page.locator("tr[data-fact]:visible").count() == rows

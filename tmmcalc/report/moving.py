@@ -190,11 +190,10 @@ class Centre(NamedTuple):
 
 
 class Handle(NamedTuple):
-    """What the input is moved by: a body that turns about a place, or slides along a direction."""
+    """What the input is moved by: a body that turns about a place, or slides."""
 
     body: str
     pivot: complex | None = None
-    direction: complex | None = None
 
 
 class Reading(NamedTuple):

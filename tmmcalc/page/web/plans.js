@@ -3,7 +3,8 @@ import { numbers } from "./data.js";
 import { between } from "./motion.js";
 import { around, settled } from "./labels.js";
 import { drawn, sized, texted } from "./marks.js";
-import { made, resized, widthIn } from "./elements.js";
+import { folding, made, resized, widthIn } from "./elements.js";
+import { keep, kept } from "./kept.js";
 import { perPixel, scaleTold } from "./scales.js";
 import { saying, told, word } from "./words.js";
 
@@ -22,22 +23,27 @@ export class Plans {
    */
   constructor(parent, state) {
     this.state = state;
-    const part = made("details", { class: "plans" }, parent);
-    const title = made("summary", {}, part);
-    saying(() => (title.textContent = word("plans")));
+    const { plans, name } = state.view;
+    const { part, fold } = folding(parent, "plans", name, () => word("plans"));
     const label = made("label", {}, part);
     const said = made("span", {}, label);
     saying(() => (said.textContent = word("show")));
     const choice = made("select", { name: "plan" }, label);
-    state.view.plans.forEach((plan, k) => {
+    plans.forEach((plan, k) => {
       const option = made("option", { value: String(k) }, choice);
       saying(() => (option.textContent = told(plan.title)));
     });
+    const wished = kept(`plan ${name}`, plans[0].name);
+    this.chosen = Math.max(0, plans.findIndex((plan) => plan.name === wished));
+    choice.value = String(this.chosen);
     this.svg = drawn("svg", { class: "plan", role: "img" }, part);
     this.under = made("p", { class: "errors" }, part);
     this.part = part;
-    this.chosen = 0;
-    choice.addEventListener("change", () => this.choose(Number(choice.value)));
+    fold(false);
+    choice.addEventListener("change", () => {
+      this.choose(Number(choice.value));
+      keep(`plan ${name}`, this.plan.name);
+    });
     part.addEventListener("toggle", () => this.size());
     resized(part, () => this.size());
     saying(() => this.choose(this.chosen));
