@@ -1,12 +1,15 @@
 // Vectors and angles that are shown together: arrows from their spots to one scale, angles with their legs and values.
 import { columnOf, numbers } from "./data.js";
 import { between, placed, STILL, trackAt } from "./motion.js";
-import { drawn, named, sized } from "./marks.js";
+import { drawn, head, named, sized } from "./marks.js";
 import { perPixel, scaleTold } from "./scales.js";
 import { measured, parted } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
-/** @typedef {{line: SVGElement, name: SVGElement, size: import("./labels.js").Pair, drop: number}} Drawn an arrow and its sign */
+/**
+ * @typedef {{line: SVGElement, tip: SVGElement, name: SVGElement, size: import("./labels.js").Pair, drop: number}} Drawn
+ *   an arrow and its sign
+ */
 /** @typedef {[number, number, number, number]} Place left, top, right, bottom of a sign */
 
 const FONT = 14; // of signs, in pixels
@@ -60,9 +63,9 @@ export class Layer {
    */
   drawn(sign) {
     const letters = parted(sign);
-    const line = drawn("line", { "marker-end": `url(#head-${this.colour})` }, this.group);
+    const [line, tip] = [drawn("line", {}, this.group), drawn("path", { class: "head" }, this.group)];
     const name = named(this.group, letters, { class: "name", "text-anchor": "middle" });
-    return { line, name, ...sized(letters.filter(Boolean).join("_"), FONT) };
+    return { line, tip, name, ...sized(letters.filter(Boolean).join("_"), FONT) };
   }
 
   /**
@@ -174,10 +177,14 @@ export class Layer {
  * @param {number} long
  * @param {Place[]} taken
  */
-function arrow({ line, name, size, drop }, [ax, ay], [dx, dy], long, taken) {
+function arrow({ line, tip, name, size, drop }, [ax, ay], [dx, dy], long, taken) {
   const seen = long > 1;
-  line.classList.toggle("lost", !seen);
-  if (seen) for (const [key, value] of Object.entries({ x1: ax, y1: ay, x2: ax + dx, y2: ay + dy })) line.setAttribute(key, value.toFixed(1));
+  for (const each of [line, tip]) each.classList.toggle("lost", !seen);
+  if (seen) {
+    const [bx, by] = [ax + dx, ay + dy];
+    for (const [key, value] of Object.entries({ x1: ax, y1: ay, x2: bx, y2: by })) line.setAttribute(key, value.toFixed(1));
+    tip.setAttribute("d", head([ax, ay], [bx, by]));
+  }
   const [ex, ey] = [dx / (long || 1), dy / (long || 1)];
   const out = BEYOND + Math.min(size[0] / 2 / (Math.abs(ex) || 1e-9), size[1] / 2 / (Math.abs(ey) || 1e-9)) / 2;
   const aside = (Math.abs(ey) * size[0] + Math.abs(ex) * size[1]) / 2 + 5;

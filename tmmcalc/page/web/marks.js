@@ -9,6 +9,7 @@ export const PIVOT = [22, 17];
 const WALL = 2.5; // half the thickness of a rod that slides along one
 const [COILS, COIL] = [5, 7]; // turns of a spring, half its width
 const DOT = 4.5;
+const [HEAD, WING] = [9, 3]; // length and half the width of the head of an arrow
 const INDEX = 0.72; // of the size of a letter that its index has
 const LOWER = 5; // pixels that an index stands below its letter, or above it
 const [WIDTH, ABOVE, BELOW] = [0.58, 0.7, 0.22]; // of the size of a letter: its width, what is above its line and below
@@ -319,6 +320,21 @@ export function centreOfMass(parent) {
   drawn("circle", { r: 4.5 }, group);
   drawn("path", { d: "M0,0V-4.5A4.5,4.5 0 0 1 4.5,0zM0,0V4.5A4.5,4.5 0 0 1 -4.5,0z" }, group);
   return group;
+}
+
+/**
+ * The head of an arrow between two points in pixels, as the way of a path: no longer than half of a short one.
+ * @param {number[]} tail
+ * @param {number[]} tip
+ */
+export function head([ax, ay], [bx, by]) {
+  const long = Math.hypot(bx - ax, by - ay);
+  const [ex, ey] = [(bx - ax) / (long || 1), (by - ay) / (long || 1)];
+  const size = Math.min(HEAD, long / 2);
+  const wing = Math.min(WING, 0.6 * size);
+  const [x, y] = [bx - size * ex, by - size * ey];
+  const wings = [1, -1].map((side) => `${round(x - side * wing * ey)},${round(y + side * wing * ex)}`);
+  return `M${round(bx)},${round(by)}L${wings.join("L")}z`;
 }
 
 /**

@@ -2,7 +2,7 @@
 import { numbers } from "./data.js";
 import { between } from "./motion.js";
 import { around, settled } from "./labels.js";
-import { drawn, sized, texted } from "./marks.js";
+import { drawn, head, sized, texted } from "./marks.js";
 import { folding, made, resized, widthIn } from "./elements.js";
 import { keep, kept } from "./kept.js";
 import { perPixel, scaleTold } from "./scales.js";
@@ -12,6 +12,7 @@ const WIDE = 560;
 const HIGH = 360;
 const MARGIN = 36;
 const FONT = 15; // of names, in pixels
+const PLAIN = new Set(["arm", "turned"]); // lines of the lever that are no vectors
 const NAMED = 26; // a shorter vector has no room for its sign
 
 export class Plans {
@@ -78,7 +79,7 @@ export class Plans {
    */
   name(at, names) {
     /** @type {[number, number, number, number][]} */
-    const lines = this.plan.edges.map(([tail, head]) => [at[tail][0], at[tail][1], at[head][0], at[head][1]]);
+    const lines = this.plan.edges.map(([tail, tip]) => [at[tail][0], at[tail][1], at[tip][0], at[tip][1]]);
     /** @type {(import("./labels.js").Item & {text: string, kind: string, drop: number})[]} */
     const items = [];
     /** @type {number[][]} */
@@ -134,20 +135,14 @@ export class Plans {
     this.svg.replaceChildren();
     const lines = drawn("g", {}, this.svg);
     const names = drawn("g", {}, this.svg);
-    for (const [tail, head, , kind] of this.plan.edges) {
+    for (const [tail, tip, , kind] of this.plan.edges) {
       const [x1, y1] = at[tail];
-      const [x2, y2] = at[head];
+      const [x2, y2] = at[tip];
       const long = Math.hypot(x2 - x1, y2 - y1);
       if (long < 0.7) continue;
       const group = drawn("g", { class: `edge ${kind}` }, lines);
       drawn("line", { x1, y1, x2, y2 }, group);
-      const [ex, ey] = [(x2 - x1) / long, (y2 - y1) / long];
-      const size = Math.min(10, 0.6 * long);
-      if (kind !== "arm" && kind !== "turned") {
-        const [bx, by] = [x2 - size * ex, y2 - size * ey];
-        const wing = 0.3 * size;
-        drawn("path", { d: `M${x2},${y2}L${bx - wing * ey},${by + wing * ex}L${bx + wing * ey},${by - wing * ex}z` }, group);
-      }
+      if (!PLAIN.has(kind)) drawn("path", { d: head(at[tail], at[tip]) }, group);
     }
     this.name(at, names);
     drawn("circle", { class: "pole", cx: at[0][0], cy: at[0][1], r: 3 }, this.svg);

@@ -50,7 +50,6 @@ export class Scene {
     this.y0 = height / 2 + ((top + bottom) / 2) * this.scale;
     this.svg = drawn("svg", { viewBox: `0 0 ${Math.round(width)} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
     this.title = drawn("title", {}, this.svg);
-    this.heads();
     const world = drawn("g", { transform: `translate(${this.x0} ${this.y0})` }, this.svg);
     this.ghosts = new Ghosts(this.view, this.scale, world);
     this.paths = drawn("g", { class: "paths" }, world);
@@ -82,19 +81,6 @@ export class Scene {
   leave() {
     this.state.leave(this.follow);
     this.svg.remove();
-  }
-
-  /** Heads of arrows, one for each colour. */
-  heads() {
-    const defs = drawn("defs", {}, this.svg);
-    for (const colour of COLOURS) {
-      const marker = drawn(
-        "marker",
-        { id: `head-${colour}`, viewBox: "0 0 10 6", refX: 9.5, refY: 3, markerWidth: 9, markerHeight: 6, orient: "auto", markerUnits: "userSpaceOnUse" },
-        defs,
-      );
-      drawn("path", { d: "M0,0L10,3L0,6z", class: `fill-${colour}` }, marker);
-    }
   }
 
   /**
