@@ -122,3 +122,33 @@ def test_plans_are_closed_figures_at_every_position(open_page: Open) -> None:
             assert across.max() <= wide
             assert upwards.min() >= 0
             assert upwards.max() <= high
+
+
+# of all arrows that are seen: how long they are, how long their heads are, how wide, how far from their tips these are
+HEADS = """(where) => [...document.querySelectorAll(`${where}:not(.lost)`)].map((line) => {
+  const [ax, ay, bx, by] = ["x1", "y1", "x2", "y2"].map((key) => Number(line.getAttribute(key)));
+  const at = line.nextElementSibling.getAttribute("d").match(/-?[\\d.]+/g).map(Number);
+  const [x, y] = [(at[2] + at[4]) / 2, (at[3] + at[5]) / 2];
+  const head = Math.hypot(at[0] - x, at[1] - y);
+  const wide = Math.hypot(at[2] - at[4], at[3] - at[5]);
+  return [Math.hypot(bx - ax, by - ay), head, wide, Math.hypot(bx - at[0], by - at[1])];
+})"""
+
+
+@pytest.mark.parametrize(
+    "where",
+    [".layer[data-layer=velocity] > line", ".plan .edge:not(.arm, .turned) line"],
+)
+def test_heads_of_short_arrows_are_shorter_than_their_shafts(where: str, open_page: Open) -> None:
+    found = open_page("shaper")
+    found.page.locator("details.plans").evaluate("each => { each.open = true; }")
+    shortest, longest = np.inf, 0.0
+    for at in (0.0, 3.0, 17.5, 95.0, 170.0, 188.8, 230.0):
+        found.move(at)
+        for long, head, wide, off in found.page.evaluate(HEADS, where):
+            assert head == pytest.approx(min(9, long / 2), abs=0.1)
+            assert wide <= min(6, 0.6 * long) + 0.1
+            assert off < 0.1
+            shortest, longest = min(shortest, long), max(longest, long)
+    assert shortest < 9
+    assert longest > 20

@@ -150,12 +150,11 @@ def _told(fact: Labelled, given: Container[str]) -> bool:
 
 def _fact(stage: str, fact: Labelled) -> Content:
     """A fact; a truth value stays one, a word is said in all languages."""
-    meaning, symbol = meant(stage, fact)
+    meaning, _ = meant(stage, fact)
     if fact.part:
         meaning = Phrase("{quantity}: {word}", quantity=fact.part, word=meaning)
     return {
         "name": fact.name,
-        "symbol": symbol,
         "meaning": name_of(meaning),
         "value": name_of(fact.value) if isinstance(fact.value, str) else fact.value,
         "unit": unit_of(fact.unit),
@@ -205,7 +204,6 @@ def _column(column: Extent, values: Values, block: Block) -> Content:
     return {
         "name": column.quantity,
         "unit": unit_of(column.unit),
-        "symbol": column.symbol,
         "meaning": name_of(column.meaning),
         "values": block.put(values),
     }
@@ -345,11 +343,7 @@ def _view(view: View, steps: list[list[Any]], block: Block) -> Content:
         "spans": [[span.kind, [[body, *_pair(at)] for body, at in span.points]] for span in view.spans],
         "handle": None
         if handle is None
-        else {
-            "body": handle.body,
-            "pivot": None if handle.pivot is None else _pair(handle.pivot),
-            "direction": None if handle.direction is None else _pair(handle.direction),
-        },
+        else {"body": handle.body, "pivot": None if handle.pivot is None else _pair(handle.pivot)},
         "layers": [
             {
                 "name": layer.name,

@@ -17,8 +17,8 @@ from tmmcalc.linkage.forces.rows import Rows
 from tmmcalc.linkage.freebody import Acting, Solved, link_bodies, solved
 from tmmcalc.linkage.model import FRAME
 from tmmcalc.report.drawing.lettering import symbol
+from tmmcalc.report.moving import BLUE, PURPLE, Body, Layer, Vector, track_of
 from tmmcalc.report.moving import FRAME as STANDING
-from tmmcalc.report.moving import Body, Layer, Vector, track_of
 
 RESISTING = ("reaction", "friction")  # what pairs do to links
 NEAR = 1e-9  # [m] so far a point of a link may seem to go along it
@@ -56,8 +56,8 @@ def applied_of(rows: Rows, per: float) -> Drawn:
         x, y = (track_of(part, 0.0, len(places)) for part in (force.value.real, force.value.imag))
         vectors[force.kind == "inertia"].append(Vector(force.sign, body.name, x, y, places))
     layers = (
-        Layer("given", "Given forces", "N", (), tuple(vectors[False]), tone=4, hidden=True),
-        Layer("inertia", "Forces of inertia", "N", (), tuple(vectors[True]), tone=1, hidden=True),
+        Layer("given", "Given forces", "N", (), tuple(vectors[False]), tone=PURPLE, hidden=True),
+        Layer("inertia", "Forces of inertia", "N", (), tuple(vectors[True]), tone=BLUE, hidden=True),
     )
     return Drawn(tuple(points.values()), tuple(layer for layer in layers if layer.vectors))
 

@@ -4,9 +4,9 @@ import { dragged } from "./drag.js";
 import { boxed, Ghosts } from "./ghosts.js";
 import { Layer } from "./layers.js";
 import { isThere, placed, poseOf, posesOf, STILL } from "./motion.js";
-import { lettered, putNames } from "./naming.js";
+import { putNames } from "./naming.js";
 import { centreOfMass, COLOURS, draw, drawn, named, PIN, RING, stretch } from "./marks.js";
-import { parted, told, word } from "./words.js";
+import { parted, spelled, told, word } from "./words.js";
 
 const WIDE = 760;
 const LEAST = 480; // width of a tall scene: it is larger on a narrow screen
@@ -50,7 +50,6 @@ export class Scene {
     this.y0 = height / 2 + ((top + bottom) / 2) * this.scale;
     this.svg = drawn("svg", { viewBox: `0 0 ${Math.round(width)} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
     this.title = drawn("title", {}, this.svg);
-    this.heads();
     const world = drawn("g", { transform: `translate(${this.x0} ${this.y0})` }, this.svg);
     this.ghosts = new Ghosts(this.view, this.scale, world);
     this.paths = drawn("g", { class: "paths" }, world);
@@ -82,19 +81,6 @@ export class Scene {
   leave() {
     this.state.leave(this.follow);
     this.svg.remove();
-  }
-
-  /** Heads of arrows, one for each colour. */
-  heads() {
-    const defs = drawn("defs", {}, this.svg);
-    for (const colour of COLOURS) {
-      const marker = drawn(
-        "marker",
-        { id: `head-${colour}`, viewBox: "0 0 10 6", refX: 9.5, refY: 3, markerWidth: 9, markerHeight: 6, orient: "auto", markerUnits: "userSpaceOnUse" },
-        defs,
-      );
-      drawn("path", { d: "M0,0L10,3L0,6z", class: `fill-${colour}` }, marker);
-    }
   }
 
   /**
@@ -141,7 +127,7 @@ export class Scene {
     if (spot.kind === "pin") drawn("circle", { r: PIN, class: "joint" }, group);
     else if (spot.kind === "mass") centreOfMass(group);
     else if (spot.kind === "point") drawn("circle", { r: 2, class: "dot" }, group);
-    named(group, ...lettered(spot.name), { class: "name", "text-anchor": "middle" });
+    named(group, spelled(spot.name), { class: "name", "text-anchor": "middle" });
     return group;
   }
 
@@ -166,7 +152,7 @@ export class Scene {
   centred(centre, world) {
     const group = drawn("g", { class: "centre" }, world);
     drawn("path", { d: "M-5,-5L5,5M5,-5L-5,5" }, group);
-    named(group, ...parted(centre.name), { class: "name", x: 8, y: 14 });
+    named(group, parted(centre.name), { class: "name", x: 8, y: 14 });
     return group;
   }
 
