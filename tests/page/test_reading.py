@@ -8,7 +8,8 @@ from typing import Any
 
 import pytest
 
-from page.conftest import Open
+from page.altered import altered
+from page.conftest import Open, Written
 from page.opened import Opened
 from page.scenes import CONFIGS, command, write
 from page.test_all import SIZES
@@ -279,3 +280,18 @@ def test_results_are_told_in_words(open_page: Open) -> None:
     page.locator(".find input").fill("стійкий")
     assert page.locator("[data-fact='motion.stability']").is_visible()
     assert not page.locator("[data-fact='structure.formula']").is_visible()
+
+
+def test_numbers_keep_their_powers_and_counts_their_digits(written: Written, open_page: Open, tmp_path: Path) -> None:
+    numbers = {8.50541e-10: "8.50541·10⁻¹⁰", -3e20: "−3·10²⁰", 1.25e-100: "1.25·10⁻¹⁰⁰", 120.0: "120", 0.5: "0.5"}
+
+    def changed(content: Any) -> None:
+        facts = content["scenes"][0]["stages"][-1]["facts"]
+        asked = [*((value, "m") for value in numbers), (78074900, ""), ("-1/4", "")]
+        for fact, (value, unit) in zip(facts, asked, strict=False):
+            fact.update(value=value, unit=unit)
+
+    page = open_page(altered(written("four-bar"), tmp_path / "numbers.html", changed)).page
+    page.locator("details.stage").last.evaluate("(part) => { part.open = true; }")
+    found = page.locator("details.stage").last.locator("tr[data-fact] .value").all_inner_texts()
+    assert found[:7] == [*(f"{text} m" for text in numbers.values()), "78074900", "−1/4"]

@@ -16,12 +16,14 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import Labelled, labelled, named
 from tmmcalc.core.notes import Phrase, graded
 from tmmcalc.core.stage import STAGES, arguments, of_scene
+from tmmcalc.naming.meanings import described
 from tmmcalc.naming.table import Values, table_of
 from tmmcalc.naming.told import Extent, listed, meant
 from tmmcalc.note.assembled import inline
 from tmmcalc.note.tree import plain_text
 from tmmcalc.page.packing import ERROR, Block
 from tmmcalc.page.said import Said, alike, name_of, unit_of, words
+from tmmcalc.page.stacked import courses
 from tmmcalc.pipeline.chapters import task_of, warnings_of
 from tmmcalc.pipeline.picturing import order_of
 from tmmcalc.report.exploring import Trial
@@ -37,7 +39,7 @@ if TYPE_CHECKING:
 POSITIONS = 360  # that a page solves of its own
 ENGLISH = re.compile(r"[a-z]{4,}|\b[A-Z]?[a-z]{2,3}\b")  # a word that is no symbol
 PLANNED = 3  # variants at most, that have plans of vectors: a page of more would be too large
-ROWS = 1000  # of a longer table so many are shown, and those of extremes
+ROWS = 1001  # of a longer table so many are shown, and those of extremes
 
 Indices = NDArray[np.intp]
 Content = dict[str, Any]
@@ -75,7 +77,14 @@ def _scene(variant: Variant, block: Block, positions: int, *, planned: bool) -> 
     inputs = {(view["room"], view["column"]) for view in views}
     return {
         "name": variant.name,
-        "stages": [_stage(stage, run, given, dense, inputs, block) for stage in run.outcomes],
+        "stages": [
+            each
+            for stage in run.outcomes
+            for each in (
+                _stage(stage, run, given, dense, inputs, block),
+                *_courses(stage, dense.get(stage, run.results[stage]), inputs, block),
+            )
+        ],
         "given": _given(run),
         "source": variant.source,
         "views": views,
@@ -163,7 +172,7 @@ def _fact(stage: str, fact: Labelled) -> Content:
 
 def _table(name: str, result: Any, inputs: Container[tuple[str, str]], block: Block) -> Content:
     """The columns of numbers, and the first of them that its rows go along; without one they are counted."""
-    table = table_of(name, result)
+    table = None if courses(name, result) else table_of(name, result)
     known = {each.quantity: each for each in listed(name, result) if isinstance(each, Extent)}
     headers = [header for header in table.headers if named(header)[0] in known] if table is not None else []
     if table is None or not headers or len(table.first) < 2:
@@ -173,13 +182,48 @@ def _table(name: str, result: Any, inputs: Container[tuple[str, str]], block: Bl
     values = table.column(along)
     if not _ordered(values):
         along, others, values = "", headers, np.arange(1.0, len(table.first) + 1)
-    row, unit = named(along) if along else ("", "")
     columns = {header: table.column(header) for header in others}
+    return _laid(along, values, columns, {header: known[named(header)[0]].meaning for header in others}, block)
+
+
+def _courses(name: str, result: Any, inputs: Container[tuple[str, str]], block: Block) -> Iterator[Content]:
+    """Courses that stand below one another in the table of a stage, each as a stage of its own without facts.
+
+    They go along the input of a view, along the time, or along the first column that goes one way.
+    """
+    meaning = described(name, column=True)
+    for k, course in enumerate(courses(name, result), 1):
+        ordered = [header for header, each in course.columns.items() if _ordered(each)]
+        first = [header for header in ordered if (_room(name), header) in inputs or named(header)[0] == "t"]
+        along = next(iter([*first, *ordered]), "")
+        columns = {header: each for header, each in course.columns.items() if header != along}
+        values = course.columns.get(along, np.arange(1.0, len(next(iter(course.columns.values()), ())) + 1))
+        said = {header: _of_course(course.label, meaning(*named(header))[0]) for header in columns}
+        yield {
+            "name": f"{name}/{k}",
+            "room": _room(name),
+            "title": name_of(_of_course(STAGES[name].title, course.label)),
+            "facts": [],
+            **_laid(along, values, columns, said, block),
+            "warnings": [],
+            "errors": [],
+        }
+
+
+def _of_course(what: str, word: str) -> str:
+    return Phrase("{quantity}: {word}", quantity=what, word=word) if word else what
+
+
+def _laid(
+    along: str, values: Values, columns: Mapping[str, Values], meanings: Mapping[str, str], block: Block
+) -> Content:
+    """Columns by their headers over the values of another one, or over the numbers of the rows."""
+    row, unit = named(along) if along else ("", "")
     kept = _kept(values, [*columns.values()], along != "")
     rows = {"header": along, "name": row, "unit": unit_of(unit), "values": block.put(values[kept])}
     return {
         "rows": {**rows, "kept": len(kept), "of": len(values)},
-        "columns": [_column(known[named(header)[0]], each[kept], block) for header, each in columns.items()],
+        "columns": [_column(header, meanings[header], each[kept], block) for header, each in columns.items()],
     }
 
 
@@ -200,13 +244,9 @@ def _ordered(values: Values) -> bool:
     return bool(values[0] != values[-1] and ((steps >= 0).all() or (steps <= 0).all()))
 
 
-def _column(column: Extent, values: Values, block: Block) -> Content:
-    return {
-        "name": column.quantity,
-        "unit": unit_of(column.unit),
-        "meaning": name_of(column.meaning),
-        "values": block.put(values),
-    }
+def _column(header: str, meaning: str, values: Values, block: Block) -> Content:
+    name, unit = named(header)
+    return {"name": name, "unit": unit_of(unit), "meaning": name_of(meaning), "values": block.put(values)}
 
 
 def _given(run: RunResult) -> list[Content]:
@@ -406,7 +446,7 @@ def _plan(plan: Plan, block: Block) -> Content:
 def _steps(run: RunResult, stage: str, column: str) -> list[list[Any]]:
     """The positions of the spec: labels, and where the input stands there."""
     table = table_of(stage, run.results[stage])
-    if table is None or column not in table.headers:
+    if table is None or column not in table.headers or courses(stage, run.results[stage]):
         return []
     return [[label, float(at)] for label, at in zip(table.labels, table.column(column), strict=True)]
 

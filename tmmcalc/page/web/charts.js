@@ -199,6 +199,8 @@ class Chart {
   draw() {
     this.name.replaceChildren();
     lettered(this.name, parted(this.column.name));
+    const measure = told(this.column.unit);
+    if (!this.state && measure) made("span", { class: "unit" }, this.name).textContent = `, ${measure}`; // no value has it
     const { kept, of } = this.rows;
     const part = kept < of ? ` (${word("kept", { kept: String(kept), of: String(of) })})` : "";
     this.meaning.textContent = told(this.column.meaning) + part;

@@ -24,10 +24,11 @@ export function facts(parent, show) {
   const nothing = made("p", { class: "nothing", hidden: "" }, parent);
   saying(() => (nothing.textContent = word("none")));
   if (scene().given.length) given(parent);
-  for (const stage of scene().stages) {
+  const stages = scene().stages.filter((each) => each.facts.length || each.warnings.length || each.errors.length);
+  for (const stage of stages) {
     const { part, fold } = folding(parent, "stage", stage.name, () => told(stage.title));
     part.dataset.stage = stage.name;
-    parts.push({ part, unfold: () => fold(scene().stages.length <= FEW || stage.warnings.length > 0) });
+    parts.push({ part, unfold: () => fold(stages.length <= FEW || stage.warnings.length > 0) });
     for (const warning of stage.warnings) {
       const line = made("p", { class: "warning" }, part);
       saying(() => (line.textContent = told(warning)));

@@ -65,7 +65,8 @@ function shown() {
   const right = made("div", { class: "read" }, main);
   const diagrams = made("section", { class: "diagrams" }, right);
   heading(diagrams, () => word("diagrams"));
-  const ordered = stages.filter((stage) => stage.rows?.header && stage.rows.of >= ROWS);
+  const telling = new Set(stages.filter((stage) => stage.facts.length).map((stage) => stage.name)); // others only draw
+  const ordered = stages.filter(({ name, rows }) => rows?.header && rows.of >= ROWS && telling.has(name.split("/")[0]));
   const first = ordered.flatMap((stage) => {
     const along = stage.rows ? numbers(stage.rows.values) : new Float32Array();
     const column = stage.columns.find(({ values }) => curved(along, numbers(values)));
