@@ -15,6 +15,7 @@ import { forget, language, remember, saying, speak, told, word } from "./words.j
 
 const FIRST = 4; // diagrams of a scene that asks for none
 const ROWS = 8; // of a table that is a curve and no list
+const NUMBER = "i"; // of a row
 const BENT = 1e-3; // of its greatest value: what a curve differs from a straight line by
 const NOTHING = 1e-12;
 
@@ -66,7 +67,9 @@ function shown() {
   const diagrams = made("section", { class: "diagrams" }, right);
   heading(diagrams, () => word("diagrams"));
   const telling = new Set(stages.filter((stage) => stage.facts.length).map((stage) => stage.name)); // others only draw
-  const ordered = stages.filter(({ name, rows }) => rows?.header && rows.of >= ROWS && telling.has(name.split("/")[0]));
+  const ordered = stages.filter(
+    ({ name, rows }) => rows?.header && rows.name !== NUMBER && rows.of >= ROWS && telling.has(name.split("/")[0]),
+  );
   const first = ordered.flatMap((stage) => {
     const along = stage.rows ? numbers(stage.rows.values) : new Float32Array();
     const column = stage.columns.find(({ values }) => curved(along, numbers(values)));
