@@ -304,9 +304,7 @@ def test_long_numbers_of_an_axis_are_whole(written: Written, open_page: Open, tm
             each["values"] = stored(content, (-3.5e-16 + 1e-16 * np.sin(np.arange(361))).tolist())
 
     page = open_page(altered(written("four-bar"), tmp_path / "tiny.html", tiny)).page
-    ends = page.eval_on_selector_all(
-        ".chart .grid text[text-anchor=end]", "all => all.map((text) => text.getBBox().x)"
-    )
+    ends = page.eval_on_selector_all(".chart .grid text[text-anchor=end]", "all => all.map((text) => text.getBBox().x)")
     assert min(ends) >= 0
 
 

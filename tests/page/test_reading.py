@@ -271,7 +271,7 @@ def test_results_are_told_in_words(open_page: Open) -> None:
     def value(fact: str) -> str:
         return str(page.locator(f"[data-fact='{fact}'] button.value").text_content())
 
-    assert value("structure.formula").startswith("I(0,1) -> II RPR(2,3)")
+    assert value("structure.formula").startswith("I(0,1) → II RPR(2,3)")
     assert value("kinematics.assembles_everywhere") == "yes"
     assert value("motion.stability") == "stable"
     page.locator("select[name=language]").select_option("uk")
@@ -295,3 +295,20 @@ def test_numbers_keep_their_powers_and_counts_their_digits(written: Written, ope
     page.locator("details.stage").last.evaluate("(part) => { part.open = true; }")
     found = page.locator("details.stage").last.locator("tr[data-fact] .value").all_inner_texts()
     assert found[:7] == [*(f"{text} m" for text in numbers.values()), "78074900", "−1/4"]
+
+
+def test_a_stage_that_failed_says_why(open_page: Open, tmp_path: Path) -> None:
+    file = tmp_path / "failed.html"
+    spec = CONFIGS / "extreme" / "never-assembles.toml"
+    with pytest.raises(AssertionError):  # the command ends with an error, and writes what there is
+        write(spec, file)
+    page = open_page(file).page
+    assert "cannot be assembled at any crank angle" in page.locator('[data-stage="kinematics"] .warning').inner_text()
+    assert page.locator('[data-fact="structure.mobility"]').is_visible()
+
+
+def test_texts_have_the_signs_of_print(open_page: Open) -> None:
+    page = open_page("geared-press").page
+    warnings = " ".join(page.locator(".warning").all_inner_texts())
+    assert "N·m" in warnings
+    assert not re.search(r"N\*m|\d deg\b|->", page.locator(".results").inner_text())

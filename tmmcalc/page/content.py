@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.core.errors import UsageError
+from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.facts import Labelled, labelled, named
 from tmmcalc.core.notes import Phrase, graded
 from tmmcalc.core.stage import STAGES, arguments, of_scene
@@ -38,6 +38,8 @@ if TYPE_CHECKING:
 
 POSITIONS = 360  # that a page solves of its own
 ENGLISH = re.compile(r"[a-z]{4,}|\b[A-Z]?[a-z]{2,3}\b")  # a word that is no symbol
+WORDS = re.compile("(?<=[a-z]{2})_(?=[a-z]{2})")  # what joins words of a key
+WITHIN = re.compile(r"\[([^\]]+)\]\.")  # a unit of several values, which stands in the names of all
 PLANNED = 3  # variants at most, that have plans of vectors: a page of more would be too large
 ROWS = 1001  # of a longer table so many are shown, and those of extremes
 
@@ -84,7 +86,8 @@ def _scene(variant: Variant, block: Block, positions: int, *, planned: bool) -> 
                 _stage(stage, run, given, dense, inputs, block),
                 *_courses(stage, dense.get(stage, run.results[stage]), inputs, block),
             )
-        ],
+        ]
+        + [_failed(stage, error) for stage, error in run.failures.items()],
         "given": _given(run),
         "source": variant.source,
         "views": views,
@@ -131,7 +134,26 @@ def _stage(
         "facts": [*facts.values()],
         **_table(name, dense.get(name, result), inputs, block),
         "warnings": [name_of(graded(each)[1]) for each in warnings_of(run, [name])],
-        "errors": [[name_of(key), float(f"{each:.3g}")] for key, each in errors.items()],
+        "errors": [[_worded(name_of(key)), float(f"{each:.3g}")] for key, each in errors.items()],
+    }
+
+
+def _worded(text: Said) -> Said:
+    """A text in which words are parted by blanks, as in no key."""
+    return WORDS.sub(" ", text) if isinstance(text, str) else [WORDS.sub(" ", each) for each in text]
+
+
+def _failed(name: str, error: TmmError) -> Content:
+    """A stage that has no result: why."""
+    return {
+        "name": name,
+        "room": _room(name),
+        "title": name_of(STAGES[name].title),
+        "facts": [],
+        "rows": None,
+        "columns": [],
+        "warnings": [name_of(str(error))],
+        "errors": [],
     }
 
 
@@ -166,7 +188,7 @@ def _fact(stage: str, fact: Labelled) -> Content:
         "name": fact.name,
         "meaning": name_of(meaning),
         "value": name_of(fact.value) if isinstance(fact.value, str) else fact.value,
-        "unit": unit_of(fact.unit),
+        "unit": unit_of(fact.unit or (WITHIN.findall(fact.name) or [""])[0]),
     }
 
 

@@ -34,7 +34,9 @@ def courses(stage: str, result: Any) -> list[Course]:
     for label, _ in runs:
         here = labels == label
         columns = {header: _numbers(np.asarray(column)[here]) for header, column in _others(table)}
-        found.append(Course(said.get(label, label), {header: each for header, each in columns.items() if each is not None}))
+        found.append(
+            Course(said.get(label, label), {header: each for header, each in columns.items() if each is not None})
+        )
     return found
 
 
