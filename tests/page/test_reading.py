@@ -13,6 +13,10 @@ from page.conftest import Open, Written
 from page.opened import Opened
 from page.scenes import CONFIGS, command, write
 from page.test_all import SIZES
+from page.test_diagrams import number
+from tmmcalc.core.stage import STAGES
+from tmmcalc.pipeline.runner import run
+from tmmcalc.project import load_spec
 
 LATIN = re.compile(r"[A-Za-z]{3,}")
 # all that the page says of itself: its headings, what is beside its fields, what its buttons are called
@@ -312,3 +316,25 @@ def test_texts_have_the_signs_of_print(open_page: Open) -> None:
     warnings = " ".join(page.locator(".warning").all_inner_texts())
     assert "N·m" in warnings
     assert not re.search(r"N\*m|\d deg\b|->", page.locator(".results").inner_text())
+
+
+@pytest.mark.parametrize(
+    ("name", "stage"), [("cam-oscillating", "cam_strength"), ("pair-blocking", "pair"), ("rotor", "balance")]
+)
+def test_tables_of_summaries_stand_among_the_results(name: str, stage: str, open_page: Open) -> None:
+    """Checks with their limits, several pairs, states: as the command prints them."""
+    true = STAGES[stage].summary(run(load_spec(CONFIGS / f"{name}.toml"), target=[stage]).results[stage], "").table
+    page = open_page(name).page
+    part = page.locator(f'details.stage[data-stage="{stage}"]')
+    part.evaluate("(part) => { part.open = true; }")
+    rows = [row.split("\t") for row in part.locator(".list tbody").inner_text().split("\n")]
+    assert len(rows) == len(true.columns[0])
+    assert len(rows[0]) == len(true.headers)
+    for k, column in enumerate(true.columns):
+        for cell, row in zip(column, rows, strict=True):
+            if isinstance(cell, float):
+                assert number(row[k]) == pytest.approx(cell, rel=6e-5)
+            elif cell:
+                assert str(cell).replace("*", "·").split(" = ")[-1] in row[k].replace("−", "-")
+    page.get_by_label("Language").select_option("uk")
+    assert not LATIN.search(" ".join(part.locator(".list :is(td, th:not(.sign))").all_inner_texts()))

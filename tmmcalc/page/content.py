@@ -21,6 +21,7 @@ from tmmcalc.naming.table import Values, table_of
 from tmmcalc.naming.told import Extent, listed, meant
 from tmmcalc.note.assembled import inline
 from tmmcalc.note.tree import plain_text
+from tmmcalc.page.lists import ENGLISH, tables, worded
 from tmmcalc.page.packing import ERROR, Block
 from tmmcalc.page.said import Said, alike, name_of, unit_of, words
 from tmmcalc.page.stacked import courses
@@ -37,8 +38,6 @@ if TYPE_CHECKING:
     from tmmcalc.report.drawing.order import Order
 
 POSITIONS = 360  # that a page solves of its own
-ENGLISH = re.compile(r"[a-z]{4,}|\b[A-Z]?[a-z]{2,3}\b")  # a word that is no symbol
-WORDS = re.compile("(?<=[a-z]{2})_(?=[a-z]{2})")  # what joins words of a key
 WITHIN = re.compile(r"\[([^\]]+)\]\.")  # a unit of several values, which stands in the names of all
 PLANNED = 3  # variants at most, that have plans of vectors: a page of more would be too large
 ROWS = 1001  # of a longer table so many are shown, and those of extremes
@@ -132,15 +131,11 @@ def _stage(
         "room": _room(name),
         "title": name_of(stage.title),
         "facts": [*facts.values()],
+        "tables": [*tables(stage.summary(result, ""), given)],
         **_table(name, dense.get(name, result), inputs, block),
         "warnings": [name_of(graded(each)[1]) for each in warnings_of(run, [name])],
-        "errors": [[_worded(name_of(key)), float(f"{each:.3g}")] for key, each in errors.items()],
+        "errors": [[worded(name_of(key)), float(f"{each:.3g}")] for key, each in errors.items()],
     }
-
-
-def _worded(text: Said) -> Said:
-    """A text in which words are parted by blanks, as in no key."""
-    return WORDS.sub(" ", text) if isinstance(text, str) else [WORDS.sub(" ", each) for each in text]
 
 
 def _failed(name: str, error: TmmError) -> Content:
@@ -150,6 +145,7 @@ def _failed(name: str, error: TmmError) -> Content:
         "room": _room(name),
         "title": name_of(STAGES[name].title),
         "facts": [],
+        "tables": [],
         "rows": None,
         "columns": [],
         "warnings": [name_of(str(error))],
@@ -226,6 +222,7 @@ def _courses(name: str, result: Any, inputs: Container[tuple[str, str]], block: 
             "room": _room(name),
             "title": name_of(_of_course(STAGES[name].title, course.label)),
             "facts": [],
+            "tables": [],
             **_laid(along, values, columns, said, block),
             "warnings": [],
             "errors": [],
