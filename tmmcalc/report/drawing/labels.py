@@ -69,7 +69,11 @@ class Labels:
         along = np.diff(z)
         counts = np.maximum(1, (np.abs(along) / STEP).astype(int))
         number = np.arange(1, counts.sum() + 1) - np.repeat(np.cumsum(counts) - counts, counts)
-        points = np.r_[z[:1], np.repeat(z[:-1], counts) + np.repeat(along, counts) * number / np.repeat(counts, counts)]
+        between = np.repeat(z[:-1], counts) + np.repeat(along, counts) * number / np.repeat(counts, counts)
+        self.avoid_points(np.r_[z[:1], between], weight)
+
+    def avoid_points(self, points: Plane, weight: float = 1.0) -> None:
+        """Keep clear of single points on paper."""
         self._points.append(points)
         self._weights.append(np.full(len(points), weight))
 
