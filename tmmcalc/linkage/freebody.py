@@ -79,7 +79,8 @@ class FreeBody:
         return np.concatenate(([0j], np.cumsum([force.value for force in self.forces])))
 
 
-class Known(NamedTuple):
+@record
+class Known:
     """A force or a couple over n positions that is known before bodies are cut, as `Acting` and `Couple` have it."""
 
     letter: str
@@ -158,7 +159,7 @@ class _Over:
     def _middle(self, link: int) -> Plane:
         """The middle of a link's joints, where a moment that has no point is drawn."""
         own = [self.state.reactions[joint.name].seat.r for joint in self.mechanism.joints if link in joint.links]
-        return sum(map(self._all, own)) / len(own)
+        return np.sum([self._all(r) for r in own], axis=0) / len(own)
 
     def held(self, seat: Seat, wrench: Wrench) -> Held:
         """What a joint does."""
@@ -250,13 +251,12 @@ class _Cut:
 
     def _here(self, known: Sequence[Known]) -> list[Acting | Couple]:
         """What is known, at the position."""
-        row = self.row
-        return [
-            (Couple if each.couple else Acting)(
-                each.letter, each.index, each.kind, each.link, each.at[row], each.value[row]
-            )
-            for each in known
-        ]
+        row, found = self.row, list[Acting | Couple]()
+        for each in known:
+            name = (each.letter, each.index, each.kind, each.link, each.at[row])
+            value = each.value[row]
+            found.append(Couple(*name, value.real, "") if each.couple else Acting(*name, value, "", None))
+        return found
 
     def alone(self, name: str, link: int) -> FreeBody:
         """A link that is not the input link with its loads, all its reactions, and the drive if it acts on it."""
@@ -303,7 +303,7 @@ class _Cut:
         """The whole force in a joint on a link."""
         sign, index = sides(joint, link)
         held, row = self.found.held[joint.name], self.row
-        return Acting("R", index, "reaction", link, held.r[row], sign * held.force[row], joint.name)
+        return Acting("R", index, "reaction", link, held.r[row], sign * held.force[row], joint.name, None)
 
     def _reaction(self, joint: Joint, link: int) -> list[Acting | Couple]:
         """Force and friction moment of a revolute pair on a link; normal force, friction, couple of a prismatic one."""
@@ -319,6 +319,6 @@ class _Cut:
         arm = moment / normal if near and abs(moment) > NOTHING * size else 0.0
         parts: list[Acting | Couple] = [
             Acting("N", index, "reaction", link, at + arm * e, normal * 1j * e, joint.name, arm if near else None),
-            Acting("F", index, "friction", link, at, along * e, joint.name),
+            Acting("F", index, "friction", link, at, along * e, joint.name, None),
         ]
         return parts if near else [*parts, Couple("M", index, "reaction", link, at, moment, joint.name)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import TYPE_CHECKING
 
 from tmmcalc.page.packing import Block, Content, pair
@@ -18,7 +19,7 @@ def trials_packed(run: RunResult, block: Block) -> Iterator[Content]:
     """What is tried by hand, by the rooms."""
     order = order_of(run.spec, run.results)
     for name in run.outcomes:
-        for same in zip(*each_said(lambda name=name: offered(name, "trials", order)), strict=True):
+        for same in zip(*each_said(partial(offered, name, "trials", order)), strict=True):
             yield _trial(same, block)
 
 
