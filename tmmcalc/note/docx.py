@@ -7,11 +7,13 @@ from io import BytesIO
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import quoteattr
 
+from tmmcalc.note.columns import widths_of
 from tmmcalc.note.docxpages import SIZE, SMALL, styled, undated
-from tmmcalc.note.docxtables import ALONG, CELLS, size_of, table, widths_of
+from tmmcalc.note.docxtables import ALONG, CELLS, PADDING, size_of, table
 from tmmcalc.note.docxwords import SPACES, bookmark, element, elements, field, in_cell, mark_of, run, runs
 from tmmcalc.note.tree import (
     ACROSS,
+    POINT,
     Caption,
     Contents,
     Cover,
@@ -236,7 +238,8 @@ class _Writer:
             holds = k < last and (last < WHOLE or k < TOGETHER or k > last - TOGETHER)
             cells = [in_cell(runs(cell), to, style, holds=holds) for cell, to in zip(row, sides, strict=True)]
             rows.append(("", cells))
-        self.add(table(widths_of(grid, size, ALONG if turned else ACROSS), rows, "TableGrid"))
+        widths = widths_of(grid, size * POINT, PADDING, ALONG if turned else ACROSS)
+        self.add(table(widths, rows, "TableGrid"))
         if not turned:
             self.found.add_paragraph(style="Under")
 
