@@ -2,11 +2,11 @@
 import { columnOf, content, numbers, scene } from "./data.js";
 import { between } from "./motion.js";
 import { drawn } from "./marks.js";
-import { called, copied, made, resized, signed, widthIn } from "./elements.js";
+import { called, copied, lettered, made, resized, signed, widthIn } from "./elements.js";
 import { keep, kept } from "./kept.js";
 import { keyed, turning } from "./keys.js";
 import { standard } from "./scales.js";
-import { measured, parted, saying, told, word, written } from "./words.js";
+import { isAngle, measured, parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 560;
 const HIGH = 198;
@@ -193,9 +193,8 @@ class Chart {
 
   /** Axes, curve, extremes, dead centres, in the language. */
   draw() {
-    const [letter, index] = parted(this.column.name);
-    this.name.replaceChildren(letter);
-    if (index) made("sub", {}, this.name).textContent = index;
+    this.name.replaceChildren();
+    lettered(this.name, parted(this.column.name));
     const { kept, of } = this.rows;
     const part = kept < of ? ` (${word("kept", { kept: String(kept), of: String(of) })})` : "";
     this.meaning.textContent = told(this.column.meaning) + part;
@@ -215,8 +214,7 @@ class Chart {
       drawn("line", { x1: LEFT, x2: this.wide - RIGHT, y1: y, y2: y, class: k === 0 ? "zero" : "" }, grid);
       drawn("text", { x: LEFT - 6, y: y + 4, "text-anchor": "end" }, grid).textContent = written(k * this.step, digits);
     }
-    const turns = told(this.rows.unit) === "°";
-    const along = turns && this.end - this.start > 200 ? 60 : standard((this.end - this.start) / 6);
+    const along = isAngle(this.rows.unit) && this.end - this.start > 200 ? 60 : standard((this.end - this.start) / 6);
     for (let k = Math.ceil(this.start / along - 1e-6); k * along <= this.end + 1e-6 * along; k++) {
       const x = this.across(k * along);
       drawn("line", { x1: x, x2: x, y1: TOP, y2: HIGH - BOTTOM }, grid);
@@ -343,7 +341,7 @@ class Chart {
       this.dot.setAttribute("cx", String(this.across(this.x[k])));
       this.dot.setAttribute("cy", String(this.up(this.y[k])));
     }
-    this.value.textContent = known ? measured(value, this.column.unit) : "–";
+    this.value.textContent = measured(value, this.column.unit);
     this.svg.setAttribute("aria-valuenow", String(at));
     this.svg.setAttribute("aria-valuetext", `${measured(at, this.state.view.unit, 5)}: ${this.value.textContent}`);
   }

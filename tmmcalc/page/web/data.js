@@ -49,7 +49,7 @@
  * @property {Mark[]} front of the frame, before all that moves
  * @property {Spot[]} spots
  * @property {Span[]} spans
- * @property {{body: string, pivot: number[] | null, direction: number[] | null} | null} handle
+ * @property {{body: string, pivot: number[] | null} | null} handle
  * @property {Layer[]} layers
  * @property {{name: string, x: Ref, y: Ref}[]} centres
  * @property {Plan[]} plans
@@ -63,8 +63,8 @@
  * @property {number} seconds that the whole travel takes
  * @property {number | null} nudge of an arrow key
  */
-/** @typedef {{name: string, symbol: string, meaning: Said, value: number | boolean | Said, unit: Said}} Fact */
-/** @typedef {{name: string, symbol: string, meaning: Said, unit: Said, values: Ref}} Column */
+/** @typedef {{name: string, meaning: Said, value: number | boolean | Said, unit: Said}} Fact */
+/** @typedef {{name: string, meaning: Said, unit: Said, values: Ref}} Column */
 /**
  * @typedef {object} Stage
  * @property {string} name

@@ -1,6 +1,6 @@
 // Results of the stages in tables: found by a word, copied, each with its diagram; warnings, errors, the given data.
 import { content, scene } from "./data.js";
-import { button, copied, folding, made } from "./elements.js";
+import { button, copied, folding, lettered, made } from "./elements.js";
 import { keep, kept } from "./kept.js";
 import { isCode, measured, parted, saying, told, word, written } from "./words.js";
 
@@ -96,10 +96,8 @@ function listed(row, fact, column, show) {
   const meaning = made("td", {}, row);
   const sign = made("td", { class: "sign", title: fact.name }, row);
   const value = made("td", { class: "number" }, row);
-  const [letter, index] = isCode(fact.name) ? [fact.name, ""] : parted(fact.name);
-  sign.append(letter);
+  lettered(sign, isCode(fact.name) ? [fact.name, ""] : parted(fact.name));
   sign.classList.toggle("code", isCode(fact.name));
-  if (index) made("sub", {}, sign).textContent = index;
   const copy = made("button", { type: "button", class: "value" }, value);
   saying(() => {
     meaning.textContent = told(fact.meaning);
@@ -143,15 +141,12 @@ function given(parent) {
     const sign = made("td", { class: "sign" }, row);
     const value = made("td", { class: "number" }, row);
     datum.keys.forEach((key, k) => {
-      const [letter, index] = parted(key);
-      sign.append(k ? ", " : "", letter);
-      if (index) made("sub", {}, sign).textContent = index;
+      if (k) sign.append(", ");
+      lettered(sign, parted(key));
     });
     saying(() => {
-      const unit = told(datum.unit);
       what.textContent = told(datum.what);
-      const values = datum.values.map((each) => written(each) + (unit === "°" ? "°" : "")).join("; ");
-      value.textContent = told(datum.text) || `${values}${unit && unit !== "°" ? ` ${unit}` : ""}`;
+      value.textContent = told(datum.text) || measured(datum.values, datum.unit);
     });
   }
 }

@@ -13,8 +13,6 @@ import { coupled, halt, State } from "./state.js";
 import { Plane } from "./trials.js";
 import { forget, language, remember, saying, speak, told, word } from "./words.js";
 
-const SHOWN = ["paths", "numbers", "names", "masses", "centres", "ghosts"];
-
 const FIRST = 4; // diagrams of a scene that asks for none
 const ROWS = 8; // of a table that is a curve and no list
 
@@ -137,9 +135,7 @@ function moved(parent, state) {
   const layers = made("fieldset", { class: "layers" }, section);
   const legend = made("legend", {}, layers);
   saying(() => (legend.textContent = word("show")));
-  const known = SHOWN.filter((name) => offers(state.view, name));
-  const hidden = { centres: true, ghosts: content.scenes.length > MANY };
-  for (const name of known) drawing.tick(layers, name, () => word(name), { hidden: hidden[/** @type {"ghosts"} */ (name)] });
+  for (const [name, hidden] of offered(state.view)) drawing.tick(layers, name, () => word(name), { hidden });
   for (const { layer, colour } of drawing.scene.layers) {
     const scale = () => drawing.scene.layers.find((each) => each.layer === layer)?.scaled;
     drawing.tick(layers, layer.name, () => told(layer.title) + (scale() ? ` (${scale()})` : ""), { colour, hidden: layer.hidden });
@@ -149,20 +145,21 @@ function moved(parent, state) {
 }
 
 /**
- * Whether a view has what may be shown or hidden by this name.
+ * What may be shown or hidden of a view beside its layers: its name, and whether it is hidden until it is asked for.
  * @param {import("./data.js").View} view
- * @param {string} name
+ * @returns {[string, boolean][]}
  */
-function offers(view, name) {
-  const has = {
-    paths: view.spots.some((spot) => spot.path),
-    numbers: view.bodies.some((body) => body.number),
-    names: view.spots.some((spot) => spot.name && spot.kind !== "mass"),
-    masses: view.spots.some((spot) => spot.kind === "mass"),
-    centres: view.centres.length > 0,
-    ghosts: others(view).length > 0,
-  };
-  return has[/** @type {keyof typeof has} */ (name)];
+function offered(view) {
+  /** @type {[string, boolean, boolean][]} */
+  const all = [
+    ["paths", view.spots.some((spot) => spot.path), false],
+    ["numbers", view.bodies.some((body) => body.number), false],
+    ["names", view.spots.some((spot) => spot.name && spot.kind !== "mass"), false],
+    ["masses", view.spots.some((spot) => spot.kind === "mass"), false],
+    ["centres", view.centres.length > 0, true],
+    ["ghosts", others(view).length > 0, content.scenes.length > MANY],
+  ];
+  return all.flatMap(([name, there, hidden]) => (there ? [[name, hidden]] : []));
 }
 
 /** @param {Element} parent */

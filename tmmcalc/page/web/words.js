@@ -82,15 +82,27 @@ function raised(power) {
   return [...power].map((sign) => signs[/** @type {"-"} */ (sign)] ?? "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)]).join("");
 }
 
+const DEGREES = "°";
+
 /**
- * A number with its unit; the sign of degrees stands at it.
- * @param {number} value
+ * Whether a unit is that of angles.
+ * @param {import("./data.js").Said} unit
+ */
+export function isAngle(unit) {
+  return told(unit) === DEGREES;
+}
+
+/**
+ * A number with its unit, or several with one: the sign of degrees stands at each. Nothing has no unit.
+ * @param {number | number[]} value
  * @param {import("./data.js").Said} unit
  * @param {number} [digits]
  */
 export function measured(value, unit, digits) {
-  const said = told(unit);
-  return `${written(value, digits)}${said && said !== "°" ? " " : ""}${said}`;
+  const all = [value].flat();
+  const behind = isAngle(unit) ? DEGREES : "";
+  const numbers = all.map((each) => written(each, digits) + (Number.isFinite(each) ? behind : "")).join("; ");
+  return behind || !all.some(Number.isFinite) ? numbers : `${numbers} ${told(unit)}`.trim();
 }
 
 /** @type {Record<string, string>} */
@@ -113,6 +125,16 @@ export function parted(name) {
   const [letter, ...index] = name.replaceAll(/[{}]/g, "").split("_");
   const plain = letter.replaceAll("'", "");
   return [lettered(plain) + "′".repeat(letter.length - plain.length), index.map(lettered).join(", ")];
+}
+
+/**
+ * The name of a point as it is set: its number is an index.
+ * @param {string} name
+ * @returns {[string, string]}
+ */
+export function spelled(name) {
+  const found = /^([A-Za-z]+)_?(\d+)$/.exec(name);
+  return found ? [found[1], found[2]] : [name, ""];
 }
 
 /**
