@@ -10,7 +10,7 @@ import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.linkage.chain import chain_of
-from tmmcalc.linkage.notes.told import rows_shown
+from tmmcalc.linkage.notes.shown import rows_shown
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.nodes import nodal_tables, nodal_work
@@ -128,7 +128,7 @@ def _first(result: Motion, order: Order) -> list[int]:
         return [max(1, (len(result.labels) - 1) // 4)]
     kinematics = order.results["kinematics"]
     chain = chain_of(to_linkage(order.spec.linkage), kinematics)
-    return [result.labels.index(kinematics.labels[rows_shown(order, chain)[0]])]
+    return [result.labels.index(kinematics.labels[rows_shown(order, chain, kinematics)[0]])]
 
 
 def _recurrence(result: Motion, order: Order) -> Iterator[Block]:

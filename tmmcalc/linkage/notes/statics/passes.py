@@ -15,7 +15,7 @@ from tmmcalc.report.language import tr, tr_number
 from tmmcalc.report.manuscript import Block, Paragraph, Table
 from tmmcalc.report.telling import cell, column_of, located
 
-STOP = 1e-3  # of the magnitude of a reaction: a change at which the passes end
+STOP = 1e-4  # of the magnitude of a reaction: a change at which the passes end
 FIRST, LAST = 3, 3  # passes that a long table shows
 MOST = 50
 LEAST = 1e-9  # of an unknown [N, mm]: less is rounding
@@ -37,8 +37,8 @@ def passes(loaded: Loaded, plan: Plan, pairs: Sequence[ToldPair]) -> Iterator[Bl
     yield Paragraph(
         tr(
             "The reactions are first found without friction; they give friction forces and moments, with which the "
-            "reactions are found again, until no reaction changes by more than {stop} % of its magnitude; the passes are "
-            "{where}. The formulas below hold for the solution to which these successive approximations lead.",
+            "reactions are found again, until no reaction changes by more than {stop} % of its magnitude; the passes "
+            "are {where}. The formulas below hold for the solution to which these successive approximations lead.",
             stop=tr_number(f"{100 * STOP:g}"),
             where=located(tables),
         )
