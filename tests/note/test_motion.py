@@ -19,7 +19,7 @@ from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
 from tmmcalc.report.drawing.order import POSITIONS
 from tmmcalc.report.formula.tree import Name
-from tmmcalc.report.manuscript import Chapter, Table
+from tmmcalc.report.manuscript import Chapter, Paragraph, Table
 from tmmcalc.rooms import CHAPTERS
 
 CASES = {
@@ -162,3 +162,23 @@ def test_every_motion_in_time_is_told() -> None:
     titles: list[Any] = re.findall(r"^1\.\d\.\d Motion “(.*)”$", found, re.MULTILINE)
     assert titles == ["run-down", "self-excited", "field apart", "plugging", "regenerative"]
     assert "ω_e = r_a/κ" in found
+
+
+@pytest.mark.parametrize(
+    ("name", "counted"), [("shaper", {"2", "12"}), ("press", set())], ids=("a load that jumps", "friction alone")
+)
+def test_a_moment_that_jumps_is_the_same_in_all_tables_or_it_is_said(name: str, counted: set[str]) -> None:
+    """The cutting force counts at both ends of its action; positions 0 and n are two sides of one."""
+    found = blocks(told(name, only=("reduction", "motion")))
+    tables = {each.key: each for each in found if isinstance(each, Table)}
+    said = " ".join(each.text for each in found if isinstance(each, Paragraph))
+    reduced, exact = tables["reduction_moments"], tables["motion_exact"]
+    nodal = tables["motion_turns" if name == "shaper" else "motion_energies"]
+    whole = next(k for k, head in enumerate(reduced.head) if "M_red" in head)
+    own = {row[0]: row[whole] for row in reduced.rows if row[1]}
+    assert own == {row[0]: row[exact.head.index("$M_c$, N·m")] for row in exact.rows}
+    taken = {row[0]: row[nodal.head.index("$M_c$, N·m")] for row in nodal.rows}
+    apart = [label for label in own if own[label] != taken[label]]
+    assert f"$M_c$ jumps in a position (here {', '.join(apart)})" in said
+    assert f"Positions 0 and {reduced.rows[-2][0]} are one" in said
+    assert all(f"begins or ends in a position (here {', '.join(sorted(counted, key=int))})" in said for _ in counted)

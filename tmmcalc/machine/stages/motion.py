@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-
 from tmmcalc.core.conversion import plain
 from tmmcalc.core.stage import said
 from tmmcalc.linkage.wanted import NO_CSV, is_long
@@ -49,18 +47,17 @@ def inputs(spec: MachineTables) -> Given:
 
 def solve(*given: *Given, tolerance: float, **upstream: Any) -> Motion:
     """The regime with the flywheel that is there, or else the one that was found."""
-    from tmmcalc.machine.motion import solve_motion
+    from tmmcalc.machine.motion import Positions, solve_motion
 
     machine = asked(given, upstream)
     reduction = upstream["reduction"]
-    theta = np.abs(reduction.phi - reduction.phi[0])
     return solve_motion(
         reduction.cycle,
         reduction.idle,
         machine.inertia,
         machine.driver,
         machine.speed,
-        (reduction.labels, reduction.phi, theta),
+        Positions.of(reduction),
         given[3],
         undriven=given[1].undriven,
         tolerance=tolerance,

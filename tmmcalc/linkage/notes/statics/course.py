@@ -16,6 +16,7 @@ from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.notes.statics.loaded import Loaded, packed
 from tmmcalc.linkage.notes.statics.pairs import SMALL, ToldPair, along, rubs
 from tmmcalc.linkage.pictures.course import course_of
+from tmmcalc.linkage.pictures.cycle import closed
 from tmmcalc.linkage.pictures.forces import drive_graphs, reaction_graphs
 from tmmcalc.linkage.pictures.hodographs import draw_hodograph, hodographs_of
 from tmmcalc.report.drawing.box import Box
@@ -24,7 +25,7 @@ from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Result, Table
-from tmmcalc.report.telling import WIDE, located, span, tabulated
+from tmmcalc.report.telling import WIDE, located, span, tabulated, two_sides
 
 GRAPH, HALF = 46.0, (84.0, 52.0)  # height of a diagram of reactions, size of one of the drive [mm]
 SQUARE = 80.0  # height of a hodograph [mm]
@@ -53,6 +54,9 @@ def over_the_motion(loaded: Loaded, groups: Mapping[str, Sequence[ToldPair]]) ->
             before=jump.replace("-", "−"),
         )
         yield Paragraph(said)
+    if closed(loaded.told.chain):
+        friction = () if result.friction is None else result.friction
+        yield from two_sides(result.labels, (result.drive, *result.reaction.real, *result.reaction.imag, *friction))
     own = Values(result.reaction, result.normal, result.couple, result.friction, result.drive)
     if statics.scales:
         bare = statics.scene._replace(loading=replace(statics.scene.loading, pairs=()))
