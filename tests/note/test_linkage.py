@@ -149,9 +149,11 @@ def test_the_position_of_the_working_stroke_is_one_with_its_load() -> None:
     assert places - {""} == {"pos. 9", "pos. 18"}
 
 
-@pytest.mark.parametrize(("name", "wanted"), [("press", {"10", "2"}), ("shaper", {"7", "19"}), ("trammel", {"5", "17"})])
+@pytest.mark.parametrize(
+    ("name", "wanted"), [("press", {"10", "2"}), ("shaper", {"7", "19"}), ("trammel", {"5", "17"})]
+)
 def test_a_position_is_shown_in_which_links_move_and_stand_aslant(name: str, wanted: set[str]) -> None:
-    """In the middle of the strokes of the press its rod turns back and the crank stands across; 10 has more load than 8."""
+    """In the middle of the strokes of the press its rod turns back and its crank stands across; 10 has more load."""
     lines = [block for block in blocks(told(name, only=("kinematics",))) if isinstance(block, Line)]
     assert {place.name for line in lines for place in line.places} - {""} == {f"pos. {label}" for label in wanted}
     for line in lines:

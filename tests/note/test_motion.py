@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from note.scenes import blocks, told, written
+from note.scenes import CONFIGS, blocks, told, written
 from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.plaintext import text
 from tmmcalc.pipeline.chapters import chapters_of, stages_of
@@ -134,6 +134,25 @@ def test_a_flywheel_that_is_there_has_its_rim_told() -> None:
     found = values(told("shaper", only=("motion",)))
     assert found["m_t"] == pytest.approx(4 * 186 / 1.3**2, rel=1e-4)
     assert found["m_r"] * (found["D_o"] ** 2 + found["D_i"] ** 2) / 8 == pytest.approx(0.9 * 186, rel=2e-4)
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "said"),
+    [
+        ("flywheel.diameter", "12000 mm", "the rim runs at "),
+        ("flywheel.width", "15 mm", "more disk than rim"),
+        ("flywheel.diameter", "9 mm", "o such rim"),
+    ],
+)
+def test_what_speaks_against_a_flywheel_that_is_there_is_told(key: str, value: str, said: str) -> None:
+    """The stage sizes its rim at the largest speed of the motion, and its verdicts are among those of the motion."""
+    change = f'{key}="{value}"'
+    done = run(load_spec(CONFIGS / "shaper.toml", [change]), target=["motion"])
+    motion = done.results["motion"]
+    assert motion.wheel.speed == motion.regime.omega_max
+    assert any(said in str(verdict) for verdict in motion.verdicts)
+    note = text(Assembler().written(told("shaper", only=("motion",), changed=[change])))
+    assert ("The condition fails" if "runs" in said else said) in note
 
 
 def test_a_time_optimal_motion_is_that_of_the_textbook() -> None:

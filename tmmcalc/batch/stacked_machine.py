@@ -102,8 +102,10 @@ def motions_of_each(
         quiet = regimes(machines_without(block, variants, machine, cycles, idle=True).at(every, constant), halvings=0)
     clear = loaded.clear & quiet.clear
     return [
-        _motion(k, found["reduction"], each, loaded, quiet, key) if clear[k] and found and each else None
-        for k, (found, each) in enumerate(zip(results, asked, strict=True))
+        motion.with_wheel(_motion(k, found["reduction"], each, loaded, quiet, key), own[2], found)
+        if clear[k] and found and each
+        else None
+        for k, (found, each, own) in enumerate(zip(results, asked, given, strict=True))
     ]
 
 

@@ -20,6 +20,7 @@ from tmmcalc.machine.flywheel.materials import RECOMMENDED
 from tmmcalc.machine.flywheel.methods import FlywheelMethod
 from tmmcalc.machine.flywheel.placement import Wheel
 from tmmcalc.machine.flywheel.results import Flywheel, RequiredInertia, Trial
+from tmmcalc.machine.flywheel.rim import Rim
 from tmmcalc.report.document import Document, Fact, View, untold
 from tmmcalc.report.numbers import angle, number
 
@@ -39,7 +40,7 @@ def summary(result: Flywheel, title: str) -> Document:
         inertia_fact("inertia at hand", keyed(result, "without"), result.at_hand),
         _needed_fact(result),
         *_existing_facts(result),
-        *([] if result.rim is None else _rim_facts(result)),
+        *([] if result.rim is None else rim_facts(result.rim, result.own)),
         *(_elsewhere_fact(wheel) for wheel in result.wheels[1:] if result.addition > 0),
     )
     facts += (*untold(facts, result, but=("existing",)), _legend_fact(result))
@@ -108,10 +109,8 @@ def _existing_facts(result: Flywheel) -> list[Fact]:
     return [Fact("flywheel there", text, keyed(result, "existing", "sufficient"))]
 
 
-def _rim_facts(result: Flywheel) -> list[Fact]:
-    """Sizes, inertia, mass, speed and stress of the rim of the needed flywheel."""
-    rim = result.rim
-    assert rim is not None
+def rim_facts(rim: Rim, own: float) -> list[Fact]:
+    """Sizes, inertia, mass, speed and stress of the rim of a flywheel with this inertia [kg*m^2]."""
     material = rim.material
     sizes = {"mean": rim.diameter, "outer": rim.outer, "inner": rim.inner}
     diameters = ", ".join(f"{word} {number(1e3 * value, 5)}" for word, value in sizes.items())
@@ -122,7 +121,7 @@ def _rim_facts(result: Flywheel) -> list[Fact]:
         Fact("its rim", f"diameters: {diameters} mm\n{sections}", named),
         Fact(
             "inertia of the rim",
-            f"{number(rim.inertia)} kg*m^2, {number(100 * rim.inertia / result.own, 3)} % of the wheel's"
+            f"{number(rim.inertia)} kg*m^2, {number(100 * rim.inertia / own, 3)} % of the wheel's"
             "\n(arms and hub are to give the rest)",
             keyed(rim, "inertia"),
         ),

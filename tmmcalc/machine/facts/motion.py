@@ -18,6 +18,7 @@ from tmmcalc.linkage.results import Extreme
 from tmmcalc.machine.columns import motion_columns
 from tmmcalc.machine.driver import ConstantInertia
 from tmmcalc.machine.facts.timescales import scales_fact
+from tmmcalc.machine.flywheel.placement import Wheel
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.motorside import MotorSide
 from tmmcalc.machine.recurrence import BOOK
@@ -56,6 +57,7 @@ def summary(result: Motion, title: str) -> Document:
         *_idle_facts(shaft, result.idle),
         *_textbook_facts(result),
         *_energy_facts(result),
+        *_wheel_facts(result.wheel),
         *_method_facts(result),
         *_check_facts(regime),
     )
@@ -64,6 +66,15 @@ def summary(result: Motion, title: str) -> Document:
         *untold(facts, result, but=("balancing",)),
     )
     return Document(title, facts, tuple(str(verdict) for verdict in result.verdicts))
+
+
+def _wheel_facts(wheel: Wheel | None) -> list[Fact]:
+    """The rim of the flywheel that is there."""
+    if wheel is None or wheel.rim is None:
+        return []
+    from tmmcalc.machine.facts.flywheel import rim_facts  # few motions have one
+
+    return rim_facts(wheel.rim, wheel.inertia)
 
 
 def document(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tmmcalc.core.conversion import plain
@@ -51,7 +52,7 @@ def solve(*given: *Given, tolerance: float, **upstream: Any) -> Motion:
 
     machine = asked(given, upstream)
     reduction = upstream["reduction"]
-    return solve_motion(
+    found = solve_motion(
         reduction.cycle,
         reduction.idle,
         machine.inertia,
@@ -62,6 +63,19 @@ def solve(*given: *Given, tolerance: float, **upstream: Any) -> Motion:
         undriven=given[1].undriven,
         tolerance=tolerance,
     )
+    return with_wheel(found, given[2], upstream)
+
+
+def with_wheel(found: Motion, task: FlywheelTask | None, upstream: Mapping[str, Any]) -> Motion:
+    """The motion with the flywheel that is there, whose rim follows from its inertia and the sizes that are given."""
+    if task is None or not task.inertia or task.diameter is task.width is task.thickness is None:
+        return found
+    from tmmcalc.machine.flywheel.placement import wheels
+    from tmmcalc.machine.stages.shaft import shaft_ratio
+
+    ratio = shaft_ratio(task, upstream["power"])
+    wheel, *_ = wheels(task, found.inertia.flywheel, found.regime.omega_max, ratio, None)
+    return replace(found, wheel=wheel, verdicts=(*wheel.verdicts, *found.verdicts))
 
 
 def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
