@@ -72,7 +72,7 @@ def _wheel_facts(wheel: Wheel | None) -> list[Fact]:
     """The rim of the flywheel that is there."""
     if wheel is None or wheel.rim is None:
         return []
-    from tmmcalc.machine.facts.flywheel import rim_facts  # few motions have one
+    from tmmcalc.machine.facts.rim import rim_facts  # few motions have one
 
     return rim_facts(wheel.rim, wheel.inertia)
 
