@@ -149,7 +149,6 @@ def test_what_speaks_against_a_flywheel_that_is_there_is_told(key: str, value: s
     change = f'{key}="{value}"'
     done = run(load_spec(CONFIGS / "shaper.toml", [change]), target=["motion"])
     motion = done.results["motion"]
-    assert motion.wheel.speed == motion.regime.omega_max
     assert any(said in str(verdict) for verdict in motion.verdicts)
     note = text(Assembler().written(told("shaper", only=("motion",), changed=[change])))
     assert ("The condition fails" if "runs" in said else said) in note

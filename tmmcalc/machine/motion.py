@@ -14,7 +14,6 @@ from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver
-from tmmcalc.machine.flywheel.placement import Wheel
 from tmmcalc.machine.motorside import MotorSide, motor_side
 from tmmcalc.machine.nodes import NEAR, at_speed, on_edges
 from tmmcalc.machine.offspeed import INPUT, off_speed
@@ -72,7 +71,6 @@ class Motion:
     )
     motor: MotorSide | None = None  # the regime at the shaft of the motor; None without one
     scales: TimeScales | None = None  # time constants over the cycle; None: nothing depends on the speed of a motor
-    wheel: Wheel | None = None  # the flywheel that is there, if a size of it is given; its rim at the largest speed
     by_energy: EnergyMotion | None = None  # by the textbook without a motor; None: with one, or it is not done
 
     @derived("omega_textbook[rad/s]", "speed by the recurrence, without a motor by the energy", source="(3.57), (3.48)")

@@ -16,7 +16,6 @@ from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import Quantity, keyed, quantities, table
 from tmmcalc.linkage.facts.places import Shaft, phi_of
 from tmmcalc.machine.facts.motion import inertia_fact, unevenness
-from tmmcalc.machine.facts.rim import rim_facts
 from tmmcalc.machine.flywheel.materials import RECOMMENDED
 from tmmcalc.machine.flywheel.methods import FlywheelMethod
 from tmmcalc.machine.flywheel.placement import Wheel
@@ -40,7 +39,7 @@ def summary(result: Flywheel, title: str) -> Document:
         inertia_fact("inertia at hand", keyed(result, "without"), result.at_hand),
         _needed_fact(result),
         *_existing_facts(result),
-        *([] if result.rim is None else rim_facts(result.rim, result.own)),
+        *([] if result.rim is None else _rim_facts(result)),
         *(_elsewhere_fact(wheel) for wheel in result.wheels[1:] if result.addition > 0),
     )
     facts += (*untold(facts, result, but=("existing",)), _legend_fact(result))
@@ -107,6 +106,49 @@ def _existing_facts(result: Flywheel) -> list[Fact]:
     lacking = result.addition - result.existing
     text += ": it does" if result.sufficient else f": too light by {number(lacking)} kg*m^2"
     return [Fact("flywheel there", text, keyed(result, "existing", "sufficient"))]
+
+
+def _rim_facts(result: Flywheel) -> list[Fact]:
+    """Sizes, inertia, mass, speed and stress of the rim of the needed flywheel."""
+    rim = result.rim
+    assert rim is not None
+    material = rim.material
+    sizes = {"mean": rim.diameter, "outer": rim.outer, "inner": rim.inner}
+    diameters = ", ".join(f"{word} {number(1e3 * value, 5)}" for word, value in sizes.items())
+    section = {"width": rim.width, "thickness": rim.thickness}
+    sections = ", ".join(f"{word} {number(1e3 * value, 5)} mm" for word, value in section.items())
+    named = keyed(rim, "diameter", "outer", "inner", "width", "thickness")
+    return [
+        Fact("its rim", f"diameters: {diameters} mm\n{sections}", named),
+        Fact(
+            "inertia of the rim",
+            f"{number(rim.inertia)} kg*m^2, {number(100 * rim.inertia / result.own, 3)} % of the wheel's"
+            "\n(arms and hub are to give the rest)",
+            keyed(rim, "inertia"),
+        ),
+        Fact(
+            "mass of the rim",
+            f"{number(rim.mass)} kg, {number(rim.total_mass)} kg with arms and hub"
+            f"\n(4 J/D^2 = {number(rim.thin_mass)} kg as a thin rim alone)",
+            keyed(rim, "mass", "total_mass", "thin_mass"),
+        ),
+        Fact(
+            "speed of the rim",
+            f"{number(rim.speed, 5)} m/s at its edge, {number(material.rim_speed)} m/s allowed for {material.name}",
+            {
+                **keyed(rim, "speed"),
+                **keyed(material, "rim_speed"),
+                **keyed(rim, "allowed"),
+                **keyed(material, "name", "density", "strength", "source"),
+            },
+        ),
+        Fact(
+            "stress in the rim",
+            f"{number(rim.stress / 1e6, 5)} MPa as a thin ring, {number(rim.peak_stress / 1e6, 5)} MPa inside"
+            f"\nsafety {number(rim.safety, 4)} against {number(material.strength / 1e6)} MPa",
+            keyed(rim, "stress", "peak_stress", "safety"),
+        ),
+    ]
 
 
 ELSEWHERE = (  # a flywheel on another shaft than the input

@@ -18,7 +18,6 @@ from tmmcalc.linkage.results import Extreme
 from tmmcalc.machine.columns import motion_columns
 from tmmcalc.machine.driver import ConstantInertia
 from tmmcalc.machine.facts.timescales import scales_fact
-from tmmcalc.machine.flywheel.placement import Wheel
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.motorside import MotorSide
 from tmmcalc.machine.recurrence import BOOK
@@ -57,7 +56,6 @@ def summary(result: Motion, title: str) -> Document:
         *_idle_facts(shaft, result.idle),
         *_textbook_facts(result),
         *_energy_facts(result),
-        *_wheel_facts(result.wheel),
         *_method_facts(result),
         *_check_facts(regime),
     )
@@ -66,15 +64,6 @@ def summary(result: Motion, title: str) -> Document:
         *untold(facts, result, but=("balancing",)),
     )
     return Document(title, facts, tuple(str(verdict) for verdict in result.verdicts))
-
-
-def _wheel_facts(wheel: Wheel | None) -> list[Fact]:
-    """The rim of the flywheel that is there."""
-    if wheel is None or wheel.rim is None:
-        return []
-    from tmmcalc.machine.facts.rim import rim_facts  # few motions have one
-
-    return rim_facts(wheel.rim, wheel.inertia)
 
 
 def document(

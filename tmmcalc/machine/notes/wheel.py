@@ -9,6 +9,7 @@ from tmmcalc.machine.flywheel.placement import Wheel
 from tmmcalc.machine.flywheel.results import Flywheel
 from tmmcalc.machine.flywheel.rim import DEFAULT, POISSON, Rim
 from tmmcalc.machine.model import FlywheelTask
+from tmmcalc.machine.stages.motion import wheel_of
 from tmmcalc.machine.tables.tasks.machine import to_flywheel
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
@@ -34,7 +35,7 @@ def of_wheel(order: Order) -> Iterator[Block]:
             yield Paragraph(tr("The flywheel that is there, $J_f$, against the needed one:"))
             sides = (result.existing, result.addition)
             yield held("J_f >= J_M", sides, "kg*m^2", holds=bool(result.sufficient))
-    elif "motion" in order.results and (wheel := order.results["motion"].wheel) is not None:
+    elif "motion" in order.results and (wheel := wheel_of(order.results["motion"], task, order.results)) is not None:
         yield Heading(tr("Sizes of the flywheel that is there"), 2)
         yield from _sized(wheel, task, "J_f", Given(result.existing, "kg*m^2", tr("moment of inertia of the flywheel")))
 
