@@ -19,7 +19,7 @@ from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
 from tmmcalc.report.drawing.order import POSITIONS
 from tmmcalc.report.formula.tree import Name
-from tmmcalc.report.manuscript import Chapter, Paragraph, Table
+from tmmcalc.report.manuscript import Chapter, Paragraph, Result, Table
 from tmmcalc.rooms import CHAPTERS
 
 CASES = {
@@ -200,3 +200,9 @@ def test_a_moment_that_jumps_is_the_same_in_all_tables_or_it_is_said(name: str, 
     assert f"$M_c$ jumps in a position (here {', '.join(apart)})" in said
     assert f"Positions 0 and {reduced.rows[-2][0]} are one" in said
     assert all(f"begins or ends in a position (here {', '.join(sorted(counted, key=int))})" in said for _ in counted)
+
+
+def test_a_time_that_is_given_is_no_result() -> None:
+    """The start-up is followed for 15 s; the stop ends by itself."""
+    results = [each for each in blocks(told("course-project", only=("motion",))) if isinstance(each, Result)]
+    assert [each.place for each in results if each.given.meaning == "time of the motion"] == ["emergency stop"]
