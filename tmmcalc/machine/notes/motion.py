@@ -210,7 +210,6 @@ def _larger(result: Motion, jumps: Sequence[int]) -> Iterator[Paragraph]:
 
 def _turns(result: Motion, run: Run, idle: Run | None, jumps: Sequence[int]) -> Iterator[Block]:
     """The angular velocity turn by turn from the rated one, loaded and idle."""
-    yield from _larger(result, jumps)
     if not run.history:
         yield Paragraph(tr("Begun with the rated angular velocity the recurrence does not settle."))
         return
@@ -229,6 +228,7 @@ def _turns(result: Motion, run: Run, idle: Run | None, jumps: Sequence[int]) -> 
         )
         columns["$omega$, rad/s"] = run.regime.omega
     yield Paragraph(said)
+    yield from _larger(result, jumps)
     if idle is not None:
         columns["$omega_x$, rad/s"] = idle.regime.omega
         yield Paragraph(tr("In the table $omega_x$ is the angular velocity without technological loads."))
@@ -287,8 +287,8 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
         "$J$, kg*m^2": inertia,
         "$omega$, rad/s": found.omega,
     }
-    yield from _larger(result, nodal_jumps(reduction, speed))
     yield Paragraph(tr("Energies and angular velocities at all positions are in table {tab:motion_energies}."))
+    yield from _larger(result, nodal_jumps(reduction, speed))
     caption = tr("Kinetic energy and angular velocity at the positions")
     yield tabulated(caption, columns, result.labels, head=tr("No."), key="motion_energies")
 
