@@ -176,8 +176,8 @@ def course(of: Loaded) -> Iterator[Block]:
     rows = table_rows(of.told)
     labels = [of.result.labels[row] for row in rows]
     first, second = _columns(of, rows)
-    yield from two_sides(labels, [values for name, values in (first | second).items() if not name.startswith("$phi")])
-    yield from _jumps(of, rows)
+    moved = [values for name, values in (first | second).items() if not name.startswith("$phi")]
+    jumping = [*two_sides(labels, moved), *_jumps(of, rows)]
     if len(first | second) < COLUMNS:
         yield Paragraph(
             tr(
@@ -185,6 +185,7 @@ def course(of: Loaded) -> Iterator[Block]:
                 "{tab:cam_extremes}."
             )
         )
+        yield from jumping
         yield tabulated(tr("Forces and torques"), first | second, labels, head="$i$", key="cam_loads")
     else:
         yield Paragraph(
@@ -193,6 +194,7 @@ def course(of: Loaded) -> Iterator[Block]:
                 "over the turn in table {tab:cam_extremes}."
             )
         )
+        yield from jumping
         along = tr("Moments about the pivot of the rocker") if of.turns else tr("Forces along the lift")
         yield tabulated(along, first, labels, head="$i$", key="cam_loads")
         yield tabulated(tr("Reactions and torques"), second, labels, head="$i$", key="cam_reactions")
