@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from io import BytesIO
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import quoteattr
+from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from tmmcalc.note.columns import widths_of
-from tmmcalc.note.docxpages import SIZE, SMALL, styled, undated
+from tmmcalc.note.docxpages import SIZE, SMALL, styled
 from tmmcalc.note.docxtables import ALONG, CELLS, PADDING, size_of, table
 from tmmcalc.note.docxwords import SPACES, bookmark, element, elements, field, in_cell, mark_of, run, runs
 from tmmcalc.note.tree import (
@@ -65,7 +66,16 @@ def document(blocks: Sequence[Written], title: str) -> bytes:
         writer.block(block, following)
     buffer = BytesIO()
     found.save(buffer)
-    return undated(buffer)
+    return _undated(buffer)
+
+
+def _undated(buffer: BytesIO) -> bytes:
+    """The archive without the time at which its parts were packed, so that equal notes are equal files."""
+    found = BytesIO()
+    with ZipFile(buffer) as read, ZipFile(found, "w", ZIP_DEFLATED) as written:
+        for name in read.namelist():
+            written.writestr(ZipInfo(name, (1980, 1, 1, 0, 0, 0)), read.read(name), ZIP_DEFLATED)
+    return found.getvalue()
 
 
 class _Writer:
