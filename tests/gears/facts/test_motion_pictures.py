@@ -66,7 +66,7 @@ def test_every_layout_is_tried() -> None:
 
 
 def segments(name: str) -> dict[str, complex]:
-    """Rays of the members on paper, from the pole to the line of speeds [mm], whether they are drawn to there or not."""
+    """Rays of the members on paper from the pole to the line of speeds [mm], drawn to there or not."""
     return {member: ray * drawn(name)[1].pole / ray.imag for member, ray in drawn_rays(name).items()}
 
 
