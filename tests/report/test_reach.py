@@ -41,11 +41,13 @@ def test_a_trimmed_drawing_has_all_its_shapes_and_no_blank_over_and_under_them()
 
 def test_what_reaches_over_a_side_is_not_cut() -> None:
     drawing = Drawing(60.0, 100.0)
-    drawing.add(Words(-2 + 50j, "A", 3.5), Words(61 + 50j, "B", 3.5))
+    drawing.add(Words(-2 + 1j, "A", 3.5), Words(61 + 99.5j, "B", 3.5))
     found = trimmed(drawing)
     box = around(map(reach, found.shapes))
     assert box.left == pytest.approx(0.0)
     assert 63.0 < box.right <= found.width < box.right + 0.1
+    assert box.bottom == pytest.approx(0.0)
+    assert 100.0 < box.top <= found.height < box.top + 0.1
 
 
 def test_a_drawing_without_shapes_stays() -> None:

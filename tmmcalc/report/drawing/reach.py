@@ -44,7 +44,7 @@ def _extremes(arc: Arc) -> Plane:
 
 
 def trimmed(drawing: Drawing, margin: float = 1.0) -> Drawing:
-    """The drawing on paper that is no higher than its shapes need, with a margin [mm], and wide enough for them.
+    """The drawing on paper that is no higher than its shapes need, with a margin [mm], and as large as they reach.
 
     Words above or below all else stand no farther from it than `BLANK`.
     """
@@ -52,7 +52,8 @@ def trimmed(drawing: Drawing, margin: float = 1.0) -> Drawing:
         return drawing
     boxes = [*map(reach, drawing.shapes)]
     box = around(boxes)
-    low, high = max(0.0, box.bottom - margin), min(drawing.height, box.top + margin)
+    low = min(max(0.0, box.bottom - margin), box.bottom)
+    high = max(min(drawing.height, box.top + margin), box.top)
     strips = _blank(drawing.shapes, boxes)
     left, right = min(0.0, box.left), max(drawing.width, box.right)
     size = (math.ceil(10 * each) / 10 for each in (right - left, high - low - sum(strips.values())))
