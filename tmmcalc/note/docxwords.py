@@ -75,11 +75,11 @@ def runs(text: Text) -> str:
                 found.append(run(number))
             case _:
                 before, after = "", ""
-                if k and isinstance(said := parts[k - 1], str) and not said.endswith(" "):
-                    before = said.rpartition(" ")[2]
-                    found[-1] = _typed(said.removesuffix(before))
-                if isinstance(said := parts[k + 1] if k + 1 < len(parts) else None, str):
-                    after, space, rest = said.partition(" ")
+                if k and isinstance(last := parts[k - 1], str) and not last.endswith(" "):
+                    before = last.rpartition(" ")[2]
+                    found[-1] = _typed(last.removesuffix(before))
+                if isinstance(following := parts[k + 1] if k + 1 < len(parts) else None, str):
+                    after, space, rest = following.partition(" ")
                     parts[k + 1] = space + rest
                 found.append(f"<m:oMath>{_worded(before)}{omml(part)}{_worded(after)}</m:oMath>")
     return "".join(found)
