@@ -126,3 +126,21 @@ def test_what_is_no_sweep_is_refused(cells: str, rule: str, tmp_path: Path) -> N
     table.write_text(cells, encoding="utf-8")
     with pytest.raises(UsageError, match=rule):
         swept_variants(table)
+
+
+def test_specs_of_one_name_are_told_apart_in_both_languages(open_page: Open, tmp_path: Path) -> None:
+    """By their folders; that it is a variant is said in the language, what it is called is no word of it."""
+    files = [tmp_path / folder / "my.toml" for folder in ("one", "two")]
+    for file in files:
+        file.parent.mkdir()
+        file.write_text((CONFIGS / "four-bar.toml").read_text(encoding="utf-8"), encoding="utf-8")
+    write(files[0], tmp_path / "my.html", str(files[1]))
+    found = open_page(tmp_path / "my.html")
+    others = found.page.locator(".chart .other > title")
+    for language, said in (("en", "Variant"), ("uk", "Варіант")):
+        found.page.locator("select[name=language]").select_option(language)
+        for k, name in enumerate(("one/my", "two/my")):
+            found.choose(k)
+            assert found.page.locator(".variants").inner_text() == f"{said}: {name}"
+            assert found.variants.get_attribute("aria-valuetext") == name
+            assert {*others.all_text_contents()} == {("two/my", "one/my")[k]}

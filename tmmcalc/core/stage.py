@@ -114,6 +114,11 @@ class Stage:
     studied: bool = False  # whether it has several methods, which are studied
     studies: str = ""  # "module:function", (scene) -> the studies of its methods
 
+    @property
+    def room(self) -> str:
+        """The room that it stands in."""
+        return self.home.split(".")[1]
+
     def upstream(self, done: Container[str]) -> list[str]:
         """The stages whose results it reads, of those that are done."""
         return [*self.needs, *(name for name in self.uses if name in done)]

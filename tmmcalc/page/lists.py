@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.facts import named
+from tmmcalc.page.packing import Content
 from tmmcalc.page.said import Said, name_of, said, unit_of
 from tmmcalc.report.document import Document
 from tmmcalc.report.formula.symbols import GREEK, with_letters
@@ -18,8 +19,6 @@ ENGLISH = re.compile(r"[a-z]{4,}|\b[A-Z]?[a-z]{2,3}\b")  # a word that is no sym
 SIGN = re.compile(rf"(?:[A-Za-z]|{'|'.join(GREEK)})'*(?:_.+)?")  # a letter with its index
 MEASURED = re.compile(r"(?:(.+) = )?(-?\d[\d.]*(?:e[-+]?\d+)?)(?: ([^\s\d]\S*))?")
 KEYS = re.compile("(?<=[a-z]{2})_(?=[a-z]{2})")  # what joins words of a key
-
-Content = dict[str, Any]
 
 
 def tables(document: Document, given: Container[str] = ()) -> Iterator[Content]:

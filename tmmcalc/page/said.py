@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from typing import TypeVar
 
 from tmmcalc.report.formula.symbols import with_letters
 from tmmcalc.report.language import LANGUAGES, speaking, tr, tr_name, tr_unit
 
 Said = str | list[str]
+T = TypeVar("T")
 
 SIGNS = (
     (re.compile(r"(?<=\s)->(?=\s)"), "→"),
@@ -18,13 +20,18 @@ SIGNS = (
 )
 
 
-def said(say: Callable[[], str]) -> Said:
+def each_said(say: Callable[[], T]) -> list[T]:
     """What ``say`` gives in each language."""
     found = []
     for language in LANGUAGES:
         with speaking(language):
             found.append(say())
-    return alike(found)
+    return found
+
+
+def said(say: Callable[[], str]) -> Said:
+    """A text in all languages."""
+    return alike(each_said(say))
 
 
 def alike(texts: list[str]) -> Said:
@@ -51,10 +58,7 @@ def unit_of(unit: str) -> Said:
 
 def words() -> dict[str, Said]:
     """What the page itself says, by the names that its scripts know."""
-    spoken = []
-    for language in LANGUAGES:
-        with speaking(language):
-            spoken.append(_words())
+    spoken = each_said(_words)
     return {key: alike([each[key] for each in spoken]) for key in spoken[0]}
 
 

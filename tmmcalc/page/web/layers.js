@@ -1,5 +1,6 @@
 // Vectors and angles that are shown together: arrows from their spots to one scale, angles with their legs and values.
 import { columnOf, numbers } from "./data.js";
+import { boxAt, free } from "./labels.js";
 import { between, placed, STILL, trackAt } from "./motion.js";
 import { drawn, head, named, sized } from "./marks.js";
 import { perPixel, scaleTold } from "./scales.js";
@@ -10,7 +11,7 @@ import { measured, parted } from "./words.js";
  * @typedef {{line: SVGElement, tip: SVGElement, name: SVGElement, size: import("./labels.js").Pair, drop: number}} Drawn
  *   an arrow and its sign
  */
-/** @typedef {[number, number, number, number]} Place left, top, right, bottom of a sign */
+/** @typedef {import("./labels.js").Box} Box of a sign */
 
 const FONT = 14; // of signs, in pixels
 const LONGEST = 110; // of a vector, in pixels
@@ -105,7 +106,7 @@ export class Layer {
 
   /**
    * Vectors from their spots, at the nearest solved position; signs stand where none is yet.
-   * @param {Place[]} taken
+   * @param {Box[]} taken
    */
   update(taken) {
     const { state, poses, gone } = this.scene;
@@ -175,7 +176,7 @@ export class Layer {
  * @param {number[]} from in pixels
  * @param {number[]} way in pixels
  * @param {number} long
- * @param {Place[]} taken
+ * @param {Box[]} taken
  */
 function arrow({ line, tip, name, size, drop }, [ax, ay], [dx, dy], long, taken) {
   const seen = long > 1;
@@ -189,23 +190,11 @@ function arrow({ line, tip, name, size, drop }, [ax, ay], [dx, dy], long, taken)
   const out = BEYOND + Math.min(size[0] / 2 / (Math.abs(ex) || 1e-9), size[1] / 2 / (Math.abs(ey) || 1e-9)) / 2;
   const aside = (Math.abs(ey) * size[0] + Math.abs(ex) * size[1]) / 2 + 5;
   const places = [[long + out, 0], [0.7 * long, aside], [0.7 * long, -aside], [0.4 * long, aside], [0.4 * long, -aside]];
-  const free = places
-    .map(([along, beside]) => rectangle(ax + along * ex - beside * ey, ay + along * ey + beside * ex, size))
-    .find((box) => !taken.some((each) => box[0] < each[2] && each[0] < box[2] && box[1] < each[3] && each[1] < box[3]));
-  const told = long >= NAMED && free !== undefined;
-  name.classList.toggle("lost", !told);
-  if (!told) return;
-  taken.push(free);
-  name.setAttribute("x", ((free[0] + free[2]) / 2).toFixed(1));
-  name.setAttribute("y", ((free[1] + free[3]) / 2 + drop).toFixed(1));
-}
-
-/**
- * @param {number} x of the middle
- * @param {number} y
- * @param {import("./labels.js").Pair} size
- * @returns {Place}
- */
-function rectangle(x, y, [wide, high]) {
-  return [x - wide / 2, y - high / 2, x + wide / 2, y + high / 2];
+  const boxes = places.map(([along, beside]) => boxAt(ax + along * ex - beside * ey, ay + along * ey + beside * ex, size));
+  const place = long >= NAMED ? free(boxes, taken, []) : undefined;
+  name.classList.toggle("lost", !place);
+  if (!place) return;
+  taken.push(place);
+  name.setAttribute("x", ((place[0] + place[2]) / 2).toFixed(1));
+  name.setAttribute("y", ((place[1] + place[3]) / 2 + drop).toFixed(1));
 }

@@ -11,6 +11,7 @@ const [COILS, COIL] = [5, 7]; // turns of a spring, half its width
 const DOT = 4.5;
 const [HEAD, WING] = [9, 3]; // length and half the width of the head of an arrow
 const INDEX = 0.72; // of the size of a letter that its index has
+const HALO = 1.5; // pixels around letters that hide what is behind them
 const LOWER = 5; // pixels that an index stands below its letter, or above it
 const [WIDTH, ABOVE, BELOW] = [0.58, 0.7, 0.22]; // of the size of a letter: its width, what is above its line and below
 const FINEST = 0.8; // module in pixels below which teeth are not drawn
@@ -359,7 +360,9 @@ export function texted(parent, sign, attributes = {}) {
   /** @param {string} text @param {number} wanted */
   const put = (text, wanted) => {
     if (!text) return;
-    const part = drawn("tspan", { "font-size": wanted ? `${100 * INDEX}%` : "100%", dy: (wanted - level) * LOWER }, found);
+    const apart = wanted < level ? HALO : 0; // what comes after an index hides nothing of it
+    const size = wanted ? `${100 * INDEX}%` : "100%";
+    const part = drawn("tspan", { "font-size": size, dx: apart, dy: (wanted - level) * LOWER }, found);
     part.textContent = text;
     level = wanted;
   };
@@ -387,11 +390,12 @@ export function texted(parent, sign, attributes = {}) {
  * @returns {{size: [number, number], drop: number}}
  */
 export function sized(sign, font) {
-  const [letter, ...index] = sign.split(/[_^]/);
+  const [letter, ...index] = sign.replaceAll(", ", ",").split(/[_^]/);
   const small = INDEX * font;
   const wide = WIDTH * (font * letter.length + small * index.join("").replaceAll(/[{}]/g, "").length);
   const up = Math.max(ABOVE * font, sign.includes("^") ? LOWER + ABOVE * small : 0);
-  const down = Math.max(BELOW * font, sign.includes("_") ? LOWER + BELOW * small : 0);
+  const deep = /_\{[^}]*_/.test(sign) ? 2 : sign.includes("_") ? 1 : 0; // an index may have one
+  const down = Math.max(BELOW * font, deep ? deep * LOWER + BELOW * small : 0);
   return { size: [wide, up + down], drop: (up - down) / 2 };
 }
 

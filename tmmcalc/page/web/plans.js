@@ -1,7 +1,7 @@
 // Plans of vectors at the nearest solved position: velocities, accelerations, forces, the lever.
 import { numbers } from "./data.js";
 import { between } from "./motion.js";
-import { around, settled } from "./labels.js";
+import { around, boxAt, free } from "./labels.js";
 import { drawn, head, sized, texted } from "./marks.js";
 import { folding, made, resized, widthIn } from "./elements.js";
 import { keep, kept } from "./kept.js";
@@ -12,6 +12,10 @@ const WIDE = 560;
 const HIGH = 360;
 const MARGIN = 36;
 const FONT = 15; // of names, in pixels
+const CORNER = 6; // that a corner takes
+const SAME = 12; // pixels within which corners have one name
+const OFF = [3, 9]; // pixels between a vector and its sign
+const PARTS = [0.5, 0.62, 0.38, 0.74, 0.26, 0.86]; // of a vector, where its sign may stand
 const PLAIN = new Set(["arm", "turned"]); // lines of the lever that are no vectors
 const NAMED = 26; // a shorter vector has no room for its sign
 
@@ -73,40 +77,43 @@ export class Plans {
   }
 
   /**
-   * Names of corners and signs of vectors, each where it covers least.
+   * Names of corners, then signs of vectors, the longest first: each where it lies on nothing, or nowhere.
    * @param {number[][]} at
    * @param {Element} names
    */
   name(at, names) {
-    /** @type {[number, number, number, number][]} */
-    const lines = this.plan.edges.map(([tail, tip]) => [at[tail][0], at[tail][1], at[tip][0], at[tip][1]]);
-    /** @type {(import("./labels.js").Item & {text: string, kind: string, drop: number})[]} */
-    const items = [];
+    const { edges } = this.plan;
+    /** @type {import("./labels.js").Line[]} */
+    const lines = edges.map(([tail, tip]) => [at[tail][0], at[tail][1], at[tip][0], at[tip][1]]);
+    const taken = at.map(([x, y]) => boxAt(x, y, [CORNER, CORNER]));
+    /** @param {string} text @param {string} kind @param {(size: import("./labels.js").Pair) => number[][]} choices */
+    const put = (text, kind, choices) => {
+      const { size, drop } = sized(text, FONT);
+      const boxes = choices(size).map(([x, y]) => boxAt(x, y, size));
+      const place = free(boxes.filter((box) => this.within(box)), taken, lines);
+      if (!place) return;
+      taken.push(place);
+      const [x, y] = [(place[0] + place[2]) / 2, (place[1] + place[3]) / 2 + drop];
+      texted(names, text, { class: kind, x, y, "text-anchor": "middle" });
+    };
     /** @type {number[][]} */
     const done = [];
     this.corners?.forEach(({ name }, k) => {
-      if (!name || done.some(([x, y]) => Math.hypot(x - at[k][0], y - at[k][1]) < 12)) return;
+      const [x, y] = at[k];
+      if (!name || done.some((each) => Math.hypot(each[0] - x, each[1] - y) < SAME)) return;
       done.push(at[k]);
-      const { size, drop } = sized(name, FONT);
-      items.push({ at: [[at[k][0], at[k][1]]], size, drop, choices: around(...size), text: name, kind: "vertex" });
+      put(name, "vertex", (size) => around(...size).map(([dx, dy]) => [x + dx, y + dy]));
     });
-    this.plan.edges.forEach(([, , sign, kind], k) => {
-      const [x1, y1, x2, y2] = lines[k];
-      const long = Math.hypot(x2 - x1, y2 - y1);
-      if (!sign || long < NAMED) return;
-      const { size, drop } = sized(sign, FONT);
-      const [ex, ey] = [(x2 - x1) / long, (y2 - y1) / long];
-      const off = (Math.abs(ey) * size[0] + Math.abs(ex) * size[1]) / 2 + 3;
-      /** @type {import("./labels.js").Pair[]} */
-      const choices = [0, 0.15, -0.15, 0.28, -0.28].flatMap((part) =>
-        [1, -1].map((side) => /** @type {import("./labels.js").Pair} */ ([part * long * ex + side * off * ey, part * long * ey - side * off * ex])),
-      );
-      items.push({ at: [[(x1 + x2) / 2, (y1 + y2) / 2]], size, drop, choices, text: sign, kind: `sign ${kind}` });
-    });
-    settled(items, [lines]).forEach(([dx, dy], k) => {
-      const { at: places, text, kind, drop } = items[k];
-      texted(names, text, { class: kind, x: places[0][0] + dx, y: places[0][1] + dy + drop, "text-anchor": "middle" });
-    });
+    const long = lines.map(([ax, ay, bx, by]) => Math.hypot(bx - ax, by - ay));
+    for (const k of [...edges.keys()].sort((i, j) => long[j] - long[i])) {
+      const [, , sign, kind] = edges[k];
+      if (sign && long[k] >= NAMED) put(sign, `sign ${kind}`, (size) => beside(lines[k], long[k], size));
+    }
+  }
+
+  /** Whether a sign is seen whole. @param {import("./labels.js").Box} box */
+  within([left, top, right, bottom]) {
+    return left >= 0 && top >= 0 && right <= this.wide && bottom <= HIGH;
   }
 
   /**
@@ -147,4 +154,21 @@ export class Plans {
     this.name(at, names);
     drawn("circle", { class: "pole", cx: at[0][0], cy: at[0][1], r: 3 }, this.svg);
   }
+}
+
+/**
+ * Places of a sign along a vector, on both sides of it, from its middle on.
+ * @param {import("./labels.js").Line} line
+ * @param {number} long
+ * @param {import("./labels.js").Pair} size
+ */
+function beside([ax, ay, bx, by], long, [wide, high]) {
+  const [ex, ey] = [(bx - ax) / long, (by - ay) / long];
+  const half = (Math.abs(ey) * wide + Math.abs(ex) * high) / 2;
+  return OFF.flatMap((off) =>
+    PARTS.flatMap((part) => {
+      const [x, y] = [ax + part * (bx - ax), ay + part * (by - ay)];
+      return [half + off, -half - off].map((aside) => [x + aside * ey, y - aside * ex]);
+    }),
+  );
 }

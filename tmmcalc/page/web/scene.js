@@ -2,6 +2,7 @@
 import { numbers } from "./data.js";
 import { dragged } from "./drag.js";
 import { boxed, Ghosts } from "./ghosts.js";
+import { boxAt } from "./labels.js";
 import { Layer } from "./layers.js";
 import { isThere, placed, poseOf, posesOf, STILL } from "./motion.js";
 import { putNames } from "./naming.js";
@@ -224,11 +225,9 @@ export class Scene {
   /** Vectors of the layers that are shown, their signs beside names and numbers. */
   point() {
     if (!this.layers.some((each) => each.shown)) return;
-    /** @type {import("./layers.js").Place[]} */
-    const taken = this.named.map(({ body, at, shift, size: [wide, high] }) => {
+    const taken = this.named.map(({ body, at, shift, size }) => {
       const [px, py] = placed(this.poses?.get(body) ?? STILL, at[0], at[1]);
-      const [x, y] = [px * this.scale + shift[0], -py * this.scale + shift[1]];
-      return [x - wide / 2, y - high / 2, x + wide / 2, y + high / 2];
+      return boxAt(px * this.scale + shift[0], -py * this.scale + shift[1], size);
     });
     for (const layer of this.layers) if (layer.shown) layer.update(taken);
   }
