@@ -1,7 +1,7 @@
 // Diagrams of columns over the rows of their stage, with the place of the input, extremes and dead centres.
 import { columnOf, content, numbers, scene } from "./data.js";
 import { between } from "./motion.js";
-import { drawn } from "./marks.js";
+import { drawn, named } from "./marks.js";
 import { called, copied, lettered, made, resized, signed, widthIn } from "./elements.js";
 import { keep, kept } from "./kept.js";
 import { keyed, turning } from "./keys.js";
@@ -221,8 +221,10 @@ class Chart {
       drawn("text", { x, y: HIGH - BOTTOM + 15, "text-anchor": "middle" }, grid).textContent = written(k * along, digits);
     }
     const unit = told(this.rows.unit);
-    drawn("text", { x: this.wide - RIGHT, y: HIGH - 4, "text-anchor": "end", class: "axis" }, grid).textContent =
-      `${this.state?.view.symbol ?? parted(this.rows.name).filter(Boolean).join(" ")}${unit ? `, ${unit}` : ""}`;
+    /** @type {[string, string]} */
+    const over = this.state ? [this.state.view.symbol, ""] : parted(this.rows.name);
+    const place = { x: this.wide - RIGHT, y: HIGH - 6, "text-anchor": "end", class: "axis" };
+    named(grid, over, place, unit ? `, ${unit}` : "");
     if (this.state) {
       for (const stop of this.state.view.stops.filter((each) => each.at >= this.start && each.at <= this.end)) {
         const x = this.across(stop.at);
