@@ -260,3 +260,21 @@ def test_a_diagram_overlays_what_is_alike_in_its_whole_length(open_page: Open, t
                 for kind in (".other", ":not(.other)")
             ]
             assert ends == pytest.approx([wide - RIGHT, (LEFT + wide - RIGHT) / 2], abs=0.2)
+
+
+def test_a_number_without_a_unit_has_none(open_page: Open) -> None:
+    found = open_page("shaper")
+    found.page.locator(".adding select").select_option("forces.virtual")
+    value = found.page.locator("[data-column='forces.virtual'] button.value").inner_text()
+    assert re.fullmatch(r"−?[\d.]+(·10\S+)?", value)
+
+
+def test_numbers_along_an_axis_are_seen_whole(open_page: Open) -> None:
+    found = open_page("elastic-drive", size=(390, 800))
+    found.page.locator(".adding select").select_option("transient.step_error")
+    beyond = """() => [...document.querySelectorAll(".chart > svg")].flatMap((svg) => {
+      const right = svg.getBoundingClientRect().right;
+      return [...svg.querySelectorAll("text")].filter((each) => each.getBoundingClientRect().right > right + 0.5)
+        .map((each) => each.textContent);
+    })"""
+    assert found.page.evaluate(beyond) == []

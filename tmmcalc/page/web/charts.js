@@ -15,6 +15,7 @@ const RIGHT = 14;
 const TOP = 12;
 const BOTTOM = 34;
 const MANY = 200; // rows, of which neighbours lie so near
+const DIGIT = 4; // half the width of one, in pixels
 const END = 1e-5; // of the axis: what is beyond the rows by less is at their end
 const STEEP = 0.2; // that a step of this part of the height is a jump
 
@@ -218,7 +219,9 @@ class Chart {
     for (let k = Math.ceil(this.start / along - 1e-6); k * along <= this.end + 1e-6 * along; k++) {
       const x = this.across(k * along);
       drawn("line", { x1: x, x2: x, y1: TOP, y2: HIGH - BOTTOM }, grid);
-      drawn("text", { x, y: HIGH - BOTTOM + 15, "text-anchor": "middle" }, grid).textContent = written(k * along, digits);
+      const text = written(k * along, digits);
+      const room = Math.min(x, this.wide - DIGIT * text.length); // it is seen whole
+      drawn("text", { x: room, y: HIGH - BOTTOM + 15, "text-anchor": "middle" }, grid).textContent = text;
     }
     const unit = told(this.rows.unit);
     /** @type {[string, string]} */
