@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from tmmcalc.note.columns import widest
+from tmmcalc.note.columns import asked, most
 from tmmcalc.note.tree import (
     ACROSS,
     CELL,
@@ -270,7 +270,7 @@ def _numeric(table: Table) -> bool:
 def _width(table: Table) -> float:
     """About how wide a table is in small letters [mm]."""
     columns = zip(table.head, *table.rows, strict=True)
-    return sum(widest([inline(cell) for cell in column]).least * SMALL + CELL for column in columns)
+    return sum(most(asked(inline(cell)) for cell in column).least * SMALL + CELL for column in columns)
 
 
 def _both(key: str, lexicon: Lexicon) -> Iterator[str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -31,16 +31,22 @@ def asked(cell: Text) -> Asked:
     return Asked(least, LOOSE * whole if whole > least else least)
 
 
-def widest(cells: Sequence[Text]) -> Asked:
-    """The room that a column asks for."""
-    each = [asked(cell) for cell in cells]
-    return Asked(max((one.least for one in each), default=0.0), max((one.whole for one in each), default=0.0))
+def most(texts: Iterable[Asked]) -> Asked:
+    """The room in which each of several texts has its own."""
+    least, whole = zip(*texts, strict=True)
+    return Asked(max(least), max(whole))
+
+
+@lru_cache(maxsize=1024)
+def measured(grid: Grid) -> tuple[tuple[Asked, ...], ...]:
+    """The room that each text of a table asks for, by rows, of which the head is the first."""
+    return tuple(tuple(map(asked, row)) for row in (grid.head, *grid.rows))
 
 
 @lru_cache(maxsize=1024)
 def asked_by(grid: Grid) -> tuple[Asked, ...]:
     """The room that each column of a table asks for."""
-    return tuple(map(widest, zip(grid.head, *grid.rows, strict=True)))
+    return tuple(map(most, zip(*measured(grid), strict=True)))
 
 
 def least_width(grid: Grid, em: float, beside: float) -> float:
@@ -57,8 +63,8 @@ def widths_of(grid: Grid, em: float, beside: float, room: float) -> list[float]:
     least = [column.least * em + beside for column in columns]
     wished = [column.whole * em + beside for column in columns]
 
-    def given(most: float) -> list[float]:
-        return [min(wish, max(need, most)) for wish, need in zip(wished, least, strict=True)]
+    def given(limit: float) -> list[float]:
+        return [min(wish, max(need, limit)) for wish, need in zip(wished, least, strict=True)]
 
     low, high = 0.0, max(wished, default=0.0)
     if sum(wished) > room:

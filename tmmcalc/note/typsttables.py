@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from itertools import groupby
 
-from tmmcalc.note.columns import asked, least_width, widths_of
+from tmmcalc.note.columns import Asked, least_width, measured, widths_of
 from tmmcalc.note.tree import ACROSS, CELL, POINT, Grid, Text, Written, numeric
 from tmmcalc.note.typstwords import GAP, escaped, label, set_text
 from tmmcalc.report.drawing.lettering import faces
@@ -95,7 +95,7 @@ def _grid(grid: Grid, size: float, wide: float) -> str:
     """
     caption = grid.caption
     widths = widths_of(grid, size * POINT, CELL, wide)
-    heights = [_height(row, size, widths) for row in grid.rows]
+    heights = [_height(*row, size, widths) for row in zip(grid.rows, measured(grid)[1:], strict=True)]
     heads = "".join(_cell(cell, "center + horizon") for cell in grid.head)
     rows = zip(grid.rows, heights, strict=True)
     cells = "".join(f"[{set_text(cell)}], " if high else _cell(cell) for row, high in rows for cell in row)
@@ -112,9 +112,9 @@ def _grid(grid: Grid, size: float, wide: float) -> str:
     return f"listed({label('tab', caption)}, {said}, {laid}, ({heads}), ({cells}))"
 
 
-def _height(row: Sequence[Text], size: float, widths: Sequence[float]) -> float:
+def _height(row: Sequence[Text], asked: Sequence[Asked], size: float, widths: Sequence[float]) -> float:
     """Height of a row of which each cell is one line of letters [pt], or 0."""
-    if any(asked(cell).whole * size * POINT + CELL > wide + CLOSE for cell, wide in zip(row, widths, strict=True)):
+    if any(text.whole * size * POINT + CELL > wide + CLOSE for text, wide in zip(asked, widths, strict=True)):
         return 0.0
     boxes = [part for cell in row for part in cell.parts if isinstance(part, Row)]
     if not all(map(_level, boxes)):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TypeVar
 
 import numpy as np
@@ -34,6 +34,7 @@ DIGITS = 5  # of the largest number of a column, of a number within a sentence
 WIDE, HIGH = 160.0, 130.0  # that a picture may be [mm]
 LATIN = {greek: name for name, greek in GREEK.items()}  # names of Greek letters
 SIGNS = ("<=", ">=", "<", ">")
+SAME = 1e-9  # of the largest value of a column: values that differ less are equal
 ANGLE = 6  # decimals of an angle that are no rounding [deg]
 STEPS = (1, 2, 5, 10, 20, 50, 100, 200, 500)  # of a long course that are shown
 LETTERED = 1.15  # words of a picture against those of a drawing on screen
@@ -278,6 +279,20 @@ def located(blocks: Sequence[Table | Figure]) -> str:
     if isinstance(blocks[0], Table):
         return tr("in tables {numbers}", numbers=numbers) if several else tr("in table {numbers}", numbers=numbers)
     return tr("in figures {numbers}", numbers=numbers) if several else tr("in figure {numbers}", numbers=numbers)
+
+
+def two_sides(labels: Sequence[str], columns: Iterable[ArrayLike]) -> Iterator[Paragraph]:
+    """What is said of the first and the last row, two sides of one position, where a column (n,) differs in them."""
+    for values in map(np.asarray, columns):
+        if abs(values[0] - values[-1]) > SAME * np.nanmax(np.abs(values)):
+            words = {"first": labels[0], "last": labels[-1]}
+            said = tr(
+                "Positions {first} and {last} are one: where a value jumps there, row {first} has it just after the "
+                "jump, row {last} just before it.",
+                **words,
+            )
+            yield Paragraph(said)
+            return
 
 
 def row_of(name: str, unit: str, values: Sequence[float]) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ none is free it goes farther away, with a leader. What then still covers another
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
@@ -26,6 +27,7 @@ ASTRAY = 15.0  # what a mm less costs
 WRONG = 50.0  # and what it costs to be nearer to another one
 FURTHER = (4.0, 6.0, 8.5, 11.5, 15.0, 19.0, 24.0, 30.0)  # gaps of a name that found no free place nearby [mm]
 FAR = 3.0  # a name that stands farther from its anchor has a leader [mm]
+SLANT, FLAT = 0.3, 1.0  # slope of a leader below which it is level; what that costs
 TOUCHING = 0.3  # strokes nearer than this all along are told apart by no name [mm]
 AWAY, LIKED, SECOND = 0.8, 0.5, 0.4  # cost of each gap farther away, gain of the preferred side, cost of a later anchor
 CROSSED = 3.0  # what it costs a leader to cross another name, by mm
@@ -69,7 +71,11 @@ class Labels:
         along = np.diff(z)
         counts = np.maximum(1, (np.abs(along) / STEP).astype(int))
         number = np.arange(1, counts.sum() + 1) - np.repeat(np.cumsum(counts) - counts, counts)
-        points = np.r_[z[:1], np.repeat(z[:-1], counts) + np.repeat(along, counts) * number / np.repeat(counts, counts)]
+        between = np.repeat(z[:-1], counts) + np.repeat(along, counts) * number / np.repeat(counts, counts)
+        self.avoid_points(np.r_[z[:1], between], weight)
+
+    def avoid_points(self, points: Plane, weight: float = 1.0) -> None:
+        """Keep clear of single points on paper."""
         self._points.append(points)
         self._weights.append(np.full(len(points), weight))
 
@@ -125,7 +131,7 @@ class Labels:
         self.count += 1
         if cost > COVERED:
             self.faults.append(Fault(text, at, cost))
-        self._lead(anchor, at, half)
+        self._lead(anchor, at, half, ring=ring)
         self._taken.append((at.real - half[0], at.real + half[0], at.imag - half[1], at.imag + half[1]))
         if ring:
             self.drawing.add(Arc(at, radius, THIN, fill=WHITE), level=LEVEL)
@@ -172,8 +178,9 @@ class Labels:
                     cost = cost + _astray(tried, strokes)
                 if gaps[-1] > FAR:
                     cost = cost + self._crossed(anchor, tried, half)
-                at = int(np.argmin(cost - liking))
-                whole = float(cost[at] - liking[at]) + against
+                disliked = FLAT * (np.abs(AROUND.imag) < SLANT) - liking if gap > FAR else -liking
+                at = int(np.argmin(cost + disliked))
+                whole = float(cost[at] + disliked[at]) + against
                 if whole < best.whole:
                     best = Place(complex(tried[at]), anchor, float(cost[at]), whole)
         return best
@@ -196,11 +203,15 @@ class Labels:
         """The sides (4, rectangles, 1, ...) of what is taken, against places on so many axes."""
         return np.array(self._taken, float).reshape(-1, 4).T.reshape(4, -1, *[1] * axes)
 
-    def _lead(self, anchor: complex, at: complex, half: tuple[float, float]) -> None:
-        """The leader of a name that stands far from its anchor."""
+    def _lead(self, anchor: complex, at: complex, half: tuple[float, float], *, ring: bool) -> None:
+        """The leader of a name that stands far from its anchor; a level one would read as a minus sign before it."""
         edge = float(_edge(np.array([at - anchor]), half)[0])
         if edge * abs(at - anchor) > FAR:
-            line = [anchor + 0.15 * edge * (at - anchor), anchor + edge * (at - anchor)]
+            end = anchor + edge * (at - anchor)
+            way = end - anchor
+            if not ring and abs(way.imag) < SLANT * abs(way.real):
+                end = complex(end.real, at.imag + math.copysign(half[1], way.imag))  # at the far corner
+            line = [anchor + 0.15 * (end - anchor), end]
             self.drawing.line(line, THIN, level=12)
             self.avoid(line, 0.5)
 

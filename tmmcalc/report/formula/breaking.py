@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
-from functools import cache
+from functools import cache, lru_cache
 
 from tmmcalc.report.formula import layout
 
@@ -29,6 +29,7 @@ WIDE |= {"·": 0.28, ".": 0.28, ",": 0.28, "−": 0.78, "I": 0.38}
 TERMS = {"+", "−"}
 
 
+@lru_cache(maxsize=1 << 15)
 def width(box: layout.Box) -> float:
     """About how wide it is [em], rather more than less."""
     match box:
