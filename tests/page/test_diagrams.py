@@ -335,3 +335,21 @@ def test_courses_of_one_table_have_diagrams_of_their_own(
         at, count = column["values"]
         assert count == len(true)
         assert np.allclose(block[at : at + count], true, rtol=1e-6, atol=1e-9 * np.abs(true).max())
+
+
+def test_a_number_without_a_unit_has_none(open_page: Open) -> None:
+    found = open_page("shaper")
+    found.page.locator(".adding select").select_option("forces.virtual")
+    value = found.page.locator("[data-column='forces.virtual'] button.value").inner_text()
+    assert re.fullmatch(r"−?[\d.]+(·10\S+)?", value)
+
+
+def test_numbers_along_an_axis_are_seen_whole(open_page: Open) -> None:
+    found = open_page("elastic-drive", size=(390, 800))
+    found.page.locator(".adding select").select_option("transient.step_error")
+    beyond = """() => [...document.querySelectorAll(".chart > svg")].flatMap((svg) => {
+      const right = svg.getBoundingClientRect().right;
+      return [...svg.querySelectorAll("text")].filter((each) => each.getBoundingClientRect().right > right + 0.5)
+        .map((each) => each.textContent);
+    })"""
+    assert found.page.evaluate(beyond) == []

@@ -52,8 +52,9 @@ def _printed(text: str) -> str:
 
 
 def unit_of(unit: str) -> Said:
-    """A unit; of an angle the sign of degrees."""
-    return "°" if unit == "deg" else said(lambda: tr_unit(unit))
+    """A unit; of an angle the sign of degrees, of a number that has none nothing."""
+    known = {"deg": "°", "-": ""}
+    return known[unit] if unit in known else said(lambda: tr_unit(unit))
 
 
 def words() -> dict[str, Said]:

@@ -1,13 +1,13 @@
 // Diagrams of columns over the rows of their stage, with the place of the input, extremes and dead centres.
 import { columnOf, content, numbers, scene } from "./data.js";
 import { between } from "./motion.js";
-import { drawn } from "./marks.js";
+import { drawn, named } from "./marks.js";
 import { called, copied, lettered, made, resized, signed, widthIn } from "./elements.js";
 import { keep, kept } from "./kept.js";
 import { keyed, turning } from "./keys.js";
 import { around, settled } from "./labels.js";
 import { standard } from "./scales.js";
-import { isAngle, lowered, measured, parted, saying, told, word, written } from "./words.js";
+import { isAngle, measured, parted, saying, told, word, written } from "./words.js";
 
 const WIDE = 560;
 const HIGH = 198;
@@ -227,11 +227,15 @@ class Chart {
     for (let k = Math.ceil(this.start / along - 1e-6); k * along <= this.end + 1e-6 * along; k++) {
       const x = this.across(k * along);
       drawn("line", { x1: x, x2: x, y1: TOP, y2: HIGH - BOTTOM }, grid);
-      drawn("text", { x, y: HIGH - BOTTOM + 15, "text-anchor": "middle" }, grid).textContent = written(k * along, digits);
+      const text = written(k * along, digits);
+      const room = Math.min(x, this.wide - (DIGIT * text.length) / 2 - 1); // it is seen whole
+      drawn("text", { x: room, y: HIGH - BOTTOM + 15, "text-anchor": "middle" }, grid).textContent = text;
     }
     const unit = told(this.rows.unit);
-    drawn("text", { x: this.wide - RIGHT, y: HIGH - 4, "text-anchor": "end", class: "axis" }, grid).textContent =
-      `${this.state?.view.symbol ?? axis(this.rows.name)}${unit ? `, ${unit}` : ""}`;
+    /** @type {[string, string]} */
+    const over = this.state ? [this.state.view.symbol, ""] : parted(this.rows.name);
+    const place = { x: this.wide - RIGHT, y: HIGH - 6, "text-anchor": "end", class: "axis" };
+    named(grid, over, place, unit ? `, ${unit}` : "");
     if (this.state) {
       for (const stop of this.state.view.stops.filter((each) => each.at >= this.start && each.at <= this.end)) {
         const x = this.across(stop.at);
@@ -393,15 +397,6 @@ class Chart {
     const part = (x - this.left) / (this.wide - this.left - RIGHT);
     if (part > -0.05 && part < 1.05) this.state?.take(this.start + Math.min(1, Math.max(0, part)) * (this.end - this.start));
   }
-}
-
-/**
- * The name of an axis: an index that is a number is lowered, another one follows.
- * @param {string} name
- */
-function axis(name) {
-  const [letter, index] = parted(name);
-  return /^\d*$/.test(index) ? letter + lowered(index) : `${letter} ${index}`;
 }
 
 /** The stages that have diagrams. */

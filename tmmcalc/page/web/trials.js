@@ -5,7 +5,7 @@ import { Field, shaped } from "./field.js";
 import { chained, compiled } from "./formulas.js";
 import { keyed } from "./keys.js";
 import { away } from "./outlines.js";
-import { isAngle, lowered, measured, parted, saying, told, word, written } from "./words.js";
+import { isAngle, measured, parted, saying, told, word, written } from "./words.js";
 
 const NEAR = 1e-4; // of an edge: what lies on it belongs to its region
 const STEP = 0.01; // of the arrow keys; with Shift a tenth of it
@@ -139,7 +139,9 @@ export class Plane {
     const place = strict.length ? "within" : held.length ? "flawed" : "outside";
     const apart = held.length > 0 && (strict.length ? strict : held).every((region) => region.apart);
     const verdict = apart ? word("apart", { place: word(place) }) : word(place);
-    this.verdict.textContent = `${this.said(inputs[0], x)}; ${this.said(inputs[1], y)}: ${verdict}`;
+    this.verdict.replaceChildren();
+    this.said(inputs[0], x, "; ");
+    this.said(inputs[1], y, `: ${verdict}`);
     this.verdict.classList.toggle("broken", place === "outside");
     put(this.refusal, this.drawing(values));
     for (const { shown, row, meaning, value, bound } of this.rows) {
@@ -155,12 +157,14 @@ export class Plane {
   }
 
   /**
+   * Where the point stands along an axis, and what comes after that.
    * @param {string} name
    * @param {number} value
+   * @param {string} after
    */
-  said(name, value) {
-    const [letter, index] = parted(name);
-    return `${letter}${lowered(index)} = ${written(value, 4)}`;
+  said(name, value, after) {
+    lettered(this.verdict, parted(name));
+    this.verdict.append(` = ${written(value, 4)}${after}`);
   }
 }
 

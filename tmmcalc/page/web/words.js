@@ -120,14 +120,6 @@ export function measured(value, unit, digits) {
   return behind || !all.some(Number.isFinite) ? numbers : `${numbers} ${told(unit)}`.trim();
 }
 
-/**
- * A number as an index.
- * @param {string} index
- */
-export function lowered(index) {
-  return index.replace(/\d/g, (digit) => "₀₁₂₃₄₅₆₇₈₉"[Number(digit)]);
-}
-
 /** @type {Record<string, string>} */
 const letters = { ...content.letters, angle: "φ" };
 
