@@ -346,7 +346,7 @@ def test_a_number_without_a_unit_has_none(open_page: Open) -> None:
 
 def test_numbers_along_an_axis_are_seen_whole(open_page: Open) -> None:
     found = open_page("elastic-drive", size=(390, 800))
-    found.page.locator(".adding select").select_option("transient.step_error")
+    found.page.locator(".adding select").select_option("transient/1.step_error")
     beyond = """() => [...document.querySelectorAll(".chart > svg")].flatMap((svg) => {
       const right = svg.getBoundingClientRect().right;
       return [...svg.querySelectorAll("text")].filter((each) => each.getBoundingClientRect().right > right + 0.5)
