@@ -353,3 +353,12 @@ def test_numbers_along_an_axis_are_seen_whole(open_page: Open) -> None:
         .map((each) => each.textContent);
     })"""
     assert found.page.evaluate(beyond) == []
+
+
+def test_a_result_of_another_kind_leads_to_no_diagram(open_page: Open) -> None:
+    """Whether a torque is assumed is no torque; where it is largest is told beside how large it is."""
+    rows = open_page("gears-ravigneaux").page
+    assert rows.locator('[data-fact="gearing.torque_is_assumed"] .show').count() == 0
+    assert rows.locator('[data-fact="gearing.power_in"] .show').count() == 1
+    rows = open_page("shaper").page
+    assert rows.locator('[data-fact="forces.R_A_max_at_phi"] .show').count() == 1
