@@ -48,8 +48,8 @@ export class Layer {
       const found = columnOf(angle.column);
       const legs = [0, 1].map(() => drawn("line", { class: "leg" }, this.group));
       const arc = drawn("path", { class: "arc" }, this.group);
-      const name = named(this.group, parted(angle.sign), { class: "name" });
-      return { angle, found, legs, arc, name, value: drawn("tspan", {}, name) };
+      const name = named(this.group, parted(angle.sign), { class: "name" }, " = ");
+      return { angle, found, legs, arc, name, value: /** @type {Element} */ (name.lastElementChild) };
     });
     let largest = 0;
     for (const { x, y } of this.arrows) largest = x.reduce((most, _, k) => Math.max(most, Math.hypot(x[k], y[k]) || 0), largest);

@@ -339,13 +339,15 @@ export function head([ax, ay], [bx, by]) {
 }
 
 /**
- * A letter with its index, in an element of text.
+ * A letter with its index, in an element of text, and what comes after it.
  * @param {Element} parent
  * @param {[string, string]} sign
  * @param {Record<string, string | number>} attributes
  */
-export function named(parent, [letter, index], attributes = {}) {
-  return texted(parent, index ? `${letter}_{${index}}` : letter, attributes);
+export function named(parent, [letter, index], attributes = {}, after = "") {
+  const found = texted(parent, index ? `${letter}_{${index}}` : letter, attributes);
+  if (after) drawn("tspan", { dy: index ? -LOWER : 0 }, found).textContent = after;
+  return found;
 }
 
 /**

@@ -139,7 +139,9 @@ export class Plane {
     const place = strict.length ? "within" : held.length ? "flawed" : "outside";
     const apart = held.length > 0 && (strict.length ? strict : held).every((region) => region.apart);
     const verdict = apart ? word("apart", { place: word(place) }) : word(place);
-    this.verdict.textContent = `${this.said(inputs[0], x)}; ${this.said(inputs[1], y)}: ${verdict}`;
+    this.verdict.replaceChildren();
+    this.said(inputs[0], x, "; ");
+    this.said(inputs[1], y, `: ${verdict}`);
     this.verdict.classList.toggle("broken", place === "outside");
     put(this.refusal, this.drawing(values));
     for (const { shown, row, meaning, value, bound } of this.rows) {
@@ -149,17 +151,20 @@ export class Plane {
       const limit = least === null ? null : least * factor;
       put(meaning, told(shown.meaning));
       put(value, measured(found, shown.unit));
-      put(bound, limit === null ? "" : word("least", { low: written(limit, 4) }));
+      put(bound, limit === null ? "" : word("least", { low: measured(limit, shown.unit, 4) }));
       row.classList.toggle("broken", limit !== null && !(found >= limit - 1e-9));
     }
   }
 
   /**
+   * Where the point stands along an axis, and what comes after that.
    * @param {string} name
    * @param {number} value
+   * @param {string} after
    */
-  said(name, value) {
-    return `${parted(name).join("")} = ${written(value, 4)}`;
+  said(name, value, after) {
+    lettered(this.verdict, parted(name));
+    this.verdict.append(` = ${written(value, 4)}${after}`);
   }
 }
 
