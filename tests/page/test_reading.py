@@ -279,3 +279,16 @@ def test_results_are_told_in_words(open_page: Open) -> None:
     page.locator(".find input").fill("стійкий")
     assert page.locator("[data-fact='motion.stability']").is_visible()
     assert not page.locator("[data-fact='structure.formula']").is_visible()
+
+
+def test_the_page_is_lit_as_the_system_is_until_it_is_chosen(open_page: Open) -> None:
+    page = open_page("extra-tie-down", color_scheme="light").page
+    root = page.locator(":root")
+    for scheme in ("dark", "light"):
+        page.emulate_media(color_scheme=scheme)
+        assert root.get_attribute("data-theme") == scheme
+        assert root.evaluate("each => getComputedStyle(each).colorScheme") == scheme
+    page.get_by_role("button", name="Light or dark").click()
+    for scheme in ("dark", "light"):
+        page.emulate_media(color_scheme=scheme)
+        assert root.get_attribute("data-theme") == "dark"
