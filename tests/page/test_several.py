@@ -11,6 +11,8 @@ from page.conftest import Open
 from page.scenes import CONFIGS, Fit, command, places, write
 from page.test_all import SIZES
 from page.test_diagrams import number
+from tmmcalc.core.errors import UsageError
+from tmmcalc.page.swept import swept as swept_variants
 
 CRANK = "mechanism.links[id=1].points.A[0]"
 LENGTHS = (0.08, 0.1, 0.12)
@@ -113,6 +115,17 @@ def test_several_specs_are_overlaid(open_page: Open, tmp_path: Path) -> None:
             assert found.page.locator("[data-view=kinematics]").count() == 1
             assert found.page.locator("details.plans option").count() >= 2
             assert found.page.evaluate("document.scrollingElement.scrollWidth <= innerWidth")
+
+
+@pytest.mark.parametrize(
+    ("cells", "rule"),
+    [("nothing,status\n1,ok", "no table of a sweep"), (f"{CRANK},status\nlong,ok", "'long' is no number of a variant")],
+)
+def test_what_is_no_sweep_is_refused(cells: str, rule: str, tmp_path: Path) -> None:
+    table = tmp_path / "my.csv"
+    table.write_text(cells, encoding="utf-8")
+    with pytest.raises(UsageError, match=rule):
+        swept_variants(table)
 
 
 def test_specs_of_one_name_are_told_apart_in_both_languages(open_page: Open, tmp_path: Path) -> None:

@@ -409,6 +409,8 @@ def with_unit(digits: str, unit: str) -> Row:
 
 def inline(text: str) -> Text:
     """A text with its formulas between ``$``."""
+    if "$" not in text:
+        return Text((text,) if text else ())
     from tmmcalc.report.formula.syntax import read
 
     parts = [setting.statement(read(part)) if k % 2 else part for k, part in enumerate(text.split("$"))]

@@ -10,7 +10,7 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.stage import STAGES, arguments, of_scene
 from tmmcalc.page.motion import views_packed
 from tmmcalc.page.packing import ERROR, Block, Content
-from tmmcalc.page.results import given_told, stage_told
+from tmmcalc.page.results import failure_told, given_told, stages_told
 from tmmcalc.page.said import Said, words
 from tmmcalc.page.trials import trials_packed
 from tmmcalc.report.formula.symbols import GREEK
@@ -55,7 +55,10 @@ def _scene(variant: Variant, block: Block, positions: int, *, planned: bool) -> 
     inputs = {(view["room"], view["column"]) for view in views}
     return {
         "name": variant.name,
-        "stages": [stage_told(stage, run, given, dense, inputs, block) for stage in run.outcomes],
+        "stages": [
+            *(each for stage in run.outcomes for each in stages_told(stage, run, given, dense, inputs, block)),
+            *(failure_told(stage, error) for stage, error in run.failures.items()),
+        ],
         "given": given_told(run),
         "source": variant.source,
         "views": views,

@@ -11,6 +11,7 @@ from tmmcalc.core.stage import STAGES
 from tmmcalc.naming.table import table_of
 from tmmcalc.page.packing import Block, Content, pair
 from tmmcalc.page.said import name_of, unit_of
+from tmmcalc.page.stacked import courses
 from tmmcalc.pipeline.picturing import offered, order_of
 from tmmcalc.report.moving import Body, Layer, Mark, Plan, Track, View
 
@@ -34,7 +35,7 @@ def views_packed(run: RunResult, dense: Mapping[str, Any], block: Block, *, plan
 def _steps(run: RunResult, stage: str, column: str) -> list[list[Any]]:
     """The positions of the spec: labels, and where the input stands there."""
     table = table_of(stage, run.results[stage])
-    if table is None or column not in table.headers:
+    if table is None or column not in table.headers or courses(stage, run.results[stage]):
         return []
     return [[label, float(at)] for label, at in zip(table.labels, table.column(column), strict=True)]
 

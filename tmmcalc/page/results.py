@@ -4,42 +4,46 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmmcalc.core.errors import TmmError
 from tmmcalc.core.facts import Labelled, labelled, named
 from tmmcalc.core.notes import Phrase, graded
 from tmmcalc.core.stage import STAGES
+from tmmcalc.naming.meanings import described
 from tmmcalc.naming.table import Values, table_of
 from tmmcalc.naming.told import Extent, listed, meant
 from tmmcalc.note.assembled import inline
 from tmmcalc.note.tree import plain_text
+from tmmcalc.page.lists import ENGLISH, tables, worded
 from tmmcalc.page.packing import Block, Content
 from tmmcalc.page.said import alike, each_said, name_of, unit_of
+from tmmcalc.page.stacked import courses
 from tmmcalc.pipeline.chapters import task_of, warnings_of
 from tmmcalc.report.manuscript import Datum
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
 
-ENGLISH = re.compile(r"[a-z]{4,}|\b[A-Z]?[a-z]{2,3}\b")  # a word that is no symbol
-ROWS = 1000  # of a longer table so many are shown, and those of extremes
+WITHIN = re.compile(r"\[([^\]]+)\]\.")  # a unit of several values, which stands in the names of all
+ROWS = 1001  # of a longer table so many are shown, and those of extremes
 
 Indices = NDArray[np.intp]
 
 
-def stage_told(
+def stages_told(
     name: str,
     run: RunResult,
     given: Container[str],
     dense: Mapping[str, Any],
     inputs: Container[tuple[str, str]],
     block: Block,
-) -> Content:
-    """A stage: facts of the run, columns over many positions where it has them, warnings, errors.
+) -> Iterator[Content]:
+    """A stage: facts of the run, columns over many positions where it has them, warnings, errors; then its courses.
 
     Its rows go along one of the ``inputs`` of views, each a room and a column, where they have it; ``given`` are the
     texts of the spec.
@@ -47,15 +51,26 @@ def stage_told(
     stage, result = STAGES[name], run.results[name]
     facts = {f"{each.name}[{each.unit}]": _fact(name, each) for each in labelled(name, result) if _told(each, given)}
     errors = {key: each for key, each in run.outcomes[name].record.error.items() if isinstance(each, float) and each}
-    return {
-        "name": name,
-        "room": stage.room,
-        "title": name_of(stage.title),
+    yield {
+        **_nothing(name, stage.title),
         "facts": [*facts.values()],
+        "tables": [*tables(stage.summary(result, ""), given)],
         **_table(name, dense.get(name, result), inputs, block),
         "warnings": [name_of(graded(each)[1]) for each in warnings_of(run, [name])],
-        "errors": [[name_of(key), float(f"{each:.3g}")] for key, each in errors.items()],
+        "errors": [[worded(name_of(key)), float(f"{each:.3g}")] for key, each in errors.items()],
     }
+    yield from _courses(name, dense.get(name, result), inputs, block)
+
+
+def failure_told(name: str, error: TmmError) -> Content:
+    """A stage that has no result: why."""
+    return {**_nothing(name, STAGES[name].title), "warnings": [name_of(str(error))]}
+
+
+def _nothing(name: str, title: str) -> Content:
+    """A stage of which nothing is told."""
+    told: Content = {"name": name, "room": STAGES[name.partition("/")[0]].room, "title": name_of(title)}
+    return {**told, "facts": [], "tables": [], "rows": None, "columns": [], "warnings": [], "errors": []}
 
 
 def _told(fact: Labelled, given: Container[str]) -> bool:
@@ -75,13 +90,13 @@ def _fact(stage: str, fact: Labelled) -> Content:
         "name": fact.name,
         "meaning": name_of(meaning),
         "value": name_of(fact.value) if isinstance(fact.value, str) else fact.value,
-        "unit": unit_of(fact.unit),
+        "unit": unit_of(fact.unit or (WITHIN.findall(fact.name) or [""])[0]),
     }
 
 
 def _table(name: str, result: Any, inputs: Container[tuple[str, str]], block: Block) -> Content:
     """The columns of numbers, and the first of them that its rows go along; without one they are counted."""
-    table = table_of(name, result)
+    table = None if courses(name, result) else table_of(name, result)
     known = {each.quantity: each for each in listed(name, result) if isinstance(each, Extent)}
     headers = [header for header in table.headers if named(header)[0] in known] if table is not None else []
     if table is None or not headers or len(table.first) < 2:
@@ -91,13 +106,41 @@ def _table(name: str, result: Any, inputs: Container[tuple[str, str]], block: Bl
     values = table.column(along)
     if not _ordered(values):
         along, others, values = "", headers, np.arange(1.0, len(table.first) + 1)
-    row, unit = named(along) if along else ("", "")
     columns = {header: table.column(header) for header in others}
+    return _laid(along, values, columns, {header: known[named(header)[0]].meaning for header in others}, block)
+
+
+def _courses(name: str, result: Any, inputs: Container[tuple[str, str]], block: Block) -> Iterator[Content]:
+    """Courses that stand below one another in the table of a stage, each as a stage of its own without facts.
+
+    They go along the input of a view, along the time, or along the first column that goes one way.
+    """
+    stage, meaning = STAGES[name], described(name, column=True)
+    for k, course in enumerate(courses(name, result), 1):
+        ordered = [header for header, each in course.columns.items() if _ordered(each)]
+        first = [header for header in ordered if (stage.room, header) in inputs or named(header)[0] == "t"]
+        along = next(iter([*first, *ordered]), "")
+        columns = {header: each for header, each in course.columns.items() if header != along}
+        values = course.columns.get(along, np.arange(1.0, len(next(iter(course.columns.values()), ())) + 1))
+        meanings = {header: _of_course(course.label, meaning(*named(header))[0]) for header in columns}
+        told = _nothing(f"{name}/{k}", _of_course(stage.title, course.label))
+        yield {**told, **_laid(along, values, columns, meanings, block)}
+
+
+def _of_course(what: str, word: str) -> str:
+    return Phrase("{quantity}: {word}", quantity=what, word=word) if word else what
+
+
+def _laid(
+    along: str, values: Values, columns: Mapping[str, Values], meanings: Mapping[str, str], block: Block
+) -> Content:
+    """Columns by their headers over the values of another one, or over the numbers of the rows."""
+    row, unit = named(along) if along else ("", "")
     kept = _kept(values, [*columns.values()], along != "")
     rows = {"header": along, "name": row, "unit": unit_of(unit), "values": block.put(values[kept])}
     return {
         "rows": {**rows, "kept": len(kept), "of": len(values)},
-        "columns": [_column(known[named(header)[0]], each[kept], block) for header, each in columns.items()],
+        "columns": [_column(header, meanings[header], each[kept], block) for header, each in columns.items()],
     }
 
 
@@ -118,13 +161,9 @@ def _ordered(values: Values) -> bool:
     return bool(values[0] != values[-1] and ((steps >= 0).all() or (steps <= 0).all()))
 
 
-def _column(column: Extent, values: Values, block: Block) -> Content:
-    return {
-        "name": column.quantity,
-        "unit": unit_of(column.unit),
-        "meaning": name_of(column.meaning),
-        "values": block.put(values),
-    }
+def _column(header: str, meaning: str, values: Values, block: Block) -> Content:
+    name, unit = named(header)
+    return {"name": name, "unit": unit_of(unit), "meaning": name_of(meaning), "values": block.put(values)}
 
 
 def given_told(run: RunResult) -> list[Content]:

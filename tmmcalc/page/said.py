@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import TypeVar
 
@@ -10,6 +11,13 @@ from tmmcalc.report.language import LANGUAGES, speaking, tr, tr_name, tr_unit
 
 Said = str | list[str]
 T = TypeVar("T")
+
+SIGNS = (
+    (re.compile(r"(?<=\s)->(?=\s)"), "→"),
+    (re.compile(r"(?<=[A-Za-z\d])\*(?=[A-Za-z])"), "·"),
+    (re.compile(r"(?<=\d) deg\b"), "°"),
+    (re.compile(r"(?<![^\s(])-(?=\d| )"), "−"),
+)
 
 
 def each_said(say: Callable[[], T]) -> list[T]:
@@ -32,8 +40,15 @@ def alike(texts: list[str]) -> Said:
 
 
 def name_of(text: str) -> Said:
-    """A text that the program says elsewhere: a meaning, a warning; names of Greek letters become these."""
-    return said(lambda: with_letters(tr_name(text)))
+    """A text that the program says elsewhere: a meaning, a warning; with Greek letters and signs of print."""
+    return said(lambda: _printed(with_letters(tr_name(text))))
+
+
+def _printed(text: str) -> str:
+    """Signs that a terminal has not: 5 N*m at -3 deg -> 5 N·m at −3°."""
+    for typed, printed in SIGNS:
+        text = typed.sub(printed, text)
+    return text
 
 
 def unit_of(unit: str) -> Said:

@@ -66,11 +66,17 @@
 /** @typedef {{name: string, meaning: Said, value: number | boolean | Said, unit: Said}} Fact */
 /** @typedef {{name: string, meaning: Said, unit: Said, values: Ref}} Column */
 /**
+ * @typedef {object} List
+ * @property {Said} title of its part of the stage, or nothing
+ * @property {{name: Said, sign: boolean, unit: Said, cells: (number | boolean | Said)[]}[]} columns
+ */
+/**
  * @typedef {object} Stage
  * @property {string} name
  * @property {string} room
  * @property {Said} title
  * @property {Fact[]} facts
+ * @property {List[]} tables of its summary
  * @property {{header: string, name: string, unit: Said, values: Ref, kept: number, of: number} | null} rows
  * @property {Column[]} columns
  * @property {Said[]} warnings

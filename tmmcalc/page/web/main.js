@@ -15,6 +15,9 @@ import { forget, language, remember, saying, speak, told, word } from "./words.j
 
 const FIRST = 4; // diagrams of a scene that asks for none
 const ROWS = 8; // of a table that is a curve and no list
+const NUMBER = "i"; // of a row
+const BENT = 1e-3; // of its greatest value: what a curve differs from a straight line by
+const NOTHING = 1e-12;
 
 const title = /** @type {HTMLElement} */ (document.getElementById("title"));
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
@@ -65,9 +68,13 @@ function shown() {
   const right = made("div", { class: "read" }, main);
   const diagrams = made("section", { class: "diagrams" }, right);
   heading(diagrams, () => word("diagrams"));
-  const ordered = stages.filter((stage) => stage.rows?.header && stage.rows.of >= ROWS);
+  const telling = new Set(stages.filter((stage) => stage.facts.length).map((stage) => stage.name)); // others only draw
+  const ordered = stages.filter(
+    ({ name, rows }) => rows?.header && rows.name !== NUMBER && rows.of >= ROWS && telling.has(name.split("/")[0]),
+  );
   const first = ordered.flatMap((stage) => {
-    const column = stage.columns.find(({ values }) => numbers(values).some((value, _, all) => value !== all[0]));
+    const along = stage.rows ? numbers(stage.rows.values) : new Float32Array();
+    const column = stage.columns.find(({ values }) => curved(along, numbers(values)));
     return column ? [`${stage.name}.${column.name}`] : [];
   });
   const wished = views.flatMap((view) => view.shown);
@@ -76,6 +83,18 @@ function shown() {
   heading(results, () => word("facts"));
   facts(results, (column) => charts.add(column));
   main.style.minHeight = "";
+}
+
+/**
+ * Whether values go along a curve: a straight line tells little, what rounding leaves of nothing tells nothing.
+ * @param {Float32Array} x
+ * @param {Float32Array} y
+ */
+function curved(x, y) {
+  const last = x.length - 1;
+  const most = y.reduce((size, value) => Math.max(size, Math.abs(value) || 0), 0);
+  const slope = (y[last] - y[0]) / (x[last] - x[0]);
+  return most > NOTHING && y.some((value, k) => Math.abs(value - y[0] - slope * (x[k] - x[0])) > BENT * most);
 }
 
 /**

@@ -48,7 +48,9 @@ export class Player {
       this.speed = Number(choice.value);
       keep(speed, this.speed);
     });
-    this.told = made("output", { class: "told", "aria-live": "off" }, parent);
+    const lines = made("output", { class: "told", "aria-live": "off" }, parent);
+    this.told = made("span", {}, lines);
+    this.solved = state.view.column ? made("span", {}, lines) : null; // a line of its own: what stands below does not leap
     this.wrong = made("p", { class: "wrong", role: "status" }, parent);
     if (state.view.stops.length) this.stops(parent);
     saying(() => this.tell());
@@ -88,7 +90,7 @@ export class Player {
   stops(parent) {
     const list = made("div", { class: "stops" }, parent);
     const { stops } = this.state.view;
-    for (const stop of stops) {
+    for (const stop of [...stops].sort((one, other) => this.state.along * (one.at - other.at))) {
       const found = made("button", { type: "button" }, list);
       saying(() => {
         const title = told(stop.title);
@@ -112,8 +114,8 @@ export class Player {
     const here = this.placed(state.at);
     const near = numbers(state.view.values)[state.near];
     this.slider.setAttribute("aria-valuetext", here);
-    const solved = state.view.column ? `; ${word("solved", { value: this.placed(near) })}` : "";
-    this.told.textContent = `${here}${step?.[0] ? ` ${word("step", { label: step[0] })}` : ""}${solved}`;
+    this.told.textContent = `${here}${step?.[0] ? ` ${word("step", { label: step[0] })}` : ""}`;
+    if (this.solved) this.solved.textContent = word("solved", { value: this.placed(near) });
   }
 
   /** Let it go, or stop it. */

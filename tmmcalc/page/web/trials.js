@@ -151,7 +151,7 @@ export class Plane {
       const limit = least === null ? null : least * factor;
       put(meaning, told(shown.meaning));
       put(value, measured(found, shown.unit));
-      put(bound, limit === null ? "" : word("least", { low: written(limit, 4) }));
+      put(bound, limit === null ? "" : word("least", { low: measured(limit, shown.unit, 4) }));
       row.classList.toggle("broken", limit !== null && !(found >= limit - 1e-9));
     }
   }

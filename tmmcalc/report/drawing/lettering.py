@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections import defaultdict
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -151,8 +152,13 @@ def advance(text: str) -> float:
     >>> round(advance("3.15 m"), 3)
     2.817
     """
-    known: dict[str, float] = faces()["regular"]["advance"]
-    return sum(known[letter] if letter in known else UNKNOWN.get(letter, known["0"]) for letter in text)
+    return sum(map(_advances().__getitem__, text))
+
+
+@cache
+def _advances() -> dict[str, float]:
+    known = faces()["regular"]["advance"]
+    return defaultdict(lambda: float(known["0"]), UNKNOWN | known)
 
 
 def width(text: str, height: float = 1.0) -> float:
