@@ -7,6 +7,7 @@ import { keep, kept } from "./kept.js";
 import { keyed, turning } from "./keys.js";
 import { around, settled } from "./labels.js";
 import { standard } from "./scales.js";
+import { State } from "./state.js";
 import { isAngle, measured, parted, saying, told, word, written } from "./words.js";
 
 const HIGH = 198;
@@ -27,6 +28,8 @@ export class Charts {
    */
   constructor(parent, states, usual) {
     this.states = states;
+    /** @type {Map<string, State>} */
+    this.own = new Map();
     this.parent = parent;
     const bar = made("div", { class: "adding" }, parent);
     const label = made("label", {}, bar);
@@ -78,6 +81,17 @@ export class Charts {
     this.shown.get(name)?.card.scrollIntoView({ block: "nearest" });
   }
 
+  /**
+   * The place along rows that nothing moves along: one for all diagrams of a stage. A list has none.
+   * @param {import("./data.js").Stage} stage
+   */
+  along({ name, rows }) {
+    if (!rows?.header) return null;
+    const own = this.own.get(name) ?? new State(bare(rows));
+    this.own.set(name, own);
+    return own;
+  }
+
   /** @param {string} name */
   show(name) {
     const found = columnOf(name);
@@ -87,13 +101,22 @@ export class Charts {
     const known = this.states.filter(
       ({ view }) => header && view.column === header && (!view.stages.length || view.stages.includes(stage)),
     );
-    const state = known.find(({ view }) => view.room === room) ?? known[0] ?? null;
+    const state = known.find(({ view }) => view.room === room) ?? known[0] ?? this.along(found.stage);
     const gone = () => {
       this.shown.delete(name);
       this.chosen();
     };
     this.shown.set(name, new Chart(this.list, name, found, state, gone));
   }
+}
+
+/**
+ * A view of rows that no machine moves along.
+ * @param {NonNullable<import("./data.js").Stage["rows"]>} rows
+ */
+function bare({ name, unit, values }) {
+  const view = { name: "", symbol: name, unit, values, whole: false, column: "", steps: [], stops: [], reach: [], nudge: null };
+  return /** @type {import("./data.js").View} */ (/** @type {unknown} */ (view));
 }
 
 class Chart {
@@ -232,7 +255,7 @@ class Chart {
     }
     const unit = told(this.rows.unit);
     /** @type {[string, string]} */
-    const over = this.state ? [this.state.view.symbol, ""] : parted(this.rows.name);
+    const over = this.state?.view.name ? [this.state.view.symbol, ""] : parted(this.rows.name);
     const place = { x: this.wide - RIGHT, y: HIGH - 6, "text-anchor": "end", class: "axis" };
     named(grid, over, place, unit ? `, ${unit}` : "");
     if (this.state) {
