@@ -291,7 +291,7 @@ def test_the_page_is_lit_as_the_system_is_until_it_is_chosen(open_page: Open) ->
     root = page.locator(":root")
     for scheme in ("dark", "light"):
         page.emulate_media(color_scheme=scheme)
-        assert root.get_attribute("data-theme") == scheme
+        page.wait_for_function("(scheme) => document.documentElement.dataset.theme === scheme", arg=scheme)
         assert root.evaluate("each => getComputedStyle(each).colorScheme") == scheme
     page.get_by_role("button", name="Light or dark").click()
     for scheme in ("dark", "light"):

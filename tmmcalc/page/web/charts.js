@@ -145,6 +145,7 @@ class Chart {
     this.caption = made("figcaption", {}, this.card);
     this.name = made("strong", {}, this.caption);
     this.value = made("button", { type: "button", class: "value" }, this.caption);
+    this.where = made("span", { class: "where" }, this.caption);
     this.meaning = made("span", { class: "meaning" }, this.caption);
     this.svg = drawn("svg", state ? { role: "slider", tabindex: 0 } : { role: "img" }, this.card);
     this.others = content.scenes.filter((each) => each !== scene()).flatMap((each) => {
@@ -408,6 +409,11 @@ class Chart {
       this.dot.setAttribute("cy", String(this.up(this.y[k])));
     }
     this.value.textContent = measured(value, this.column.unit);
+    if (!this.state.view.name) {
+      this.where.replaceChildren(); // no player tells it
+      lettered(this.where, parted(this.rows.name));
+      this.where.append(` = ${measured(at, this.rows.unit, 4)}`);
+    }
     this.svg.setAttribute("aria-valuenow", String(at));
     this.svg.setAttribute("aria-valuetext", `${measured(at, this.state.view.unit, 5)}: ${this.value.textContent}`);
   }
