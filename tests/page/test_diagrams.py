@@ -321,7 +321,7 @@ def test_courses_of_one_table_have_diagrams_of_their_own(
     name: str, stage: str, course: str, along: str, written: Written
 ) -> None:
     """Modes, a resonance curve, motions in time stand below one another: no curve goes through all of them."""
-    table = STAGES[stage].table(run(load_spec(CONFIGS / f"{name}.toml"), target=[stage]).results[stage])
+    table: Any = STAGES[stage].table(run(load_spec(CONFIGS / f"{name}.toml"), target=[stage]).results[stage])
     labels = [*dict.fromkeys(table.columns[0])]
     here = np.asarray(table.columns[0]) == course
     content, block = contents(written(name))
@@ -331,7 +331,7 @@ def test_courses_of_one_table_have_diagrams_of_their_own(
     assert found["rows"]["header"] == along
     for column in found["columns"]:
         [k] = [k for k, header in enumerate(table.header) if header.split("[")[0] == column["name"]]
-        true = np.asarray(np.asarray(table.columns[k])[here], float)
+        true: Real = np.asarray(table.columns[k])[here].astype(float)
         at, count = column["values"]
         assert count == len(true)
         assert np.allclose(block[at : at + count], true, rtol=1e-6, atol=1e-9 * np.abs(true).max())
