@@ -92,6 +92,7 @@ def named_place(drawing: Drawing, words: Words) -> complex:
         if isinstance(shape, Stroke) and shape.pen == THIN and len(shape.points) == 2:
             start, end = map(complex, shape.points)
             beyond = [low.real - end.real, end.real - high.real, low.imag - end.imag, end.imag - high.imag]
-            if abs(max(beyond)) < 0.35 and abs(((words.at - end) / (end - start)).imag) < NEAR:
+            along = abs(((words.at - end) / (end - start)).imag) < NEAR
+            if abs(max(beyond)) < 0.35 and (along or sorted(map(abs, beyond))[1] < 0.35):  # at a side, or a corner
                 return start - 0.15 / 0.85 * (end - start)
     return words.at

@@ -7,8 +7,7 @@ from typing import Any
 import pytest
 
 from page.conftest import Open
-
-SET = "(e, at) => { e.value = String(at); e.dispatchEvent(new Event('input', { bubbles: true })); }"
+from page.opened import slid
 
 
 def slider(page: Any, view: str) -> Any:
@@ -23,9 +22,9 @@ def test_a_cam_on_the_crank_turns_with_it(open_page: Open) -> None:
     """Its rise begins where the crank has turned by 230 degrees."""
     page = open_page("course-project").page
     assert stands(page, "cam_profile") == pytest.approx(130)
-    slider(page, "kinematics").evaluate(SET, 250)
+    slid(slider(page, "kinematics"), 250)
     assert stands(page, "cam_profile") == pytest.approx(20)
-    slider(page, "cam_profile").evaluate(SET, 300)
+    slid(slider(page, "cam_profile"), 300)
     assert stands(page, "kinematics") == pytest.approx(170)
     assert stands(page, "cam_region") == pytest.approx(300)
 

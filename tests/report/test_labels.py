@@ -9,7 +9,7 @@ from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board, Field
 from tmmcalc.report.drawing.labels import STEP
 from tmmcalc.report.drawing.pens import THICK
-from tmmcalc.report.drawing.shapes import Drawing
+from tmmcalc.report.drawing.shapes import Drawing, Stroke
 from tmmcalc.report.drawing.wording import corners
 
 PAGE = Box(0.0, 0.0, 100.0, 100.0)
@@ -55,3 +55,15 @@ def test_names_stand_apart_and_what_has_no_room_is_told() -> None:
         return bool(gap > 0 or one.imag.min() > other.imag.max() or other.imag.min() > one.imag.max())
 
     assert all(apart(boxes[k], boxes[j]) for k in range(free) for j in range(k))
+
+
+def test_no_leader_is_a_minus_sign_before_its_name() -> None:
+    one = field()
+    for height in (10.0, 30.0, 50.0, 70.0, 90.0):
+        one.labels.avoid([complex(0, height + 2), complex(100, height + 2)], 10.0)
+        one.labels.avoid([complex(0, height - 2), complex(100, height - 2)], 10.0)
+        one.labels.put("A", [20 + 1j * height], height=2.0, gaps=(3.5, 7.0))
+    leaders = [shape.points for shape in one.drawing.shapes if isinstance(shape, Stroke)]
+    assert len(leaders) == 5
+    for start, end in leaders:
+        assert abs((end - start).imag) > 0.1 * abs((end - start).real)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tmmcalc.report.drawing.pens import MIDDLE, THIN
-from tmmcalc.report.drawing.reach import BLANK, around, lowered, reach, trimmed
+from tmmcalc.report.drawing.reach import BLANK, around, moved, reach, trimmed
 from tmmcalc.report.drawing.shapes import Arc, Area, Dimension, Drawing, Hatching, Shape, Stroke, Words
 
 SQUARE = np.array([20 + 40j, 30 + 40j, 30 + 50j, 20 + 50j])
@@ -23,9 +23,9 @@ SHAPES: tuple[Shape, ...] = (
 
 
 @pytest.mark.parametrize("shape", SHAPES, ids=lambda shape: type(shape).__name__)
-def test_a_lowered_shape_is_the_same_so_much_lower(shape: Shape) -> None:
-    before, after = reach(shape), reach(lowered(shape, 12.5))
-    assert np.allclose([after.left, after.right], [before.left, before.right])
+def test_a_moved_shape_is_the_same_elsewhere(shape: Shape) -> None:
+    before, after = reach(shape), reach(moved(shape, 3.0 - 12.5j))
+    assert np.allclose([after.left, after.right], [before.left + 3.0, before.right + 3.0])
     assert np.allclose([after.bottom, after.top], [before.bottom - 12.5, before.top - 12.5])
 
 
@@ -37,6 +37,17 @@ def test_a_trimmed_drawing_has_all_its_shapes_and_no_blank_over_and_under_them()
     assert (found.width, found.title, len(found.shapes)) == (60.0, "title", len(SHAPES))
     assert box.bottom == pytest.approx(2.0)
     assert found.height - box.top == pytest.approx(2.0, abs=0.1)
+
+
+def test_what_reaches_over_a_side_is_not_cut() -> None:
+    drawing = Drawing(60.0, 100.0)
+    drawing.add(Words(-2 + 1j, "A", 3.5), Words(61 + 99.5j, "B", 3.5))
+    found = trimmed(drawing)
+    box = around(map(reach, found.shapes))
+    assert box.left == pytest.approx(0.0)
+    assert 63.0 < box.right <= found.width < box.right + 0.1
+    assert box.bottom == pytest.approx(0.0)
+    assert 100.0 < box.top <= found.height < box.top + 0.1
 
 
 def test_a_drawing_without_shapes_stays() -> None:

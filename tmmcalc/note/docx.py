@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from io import BytesIO
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import quoteattr
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
+from tmmcalc.note.columns import widths_of
 from tmmcalc.note.docxpages import SIZE, SMALL, styled
-from tmmcalc.note.docxtables import ALONG, CELLS, size_of, table, widths_of
-from tmmcalc.note.docxwords import SPACES, bookmark, element, elements, field, in_cell, mark_of, run, runs
+from tmmcalc.note.docxplaces import WIDE, holds, ordered
+from tmmcalc.note.docxtables import ALONG, CELLS, PADDING, WHOLE, size_of, table
+from tmmcalc.note.docxwords import SPACES, bookmark, cell_runs, element, elements, field, in_cell, mark_of, run, runs
 from tmmcalc.note.tree import (
     ACROSS,
+    POINT,
     Caption,
     Contents,
     Cover,
@@ -38,12 +42,11 @@ if TYPE_CHECKING:
     from docx.document import Document
     from docx.text.paragraph import Paragraph
 
-WIDE = 34.0  # of a formula before it is broken [em]
 INDENT = 12.5  # of the first line of a paragraph [mm]
 LEAD, FORMULA, NUMBER = 36, 121, 18  # widths of the words before a formula, of itself and of its number [mm]
-CLOSE = 1.15  # of the lines of the contents
+CLOSE = ((36, 1.15), (42, 1.0), (math.inf, 0.86))  # entries of the contents up to which lines are so close
 SVG = "{96DAC541-7B7A-43D3-8B79-37D633B846F1}"  # the extension of a picture that is beside it as SVG
-WHOLE, TOGETHER = 15, 3  # rows: so many stand on one page; of more so many on a page at least
+TOGETHER = 3  # rows of a long table that stand on a page at least
 OPENING = '<m:r><m:rPr><m:nor/></m:rPr><m:t xml:space="preserve"> </m:t></m:r>'  # before a sign that goes on
 
 
@@ -60,7 +63,8 @@ def document(blocks: Sequence[Written], title: str) -> bytes:
     styled(found)
     found.settings.element.append(element('<w:updateFields w:val="true"/>'))
     writer = _Writer(found, [block for block in blocks if isinstance(block, Title) and block.level < 3])
-    for block, following in zip(blocks, [*blocks[1:], None], strict=True):
+    every = [*ordered(blocks)]
+    for block, following in zip(every, [*every[1:], None], strict=True):
         writer.block(block, following)
     buffer = BytesIO()
     found.save(buffer)
@@ -99,9 +103,7 @@ class _Writer:
             case Text():
                 self.paragraph(block)
             case Equation():
-                explained = isinstance(following, Text) and following.explains
-                placed = isinstance(following, Equation) and not following.number
-                self.equation(block, holds=bool(block.number) and (explained or placed))
+                self.equation(block, holds=holds(block, following))
             case Grid():
                 self.grid(block)
             case Image(caption, drawing):
@@ -150,11 +152,11 @@ class _Writer:
             '<w:fldChar w:fldCharType="separate"/>',
         ):
             first._p.append(element(f"<w:r>{part}</w:r>"))
-        paragraph = first
+        paragraph, close = first, next(close for most, close in CLOSE if len(self.titles) <= most)
         for k, each in enumerate(self.titles):
             paragraph = self.found.add_paragraph() if k else first
             paragraph.paragraph_format.left_indent = Mm(6 * (each.level - 1))
-            paragraph.paragraph_format.line_spacing = CLOSE
+            paragraph.paragraph_format.line_spacing = close
             paragraph.paragraph_format.tab_stops.add_tab_stop(Mm(ACROSS), WD_TAB_ALIGNMENT.RIGHT, WD_TAB_LEADER.DOTS)
             said = run(f"{each.number} ".lstrip()) + runs(each.text) + "<w:r><w:tab/></w:r>"
             paragraph._p.extend(elements(said + field(f"PAGEREF {bookmark(mark_of(each))} \\h", "")))
@@ -241,12 +243,13 @@ class _Writer:
         size = size or size_of(grid, ALONG) or CELLS[-1]
         sides = ["right" if numeric(column) else "left" for column in zip(*grid.rows, strict=True)]
         style, last = f"Cell{size}", len(grid.rows) - 1
-        rows = [("<w:tblHeader/>", [in_cell(runs(cell), "center", style, holds=True) for cell in grid.head])]
+        rows = [("<w:tblHeader/>", [in_cell(cell_runs(cell), "center", style, holds=True) for cell in grid.head])]
         for k, row in enumerate(grid.rows):
             holds = k < last and (last < WHOLE or k < TOGETHER or k > last - TOGETHER)
-            cells = [in_cell(runs(cell), to, style, holds=holds) for cell, to in zip(row, sides, strict=True)]
+            cells = [in_cell(cell_runs(cell), to, style, holds=holds) for cell, to in zip(row, sides, strict=True)]
             rows.append(("", cells))
-        self.add(table(widths_of(grid, size, ALONG if turned else ACROSS), rows, "TableGrid"))
+        widths = widths_of(grid, size * POINT, PADDING, ALONG if turned else ACROSS)
+        self.add(table(widths, rows, "TableGrid"))
         if not turned:
             self.found.add_paragraph(style="Under")
 

@@ -92,8 +92,10 @@ def lines(texts: Sequence[str], places: Sequence[Place], words: Mapping[str, str
 
 def _zeros(places: Sequence[Place]) -> set[str]:
     """Names that are nothing at every place."""
-    common = set.intersection(*(set(place.lexicon) for place in places))
-    return {key for key in common if all(_size(place.lexicon[key]) <= STILL for place in places)}
+    found = set(places[0].lexicon)
+    for place in places:
+        found = {key for key in found if key in place.lexicon and _size(place.lexicon[key]) <= STILL}
+    return found
 
 
 def _size(given: Given) -> float:

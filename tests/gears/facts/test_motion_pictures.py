@@ -66,7 +66,12 @@ def test_every_layout_is_tried() -> None:
 
 
 def segments(name: str) -> dict[str, complex]:
-    """Rays of the members on paper, from the pole to the line of speeds [mm]."""
+    """Rays of the members on paper from the pole to the line of speeds [mm], drawn to there or not."""
+    return {member: ray * drawn(name)[1].pole / ray.imag for member, ray in drawn_rays(name).items()}
+
+
+def drawn_rays(name: str) -> dict[str, complex]:
+    """Rays of the members on paper as they are drawn [mm]."""
     _, parts = drawn(name)
     found = {}
     for member, pen in member_pens(plans_of(train(name))).items():
@@ -79,11 +84,24 @@ def segments(name: str) -> dict[str, complex]:
 @pytest.mark.parametrize("name", TRAINS)
 def test_segments_of_the_plan_of_speeds_give_the_ratio(name: str) -> None:
     found = segments(name)
-    assert all(ray.imag == pytest.approx(drawn(name)[1].pole, rel=1e-12) for ray in found.values())
     ratio = found["1"].real / found[OUTPUTS.get(name, "H")].real
     assert ratio == pytest.approx(float(TRAINS[name][1]), rel=1e-9)
     (said,) = [text for text in written(drawn(name)[0]) if text.startswith("From the plan")]
     assert float(said.rpartition("= ")[2].replace("−", "-")) == pytest.approx(ratio, rel=1e-4)
+
+
+@pytest.mark.parametrize("name", [*TRAINS, *WRITTEN])
+def test_the_ray_of_a_member_far_faster_than_all_others_runs_out_of_the_plan(name: str) -> None:
+    told = sorted((abs(line.speed), line.member) for line in plans_of(train(name)).lines)
+    pole = drawn(name)[1].pole
+    short = {member for member, ray in drawn_rays(name).items() if ray.imag < 0.99 * pole}
+    if told[-1][0] > 4.0 * told[-2][0] > 0.0:
+        assert short == {told[-1][1]}
+        assert any(text.startswith(f"{told[-1][1]}: ") for text in written(drawn(name)[0]))
+        others = [ray.real for member, ray in drawn_rays(name).items() if member not in short]
+        assert max(others) - min(others) > 12.0
+    else:
+        assert not short
 
 
 @pytest.mark.parametrize("name", TRAINS)

@@ -18,7 +18,7 @@ from tmmcalc.core.plane import Plane
 from tmmcalc.gears.chosen.motion import Moving, plans_of
 from tmmcalc.gears.gearingtask import ends
 from tmmcalc.gears.network.model import Network
-from tmmcalc.gears.network.plans import PlanPoint, Plans
+from tmmcalc.gears.network.plans import PlanLine, PlanPoint, Plans
 from tmmcalc.gears.pictures.memberscheme import view_of
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Board, Field
@@ -39,6 +39,10 @@ FOOT = 6.0  # room of the scale factors under a plan [mm]
 HEAD = 7.0  # room of the headings of the plans [mm]
 POLES = (50.0, 40.0, 30.0, 25.0, 20.0, 15.0, 12.0, 10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0)  # h [mm], as there is room
 OVER = 8.0  # of the upright lines beyond what lies on them [mm]
+FASTER, RUNS_OUT = (
+    4.0,
+    22.0,
+)  # a member so many times faster than all others runs out of the plan of speeds, so far [mm]
 STILL = 1e-9  # of the largest: what is at rest
 TITLE, NAME, NOTE, RING = 3.0, 2.6, 2.5, 2.3  # heights of headings, names, of what is told, of members [mm]
 USUAL, LARGEST = 300.0, 1.5  # width from which letters grow with the rectangle [mm], and how far: below a heading of A1
@@ -197,13 +201,18 @@ def _ends(points: Plane) -> Plane:
 def _draw_speeds(
     drawing: Drawing, box: Box, told: Plans, mu_l: float, mu_v: float, found: Moving, part: float
 ) -> tuple[Field, float]:
-    """The plan of speeds with its scale, under it the table of members and the ratio that the plan gives."""
-    omegas = [line.speed for line in told.lines]
+    """The plan of speeds with its scale, under it the table of members and the ratio that the plan gives.
+
+    The ray of a member that is far faster than all others runs out of the plan, which else would be too flat to read.
+    """
+    fast = _far_faster(told)
+    omegas = [line.speed for line in told.lines if line is not fast]
     low, high = min(0.0, *omegas), max(0.0, *omegas)
     beside = box.width > 2 * box.height  # the table
     left, right = box.split(1.25, 1.0, gap=GAP, across=True) if beside else (box, box)
     room = box.height if beside else 0.45 * box.height
-    across = left.width - 2 * OVER
+    beyond = 0.0 if fast is None else RUNS_OUT * part
+    across = left.width - 2 * OVER - beyond
     fitting = [h for h in POLES if h < room - 2 * OVER and (high - low) * mu_l * h / mu_v <= across] or [POLES[-1]]
     standard = (h for h in fitting if math.isclose(standard_scale(mu_v / (mu_l * h)), mu_v / (mu_l * h)))
     pole = next(standard, fitting[0])  # under a scale such as 1:15 no factor of speeds is round
@@ -211,7 +220,8 @@ def _draw_speeds(
     tall = pole + 2 * OVER + 6.0
     frame = Box(left.left, left.top - tall, left.right, left.top)
     below = right if beside else Box(box.left, box.bottom, box.right, frame.bottom - part * 6.0)
-    origin = complex((low + high) / 2 - mu * frame.width / 2, -OVER)
+    aside = 0.0 if fast is None else math.copysign(beyond / 2, fast.speed)
+    origin = complex((low + high) / 2 + mu * (aside - frame.width / 2), -OVER)
     field = Field(drawing, frame, origin, (1 / mu, 1.0))
     over = 0.6 * OVER * mu
     field.curve(np.array([low - over, high + over]) + 1j * pole, THIN, weight=0.8, level=2)
@@ -219,11 +229,14 @@ def _draw_speeds(
     pens = member_pens(told)
     for line in told.lines:
         end = complex(line.speed, pole)
+        if line is fast:
+            _run_out(field, line, end, high if line.speed > 0 else low, mu * beyond, pens[line.member], part)
+            continue
         field.curve(np.array([0j, end]), pens[line.member], weight=1.0, level=5)
         field.drawing.add(Arc(field.place(end), 0.6, THIN, fill=INK), level=8)
     field.drawing.add(Arc(field.place(0j), 0.7, THIN, fill="#ffffff"), level=8)
     field.labels.put("$p$", [field.place(0j)], height=part * NAME, prefer=-1j)
-    for text, at in _merged(told, mu):
+    for text, at in _merged([line for line in told.lines if line is not fast], mu):
         field.name(text, [complex(at, pole)], height=part * RING, prefer=0.2 + 1j)
     said = f"{factor_text('μ_ω', mu, '(rad/s)/mm')}, $h$ = {number(pole)} {tr_unit('mm')}"
     _tell(drawing, complex(frame.left, frame.bottom), said, part * NOTE, frame.width, 1j)
@@ -231,10 +244,30 @@ def _draw_speeds(
     return field, pole
 
 
-def _merged(told: Plans, mu: float) -> Iterator[tuple[str, float]]:
+def _far_faster(told: Plans) -> PlanLine | None:
+    """The member beside whose speed all others are small, if there is one and another one turns."""
+    first, second = sorted(told.lines, key=lambda line: -abs(line.speed))[:2] if told.lines[1:] else (None, None)
+    if first is None or second is None or not 0.0 < FASTER * abs(second.speed) < abs(first.speed):
+        return None
+    return first
+
+
+def _run_out(
+    field: Field, line: PlanLine, end: complex, outermost: float, beyond: float, pen: Pen, part: float
+) -> None:
+    """The ray of a member that ends outside: so far ``beyond`` the outermost of the others, with its speed."""
+    reach = outermost + math.copysign(beyond, line.speed)
+    tip = end * (reach / line.speed)
+    field.drawing.vector(field.place(0j), field.place(tip), pen, level=5)
+    field.labels.avoid([field.place(0j), field.place(tip)], 1.0)
+    text = f"{plain(line.member)}: {_told(line.speed)} {tr_unit('rad/s')}"
+    field.name(text, [tip, 0.7 * tip], height=part * RING, prefer=math.copysign(1.0, line.speed) - 1j)
+
+
+def _merged(lines: Sequence[PlanLine], mu: float) -> Iterator[tuple[str, float]]:
     """Names of the ends of the rays; of ends that fall together in one text."""
     groups: list[tuple[float, list[str]]] = []
-    for line in sorted(told.lines, key=lambda each: each.speed):
+    for line in sorted(lines, key=lambda each: each.speed):
         if groups and abs(line.speed - groups[-1][0]) < 2.5 * mu:
             groups[-1][1].append(plain(line.member))
         else:

@@ -27,7 +27,7 @@ MARGIN = 5.0  # free border of the views [mm]
 APART = 0.34  # between the views, in parts of the height of the train
 NAMED = 0.06  # room for the name at the left end of a shaft that lies across, in the same parts
 TABLE = 52.0  # width of the table [mm]
-NARROW, UNDER = 220.0, 50.0  # width of a picture whose table stands under the views, and its height there [mm]
+NARROW, ABOVE, BELOW = 220.0, 4.0, 4.0  # width of a picture whose table stands under the views; free over and under it
 FOOT = 6.0  # height of the row of samples under the views [mm]
 ROW, HEIGHT = 6.2, 2.5  # of the table: from row to row, and of its letters [mm]
 LINE, FACT = 5.0, 2.4  # the same of what is told below it
@@ -42,8 +42,9 @@ def scheme_sheet(drawing: Drawing, box: Box, train: PlacedTrain, heading: str) -
 def draw_scheme(drawing: Drawing, free: Box, train: PlacedTrain) -> Board:
     """A train from two sides with the table of its wheels; the board of the views."""
     if free.width < NARROW:
-        views, lower = free.inset(0, UNDER, 0, 0), Box(free.left, free.bottom, free.right, free.bottom + UNDER)
-        table, told = lower.inset(0, 0, free.width - TABLE, 4), lower.inset(TABLE + 8, 0, 0, 4)
+        high = max((len(_facts(train)) + 0.7) * LINE, (len(train.wheels) + 1) * ROW) + ABOVE + BELOW
+        views, lower = free.inset(0, high, 0, 0), Box(free.left, free.bottom, free.right, free.bottom + high)
+        table, told = lower.inset(0, 0, free.width - TABLE, ABOVE), lower.inset(TABLE + 8, 0, 0, ABOVE)
         _tabulate(drawing, table, train)
     else:
         views, table = free.inset(0, 0, TABLE + 4, 0), Box(free.right - TABLE, free.bottom, free.right, free.top)

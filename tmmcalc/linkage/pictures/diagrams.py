@@ -178,17 +178,25 @@ def _travelled(curve: OutputCurve, value: float) -> float:
 
 
 def _name_dead_centres(panel: Diagram, result: Kinematics, curves: Sequence[OutputCurve], full: bool) -> None:
-    """The coordinates of the dead centres above the uppermost panel; of two neighbours each gives way to its side."""
+    """The coordinates of the dead centres above the uppermost panel; of two neighbours each gives way to its side.
+
+    One that has no room beside that before it is left out; a table tells it.
+    """
     span = abs(panel.x.high - panel.x.low)
     found = sorted(
         (abs(centre), centre, curve.pen.colour) for curve in curves for centre in _dead_centres(result, curve, full)
     )
     apart = [item for k, item in enumerate(found) if k == 0 or item[0] - found[k - 1][0] > 1e-3 * span]
     places = [item[0] for item in apart]
+    height, free = 0.8 * HEIGHT * panel.drawing.letters, -math.inf
     for k, (place, centre, colour) in enumerate(apart):
         before = k > 0 and place - places[k - 1] < NARROW * span
         after = k + 1 < len(places) and places[k + 1] - place < NARROW * span
         side = 0 if before == after else -1 if before else 1
         text = minus(number(round(centre, 2), 6)) + ("°" if result.turns else "")
         at = complex(panel.place(complex(centre, 0)).real, panel.box.top + 0.9)
-        panel.drawing.add(Words(at, text, 0.8 * HEIGHT * panel.drawing.letters, side - 1j, colour=colour))
+        wide = width(text, height)
+        start = at.real - wide * (1 + side) / 2
+        if start > free:
+            free = start + wide
+            panel.drawing.add(Words(at, text, height, side - 1j, colour=colour))

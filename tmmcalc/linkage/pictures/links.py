@@ -23,9 +23,8 @@ def draw_link(board: Board, body: LinkOutline, motion: LinkageMotion, k: int = 0
     def placed(points: tuple[complex, ...]) -> list[complex]:
         return [complex(motion.place(body.link, p)[k]) for p in points]
 
-    level = signs.SLOT if body.slots else signs.LINK
     if body.plate:
-        board.area(placed(body.plate), MIDDLE, fill=PLATE, level=level - 0.5)
+        board.area(placed(body.plate), MIDDLE, fill=PLATE, level=signs.PLATE)  # no support is hidden by it
     for slot in body.slots:
         board.line(placed(slot), THICK, level=signs.SLOT)
     for bar in body.bars:

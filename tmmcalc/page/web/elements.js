@@ -93,6 +93,16 @@ export function folding(parent, name, key, says) {
 }
 
 /**
+ * Put a letter with its index behind what an element says.
+ * @param {Element} element
+ * @param {[string, string]} sign
+ */
+export function lettered(element, [letter, index]) {
+  element.append(letter);
+  if (index) made("sub", {}, element).textContent = index;
+}
+
+/**
  * Copy what an element says.
  * @param {HTMLElement} element
  */

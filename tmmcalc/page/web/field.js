@@ -88,8 +88,8 @@ export class Field {
       for (const [k, text] of texts.entries()) text.textContent = written(values[k], 3);
     });
     const [first, second] = this.trial.inputs.map(parted);
-    named(group, first[0], first[1], { x: this.left + this.width / 2, y: this.height + 42, class: "axis" });
-    named(group, second[0], second[1], { x: this.left - 46, y: 8 + this.height / 2, class: "axis" });
+    named(group, first, { x: this.left + this.width / 2, y: this.height + 42, class: "axis" });
+    named(group, second, { x: this.left - 46, y: 8 + this.height / 2, class: "axis" });
   }
 
   /**

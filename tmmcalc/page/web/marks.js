@@ -4,10 +4,16 @@ const SVG = "http://www.w3.org/2000/svg";
 export const PIN = 5;
 export const RING = 9; // radius of the ring of a number
 export const COLOURS = ["blue", "orange", "green", "purple"];
-const BLOCK = [34, 19];
-const PIVOT = [22, 17];
+export const BLOCK = [34, 19];
+export const PIVOT = [22, 17];
+const WALL = 2.5; // half the thickness of a rod that slides along one
 const [COILS, COIL] = [5, 7]; // turns of a spring, half its width
 const DOT = 4.5;
+const [HEAD, WING] = [9, 3]; // length and half the width of the head of an arrow
+const INDEX = 0.72; // of the size of a letter that its index has
+const HALO = 1.5; // pixels around letters that hide what is behind them
+const LOWER = 5; // pixels that an index stands below its letter, or above it
+const [WIDTH, ABOVE, BELOW] = [0.58, 0.7, 0.22]; // of the size of a letter: its width, what is above its line and below
 const FINEST = 0.8; // module in pixels below which teeth are not drawn
 const SLOPE = Math.tan(Math.PI / 9); // of their flanks
 
@@ -87,12 +93,12 @@ function shaped(parent, mark, scale) {
     case "pivot":
       return pivot(parent, x, y, flat[2], flat[3]);
     case "guide":
-      return guide(parent, points[0], points[1], flat[4], flat[5]);
+      return guide(parent, points, flat[4], flat[5]);
     case "wall":
-      return wall(parent, points[0], points[1], flat[4], flat[5]);
+      return hatchedAlong(parent, points, flat[4], flat[5], 0, WALL);
     case "sleeve": {
       const group = drawn("g", {}, parent);
-      guide(group, points[0], points[0], flat[4], flat[5]);
+      guide(group, [points[0], points[0]], flat[4], flat[5]);
       return block(group, x, y, flat[2], flat[3]);
     }
     default:
@@ -264,38 +270,32 @@ function pivot(parent, x, y, dx, dy) {
 }
 
 /**
+ * A hatched line from end to end with a block's room beyond them, along the far side of the block.
  * @param {Element} parent
- * @param {[number, number]} a
- * @param {[number, number]} b
+ * @param {[number, number][]} ends
  * @param {number} ox
  * @param {number} oy
  */
-function guide(parent, a, b, ox, oy) {
-  const turn = (Math.atan2(-oy, ox) * 180) / Math.PI - 90;
-  const group = drawn("g", { transform: `translate(${round(a[0])} ${round(a[1])}) rotate(${round(turn)})` }, parent);
-  const c = Math.cos((turn * Math.PI) / 180);
-  const s = Math.sin((turn * Math.PI) / 180);
-  const along = (b[0] - a[0]) * c + (b[1] - a[1]) * s;
-  const over = BLOCK[0] / 2 + 8;
-  hatched(group, Math.min(0, along) - over, Math.max(0, along) + over, BLOCK[1] / 2);
-  return group;
+function guide(parent, ends, ox, oy) {
+  return hatchedAlong(parent, ends, ox, oy, BLOCK[0] / 2 + 8, BLOCK[1] / 2);
 }
 
 /**
- * A hatched line from end to end.
+ * A hatched line between two points, so far beyond them and outward from them.
  * @param {Element} parent
- * @param {[number, number]} a
- * @param {[number, number]} b
+ * @param {[number, number][]} ends
  * @param {number} ox
  * @param {number} oy
+ * @param {number} over
+ * @param {number} out
  */
-function wall(parent, a, b, ox, oy) {
+function hatchedAlong(parent, [a, b], ox, oy, over, out) {
   const turn = (Math.atan2(-oy, ox) * 180) / Math.PI - 90;
   const group = drawn("g", { transform: `translate(${round(a[0])} ${round(a[1])}) rotate(${round(turn)})` }, parent);
   const c = Math.cos((turn * Math.PI) / 180);
   const s = Math.sin((turn * Math.PI) / 180);
   const along = (b[0] - a[0]) * c + (b[1] - a[1]) * s;
-  hatched(group, Math.min(0, along), Math.max(0, along), 2.5);
+  hatched(group, Math.min(0, along) - over, Math.max(0, along) + over, out);
   return group;
 }
 
@@ -324,19 +324,29 @@ export function centreOfMass(parent) {
 }
 
 /**
- * A name with its index, in an element of text.
+ * The head of an arrow between two points in pixels, as the way of a path: no longer than half of a short one.
+ * @param {number[]} tail
+ * @param {number[]} tip
+ */
+export function head([ax, ay], [bx, by]) {
+  const long = Math.hypot(bx - ax, by - ay);
+  const [ex, ey] = [(bx - ax) / (long || 1), (by - ay) / (long || 1)];
+  const size = Math.min(HEAD, long / 2);
+  const wing = Math.min(WING, 0.6 * size);
+  const [x, y] = [bx - size * ex, by - size * ey];
+  const wings = [1, -1].map((side) => `${round(x - side * wing * ey)},${round(y + side * wing * ex)}`);
+  return `M${round(bx)},${round(by)}L${wings.join("L")}z`;
+}
+
+/**
+ * A letter with its index, in an element of text, and what comes after it.
  * @param {Element} parent
- * @param {string} letter
- * @param {string} index
+ * @param {[string, string]} sign
  * @param {Record<string, string | number>} attributes
  */
-export function named(parent, letter, index, attributes = {}) {
-  const found = drawn("text", attributes, parent);
-  found.append(letter);
-  if (index) {
-    const below = drawn("tspan", { dy: "0.3em", "font-size": "72%" }, found);
-    below.textContent = index;
-  }
+export function named(parent, [letter, index], attributes = {}, after = "") {
+  const found = texted(parent, index ? `${letter}_{${index}}` : letter, attributes);
+  if (after) drawn("tspan", { dy: index ? -LOWER : 0 }, found).textContent = after;
   return found;
 }
 
@@ -352,7 +362,9 @@ export function texted(parent, sign, attributes = {}) {
   /** @param {string} text @param {number} wanted */
   const put = (text, wanted) => {
     if (!text) return;
-    const part = drawn("tspan", { "font-size": wanted ? "72%" : "100%", dy: (wanted - level) * 5 }, found);
+    const apart = wanted < level ? HALO : 0; // what comes after an index hides nothing of it
+    const size = wanted ? `${100 * INDEX}%` : "100%";
+    const part = drawn("tspan", { "font-size": size, dx: apart, dy: (wanted - level) * LOWER }, found);
     part.textContent = text;
     level = wanted;
   };
@@ -371,6 +383,22 @@ export function texted(parent, sign, attributes = {}) {
   };
   read(sign, 0);
   return found;
+}
+
+/**
+ * About how large a sign is in pixels, and how far its line is below its middle.
+ * @param {string} sign as `texted` has it
+ * @param {number} font
+ * @returns {{size: [number, number], drop: number}}
+ */
+export function sized(sign, font) {
+  const [letter, ...index] = sign.replaceAll(", ", ",").split(/[_^]/);
+  const small = INDEX * font;
+  const wide = WIDTH * (font * letter.length + small * index.join("").replaceAll(/[{}]/g, "").length);
+  const up = Math.max(ABOVE * font, sign.includes("^") ? LOWER + ABOVE * small : 0);
+  const deep = /_\{[^}]*_/.test(sign) ? 2 : sign.includes("_") ? 1 : 0; // an index may have one
+  const down = Math.max(BELOW * font, deep ? deep * LOWER + BELOW * small : 0);
+  return { size: [wide, up + down], drop: (up - down) / 2 };
 }
 
 /**

@@ -2,11 +2,12 @@
 import { numbers } from "./data.js";
 import { dragged } from "./drag.js";
 import { boxed, Ghosts } from "./ghosts.js";
+import { boxAt } from "./labels.js";
 import { Layer } from "./layers.js";
 import { isThere, placed, poseOf, posesOf, STILL } from "./motion.js";
-import { lettered, putNames } from "./naming.js";
+import { putNames } from "./naming.js";
 import { centreOfMass, COLOURS, draw, drawn, named, PIN, RING, stretch } from "./marks.js";
-import { parted, told, word } from "./words.js";
+import { parted, spelled, told, word } from "./words.js";
 
 const WIDE = 760;
 const LEAST = 480; // width of a tall scene: it is larger on a narrow screen
@@ -50,7 +51,6 @@ export class Scene {
     this.y0 = height / 2 + ((top + bottom) / 2) * this.scale;
     this.svg = drawn("svg", { viewBox: `0 0 ${Math.round(width)} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
     this.title = drawn("title", {}, this.svg);
-    this.heads();
     const world = drawn("g", { transform: `translate(${this.x0} ${this.y0})` }, this.svg);
     this.ghosts = new Ghosts(this.view, this.scale, world);
     this.paths = drawn("g", { class: "paths" }, world);
@@ -82,19 +82,6 @@ export class Scene {
   leave() {
     this.state.leave(this.follow);
     this.svg.remove();
-  }
-
-  /** Heads of arrows, one for each colour. */
-  heads() {
-    const defs = drawn("defs", {}, this.svg);
-    for (const colour of COLOURS) {
-      const marker = drawn(
-        "marker",
-        { id: `head-${colour}`, viewBox: "0 0 10 6", refX: 9.5, refY: 3, markerWidth: 9, markerHeight: 6, orient: "auto", markerUnits: "userSpaceOnUse" },
-        defs,
-      );
-      drawn("path", { d: "M0,0L10,3L0,6z", class: `fill-${colour}` }, marker);
-    }
   }
 
   /**
@@ -141,7 +128,7 @@ export class Scene {
     if (spot.kind === "pin") drawn("circle", { r: PIN, class: "joint" }, group);
     else if (spot.kind === "mass") centreOfMass(group);
     else if (spot.kind === "point") drawn("circle", { r: 2, class: "dot" }, group);
-    named(group, ...lettered(spot.name), { class: "name", "text-anchor": "middle" });
+    named(group, spelled(spot.name), { class: "name", "text-anchor": "middle" });
     return group;
   }
 
@@ -166,7 +153,7 @@ export class Scene {
   centred(centre, world) {
     const group = drawn("g", { class: "centre" }, world);
     drawn("path", { d: "M-5,-5L5,5M5,-5L-5,5" }, group);
-    named(group, ...parted(centre.name), { class: "name", x: 8, y: 14 });
+    named(group, parted(centre.name), { class: "name", x: 8, y: 14 });
     return group;
   }
 
@@ -238,11 +225,9 @@ export class Scene {
   /** Vectors of the layers that are shown, their signs beside names and numbers. */
   point() {
     if (!this.layers.some((each) => each.shown)) return;
-    /** @type {import("./layers.js").Place[]} */
-    const taken = this.named.map(({ body, at, shift, size: [wide, high] }) => {
+    const taken = this.named.map(({ body, at, shift, size }) => {
       const [px, py] = placed(this.poses?.get(body) ?? STILL, at[0], at[1]);
-      const [x, y] = [px * this.scale + shift[0], -py * this.scale + shift[1]];
-      return [x - wide / 2, y - high / 2, x + wide / 2, y + high / 2];
+      return boxAt(px * this.scale + shift[0], -py * this.scale + shift[1], size);
     });
     for (const layer of this.layers) if (layer.shown) layer.update(taken);
   }

@@ -1,6 +1,7 @@
 // Where the input stands, and who is told when it moves.
 import { numbers } from "./data.js";
 import { between } from "./motion.js";
+import { isAngle } from "./words.js";
 
 /** @type {() => void} */
 let stop = () => {};
@@ -94,7 +95,7 @@ export class State {
    */
   closes(asked) {
     const { reach, unit } = this.view;
-    const turns = unit === "°" ? [-360, 0, 360] : [0];
+    const turns = isAngle(unit) ? [-360, 0, 360] : [0];
     return !reach.length || turns.some((turn) => reach.some(([low, high]) => low <= asked + turn && asked + turn <= high));
   }
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from tmmcalc.core.plane import Real
 from tmmcalc.core.records import record
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.diagram import ROW, Axis, Curve, Diagram, key_above, key_rows, room
+from tmmcalc.report.drawing.diagram import ROW, Axis, Curve, Diagram, beside, key_above, key_rows, room, sample
 from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.pens import Pen
 from tmmcalc.report.drawing.scales import factor_text, standard_scale
@@ -66,16 +66,13 @@ class Graph:
     def draw(self, drawing: Drawing, box: Box, *, numbered: bool = True) -> Diagram:
         """The diagram in a frame, with a key above it where its curves have names."""
         factor, unit = self.scale
+        up, mu = self.ordinate(box.height)
         x, nodes = along_input(self.turns, self.phi), along_input(self.turns, self.phi_nodes)
         values = [line.values * factor for line in self.lines]
-        air = (0.05, 0.03) if self.mu else (0.18, 0.12)  # a standard factor leaves more
-        low, high = room(values, *air) if self.ends is None else (factor * self.ends[0], factor * self.ends[1])
         along = input_axis(self.turns, x)
         along = along._replace(name=self.abscissa or along.name)
-        up = Axis(f"${self.symbol}$, {unit}".removesuffix(", "), low, high)
         title = self.title
         if self.mu:
-            up, mu = to_scale(up, box.height)
             along, title = _with_scale(along, self.turns, box.width), scale_factor(self.mu, mu, unit)
         diagram = Diagram(drawing, box, along, up, numbered=numbered)
         for height, pen, _ in self.levels:
@@ -91,16 +88,24 @@ class Graph:
             curves.append(Curve(line.label, value, line.pen, marks))
         diagram.draw(x, curves, key=False, digits=self.digits)
         larger = drawing.letters
-        wide = box.width - larger * _room_of(title)
+        wide, row = self._key_of(title, box.width, larger)
         if self.named:
             key_above(drawing, box._replace(right=box.left + wide), self.named)
         for height, pen, name in self.levels:
             diagram.name_level(factor * height, name, pen.colour)
         if title:
-            row = max(len(key_rows(self.named, wide, larger)) - 1, 0)
             place = complex(box.right, box.top + larger * ROW * (row + 0.5) + 0.1)
             drawing.add(Words(place, title, 2.5 * larger, 1))
         return diagram
+
+    def ordinate(self, high: float) -> tuple[Axis, float]:
+        """The axis of a frame ``high`` mm high, and its scale factor; that is standard where it has a letter."""
+        factor, unit = self.scale
+        air = (0.05, 0.03) if self.mu else (0.18, 0.12)  # a standard factor leaves more
+        values = [line.values * factor for line in self.lines]
+        ends = room(values, *air) if self.ends is None else (factor * self.ends[0], factor * self.ends[1])
+        axis = Axis(f"${self.symbol}$, {unit}".removesuffix(", "), *ends)
+        return to_scale(axis, high) if self.mu else (axis, (axis.high - axis.low) / high)
 
     @property
     def head(self) -> str:
@@ -109,7 +114,15 @@ class Graph:
 
     def rows(self, wide: float, larger: float) -> int:
         """Rows of words, so many times ``larger`` than usual, above a frame of this width [mm]."""
-        return max(len(key_rows(self.named, wide - larger * _room_of(self.head), larger)), bool(self.head))
+        beside, row = self._key_of(self.head, wide, larger)
+        return max(len(key_rows(self.named, beside, larger)), row + 1 if self.head else 0)
+
+    def _key_of(self, title: str, wide: float, larger: float) -> tuple[float, int]:
+        """How wide its key is [mm], and above how many rows its title stands: in the last one, or above all of them."""
+        left = wide - larger * _room_of(title)
+        apart = any(sample(name, larger) - 4.0 > left for name, _ in self.named)
+        rows = len(key_rows(self.named, wide if apart else left, larger))
+        return (wide, rows) if apart else (left, max(rows - 1, 0))
 
 
 def column(drawing: Drawing, box: Box, graphs: Sequence[Graph], heights: Sequence[float] = ()) -> list[Diagram]:
@@ -120,13 +133,27 @@ def column(drawing: Drawing, box: Box, graphs: Sequence[Graph], heights: Sequenc
     """
     larger = drawing.letters
     left, _, right, _ = sides(larger)
-    if any(graph.mu for graph in graphs):
+    scaled = any(graph.mu for graph in graphs)
+    if scaled:
         box = narrowed(box, along_input(graphs[0].turns, graphs[0].phi), larger)
-    rows = [graph.rows(box.width - left - right, larger) for graph in graphs]
+
+    def frames_in(box: Box) -> list[Box]:
+        return stacked(box, [graph.rows(box.width - left - right, larger) for graph in graphs], heights, larger)
+
+    frames = frames_in(box)
+    ordinates = [(graph.ordinate(frame.height)[0], frame.height) for graph, frame in zip(graphs, frames, strict=True)]
+    more = lacking(ordinates, larger) - (LONGER * larger if scaled else 0.0)
+    if more > 0:
+        frames = frames_in(box.inset(more, 0, 0, 0))
     return [
         graph.draw(drawing, place, numbered=k + 1 == len(graphs))
-        for k, (graph, place) in enumerate(zip(graphs, stacked(box, rows, heights, larger), strict=True))
+        for k, (graph, place) in enumerate(zip(graphs, frames, strict=True))
     ]
+
+
+def lacking(ordinates: Iterable[tuple[Axis, float]], larger: float) -> float:
+    """What more than the usual room [mm] ordinates with the heights of their frames [mm] need on the left."""
+    return max(beside(axis, high, larger) for axis, high in ordinates) - SIDES[0] * larger
 
 
 def narrowed(box: Box, x: Real, larger: float) -> Box:

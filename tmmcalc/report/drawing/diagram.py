@@ -11,7 +11,7 @@ import numpy as np
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Field
-from tmmcalc.report.drawing.lettering import minus, width
+from tmmcalc.report.drawing.lettering import extent, minus, width
 from tmmcalc.report.drawing.pens import CURVES, GRID, MIDDLE, THIN, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Arc, Area, Drawing, Words
 from tmmcalc.report.language import tr_number
@@ -20,11 +20,13 @@ from tmmcalc.report.numbers import number
 HEIGHT = 2.5  # of the numbers along the axes [mm]
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 DEGREES = (5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0, 360.0)
+NAMED = 3.5  # from a frame over the numbers of its ordinate to the name of it, but for their width [mm]
 ROOM = 8.0  # least distance of ticks along y, with numbers on each [mm]
 SAMPLE = 9.0  # length of a line in the key [mm]
 ROW = 4.2  # height of a row of it
 DOT = 0.42  # radius of a marked position [mm]
 NOISE = 1e-12  # of the largest value
+FEWEST, CLOSEST = 3, 1.5  # ticks of an ordinate though they stand nearer than that, so many heights of its numbers
 FEW = 3  # a logarithmic axis that spans fewer decades has ticks at 1, 2 and 5 of each
 
 
@@ -100,7 +102,7 @@ class Diagram(Field):
     def _grid(self, numbered: bool, lettered: bool) -> None:
         box, draw, larger = self.box, self.drawing, self.drawing.letters
         along = ticks(self.x, max(2, int(box.width / 12 / larger)))
-        up = ticks(self.y, max(2, int(box.height / ROOM / larger)))
+        up = upward(self.y, box.height, larger)
         height = HEIGHT * larger
         for value in along:
             at = self.place(complex(value, self.y.low)).real
@@ -120,8 +122,7 @@ class Diagram(Field):
         corners += [complex(box.right, box.top), complex(box.left, box.top)]
         draw.line(corners, THIN, closed=True, level=-1)
         if lettered:
-            widest = max((width(written(value, up), height) for value in up), default=0.0)
-            side = complex(box.left - 3.5 - widest, box.middle.imag)
+            side = complex(box.left - NAMED - _widest(up, height), box.middle.imag)
             size = 1.2 * height * min(1.0, box.height / (width(self.y.name, 1.2 * height) or 1.0))
             draw.add(Words(side, self.y.name, size, -1j, math.pi / 2))
         if numbered:
@@ -227,7 +228,7 @@ def key_above(drawing: Drawing, box: Box, names: Sequence[tuple[str, Pen]], lift
         for name, pen in row:
             drawing.line([at, at + SAMPLE], pen)
             drawing.add(Words(at + SAMPLE + 1.2, name, HEIGHT * larger, -1))
-            at += _sample(name, larger)
+            at += sample(name, larger)
 
 
 def key_rows(names: Sequence[tuple[str, Pen]], wide: float, larger: float = 1.0) -> list[list[tuple[str, Pen]]]:
@@ -235,21 +236,39 @@ def key_rows(names: Sequence[tuple[str, Pen]], wide: float, larger: float = 1.0)
     rows: list[list[tuple[str, Pen]]] = []
     at = math.inf
     for name, pen in names:
-        if at + _sample(name, larger) - 4.0 > wide:
+        if at + sample(name, larger) - 4.0 > wide:
             rows.append([])
             at = 0.0
         rows[-1].append((name, pen))
-        at += _sample(name, larger)
+        at += sample(name, larger)
     return rows
 
 
-def _sample(name: str, larger: float) -> float:
+def sample(name: str, larger: float) -> float:
     """Room of a name with its piece of line, and air."""
     return SAMPLE + 1.2 + width(name, HEIGHT * larger) + 4.0
 
 
-def ticks(axis: Axis, most: int) -> list[float]:
+def beside(y: Axis, high: float, larger: float = 1.0) -> float:
+    """Room at the left of a frame ``high`` mm high that numbers and name of its ordinate take [mm]."""
+    height = HEIGHT * larger
+    return NAMED + _widest(upward(y, high, larger), height) + sum(extent(y.name, 1.2 * height))
+
+
+def _widest(values: Sequence[float], height: float) -> float:
+    """The width of the longest of the numbers of an axis [mm]."""
+    return max((width(written(value, values), height) for value in values), default=0.0)
+
+
+def upward(axis: Axis, high: float, larger: float = 1.0) -> list[float]:
+    """The ticks of an ordinate in a frame ``high`` mm high."""
+    return ticks(axis, max(2, int(high / ROOM / larger)), FEWEST, int(high / (CLOSEST * HEIGHT) / larger) + 1)
+
+
+def ticks(axis: Axis, most: int, fewest: int = 2, utmost: int = 6) -> list[float]:
     """Round values within an axis, at most so many and one.
+
+    Where these are fewer than ``fewest`` there are more of them, up to ``utmost``; there are two if it can be.
 
     >>> ticks(Axis("", 0.0, 1.0), 5)
     [0.0, 0.2, 0.4, 0.6, 0.8, 1.0]
@@ -257,26 +276,43 @@ def ticks(axis: Axis, most: int) -> list[float]:
     [0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0, 360.0]
     >>> ticks(Axis("", 0.3, 12.0, log=True), 8), ticks(Axis("", 3.0, 5.4, whole=True), 8)
     ([0.5, 1.0, 2.0, 5.0, 10.0], [3.0, 4.0, 5.0])
+    >>> ticks(Axis("", 0.6, 1.7), 2), ticks(Axis("", 0.6, 1.7), 2, 3), ticks(Axis("", 0.25, 0.4, log=True), 3)
+    ([1.0, 1.5], [0.75, 1.0, 1.25, 1.5], [0.25, 0.3, 0.35, 0.4])
     """
     low, high = sorted((axis.low, axis.high))
     if axis.log:
-        first, last = math.ceil(math.log10(low) - 1e-9), math.floor(math.log10(high) + 1e-9)
-        if last - first < FEW:
-            every = [m * 10.0**k for k in range(first - 1, last + 1) for m in (1, 2, 5)]
-            return [
-                float(f"{value:.1g}") for value in every if low <= value * (1 + 1e-9) and value <= high * (1 + 1e-9)
-            ]
-        return [10.0**k for k in range(first, last + 1, max(1, math.ceil((last - first) / most)))]
+        found = _powers(low, high, most)
+        return found if len(found) >= fewest else ticks(axis._replace(log=False), most, fewest, utmost)
     least = max((high - low) / most, 1.0 if axis.whole else 0.0)
     power = 10.0 ** math.floor(math.log10(least)) if least > 0 else 1.0
-    steps = [step * power for step in STEPS]
+    steps = [step * power for step in (*(step / 10.0 for step in STEPS[:-1]), *STEPS)]
     if axis.degrees and 2.5 < least <= DEGREES[-1]:
         steps = list(DEGREES)
     if axis.whole:
         steps = [step for step in steps if step == round(step)]
-    step = next((each for each in steps if each >= least * (1 - 1e-9)), steps[-1])
+    chosen = next((k for k, step in enumerate(steps) if step >= least * (1 - 1e-9)), len(steps) - 1)
+    found = _multiples(steps[chosen], low, high)
+    for step in reversed(steps[:chosen]):
+        more = _multiples(step, low, high)
+        if len(found) >= fewest or (len(found) > 1 and len(more) > utmost):
+            break
+        found = more
+    return found
+
+
+def _multiples(step: float, low: float, high: float) -> list[float]:
+    """The multiples of a step from one end to the other."""
     first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
     return [round(k * step, 12 - math.floor(math.log10(step))) for k in range(first, last + 1)]
+
+
+def _powers(low: float, high: float, most: int) -> list[float]:
+    """Powers of ten between two ends, where these are near each other 1, 2 and 5 times them."""
+    first, last = math.ceil(math.log10(low) - 1e-9), math.floor(math.log10(high) + 1e-9)
+    if last - first < FEW:
+        every = [m * 10.0**k for k in range(first - 1, last + 1) for m in (1, 2, 5)]
+        return [float(f"{value:.1g}") for value in every if low <= value * (1 + 1e-9) and value <= high * (1 + 1e-9)]
+    return [10.0**k for k in range(first, last + 1, max(1, math.ceil((last - first) / most)))]
 
 
 def one_scale(box: Box, x: Axis, y: Axis) -> tuple[Axis, Axis]:

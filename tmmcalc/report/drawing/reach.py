@@ -44,7 +44,7 @@ def _extremes(arc: Arc) -> Plane:
 
 
 def trimmed(drawing: Drawing, margin: float = 1.0) -> Drawing:
-    """The drawing on paper that is no higher than its shapes need, with a margin [mm].
+    """The drawing on paper that is no higher than its shapes need, with a margin [mm], and as large as they reach.
 
     Words above or below all else stand no farther from it than `BLANK`.
     """
@@ -52,11 +52,15 @@ def trimmed(drawing: Drawing, margin: float = 1.0) -> Drawing:
         return drawing
     boxes = [*map(reach, drawing.shapes)]
     box = around(boxes)
-    low, high = max(0.0, box.bottom - margin), min(drawing.height, box.top + margin)
+    low = min(max(0.0, box.bottom - margin), box.bottom)
+    high = max(min(drawing.height, box.top + margin), box.top)
     strips = _blank(drawing.shapes, boxes)
-    found = Drawing(drawing.width, math.ceil(10 * (high - low - sum(strips.values()))) / 10, drawing.title)
+    left, right = min(0.0, box.left), max(drawing.width, box.right)
+    wide, tall = (math.ceil(10 * each) / 10 for each in (right - left, high - low - sum(strips.values())))
+    found = Drawing(wide, tall, drawing.title)
     for shape, own in zip(drawing.shapes, boxes, strict=True):
-        found.add(lowered(shape, low + sum(size for place, size in strips.items() if own.bottom >= place)))
+        down = low + sum(size for place, size in strips.items() if own.bottom >= place)
+        found.add(moved(shape, complex(-left, -down)))
     return found
 
 
@@ -75,16 +79,15 @@ def _blank(shapes: Sequence[Shape], boxes: Sequence[Box]) -> dict[float, float]:
     return found
 
 
-def lowered(shape: Shape, by: float) -> Shape:
-    """The shape so much lower on the paper [mm]."""
-    down = 1j * by
+def moved(shape: Shape, by: complex) -> Shape:
+    """The shape so far away on the paper [mm]."""
     match shape:
         case Arc():
-            return shape._replace(centre=shape.centre - down)
+            return shape._replace(centre=shape.centre + by)
         case Words():
-            return shape._replace(at=shape.at - down)
+            return shape._replace(at=shape.at + by)
         case Hatching():
-            return shape._replace(loops=tuple(loop - down for loop in shape.loops))
+            return shape._replace(loops=tuple(loop + by for loop in shape.loops))
         case Dimension(first, second, line):
-            return shape._replace(first=first - down, second=second - down, line=line - down)
-    return shape._replace(points=shape.points - down)
+            return shape._replace(first=first + by, second=second + by, line=line + by)
+    return shape._replace(points=shape.points + by)

@@ -16,7 +16,7 @@ STROKES = (1.1, 1.3)  # pitch and length of hatching
 HEAD = 2.6  # length of the head of an arrow of motion
 BENT = 2.2  # bars that meet at a greater angle [rad] need no filled corner
 NARROW = 0.05  # and at a smaller one they are one line
-GUIDE, SLOT, BODY, LINK, PINS, ARROWS = 3, 4, 5, 6, 8, 12  # levels, those drawn last above
+PLATE, GUIDE, SLOT, BODY, LINK, PINS, ARROWS = 2.5, 3, 4, 5, 6, 8, 12  # levels, those drawn last above
 
 
 def pin(board: Board, at: complex) -> None:
