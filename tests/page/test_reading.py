@@ -286,6 +286,19 @@ def test_results_are_told_in_words(open_page: Open) -> None:
     assert not page.locator("[data-fact='structure.formula']").is_visible()
 
 
+def test_the_page_is_lit_as_the_system_is_until_it_is_chosen(open_page: Open) -> None:
+    page = open_page("extra-tie-down", color_scheme="light").page
+    root = page.locator(":root")
+    for scheme in ("dark", "light"):
+        page.emulate_media(color_scheme=scheme)
+        assert root.get_attribute("data-theme") == scheme
+        assert root.evaluate("each => getComputedStyle(each).colorScheme") == scheme
+    page.get_by_role("button", name="Light or dark").click()
+    for scheme in ("dark", "light"):
+        page.emulate_media(color_scheme=scheme)
+        assert root.get_attribute("data-theme") == "dark"
+
+
 def test_numbers_keep_their_powers_and_counts_their_digits(written: Written, open_page: Open, tmp_path: Path) -> None:
     numbers = {8.50541e-10: "8.50541·10⁻¹⁰", -3e20: "−3·10²⁰", 1.25e-100: "1.25·10⁻¹⁰⁰", 120.0: "120", 0.5: "0.5"}
 

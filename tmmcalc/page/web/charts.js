@@ -2,14 +2,13 @@
 import { columnOf, content, numbers, scene } from "./data.js";
 import { between } from "./motion.js";
 import { drawn, named } from "./marks.js";
-import { called, copied, lettered, made, resized, signed, widthIn } from "./elements.js";
+import { called, copied, lettered, made, resized, signed, WIDE, widthIn } from "./elements.js";
 import { keep, kept } from "./kept.js";
 import { keyed, turning } from "./keys.js";
 import { around, settled } from "./labels.js";
 import { standard } from "./scales.js";
 import { isAngle, measured, parted, saying, told, word, written } from "./words.js";
 
-const WIDE = 560;
 const HIGH = 198;
 const LEFT = 62; // at least
 const DIGIT = 6.9; // width of a figure of an axis
@@ -207,7 +206,7 @@ class Chart {
     this.svg.setAttribute("aria-label", `${this.column.name}: ${told(this.column.meaning)}`);
     this.value.title = word("copy");
     called(this.close, word("remove"));
-    this.wide = widthIn(this.card, WIDE);
+    this.wide = widthIn(this.card);
     this.svg.setAttribute("viewBox", `0 0 ${this.wide} ${HIGH}`);
     this.back?.remove();
     const back = drawn("g");

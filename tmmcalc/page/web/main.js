@@ -21,7 +21,9 @@ const NOTHING = 1e-12;
 
 const title = /** @type {HTMLElement} */ (document.getElementById("title"));
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
+const system = matchMedia("(prefers-color-scheme: dark)");
 title.textContent = content.title;
+lit();
 tools(/** @type {HTMLElement} */ (document.getElementById("tools")));
 const choice = content.scenes.length > 1 ? variants() : null;
 /** @type {Map<State, number>} */
@@ -181,6 +183,12 @@ function offered(view) {
   return all.flatMap(([name, there, hidden]) => (there ? [[name, hidden]] : []));
 }
 
+/** Light or dark as the system is, until a button says otherwise. */
+function lit() {
+  system.onchange = lit;
+  document.documentElement.dataset.theme = system.matches ? "dark" : "light";
+}
+
 /** @param {Element} parent */
 function tools(parent) {
   const label = made("label", {}, parent);
@@ -193,10 +201,9 @@ function tools(parent) {
   choice.value = language();
   choice.addEventListener("change", () => speak(choice.value));
   button(parent, "theme", () => word("theme"), () => {
-    const dark = matchMedia("(prefers-color-scheme: dark)").matches;
-    const root = document.documentElement;
-    const now = root.dataset.theme ?? (dark ? "dark" : "light");
-    root.dataset.theme = now === "dark" ? "light" : "dark";
+    system.onchange = null;
+    const { dataset } = document.documentElement;
+    dataset.theme = dataset.theme === "dark" ? "light" : "dark";
   });
   button(parent, "print", () => word("print"), () => print());
 }

@@ -107,6 +107,17 @@ function shaped(parent, mark, scale) {
 }
 
 /**
+ * Put what is drawn in the axes of a body where that is.
+ * @param {Element} element
+ * @param {import("./motion.js").Pose} pose
+ * @param {number} scale
+ */
+export function put(element, { x, y, cos, sin }, scale) {
+  const matrix = [cos, -sin, sin, cos, x * scale, -y * scale].map((each) => each.toFixed(5));
+  element.setAttribute("transform", `matrix(${matrix.join(" ")})`);
+}
+
+/**
  * A line through points in pixels, as a body has it that is drawn out or pressed together.
  * @param {Element[]} lines
  * @param {string} kind

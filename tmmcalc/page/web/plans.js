@@ -3,12 +3,11 @@ import { numbers } from "./data.js";
 import { between } from "./motion.js";
 import { around, boxAt, free } from "./labels.js";
 import { drawn, head, sized, texted } from "./marks.js";
-import { folding, made, resized, widthIn } from "./elements.js";
+import { folding, made, resized, WIDE, widthIn } from "./elements.js";
 import { keep, kept } from "./kept.js";
 import { perPixel, scaleTold } from "./scales.js";
 import { saying, told, word } from "./words.js";
 
-const WIDE = 560;
 const HIGH = 360;
 const MARGIN = 36;
 const FONT = 15; // of names, in pixels
@@ -57,7 +56,7 @@ export class Plans {
 
   /** Draw it as wide as there is room. */
   size() {
-    this.wide = widthIn(this.part, WIDE);
+    this.wide = widthIn(this.part);
     this.svg.setAttribute("viewBox", `0 0 ${this.wide} ${HIGH}`);
     this.update();
   }

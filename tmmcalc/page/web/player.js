@@ -110,8 +110,7 @@ export class Player {
   tell() {
     const { state } = this;
     this.slider.value = String(state.at);
-    const small = 1e-5 * state.span;
-    const step = state.view.steps.find(([, at]) => Math.abs(at - state.at) <= small);
+    const step = state.view.steps.find(([, at]) => Math.abs(at - state.at) <= state.small);
     const here = this.placed(state.at);
     const near = numbers(state.view.values)[state.near];
     this.slider.setAttribute("aria-valuetext", here);

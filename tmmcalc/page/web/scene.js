@@ -6,7 +6,7 @@ import { boxAt } from "./labels.js";
 import { Layer } from "./layers.js";
 import { isThere, placed, poseOf, posesOf, STILL } from "./motion.js";
 import { putNames } from "./naming.js";
-import { centreOfMass, COLOURS, draw, drawn, named, PIN, RING, stretch } from "./marks.js";
+import { centreOfMass, COLOURS, draw, drawn, named, PIN, put, RING, stretch } from "./marks.js";
 import { parted, spelled, told, word } from "./words.js";
 
 const WIDE = 760;
@@ -190,10 +190,7 @@ export class Scene {
     this.gone = gone;
     this.view.bodies.forEach((body, k) => {
       const pose = /** @type {import("./motion.js").Pose} */ (poses.get(body.name));
-      const { x, y, cos, sin } = pose;
-      const s = this.scale;
-      const matrix = [cos, -sin, sin, cos, x * s, -y * s].map((each) => each.toFixed(5)).join(" ");
-      this.bodies[k].setAttribute("transform", `matrix(${matrix})`);
+      put(this.bodies[k], pose, this.scale);
       for (const each of [this.bodies[k], this.rings[k]]) each.classList.toggle("lost", gone.has(body.name));
       const [bx, by] = placed(pose, body.beside[0]?.[0] ?? 0, body.beside[0]?.[1] ?? 0);
       this.rings[k].setAttribute("transform", this.shifted(bx, by));

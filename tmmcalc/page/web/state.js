@@ -40,6 +40,11 @@ export class State {
     return this.high - this.low;
   }
 
+  /** How far apart places are that count as one. */
+  get small() {
+    return 1e-5 * this.span;
+  }
+
   /** The sense in which it goes on. */
   get along() {
     return Math.sign(this.values[this.values.length - 1] - this.values[0]) || 1;
@@ -107,9 +112,8 @@ export class State {
     const way = this.along;
     const places = this.view.steps.map((step) => step[1] * way).sort((a, b) => a - b);
     const at = this.at * way;
-    const small = 1e-5 * this.span;
     const next =
-      sense > 0 ? places.find((place) => place > at + small) : places.findLast((place) => place < at - small);
+      sense > 0 ? places.find((place) => place > at + this.small) : places.findLast((place) => place < at - this.small);
     if (next !== undefined) this.take(next * way);
     else if (this.view.whole) this.take(sense > 0 ? this.values[0] : (places.at(-2) ?? 0) * way);
   }
