@@ -357,5 +357,5 @@ def test_every_angular_velocity_of_the_cam_has_its_name() -> None:
 
 def test_two_sides_of_a_position_are_said_to_be_so() -> None:
     said = text(Assembler().written(told("course-project", None, ONLY)))
-    assert "Positions 0 and 26 are one" in said
+    assert "Rows 0 and 26 are one position" in said
     assert "Where the technological load jumps in a position (here 13)" in said

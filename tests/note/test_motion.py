@@ -198,7 +198,7 @@ def test_a_moment_that_jumps_is_the_same_in_all_tables_or_it_is_said(name: str, 
     taken = {row[0]: row[nodal.head.index("$M_c$, N·m")] for row in nodal.rows}
     apart = [label for label in own if own[label] != taken[label]]
     assert f"$M_c$ jumps in a position (here {', '.join(apart)})" in said
-    assert f"Positions 0 and {reduced.rows[-2][0]} are one" in said
+    assert f"Rows 0 and {reduced.rows[-2][0]} are one position" in said
     assert all(f"begins or ends in a position (here {', '.join(sorted(counted, key=int))})" in said for _ in counted)
 
 

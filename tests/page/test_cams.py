@@ -50,3 +50,20 @@ def test_a_cam_is_turned_by_hand(open_page: Open) -> None:
     page.mouse.move(x - 0.7 * reach, y - 0.7 * reach, steps=4)
     page.mouse.up()
     assert 20 < stands(page, "cam_profile") < 70  # clockwise, about an eighth of a turn
+
+
+LEGS = """() => [...document.querySelectorAll(".view .layer .leg")].filter((leg) => {
+  const { width, height } = leg.ownerSVGElement.viewBox.baseVal;
+  const end = new DOMPoint(leg.getAttribute("x2"), leg.getAttribute("y2"));
+  const at = end.matrixTransform(leg.ownerSVGElement.getCTM().inverse().multiply(leg.getCTM()));
+  return at.x < -1 || at.x > width + 1 || at.y < -1 || at.y > height + 1;
+}).length"""
+
+
+@pytest.mark.parametrize("name", ["cam", pytest.param("cam-rocker-optimum", marks=pytest.mark.slow)])
+def test_legs_of_the_pressure_angle_end_in_sight(name: str, open_page: Open) -> None:
+    page = open_page(name).page
+    slider = page.locator("[data-view=cam_profile] .player input")
+    for at in range(0, 360, 15):
+        slider.evaluate("(slider, at) => { slider.value = at; slider.dispatchEvent(new Event('input')); }", str(at))
+        assert page.evaluate(LEGS) == 0

@@ -180,8 +180,8 @@ def test_keys_move_the_input_in_a_diagram(open_page: Open) -> None:
 
 def test_what_no_key_moves_takes_no_focus(open_page: Open) -> None:
     page = open_page("pair-blocking").page
-    page.locator(".adding select").select_option("pair/1.s")
-    plane = page.locator('.chart[data-column="pair/1.s"] > svg')
+    page.locator(".adding select").select_option("blocking/1.x2")  # a list
+    plane = page.locator('.chart[data-column="blocking/1.x2"] > svg')
     assert plane.get_attribute("tabindex") is None
     assert plane.get_attribute("role") == "img"
 
@@ -359,3 +359,31 @@ def test_numbers_along_an_axis_are_seen_whole(written: Written, open_page: Open,
         .map((each) => each.textContent);
     })"""
     assert found.page.evaluate(beyond) == []
+
+
+def test_a_result_of_another_kind_leads_to_no_diagram(open_page: Open) -> None:
+    """Whether a torque is assumed is no torque; where it is largest is told beside how large it is."""
+    rows = open_page("gears-ravigneaux").page
+    assert rows.locator('[data-fact="gearing.torque_is_assumed"] .show').count() == 0
+    assert rows.locator('[data-fact="gearing.power_in"] .show').count() == 1
+    rows = open_page("shaper").page
+    assert rows.locator('[data-fact="forces.R_A_max_at_phi"] .show').count() == 1
+
+
+def test_where_nothing_moves_a_diagram_is_read_by_hand(open_page: Open) -> None:
+    """Of a resonance curve and a start: a click and keys show values; diagrams of one course go together."""
+    page = open_page("vibratory-device").page
+    page.locator(".adding select").select_option("vibrator/2.y")
+    values = [page.locator(f'.chart[data-column="{name}"] button.value') for name in ("vibrator/2.x", "vibrator/2.y")]
+    before = [each.inner_text() for each in values]
+    other = page.locator('.chart[data-column="vibrator/4.x"] button.value')
+    still = other.inner_text()
+    assert all(each.endswith(" m") for each in before)
+    plane = page.locator('.chart[data-column="vibrator/2.x"] > svg')
+    plane.click()
+    after = [each.inner_text() for each in values]
+    assert all(one != two for one, two in zip(before, after, strict=True))
+    plane.focus()
+    page.keyboard.press("Home")
+    assert [each.inner_text() for each in values] == before
+    assert other.inner_text() == still

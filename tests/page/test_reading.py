@@ -291,7 +291,7 @@ def test_the_page_is_lit_as_the_system_is_until_it_is_chosen(open_page: Open) ->
     root = page.locator(":root")
     for scheme in ("dark", "light"):
         page.emulate_media(color_scheme=scheme)
-        assert root.get_attribute("data-theme") == scheme
+        page.wait_for_function("(scheme) => document.documentElement.dataset.theme === scheme", arg=scheme)
         assert root.evaluate("each => getComputedStyle(each).colorScheme") == scheme
     page.get_by_role("button", name="Light or dark").click()
     for scheme in ("dark", "light"):
@@ -351,3 +351,18 @@ def test_tables_of_summaries_stand_among_the_results(name: str, stage: str, open
                 assert str(cell).replace("*", "·").split(" = ")[-1] in row[k].replace("−", "-")
     page.get_by_label("Language").select_option("uk")
     assert not LATIN.search(" ".join(part.locator(".list :is(td, th:not(.sign))").all_inner_texts()))
+
+
+def test_what_moves_stays_beside_what_is_read(open_page: Open) -> None:
+    """Where the window has room for it; what would be cut goes with the page, as all does on a phone."""
+    seen = """() => {
+      const box = document.querySelector(".view").getBoundingClientRect();
+      return box.top >= 0 && box.bottom <= innerHeight;
+    }"""
+    for size, stays in (((1500, 1000), True), ((1500, 600), False), ((390, 1000), False)):
+        page = open_page("class-four", size=size).page
+        page.wait_for_timeout(50)
+        page.evaluate("() => scrollTo(0, 500)")
+        assert page.evaluate("scrollY") > 400
+        page.wait_for_timeout(50)
+        assert page.evaluate(seen) == stays

@@ -274,7 +274,7 @@ class _Writer:
         self.found.add_picture(BytesIO(png(drawing)), width=Mm(drawing.width))
         paragraph = self.found.paragraphs[-1]
         paragraph.alignment = TO.CENTER
-        paragraph.paragraph_format.keep_with_next = True
+        paragraph.paragraph_format.keep_with_next, paragraph.paragraph_format.line_spacing = True, 1.0
         main = self.found.part
         count = sum(1 for part in main.package.iter_parts() if part.content_type == "image/svg+xml")
         part = Part(PackURI(f"/word/media/figure{count + 1}.svg"), "image/svg+xml", svg(drawing), main.package)

@@ -35,11 +35,13 @@ TIMES = 0.95  # widths of texts in Times, of those in letters of the note
 SIZE, LINE = 14.0, 8.51  # of the text: of its letters [pt], height of its lines [mm]
 INDENT = 12.5  # of the first line of a paragraph [mm]
 ROW = 0.4  # height of a row of a table to the size of its letters [mm/pt]
+FILLED = 0.92  # of the width of a cell, where its words are broken into lines
 EDGE = 0.1  # and of a line between two rows [mm]
 CAPTION, UNDER, BELOW = 7.3, 7.0, 2.8  # height of a caption, and of the blank under a picture, under a table [mm]
 HEADING = 6.35  # blank over and under a heading [mm]
 FORMULA, HIGHER = 5.9, 5.0  # height of a row of a formula, and how much higher one with a fraction is [mm]
 WIDE = 34.0  # of a formula before it is broken [em]
+SPARE = 20.0  # left free before a turned page, for what is told of heights is not exact [mm]
 LEAST = 2  # lines of a paragraph that stand alone on a page
 
 
@@ -52,7 +54,7 @@ def ordered(blocks: Sequence[Written]) -> Iterator[Written]:
     for chain in _chains(blocks):
         first = chain[0]
         if isinstance(first, Title) and first.level == 1:
-            yield from page.take(waiting)
+            yield from page.take(waiting, every=True)
             if not first.number[:1].isdigit():
                 page.turn()
         late = any(type(each) is type(first) for each in waiting) or page.left < page.height(first)
@@ -60,15 +62,18 @@ def ordered(blocks: Sequence[Written]) -> Iterator[Written]:
             waiting.append(first)
             continue
         if waiting:
-            turns = any(map(page.turned, waiting))  # the page
-            if page.left < (sum(map(page.height, chain)) if turns else page.least(chain)):
+            turns = any(map(page.turned, waiting))  # the page: a few lines on the next one would stand there alone
+            if page.left < (sum(map(page.height, chain)) + SPARE if turns else page.least(chain)):
                 yield from page.take(waiting)
+        kinds = {type(each) for each in chain} & {type(each) for each in waiting}
+        if kinds & {Image, Grid}:
+            yield from page.take(waiting, every=True)
         before = page.count
         page.put(chain)
         yield from chain
         if page.count > before:
             yield from page.take(waiting)
-    yield from page.take(waiting)
+    yield from page.take(waiting, every=True)
 
 
 class _Page:
@@ -98,8 +103,11 @@ class _Page:
     def least(self, chain: Sequence[Written]) -> float:
         """The room without which the first of blocks that stay together begins another page [mm]."""
         *others, last = chain
+        high = self.height(last)
         breaks = isinstance(last, Text | Points) or (isinstance(last, Grid) and len(last.rows) > WHOLE)
-        return sum(map(self.height, others)) + min(self.height(last), LEAST * LINE if breaks else math.inf)
+        if breaks and high > (LEAST + LEAST - 0.5) * LINE:
+            high = LEAST * LINE  # on either page
+        return sum(map(self.height, others)) + high
 
     def turn(self) -> None:
         """Begin another page, if this one has anything."""
@@ -122,12 +130,14 @@ class _Page:
                 self.turn()
             self.left -= high
 
-    def take(self, waiting: list[Written]) -> Iterator[Written]:
-        """Set all that waits."""
-        for block in waiting:
+    def take(self, waiting: list[Written], *, every: bool = False) -> Iterator[Written]:
+        """Set what waits: the first of it, on the next page if it has to be, and what fits behind it, or every one."""
+        first = True
+        while waiting and (first or every or self.height(waiting[0]) <= self.left):
+            block = waiting.pop(0)
             self.put([block])
-        yield from waiting
-        waiting.clear()
+            yield block
+            first = False
 
 
 def _chains(blocks: Sequence[Written]) -> Iterator[list[Written]]:
@@ -185,7 +195,7 @@ def _table(grid: Grid) -> float:
     high = CAPTION * math.ceil(_wide(grid.caption.whole, 12.0) / ACROSS) + BELOW
     for row in (grid.head, *grid.rows):
         cells = zip(row, widths, strict=True)
-        lines = max(math.ceil(_wide(cell, size) / max(wide - PADDING, 1.0) - 0.05) for cell, wide in cells)
+        lines = max(math.ceil(_wide(cell, size) / max(FILLED * (wide - PADDING), 1.0) - 0.05) for cell, wide in cells)
         high += ROW * size * max(1, lines) + EDGE
     return high
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Container, Iterator, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -42,7 +43,7 @@ def _columns(headers: Sequence[str], columns: Sequence[Sequence[Any]], given: Co
     for header, column in zip(headers, columns, strict=True):
         name, unit = named(header)
         sign, known = SIGN.fullmatch(name) is not None, name in _heads()
-        head = name if sign else said(lambda name=name: _heads()[name]) if known else worded(name_of(name))
+        head = name if sign else said(partial(_head, name)) if known else worded(name_of(name))
         cells = [_cell(each) for each in column]
         strange = (cell for cell in cells if _english(cell) and cell not in given)
         if (sign or known or not _english(head)) and not any(strange):
@@ -52,6 +53,10 @@ def _columns(headers: Sequence[str], columns: Sequence[Sequence[Any]], given: Co
 def _english(told: Any) -> bool:
     """Whether a text has words that no other language has."""
     return isinstance(told, str) and ENGLISH.search(told) is not None
+
+
+def _head(name: str) -> str:
+    return _heads()[name]
 
 
 def _heads() -> dict[str, str]:

@@ -288,11 +288,7 @@ def two_sides(labels: Sequence[str], columns: Iterable[ArrayLike]) -> Iterator[P
     for values in map(np.asarray, columns):
         if abs(values[0] - values[-1]) > SAME * np.nanmax(np.abs(values)):
             words = {"first": labels[0], "last": labels[-1]}
-            said = tr(
-                "Positions {first} and {last} are one: where a value jumps there, row {first} has it just after the "
-                "jump, row {last} just before it.",
-                **words,
-            )
+            said = tr("Rows {first} and {last} are one position, just after its jump and just before it.", **words)
             yield Paragraph(said)
             return
 

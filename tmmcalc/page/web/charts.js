@@ -8,6 +8,7 @@ import { keep, kept } from "./kept.js";
 import { keyed, turning } from "./keys.js";
 import { around, settled } from "./labels.js";
 import { standard } from "./scales.js";
+import { State } from "./state.js";
 import { isAngle, measured, parted, saying, told, word, written } from "./words.js";
 
 const HIGH = 198;
@@ -28,6 +29,8 @@ export class Charts {
    */
   constructor(parent, states, usual) {
     this.states = states;
+    /** @type {Map<string, State>} */
+    this.own = new Map();
     this.parent = parent;
     const bar = made("div", { class: "adding" }, parent);
     const label = made("label", {}, bar);
@@ -79,6 +82,17 @@ export class Charts {
     this.shown.get(name)?.card.scrollIntoView({ block: "nearest" });
   }
 
+  /**
+   * The place along rows that nothing moves along: one for all diagrams of a stage. A list has none.
+   * @param {import("./data.js").Stage} stage
+   */
+  along({ name, rows }) {
+    if (!rows?.header) return null;
+    const own = this.own.get(name) ?? new State(bare(rows));
+    this.own.set(name, own);
+    return own;
+  }
+
   /** @param {string} name */
   show(name) {
     const found = columnOf(name);
@@ -88,13 +102,22 @@ export class Charts {
     const known = this.states.filter(
       ({ view }) => header && view.column === header && (!view.stages.length || view.stages.includes(stage)),
     );
-    const state = known.find(({ view }) => view.room === room) ?? known[0] ?? null;
+    const state = known.find(({ view }) => view.room === room) ?? known[0] ?? this.along(found.stage);
     const gone = () => {
       this.shown.delete(name);
       this.chosen();
     };
     this.shown.set(name, new Chart(this.list, name, found, state, gone));
   }
+}
+
+/**
+ * A view of rows that no machine moves along.
+ * @param {NonNullable<import("./data.js").Stage["rows"]>} rows
+ */
+function bare({ name, unit, values }) {
+  const view = { name: "", symbol: name, unit, values, whole: false, column: "", steps: [], stops: [], reach: [], nudge: null };
+  return /** @type {import("./data.js").View} */ (/** @type {unknown} */ (view));
 }
 
 class Chart {
@@ -123,6 +146,7 @@ class Chart {
     this.caption = made("figcaption", {}, this.card);
     this.name = made("strong", {}, this.caption);
     this.value = made("button", { type: "button", class: "value" }, this.caption);
+    this.where = made("span", { class: "where" }, this.caption);
     this.meaning = made("span", { class: "meaning" }, this.caption);
     this.svg = drawn("svg", state ? { role: "slider", tabindex: 0 } : { role: "img" }, this.card);
     this.others = content.scenes.filter((each) => each !== scene()).flatMap((each) => {
@@ -233,7 +257,7 @@ class Chart {
     }
     const unit = told(this.rows.unit);
     /** @type {[string, string]} */
-    const over = this.state ? [this.state.view.symbol, ""] : parted(this.rows.name);
+    const over = this.state?.view.name ? [this.state.view.symbol, ""] : parted(this.rows.name);
     const place = { x: this.wide - RIGHT, y: HIGH - 6, "text-anchor": "end", class: "axis" };
     named(grid, over, place, unit ? `, ${unit}` : "");
     if (this.state) {
@@ -386,6 +410,11 @@ class Chart {
       this.dot.setAttribute("cy", String(this.up(this.y[k])));
     }
     this.value.textContent = measured(value, this.column.unit);
+    if (!this.state.view.name) {
+      this.where.replaceChildren(); // no player tells it
+      lettered(this.where, parted(this.rows.name));
+      this.where.append(` = ${measured(at, this.rows.unit, 4)}`);
+    }
     this.svg.setAttribute("aria-valuenow", String(at));
     this.svg.setAttribute("aria-valuetext", `${measured(at, this.state.view.unit, 5)}: ${this.value.textContent}`);
   }

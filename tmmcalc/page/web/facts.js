@@ -43,7 +43,7 @@ export function facts(parent, show) {
       const body = made("tbody", {}, table);
       for (const fact of stage.facts) {
         const row = made("tr", { "data-fact": `${stage.name}.${fact.name}` }, body);
-        listed(row, fact, () => columnFor(stage, fact.name), show);
+        listed(row, fact, () => columnFor(stage, fact), show);
         rows.push({ row, part, text: () => `${fact.name} ${told(fact.meaning)} ${typeof fact.value === "number" ? "" : valued(fact)} ${told(stage.title)}`.toLowerCase() });
       }
     }
@@ -171,12 +171,15 @@ function valued({ value, unit }) {
 }
 
 /**
- * The column that a fact is an extreme of, or belongs to: whose name begins it.
+ * The column that a fact is an extreme of, or the place of one: whose name begins it, in the same unit.
  * @param {import("./data.js").Stage} stage
- * @param {string} name
+ * @param {import("./data.js").Fact} fact
  */
-function columnFor(stage, name) {
-  const found = stage.columns.filter((each) => name === each.name || name.startsWith(`${each.name}_`));
+function columnFor(stage, { name, unit }) {
+  const found = stage.columns.filter((each) => {
+    const place = name.startsWith(`${each.name}_`) && /_at(_|$)/.test(name.slice(each.name.length));
+    return place || ((name === each.name || name.startsWith(`${each.name}_`)) && told(each.unit) === told(unit));
+  });
   found.sort((a, b) => b.name.length - a.name.length);
   return found.length ? `${stage.name}.${found[0].name}` : null;
 }

@@ -22,6 +22,7 @@ const BEYOND = 9; // its tip a sign stands
 const LEG = 110; // of an angle, in pixels
 const ARC = 84;
 const SIGN = 76; // of its sign and value
+const SHORT = 0.4; // of their length that legs have at least
 const USUAL = 560; // width of a drawing, below which legs are shorter
 
 export class Layer {
@@ -145,7 +146,9 @@ export class Layer {
     const { values, there, at } = state;
     const [from, to] = [trackAt(angle.start, values, there), trackAt(angle.end, values, there)];
     const [x, y] = [pose.x * scale, -pose.y * scale];
-    const small = Math.min(1, width / USUAL);
+    const edges = [-x0, -y0, width - x0, height - y0];
+    const room = Math.min(...[from, to].map((direction) => far([x, y], [Math.cos(direction), -Math.sin(direction)], edges)));
+    const small = Math.min(1, width / USUAL, Math.max(SHORT, room / LEG)); // legs end in sight
     const [leg, radius] = [small * LEG, small * ARC];
     /** @param {number} direction @param {number} far @returns {[number, number]} */
     const point = (direction, far) => [x + far * Math.cos(direction), y - far * Math.sin(direction)];
@@ -169,6 +172,16 @@ export class Layer {
     name.setAttribute("y", Math.min(height - y0 - 6, Math.max(16 - y0, ty)).toFixed(1));
     name.setAttribute("text-anchor", before ? "end" : "start");
   }
+}
+
+/**
+ * How far it is along a way from a place to the edges of the drawing.
+ * @param {number[]} at
+ * @param {number[]} way of length 1
+ * @param {number[]} edges left, top, right, bottom
+ */
+function far(at, way, edges) {
+  return Math.min(...way.map((part, k) => (part ? (edges[part < 0 ? k : k + 2] - at[k]) / part : Infinity)));
 }
 
 /**

@@ -14,6 +14,7 @@ import { Plane } from "./trials.js";
 import { forget, language, remember, saying, speak, told, word } from "./words.js";
 
 const FIRST = 4; // diagrams of a scene that asks for none
+const AIR = 32; // pixels above and below what stays in sight
 const ROWS = 8; // of a table that is a curve and no list
 const NUMBER = "i"; // of a row
 const BENT = 1e-3; // of its greatest value: what a curve differs from a straight line by
@@ -28,6 +29,14 @@ tools(/** @type {HTMLElement} */ (document.getElementById("tools")));
 const choice = content.scenes.length > 1 ? variants() : null;
 /** @type {Map<State, number>} */
 const states = new Map(); // those that are shown, with the place where each was put
+
+/** What moves stays in sight beside what is read, where the window has room for all of it. */
+const beside = () => {
+  const left = /** @type {HTMLElement | null} */ (main.querySelector(".moving"));
+  left?.classList.toggle("fits", left.offsetHeight + AIR <= innerHeight);
+};
+const sized = new ResizeObserver(beside);
+addEventListener("resize", beside);
 
 printed();
 remember();
@@ -56,6 +65,8 @@ function shown() {
   states.clear();
   const { views, trials, stages } = scene();
   const left = views.length || trials.length ? made("div", { class: "moving" }, main) : null;
+  sized.disconnect();
+  if (left) sized.observe(left);
   for (const view of views) {
     const state = new State(view);
     if (left) moved(left, state);
