@@ -344,9 +344,15 @@ def test_a_number_without_a_unit_has_none(open_page: Open) -> None:
     assert re.fullmatch(r"−?[\d.]+(·10\S+)?", value)
 
 
-def test_numbers_along_an_axis_are_seen_whole(open_page: Open) -> None:
-    found = open_page("elastic-drive", size=(390, 800))
-    found.page.locator(".adding select").select_option("transient/1.step_error")
+def test_numbers_along_an_axis_are_seen_whole(written: Written, open_page: Open, tmp_path: Path) -> None:
+    def listed(content: Any) -> None:
+        for stage in content["scenes"][0]["stages"]:
+            if stage["rows"]:
+                count = stage["rows"]["of"]
+                stage["rows"].update(header="", name="", unit="", values=stored(content, np.linspace(0, 1e5, count)))
+
+    found = open_page(altered(written("four-bar"), tmp_path / "listed.html", listed), size=(390, 800))
+    assert "100000" in found.page.locator(".chart text").all_text_contents()
     beyond = """() => [...document.querySelectorAll(".chart > svg")].flatMap((svg) => {
       const right = svg.getBoundingClientRect().right;
       return [...svg.querySelectorAll("text")].filter((each) => each.getBoundingClientRect().right > right + 0.5)

@@ -20,6 +20,7 @@ MODULES = (  # in this order: each imports from those before it
     "motion",
     "state",
     "marks",
+    "letters",
     "elements",
     "scales",
     "ghosts",

@@ -1,7 +1,8 @@
 // Diagrams of columns over the rows of their stage, with the place of the input, extremes and dead centres.
 import { columnOf, content, numbers, scene } from "./data.js";
 import { between } from "./motion.js";
-import { drawn, named } from "./marks.js";
+import { named } from "./letters.js";
+import { drawn } from "./marks.js";
 import { called, copied, lettered, made, resized, signed, WIDE, widthIn } from "./elements.js";
 import { keep, kept } from "./kept.js";
 import { keyed, turning } from "./keys.js";
@@ -12,7 +13,7 @@ import { isAngle, measured, parted, saying, told, word, written } from "./words.
 
 const HIGH = 198;
 const LEFT = 62; // at least
-const DIGIT = 6.9; // width of a figure of an axis
+const DIGIT = 7.7; // width of a figure of an axis, in a wide font
 const RIGHT = 14;
 const TOP = 12;
 const BOTTOM = 34;

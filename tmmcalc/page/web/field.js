@@ -1,7 +1,8 @@
 // The plane of a trial as it is drawn in one shape: regions, lines, points, the hand, and the sketch of its point.
 import { numbers } from "./data.js";
 import { around, settled } from "./labels.js";
-import { drawn, named } from "./marks.js";
+import { named } from "./letters.js";
+import { drawn } from "./marks.js";
 import { standard } from "./scales.js";
 import { Sketch } from "./sketch.js";
 import { parted, told, word, written } from "./words.js";

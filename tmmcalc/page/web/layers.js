@@ -2,7 +2,8 @@
 import { columnOf, numbers } from "./data.js";
 import { boxAt, free } from "./labels.js";
 import { between, placed, STILL, trackAt } from "./motion.js";
-import { drawn, head, named, sized } from "./marks.js";
+import { named, sized } from "./letters.js";
+import { drawn, head } from "./marks.js";
 import { perPixel, scaleTold } from "./scales.js";
 import { measured, parted } from "./words.js";
 

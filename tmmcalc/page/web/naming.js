@@ -1,8 +1,9 @@
 // Names of points and numbers of links in a scene, each at one place beside what it names over the whole motion.
 import { around, settled } from "./labels.js";
-import { BLOCK, drawn, PIVOT, RING, sized } from "./marks.js";
+import { sized } from "./letters.js";
+import { BLOCK, drawn, PIVOT, RING } from "./marks.js";
 import { between, placed, STILL } from "./motion.js";
-import { spelled } from "./words.js";
+import { parted } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./labels.js").Pair} Pair */
@@ -34,7 +35,7 @@ export function putNames(scene) {
   /** @type {number[]} */
   const drops = [];
   for (const spot of scene.view.spots) {
-    const { size, drop } = sized(spelled(spot.name).filter(Boolean).join("_"), FONT);
+    const { size, drop } = sized(parted(spot.name).filter(Boolean).join("_"), FONT);
     drops.push(drop);
     /** @type {import("./labels.js").Pair[]} */
     const choices = spot.kind === "word" ? [[0, 0], ...around(...size)] : around(...size);

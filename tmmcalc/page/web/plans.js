@@ -2,7 +2,8 @@
 import { numbers } from "./data.js";
 import { between } from "./motion.js";
 import { around, boxAt, free } from "./labels.js";
-import { drawn, head, sized, texted } from "./marks.js";
+import { sized, texted } from "./letters.js";
+import { drawn, head } from "./marks.js";
 import { folding, made, resized, WIDE, widthIn } from "./elements.js";
 import { keep, kept } from "./kept.js";
 import { perPixel, scaleTold } from "./scales.js";

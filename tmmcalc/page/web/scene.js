@@ -6,8 +6,9 @@ import { boxAt } from "./labels.js";
 import { Layer } from "./layers.js";
 import { isThere, placed, poseOf, posesOf, STILL } from "./motion.js";
 import { putNames } from "./naming.js";
-import { centreOfMass, COLOURS, draw, drawn, named, PIN, put, RING, stretch } from "./marks.js";
-import { parted, spelled, told, word } from "./words.js";
+import { named } from "./letters.js";
+import { centreOfMass, COLOURS, draw, drawn, PIN, put, RING, stretch } from "./marks.js";
+import { parted, told, word } from "./words.js";
 
 const WIDE = 760;
 const LEAST = 480; // width of a tall scene: it is larger on a narrow screen
@@ -128,7 +129,7 @@ export class Scene {
     if (spot.kind === "pin") drawn("circle", { r: PIN, class: "joint" }, group);
     else if (spot.kind === "mass") centreOfMass(group);
     else if (spot.kind === "point") drawn("circle", { r: 2, class: "dot" }, group);
-    named(group, spelled(spot.name), { class: "name", "text-anchor": "middle" });
+    named(group, parted(spot.name), { class: "name", "text-anchor": "middle" });
     return group;
   }
 

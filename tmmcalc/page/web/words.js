@@ -146,16 +146,6 @@ export function parted(name) {
 }
 
 /**
- * The name of a point as it is set: its number is an index.
- * @param {string} name
- * @returns {[string, string]}
- */
-export function spelled(name) {
-  const found = /^([A-Za-z]+)_?(\d+)$/.exec(name);
-  return found ? [found[1], found[2]] : [name, ""];
-}
-
-/**
  * Whether a name is one of programs, no letter with an index.
  * @param {string} name
  */
