@@ -78,8 +78,8 @@ def runs(text: Text) -> str:
                 if k and isinstance(said := parts[k - 1], str) and not said.endswith(" "):
                     before = said.rpartition(" ")[2]
                     found[-1] = _typed(said.removesuffix(before))
-                if isinstance(said := parts[k + 1] if k + 1 < len(parts) else None, str):
-                    after, space, rest = said.partition(" ")
+                if k + 1 < len(parts) and isinstance(following := parts[k + 1], str):
+                    after, space, rest = following.partition(" ")
                     parts[k + 1] = space + rest
                 found.append(f"<m:oMath>{_worded(before)}{omml(part)}{_worded(after)}</m:oMath>")
     return "".join(found)
@@ -123,13 +123,13 @@ def _letters(box: Box) -> str:
         case Sign("/"):
             return _typed("/")
         case Script(Letter() | Word() as base, lower, upper, primes):
-            found = _letters(base)
+            said = _letters(base)
             for index, place in ((lower, "subscript"), (upper, "superscript")):
                 told = "" if index is None else plain(index).replace("_", "")
                 if not re.fullmatch(r"[\w′,–()+-]*", told):
                     return ""
-                found += _typed(told, f'<w:rPr><w:vertAlign w:val="{place}"/></w:rPr>')
-            return found + _typed("′" * primes)
+                said += _typed(told, f'<w:rPr><w:vertAlign w:val="{place}"/></w:rPr>')
+            return said + _typed("′" * primes)
     return ""
 
 

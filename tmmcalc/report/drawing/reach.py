@@ -56,8 +56,8 @@ def trimmed(drawing: Drawing, margin: float = 1.0) -> Drawing:
     high = max(min(drawing.height, box.top + margin), box.top)
     strips = _blank(drawing.shapes, boxes)
     left, right = min(0.0, box.left), max(drawing.width, box.right)
-    size = (math.ceil(10 * each) / 10 for each in (right - left, high - low - sum(strips.values())))
-    found = Drawing(*size, drawing.title)
+    wide, tall = (math.ceil(10 * each) / 10 for each in (right - left, high - low - sum(strips.values())))
+    found = Drawing(wide, tall, drawing.title)
     for shape, own in zip(drawing.shapes, boxes, strict=True):
         down = low + sum(size for place, size in strips.items() if own.bottom >= place)
         found.add(moved(shape, complex(-left, -down)))
