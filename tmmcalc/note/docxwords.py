@@ -117,7 +117,7 @@ def _letters(box: Box) -> str:
             found = [*map(_letters, boxes)]
             return "".join(found) if all(found) else ""
         case Letter(text):
-            return _typed(text, "<w:rPr><w:i/></w:rPr>")
+            return _typed(text, "" if "Α" <= text <= "Ω" else "<w:rPr><w:i/></w:rPr>")
         case Word(text) if text.strip():
             return _typed(text)
         case Sign("/"):
