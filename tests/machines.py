@@ -9,6 +9,7 @@ from written import PINS, link, slide
 
 from tmmcalc.core.numerics.panels import panels
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.motion import Positions
 
 TURN = 2 * math.pi
 
@@ -29,10 +30,10 @@ def steps(loads: tuple[float, ...], speed: float = 10.0, inertia: float = 1.0) -
     return Cycle(on, zero + inertia, zero, load, zero, zero, speed)
 
 
-def positions(n: int, sense: float = 1.0) -> tuple[tuple[str, ...], np.ndarray, np.ndarray]:
+def positions(n: int, sense: float = 1.0) -> Positions:
     """Labels, phi and theta of n equal steps."""
     theta = np.linspace(0.0, TURN, n + 1)
-    return tuple(map(str, range(n + 1))), sense * theta, theta
+    return Positions(tuple(map(str, range(n + 1))), sense * theta, theta)
 
 
 LINKAGE = {

@@ -57,7 +57,7 @@ def test_regimes_are_those_of_each_machine(name: str, constant: float) -> None:
     given, alone = cycles()
     found = regimes(machines_of(*given, len(alone), constant, MOTORS[name]))
     theta = np.linspace(0.0, PERIOD, 41)
-    at = places(found.machines, theta)
+    at = places(found.machines, theta, np.zeros(len(theta), bool))
     assert found.clear.all()
     for k, cycle in enumerate(alone):
         regime = driven(cycle, constant, MOTORS[name])

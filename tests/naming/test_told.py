@@ -189,6 +189,14 @@ def test_meanings_are_of_what_they_name(scene: RunResult) -> None:
     assert told(scene, "forces.R_A_max_at_phi").meaning == "largest reaction in A: phi there"
 
 
+def test_the_ends_of_a_column_are_of_the_column() -> None:
+    """Of the law of the input S_1 is the way of a phase; output 1 has a column of this name."""
+    whole = run(tmmcalc.load_spec(SHAPER.with_name("crane-luffing.toml")), target=("unsteady",))
+    assert told(whole, "unsteady.S_1").meaning == "way of each of the outer phases"
+    assert told(whole, "unsteady.S_1_start").meaning.startswith("coordinate of output 1")
+    assert told(whole, "unsteady.S_1_end").unit == "deg"
+
+
 def test_columns_have_meanings() -> None:
     whole = run(tmmcalc.load_spec(SHAPER, ["motion.inertia=100"]), target=("balance",))
     assert told(whole, "balance.max(M_R)").meaning == "shaking moment about the chosen point: max"

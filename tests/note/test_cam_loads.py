@@ -24,7 +24,7 @@ from tmmcalc.project import load_spec
 from tmmcalc.report.formula.digits import EXACT
 from tmmcalc.report.formula.plain import plain
 from tmmcalc.report.language import speaking, tr_name
-from tmmcalc.report.manuscript import Chapter
+from tmmcalc.report.manuscript import Chapter, Table
 from tmmcalc.rooms import CHAPTERS
 
 ONLY = ("cams",)
@@ -328,3 +328,34 @@ def test_ukrainian_has_no_english_left(kind: str, tmp_path: Path) -> None:
 )
 def test_what_is_special_is_said(kind: str, said: str, tmp_path: Path) -> None:
     assert said in text(Assembler().written(told_of(kind, tmp_path)))
+
+
+def test_an_extreme_that_a_dwell_keeps_is_told_with_the_dwell() -> None:
+    """The part is pushed out until the end of the far dwell; in the near one the spring alone presses."""
+    (cam,) = told("course-project", None, ONLY)
+    rows = next(each for each in cam.blocks if isinstance(each, Table) and each.key == "cam_extremes").rows
+    (load,) = [row for row in rows if row[0].startswith("$P_c$")]
+    assert (load[2], load[4]) == ("80–100", "190–360")
+    (force,) = [row for row in rows if row[0].startswith("$R$")]
+    assert "–" not in force[2] + force[4]  # friction has its sense while the follower moves
+    assert "touches the curve" in text(Assembler().written([cam]))
+    assert "it does so over the dwell from φ = 190° to 360°" in text(Assembler().written([cam]))
+
+
+def test_every_angular_velocity_of_the_cam_has_its_name() -> None:
+    """That of a position, the given one, by which friction is reduced, and the mean of the time."""
+    said = text(Assembler().written(told("course-project", None, ONLY)))
+    assert "ω_n – given angular velocity of the cam" in said
+    assert "ω_t – mean angular velocity of the cam over the time of a turn" in said
+    assert "ω_m" not in said
+    for label in (4, 17):
+        first, even = re.findall(rf"pos\. {label}(?:, by [^:]*)?: R = .* = (\S+) N", said)
+        friction = next(line for line in said.splitlines() if f"pos. {label}: M_cF" in line)
+        assert first != even
+        assert f"|{even[:5]}" in friction
+
+
+def test_two_sides_of_a_position_are_said_to_be_so() -> None:
+    said = text(Assembler().written(told("course-project", None, ONLY)))
+    assert "Rows 0 and 26 are one position" in said
+    assert "Where the technological load jumps in a position (here 13)" in said

@@ -149,6 +149,19 @@ def test_the_position_of_the_working_stroke_is_one_with_its_load() -> None:
     assert places - {""} == {"pos. 9", "pos. 18"}
 
 
+@pytest.mark.parametrize(
+    ("name", "wanted"), [("press", {"10", "2"}), ("shaper", {"7", "19"}), ("trammel", {"5", "17"})]
+)
+def test_a_position_is_shown_in_which_links_move_and_stand_aslant(name: str, wanted: set[str]) -> None:
+    """In the middle of the strokes of the press its rod turns back and its crank stands across; 10 has more load."""
+    lines = [block for block in blocks(told(name, only=("kinematics",))) if isinstance(block, Line)]
+    assert {place.name for line in lines for place in line.places} - {""} == {f"pos. {label}" for label in wanted}
+    for line in lines:
+        if str(line.formula.sides[0]).startswith(("omega", "phi")):
+            for place in line.places:
+                assert abs(value_of(line.formula.sides[0], place.lexicon)) > 1e-3
+
+
 @pytest.mark.parametrize("name", ["course-project", "shaper", "four-dyads"])
 def test_an_angle_has_the_same_whole_turns_in_all_chapters_and_in_the_table(name: str) -> None:
     known: dict[tuple[str, str], float] = {}

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from note.scenes import blocks, told, written
+from note.scenes import CONFIGS, blocks, told, written
 from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.plaintext import text
 from tmmcalc.pipeline.chapters import chapters_of, stages_of
@@ -19,7 +19,7 @@ from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
 from tmmcalc.report.drawing.order import POSITIONS
 from tmmcalc.report.formula.tree import Name
-from tmmcalc.report.manuscript import Chapter, Table
+from tmmcalc.report.manuscript import Chapter, Paragraph, Result, Table
 from tmmcalc.rooms import CHAPTERS
 
 CASES = {
@@ -136,6 +136,24 @@ def test_a_flywheel_that_is_there_has_its_rim_told() -> None:
     assert found["m_r"] * (found["D_o"] ** 2 + found["D_i"] ** 2) / 8 == pytest.approx(0.9 * 186, rel=2e-4)
 
 
+@pytest.mark.parametrize(
+    ("key", "value", "said"),
+    [
+        ("flywheel.diameter", "12000 mm", "the rim runs at "),
+        ("flywheel.width", "15 mm", "more disk than rim"),
+        ("flywheel.diameter", "9 mm", "o such rim"),
+    ],
+)
+def test_what_speaks_against_a_flywheel_that_is_there_is_told(key: str, value: str, said: str) -> None:
+    """The stage sizes its rim at the largest speed of the motion, and its verdicts are among those of the motion."""
+    change = f'{key}="{value}"'
+    done = run(load_spec(CONFIGS / "shaper.toml", [change]), target=["motion"])
+    motion = done.results["motion"]
+    assert any(said in str(verdict) for verdict in motion.verdicts)
+    note = text(Assembler().written(told("shaper", only=("motion",), changed=[change])))
+    assert ("The condition fails" if "runs" in said else said) in note
+
+
 def test_a_time_optimal_motion_is_that_of_the_textbook() -> None:
     """Phases of 4 s each, a travel of 1.6 m (2.10.2.4)."""
     found = values(told("crane-luffing", only=("unsteady",)))
@@ -162,3 +180,29 @@ def test_every_motion_in_time_is_told() -> None:
     titles: list[Any] = re.findall(r"^1\.\d\.\d Motion “(.*)”$", found, re.MULTILINE)
     assert titles == ["run-down", "self-excited", "field apart", "plugging", "regenerative"]
     assert "ω_e = r_a/κ" in found
+
+
+@pytest.mark.parametrize(
+    ("name", "counted"), [("shaper", {"2", "12"}), ("press", set())], ids=("a load that jumps", "friction alone")
+)
+def test_a_moment_that_jumps_is_the_same_in_all_tables_or_it_is_said(name: str, counted: set[str]) -> None:
+    """The cutting force counts at both ends of its action; positions 0 and n are two sides of one."""
+    found = blocks(told(name, only=("reduction", "motion")))
+    tables = {each.key: each for each in found if isinstance(each, Table)}
+    said = " ".join(each.text for each in found if isinstance(each, Paragraph))
+    reduced, exact = tables["reduction_moments"], tables["motion_exact"]
+    nodal = tables["motion_turns" if name == "shaper" else "motion_energies"]
+    whole = next(k for k, head in enumerate(reduced.head) if "M_red" in head)
+    own = {row[0]: row[whole] for row in reduced.rows if row[1]}
+    assert own == {row[0]: row[exact.head.index("$M_c$, N·m")] for row in exact.rows}
+    taken = {row[0]: row[nodal.head.index("$M_c$, N·m")] for row in nodal.rows}
+    apart = [label for label in own if own[label] != taken[label]]
+    assert f"$M_c$ jumps in a position (here {', '.join(apart)})" in said
+    assert f"Rows 0 and {reduced.rows[-2][0]} are one position" in said
+    assert all(f"begins or ends in a position (here {', '.join(sorted(counted, key=int))})" in said for _ in counted)
+
+
+def test_a_time_that_is_given_is_no_result() -> None:
+    """The start-up is followed for 15 s; the stop ends by itself."""
+    results = [each for each in blocks(told("course-project", only=("motion",))) if isinstance(each, Result)]
+    assert [each.place for each in results if each.given.meaning == "time of the motion"] == ["emergency stop"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from itertools import pairwise
 
 import numpy as np
@@ -15,6 +16,8 @@ from tmmcalc.gears.layouts import LAYOUTS
 from tmmcalc.gears.model import ToothSets
 from tmmcalc.gears.notes.inorder import Equation, Together, in_order
 from tmmcalc.gears.notes.letters import noted
+from tmmcalc.note.assembled import Assembler
+from tmmcalc.note.plaintext import text
 from tmmcalc.pipeline.chapters import chapters_of, stages_of
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import parse_spec
@@ -159,10 +162,17 @@ def test_the_course_of_the_choice_adds_up_and_its_best_train_is_the_chosen_one(n
         found, *lost, left = (int(row[column]) for row in sieve.rows)
         assert found - sum(lost) == left
     best = tables["criteria_best"]
-    assert best.rows[0][1].endswith("*")
+    assert best.rows[0][1] == tables["criteria_front"].rows[0][0]
     by = -1 if best.head[-1] == "$S$" else best.head.index("inertia, kg·m²")
     order = [float(row[by]) for row in best.rows]
     assert order == sorted(order)
     for key in (each for each in tables if each.endswith("_removed")):
         counts = [[int(cell.replace("\u202f", "")) for cell in row[2:]] for row in tables[key].rows]
         assert all(before - removed == after for (before, removed), (after, _) in pairwise(counts))
+
+
+def test_a_whole_number_is_said_to_be_one_and_trains_are_named_by_their_teeth() -> None:
+    said = text(Assembler().written(told("course-project", only=("gears",))))
+    assert re.search(r"assembly +2010 is whole +kept", said)
+    assert "2010 = 2010" not in said
+    assert re.search(r"The best mass: [\d.]+ kg, train \d+/\d+/\d+/\d+\.", said)

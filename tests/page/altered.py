@@ -32,3 +32,11 @@ def stored(content: Any, values: Sequence[float]) -> list[int]:
     block = np.frombuffer(base64.b64decode(content["block"]), "<f4")
     content["block"] = base64.b64encode(np.append(block, np.array(values, "<f4")).tobytes()).decode()
     return [len(block), len(values)]
+
+
+def contents(file: Path) -> tuple[Any, Any]:
+    """The content of a page and the numbers of its block."""
+    found = CONTENT.search(file.read_text(encoding="utf-8"))
+    assert found
+    content = json.loads(found[2])
+    return content, np.frombuffer(base64.b64decode(content["block"]), "<f4")

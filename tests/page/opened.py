@@ -31,6 +31,10 @@ class Opened(NamedTuple):
         return self.page.locator("[data-view=kinematics] input[type=range]")
 
     @property
+    def variants(self) -> Any:
+        return self.page.locator(".variants input")
+
+    @property
     def at(self) -> float:
         """Where the input stands, all digits of it."""
         return float(self.slider.input_value())
@@ -49,9 +53,11 @@ class Opened(NamedTuple):
 
     def move(self, at: float) -> None:
         """Move the slider as a hand would, to any place."""
-        self.slider.evaluate(
-            "(slider, at) => { slider.value = String(at); slider.dispatchEvent(new Event('input')); }", at
-        )
+        slid(self.slider, at)
+
+    def choose(self, k: int) -> None:
+        """Show another variant."""
+        slid(self.variants, k)
 
     def wait(self, beyond: float) -> None:
         """Until what plays has gone beyond a place."""
@@ -66,6 +72,11 @@ class Opened(NamedTuple):
     def bodies(self) -> dict[str, Any]:
         """By body, the matrix from the axes of its drawing to the screen."""
         return {name: np.array(m) for name, m in self.page.evaluate(BODIES).items()}
+
+
+def slid(slider: Any, at: float) -> None:
+    """Move a slider as a hand would, to any place."""
+    slider.evaluate("(each, at) => { each.value = String(at); each.dispatchEvent(new Event('input')); }", at)
 
 
 def opened(browser: Any, file: Path, size: tuple[int, int], **context: Any) -> Opened:

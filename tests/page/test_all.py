@@ -14,7 +14,8 @@ LOST = """() => [...document.querySelectorAll("[transform], [d], [points], [x1],
   [...each.attributes].some((one) => /NaN|Infinity|undefined/.test(one.value))).map((each) => each.outerHTML)"""
 OUTSIDE = """() => [...document.querySelectorAll("body *")].filter((each) => {
   const box = each.getBoundingClientRect();
-  const inner = each.closest("pre, svg, .unseen") !== null && !each.matches("pre, body > * svg.scene, .chart > svg");
+  const whole = each.matches("pre, body > * svg.scene, .chart > svg");
+  const inner = !whole && each.closest("pre, svg, .unseen, .list") !== null;
   return !inner && box.width > 0 && (box.right > innerWidth + 0.5 || box.left < -0.5);
 }).map((each) => each.outerHTML.slice(0, 80))"""
 LEAST = 10.7  # pixels of the window that a letter is high, of an index 0.7 of them

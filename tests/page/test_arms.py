@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from page.conftest import Open
-from page.opened import Opened
+from page.opened import Opened, slid
 from page.scenes import CONFIGS, Fit
 from tmmcalc.manipulators.solve import solve_manipulator
 from tmmcalc.manipulators.tables.tasks.manipulator import to_manipulator
@@ -19,10 +19,9 @@ MIDDLE = "spot => { const m = spot.getScreenCTM(); return [m.e, m.f]; }"
 OTHERS = ("extra-transloader", "pendulum-rotor", "synth-motion", "vibratory-device")
 
 
-def slid(found: Opened, at: float) -> None:
-    found.page.locator(".view input[type=range]").first.evaluate(
-        "(slider, at) => { slider.value = String(at); slider.dispatchEvent(new Event('input')); }", at
-    )
+def first(found: Opened) -> Any:
+    """The slider of the first view."""
+    return found.page.locator(".view input[type=range]").first
 
 
 def seen(found: Opened) -> complex:
@@ -39,7 +38,7 @@ def test_the_gripper_is_seen_where_its_stage_has_it(name: str, open_page: Open) 
     found = open_page(name)
     places = []
     for at in result.t:
-        slid(found, float(at))
+        slid(first(found), float(at))
         places.append(seen(found))
     fit = Fit([complex(z) for z in true], places)
     assert fit.error < 1e-3 * fit.size
@@ -48,9 +47,9 @@ def test_the_gripper_is_seen_where_its_stage_has_it(name: str, open_page: Open) 
 def test_a_hand_takes_the_gripper_from_its_rest(open_page: Open) -> None:
     found = open_page("manipulator")
     start = seen(found)
-    slid(found, 0.8)
+    slid(first(found), 0.8)
     way = seen(found)
-    slid(found, 0.0)
+    slid(first(found), 0.0)
     mouse = found.page.mouse
     mouse.move(start.real, -start.imag + 6)
     mouse.down()
@@ -66,11 +65,11 @@ def test_other_scenes_move(name: str, open_page: Open) -> None:
     """Something is drawn elsewhere at another place of the input, and nothing is no number."""
     found = open_page(name)
     shapes = "() => document.querySelector('.scene').innerHTML"
-    slider = found.page.locator(".view input[type=range]").first
+    slider = first(found)
     low, high = float(slider.get_attribute("min")), float(slider.get_attribute("max"))
     drawn = set()
     for part in (0.0, 0.3, 0.55, 0.8):
-        slid(found, low + part * (high - low))
+        slid(first(found), low + part * (high - low))
         drawn.add(found.page.evaluate(shapes))
     assert len(drawn) == 4
     assert not any("NaN" in each for each in drawn)

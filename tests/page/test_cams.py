@@ -7,8 +7,7 @@ from typing import Any
 import pytest
 
 from page.conftest import Open
-
-SET = "(e, at) => { e.value = String(at); e.dispatchEvent(new Event('input', { bubbles: true })); }"
+from page.opened import slid
 
 
 def slider(page: Any, view: str) -> Any:
@@ -23,9 +22,9 @@ def test_a_cam_on_the_crank_turns_with_it(open_page: Open) -> None:
     """Its rise begins where the crank has turned by 230 degrees."""
     page = open_page("course-project").page
     assert stands(page, "cam_profile") == pytest.approx(130)
-    slider(page, "kinematics").evaluate(SET, 250)
+    slid(slider(page, "kinematics"), 250)
     assert stands(page, "cam_profile") == pytest.approx(20)
-    slider(page, "cam_profile").evaluate(SET, 300)
+    slid(slider(page, "cam_profile"), 300)
     assert stands(page, "kinematics") == pytest.approx(170)
     assert stands(page, "cam_region") == pytest.approx(300)
 
@@ -51,3 +50,20 @@ def test_a_cam_is_turned_by_hand(open_page: Open) -> None:
     page.mouse.move(x - 0.7 * reach, y - 0.7 * reach, steps=4)
     page.mouse.up()
     assert 20 < stands(page, "cam_profile") < 70  # clockwise, about an eighth of a turn
+
+
+LEGS = """() => [...document.querySelectorAll(".view .layer .leg")].filter((leg) => {
+  const { width, height } = leg.ownerSVGElement.viewBox.baseVal;
+  const end = new DOMPoint(leg.getAttribute("x2"), leg.getAttribute("y2"));
+  const at = end.matrixTransform(leg.ownerSVGElement.getCTM().inverse().multiply(leg.getCTM()));
+  return at.x < -1 || at.x > width + 1 || at.y < -1 || at.y > height + 1;
+}).length"""
+
+
+@pytest.mark.parametrize("name", ["cam", pytest.param("cam-rocker-optimum", marks=pytest.mark.slow)])
+def test_legs_of_the_pressure_angle_end_in_sight(name: str, open_page: Open) -> None:
+    page = open_page(name).page
+    slider = page.locator("[data-view=cam_profile] .player input")
+    for at in range(0, 360, 15):
+        slider.evaluate("(slider, at) => { slider.value = at; slider.dispatchEvent(new Event('input')); }", str(at))
+        assert page.evaluate(LEGS) == 0

@@ -9,10 +9,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from page.altered import altered, stored
+from page.altered import altered, contents, stored
 from page.conftest import Open, Written
 from page.opened import Opened
 from page.scenes import CONFIGS, Real, solved, write
+from tmmcalc.core.stage import STAGES
+from tmmcalc.pipeline.runner import run
+from tmmcalc.project import load_spec
 
 ERROR = 6e-6  # of a value that is written with six digits, and of a single float
 LEFT, RIGHT, WIDE = 62, 14, 560  # of the plane of a diagram
@@ -177,8 +180,8 @@ def test_keys_move_the_input_in_a_diagram(open_page: Open) -> None:
 
 def test_what_no_key_moves_takes_no_focus(open_page: Open) -> None:
     page = open_page("pair-blocking").page
-    page.locator(".adding select").select_option("pair.s")
-    plane = page.locator('.chart[data-column="pair.s"] > svg')
+    page.locator(".adding select").select_option("blocking/1.x2")  # a list
+    plane = page.locator('.chart[data-column="blocking/1.x2"] > svg')
     assert plane.get_attribute("tabindex") is None
     assert plane.get_attribute("role") == "img"
 
@@ -260,3 +263,127 @@ def test_a_diagram_overlays_what_is_alike_in_its_whole_length(open_page: Open, t
                 for kind in (".other", ":not(.other)")
             ]
             assert ends == pytest.approx([wide - RIGHT, (LEFT + wide - RIGHT) / 2], abs=0.2)
+
+
+# how near a curve comes to the middles of the texts beside its extremes, over their heights
+APART = """() => [...document.querySelectorAll(".chart")].flatMap((chart) => {
+  const curve = chart.querySelector("path.curve:not(.other):not(.jump)");
+  const steps = Array.from({ length: 4001 }, (_, k) => curve.getPointAtLength((k / 4000) * curve.getTotalLength()));
+  return [...chart.querySelectorAll("text.extreme")].map((text) => {
+    const { x, y, width, height } = text.getBBox();
+    const inside = steps.filter((at) => x < at.x && at.x < x + width && y + 3 < at.y && at.y < y + height - 3);
+    return [chart.dataset.column, text.textContent, inside.length];
+  });
+})"""
+
+
+@pytest.mark.parametrize("name", ["cam", "shaper", "crane-luffing"])
+def test_values_of_extremes_stand_beside_the_curve(name: str, open_page: Open) -> None:
+    found = open_page(name).page.evaluate(APART)
+    assert len(found) >= 8
+    assert [each for each in found if each[2]] == []
+
+
+def test_what_has_no_columns_asks_for_no_diagram(open_page: Open) -> None:
+    page = open_page("dyad").page
+    assert not page.get_by_label("Add a diagram").is_visible()
+    assert page.get_by_role("searchbox").is_visible()
+
+
+def test_a_first_diagram_is_a_curve(open_page: Open) -> None:
+    """Neither a straight line nor what rounding leaves."""
+    for name, shown in (("pair-rack", ["pair.theta1"]), ("synth-dwell", ["synthesis.theta"])):
+        charts = open_page(name).page.eval_on_selector_all(".chart", "all => all.map(each => each.dataset.column)")
+        assert charts == shown
+
+
+def test_long_numbers_of_an_axis_are_whole(written: Written, open_page: Open, tmp_path: Path) -> None:
+    def tiny(content: Any) -> None:
+        [stage] = [each for each in content["scenes"][0]["stages"] if each["name"] == "kinematics"]
+        for each in stage["columns"]:
+            each["values"] = stored(content, (-3.5e-16 + 1e-16 * np.sin(np.arange(361))).tolist())
+
+    page = open_page(altered(written("four-bar"), tmp_path / "tiny.html", tiny)).page
+    ends = page.eval_on_selector_all(".chart .grid text[text-anchor=end]", "all => all.map((text) => text.getBBox().x)")
+    assert min(ends) >= 0
+
+
+@pytest.mark.parametrize(
+    ("name", "stage", "course", "along"),
+    [
+        ("vibratory-device", "vibrator", "start", "t[s]"),
+        ("vibratory-device", "vibrator", "curve", "omega[rad/s]"),
+        ("pendulum-rotor", "pendulum", "swing", "t[s]"),
+        ("electric-braking", "transient", "plugging", "t[s]"),
+    ],
+)
+def test_courses_of_one_table_have_diagrams_of_their_own(
+    name: str, stage: str, course: str, along: str, written: Written
+) -> None:
+    """Modes, a resonance curve, motions in time stand below one another: no curve goes through all of them."""
+    table = STAGES[stage].table(run(load_spec(CONFIGS / f"{name}.toml"), target=[stage]).results[stage])
+    labels = [*dict.fromkeys(table.columns[0])]
+    here = np.asarray(table.columns[0]) == course
+    content, block = contents(written(name))
+    stages = {each["name"]: each for each in content["scenes"][0]["stages"]}
+    assert stages[stage]["rows"] is None
+    found = stages[f"{stage}/{labels.index(course) + 1}"]
+    assert found["rows"]["header"] == along
+    for column in found["columns"]:
+        [k] = [k for k, header in enumerate(table.header) if header.split("[")[0] == column["name"]]
+        true = np.asarray(np.asarray(table.columns[k])[here], float)
+        at, count = column["values"]
+        assert count == len(true)
+        assert np.allclose(block[at : at + count], true, rtol=1e-6, atol=1e-9 * np.abs(true).max())
+
+
+def test_a_number_without_a_unit_has_none(open_page: Open) -> None:
+    found = open_page("shaper")
+    found.page.locator(".adding select").select_option("forces.virtual")
+    value = found.page.locator("[data-column='forces.virtual'] button.value").inner_text()
+    assert re.fullmatch(r"−?[\d.]+(·10\S+)?", value)
+
+
+def test_numbers_along_an_axis_are_seen_whole(written: Written, open_page: Open, tmp_path: Path) -> None:
+    def listed(content: Any) -> None:
+        for stage in content["scenes"][0]["stages"]:
+            if stage["rows"]:
+                count = stage["rows"]["of"]
+                stage["rows"].update(header="", name="", unit="", values=stored(content, np.linspace(0, 1e5, count)))
+
+    found = open_page(altered(written("four-bar"), tmp_path / "listed.html", listed), size=(390, 800))
+    assert "100000" in found.page.locator(".chart text").all_text_contents()
+    beyond = """() => [...document.querySelectorAll(".chart > svg")].flatMap((svg) => {
+      const right = svg.getBoundingClientRect().right;
+      return [...svg.querySelectorAll("text")].filter((each) => each.getBoundingClientRect().right > right + 0.5)
+        .map((each) => each.textContent);
+    })"""
+    assert found.page.evaluate(beyond) == []
+
+
+def test_a_result_of_another_kind_leads_to_no_diagram(open_page: Open) -> None:
+    """Whether a torque is assumed is no torque; where it is largest is told beside how large it is."""
+    rows = open_page("gears-ravigneaux").page
+    assert rows.locator('[data-fact="gearing.torque_is_assumed"] .show').count() == 0
+    assert rows.locator('[data-fact="gearing.power_in"] .show').count() == 1
+    rows = open_page("shaper").page
+    assert rows.locator('[data-fact="forces.R_A_max_at_phi"] .show').count() == 1
+
+
+def test_where_nothing_moves_a_diagram_is_read_by_hand(open_page: Open) -> None:
+    """Of a resonance curve and a start: a click and keys show values; diagrams of one course go together."""
+    page = open_page("vibratory-device").page
+    page.locator(".adding select").select_option("vibrator/2.y")
+    values = [page.locator(f'.chart[data-column="{name}"] button.value') for name in ("vibrator/2.x", "vibrator/2.y")]
+    before = [each.inner_text() for each in values]
+    other = page.locator('.chart[data-column="vibrator/4.x"] button.value')
+    still = other.inner_text()
+    assert all(each.endswith(" m") for each in before)
+    plane = page.locator('.chart[data-column="vibrator/2.x"] > svg')
+    plane.click()
+    after = [each.inner_text() for each in values]
+    assert all(one != two for one, two in zip(before, after, strict=True))
+    plane.focus()
+    page.keyboard.press("Home")
+    assert [each.inner_text() for each in values] == before
+    assert other.inner_text() == still

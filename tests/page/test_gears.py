@@ -9,10 +9,10 @@ import pytest
 
 import tmmcalc
 from page.conftest import Open
+from page.opened import slid
 from page.scenes import CONFIGS
 from tmmcalc.pipeline.runner import run
 
-SET = "(e, at) => { e.value = String(at); e.dispatchEvent(new Event('input', { bubbles: true })); }"
 ANGLES = """view => Object.fromEntries([...view.querySelectorAll(".body")].map((body) => {
   const m = body.getScreenCTM();
   return [body.dataset.body, Math.atan2(-m.b, m.a)];
@@ -24,9 +24,9 @@ TOLD = """view => [...view.querySelectorAll(".readings tr")].map((row) =>
 def turned(view: Any, begin: float, end: float) -> dict[str, float]:
     """How far bodies turn on the screen while the input goes on a little, counter-clockwise [rad]."""
     slider = view.locator("input[type=range]").first
-    slider.evaluate(SET, begin)
+    slid(slider, begin)
     before = view.evaluate(ANGLES)
-    slider.evaluate(SET, end)
+    slid(slider, end)
     after = view.evaluate(ANGLES)
     return {name: math.remainder(after[name] - before[name], 2 * math.pi) for name in before}
 

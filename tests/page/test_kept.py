@@ -11,7 +11,6 @@ from page.opened import Opened
 from page.scenes import CONFIGS, write
 
 HALF = ("positions = 12 ", 'positions = 12\nspan = "180 deg" ')
-CHOSEN = "(each, k) => { each.value = String(k); each.dispatchEvent(new Event('input')); }"
 
 
 @pytest.fixture(scope="module")
@@ -25,10 +24,6 @@ def pairs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return file
 
 
-def choose(found: Opened, k: int) -> None:
-    found.page.locator(".variants input").evaluate(CHOSEN, k)
-
-
 def columns(found: Opened) -> list[str]:
     names: list[str] = found.page.eval_on_selector_all(".chart", "all => all.map(each => each.dataset.column)")
     return names
@@ -38,15 +33,15 @@ def test_the_place_is_kept_by_its_value(pairs: Path, open_page: Open) -> None:
     """At half the travel a part of it would be elsewhere; where a travel is too short the wish is kept for others."""
     found = open_page(pairs)
     found.move(100)
-    choose(found, 1)
+    found.choose(1)
     assert found.at == pytest.approx(100, abs=1e-3)
-    choose(found, 0)
+    found.choose(0)
     found.move(300)
-    choose(found, 1)
+    found.choose(1)
     assert found.at == pytest.approx(180, abs=1e-3)
     assert "beyond the range" in found.refused
-    choose(found, 2)
-    choose(found, 0)
+    found.choose(2)
+    found.choose(0)
     assert found.at == pytest.approx(300, abs=1e-3)
 
 
@@ -55,15 +50,15 @@ def test_diagrams_are_kept_that_a_variant_lacks(pairs: Path, open_page: Open) ->
     found.page.locator(".adding select").select_option("kinematics.omega_3")
     wished = columns(found)
     assert wished[-1] == "kinematics.omega_3"
-    choose(found, 2)
+    found.choose(2)
     usual = columns(found)
     assert usual
     assert not set(usual) & set(wished)
-    choose(found, 1)
+    found.choose(1)
     assert columns(found) == wished
     for close in found.page.locator(".chart .close").all()[::-1]:
         close.click()
-    choose(found, 0)
+    found.choose(0)
     assert columns(found) == []
 
 
@@ -73,12 +68,17 @@ def test_ticks_speed_details_and_search_are_kept(pairs: Path, open_page: Open) -
     page.locator("input[name=paths]").uncheck()
     page.locator(".speed select").select_option("0.25")
     page.locator("details.given summary").click()
+    page.locator("details.plans summary").click()
+    plan = page.locator("details.plans select")
+    plan.select_option(index=1)
     page.get_by_role("searchbox").fill("rocker")
     rows = page.locator("tr[data-fact]:visible").count()
-    choose(found, 1)
+    found.choose(1)
     assert not page.locator("input[name=paths]").is_checked()
     assert not page.locator(".scene .paths").is_visible()
     assert page.locator(".speed select").input_value() == "0.25"
     assert page.locator("details.given").get_attribute("open") is not None
+    assert plan.is_visible()
+    assert plan.input_value() == "1"
     assert page.get_by_role("searchbox").input_value() == "rocker"
     assert page.locator("tr[data-fact]:visible").count() == rows

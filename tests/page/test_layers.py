@@ -122,3 +122,81 @@ def test_plans_are_closed_figures_at_every_position(open_page: Open) -> None:
             assert across.max() <= wide
             assert upwards.min() >= 0
             assert upwards.max() <= high
+
+
+# of all arrows that are seen: how long they are, how long their heads are, how wide, how far from their tips these are
+HEADS = """(where) => [...document.querySelectorAll(`${where}:not(.lost)`)].map((line) => {
+  const [ax, ay, bx, by] = ["x1", "y1", "x2", "y2"].map((key) => Number(line.getAttribute(key)));
+  const at = line.nextElementSibling.getAttribute("d").match(/-?[\\d.]+/g).map(Number);
+  const [x, y] = [(at[2] + at[4]) / 2, (at[3] + at[5]) / 2];
+  const head = Math.hypot(at[0] - x, at[1] - y);
+  const wide = Math.hypot(at[2] - at[4], at[3] - at[5]);
+  return [Math.hypot(bx - ax, by - ay), head, wide, Math.hypot(bx - at[0], by - at[1])];
+})"""
+
+
+@pytest.mark.parametrize(
+    "where",
+    [".layer[data-layer=velocity] > line", ".plan .edge:not(.arm, .turned) line"],
+)
+def test_heads_of_short_arrows_are_shorter_than_their_shafts(where: str, open_page: Open) -> None:
+    found = open_page("shaper")
+    found.page.locator("details.plans").evaluate("each => { each.open = true; }")
+    shortest, longest = np.inf, 0.0
+    for at in (0.0, 3.0, 17.5, 95.0, 170.0, 188.8, 230.0):
+        found.move(at)
+        for long, head, wide, off in found.page.evaluate(HEADS, where):
+            assert head == pytest.approx(min(9, long / 2), abs=0.1)
+            assert wide <= min(6, 0.6 * long) + 0.1
+            assert off < 0.1
+            shortest, longest = min(shortest, long), max(longest, long)
+    assert shortest < 9
+    assert longest > 20
+
+
+# of a plan the boxes of its letters, without the air above and below them, and its vectors from end to end
+SIGNS = """() => {
+  const svg = document.querySelector("svg.plan");
+  const boxes = [...svg.querySelectorAll("text")].map((each) => {
+    const { x, y, width, height } = each.getBBox();
+    return [x + 0.5, y + 0.22 * height, x + width - 0.5, y + 0.82 * height];
+  });
+  const lines = [...svg.querySelectorAll(".edge line")].map((each) =>
+    ["x1", "y1", "x2", "y2"].map((key) => Number(each.getAttribute(key))));
+  return [boxes, lines];
+}"""
+AIR = 2.0  # pixels that a corner keeps around itself
+
+
+def within(box: list[float], line: list[float]) -> bool:
+    """Whether a vector has a part within a box, looked for at points that are half a pixel apart."""
+    (left, top, right, bottom), (ax, ay, bx, by) = box, line
+    part = np.linspace(0, 1, 2 + int(2 * np.hypot(bx - ax, by - ay)))
+    x, y = ax + part * (bx - ax), ay + part * (by - ay)
+    return bool(((x > left) & (x < right) & (y > top) & (y < bottom)).any())
+
+
+@pytest.mark.parametrize(
+    ("name", "least"),
+    [("shaper", 4.0), *(pytest.param(each, 4.0, marks=pytest.mark.slow) for each in ("press", "class-four"))],
+)
+def test_signs_of_plans_lie_on_nothing(name: str, least: float, open_page: Open) -> None:
+    """On no other sign, no vector, no corner; ``least`` is how many there are in the mean."""
+    found = open_page(name)
+    part = found.page.locator("details.plans")
+    part.evaluate("each => { each.open = true; }")
+    choice, count, shown = part.locator("select"), 0, 0
+    for k in range(choice.locator("option").count()):
+        choice.select_option(index=k)
+        for at in np.linspace(1.0, 351.0, 15):
+            found.move(float(at))
+            boxes, lines = found.page.evaluate(SIGNS)
+            ends = [end for ax, ay, bx, by in lines for end in ((ax, ay), (bx, by))]
+            for j, (left, top, right, bottom) in enumerate(boxes):
+                others = boxes[:j]
+                assert not [b for b in others if left < b[2] and b[0] < right and top < b[3] and b[1] < bottom]
+                assert not [x for x, y in ends if left - AIR < x < right + AIR and top - AIR < y < bottom + AIR]
+                assert not [each for each in lines if within([left, top, right, bottom], each)]
+            shown += len(boxes)
+            count += 1
+    assert shown > least * count

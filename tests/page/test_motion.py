@@ -177,7 +177,7 @@ def test_keys_turn_step_play_and_return(open_page: Open) -> None:
     assert found.at == 0
     keys.press("ArrowUp")
     assert found.at == pytest.approx(step)
-    assert "in position 1;" in found.told
+    assert "in position 1\n" in found.told
     keys.press("PageUp")
     assert found.at == pytest.approx(2 * step)
     keys.press("ArrowDown")

@@ -9,6 +9,7 @@ import pytest
 
 from page.altered import altered
 from page.conftest import Open, Written
+from page.opened import slid
 
 NAME = "cam-translating"  # two views, of which one drives the other
 PLACE = "[data-view={}] input[type=range]"
@@ -67,12 +68,8 @@ def test_an_end_of_one_view_is_an_end_of_the_other(written: Written, open_page: 
     page = open_page(altered(written(NAME), tmp_path / "ended.html", ended)).page
     for at, true in ((100, 100), (350, 0), (20, 20)):  # from 100 the short way to 350 is back beyond 0
         if at == 350:
-            page.locator(PLACE.format("cam_region")).evaluate(
-                "each => { each.value = '1'; each.dispatchEvent(new Event('input')); }"
-            )
-        page.locator(PLACE.format("cam_region")).evaluate(
-            "(each, at) => { each.value = String(at); each.dispatchEvent(new Event('input')); }", at
-        )
+            slid(page.locator(PLACE.format("cam_region")), 1)
+        slid(page.locator(PLACE.format("cam_region")), at)
         assert place(page, "cam_profile") == pytest.approx(true, abs=1e-3)
         assert place(page, "cam_region") == pytest.approx(true, abs=1e-3)
 

@@ -8,10 +8,15 @@ from typing import Any
 
 import pytest
 
-from page.conftest import Open
+from page.altered import altered
+from page.conftest import Open, Written
 from page.opened import Opened
 from page.scenes import CONFIGS, command, write
 from page.test_all import SIZES
+from page.test_diagrams import number
+from tmmcalc.core.stage import STAGES
+from tmmcalc.pipeline.runner import run
+from tmmcalc.project import load_spec
 
 LATIN = re.compile(r"[A-Za-z]{3,}")
 # all that the page says of itself: its headings, what is beside its fields, what its buttons are called
@@ -270,7 +275,7 @@ def test_results_are_told_in_words(open_page: Open) -> None:
     def value(fact: str) -> str:
         return str(page.locator(f"[data-fact='{fact}'] button.value").text_content())
 
-    assert value("structure.formula").startswith("I(0,1) -> II RPR(2,3)")
+    assert value("structure.formula").startswith("I(0,1) → II RPR(2,3)")
     assert value("kinematics.assembles_everywhere") == "yes"
     assert value("motion.stability") == "stable"
     page.locator("select[name=language]").select_option("uk")
@@ -279,3 +284,85 @@ def test_results_are_told_in_words(open_page: Open) -> None:
     page.locator(".find input").fill("стійкий")
     assert page.locator("[data-fact='motion.stability']").is_visible()
     assert not page.locator("[data-fact='structure.formula']").is_visible()
+
+
+def test_the_page_is_lit_as_the_system_is_until_it_is_chosen(open_page: Open) -> None:
+    page = open_page("extra-tie-down", color_scheme="light").page
+    root = page.locator(":root")
+    for scheme in ("dark", "light"):
+        page.emulate_media(color_scheme=scheme)
+        page.wait_for_function("(scheme) => document.documentElement.dataset.theme === scheme", arg=scheme)
+        assert root.evaluate("each => getComputedStyle(each).colorScheme") == scheme
+    page.get_by_role("button", name="Light or dark").click()
+    for scheme in ("dark", "light"):
+        page.emulate_media(color_scheme=scheme)
+        assert root.get_attribute("data-theme") == "dark"
+
+
+def test_numbers_keep_their_powers_and_counts_their_digits(written: Written, open_page: Open, tmp_path: Path) -> None:
+    numbers = {8.50541e-10: "8.50541·10⁻¹⁰", -3e20: "−3·10²⁰", 1.25e-100: "1.25·10⁻¹⁰⁰", 120.0: "120", 0.5: "0.5"}
+
+    def changed(content: Any) -> None:
+        facts = content["scenes"][0]["stages"][-1]["facts"]
+        asked = [*((value, "m") for value in numbers), (78074900, ""), ("-1/4", "")]
+        for fact, (value, unit) in zip(facts, asked, strict=False):
+            fact.update(value=value, unit=unit)
+
+    page = open_page(altered(written("four-bar"), tmp_path / "numbers.html", changed)).page
+    page.locator("details.stage").last.evaluate("(part) => { part.open = true; }")
+    found = page.locator("details.stage").last.locator("tr[data-fact] .value").all_inner_texts()
+    assert found[:7] == [*(f"{text} m" for text in numbers.values()), "78074900", "−1/4"]
+
+
+def test_a_stage_that_failed_says_why(open_page: Open, tmp_path: Path) -> None:
+    file = tmp_path / "failed.html"
+    spec = CONFIGS / "extreme" / "never-assembles.toml"
+    with pytest.raises(AssertionError):  # the command ends with an error, and writes what there is
+        write(spec, file)
+    page = open_page(file).page
+    assert "cannot be assembled at any crank angle" in page.locator('[data-stage="kinematics"] .warning').inner_text()
+    assert page.locator('[data-fact="structure.mobility"]').is_visible()
+
+
+def test_texts_have_the_signs_of_print(open_page: Open) -> None:
+    page = open_page("geared-press").page
+    warnings = " ".join(page.locator(".warning").all_inner_texts())
+    assert "N·m" in warnings
+    assert not re.search(r"N\*m|\d deg\b|->", page.locator(".results").inner_text())
+
+
+@pytest.mark.parametrize(
+    ("name", "stage"), [("cam-oscillating", "cam_strength"), ("pair-blocking", "pair"), ("rotor", "balance")]
+)
+def test_tables_of_summaries_stand_among_the_results(name: str, stage: str, open_page: Open) -> None:
+    """Checks with their limits, several pairs, states: as the command prints them."""
+    true = STAGES[stage].summary(run(load_spec(CONFIGS / f"{name}.toml"), target=[stage]).results[stage], "").table
+    page = open_page(name).page
+    part = page.locator(f'details.stage[data-stage="{stage}"]')
+    part.evaluate("(part) => { part.open = true; }")
+    rows = [row.split("\t") for row in part.locator(".list tbody").inner_text().split("\n")]
+    assert len(rows) == len(true.columns[0])
+    assert len(rows[0]) == len(true.headers)
+    for k, column in enumerate(true.columns):
+        for cell, row in zip(column, rows, strict=True):
+            if isinstance(cell, float):
+                assert number(row[k]) == pytest.approx(cell, rel=6e-5)
+            elif cell:
+                assert str(cell).replace("*", "·").split(" = ")[-1] in row[k].replace("−", "-")
+    page.get_by_label("Language").select_option("uk")
+    assert not LATIN.search(" ".join(part.locator(".list :is(td, th:not(.sign))").all_inner_texts()))
+
+
+def test_what_moves_stays_beside_what_is_read(open_page: Open) -> None:
+    """Where the window has room for it; what would be cut goes with the page, as all does on a phone."""
+    seen = """() => {
+      const box = document.querySelector(".view").getBoundingClientRect();
+      return box.top >= 0 && box.bottom <= innerHeight;
+    }"""
+    for size, stays in (((1500, 1000), True), ((1500, 600), False), ((390, 1000), False)):
+        page = open_page("class-four", size=size).page
+        page.wait_for_timeout(50)
+        page.evaluate("() => scrollTo(0, 500)")
+        assert page.evaluate("scrollY") > 400
+        page.wait_for_timeout(50)
+        assert page.evaluate(seen) == stays

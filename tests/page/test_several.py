@@ -11,6 +11,8 @@ from page.conftest import Open
 from page.scenes import CONFIGS, Fit, command, places, write
 from page.test_all import SIZES
 from page.test_diagrams import number
+from tmmcalc.core.errors import UsageError
+from tmmcalc.page.swept import swept as swept_variants
 
 CRANK = "mechanism.links[id=1].points.A[0]"
 LENGTHS = (0.08, 0.1, 0.12)
@@ -32,11 +34,10 @@ def swept(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_the_swept_key_is_a_slider(swept: Path, open_page: Open) -> None:
     found = open_page(swept)
-    choice = found.page.locator(".variants input")
     found.move(123.4)
     seen = []
     for k, length in enumerate(LENGTHS):
-        choice.evaluate("(each, k) => { each.value = String(k); each.dispatchEvent(new Event('input')); }", k)
+        found.choose(k)
         label = found.page.locator(".variants").inner_text()
         assert CRANK in label
         assert f"{length:g}" in label
@@ -52,7 +53,7 @@ def test_the_swept_key_is_a_slider(swept: Path, open_page: Open) -> None:
 def test_the_slider_is_dragged_over_all_variants(swept: Path, open_page: Open) -> None:
     """By one hand that does not let go; keys go on from there."""
     found = open_page(swept)
-    choice = found.page.locator(".variants input")
+    choice = found.variants
     box = choice.bounding_box()
     mouse, said = found.page.mouse, []
     mouse.move(box["x"] + 8, box["y"] + box["height"] / 2)
@@ -70,17 +71,12 @@ def test_the_slider_is_dragged_over_all_variants(swept: Path, open_page: Open) -
 def test_other_variants_are_ghosts(swept: Path, open_page: Open) -> None:
     """They stand where the same variant does when it is shown itself, to the same scale."""
     found = open_page(swept)
-    choice = found.page.locator(".variants input")
-
-    def chosen(k: int) -> None:
-        choice.evaluate("(each, k) => { each.value = String(k); each.dispatchEvent(new Event('input')); }", k)
-
-    chosen(1)
+    found.choose(1)
     found.move(123.4)
     ghosts = [[np.array(each) for each in machine] for machine in found.page.evaluate(GHOSTS)]
     assert len(ghosts) == len(LENGTHS) - 1
     for machine, k in zip(ghosts, (0, 2), strict=True):
-        chosen(k)
+        found.choose(k)
         own = list(found.bodies().values())
         assert len(own) == len(machine)
         for ghost, body in zip(machine, own, strict=True):
@@ -93,10 +89,9 @@ def test_other_variants_are_ghosts(swept: Path, open_page: Open) -> None:
 
 def test_what_plays_ends_when_another_is_chosen(swept: Path, open_page: Open) -> None:
     found = open_page(swept)
-    choice = found.page.locator(".variants input")
     found.page.get_by_role("button", name="Play").click()
     found.page.wait_for_timeout(150)
-    choice.evaluate("each => { each.value = '1'; each.dispatchEvent(new Event('input')); }")
+    found.choose(1)
     assert found.page.get_by_role("button", name="Play").count() == 1
     asked = found.page.evaluate(
         """() => new Promise((done) => {
@@ -114,10 +109,38 @@ def test_several_specs_are_overlaid(open_page: Open, tmp_path: Path) -> None:
     write(CONFIGS / "four-bar.toml", file, str(CONFIGS / "crank-slider.toml"))
     for size in SIZES:
         found = open_page(file, size=size)
-        choice = found.page.locator(".variants input")
         for k, name in enumerate(("four-bar", "crank-slider")):
-            choice.evaluate("(each, k) => { each.value = String(k); each.dispatchEvent(new Event('input')); }", k)
+            found.choose(k)
             assert name in found.page.locator(".variants").inner_text()
             assert found.page.locator("[data-view=kinematics]").count() == 1
             assert found.page.locator("details.plans option").count() >= 2
             assert found.page.evaluate("document.scrollingElement.scrollWidth <= innerWidth")
+
+
+@pytest.mark.parametrize(
+    ("cells", "rule"),
+    [("nothing,status\n1,ok", "no table of a sweep"), (f"{CRANK},status\nlong,ok", "'long' is no number of a variant")],
+)
+def test_what_is_no_sweep_is_refused(cells: str, rule: str, tmp_path: Path) -> None:
+    table = tmp_path / "my.csv"
+    table.write_text(cells, encoding="utf-8")
+    with pytest.raises(UsageError, match=rule):
+        swept_variants(table)
+
+
+def test_specs_of_one_name_are_told_apart_in_both_languages(open_page: Open, tmp_path: Path) -> None:
+    """By their folders; that it is a variant is said in the language, what it is called is no word of it."""
+    files = [tmp_path / folder / "my.toml" for folder in ("one", "two")]
+    for file in files:
+        file.parent.mkdir()
+        file.write_text((CONFIGS / "four-bar.toml").read_text(encoding="utf-8"), encoding="utf-8")
+    write(files[0], tmp_path / "my.html", str(files[1]))
+    found = open_page(tmp_path / "my.html")
+    others = found.page.locator(".chart .other > title")
+    for language, said in (("en", "Variant"), ("uk", "Варіант")):
+        found.page.locator("select[name=language]").select_option(language)
+        for k, name in enumerate(("one/my", "two/my")):
+            found.choose(k)
+            assert found.page.locator(".variants").inner_text() == f"{said}: {name}"
+            assert found.variants.get_attribute("aria-valuetext") == name
+            assert {*others.all_text_contents()} == {("two/my", "one/my")[k]}

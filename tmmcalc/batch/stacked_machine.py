@@ -16,7 +16,7 @@ from tmmcalc.core.quantity import quantities
 from tmmcalc.machine.driveline import drive_line
 from tmmcalc.machine.driver import Driver, driver_of
 from tmmcalc.machine.model import FlywheelTask, Gears, MotionTask, MotorChoice
-from tmmcalc.machine.motion import Motion, motion_of
+from tmmcalc.machine.motion import Motion, Positions, motion_of
 from tmmcalc.machine.onemass import onto
 from tmmcalc.machine.regime import Regime, regime_of
 from tmmcalc.machine.stacked.figures import FIGURES, figures
@@ -102,8 +102,10 @@ def motions_of_each(
         quiet = regimes(machines_without(block, variants, machine, cycles, idle=True).at(every, constant), halvings=0)
     clear = loaded.clear & quiet.clear
     return [
-        _motion(k, found["reduction"], each, loaded, quiet, key) if clear[k] and found and each else None
-        for k, (found, each) in enumerate(zip(results, asked, strict=True))
+        motion.with_wheel(_motion(k, found["reduction"], each, loaded, quiet, key), own[2], found)
+        if clear[k] and found and each
+        else None
+        for k, (found, each, own) in enumerate(zip(results, asked, given, strict=True))
     ]
 
 
@@ -121,8 +123,7 @@ def _motion(k: int, reduction: Reduction, asked: motion.Asked, loaded: Regimes, 
     total, driver = asked.inertia.total, asked.driver
     regime = regime_of_one(k, reduction.cycle, total, driver, loaded)
     idle = regime_of_one(k, reduction.idle, total, driver, quiet) if reduction.idle is not None else None
-    positions = reduction.labels, reduction.phi, np.abs(reduction.phi - reduction.phi[0])
-    return motion_of(reduction.cycle, regime, idle, asked.inertia, driver, positions, key)
+    return motion_of(reduction.cycle, regime, idle, asked.inertia, driver, Positions.of(reduction), key)
 
 
 def regime_of_one(k: int, cycle: Cycle, constant: float, driver: Driver, found: Regimes) -> Regime:
@@ -179,7 +180,7 @@ def _constant(machine: Machine, speed: float) -> float:
 def _at_positions(found: Regimes, base: Motion, wanted: Collection[str]) -> Motion:
     """The motion at the positions of all machines."""
     m = found.machines
-    at = places(m, np.clip(base.theta, 0.0, base.regime.panels.edges[-1]))
+    at = places(m, np.clip(base.theta, 0.0, base.regime.panels.edges[-1]), base.early)
     find: dict[str, Callable[[], Values]] = {
         "omega": lambda: at.at(found.omega),
         "eps": lambda: at.at(found.acceleration),

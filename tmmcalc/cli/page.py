@@ -6,6 +6,7 @@ import sys
 from collections.abc import Sequence
 from contextlib import nullcontext
 from dataclasses import replace
+from itertools import repeat
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -72,12 +73,13 @@ def command(
         raise UsageError("a sweep is of one spec", where="--sweep", remedy="name one spec, or leave --sweep out")
     if store:
         check_folders(specs)
-    wanted: list[tuple[Said, Path, tuple[str, ...]]] = [(spec.stem, spec, tuple(overrides or ())) for spec in specs]
+    own = tuple(overrides or ())
+    wanted: list[tuple[Said, Path, tuple[str, ...]]] = [*zip(_names(specs), specs, repeat(own))]
     key = ""
     if sweep is not None:
         found = swept(sweep)
         key = found.key
-        wanted = [(name, specs[0], (*(overrides or ()), *more)) for name, more in found.variants]
+        wanted = [(name, specs[0], (*own, *more)) for name, more in found.variants]
     job = Job(specs[0], store=store and sweep is None, fresh=fresh, quiet=quiet, keep_going=True, csv=False)
     jobs = [replace(job, file=spec, overrides=changed) for _, spec, changed in wanted]
     scenes = _read(jobs)
@@ -104,6 +106,21 @@ def command(
         if not quiet:
             note_written(file)
     raise_failures(failures)
+
+
+def _names(specs: Sequence[Path]) -> list[str]:
+    """Of each spec the name of its file, with as many folders as tell it from others of this name.
+
+    >>> _names([Path("a/b/my.toml"), Path("a/c/my.toml"), Path("a/c/other.toml")])
+    ['b/my', 'c/my', 'other']
+    """
+    places = [spec.resolve().with_suffix("").parts for spec in specs]
+    found = []
+    for place in places:
+        same = {each for each in places if each[-1] == place[-1]}
+        depth = next(k for k in range(1, 1 + len(place)) if len({each[-k:] for each in same}) == len(same))
+        found.append("/".join(place[-depth:]))
+    return found
 
 
 def _read(jobs: Sequence[Job]) -> list[Spec]:

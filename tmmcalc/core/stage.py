@@ -57,6 +57,7 @@ class Stage:
     ``errors(result)``    estimates of its errors; without it those of ``result.error``
     ``columns(result)``   its table for people: arrays by header, or columns of the rows of ``result.labels``; without
                           it the stage has none
+    ``series``            what labels of the first column of its table mean, by label, where it has several courses
     ``omits(spec)``       sentences on what it leaves out within itself, because the scene has it not
     ``packages(spec)``    heavy packages that it imports for this scene
     ``found(spec, result, choose)``  what it found as keys of the spec, see `tmmcalc.spec.rewrite.Found`; of several
@@ -112,6 +113,11 @@ class Stage:
     view: str = ""
     studied: bool = False  # whether it has several methods, which are studied
     studies: str = ""  # "module:function", (scene) -> the studies of its methods
+
+    @property
+    def room(self) -> str:
+        """The room that it stands in."""
+        return self.home.split(".")[1]
 
     def upstream(self, done: Container[str]) -> list[str]:
         """The stages whose results it reads, of those that are done."""

@@ -125,13 +125,13 @@ class _Moving:
     """A link at n positions: its place and velocity [m/s], those of the ends of what stands for couples."""
 
     def __init__(self, motion: LinkMotion, ends: tuple[End, ...], speed: float, shape: tuple[int, ...]) -> None:
-        self.r, self.v, self.omega = (np.broadcast_to(z, shape) for z in (motion.r, motion.v, motion.omega))
+        self.r, self.v, self.omega = (np.broadcast_to(z, shape).tolist() for z in (motion.r, motion.v, motion.omega))
         self.speed = speed
-        self.ends = [(name, np.broadcast_to(motion.point(p).r, shape)) for name, p in ends]
+        self.ends = [(name, np.broadcast_to(motion.point(p).r, shape).tolist()) for name, p in ends]
 
     def velocity(self, at: complex, row: int) -> complex:
         """The velocity of the point of the link that stands at this place."""
-        return complex(self.v[row] + 1j * self.omega[row] * (at - self.r[row])) * self.speed
+        return (self.v[row] + 1j * self.omega[row] * (at - self.r[row])) * self.speed
 
 
 Applied = tuple[Acting | Couple, int, str, complex, complex]  # what, its link, the point of a pair, force, velocity
@@ -144,7 +144,7 @@ def _acting(body: FreeBody, moving: _Moving, row: int) -> Iterator[Applied]:
         yield force, link, "", force.value, moving.velocity(force.at, row)
     for couple in body.couples:
         if couple.value:
-            (tail, a), (head, b) = ((name, complex(places[row])) for name, places in moving.ends)
+            (tail, a), (head, b) = ((name, places[row]) for name, places in moving.ends)
             pair = 1j * couple.value / (b - a).conjugate()  # M/l along the left normal of the line
             yield couple, link, head, pair, moving.velocity(b, row)
             yield couple, link, tail, -pair, moving.velocity(a, row)

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.core.errors import AccuracyError, NoSolutionError
-from tmmcalc.core.numerics.panels import Values
+from tmmcalc.core.numerics.panels import Panels, Values
 from tmmcalc.core.quantity import derived, quantity
 from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver
 from tmmcalc.machine.motorside import MotorSide, motor_side
+from tmmcalc.machine.nodes import NEAR, at_speed, on_edges
 from tmmcalc.machine.offspeed import INPUT, off_speed
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.textbook import EnergyMotion, Textbook, Turn
@@ -22,6 +24,23 @@ from tmmcalc.machine.verdicts import Verdict, verdicts
 
 if TYPE_CHECKING:
     from tmmcalc.machine.recurrence import Nodes
+    from tmmcalc.machine.reduction.results import Reduction
+
+
+class Positions(NamedTuple):
+    """The positions of a machine, and what acts in them: where that jumps it tells which side of the jump is meant."""
+
+    labels: tuple[str, ...]  # (n,)
+    phi: Values  # (n,) input coordinate counted from position 0 [rad]
+    theta: Values  # (n,) the same along the motion
+    moment: Values | None = None  # (n,) reduced moment along the motion at the mean speed [N*m]; None: just after
+
+    @classmethod
+    def of(cls, reduction: Reduction) -> Positions:
+        """Those of a reduction."""
+        sense = math.copysign(1.0, reduction.phi[-1])
+        theta = np.abs(reduction.phi - reduction.phi[0])
+        return cls(reduction.labels, reduction.phi, theta, sense * reduction.total)
 
 
 @record
@@ -31,6 +50,7 @@ class Motion:
     labels: tuple[str, ...]  # (n,)
     phi: Values  # (n,) input coordinate counted from position 0 [rad]
     theta: Values  # (n,) the same along the motion
+    early: NDArray[np.bool_]  # (n,) where what acts is the limit just before a jump
     kind: Literal["motor", "positional", "none"] = quantity("drive", "what drives the machine")
     characteristic: str = quantity(  # of positional forces "constant moment", of no drive "none"
         "characteristic", "name of the motor's characteristic"
@@ -73,7 +93,7 @@ def solve_motion(
     inertia: ConstantInertia,
     driver: Driver | None,
     speed: float,
-    positions: tuple[tuple[str, ...], Values, Values],
+    positions: Positions,
     key: str = INPUT,
     *,
     undriven: bool = False,
@@ -81,12 +101,12 @@ def solve_motion(
 ) -> Motion:
     """The steady motion; ``driver`` None: a constant driving moment at the mean ``speed`` [rad/s], or none at all.
 
-    ``idle`` is the cycle without technological loads; ``positions`` are labels, phi and theta (n,); ``key`` is where
+    ``idle`` is the cycle without technological loads; ``key`` is where
     the spec gives the speed of the cycle; ``undriven``: the loads alone set the speed. ``tolerance``: relative
     error asked of a motor's regime, 0 near rounding. Raises `NoSolutionError` where
     the machine stalls, runs away, its energy does not last for a cycle, or no speed balances its loads.
     """
-    sense = math.copysign(1.0, positions[1][-1])
+    sense = math.copysign(1.0, positions.phi[-1])
     if undriven:
         from tmmcalc.machine.selfregulation import self_regulated
 
@@ -103,21 +123,25 @@ def motion_of(
     quiet: Regime | None,
     inertia: ConstantInertia,
     driver: Driver | None,
-    positions: tuple[tuple[str, ...], Values, Values],
+    positions: Positions,
     key: str = INPUT,
     *,
     undriven: bool = False,
 ) -> Motion:
     """The result from the regime and that without technological loads, ``quiet``."""
-    labels, phi, theta = positions
+    labels, phi, theta, _ = positions
     sense = math.copysign(1.0, phi[-1])
-    at = np.clip(theta, 0.0, cycle.period)
-    omega, eps, driving = regime.panels.at(np.stack((regime.omega, regime.acceleration, regime.driving)), at)
-    load = cycle.panels.at(np.stack((cycle.moment, cycle.viscous, cycle.quadratic)), at)
+    at = on_edges(cycle, np.clip(theta, 0.0, cycle.period))
+    early = _early(cycle, at, positions.moment)
+    omega, eps, driving = _sided(
+        regime.panels, np.stack((regime.omega, regime.acceleration, regime.driving)), at, early
+    )
+    load = _sided(cycle.panels, np.stack((cycle.moment, cycle.viscous, cycle.quadratic)), at, early)
     return Motion(
         labels=labels,
         phi=phi,
         theta=theta,
+        early=early,
         kind="none" if undriven else "positional" if driver is None else "motor",
         characteristic=_called(driver, undriven),
         inertia=inertia,
@@ -136,6 +160,21 @@ def motion_of(
         scales=_scales(cycle, regime, driver) if driver is not None else None,
         by_energy=_by_energy(cycle, regime, inertia, theta) if driver is None and not undriven else None,
     )
+
+
+def _early(cycle: Cycle, at: Values, moment: Values | None) -> NDArray[np.bool_]:
+    """In which positions (n,) the ``moment`` that acts there is that just before a jump."""
+    if moment is None:
+        return np.zeros(len(at), bool)
+    whole = at_speed(cycle, cycle.speed)
+    after, before = (cycle.panels.at(whole, at, before=side) for side in (False, True))
+    apart = NEAR * float(np.max(np.abs(whole)))
+    return np.asarray(np.abs(before - moment) < np.abs(after - moment) - apart)
+
+
+def _sided(panels: Panels, values: Values, at: Values, early: NDArray[np.bool_]) -> Values:
+    """Values (..., n), where ``early`` (n,) the limits just before."""
+    return np.where(early, panels.at(values, at, before=True), panels.at(values, at))
 
 
 def _scales(cycle: Cycle, regime: Regime, driver: Driver) -> TimeScales | None:

@@ -9,7 +9,9 @@ import numpy as np
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.cycle import Cycle
 
-NEAR = 1e-9  # of the period: a node so near to the edge of a panel, where a load may jump, lies on it
+NEAR = (
+    1e-9  # of the period: a node so near to the edge of a panel, where a load may jump, lies on it; of a load: no jump
+)
 
 
 def nodal_tables(cycle: Cycle, n: int, speed: float) -> tuple[Values, Values]:
@@ -17,14 +19,24 @@ def nodal_tables(cycle: Cycle, n: int, speed: float) -> tuple[Values, Values]:
 
     Where the load jumps at a node the larger load counts, as the textbook counts it at both ends of its action.
     """
-    theta, edges, near = np.linspace(0.0, cycle.period, n + 1), cycle.panels.edges, NEAR * cycle.period
-    nearest = edges[np.minimum(np.searchsorted(edges, theta - near), len(edges) - 1)]
-    theta = np.where(np.abs(nearest - theta) <= near, nearest, theta)
-    moment = cycle.moment + (cycle.viscous + cycle.quadratic * speed) * speed
+    theta = on_edges(cycle, np.linspace(0.0, cycle.period, n + 1))
+    moment = at_speed(cycle, speed)
     after, inertia = cycle.panels.at(np.stack((moment, cycle.inertia)), theta)
     before = cycle.panels.at(moment, theta, before=True)
     after[-1], before[0], inertia[-1] = after[0], before[-1], inertia[0]
     return np.where(np.abs(after) >= np.abs(before), after, before), inertia
+
+
+def on_edges(cycle: Cycle, theta: Values) -> Values:
+    """The angles (n,), those but for rounding on the edge of a panel, where a load may jump, exactly there."""
+    edges, near = cycle.panels.edges, NEAR * cycle.period
+    nearest = edges[np.minimum(np.searchsorted(edges, theta - near), len(edges) - 1)]
+    return np.where(np.abs(nearest - theta) <= near, nearest, theta)
+
+
+def at_speed(cycle: Cycle, speed: float) -> Values:
+    """The moment (K, N) of a cycle at a constant speed [rad/s]."""
+    return cycle.moment + (cycle.viscous + cycle.quadratic * speed) * speed
 
 
 def nodal_work(moment: Values, period: float = 2 * math.pi) -> tuple[Values, float]:

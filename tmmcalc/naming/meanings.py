@@ -10,7 +10,7 @@ from inspect import getmodule
 from string import Formatter
 
 from tmmcalc.core.notes import Phrase
-from tmmcalc.core.quantity import FORMS, Quantity, given_out, standing_in
+from tmmcalc.core.quantity import FORMS, Quantity, given_out, given_over_rows, standing_in
 from tmmcalc.core.stage import STAGES
 from tmmcalc.naming.language import ANY
 
@@ -51,14 +51,17 @@ def described(stage: str, column: bool) -> Callable[[str, str], tuple[str, str]]
         for module in (facts, *map(import_module, getattr(facts, "FURTHER", ()))):
             every += standing_in(module)
     every += [each for kind in own.kinds for each in given_out(kind)]
+    heads: set[str] = set()  # what stands over columns, before what is told once beside the table
     if column and (columns := own.part("columns")):
-        every += standing_in(getmodule(columns))
+        standing = list(standing_in(getmodule(columns)))
+        every += standing
+        heads = {each.name for each in (*standing, *(q for kind in own.kinds for q in given_over_rows(kind)))}
         every += [each._replace(key=each.header) for each in every if each.header]
     plain = {(each.name, each.unit): each for each in reversed(every)}  # of records within others the outer says it
     names = {each.name: each for each in reversed(every)}
     # what has most words of its own first: v{axis}_{point} before {axis}_{point}
     forms = [each for each in every if "{" in each.name and (_literal(each.name) or _closed(each.name))]
-    forms.sort(key=lambda each: -_literal(each.name))
+    forms.sort(key=lambda each: (each.name not in heads, -_literal(each.name)))
 
     def found(name: str, unit: str) -> tuple[str, str]:
         unit = "" if unit == "-" else unit

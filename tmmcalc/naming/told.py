@@ -243,7 +243,7 @@ def _of_extreme(stage: str, name: str, unit: str) -> str:
     """An extreme of a quantity that is declared, or its place, as R_A_max, R_A_max_at_phi; empty for others."""
     found = EXTREME.fullmatch(name)
     meaning = found and (
-        described(stage, column=False)(found[1], ANY)[0] or described(stage, column=True)(found[1], ANY)[0]
+        described(stage, column=True)(found[1], ANY)[0] or described(stage, column=False)(found[1], ANY)[0]
     )
     return _extreme(meaning, found, stage, unit) if found and meaning else ""
 

@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from tmmcalc.note.columns import asked, most
 from tmmcalc.note.tree import (
     ACROSS,
     CELL,
@@ -24,7 +25,6 @@ from tmmcalc.note.tree import (
     numeric,
     plain_text,
     unit_names,
-    widest,
 )
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.reach import trimmed
@@ -270,7 +270,7 @@ def _numeric(table: Table) -> bool:
 def _width(table: Table) -> float:
     """About how wide a table is in small letters [mm]."""
     columns = zip(table.head, *table.rows, strict=True)
-    return sum(widest([inline(cell) for cell in column]) * SMALL + CELL for column in columns)
+    return sum(most(asked(inline(cell)) for cell in column).least * SMALL + CELL for column in columns)
 
 
 def _both(key: str, lexicon: Lexicon) -> Iterator[str]:
@@ -409,6 +409,8 @@ def with_unit(digits: str, unit: str) -> Row:
 
 def inline(text: str) -> Text:
     """A text with its formulas between ``$``."""
+    if "$" not in text:
+        return Text((text,) if text else ())
     from tmmcalc.report.formula.syntax import read
 
     parts = [setting.statement(read(part)) if k % 2 else part for k, part in enumerate(text.split("$"))]

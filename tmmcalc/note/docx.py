@@ -7,13 +7,16 @@ from collections.abc import Sequence
 from io import BytesIO
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import quoteattr
+from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from tmmcalc.note.docxpages import SIZE, SMALL, styled, undated
+from tmmcalc.note.columns import widths_of
+from tmmcalc.note.docxpages import SIZE, SMALL, styled
 from tmmcalc.note.docxplaces import WIDE, holds, ordered
-from tmmcalc.note.docxtables import ALONG, CELLS, WHOLE, size_of, table, widths_of
+from tmmcalc.note.docxtables import ALONG, CELLS, PADDING, WHOLE, size_of, table
 from tmmcalc.note.docxwords import SPACES, bookmark, cell_runs, element, elements, field, in_cell, mark_of, run, runs
 from tmmcalc.note.tree import (
     ACROSS,
+    POINT,
     Caption,
     Contents,
     Cover,
@@ -65,7 +68,16 @@ def document(blocks: Sequence[Written], title: str) -> bytes:
         writer.block(block, following)
     buffer = BytesIO()
     found.save(buffer)
-    return undated(buffer)
+    return _undated(buffer)
+
+
+def _undated(buffer: BytesIO) -> bytes:
+    """The archive without the time at which its parts were packed, so that equal notes are equal files."""
+    found = BytesIO()
+    with ZipFile(buffer) as read, ZipFile(found, "w", ZIP_DEFLATED) as written:
+        for name in read.namelist():
+            written.writestr(ZipInfo(name, (1980, 1, 1, 0, 0, 0)), read.read(name), ZIP_DEFLATED)
+    return found.getvalue()
 
 
 class _Writer:
@@ -236,7 +248,8 @@ class _Writer:
             holds = k < last and (last < WHOLE or k < TOGETHER or k > last - TOGETHER)
             cells = [in_cell(cell_runs(cell), to, style, holds=holds) for cell, to in zip(row, sides, strict=True)]
             rows.append(("", cells))
-        self.add(table(widths_of(grid, size, ALONG if turned else ACROSS), rows, "TableGrid"))
+        widths = widths_of(grid, size * POINT, PADDING, ALONG if turned else ACROSS)
+        self.add(table(widths, rows, "TableGrid"))
         if not turned:
             self.found.add_paragraph(style="Under")
 

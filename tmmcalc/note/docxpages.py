@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from io import BytesIO
 from typing import TYPE_CHECKING, Any
-from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from tmmcalc.note.docxtables import CELLS
 from tmmcalc.note.docxwords import SPACES, element, elements, field
@@ -79,12 +77,3 @@ def styled(found: Document) -> None:
     )
     numbering.insert(0, lists)
     numbering.append(element(f'<w:num w:numId="{NUMBERED}"><w:abstractNumId w:val="{NUMBERED}"/></w:num>'))
-
-
-def undated(buffer: BytesIO) -> bytes:
-    """The archive with no time in it, so that equal notes are equal files."""
-    found = BytesIO()
-    with ZipFile(buffer) as read, ZipFile(found, "w", ZIP_DEFLATED) as written:
-        for name in read.namelist():
-            written.writestr(ZipInfo(name, (1980, 1, 1, 0, 0, 0)), read.read(name), ZIP_DEFLATED)
-    return found.getvalue()

@@ -9,7 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from tmmcalc.note.docxtables import PADDING, WHOLE, size_of, widths_of
+from tmmcalc.note.columns import widths_of
+from tmmcalc.note.docxtables import PADDING, WHOLE, size_of
 from tmmcalc.note.tree import (
     ACROSS,
     POINT,
@@ -30,7 +31,7 @@ from tmmcalc.report.formula.breaking import broken, width
 from tmmcalc.report.formula.layout import Big, Box, Fraction, Row, inner
 
 HIGH = 257.0  # of the text of a page [mm]
-TIMES = 0.84  # widths of texts in Times, of those in letters of the note
+TIMES = 0.95  # widths of texts in Times, of those in letters of the note
 SIZE, LINE = 14.0, 8.51  # of the text: of its letters [pt], height of its lines [mm]
 INDENT = 12.5  # of the first line of a paragraph [mm]
 ROW = 0.4  # height of a row of a table to the size of its letters [mm/pt]
@@ -190,7 +191,7 @@ def _table(grid: Grid) -> float:
     size = size_of(grid, ACROSS)
     if size is None:
         return math.inf
-    widths = widths_of(grid, size, ACROSS)
+    widths = widths_of(grid, size * POINT, PADDING, ACROSS)
     high = CAPTION * math.ceil(_wide(grid.caption.whole, 12.0) / ACROSS) + BELOW
     for row in (grid.head, *grid.rows):
         cells = zip(row, widths, strict=True)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tmmcalc.note.tree import POINT, Grid, part_width, widest
+from tmmcalc.note.columns import least_width
+from tmmcalc.note.tree import POINT, Grid
 
 ALONG = 257.0  # width of a table that is turned [mm]
 CELLS = (12, 11, 10, 9, 8)  # sizes of tables [pt], the first in which one fits; one that does not stands turned
@@ -38,28 +39,4 @@ def table(widths: Sequence[float], rows: Sequence[tuple[str, Sequence[str]]], st
 
 def size_of(grid: Grid, room: float) -> int | None:
     """The size of letters [pt] in which a table fits so much room [mm], if there is one."""
-    return next((size for size in CELLS if sum(_least(grid, size)) <= room), None)
-
-
-def widths_of(grid: Grid, size: float, whole: float) -> list[float]:
-    """How wide columns are [mm]: as their longest texts ask, where there is room for them.
-
-    Else each is as its longest word asks, and what is left is shared by the lengths of the texts.
-    """
-    least = _least(grid, size)
-    columns = zip(grid.head, *grid.rows, strict=True)
-    texts = [max(sum(map(part_width, cell.parts)) for cell in column) for column in columns]
-    wished = [max(need, text * size * POINT + PADDING) for text, need in zip(texts, least, strict=True)]
-    if sum(wished) <= whole:
-        return wished
-    more = [wish - need for wish, need in zip(wished, least, strict=True)]
-    left = whole - sum(least)
-    if left <= 0 or not sum(more):
-        return [whole * need / sum(least) for need in least]
-    return [need + left / sum(more) * each for need, each in zip(least, more, strict=True)]
-
-
-def _least(grid: Grid, size: float) -> list[float]:
-    """How wide columns are at least in letters of a size [mm]: as what cannot be broken in them asks."""
-    columns = zip(grid.head, *grid.rows, strict=True)
-    return [widest(column) * size * POINT + PADDING for column in columns]
+    return next((size for size in CELLS if least_width(grid, size * POINT, PADDING) <= room), None)

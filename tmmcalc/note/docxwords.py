@@ -64,7 +64,7 @@ def in_cell(content: str, to: str = "left", style: str = "", *, holds: bool = Fa
 def runs(text: Text) -> str:
     """Words, equations, references; no line begins between an equation and what is written to it."""
     found: list[str] = []
-    parts = [tied(part) if isinstance(part, str) else part for part in text.parts]
+    parts: list[str | Box | Reference] = [tied(part) if isinstance(part, str) else part for part in text.parts]
     for k, part in enumerate(parts):
         match part:
             case str():
@@ -75,9 +75,9 @@ def runs(text: Text) -> str:
                 found.append(run(number))
             case _:
                 before, after = "", ""
-                if k and isinstance(said := parts[k - 1], str) and not said.endswith(" "):
-                    before = said.rpartition(" ")[2]
-                    found[-1] = _typed(said.removesuffix(before))
+                if k and isinstance(last := parts[k - 1], str) and not last.endswith(" "):
+                    before = last.rpartition(" ")[2]
+                    found[-1] = _typed(last.removesuffix(before))
                 if k + 1 < len(parts) and isinstance(following := parts[k + 1], str):
                     after, space, rest = following.partition(" ")
                     parts[k + 1] = space + rest
@@ -114,8 +114,8 @@ def _letters(box: Box) -> str:
     """A letter, or one with an index, as words; nothing for what takes more than a line of them."""
     match box:
         case Row(boxes):
-            found = [*map(_letters, boxes)]
-            return "".join(found) if all(found) else ""
+            each = [*map(_letters, boxes)]
+            return "".join(each) if all(each) else ""
         case Letter(text):
             return _typed(text, "" if "Α" <= text <= "Ω" else "<w:rPr><w:i/></w:rPr>")
         case Word(text) if text.strip():

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
 
+from tmmcalc.report.drawing.lettering import advance
 from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.breaking import width
 from tmmcalc.report.formula.layout import Box, Row
@@ -17,8 +18,6 @@ from tmmcalc.spec.dimensions import UNITS
 POINT = 25.4 / 72.0  # of letters [mm]
 ACROSS = 175.0  # width of the text of a page [mm]
 CELL = 2.4  # of a cell of a table beside its letters, with its line [mm]
-LETTER, CAPITAL = 0.53, 0.68  # of an em, of words
-BROAD, BEYOND = frozenset("mwMWжмфшщюЖМФШЩЮ"), 0.2  # letters that are broader, by so much
 NUMERIC = re.compile(r"[-−+–\d.,  \u202f%°]*")  # what a cell of numbers has
 
 
@@ -159,30 +158,14 @@ def _loose(language: str) -> re.Pattern[str]:
     return re.compile(rf" (?=[–—] )|(?<==) | (?== )|(?:(?<=\d)|^) (?=%|\(?(?:{either})(?!\w))")
 
 
-def widest(cells: Sequence[Text]) -> float:
-    """The width of what cannot be broken in a column [em]: a word, or a formula with what is written to it."""
-    return max(map(_unbroken, cells), default=0.0)
-
-
 def part_width(part: str | Box | Reference) -> float:
-    """About how wide a part of a text is [em]."""
+    """How wide a part of a text is [em]; of a formula rather more than less."""
     match part:
         case str():
-            broader = (CAPITAL - LETTER) * sum(map(str.isupper, part)) + BEYOND * sum(c in BROAD for c in part)
-            return LETTER * len(part) + broader
+            return advance(part)
         case Reference(_, number):
-            return LETTER * len(number)
+            return advance(number)
     return width(part)
-
-
-def _unbroken(cell: Text) -> float:
-    found, here = 0.0, 0.0
-    for part in cell.parts:
-        words = tied(part).split(" ") if isinstance(part, str) else [part]
-        for k, word in enumerate(words):
-            here = part_width(word) + (0.0 if k else here)
-            found = max(found, here)
-    return found
 
 
 def numeric(cells: Sequence[Text]) -> bool:

@@ -19,7 +19,7 @@ from tmmcalc.note.tree import (
 )
 from tmmcalc.note.typstlines import set_lines
 from tmmcalc.note.typstplaces import Place, placed
-from tmmcalc.note.typsttables import set_pictured, set_tables
+from tmmcalc.note.typsttables import PLAIN, set_pictured, set_tables
 from tmmcalc.note.typstwords import escaped, label, quoted, set_text
 from tmmcalc.report.drawing.box import Box as Rectangle
 from tmmcalc.report.drawing.lettering import FONTS
@@ -39,25 +39,26 @@ HEAD = """#set page(paper: "a4", margin: (left: 25mm, right: 10mm, top: 16mm, bo
 #show math.equation.where(block: true): set align(left)
 #show math.equation.where(block: true): set block(spacing: 0.6em)
 #show outline.entry: set block(spacing: 0.52em)
-#set table(stroke: 0.5pt, inset: (x: 3pt, y: 3pt))
+#set table(stroke: 0.5pt, inset: (x: 3pt, y: PLAINpt))
 #let line(columns, holds, ..cells) = block(width: 100%, breakable: false, sticky: holds, spacing: 0.55em,
   { set par(first-line-indent: 0pt); grid(columns: columns, align: horizon, ..cells) })
 #let leading(body) = block(sticky: true, spacing: 0.68em, par(body))
 #let explained(body) = par(first-line-indent: 0pt, body)
-#let listed(key, caption, continued, columns, aligned, size, wide, breaks, heads, cells) = {
+#let listed(key, caption, continued, columns, rows, aligned, size, wide, breaks, heads, cells) = {
   let said(words) = block(width: wide, spacing: 4pt, text(size: 12pt, words))
   let above = context {
     let words = said(if here().page() == query(label(key)).first().location().page() { caption } else { continued })
     block(height: measure(words).height, width: 0pt, place(words))
   }
-  let named = if breaks { (table.cell(colspan: columns, stroke: none, inset: (x: 0pt, y: 4pt), align: left, above),) }
+  let whole = table.cell.with(colspan: columns.len(), stroke: none, inset: (x: 0pt, y: 4pt), align: left)
+  let named = if breaks { (whole(above),) }
   block(breakable: breaks, width: 100%, above: 1em, below: 1em)[
     #set par(justify: false, first-line-indent: 0pt, leading: 0.5em)
     #set text(size: size)
     #set align(left)
     #metadata(none) #label(key)
     #if not breaks { said(caption) }
-    #table(columns: columns, align: aligned, table.header(..named, ..heads), ..cells)]
+    #table(columns: columns, rows: rows, align: aligned, table.header(..named, ..heads), ..cells)]
 }
 #let stood(columns, ..tables) = grid(columns: columns, column-gutter: 3mm, align: top, ..tables)
 #let floated(key, stays, body, clearance: 1em) = if stays {
@@ -79,7 +80,7 @@ CLOSE = "#set text(size: 11pt); #show outline.entry: set block(spacing: 0.36em);
 
 def source(blocks: Iterable[Written], language: str, title: str, frame: TextTitles | None = None) -> str:
     """The text of the note, its pages after the title page in frames with these titles."""
-    head = HEAD.replace("LANGUAGE", language).replace("TITLE", quoted(title))
+    head = HEAD.replace("LANGUAGE", language).replace("PLAIN", f"{PLAIN:g}").replace("TITLE", quoted(title))
     found = [head]
     for group, place in placed(blocks):
         if isinstance(group[0], Contents) and frame is not None:

@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import groupby
 
-from tmmcalc.note.tree import ACROSS, CELL, Grid, Text, Written, numeric, widest
-from tmmcalc.note.typstwords import EM, GAP, SIZE, escaped, label, set_text
-from tmmcalc.report.formula.layout import Box, Fraction, Row, Script, inner
+from tmmcalc.note.columns import Asked, least_width, measured, widths_of
+from tmmcalc.note.tree import ACROSS, CELL, POINT, Grid, Text, Written, numeric
+from tmmcalc.note.typstwords import GAP, escaped, label, set_text
+from tmmcalc.report.drawing.lettering import faces
+from tmmcalc.report.formula.layout import Box, Digits, Fraction, Gap, Letter, Marked, Row, Script, Sign, Word, inner
 from tmmcalc.report.language import tr
 
 SMALL = (9.5, 9.0, 8.5, 8.0)  # sizes of tables [pt], the first in which one fits
 WHOLE = (12, 34)  # rows: up to the first a table stands where it is told of, up to the second on one page
 MOST = 40  # rows that a page has
 CHAPTER = re.compile(r"\d+\.")  # what the number of a table in a numbered chapter begins with
-SCRIPTED = "3.6pt"  # over and under the letters of a cell with indices
+PLAIN, SCRIPTED = 3.0, 3.6  # over and under the letters of a cell, of one with indices [pt]
+CLOSE = 1e-3  # of the ends of a text to its column [mm]
+INDEXED = 0.95  # height of letters with indices [em]
 
 
 def beside(grids: Sequence[Grid]) -> bool:
@@ -80,33 +85,56 @@ def _size_of(grids: Sequence[Grid], sizes: Sequence[float]) -> float:
 
 def _width_at(grid: Grid, size: float) -> float:
     """How wide a table is at least, in letters of this size [mm]."""
-    return _table_width(grid) * size / SIZE + CELL * len(grid.head)
+    return least_width(grid, size * POINT, CELL)
 
 
 def _grid(grid: Grid, size: float, wide: float) -> str:
-    """A table in letters of a size, its caption no wider than so much [mm]."""
+    """A table in letters of a size, no wider than so much [mm].
+
+    Where the height of a row is known it is told: Typst needs half of its time for heights of rows that it looks for.
+    """
     caption = grid.caption
+    widths = widths_of(grid, size * POINT, CELL, wide)
+    heights = [_height(*row, size, widths) for row in zip(grid.rows, measured(grid)[1:], strict=True)]
     heads = "".join(_cell(cell, "center + horizon") for cell in grid.head)
-    cells = "".join(_cell(cell) for row in grid.rows for cell in row)
+    rows = zip(grid.rows, heights, strict=True)
+    cells = "".join(f"[{set_text(cell)}], " if high else _cell(cell) for row, high in rows for cell in row)
     columns = zip(*grid.rows, strict=True)
     aligned = "".join("right + horizon, " if numeric(column) else "left + horizon, " for column in columns)
     continued = tr("Continuation of table {number}", number=caption.number)
     said = f"[{set_text(caption.whole)}], [{escaped(continued)}]"
-    breaks = str(_stands(grid) == "on").lower()
-    laid = f"{len(grid.head)}, ({aligned}), {size}pt, {wide:g}mm, {breaks}"
+    breaks = _stands(grid) == "on"
+    across = "".join(f"{each:.3f}mm, " for each in widths)
+    down = "".join(
+        f" + ({f'{high:.4g}pt' if high else 'auto'},) * {len(list(alike))}" for high, alike in groupby(heights)
+    )
+    laid = f"({across}), ({'auto, ' * (1 + breaks)}){down}, ({aligned}), {size}pt, {wide:g}mm, {str(breaks).lower()}"
     return f"listed({label('tab', caption)}, {said}, {laid}, ({heads}), ({cells}))"
 
 
-def _table_width(grid: Grid) -> float:
-    """How wide the letters of a table are at least, at the size of the text [mm]."""
-    return sum(map(widest, zip(grid.head, *grid.rows, strict=True))) * EM
+def _height(row: Sequence[Text], asked: Sequence[Asked], size: float, widths: Sequence[float]) -> float:
+    """Height of a row of which each cell is one line of letters [pt], or 0."""
+    if any(text.whole * size * POINT + CELL > wide + CLOSE for text, wide in zip(asked, widths, strict=True)):
+        return 0.0
+    boxes = [part for cell in row for part in cell.parts if isinstance(part, Row)]
+    if not all(map(_level, boxes)):
+        return 0.0
+    capital = faces()["regular"]["capital"]
+    return (INDEXED if any(map(_scripted, boxes)) else capital) * size + 2 * PLAIN
+
+
+def _level(box: Box) -> bool:
+    """Whether it is letters on a line, with indices that have none of their own."""
+    if isinstance(box, Script):
+        return not any(map(_scripted, inner(box))) and all(map(_level, inner(box)))
+    return isinstance(box, Letter | Word | Digits | Sign | Gap | Row | Marked) and all(map(_level, inner(box)))
 
 
 def _cell(cell: Text, align: str = "") -> str:
-    """A cell, with room for indices."""
+    """A cell as high as it is, with room for indices."""
     said = [f"align: {align}"] if align else []
     if any(isinstance(part, Row) and _scripted(part) for part in cell.parts):
-        said.append(f"inset: (x: 3pt, y: {SCRIPTED})")
+        said.append(f"inset: (x: 3pt, y: {SCRIPTED:g}pt)")
     return f"table.cell({', '.join(said)})[{set_text(cell)}], " if said else f"[{set_text(cell)}], "
 
 

@@ -20,6 +20,7 @@ MODULES = (  # in this order: each imports from those before it
     "motion",
     "state",
     "marks",
+    "letters",
     "elements",
     "scales",
     "ghosts",
@@ -49,8 +50,7 @@ def document(content: Mapping[str, Any]) -> str:
     """The text of the file. What the spec says is data: it stands in no script and no attribute."""
     script, style = joined(), (WEB / "page.css").read_text(encoding="utf-8")
     policy = (
-        "default-src 'none'; base-uri 'none'; form-action 'none'; "
-        f"script-src {_hash(script)}; style-src {_hash(style)}; img-src data:"
+        f"default-src 'none'; base-uri 'none'; form-action 'none'; script-src {_hash(script)}; style-src {_hash(style)}"
     )
     parts = {
         "POLICY": policy,

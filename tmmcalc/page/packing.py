@@ -1,4 +1,7 @@
-"""Numbers of a page in one block: single floats, little-endian, in base64; what needs them holds place and length."""
+"""Numbers of a page in one block: single floats, little-endian, in base64; what needs them holds place and length.
+
+Coordinates of marks stand beside them in the JSON.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 ERROR = 2.0**-24  # relative, of a number that is stored as a single float
 
+Content = dict[str, Any]  # plain values for JSON
 Ref = list[int]  # place of the first number, their count
 
 
@@ -37,3 +41,8 @@ class Block:
         """The block as base64."""
         whole: NDArray[Any] = np.concatenate(self._parts) if self._parts else np.empty(0)
         return base64.b64encode(whole.astype("<f4").tobytes()).decode("ascii")
+
+
+def pair(z: complex) -> list[float]:
+    """Coordinates to a nanometre."""
+    return [round(z.real, 9) + 0.0, round(z.imag, 9) + 0.0]

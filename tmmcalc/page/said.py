@@ -2,21 +2,36 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
+from typing import TypeVar
 
 from tmmcalc.report.formula.symbols import with_letters
 from tmmcalc.report.language import LANGUAGES, speaking, tr, tr_name, tr_unit
 
 Said = str | list[str]
+T = TypeVar("T")
+
+SIGNS = (
+    (re.compile(r"(?<=\s)->(?=\s)"), "→"),
+    (re.compile(r"(?<=[A-Za-z\d])\*(?=[A-Za-z])"), "·"),
+    (re.compile(r"(?<=\d) deg\b"), "°"),
+    (re.compile(r"(?<![^\s(])-(?=\d| )"), "−"),
+)
 
 
-def said(say: Callable[[], str]) -> Said:
+def each_said(say: Callable[[], T]) -> list[T]:
     """What ``say`` gives in each language."""
     found = []
     for language in LANGUAGES:
         with speaking(language):
             found.append(say())
-    return alike(found)
+    return found
+
+
+def said(say: Callable[[], str]) -> Said:
+    """A text in all languages."""
+    return alike(each_said(say))
 
 
 def alike(texts: list[str]) -> Said:
@@ -25,21 +40,26 @@ def alike(texts: list[str]) -> Said:
 
 
 def name_of(text: str) -> Said:
-    """A text that the program says elsewhere: a meaning, a warning; names of Greek letters become these."""
-    return said(lambda: with_letters(tr_name(text)))
+    """A text that the program says elsewhere: a meaning, a warning; with Greek letters and signs of print."""
+    return said(lambda: _printed(with_letters(tr_name(text))))
+
+
+def _printed(text: str) -> str:
+    """Signs that a terminal has not: 5 N*m at -3 deg -> 5 N·m at −3°."""
+    for typed, printed in SIGNS:
+        text = typed.sub(printed, text)
+    return text
 
 
 def unit_of(unit: str) -> Said:
-    """A unit; of an angle the sign of degrees."""
-    return "°" if unit == "deg" else said(lambda: tr_unit(unit))
+    """A unit; of an angle the sign of degrees, of a number that has none nothing."""
+    known = {"deg": "°", "-": ""}
+    return known[unit] if unit in known else said(lambda: tr_unit(unit))
 
 
 def words() -> dict[str, Said]:
     """What the page itself says, by the names that its scripts know."""
-    spoken = []
-    for language in LANGUAGES:
-        with speaking(language):
-            spoken.append(_words())
+    spoken = each_said(_words)
     return {key: alike([each[key] for each in spoken]) for key in spoken[0]}
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from itertools import takewhile
+from math import isfinite, nan
 from pathlib import Path
 from typing import NamedTuple
 
@@ -44,17 +46,29 @@ def swept(file: Path) -> Swept:
     axes = [Axis(key, (), unit) for key, unit in map(key_and_unit, keys)]
     variants = []
     for row in solved[::step]:
-        values = [*map(float, row[len(labels) : len(labels) + len(axes)])]
+        values = [_number(file, each) for each in row[len(labels) : len(labels) + len(axes)]]
         own = [*zip(axes, values, strict=True)]
-        name = ", ".join(row[: len(labels)]) or said(lambda own=own: "; ".join(_measured(*each) for each in own))
+        name = ", ".join(row[: len(labels)]) or said(partial(_measured, own))
         variants.append((name, tuple(axis.assignment(value) for axis, value in own)))
     return Swept(", ".join(labels or (axis.key for axis in axes)), tuple(variants))
 
 
-def _measured(axis: Axis, value: float) -> str:
-    """A value with its unit in the language in force."""
-    number = tr_number(f"{value:.6g}").replace("-", "−")
-    return f"{number}°" if axis.unit == "deg" else f"{number} {tr_unit(axis.unit)}".strip()
+def _number(file: Path, cell: str) -> float:
+    """A number of a variant; raises `UsageError` where it is none."""
+    try:
+        value = float(cell)
+    except ValueError:
+        value = nan  # as infinity is, none of a spec
+    if isfinite(value):
+        return value
+    rule = f"{file}: {cell!r} is no number of a variant"
+    raise UsageError(rule, where="--sweep", remedy="mend the cell, or run tmmcalc sweep again")
+
+
+def _measured(own: Sequence[tuple[Axis, float]]) -> str:
+    """Values with their units in the language in force."""
+    numbers = [(tr_number(f"{value:.6g}").replace("-", "−"), axis.unit) for axis, value in own]
+    return "; ".join(f"{number}°" if unit == "deg" else f"{number} {tr_unit(unit)}".strip() for number, unit in numbers)
 
 
 def _keys(head: Sequence[str]) -> list[str]:

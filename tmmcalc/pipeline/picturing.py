@@ -1,8 +1,9 @@
-"""The picture of a stage from the results of a run."""
+"""What a stage offers to be seen, from the results of a run: its picture, what moves, what is tried by hand."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.core.errors import TmmError
@@ -54,6 +55,13 @@ def order_of(spec: Any, results: Mapping[str, Any], flags: Mapping[str, str | No
         return own.solve(*arguments(own.inputs(spec)), **upstream_of(own, results))
 
     return Order(spec, results, flags, solved, parse_spec)
+
+
+def offered(stage: str, what: str, order: Order) -> list[Any]:
+    """The ``views`` or ``trials`` of a stage; none where it has none."""
+    module = STAGES[stage].view
+    offers: Callable[[Order], Iterable[Any]] | None = getattr(import_module(module), what, None) if module else None
+    return [*offers(order)] if offers else []
 
 
 def svg_of(stage: str, spec: Any, results: Mapping[str, Any]) -> str | None:

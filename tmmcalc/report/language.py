@@ -121,7 +121,7 @@ def tr_unit(unit: str) -> str:
     ...     tr_unit("kg*m^2"), tr_unit("rpm"), tr_unit("N/mm")
     ('кг·м²', 'об/хв', 'Н/мм')
     """
-    written = unit.replace("*", "·").replace("^2", "²").replace("^3", "³")
+    written = unit.replace("*", "·").replace("^2", "²").replace("^3", "³").replace("^4", "⁴")
     language = _spoken.get()
     if language == "en":
         return written

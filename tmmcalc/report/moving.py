@@ -17,6 +17,7 @@ import numpy as np
 from tmmcalc.core.plane import Plane, Real
 
 FRAME = ""  # the body that stands still
+TONES = BLUE, ORANGE, GREEN, PURPLE = (1, 2, 3, 4)  # numbers of colours
 
 Kind = Literal[
     "plate",  # a filled polygon: its corners
@@ -189,11 +190,10 @@ class Centre(NamedTuple):
 
 
 class Handle(NamedTuple):
-    """What the input is moved by: a body that turns about a place, or slides along a direction."""
+    """What the input is moved by: a body that turns about a place, or slides."""
 
     body: str
     pivot: complex | None = None
-    direction: complex | None = None
 
 
 class Reading(NamedTuple):

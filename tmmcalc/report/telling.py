@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TypeVar
 
 import numpy as np
@@ -34,6 +34,7 @@ DIGITS = 5  # of the largest number of a column, of a number within a sentence
 WIDE, HIGH = 160.0, 130.0  # that a picture may be [mm]
 LATIN = {greek: name for name, greek in GREEK.items()}  # names of Greek letters
 SIGNS = ("<=", ">=", "<", ">")
+SAME = 1e-9  # of the largest value of a column: values that differ less are equal
 ANGLE = 6  # decimals of an angle that are no rounding [deg]
 STEPS = (1, 2, 5, 10, 20, 50, 100, 200, 500)  # of a long course that are shown
 LETTERED = 1.15  # words of a picture against those of a drawing on screen
@@ -91,8 +92,10 @@ def lines(texts: Sequence[str], places: Sequence[Place], words: Mapping[str, str
 
 def _zeros(places: Sequence[Place]) -> set[str]:
     """Names that are nothing at every place."""
-    common = set.intersection(*(set(place.lexicon) for place in places))
-    return {key for key in common if all(_size(place.lexicon[key]) <= STILL for place in places)}
+    found = set(places[0].lexicon)
+    for place in places:
+        found = {key for key in found if key in place.lexicon and _size(place.lexicon[key]) <= STILL}
+    return found
 
 
 def _size(given: Given) -> float:
@@ -278,6 +281,16 @@ def located(blocks: Sequence[Table | Figure]) -> str:
     if isinstance(blocks[0], Table):
         return tr("in tables {numbers}", numbers=numbers) if several else tr("in table {numbers}", numbers=numbers)
     return tr("in figures {numbers}", numbers=numbers) if several else tr("in figure {numbers}", numbers=numbers)
+
+
+def two_sides(labels: Sequence[str], columns: Iterable[ArrayLike]) -> Iterator[Paragraph]:
+    """What is said of the first and the last row, two sides of one position, where a column (n,) differs in them."""
+    for values in map(np.asarray, columns):
+        if abs(values[0] - values[-1]) > SAME * np.nanmax(np.abs(values)):
+            words = {"first": labels[0], "last": labels[-1]}
+            said = tr("Rows {first} and {last} are one position, just after its jump and just before it.", **words)
+            yield Paragraph(said)
+            return
 
 
 def row_of(name: str, unit: str, values: Sequence[float]) -> tuple[str, ...]:

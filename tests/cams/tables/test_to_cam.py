@@ -403,6 +403,21 @@ def test_the_speed_of_the_crank(shaper: str) -> None:
     assert "as the shaft does, at 180 rpm" in remark
 
 
+def test_a_cam_turns_with_its_crank(shaper: str) -> None:
+    """The crank of the shaper turns counter-clockwise; a cam with a speed of its own, or none of a crank, does not."""
+    text = f"[cam]\n{FOLLOWER['RT']}{MOTION}"
+    backwards = shaper.replace('speed = "55 rpm"', 'speed = "-55 rpm"')
+    for spec, more, sense in (
+        (shaper, "", -1),
+        (backwards, "", 1),
+        (shaper, 'rotation = "clockwise"\n', 1),
+        (shaper, 'speed = "10 rad/s"\n', 1),
+        (TORQUE, "", 1),
+        ("", "", 1),
+    ):
+        assert to_cam(parse_spec(f"{spec}\n{text}{more}")).asked.sense == sense
+
+
 def test_the_crank_turns_either_way(shaper: str) -> None:
     backwards = shaper.replace('speed = "55 rpm"', 'speed = "-55 rpm"')
     assert backwards != shaper

@@ -182,6 +182,18 @@ class TestPlainIteration:
         assert not found.stopped
         assert found.passes == 30
 
+    def test_a_component_that_is_next_to_nothing_holds_up_no_reaction(self) -> None:
+        """A turn of a reaction by 2 degrees changes it by 3.5 %, whatever it does to its smaller component."""
+        mechanism, kinematics = press()
+        statics = compile_statics(compile_scene(mechanism, press_loading(0.1), kinematics))
+        found = textbook_iteration(statics, "RRP(2,3)", np.pi / 2, stop=1e-3, judged="reactions")
+        a = found.unknowns[:, :2] @ [1, 1j]
+        seen = np.abs(np.diff(a)) / np.abs(a[1:])
+        assert found.stopped
+        assert found.shift[-1] <= 1e-3 < found.shift[-2]
+        assert np.all(found.shift[1:] >= seen)
+        assert np.all(found.shift[1:] <= found.change[1:])
+
     def test_beyond_a_gain_of_one_it_never_settles(self) -> None:
         """N goes to 3 (1000 - 0.5 |N|), which stretches every distance by half; `solve_forces` has the solution."""
         case = EXTREME["c"]

@@ -9,6 +9,7 @@ from tmmcalc.cams.facts.rows import with_further, with_rows
 from tmmcalc.cams.strength.columns import margin_rows, strength_columns
 from tmmcalc.cams.strength.results import CamStrength, Margin
 from tmmcalc.core.columns import Column
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.quantity import keyed, quantity_of
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import angle, number
@@ -83,7 +84,9 @@ def _cells(each: Margin) -> tuple[str, ...]:
     value = f"{each.symbol} = {shown(each.value)}" if each.value is not None else ""
     margin = "" if each.margin is None else _passed(each) or f"{100 * each.margin:.2f}"
     phi = "" if each.phi is None else f"{degrees(each.phi):.3f}"
-    verdict = VERDICTS[each.verdict] + (" (advice)" if each.advice else "")
+    verdict: str = VERDICTS[each.verdict]
+    if each.advice:
+        verdict = Phrase("{verdict} (advice)", verdict=verdict)
     return each.name, value, shown(each.limit), margin, phi, verdict
 
 

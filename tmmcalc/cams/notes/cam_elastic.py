@@ -12,7 +12,7 @@ from tmmcalc.cams.forces.spring import solve_spring
 from tmmcalc.cams.forces.turn import at_rows, loads_of, weight
 from tmmcalc.cams.laws.catalogue import LAWS
 from tmmcalc.cams.notes.laws import named_title
-from tmmcalc.cams.notes.lexicon import ANGLES, Told, degrees_of, mm, of_task, quantities_table, told_of
+from tmmcalc.cams.notes.lexicon import ANGLES, Told, degrees_of, mean_speed, mm, of_task, quantities_table, told_of
 from tmmcalc.cams.notes.loaded.duhamel import integrals
 from tmmcalc.cams.notes.loaded.quantities import ROCKER, STEM, listed
 from tmmcalc.cams.pictures.cam_elastic import draw_spectra, draw_vibration
@@ -53,7 +53,7 @@ def blocks(order: Order) -> Iterator[Block]:
     yield Paragraph(tr("Natural frequency, without the damping and with it, and its ratio to that of the cam:"))
     frequency = "omega_0 = sqrt(k_e/m_e)" if told.turns else "omega_0 = sqrt(10**3*k_e/m_e)"
     damped = ("omega_d = omega_0*sqrt(1 - zeta**2)",) * bool(result.damping)
-    yield from lines([frequency, *damped, "f_e = omega_0/(2*pi)", "nu = omega_0/omega_m"], [Place("", scene)])
+    yield from lines([frequency, *damped, "f_e = omega_0/(2*pi)", "nu = omega_0/<wt>"], [Place("", scene)], told.words)
     yield from _phases(told, result, scene)
     yield from _peak(told, result, scene)
     yield from _laws(told, result)
@@ -63,26 +63,29 @@ def blocks(order: Order) -> Iterator[Block]:
 
 def train_scene(told: Told, result: ElasticResult) -> Lexicon:
     """The train, its frequencies, the speed."""
-    turning = told.task.turning
-    speed = loads_of(told.task).speed if turning is None else turning.mean
     rate = rate_of(result.frequency, result.damping)
     mass, stiffness = ("kg*m^2", "N*m/rad") if told.turns else ("kg", "N/mm")
-    return of_task(told) | {
-        "m_e": Given(
-            result.mass,
-            mass,
-            tr("moment of inertia of the rocker") if told.turns else tr("mass on the elastic train"),
-        ),
-        "k_e": Given(
-            result.stiffness if told.turns else 1e-3 * result.stiffness, stiffness, tr("stiffness of the elastic train")
-        ),
-        "zeta": Given(result.damping, "", tr("damping as a part of the critical one")),
-        "omega_0": Given(result.frequency, "rad/s", tr("natural angular frequency")),
-        "omega_d": Given(rate.imag, "rad/s", tr("angular frequency of the damped vibration")),
-        "f_e": Given(result.hertz, "Hz", tr("natural frequency of the train")),
-        "omega_m": Given(speed, "rad/s", tr("mean angular velocity of the cam")),
-        "nu": Given(result.multiple, "", tr("natural frequency over that of the cam")),
-    }
+    return (
+        of_task(told)
+        | mean_speed(told)
+        | {
+            "m_e": Given(
+                result.mass,
+                mass,
+                tr("moment of inertia of the rocker") if told.turns else tr("mass on the elastic train"),
+            ),
+            "k_e": Given(
+                result.stiffness if told.turns else 1e-3 * result.stiffness,
+                stiffness,
+                tr("stiffness of the elastic train"),
+            ),
+            "zeta": Given(result.damping, "", tr("damping as a part of the critical one")),
+            "omega_0": Given(result.frequency, "rad/s", tr("natural angular frequency")),
+            "omega_d": Given(rate.imag, "rad/s", tr("angular frequency of the damped vibration")),
+            "f_e": Given(result.hertz, "Hz", tr("natural frequency of the train")),
+            "nu": Given(result.multiple, "", tr("natural frequency over that of the cam")),
+        }
+    )
 
 
 def _phases(told: Told, result: ElasticResult, scene: Lexicon) -> Iterator[Block]:
@@ -116,10 +119,10 @@ def _phases(told: Told, result: ElasticResult, scene: Lexicon) -> Iterator[Block
             f"A_{i}": Given(factor * found.residual, unit, tr("amplitude after the phase, from rest")),
             "omega_d": scene["omega_d"]._replace(meaning=tr("angular frequency of the damped vibration")),
         }
-        timed = (f"t_{i} = {ANGLES[phase.kind]}/omega_m",) if task.turning is None else ()
+        timed = (f"t_{i} = {ANGLES[phase.kind]}/<wt>",) if task.turning is None else ()
         name = phase_name(found.kind)
         place = Place(name, scene | named(values))
-        yield from lines((*timed, f"tau_{i} = t_{i}*f_e"), [place])
+        yield from lines((*timed, f"tau_{i} = t_{i}*f_e"), [place], told.words)
         if task.turning is None and phase.law is not None:
             letter, back = canonical(told.words["h"]), found.kind == "return"
             first = found is result.phases[0]

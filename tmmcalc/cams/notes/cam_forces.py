@@ -61,7 +61,6 @@ def given_loads(of: Loaded) -> Lexicon:
     loads, asked = of.loads, of.loads.spring
     scene = of_scene(of)
     found: Lexicon = {name: scene[name] for name in ("<m>", "f", "r_A") if name in scene}
-    found["omega"] = Given(loads.speed, "rad/s", tr("angular velocity of the cam"))
     unit, letter = ("N*m", "M_Q") if of.turns else ("N", "Q_")
     if loads.force.phi is None:
         found[f"{letter}y"] = Given(loads.force.rise, unit, tr("technological load on the rise and in the far dwell"))

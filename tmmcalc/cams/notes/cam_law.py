@@ -37,8 +37,8 @@ MOTION = {
     "return": ("<dy> = <h>*s", "<y>' = -<h>*s'/phi_c", "<y>'' = <h>*s''/phi_c**2"),
 }
 RATES = {  # by whether the follower turns
-    False: ("<v> = <y>'*omega*10**(-3)", "<a> = <y>''*omega**2*10**(-3)"),
-    True: ("<v> = <y>'*omega", "<a> = <y>''*omega**2"),
+    False: ("<v> = <y>'*<wn>*10**(-3)", "<a> = <y>''*<wn>**2*10**(-3)"),
+    True: ("<v> = <y>'*<wn>", "<a> = <y>''*<wn>**2"),
 }
 PEAKS = {
     "rise": ("<y>'_{max} = C_v*<h>/phi_y", "<y>''_{max} = C_a*<h>/phi_y**2", "<y>''_{min} = -<C>*<h>/phi_y**2"),

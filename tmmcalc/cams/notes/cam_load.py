@@ -1,17 +1,18 @@
 """What the cam asks of the shaft that drives it, told after its forces: inertia and moments reduced to that shaft.
 
-The forces are those of the mean speed; the reduction of the machine has their moments by the same letters.
+The forces are those of the given speed; the reduction of the machine has their moments by the same letters.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.notes.lexicon import angle, degrees_of
+from tmmcalc.cams.notes.lexicon import angle, degrees_of, of_task
 from tmmcalc.cams.notes.loaded.quantities import Loaded, loaded_of
+from tmmcalc.cams.notes.loaded.reactions import ALONG, pressed
 from tmmcalc.cams.tables.tasks.cam import to_cam
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.machine.attached import Attached
@@ -38,6 +39,7 @@ ROCKER = {
     "cam friction": "M_cF = -abs(R*psi')*mu*l_2<u>/10**3",
 }
 ANGLE = "phi_1 = phi_r + phi<over>"
+EVEN = "<P>_j = -<m>*<y>''*<wn>**2<k>"  # the inertia of a shaft that turns evenly
 ASKED = "M_c = J'_c*omega_1**2/2"
 PLAIN, GEARED = (
     {"u": "", "u2": "", "u3": "", "over": ""},
@@ -57,17 +59,39 @@ def told_load(order: Order) -> Iterator[Block]:
     yield Paragraph(_driven(found))
     places = [_place(mean, found, row) for row in mean.told.rows]
     yield from lines((ANGLE, *inertia), places, words)
+    yield from _even(of, mean, places)
     yield Paragraph(tr("The forces on the follower give these moments on the shaft, which drive it where positive:"))
     for cause in causes:
         yield from lines((formulas[cause],), places, words)
     yield Paragraph(
-        tr("The torque that the cam asks of the shaft at the mean speed is largest and least at these angles:")
+        tr("The torque that the cam asks of the shaft at this angular velocity is largest and least at these angles:")
     )
     text = ASKED + "".join(f" - {LETTERS[cause]}" for cause in causes)
     yield from lines((text,), [_at(found, each, text) for each in found.torque], words)
     peak = max(found.torque, key=lambda each: abs(each.value))
-    yield Result("M_c", Given(abs(peak.value), "N*m", tr("largest torque that the cam asks of the shaft")))
+    yield Result(
+        "M_c",
+        Given(
+            abs(peak.value), "N*m", tr("largest torque that the cam asks of the shaft at the given angular velocity")
+        ),
+    )
     yield from _works(found)
+
+
+def _even(of: Loaded, mean: Loaded, places: Sequence[Place]) -> Iterator[Block]:
+    """Why R is another one than in the forces, and how it is found, where friction is reduced of an uneven motion."""
+    if of.task.turning is None or not of.carried.rubs:
+        return
+    yield Paragraph(
+        tr(
+            "Friction is reduced at the given angular velocity, at which the shaft turns evenly. So the inertia force "
+            "is without $eps$, and $R$ differs from that of the uneven motion above:"
+        )
+    )
+    given = of.named(of_task(of.told))
+    own = [place._replace(lexicon=place.lexicon | given) for place in places]
+    yield from mean.lines((EVEN, ALONG[-1]), own)
+    yield from pressed(mean, own)
 
 
 def _driven(found: Attached) -> str:
@@ -101,7 +125,7 @@ def _reduced(found: Attached, theta: float, before: bool = False) -> Lexicon:
 
     own = {
         "u": Given(found.ratio, "", tr("speed of the cam over that of the input shaft")),
-        "omega_1": Given(found.speed, "rad/s", tr("mean angular velocity of the input shaft")),
+        "omega_1": Given(found.speed, "rad/s", tr("given angular velocity of the input shaft")),
         "J_c": Given(here(found.inertia), "kg*m^2", tr("reduced moment of inertia of the follower")),
         "J'_c": Given(here(found.slope), "kg*m^2", tr("its derivative by the angle of the input shaft")),
     }

@@ -16,6 +16,7 @@ from tmmcalc.cams.notes.lexicon import (
     Told,
     angle,
     degrees_of,
+    dwell_of,
     mm,
     of_follower,
     of_motion,
@@ -23,6 +24,7 @@ from tmmcalc.cams.notes.lexicon import (
     shown_unit,
     table_rows,
     told_of,
+    where,
 )
 from tmmcalc.cams.pictures.cam_profile import draw_cam, height_of
 from tmmcalc.cams.pictures.curvature import draw_bends, names_of
@@ -255,7 +257,7 @@ def _curvature(told: Told, result: Profile, places: list[Place], lexicon: Lexico
     yield Heading(tr("Curvature"), 3)
     if result.flat:
         yield from lines(FLAT[2:], places, words)
-        yield from _flat_limits(result, lexicon)
+        yield from _flat_limits(told, result, lexicon)
         return
     bent = [place for place in places if "rho" in place.lexicon]
     yield Paragraph(
@@ -340,10 +342,12 @@ def _limits(told: Told, result: Profile, lexicon: Lexicon) -> Iterator[Block]:
         )  # fmt: skip
 
 
-def _flat_limits(result: Profile, lexicon: Lexicon) -> Iterator[Block]:
+def _flat_limits(told: Told, result: Profile, lexicon: Lexicon) -> Iterator[Block]:
     """The least radius under a flat face."""
     lexicon |= named({"rho_{min}": mm(result.sharpest.value, tr("least radius of curvature of the profile"))})
-    yield Paragraph(tr("The radius of curvature is least at $phi$ = {angle}°:", angle=degrees_of(result.sharpest.phi)))
+    phi = result.sharpest.phi
+    place = where(phi, dwell_of(told.task.program, phi))
+    yield Paragraph(tr("The radius of curvature is least {where}:", where=place))
     yield from _held("rho_{min}", lexicon, "r_m")
     if not result.working.sound:
         yield Paragraph(_unsound(result.working))

@@ -14,11 +14,13 @@ from tmmcalc.cams.notes.lexicon import (
     Told,
     angle,
     degrees_of,
+    dwell_of,
     mm,
     number,
     of_follower,
     quantities_table,
     told_of,
+    where,
 )
 from tmmcalc.cams.notes.rocker import rocker_base, told_pivot, told_rocker
 from tmmcalc.cams.notes.stem import stem_base, told_stem
@@ -69,7 +71,7 @@ def blocks(order: Order) -> Iterator[Block]:
     yield from _designs(told, result)
     yield from _candidates(told, result)
     yield from _pictures(order)
-    yield from _roller(result, lexicon)
+    yield from _roller(told, result, lexicon)
     yield from told_pivot(told, result, lexicon)
     yield Heading(tr("Sizes taken"), 3)
     yield Paragraph(tr("The sizes taken are in table {tab:cam_sizes}."))
@@ -164,14 +166,15 @@ def _rule(design: Design, sense: int) -> str:
     return tr("In whole millimetres") if design.name == WHOLE_NAME else design_name(design, sense)
 
 
-def _roller(result: Synthesis, lexicon: Lexicon) -> Iterator[Block]:
+def _roller(told: Told, result: Synthesis, lexicon: Lexicon) -> Iterator[Block]:
     """The bounds of its radius, and what is taken."""
     choice = result.roller
     if choice is None:
         return
     yield Heading(tr("Roller"), 3)
-    said = tr("The least radius of convex parts of the pitch curve is $rho_2 = {convex}$ mm at $phi$ = {angle}°",
-              convex=significant(1e3 * choice.convex.value, SHORT), angle=degrees_of(choice.convex.phi))  # fmt: skip
+    place = where(choice.convex.phi, dwell_of(told.task.program, choice.convex.phi))
+    said = tr("The least radius of convex parts of the pitch curve is $rho_2 = {convex}$ mm {where}",
+              convex=significant(1e3 * choice.convex.value, SHORT), where=place)  # fmt: skip
     walled = any("rho_1" in RULES[rule.name] for rule in choice.rules)
     if choice.concave is not None and walled:
         said += tr(", that of concave parts $rho_1 = {concave}$ mm at $phi$ = {angle}°",

@@ -9,7 +9,8 @@ of a rocker that rises against the cam ``<d+>`` and ``<d->``.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import pairwise
 from math import degrees
 from typing import NamedTuple
 
@@ -20,7 +21,7 @@ from tmmcalc.cams.follower import Follower
 from tmmcalc.cams.lawresult import LawResult
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.pictures.ordered import cam_of
-from tmmcalc.cams.program import PhaseKind
+from tmmcalc.cams.program import PhaseKind, Program
 from tmmcalc.cams.task import CamTask
 from tmmcalc.report.drawing.order import POSITIONS, Order
 from tmmcalc.report.formula.digits import Given, significant
@@ -31,10 +32,13 @@ from tmmcalc.report.manuscript import Lexicon, Place, Table
 from tmmcalc.report.telling import filled, named
 
 STEM = {"dy": "DeltaS", "y": "S", "h": "h", "y0": "S_0", "v": "v", "a": "a"}
+# angular velocities of the cam: what is given, and the mean of the time; ``omega`` is that of a position
+CONSTANT, VARYING = {"wn": "omega", "wt": "omega"}, {"wn": "omega_n", "wt": "omega_t"}
 ROCKER = {"dy": "Deltapsi", "y": "psi", "h": "psi_m", "y0": "psi_0", "v": "omega_2", "a": "eps_2"}
 PLUS, MINUS = {"+": "+", "-": "-"}, {"+": "-", "-": "+"}
 ANGLES: dict[PhaseKind, str] = {"rise": "phi_y", "high dwell": "phi_d", "return": "phi_c", "low dwell": "phi_b"}
 THIRD = 0.3  # of a phase: where it is worked out, as near as the rows of the tables come
+INSIDE = (1 / 5, 1 / 2, 4 / 5)  # of a dwell: where it is looked whether something keeps its value
 NEAR = 1e-9
 FIGURES = 7  # digits of a value of a table
 PLACES = 6  # its decimals at most
@@ -76,7 +80,8 @@ def told_of(order: Order) -> Told:
     task, law = cam_of(order), order.results["cam_law"]
     follower: Follower = order.results["cam_synthesis"].follower
     rows = tuple(_rows(order, law))
-    return Told(task, law, follower, rows, words_of(follower), _asked(order, law) is not None)
+    words = words_of(follower) | (VARYING if task.turning is not None else CONSTANT)
+    return Told(task, law, follower, rows, words, _asked(order, law) is not None)
 
 
 def words_of(follower: Follower) -> dict[str, str]:
@@ -142,8 +147,18 @@ def of_task(told: Told) -> Lexicon:
     found = {"<h>": stroke}
     found |= {ANGLES[each.kind]: Given(each.end - each.begin, "rad", meanings[each.kind]) for each in law.phases}
     if task.loads is not None:
-        found["omega"] = Given(task.loads.speed, "rad/s", tr("angular velocity of the cam"))
+        even = task.turning is None
+        said = tr("angular velocity of the cam") if even else tr("given angular velocity of the cam")
+        found["<wn>"] = Given(task.loads.speed, "rad/s", said)
     return found
+
+
+def mean_speed(told: Told) -> Lexicon:
+    """The mean angular velocity of a cam whose shaft turns unevenly; nothing of others."""
+    if told.task.turning is None:
+        return {}
+    said = tr("mean angular velocity of the cam over the time of a turn")
+    return {"<wt>": Given(told.task.turning.mean, "rad/s", said)}
 
 
 def of_follower(follower: Follower) -> Lexicon:
@@ -230,6 +245,29 @@ def number(given: Given) -> str:
 def degrees_of(phi: float) -> str:
     """An angle [rad] in degrees within a sentence, without the sign of degrees."""
     return spelt(significant(round(degrees(phi), PLACES) + 0.0, SHORT))
+
+
+def dwell_of(program: Program, phi: float, keeps: Callable[[float], bool] | None = None) -> tuple[float, float] | None:
+    """The dwell [rad] all over which something is what it is at phi, so that the angle itself tells nothing; or None.
+
+    At the end of a dwell ``keeps`` decides, which tells whether it is the same at another angle; without it only the
+    inside of a dwell counts, where a motion has nothing to change it.
+    """
+    end, starts = float(program.starts[-1]), program.starts.tolist()
+    near = NEAR * end if keeps is None else -NEAR * end
+    for phase, (first, last) in zip(program.phases, pairwise(starts), strict=True):
+        there = not phase.moves and any(first + near < at < last - near for at in (phi, phi + end, phi - end))
+        if there and (keeps is None or all(keeps(first + part * (last - first)) for part in INSIDE)):
+            return first, last
+    return None
+
+
+def where(phi: float, dwell: tuple[float, float] | None) -> str:
+    """An angle of the cam [rad] in a sentence, or the dwell in which every angle would do."""
+    if dwell is None:
+        return tr("at $phi$ = {angle}°", angle=degrees_of(phi))
+    low, high = map(degrees_of, dwell)
+    return tr("over the dwell from $phi$ = {low}° to {high}°", low=low, high=high)
 
 
 def shown_unit(unit: str) -> str:

@@ -116,8 +116,10 @@ def _height(told: Told, each: Bound, lexicon: Lexicon) -> Iterator[Block]:
 
 def _bound(told: Told, each: Bound) -> str:
     """What a line asks of S0; at rest it passes the axis of the cam."""
-    height = "" if each.rests else f"b_{each.number} "
-    return f"{height}{_sign(told, each)} e/tan({ANGLES[each.kind]})"
+    sign, asked = _sign(told, each), f"e/tan({ANGLES[each.kind]})"
+    if each.rests:
+        return asked if sign == "+" else f"-{asked}"
+    return f"b_{each.number} {sign} {asked}"
 
 
 def _sign(told: Told, each: Bound) -> str:

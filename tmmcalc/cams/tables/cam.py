@@ -62,8 +62,10 @@ class CamTable(Table):
         description='`"translating"`: a roller on a stem; `"oscillating"`: a roller on a rocker; `"flat"`: '
         "a face across a stem."
     )
-    rotation: Rotation = Field(
-        default="clockwise", description='Sense in which the cam turns: `"clockwise"` or `"counter-clockwise"`.'
+    rotation: Rotation | None = Field(
+        default=None,
+        description='Sense in which the cam turns: `"clockwise"` or `"counter-clockwise"` (default: that of the crank '
+        "with which it turns; else clockwise).",
     )
     closure: Closing = Field(
         default="force",

@@ -14,9 +14,8 @@ from tmmcalc.cams.synthesis.results import Convexity, Synthesis
 from tmmcalc.cams.views.motion import CamInMotion
 from tmmcalc.cams.views.region import boxed, shown_region
 from tmmcalc.core.plane import Plane
-from tmmcalc.report.moving import FRAME, Body, Mark, Reading, Span, Spot, View
+from tmmcalc.report.moving import BLUE, FRAME, GREEN, Body, Mark, Reading, Span, Spot, View
 
-BLUE, GREEN = 1, 3
 NOTE = (
     "S'' is laid off across, the displacement up; the line at 45° through their point M cuts off the radius of "
     "curvature of the profile, from the axis O up"

@@ -18,12 +18,11 @@ from tmmcalc.cams.synthesis.results import Synthesis
 from tmmcalc.cams.synthesis.translatingsizes import lines_of, region_of
 from tmmcalc.cams.views.motion import CamInMotion
 from tmmcalc.core.plane import Plane
-from tmmcalc.report.moving import FRAME, Angle, Body, Driver, Layer, Mark, Spot, View
+from tmmcalc.report.moving import BLUE, FRAME, GREEN, Angle, Body, Driver, Layer, Mark, Spot, View
 
 FAR = 5.0  # of S0: how deep the region is drawn
 BELOW = 0.5  # of the base circle: what is shown under its centre
 AROUND = 0.12  # of its size: what is shown around all
-BLUE, GREEN = 1, 3
 
 
 def region_of_axis(made: CamInMotion, result: Synthesis) -> Iterator[View]:

@@ -53,7 +53,7 @@ class WheelSizes:
     operating_half_angle: float = quantity("psi_w[rad]", "half the angle of the tooth on the operating pitch circle")
     # None of the next: ring
     least_shift: float | None = quantity("x_min", "least shift without undercut")
-    limit: float | None = quantity("LN[m]", "curvature at the limit point")  # its radius, signed
+    limit: float | None = quantity("LN[m]", "radius of curvature at the limit point, signed")
     pointing: float | None = quantity("r_s[m]", "radius where the flanks meet")
     least_teeth: float | None = quantity("z_min", "least number of teeth without undercut at this shift")
     strength: ToothStrength | None

@@ -217,8 +217,10 @@ def _table(found: tuple[Condition, ...], key: str) -> Table:
 
 def _row(each: Condition) -> tuple[str, ...]:
     numbers = _values(each)
-    sides = f"{numbers[0]} {each.relation} {numbers[1]}" if each.kept else f"{numbers[0]}$; ${numbers[1]}"
+    sides = f"${numbers[0]} {each.relation} {numbers[1]}$" if each.kept else f"${numbers[0]}$; ${numbers[1]}$"
+    if each.kept and each.name == "assembly":
+        sides = tr("${left}$ is whole", left=numbers[0])
     verdict = tr("kept") if each.kept else tr("not kept") if each.asked else tr("not recommended")
     name = tr("numbers of teeth") if each.name == "teeth" else tr_name(called(each.name))
     of = "" if each.name == "ratio" else each.of.removeprefix(PLANETS).replace("-", "–")
-    return name, of, f"${sides}$", verdict
+    return name, of, sides, verdict

@@ -220,8 +220,9 @@ def _compared(selection: Selection) -> Iterator[Block]:
     told = {"count": len(pool), "front": len(selection.front), "criteria": ", ".join(map(short_name, objectives))}
     yield Paragraph(
         tr(
-            "{count} trains are strong enough; they are compared by: {criteria}. The Pareto front has {front} of them: "
-            "no other train is better in all of these criteria (figure {fig}, table {tab}).",
+            "{count} trains are strong enough; they are numbered by themselves, as the rows of the tables, and "
+            "compared by: {criteria}. The Pareto front has {front} of them: no other train is better in all of these "
+            "criteria (figure {fig}, table {tab}).",
             fig="{fig:criteria_front}",
             tab="{tab:criteria_front}",
             **told,
@@ -231,10 +232,11 @@ def _compared(selection: Selection) -> Iterator[Block]:
     rows = [row for row in selection.front.tolist() if row != selection.winner.place]
     shown = [selection.winner.place, *rows][:SHOWN]
     body = tuple(_train(selection, row) for row in shown)
-    yield Table(tr("The chosen train and the Pareto front"), _heads(selection), body, "criteria_front")
+    yield Table(tr("The chosen train, then the Pareto front"), _heads(selection), body, "criteria_front")
     for each in selection.minima:
         said = {"criterion": short_name(each.criterion), "value": _shown(each.criterion, each.value)}
-        yield Paragraph(tr("The best {criterion}: {value}, train {row}.", row=each.winner + 1, **said))
+        teeth = _sizes(selection, each.winner)[1]
+        yield Paragraph(tr("The best {criterion}: {value}, train {teeth}.", teeth=teeth, **said))
 
 
 def _heads(selection: Selection) -> tuple[str, ...]:
@@ -263,8 +265,7 @@ def _sizes(selection: Selection, row: int) -> tuple[str, ...]:
         "; ".join(tr_number(significant(MM * value, RESULT)) for value in values[place].tolist())
         for values in (of.module, of.width)
     ]
-    mark = "*" if row == selection.winner.place else ""
-    return f"{row + 1}{mark}", f"{layout_word(of.sets.layout)} {name}" if several else name, *sizes
+    return str(row + 1), f"{layout_word(of.sets.layout)} {name}" if several else name, *sizes
 
 
 def _criteria(selection: Selection, row: int) -> tuple[str, ...]:

@@ -62,9 +62,13 @@ def draw_marks(field: Diagram, z: Plane, mark: Mark, weight: float = 1.0, fills:
 
     Of a filled sign they keep clear of its middle, of an open one of its outline.
     """
-    for k, at in enumerate(field.paper(z).tolist()):
+    points = field.paper(z)
+    for k, at in enumerate(points.tolist()):
         draw_mark(field.drawing, at, mark._replace(fill=fills[k]) if fills else mark)
-        field.labels.avoid([at] if mark.fill or fills else at + mark.size / 2 * SIGNS[mark.kind], weight)
+        if not (mark.fill or fills):
+            field.labels.avoid(at + mark.size / 2 * SIGNS[mark.kind], weight)
+    if mark.fill or fills:
+        field.labels.avoid_points(points, weight)
 
 
 def draw_mark(drawing: Drawing, at: complex, mark: Mark) -> None:

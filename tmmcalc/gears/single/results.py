@@ -42,7 +42,7 @@ class SingleWheel:
     # None of the next: ring
     least_shift: float | None = quantity("x_min", "least shift without undercut")
     least_teeth: float | None = quantity("z_min", "least number of teeth without undercut at this shift")
-    limit: float | None = quantity("LN[m]", "curvature at the limit point")  # its radius, signed
+    limit: float | None = quantity("LN[m]", "radius of curvature at the limit point, signed")
     pointing: float | None = quantity("r_s[m]", "radius where the flanks meet")
     # None: there is no such shift up to 50 modules
     pointed_shift: float | None = quantity(

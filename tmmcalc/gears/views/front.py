@@ -20,7 +20,7 @@ from tmmcalc.gears.network.model import FRAME
 from tmmcalc.gears.pictures.words import teeth_text
 from tmmcalc.gears.views.wheels import ALIKE, Member, members_of, teeth_of
 from tmmcalc.report.moving import FRAME as STANDING
-from tmmcalc.report.moving import Body, Handle, Mark, Reading, Spot, Track, View, track_of
+from tmmcalc.report.moving import TONES, Body, Handle, Mark, Reading, Spot, Track, View, track_of
 
 TURNS, USUAL = 36, 12  # of the member that drives, after which the travel ends: at most; where all do not come round
 PLAIN = 10**4  # denominators of ratios that are looked for where two speeds are given
@@ -32,7 +32,6 @@ NUDGE = 5.0  # of the arrow keys [deg]
 HUB = 0.3  # radius of the hub that holds a wheel which stands, in parts of its own
 THICK = 0.12  # of a bevel planet from its side, in parts of its diameter
 SHORT = 2  # letters of a name that has room in a ring
-TONES = 4
 
 
 class Front:
@@ -167,7 +166,7 @@ class Front:
     def _tone(self, member: Member) -> int:
         """The number of its colour: wheels by turns, carriers that of ink."""
         wheels = [each.name for each in self.members if each.circles]
-        return 1 + wheels.index(member.name) % TONES if member.circles else 0
+        return TONES[wheels.index(member.name) % len(TONES)] if member.circles else 0
 
     def _wheels(self, member: Member, copy: int, start: float) -> Iterator[Mark]:
         """Wheels and rims with what shows that they turn; what stands is hatched. Its axes begin at ``start`` [rad]."""

@@ -28,7 +28,7 @@ WIDE = 1.45  # of what is shown, to its height
 LEAST = 2.2  # half of its width at least, in pitches
 DEEP = 0.4  # [module] of the bodies behind the root circles that is shown
 BEYOND = 0.25  # of its width that a screen may show on each side more
-STEP = math.radians(3)  # of arcs behind teeth
+STEP = 0.01  # [rad] between the points of the back of a ring
 ACTION, SLIDING = 3, 4  # colours; those of the wheels are their numbers
 ASIDE, EDGE = 0.05, 0.04  # where numbers of wheels stand: from the line of centres, from above and below
 ARROW = 0.13  # length of the arrows that tell how the wheels turn; all in parts of what is shown
@@ -232,16 +232,17 @@ class Rolling:
 
     def _readings(self, contacts: list[tuple[int, tuple[float, float]]]) -> Iterator[Reading]:
         """Of every contact its distance from the pitch point, and how the flanks slide there."""
-        for j, (from_, to) in reversed(contacts):
+        sides = [j >= 0 for j, _ in contacts]
+        for number, (j, (from_, to)) in enumerate(reversed(contacts), 1):
             start, end = (self.contact(j, angle) - self.pair.pitch_point for angle in (0.0, self.turn))
             away, there = [abs(start), abs(end)], (from_ / PER, to / PER)
             where = "contact after the pitch point" if j >= 0 else "contact before the pitch point"
-            yield Reading(
-                f"{where}: its distance", "PK", "mm", self._even(1e3 * away[0], 1e3 * (away[1] - away[0])), there
-            )
+            told = [f"{where}: its distance", f"{where}: sliding, in parts of the speed of the pitch point"]
+            if sides.count(j >= 0) > 1:
+                told = [Phrase("pair of teeth {number}: {what}", number=str(number), what=each) for each in told]
+            yield Reading(told[0], "PK", "mm", self._even(1e3 * away[0], 1e3 * (away[1] - away[0])), there)
             speeds = [abs(self.sliding(self.contact(j, angle))) for angle in (0.0, self.turn)]
-            name = f"{where}: sliding, in parts of the speed of the pitch point"
-            yield Reading(name, "v_s", "", self._even(speeds[0], speeds[1] - speeds[0]), there)
+            yield Reading(told[1], "v_s", "", self._even(speeds[0], speeds[1] - speeds[0]), there)
 
     def _circles(self) -> Iterator[Mark]:
         """Pitch and base circles, the pitch line of a rack, the line of centres."""

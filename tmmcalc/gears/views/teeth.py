@@ -26,6 +26,7 @@ from tmmcalc.report.formula.carried import Root, Step, carried, step_of
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.formula.tree import Statement, renamed
 from tmmcalc.report.language import tr
+from tmmcalc.report.moving import GREEN
 from tmmcalc.report.telling import filled
 
 OWN = "z", "x", "r", "r_b", "r_w", "r_a", "r_f", "alpha_a", "rho_L", "rho_p"  # of a wheel, told before its tooth
@@ -73,7 +74,7 @@ ASIDE, AWAY = 0.5, 2.75  # [module] from the line of centres and the pitch point
 CONTACTS = 4  # pitches before and behind the pitch point at which flanks may touch
 # points of the line of action: distances from N1, on which side of it their names stand
 POINTS = ("N1", "0", -1), ("A2", "rho_p1", 1), ("P", "rho_w1", -1), ("A1", "rho_a1", 1), ("N2", "g", -1)
-ACTION = 3  # colour; those of the wheels are their numbers
+ACTION = GREEN  # colour; those of the wheels are their numbers
 
 
 class Tooth:

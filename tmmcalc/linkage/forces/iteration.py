@@ -6,7 +6,7 @@ never settles beyond a loop gain of one, where `friction` still has the solution
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     Equilibrium = DyadEquilibrium | GroupEquilibrium
 
 STOP = 0.03  # relative change at which the textbook stops
+NOTHING = 1e-12  # of the largest reaction: a smaller one is rounding, and counts as found
+Judged = Literal["components", "reactions"]  # what of a pair has to settle
 
 
 @record
@@ -47,6 +49,7 @@ class Iteration:
     change: Real = quantity(  # (m,) the first is 1
         "change", "largest relative change of an unknown from the solution before", source="(3.30)"
     )
+    shift: Real  # (m,) the largest change of a reaction against its magnitude; the first is 1
     stopped: bool = quantity("settled", "the rule stopped the passes")
     exact: Real | None  # (u,) the unknowns of the solution that `friction` finds; None if the group locks itself
     exact_friction: Real | None  # (k,) and its friction
@@ -58,22 +61,32 @@ class Iteration:
 
 
 def textbook_iteration(
-    statics: Statics, group: str, theta: float, side: float = 1.0, stop: float = STOP, most: int = 50
+    statics: Statics,
+    group: str,
+    theta: float,
+    side: float = 1.0,
+    stop: float = STOP,
+    most: int = 50,
+    judged: Judged = "components",
 ) -> Iteration:
-    """Iterate the friction of a group at the angle theta, from no friction on, until the stop rule (3.30) holds.
+    """Iterate the friction of a group at the angle theta, from no friction on, until the stop rule holds.
 
-    It stops where no unknown changes by more than ``stop`` of its new value; ``side`` tells from which side a pair at
-    rest is taken. Raises `UsageError` if there is no such group.
+    It stops where no unknown changes by more than ``stop`` of its new value (3.30), or no reaction by more than
+    ``stop`` of its magnitude, beside which a component may be next to nothing; ``side`` tells from which side a pair
+    at rest is taken. Raises `UsageError` if there is no such group.
     """
     cut = statics.cut_out(group, statics.scene.place(np.array([theta]), side), side)
     friction: list[Real] = [np.zeros(len(cut.c))]
-    unknowns, change = list[Real](), list[float]()
-    while len(unknowns) < most and not (change and change[-1] <= stop):
+    unknowns, change, shift = list[Real](), list[float](), list[float]()
+    told = change if judged == "components" else shift
+    forces = np.array([not name.endswith(".h") for name in _names(cut)])
+    while len(unknowns) < most and not (told and told[-1] <= stop):
         found = cut.under(friction[-1][:, None]).reactions
         now = _unknowns(cut, found)
         if not np.all(np.isfinite(now)):
             break
         change.append(_change(unknowns[-1], now) if unknowns else 1.0)
+        shift.append(_shift(unknowns[-1], now, forces) if unknowns else 1.0)
         unknowns.append(now)
         friction.append(_friction(cut, found))
     posts = [cut.plan.posts[k] for k in cut.c]
@@ -87,7 +100,8 @@ def textbook_iteration(
         names=_names(cut),
         unknowns=np.array(unknowns),
         change=np.array(change),
-        stopped=bool(change) and change[-1] <= stop,
+        shift=np.array(shift),
+        stopped=bool(told) and told[-1] <= stop,
         exact=exact[0] if exact is not None else None,
         exact_friction=exact[1] if exact is not None else None,
     )
@@ -105,6 +119,14 @@ def _change(before: Real, now: Real) -> float:
     """Largest relative change; an unknown that is nothing counts as found."""
     nothing = now == 0
     return float(np.max(np.where(nothing, 0.0, np.abs(now - before) / np.where(nothing, 1.0, np.abs(now)))))
+
+
+def _shift(before: Real, now: Real, forces: np.ndarray) -> float:
+    """Largest change of a reaction against its magnitude, of unknowns (u,) of which these are ``forces``, not arms."""
+    new, old = (np.where(forces, each, 0.0).reshape(-1, 2) for each in (now, before))
+    size = np.hypot(*new.T)
+    counts = size > NOTHING * np.max(size)
+    return float(np.max(np.hypot(*(new - old).T)[counts] / size[counts], initial=0.0))
 
 
 def _friction(cut: Equilibrium, found: tuple[Wrench, ...]) -> Real:

@@ -39,6 +39,15 @@ class Scene(NamedTuple):
         """The configuration at theta (n,), seen from its ``side``."""
         return Place(theta, self.chain.evaluate(self.travel.x(theta)), side)
 
+    def loaded(self, place: Place) -> Real:
+        """What the technological loads do at a place (n,): the sum of the sizes of their reduced moments [N*m or N]."""
+        found = np.zeros(len(place.theta))
+        for source in self.sources:
+            if source.kind == "load":
+                moment = sum(action.power(place.configuration) for action in source.actions(place))
+                found += np.abs(source.factor(self.travel.speed) * moment)
+        return found
+
     def edges(self, more: Iterable[Knot] = ()) -> list[float]:
         """Every theta within the period at which a load, or one of ``more``, is not smooth."""
         own, zeros = self.breaks(list(more))

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.instant import turning_links
 from tmmcalc.linkage.model import FRAME, Mechanism
-from tmmcalc.linkage.pictures.choice import at_parts
+from tmmcalc.linkage.notes.shown import rows_shown
 from tmmcalc.linkage.pictures.cycle import whole_cycle
 from tmmcalc.linkage.pictures.pieces import of_groups
 from tmmcalc.linkage.structure import ROMAN, Group, Structure
@@ -68,7 +68,7 @@ def _groups(order: Order, result: Structure) -> Iterator[Block]:
     yield Table(tr("Assur groups"), heads, tuple(map(_described, result.groups)), key="groups")
     kinematics = order.solved("kinematics")
     cycle = whole_cycle(chain_of(to_linkage(order.spec.linkage), kinematics), kinematics)
-    row = at_parts(cycle.chain, kinematics, (1 / 2,))[0]
+    row = rows_shown(order, cycle.chain, kinematics)[0]
     yield pictured(of_groups(result, cycle, float(kinematics.x[row])), key="groups")
 
 

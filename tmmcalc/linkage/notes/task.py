@@ -11,8 +11,8 @@ from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.loading import Body, Loading, Pair
 from tmmcalc.linkage.model import FRAME, Mechanism
 from tmmcalc.linkage.notes.group import guide_name, plain_name
+from tmmcalc.linkage.notes.shown import rows_shown
 from tmmcalc.linkage.notes.statics.loaded import force_key
-from tmmcalc.linkage.pictures.choice import at_parts
 from tmmcalc.linkage.pictures.cycle import whole_cycle
 from tmmcalc.linkage.pictures.scheme import draw_scheme
 from tmmcalc.linkage.pins import Pin, find_pins
@@ -25,7 +25,6 @@ from tmmcalc.report.manuscript import Block, Datum, Figure
 from tmmcalc.report.telling import numeral
 
 SIZE = (150.0, 95.0)  # of the scheme [mm]
-SHOWN = ((1 / 4,), (1 / 4,))  # parts of the strokes: the position that is drawn
 NEAR = 1e-9  # [m] within which points are one
 SIDES = 3  # pins of a link up to which all distances are given
 
@@ -36,7 +35,7 @@ def blocks(order: Order) -> Iterator[Block]:
         return
     mechanism, result = to_linkage(order.spec.linkage), order.results["kinematics"]
     chain = chain_of(mechanism, result)
-    row = at_parts(chain, result, *SHOWN)[0]
+    row = rows_shown(order, chain, result)[0]
     draw = partial(draw_scheme, result=result, cycle=whole_cycle(chain, result), positions=[row])
     yield Figure(tr("Scheme of the mechanism"), draw, SIZE, "task_scheme")
     yield from _motion(result)

@@ -7,30 +7,24 @@ from collections.abc import Iterator, Mapping, Sequence
 from importlib import import_module
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from tmmcalc.linkage.chain import Chain, Step, chain_of
-from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.loops.step import LoopStep
 from tmmcalc.linkage.notes import driven, loops, points
 from tmmcalc.linkage.notes.group import GroupAt, group_at, pin_quantities, plain_name
 from tmmcalc.linkage.notes.paths import Arm, Loop, loops_of
-from tmmcalc.linkage.pictures.choice import at_parts
+from tmmcalc.linkage.notes.shown import rows_shown
 from tmmcalc.linkage.pictures.cycle import LinkageMotion, whole_cycle
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.results import Kinematics
-from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
-from tmmcalc.report.drawing.order import POSITIONS, Order
+from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Place
 from tmmcalc.report.telling import STILL, filled, lines, named
 
-SHOWN = ((1 / 2,), (1 / 2,))  # parts of the working and of the idle stroke whose positions are worked out
 NOISE = 1e-15  # of quantities in SI
-IDLE = 1e-9  # of the largest power of the loads: where they have less they do not act
 DYADS = "tmmcalc.linkage.notes.dyads"
 
 
@@ -104,33 +98,7 @@ def told_of(order: Order) -> Told:
     """What is told of the linkage of a run, at the positions that are asked for, or one of each stroke."""
     mechanism, result = to_linkage(order.spec.linkage), order.results["kinematics"]
     cycle = whole_cycle(chain_of(mechanism, result), result)
-    return _gathered(cycle, result, rows_shown(order, cycle.chain))
-
-
-def rows_shown(order: Order, chain: Chain) -> list[int]:
-    """Rows of the kinematics that are asked for, or one of each stroke."""
-    result = order.results["kinematics"]
-    return order.rows(POSITIONS, result.labels) or _working(order, chain, at_parts(chain, result, *SHOWN))
-
-
-def _working(order: Order, chain: Chain, rows: list[int]) -> list[int]:
-    """The rows; where no load acts in any of them the first gives place to that in which the loads do most."""
-    kinematics, loading = order.results["kinematics"], to_loading(order.spec)
-    if not loading.loads:
-        return rows
-    scene = compile_scene(chain.mechanism, loading, kinematics)
-    theta, labels = scene.travel.rows(kinematics)
-    own = [labels.index(label) for label in kinematics.labels]
-    place = scene.place(theta[own], scene.travel.sides(theta[own]))
-    power = np.zeros(len(own))
-    for source in scene.sources:
-        if source.kind == "load":
-            given = sum(action.power(place.configuration) for action in source.actions(place))
-            power = power + np.abs(source.factor(kinematics.speed) * given)
-    most = int(np.argmax(power))
-    if not power[most] > 0.0:
-        return rows
-    return rows if np.any(power[rows] > IDLE * power[most]) else list(dict.fromkeys((most, *rows[1:])))
+    return _gathered(cycle, result, rows_shown(order, cycle.chain, result))
 
 
 def _gathered(cycle: LinkageMotion, result: Kinematics, rows: Sequence[int]) -> Told:

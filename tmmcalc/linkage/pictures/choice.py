@@ -41,6 +41,11 @@ def chosen(
 
 def at_parts(chain: Chain, result: Kinematics, working: Sequence[float], idle: Sequence[float] = ()) -> list[int]:
     """The positions nearest to these parts of the working and of the idle stroke of the first output."""
+    return list(dict.fromkeys(np.argmin(from_parts(chain, result, working, idle), axis=1).tolist()))
+
+
+def from_parts(chain: Chain, result: Kinematics, working: Sequence[float], idle: Sequence[float] = ()) -> np.ndarray:
+    """How far (k, n) every position is from these parts of the strokes, [rad or m]."""
     first = result.summaries[0] if result.summaries else None
     if first is None or first.working_angle is None or first.idle_angle is None:
         places = float(result.phi[-1]) * np.array(WHOLE)
@@ -52,7 +57,7 @@ def at_parts(chain: Chain, result: Kinematics, working: Sequence[float], idle: S
     apart = np.abs(result.phi - places[:, None])
     if result.turns:
         apart = np.abs(np.angle(np.exp(1j * apart)))
-    return list(dict.fromkeys(np.argmin(apart, axis=1).tolist()))
+    return apart
 
 
 def _telling(result: Kinematics, full: bool) -> int:

@@ -6,32 +6,19 @@ arrow: they are columns of their own, as the moment of the drive is.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.plane import Plane
-from tmmcalc.linkage.acting import Kind
 from tmmcalc.linkage.forces.rows import Rows
-from tmmcalc.linkage.freebody import Acting, Solved, link_bodies, solved
+from tmmcalc.linkage.freebody import Known, Solved, solved
 from tmmcalc.linkage.model import FRAME
 from tmmcalc.report.drawing.lettering import symbol
+from tmmcalc.report.moving import BLUE, PURPLE, Body, Layer, Vector, track_of
 from tmmcalc.report.moving import FRAME as STANDING
-from tmmcalc.report.moving import Body, Layer, Vector, track_of
 
-RESISTING = ("reaction", "friction")  # what pairs do to links
 NEAR = 1e-9  # [m] so far a point of a link may seem to go along it
-
-
-class Applied(NamedTuple):
-    """A force on a link: its sign, its kind, where it acts (n,) [m], and how large it is (n,) [N]."""
-
-    sign: str
-    kind: Kind
-    link: int
-    at: Plane
-    value: Plane
 
 
 class Drawn(NamedTuple):
@@ -53,43 +40,33 @@ def applied_of(rows: Rows, per: float) -> Drawn:
     for force in applied(found):
         on, at = _seat(found, force)
         body = points.setdefault((on, np.round(at, 9)), _point(f"acting-{len(points)}", on, at))
-        x, y = (track_of(part, 0.0, len(places)) for part in (force.value.real, force.value.imag))
-        vectors[force.kind == "inertia"].append(Vector(force.sign, body.name, x, y, places))
+        value, sign = np.array(force.value), symbol(force.letter, force.index).strip("$")
+        x, y = (track_of(part, 0.0, len(places)) for part in (value.real, value.imag))
+        vectors[force.kind == "inertia"].append(Vector(sign, body.name, x, y, places))
     layers = (
-        Layer("given", "Given forces", "N", (), tuple(vectors[False]), tone=4, hidden=True),
-        Layer("inertia", "Forces of inertia", "N", (), tuple(vectors[True]), tone=1, hidden=True),
+        Layer("given", "Given forces", "N", (), tuple(vectors[False]), tone=PURPLE, hidden=True),
+        Layer("inertia", "Forces of inertia", "N", (), tuple(vectors[True]), tone=BLUE, hidden=True),
     )
     return Drawn(tuple(points.values()), tuple(layer for layer in layers if layer.vectors))
 
 
-def applied(found: Solved) -> Iterator[Applied]:
+def applied(found: Solved) -> Iterator[Known]:
     """All forces on links that are no reactions, over the positions; one that is nothing everywhere is left out."""
-    bodies = [link_bodies(found, row) for row in range(len(found.place.theta))]
-    for same in zip(*bodies, strict=True):
-        for told in zip(*(_borne(body.forces) for body in same), strict=True):
-            values = np.array([each.value for each in told])
-            if np.any(values):
-                one = told[0]
-                sign = symbol(one.letter, one.index).strip("$")
-                yield Applied(sign, one.kind, one.link, np.array([each.at for each in told]), values)
+    return (each for each in found.known if not each.couple and np.any(each.value))
 
 
-def _borne(forces: Sequence[Acting]) -> list[Acting]:
-    return [each for each in forces if each.kind not in RESISTING]
-
-
-def _seat(found: Solved, force: Applied) -> tuple[str, complex]:
+def _seat(found: Solved, force: Known) -> tuple[str, complex]:
     """The body that a force goes with, and its place there: its link, else another, as of what pushes against it."""
-    motions = found.place.configuration.motions
+    motions, at = found.place.configuration.motions, np.array(force.at)
     seats = {}
     for link in dict.fromkeys((force.link, *motions)):
         motion = motions[link]
-        places = motion.base + (force.at - motion.r) / motion.u
+        places = motion.base + (at - motion.r) / motion.u
         seats[link] = float(np.abs(places - places[0]).max()), complex(places[0])
         if seats[link][0] < NEAR:
             break
-    link, (_, at) = min(seats.items(), key=lambda each: each[1][0])
-    return (STANDING if link == FRAME else str(link)), at
+    link, (_, place) = min(seats.items(), key=lambda each: each[1][0])
+    return (STANDING if link == FRAME else str(link)), place
 
 
 def _point(name: str, on: str, at: complex) -> Body:

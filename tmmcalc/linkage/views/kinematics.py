@@ -73,16 +73,12 @@ class Cycle:
         )
 
     def _handle(self) -> Handle | None:
-        """The input link: a crank about its pivot, or a slider along its guide; none between two moving links."""
+        """The input link: a crank about its pivot, or a slider; none between two moving links."""
         joint: Joint = self.mechanism.joint(self.result.input_joint)
         if FRAME not in joint.links:
             return None
         at = joint.links.index(FRAME)
-        link = joint.links[1 - at]
-        if self.result.turns:
-            return Handle(str(link), pivot=joint.points[at])
-        direction = joint.directions[1 - at] * complex(self.moved.motion.turn(link)[0])
-        return Handle(str(link), direction=direction if at == 1 else -direction)
+        return Handle(str(joint.links[1 - at]), joint.points[at] if self.result.turns else None)
 
     def _unreached(self) -> Iterator[Mark]:
         """The sectors that a crank does not come into, for its links do not close there."""

@@ -13,7 +13,7 @@ from tmmcalc.machine.flywheel.materials import RECOMMENDED
 from tmmcalc.machine.flywheel.results import Flywheel, RequiredInertia, Trial
 from tmmcalc.machine.flywheel.worked import Paper, Worked, curve_columns, paper, round_scales
 from tmmcalc.machine.notes.motors import of_motor
-from tmmcalc.machine.notes.told import inertias, reduced
+from tmmcalc.machine.notes.told import inertias, mean_speed, reduced
 from tmmcalc.machine.notes.wheel import of_wheel
 from tmmcalc.machine.pictures.constructions import draw_ordinates, machine_of
 from tmmcalc.machine.pictures.energymass import draw_energy_mass
@@ -215,7 +215,7 @@ def _lexicon(told: Told, found: Worked, index: str) -> Lexicon:
     return named(
         {
             "delta_0": Given(told.result.delta, "", tr("allowed coefficient of speed fluctuation")),
-            "omega_m": Given(told.speed, "rad/s", tr("mean angular velocity of the input link")),
+            "omega_m": mean_speed(told.speed),
             f"A_1{mark}": Given(found.work_max, "J", work),
             f"A_2{mark}": Given(found.work_min, "J", work),
             f"J_1{mark}": Given(found.links_max, "kg*m^2", links),

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import partial
 
 import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.linkage.chain import chain_of
-from tmmcalc.linkage.notes.told import rows_shown
+from tmmcalc.linkage.notes.shown import rows_shown
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.machine.motion import Motion
 from tmmcalc.machine.nodes import nodal_tables, nodal_work
 from tmmcalc.machine.notes.motors import driven, of_motor
-from tmmcalc.machine.notes.told import inertias, reduced
+from tmmcalc.machine.notes.told import inertias, mean_speed, reduced
 from tmmcalc.machine.pictures.motion import draw_speed
+from tmmcalc.machine.reduction.jumps import nodal_jumps
 from tmmcalc.machine.reduction.results import Reduction
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.stepwise import Run, idle_run_of, run_of
@@ -26,12 +27,13 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_count
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import degrees, drawn, filled, held, lines, named, numeral, plainly, tabulated
+from tmmcalc.report.telling import degrees, drawn, filled, held, lines, named, numeral, plainly, tabulated, two_sides
 
 SPEED = 78.0  # height of the picture [mm]
 TURNS = 5  # of the iteration that are shown in the table of turns
 NOTHING = 1e-6  # of a deviation after a cycle: less is nothing
 EVEN = 1e-9  # coefficient of speed fluctuation below which the speed is constant
+ALIKE = 1e-6  # relative difference of angular velocities: less is none
 REACHED = 1e-6  # of the allowed coefficient: what it may be above
 SOUND = 1.0  # B dphi/J up to which the recurrence does not swing
 
@@ -128,7 +130,7 @@ def _first(result: Motion, order: Order) -> list[int]:
         return [max(1, (len(result.labels) - 1) // 4)]
     kinematics = order.results["kinematics"]
     chain = chain_of(to_linkage(order.spec.linkage), kinematics)
-    return [result.labels.index(kinematics.labels[rows_shown(order, chain)[0]])]
+    return [result.labels.index(kinematics.labels[rows_shown(order, chain, kinematics)[0]])]
 
 
 def _recurrence(result: Motion, order: Order) -> Iterator[Block]:
@@ -152,7 +154,7 @@ def _recurrence(result: Motion, order: Order) -> Iterator[Block]:
     yield Display(read(f"omega_i**2 = ({before} + {gained})/(J_i + B_M*Deltaphi)"), key="motion_recurrence")
     yield Paragraph(tr("Part by part:"))
     yield from lines((f"E_i = {before}", f"W_i = {gained}", "omega_i = sqrt((E_i + W_i)/(J_i + B_M*Deltaphi))"), places)
-    yield from _turns(result, run, idle_run_of(result, reduction))
+    yield from _turns(result, run, idle_run_of(result, reduction), nodal_jumps(reduction, reduction.cycle.speed))
     lexicon = {
         "omega_max^r": Given(float(np.max(run.regime.omega)), "rad/s", tr("largest angular velocity")),
         "omega_min^r": Given(float(np.min(run.regime.omega)), "rad/s", tr("least angular velocity")),
@@ -194,7 +196,19 @@ def _step(run: Run, row: int) -> Lexicon:
     )
 
 
-def _turns(result: Motion, run: Run, idle: Run | None) -> Iterator[Block]:
+def _larger(result: Motion, jumps: Sequence[int]) -> Iterator[Paragraph]:
+    """What the textbook's methods take for a moment that jumps in these positions."""
+    if jumps:
+        labels = ", ".join(result.labels[row] for row in jumps)
+        yield Paragraph(
+            tr(
+                "Where $M_c$ jumps in a position (here {labels}), the value that is larger in magnitude is taken.",
+                labels=labels,
+            )
+        )
+
+
+def _turns(result: Motion, run: Run, idle: Run | None, jumps: Sequence[int]) -> Iterator[Block]:
     """The angular velocity turn by turn from the rated one, loaded and idle."""
     if not run.history:
         yield Paragraph(tr("Begun with the rated angular velocity the recurrence does not settle."))
@@ -214,6 +228,7 @@ def _turns(result: Motion, run: Run, idle: Run | None) -> Iterator[Block]:
         )
         columns["$omega$, rad/s"] = run.regime.omega
     yield Paragraph(said)
+    yield from _larger(result, jumps)
     if idle is not None:
         columns["$omega_x$, rad/s"] = idle.regime.omega
         yield Paragraph(tr("In the table $omega_x$ is the angular velocity without technological loads."))
@@ -246,7 +261,7 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
         lexicon = {
             "T_0": Given(found.energy, "J", energy),
             "J_{(0)}": Given(float(inertia[0]), "kg*m^2", tr("moment of inertia of the machine in position 0")),
-            "omega_m": Given(speed, "rad/s", tr("mean angular velocity of the input link")),
+            "omega_m": mean_speed(speed),
             "A_i": Given(float(work[row]), "J", excess),
             "A_{i−1}": Given(float(work[row - 1]), "J", excess),
             "M_{c,i}": Given(float(moment[row]), "N*m", tr("reduced moment of the loads")),
@@ -273,6 +288,7 @@ def _by_energy(result: Motion, order: Order) -> Iterator[Block]:
         "$omega$, rad/s": found.omega,
     }
     yield Paragraph(tr("Energies and angular velocities at all positions are in table {tab:motion_energies}."))
+    yield from _larger(result, nodal_jumps(reduction, speed))
     caption = tr("Kinetic energy and angular velocity at the positions")
     yield tabulated(caption, columns, result.labels, head=tr("No."), key="motion_energies")
 
@@ -308,6 +324,7 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
         }
         places.append(Place(tr("pos. {label}", label=result.labels[row]), named(lexicon)))
     yield from lines(("eps = (M_d + M_c - 0.5*<dJ>*omega**2)/(J_c + <J>)",), places, letters)
+    yield from two_sides(result.labels, (result.eps, result.load))
     columns: dict[str, Values] = {
         "$phi$, deg": np.degrees(result.phi),
         "$omega$, rad/s": result.omega,
@@ -339,6 +356,15 @@ def _unevenness(result: Motion, order: Order) -> Iterator[Block]:
     )
     texts = ("omega_m<x> = (omega_max<x> + omega_min<x>)/2", "delta<x> = (omega_max<x> - omega_min<x>)/omega_m<x>")
     yield from lines(texts, [Place("", _fluctuating(regime, ""))], {"x": ""})
+    given = order.results["reduction"].cycle.speed
+    if abs(regime.mean / given - 1) > ALIKE:
+        said = tr(
+            "Loads, inertia forces and friction were found at the given angular velocity of the input link, {given} "
+            "rad/s; the mean one of the motion differs from it by {off} %.",
+            given=plainly(given),
+            off=plainly(100 * (regime.mean / given - 1), 3),
+        )
+        yield Paragraph(said)
     if result.idle is not None:
         yield Paragraph(tr("Without technological loads:"))
         yield from lines(texts, [Place("", _fluctuating(result.idle, "^x"))], {"x": "^x"})
@@ -351,7 +377,7 @@ def _fluctuating(regime: Regime, mark: str) -> Lexicon:
         {
             f"omega_max{mark}": Given(regime.omega_max, "rad/s", tr("largest angular velocity")),
             f"omega_min{mark}": Given(regime.omega_min, "rad/s", tr("least angular velocity")),
-            f"omega_m{mark}": Given(regime.mean, "rad/s", tr("mean angular velocity of the input link")),
+            f"omega_m{mark}": mean_speed(regime.mean),
             f"delta{mark}": Given(regime.delta, "", tr("coefficient of speed fluctuation")),
         }
     )

@@ -26,8 +26,8 @@ from tmmcalc.linkage.loads.scene import compile_scene
 from tmmcalc.linkage.loads.sources import Place, same_place
 from tmmcalc.linkage.model import FRAME, Joint
 from tmmcalc.linkage.notes.group import plain_name
+from tmmcalc.linkage.notes.shown import rows_shown
 from tmmcalc.linkage.notes.statics.loaded import force_key
-from tmmcalc.linkage.notes.told import rows_shown
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.machine.attached import Attached
 from tmmcalc.machine.notes.moving import Mass, Moving, masses_of, moving, point_name
@@ -124,7 +124,7 @@ def reducing(order: Order) -> Reducing:
     """What is told of the reduction of a linkage, its results put into the lexicons."""
     result, kinematics = order.results["reduction"], order.results["kinematics"]
     mechanism, loading, _ = inputs(order.spec)  # type: ignore[misc]  # of a scene with a linkage
-    rows: Sequence[int] = rows_shown(order, chain_of(mechanism, kinematics))
+    rows: Sequence[int] = rows_shown(order, chain_of(mechanism, kinematics), kinematics)
     if order.flags[POSITIONS] is None:
         rows = _with_loads(rows, result, kinematics)
     if result.rods == "lumped":

@@ -5,7 +5,7 @@ A driven slider has forces and masses in place of moments and inertias.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import partial
 
 import numpy as np
@@ -17,6 +17,7 @@ from tmmcalc.machine.notes.reducing import Names, Reducing, friction_by_pairs, i
 from tmmcalc.machine.pictures.reduction import draw_course
 from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.reduction.columns import contribution_name
+from tmmcalc.machine.reduction.jumps import jumps
 from tmmcalc.machine.reduction.ordinates import Ordinates, ordinates
 from tmmcalc.machine.reduction.results import Reduction
 from tmmcalc.report.drawing.order import Order
@@ -25,7 +26,7 @@ from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Table
 from tmmcalc.report.numbers import NOISE
-from tmmcalc.report.telling import cell, column_of, drawn, lines, named, tabulated
+from tmmcalc.report.telling import cell, column_of, drawn, lines, named, tabulated, two_sides
 
 POWER = "<M>*<w> = sum(F_i*v_i*cos(alpha_i), i) + sum(M_i*omega_i, i)"
 ENERGY = "<J>*<w>**2/2 = sum(m_i*v_{Si}**2/2 + J_{Si}*omega_i**2/2, i)"
@@ -47,6 +48,7 @@ def blocks(order: Order) -> Iterator[Block]:
         yield from moment_lines(told)
         yield from _still(told)
         yield Paragraph(tr("Reduced values in all positions are in table {tab:reduction_moments}."))
+    yield from _jumps(result)
     yield from _moments_table(result, names)
     yield from _by_pairs(result, names, {} if told is None else friction_by_pairs(told))
     yield from _works(result, names)
@@ -96,6 +98,25 @@ def _equal_energies(result: Reduction) -> str:
 def _coordinate(result: Reduction, names: Names) -> dict[str, ArrayLike]:
     """The first column of a table of positions."""
     return {"$phi$, deg": np.degrees(result.phi)} if result.turns else {f"${names.coordinate}$, m": result.phi}
+
+
+def _jumps(result: Reduction) -> Iterator[Paragraph]:
+    """Which side of a jump the table has: of the ends of the cycle, of loads, of friction between them."""
+    if not result.whole:
+        return
+    yield from two_sides(result.labels, result.moment)
+    acting = jumps(result, loads=True)
+    if loads := _between(result, acting):
+        yield Paragraph(tr("Where a load begins or ends in a position (here {labels}), it counts there.", labels=loads))
+    if friction := _between(result, (row for row in jumps(result, loads=False) if row not in acting)):
+        yield Paragraph(
+            tr("Where friction jumps in a position (here {labels}), the table has it after the jump.", labels=friction)
+        )
+
+
+def _between(result: Reduction, rows: Iterable[int]) -> str:
+    """The labels of rows, without the ends of the cycle."""
+    return ", ".join(result.labels[row] for row in rows if 0 < row < len(result.labels) - 1)
 
 
 def _moments_table(result: Reduction, names: Names) -> Iterator[Table]:

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.loading import Body, Loading
 from tmmcalc.linkage.model import Mechanism
-from tmmcalc.linkage.notes.told import rows_shown
+from tmmcalc.linkage.notes.shown import rows_shown
 from tmmcalc.linkage.tables.tasks.loading import to_loading
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
 from tmmcalc.machine.balance.shaking import Shaking, inertia_loads
@@ -41,7 +41,7 @@ def linkage_blocks(order: Order, result: Balancing) -> Iterator[Block]:
     mechanism, loading, found = to_linkage(order.spec.linkage), to_loading(order.spec), result.shaking
     kinematics = order.results["kinematics"]
     chain = chain_of(mechanism, kinematics)
-    rows = rows_shown(order, chain)
+    rows = rows_shown(order, chain, kinematics)
     moving = Moving(mechanism, kinematics, chain.evaluate(kinematics.x[rows]), rows, [{} for _ in rows])
     moving.turning(moving.link)
     bodies = _in_pins(mechanism, loading)

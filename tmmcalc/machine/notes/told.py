@@ -13,6 +13,11 @@ from tmmcalc.report.manuscript import Lexicon
 RPM = 30 / math.pi  # to a rad/s
 
 
+def mean_speed(speed: float) -> Given:
+    """The mean angular velocity [rad/s] that the coefficient of speed fluctuation is told of."""
+    return Given(speed, "rad/s", tr("mean angular velocity of the input link, half the sum of the extreme ones"))
+
+
 def reduced() -> dict[str, str]:
     """What the reduced inertia of the links and its derivative are called in formulas, for ``<J>`` and ``<dJ>``."""
     inertia = tr("J_red")

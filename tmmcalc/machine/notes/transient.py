@@ -112,7 +112,8 @@ def _motion(motion: TimedMotion, task: TransientTask, machine: Machine, key: str
         why=end_text(motion.end),
     )
     yield Paragraph(f"{method} {ended}")
-    yield Result("t", Given(motion.end_time, "s", tr("time of the motion")), place=motion.name)
+    if motion.end != "time":  # which is given
+        yield Result("t", Given(motion.end_time, "s", tr("time of the motion")), place=motion.name)
     if len(motion.masses) == 1:
         yield from _row(motion, task, machine.cycle, machine.inertia.total)
     yield from _course(motion, key)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from tmmcalc.machine.flywheel.placement import Wheel, wheels
+from tmmcalc.machine.flywheel.placement import Wheel
 from tmmcalc.machine.flywheel.results import Flywheel
 from tmmcalc.machine.flywheel.rim import DEFAULT, POISSON, Rim
 from tmmcalc.machine.model import FlywheelTask
+from tmmcalc.machine.stages.motion import wheel_of
 from tmmcalc.machine.tables.tasks.machine import to_flywheel
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
@@ -34,11 +35,8 @@ def of_wheel(order: Order) -> Iterator[Block]:
             yield Paragraph(tr("The flywheel that is there, $J_f$, against the needed one:"))
             sides = (result.existing, result.addition)
             yield held("J_f >= J_M", sides, "kg*m^2", holds=bool(result.sufficient))
-    elif result.existing:
+    elif "motion" in order.results and (wheel := wheel_of(order.results["motion"], task, order.results)) is not None:
         yield Heading(tr("Sizes of the flywheel that is there"), 2)
-        motion = order.results.get("motion")
-        fastest = result.fastest / abs(result.ratio) if motion is None else motion.regime.omega_max
-        wheel = wheels(task, result.existing, fastest, result.ratio, None)[0]
         yield from _sized(wheel, task, "J_f", Given(result.existing, "kg*m^2", tr("moment of inertia of the flywheel")))
 
 
@@ -58,6 +56,10 @@ def _sized(wheel: Wheel, task: FlywheelTask, name: str, reduced: Given) -> Itera
         ratio = Given(wheel.ratio, "", tr("speed of the flywheel over the speed of the input link"))
         at = Place("", named({own: inertia, name: reduced, "u_M": ratio}))
         yield from lines((f"{own} = {name}/u_M**2",), [at])
+    for verdict in wheel.verdicts:
+        if wheel.rim is None or wheel.rim.allowed:  # else it is told with the speed
+            said = tr_name(verdict.message)
+            yield Paragraph(f"{said[:1].upper()}{said[1:]}.")
     if wheel.rim is not None:
         yield from _rim(wheel, wheel.rim, task, (own, inertia))
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmmcalc.core.numerics.gauss import ORDER, legendre, rule
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.numerics.roots import Indices
+from tmmcalc.machine.nodes import NEAR
 from tmmcalc.machine.stacked.regimes import Machines
 
 
@@ -20,7 +22,7 @@ class Places(NamedTuple):
     parts: Values  # (V, n, N) of the points of the panel in a value
 
     def at(self, values: Values) -> Values:
-        """Values (V, n) of a function (V, K, N); on an edge the limit from above."""
+        """Values (V, n) of a function (V, K, N); on an edge the limit that is meant."""
         return np.asarray(np.einsum("vmn,vmn->vm", self._rows(values), self.parts))
 
     def primitive(self, m: Machines, values: Values) -> Values:
@@ -39,9 +41,10 @@ class Places(NamedTuple):
         return values[np.arange(len(values))[:, None], self.panel]
 
 
-def places(m: Machines, theta: Values) -> Places:
-    """Where angles (n,) lie in the panels of all machines."""
-    panel = np.maximum(np.sum(m.low[:, :, None] <= theta, axis=1) - 1, 0)
+def places(m: Machines, theta: Values, early: NDArray[np.bool_]) -> Places:
+    """Where angles (n,) lie in the panels of all machines: on an edge in that which begins there, or ends if early."""
+    near = NEAR * float(m.low.flat[0] + np.sum(m.width[0]))
+    panel = np.maximum(np.sum(m.low[:, :, None] <= theta + np.where(early, -near, near), axis=1) - 1, 0)
     low, width = (np.take_along_axis(v, panel, axis=1) for v in (m.low, m.width))
     place = (theta - low) / width
     gap = place[..., None] - rule(ORDER).points

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
-
-import numpy as np
 
 from tmmcalc.core.conversion import plain
 from tmmcalc.core.stage import said
@@ -18,6 +17,8 @@ from tmmcalc.machine.wanted import NO_REGIME, constant_moment, curved
 if TYPE_CHECKING:
     from tmmcalc.core.columns import Column
     from tmmcalc.machine.driver import ConstantInertia, Driver
+    from tmmcalc.machine.flywheel.placement import Wheel
+    from tmmcalc.machine.flywheel.rim import Rim
     from tmmcalc.machine.room import MachineTables
     from tmmcalc.machine.stepwise import Recurrence
 
@@ -26,7 +27,7 @@ NO_WHEEL = "no [flywheel]: the motion has none"
 
 kind = Motion
 columns = motion_columns
-declares = ("tmmcalc.linkage.columns:PHI", "tmmcalc.machine.stepwise")
+declares = ("tmmcalc.linkage.columns:PHI", "tmmcalc.machine.stepwise", "tmmcalc.machine.flywheel.rim")
 
 
 class Asked(NamedTuple):
@@ -49,22 +50,39 @@ def inputs(spec: MachineTables) -> Given:
 
 def solve(*given: *Given, tolerance: float, **upstream: Any) -> Motion:
     """The regime with the flywheel that is there, or else the one that was found."""
-    from tmmcalc.machine.motion import solve_motion
+    from tmmcalc.machine.motion import Positions, solve_motion
 
     machine = asked(given, upstream)
     reduction = upstream["reduction"]
-    theta = np.abs(reduction.phi - reduction.phi[0])
-    return solve_motion(
+    found = solve_motion(
         reduction.cycle,
         reduction.idle,
         machine.inertia,
         machine.driver,
         machine.speed,
-        (reduction.labels, reduction.phi, theta),
+        Positions.of(reduction),
         given[3],
         undriven=given[1].undriven,
         tolerance=tolerance,
     )
+    return with_wheel(found, given[2], upstream)
+
+
+def with_wheel(found: Motion, task: FlywheelTask | None, upstream: Mapping[str, Any]) -> Motion:
+    """The motion with what speaks against the flywheel that is there."""
+    wheel = wheel_of(found, task, upstream)
+    return found if wheel is None else replace(found, verdicts=(*wheel.verdicts, *found.verdicts))
+
+
+def wheel_of(found: Motion, task: FlywheelTask | None, upstream: Mapping[str, Any]) -> Wheel | None:
+    """The flywheel that is there, if a size of it is given: its rim follows from its inertia, at the largest speed."""
+    if task is None or not task.inertia or task.diameter is task.width is task.thickness is None:
+        return None
+    from tmmcalc.machine.flywheel.placement import wheels
+    from tmmcalc.machine.stages.shaft import shaft_ratio
+
+    ratio = shaft_ratio(task, upstream["power"])
+    return wheels(task, found.inertia.flywheel, found.regime.omega_max, ratio, None)[0]
 
 
 def asked(given: Given, upstream: Mapping[str, Any]) -> Asked:
@@ -88,13 +106,15 @@ def further(spec: MachineTables, results: Mapping[str, Any]) -> Sequence[Column]
     return list(stepwise_columns(results["motion"], results["reduction"]))
 
 
-def details(spec: MachineTables, results: Mapping[str, Any]) -> Mapping[str, Recurrence]:
-    """Facts by choice: what of the recurrence is the same at every step, and what comes of it; none without it."""
+def details(spec: MachineTables, results: Mapping[str, Any]) -> Mapping[str, Recurrence | Rim]:
+    """Facts by choice: of the recurrence what is the same at every step, what comes of it; the rim that is there."""
     from tmmcalc.machine.stepwise import idle_run_of, run_of
 
     given = results["motion"], results["reduction"]
     runs = {"recurrence": run_of(*given), "recurrence_idle": idle_run_of(*given)}
-    return {name: run.told() for name, run in runs.items() if run is not None}
+    told: dict[str, Recurrence | Rim] = {name: run.told() for name, run in runs.items() if run is not None}
+    wheel = wheel_of(results["motion"], inputs(spec)[2], results)
+    return told if wheel is None or wheel.rim is None else {**told, "flywheel_there": wheel.rim}
 
 
 def omits(spec: MachineTables) -> tuple[str, ...]:

@@ -1,16 +1,19 @@
 // Diagrams of columns over the rows of their stage, with the place of the input, extremes and dead centres.
 import { columnOf, content, numbers, scene } from "./data.js";
 import { between } from "./motion.js";
+import { named } from "./letters.js";
 import { drawn } from "./marks.js";
-import { called, copied, made, resized, signed, widthIn } from "./elements.js";
+import { called, copied, lettered, made, resized, signed, WIDE, widthIn } from "./elements.js";
 import { keep, kept } from "./kept.js";
 import { keyed, turning } from "./keys.js";
+import { around, settled } from "./labels.js";
 import { standard } from "./scales.js";
-import { measured, parted, saying, told, word, written } from "./words.js";
+import { State } from "./state.js";
+import { isAngle, measured, parted, saying, told, word, written } from "./words.js";
 
-const WIDE = 560;
 const HIGH = 198;
-const LEFT = 62;
+const LEFT = 62; // at least
+const DIGIT = 7.7; // width of a figure of an axis, in a wide font
 const RIGHT = 14;
 const TOP = 12;
 const BOTTOM = 34;
@@ -20,12 +23,14 @@ const STEEP = 0.2; // that a step of this part of the height is a jump
 
 export class Charts {
   /**
-   * @param {Element} parent
+   * @param {HTMLElement} parent
    * @param {import("./state.js").State[]} states
    * @param {string[]} usual columns, of which diagrams are shown where none are chosen, or this variant has none of these
    */
   constructor(parent, states, usual) {
     this.states = states;
+    /** @type {Map<string, State>} */
+    this.own = new Map();
     this.parent = parent;
     const bar = made("div", { class: "adding" }, parent);
     const label = made("label", {}, bar);
@@ -37,6 +42,7 @@ export class Charts {
       if (this.choice.value) this.add(this.choice.value);
       this.choice.value = "";
     });
+    parent.hidden = !columned().length; // nothing can be added
     this.list = made("div", { class: "charts" }, parent);
     /** @type {Map<string, Chart>} */
     this.shown = new Map();
@@ -49,7 +55,7 @@ export class Charts {
   /** All columns, by stage. */
   choices() {
     this.choice.replaceChildren(made("option", { value: "" }));
-    for (const stage of scene().stages.filter((each) => each.columns.length && each.rows)) {
+    for (const stage of columned()) {
       const group = made("optgroup", { label: told(stage.title) }, this.choice);
       for (const column of stage.columns) {
         const meaning = told(column.meaning);
@@ -76,6 +82,17 @@ export class Charts {
     this.shown.get(name)?.card.scrollIntoView({ block: "nearest" });
   }
 
+  /**
+   * The place along rows that nothing moves along: one for all diagrams of a stage. A list has none.
+   * @param {import("./data.js").Stage} stage
+   */
+  along({ name, rows }) {
+    if (!rows?.header) return null;
+    const own = this.own.get(name) ?? new State(bare(rows));
+    this.own.set(name, own);
+    return own;
+  }
+
   /** @param {string} name */
   show(name) {
     const found = columnOf(name);
@@ -85,7 +102,7 @@ export class Charts {
     const known = this.states.filter(
       ({ view }) => header && view.column === header && (!view.stages.length || view.stages.includes(stage)),
     );
-    const state = known.find(({ view }) => view.room === room) ?? known[0] ?? null;
+    const state = known.find(({ view }) => view.room === room) ?? known[0] ?? this.along(found.stage);
     const gone = () => {
       this.shown.delete(name);
       this.chosen();
@@ -94,8 +111,18 @@ export class Charts {
   }
 }
 
+/**
+ * A view of rows that no machine moves along.
+ * @param {NonNullable<import("./data.js").Stage["rows"]>} rows
+ */
+function bare({ name, unit, values }) {
+  const view = { name: "", symbol: name, unit, values, whole: false, column: "", steps: [], stops: [], reach: [], nudge: null };
+  return /** @type {import("./data.js").View} */ (/** @type {unknown} */ (view));
+}
+
 class Chart {
   wide = WIDE;
+  left = LEFT;
   step = 1; // between the lines of the grid
   low = 0;
   high = 1;
@@ -119,6 +146,7 @@ class Chart {
     this.caption = made("figcaption", {}, this.card);
     this.name = made("strong", {}, this.caption);
     this.value = made("button", { type: "button", class: "value" }, this.caption);
+    this.where = made("span", { class: "where" }, this.caption);
     this.meaning = made("span", { class: "meaning" }, this.caption);
     this.svg = drawn("svg", state ? { role: "slider", tabindex: 0 } : { role: "img" }, this.card);
     this.others = content.scenes.filter((each) => each !== scene()).flatMap((each) => {
@@ -176,7 +204,7 @@ class Chart {
 
   /** @param {number} x */
   across(x) {
-    return LEFT + ((x - this.start) / (this.end - this.start || 1)) * (this.wide - LEFT - RIGHT);
+    return this.left + ((x - this.start) / (this.end - this.start || 1)) * (this.wide - this.left - RIGHT);
   }
 
   /** @param {number} y */
@@ -193,16 +221,17 @@ class Chart {
 
   /** Axes, curve, extremes, dead centres, in the language. */
   draw() {
-    const [letter, index] = parted(this.column.name);
-    this.name.replaceChildren(letter);
-    if (index) made("sub", {}, this.name).textContent = index;
+    this.name.replaceChildren();
+    lettered(this.name, parted(this.column.name));
+    const measure = told(this.column.unit);
+    if (!this.state && measure) made("span", { class: "unit" }, this.name).textContent = `, ${measure}`; // no value has it
     const { kept, of } = this.rows;
     const part = kept < of ? ` (${word("kept", { kept: String(kept), of: String(of) })})` : "";
     this.meaning.textContent = told(this.column.meaning) + part;
     this.svg.setAttribute("aria-label", `${this.column.name}: ${told(this.column.meaning)}`);
     this.value.title = word("copy");
     called(this.close, word("remove"));
-    this.wide = widthIn(this.card, WIDE);
+    this.wide = widthIn(this.card);
     this.svg.setAttribute("viewBox", `0 0 ${this.wide} ${HIGH}`);
     this.back?.remove();
     const back = drawn("g");
@@ -210,21 +239,27 @@ class Chart {
     this.svg.prepend(back);
     const grid = drawn("g", { class: "grid" }, back);
     const digits = 3;
-    for (let k = Math.round(this.low / this.step); k <= Math.round(this.high / this.step); k++) {
+    const [first, last] = [this.low, this.high].map((end) => Math.round(end / this.step));
+    const steps = Array.from({ length: last - first + 1 }, (_, k) => ({ k: first + k, text: written((first + k) * this.step, digits) }));
+    this.left = Math.max(LEFT, ...steps.map(({ text }) => DIGIT * text.length + 8));
+    for (const { k, text } of steps) {
       const y = this.up(k * this.step);
-      drawn("line", { x1: LEFT, x2: this.wide - RIGHT, y1: y, y2: y, class: k === 0 ? "zero" : "" }, grid);
-      drawn("text", { x: LEFT - 6, y: y + 4, "text-anchor": "end" }, grid).textContent = written(k * this.step, digits);
+      drawn("line", { x1: this.left, x2: this.wide - RIGHT, y1: y, y2: y, class: k === 0 ? "zero" : "" }, grid);
+      drawn("text", { x: this.left - 6, y: y + 4, "text-anchor": "end" }, grid).textContent = text;
     }
-    const turns = told(this.rows.unit) === "°";
-    const along = turns && this.end - this.start > 200 ? 60 : standard((this.end - this.start) / 6);
+    const along = isAngle(this.rows.unit) && this.end - this.start > 200 ? 60 : standard((this.end - this.start) / 6);
     for (let k = Math.ceil(this.start / along - 1e-6); k * along <= this.end + 1e-6 * along; k++) {
       const x = this.across(k * along);
       drawn("line", { x1: x, x2: x, y1: TOP, y2: HIGH - BOTTOM }, grid);
-      drawn("text", { x, y: HIGH - BOTTOM + 15, "text-anchor": "middle" }, grid).textContent = written(k * along, digits);
+      const text = written(k * along, digits);
+      const room = Math.min(x, this.wide - (DIGIT * text.length) / 2 - 1); // it is seen whole
+      drawn("text", { x: room, y: HIGH - BOTTOM + 15, "text-anchor": "middle" }, grid).textContent = text;
     }
     const unit = told(this.rows.unit);
-    drawn("text", { x: this.wide - RIGHT, y: HIGH - 4, "text-anchor": "end", class: "axis" }, grid).textContent =
-      `${this.state?.view.symbol ?? parted(this.rows.name).filter(Boolean).join(" ")}${unit ? `, ${unit}` : ""}`;
+    /** @type {[string, string]} */
+    const over = this.state?.view.name ? [this.state.view.symbol, ""] : parted(this.rows.name);
+    const place = { x: this.wide - RIGHT, y: HIGH - 6, "text-anchor": "end", class: "axis" };
+    named(grid, over, place, unit ? `, ${unit}` : "");
     if (this.state) {
       for (const stop of this.state.view.stops.filter((each) => each.at >= this.start && each.at <= this.end)) {
         const x = this.across(stop.at);
@@ -312,16 +347,47 @@ class Chart {
       if (greatest < 0 || y > this.y[greatest]) greatest = k;
     });
     if (least < 0 || this.y[greatest] - this.y[least] <= 1e-9 * Math.abs(this.y[greatest])) return;
-    for (const [key, k] of /** @type {[string, number][]} */ ([["lowest", least], ["highest", greatest]])) {
-      const at = [this.across(this.x[k]), this.up(this.y[k])];
-      const mark = drawn("circle", { class: "extreme", cx: at[0], cy: at[1], r: 3 }, back);
-      const said = `${word(key)}: ${measured(this.y[k], this.column.unit)}`;
-      drawn("title", {}, mark).textContent = said;
-      const inside = at[0] > this.wide - 110;
-      const y = key === "lowest" ? at[1] - 7 : at[1] + 15;
-      drawn("text", { class: "extreme", x: at[0] + (inside ? -6 : 6), y, "text-anchor": inside ? "end" : "start" }, back).textContent =
-        written(this.y[k], 4);
+    const ends = /** @type {[string, number][]} */ ([["lowest", least], ["highest", greatest]]).map(([key, k]) => {
+      const at = /** @type {import("./labels.js").Pair} */ ([this.across(this.x[k]), this.up(this.y[k])]);
+      const text = written(this.y[k], 4);
+      /** @type {import("./labels.js").Pair} */
+      const size = [DIGIT * text.length, 12];
+      const choices = around(...size).filter(([x, y]) => this.within(at[0] + x, at[1] + y, size));
+      return { key, k, at, text, size, choices };
+    });
+    const shifts = settled(ends.map(({ at, size, choices }) => ({ at: [at], size, choices })), [this.lines()]);
+    ends.forEach(({ key, k, at: [x, y], text }, place) => {
+      const mark = drawn("circle", { class: "extreme", cx: x, cy: y, r: 3 }, back);
+      drawn("title", {}, mark).textContent = `${word(key)}: ${measured(this.y[k], this.column.unit)}`;
+      const [dx, dy] = shifts[place];
+      drawn("text", { class: "extreme", x: x + dx, y: y + dy + 4, "text-anchor": "middle" }, back).textContent = text;
+    });
+  }
+
+  /**
+   * Whether a text around a place stands within the diagram.
+   * @param {number} x
+   * @param {number} y
+   * @param {import("./labels.js").Pair} size
+   */
+  within(x, y, [wide, high]) {
+    const across = x - wide / 2 > this.left && x + wide / 2 < this.wide;
+    return across && y - high / 2 > 0 && y + high / 2 < HIGH - BOTTOM;
+  }
+
+  /**
+   * What values of extremes keep off: the curve, the ends of the plane, dead centres.
+   * @returns {[number, number, number, number][]}
+   */
+  lines() {
+    /** @type {[number, number, number, number][]} */
+    const found = [];
+    for (let k = 1; k < this.x.length; k++) {
+      const ends = [k - 1, k].flatMap((j) => [this.across(this.x[j]), this.up(this.y[j])]);
+      if (ends.every(Number.isFinite)) found.push(/** @type {[number, number, number, number]} */ (ends));
     }
+    for (const { at } of this.state?.view.stops ?? []) found.push([this.across(at), TOP, this.across(at), HIGH - BOTTOM]);
+    return found;
   }
 
   /** The cursor and the value at the nearest solved position. */
@@ -343,7 +409,12 @@ class Chart {
       this.dot.setAttribute("cx", String(this.across(this.x[k])));
       this.dot.setAttribute("cy", String(this.up(this.y[k])));
     }
-    this.value.textContent = known ? measured(value, this.column.unit) : "–";
+    this.value.textContent = measured(value, this.column.unit);
+    if (!this.state.view.name) {
+      this.where.replaceChildren(); // no player tells it
+      lettered(this.where, parted(this.rows.name));
+      this.where.append(` = ${measured(at, this.rows.unit, 4)}`);
+    }
     this.svg.setAttribute("aria-valuenow", String(at));
     this.svg.setAttribute("aria-valuetext", `${measured(at, this.state.view.unit, 5)}: ${this.value.textContent}`);
   }
@@ -352,9 +423,14 @@ class Chart {
   turn(event) {
     const box = this.svg.getBoundingClientRect();
     const x = ((event.clientX - box.left) / box.width) * this.wide;
-    const part = (x - LEFT) / (this.wide - LEFT - RIGHT);
+    const part = (x - this.left) / (this.wide - this.left - RIGHT);
     if (part > -0.05 && part < 1.05) this.state?.take(this.start + Math.min(1, Math.max(0, part)) * (this.end - this.start));
   }
+}
+
+/** The stages that have diagrams. */
+function columned() {
+  return scene().stages.filter((each) => each.columns.length && each.rows);
 }
 
 /**

@@ -49,7 +49,7 @@
  * @property {Mark[]} front of the frame, before all that moves
  * @property {Spot[]} spots
  * @property {Span[]} spans
- * @property {{body: string, pivot: number[] | null, direction: number[] | null} | null} handle
+ * @property {{body: string, pivot: number[] | null} | null} handle
  * @property {Layer[]} layers
  * @property {{name: string, x: Ref, y: Ref}[]} centres
  * @property {Plan[]} plans
@@ -63,14 +63,20 @@
  * @property {number} seconds that the whole travel takes
  * @property {number | null} nudge of an arrow key
  */
-/** @typedef {{name: string, symbol: string, meaning: Said, value: number | boolean | Said, unit: Said}} Fact */
-/** @typedef {{name: string, symbol: string, meaning: Said, unit: Said, values: Ref}} Column */
+/** @typedef {{name: string, meaning: Said, value: number | boolean | Said, unit: Said}} Fact */
+/** @typedef {{name: string, meaning: Said, unit: Said, values: Ref}} Column */
+/**
+ * @typedef {object} List
+ * @property {Said} title of its part of the stage, or nothing
+ * @property {{name: Said, sign: boolean, unit: Said, cells: (number | boolean | Said)[]}[]} columns
+ */
 /**
  * @typedef {object} Stage
  * @property {string} name
  * @property {string} room
  * @property {Said} title
  * @property {Fact[]} facts
+ * @property {List[]} tables of its summary
  * @property {{header: string, name: string, unit: Said, values: Ref, kept: number, of: number} | null} rows
  * @property {Column[]} columns
  * @property {Said[]} warnings

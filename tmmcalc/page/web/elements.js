@@ -93,6 +93,16 @@ export function folding(parent, name, key, says) {
 }
 
 /**
+ * Put a letter with its index behind what an element says.
+ * @param {Element} element
+ * @param {[string, string]} sign
+ */
+export function lettered(element, [letter, index]) {
+  element.append(letter);
+  if (index) made("sub", {}, element).textContent = index;
+}
+
+/**
  * Copy what an element says.
  * @param {HTMLElement} element
  */
@@ -114,15 +124,15 @@ function selected(element) {
   getSelection()?.selectAllChildren(element);
 }
 
+export const WIDE = 560; // of a diagram or a plan at most, in its own pixels
 const OTHER = 1.1; // a width larger or smaller by this is another
 
 /**
  * The width that a drawing in an element has in its own pixels: of a narrow one as many as it is shown with.
  * @param {Element} element
- * @param {number} most
  */
-export function widthIn(element, most) {
-  return Math.min(most, Math.max(280, element.clientWidth || most));
+export function widthIn(element) {
+  return Math.min(WIDE, Math.max(280, element.clientWidth || WIDE));
 }
 
 /**

@@ -1,9 +1,11 @@
 // Results of the stages in tables: found by a word, copied, each with its diagram; warnings, errors, the given data.
 import { content, scene } from "./data.js";
-import { button, copied, folding, made } from "./elements.js";
+import { button, copied, folding, lettered, made } from "./elements.js";
 import { keep, kept } from "./kept.js";
-import { isCode, measured, parted, saying, told, word, written } from "./words.js";
+import { decimal, isCode, measured, minus, parted, saying, told, word, written } from "./words.js";
 
+const DIGITS = 5; // of numbers in the table of a summary
+const NOTHING = 1e-12;
 const FEW = 2; // stages, of which all are unfolded
 
 /**
@@ -21,13 +23,16 @@ export function facts(parent, show) {
   const rows = [];
   /** @type {{part: HTMLDetailsElement, unfold: () => void}[]} */
   const parts = [];
+  /** @type {HTMLElement[]} */
+  const lists = [];
   const nothing = made("p", { class: "nothing", hidden: "" }, parent);
   saying(() => (nothing.textContent = word("none")));
   if (scene().given.length) given(parent);
-  for (const stage of scene().stages) {
+  const stages = scene().stages.filter((each) => each.facts.length || each.tables.length || each.warnings.length || each.errors.length);
+  for (const stage of stages) {
     const { part, fold } = folding(parent, "stage", stage.name, () => told(stage.title));
     part.dataset.stage = stage.name;
-    parts.push({ part, unfold: () => fold(scene().stages.length <= FEW || stage.warnings.length > 0) });
+    parts.push({ part, unfold: () => fold(stages.length <= FEW || stage.warnings.length > 0) });
     for (const warning of stage.warnings) {
       const line = made("p", { class: "warning" }, part);
       saying(() => (line.textContent = told(warning)));
@@ -38,10 +43,11 @@ export function facts(parent, show) {
       const body = made("tbody", {}, table);
       for (const fact of stage.facts) {
         const row = made("tr", { "data-fact": `${stage.name}.${fact.name}` }, body);
-        listed(row, fact, () => columnFor(stage, fact.name), show);
+        listed(row, fact, () => columnFor(stage, fact), show);
         rows.push({ row, part, text: () => `${fact.name} ${told(fact.meaning)} ${typeof fact.value === "number" ? "" : valued(fact)} ${told(stage.title)}`.toLowerCase() });
       }
     }
+    for (const each of stage.tables) lists.push(listing(part, each));
     const { errors } = stage;
     if (errors.length) {
       const line = made("p", { class: "errors" }, part);
@@ -64,6 +70,7 @@ export function facts(parent, show) {
       if (asked) part.open = open.has(part);
       else unfold();
     }
+    for (const each of lists) each.hidden = asked !== "";
     nothing.hidden = found > 0 || asked === "";
   };
   search();
@@ -96,10 +103,8 @@ function listed(row, fact, column, show) {
   const meaning = made("td", {}, row);
   const sign = made("td", { class: "sign", title: fact.name }, row);
   const value = made("td", { class: "number" }, row);
-  const [letter, index] = isCode(fact.name) ? [fact.name, ""] : parted(fact.name);
-  sign.append(letter);
+  lettered(sign, isCode(fact.name) ? [fact.name, ""] : parted(fact.name));
   sign.classList.toggle("code", isCode(fact.name));
-  if (index) made("sub", {}, sign).textContent = index;
   const copy = made("button", { type: "button", class: "value" }, value);
   saying(() => {
     meaning.textContent = told(fact.meaning);
@@ -113,19 +118,68 @@ function listed(row, fact, column, show) {
   }
 }
 
-/** @param {import("./data.js").Fact} fact */
-function valued({ value, unit }) {
-  if (typeof value === "boolean") return word(value ? "holds" : "fails");
-  return typeof value === "number" ? measured(value, unit) : told(value);
+/**
+ * A table of a summary: what is told of several things side by side.
+ * @param {HTMLElement} parent
+ * @param {import("./data.js").List} list
+ */
+function listing(parent, { title, columns }) {
+  const room = made("div", { class: "wide", tabindex: "0", role: "group" }, parent); // a narrow screen scrolls it
+  const table = made("table", { class: "list" }, room);
+  const caption = title ? made("caption", {}, table) : null;
+  saying(() => {
+    if (caption) caption.textContent = told(title);
+    room.setAttribute("aria-label", told(title) || told(columns[0].name));
+  });
+  const heads = made("tr", {}, made("thead", {}, table));
+  for (const { name, sign, unit } of columns) {
+    const head = made("th", { scope: "col", class: sign ? "sign" : "" }, heads);
+    saying(() => {
+      head.replaceChildren();
+      if (sign) lettered(head, parted(told(name)));
+      else head.append(told(name));
+      if (told(unit)) made("span", { class: "unit" }, head).textContent = `, ${told(unit)}`;
+    });
+  }
+  const body = made("tbody", {}, table);
+  columns[0].cells.forEach((_, k) => {
+    const row = made("tr", {}, body);
+    for (const { cells } of columns) {
+      const largest = Math.max(...cells.map((each) => (typeof each === "number" ? Math.abs(each) : 0)));
+      const cell = made("td", { class: typeof cells[k] === "number" ? "number" : "" }, row);
+      saying(() => (cell.textContent = celled(cells[k], largest)));
+    }
+  });
+  return room;
 }
 
 /**
- * The column that a fact is an extreme of, or belongs to: whose name begins it.
- * @param {import("./data.js").Stage} stage
- * @param {string} name
+ * @param {number | boolean | import("./data.js").Said} value
+ * @param {number} largest of its column: what rounding leaves of nothing against it is nothing
  */
-function columnFor(stage, name) {
-  const found = stage.columns.filter((each) => name === each.name || name.startsWith(`${each.name}_`));
+function celled(value, largest) {
+  if (typeof value === "boolean") return word(value ? "holds" : "fails");
+  if (typeof value !== "number") return minus(told(value));
+  return written(Math.abs(value) < NOTHING * largest ? 0 : value, DIGITS);
+}
+
+/** @param {import("./data.js").Fact} fact */
+function valued({ value, unit }) {
+  if (typeof value === "boolean") return word(value ? "holds" : "fails");
+  if (typeof value !== "number") return minus(told(value));
+  return Number.isSafeInteger(value) && unit === "" ? decimal(value) : measured(value, unit); // a count has all digits
+}
+
+/**
+ * The column that a fact is an extreme of, or the place of one: whose name begins it, in the same unit.
+ * @param {import("./data.js").Stage} stage
+ * @param {import("./data.js").Fact} fact
+ */
+function columnFor(stage, { name, unit }) {
+  const found = stage.columns.filter((each) => {
+    const place = name.startsWith(`${each.name}_`) && /_at(_|$)/.test(name.slice(each.name.length));
+    return place || ((name === each.name || name.startsWith(`${each.name}_`)) && told(each.unit) === told(unit));
+  });
   found.sort((a, b) => b.name.length - a.name.length);
   return found.length ? `${stage.name}.${found[0].name}` : null;
 }
@@ -143,15 +197,12 @@ function given(parent) {
     const sign = made("td", { class: "sign" }, row);
     const value = made("td", { class: "number" }, row);
     datum.keys.forEach((key, k) => {
-      const [letter, index] = parted(key);
-      sign.append(k ? ", " : "", letter);
-      if (index) made("sub", {}, sign).textContent = index;
+      if (k) sign.append(", ");
+      lettered(sign, parted(key));
     });
     saying(() => {
-      const unit = told(datum.unit);
       what.textContent = told(datum.what);
-      const values = datum.values.map((each) => written(each) + (unit === "°" ? "°" : "")).join("; ");
-      value.textContent = told(datum.text) || `${values}${unit && unit !== "°" ? ` ${unit}` : ""}`;
+      value.textContent = told(datum.text) || measured(datum.values, datum.unit);
     });
   }
 }

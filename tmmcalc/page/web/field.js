@@ -1,7 +1,8 @@
 // The plane of a trial as it is drawn in one shape: regions, lines, points, the hand, and the sketch of its point.
 import { numbers } from "./data.js";
 import { around, settled } from "./labels.js";
-import { drawn, named } from "./marks.js";
+import { named } from "./letters.js";
+import { drawn } from "./marks.js";
 import { standard } from "./scales.js";
 import { Sketch } from "./sketch.js";
 import { parted, told, word, written } from "./words.js";
@@ -88,8 +89,8 @@ export class Field {
       for (const [k, text] of texts.entries()) text.textContent = written(values[k], 3);
     });
     const [first, second] = this.trial.inputs.map(parted);
-    named(group, first[0], first[1], { x: this.left + this.width / 2, y: this.height + 42, class: "axis" });
-    named(group, second[0], second[1], { x: this.left - 46, y: 8 + this.height / 2, class: "axis" });
+    named(group, first, { x: this.left + this.width / 2, y: this.height + 42, class: "axis" });
+    named(group, second, { x: this.left - 46, y: 8 + this.height / 2, class: "axis" });
   }
 
   /**

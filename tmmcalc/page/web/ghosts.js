@@ -1,7 +1,7 @@
 // The machines of the other variants, faint behind the one that is shown, at the same place of the input.
 import { content, scene } from "./data.js";
 import { between, isThere, placed, posesOf, STILL } from "./motion.js";
-import { draw, drawn, stretch } from "./marks.js";
+import { draw, drawn, put, stretch } from "./marks.js";
 import { State } from "./state.js";
 
 export const MANY = 13; // variants, of which ghosts are not shown before they are asked for
@@ -69,9 +69,7 @@ export class Ghosts {
       if (!reached) continue;
       const poses = posesOf(view.bodies, state.values, between(state.values, state.at));
       view.bodies.forEach((body, k) => {
-        const { x, y, cos, sin } = poses.get(body.name) ?? STILL;
-        const matrix = [cos, -sin, sin, cos, x * s, -y * s].map((each) => each.toFixed(5)).join(" ");
-        bodies[k].setAttribute("transform", `matrix(${matrix})`);
+        put(bodies[k], poses.get(body.name) ?? STILL, s);
         bodies[k].classList.toggle("lost", !isThere(body.there, state.at));
       });
       view.spans.forEach(([kind, points], k) => {

@@ -1,6 +1,8 @@
-// Where names stand: each at one place beside its point over the whole motion, where it covers least.
+// Where names stand: each at one place over the whole motion, where it covers least; or now, where it covers nothing.
 
 /** @typedef {[number, number]} Pair */
+/** @typedef {[number, number, number, number]} Line from end to end */
+/** @typedef {[number, number, number, number]} Box left, top, right, bottom */
 /** @typedef {{at: Pair[], size: Pair, choices: Pair[]}} Item places over some moments, width and height, shifts */
 
 const AIR = 3; // around a name, in pixels
@@ -9,7 +11,7 @@ const TOUCH = 30; // what it costs to lie on another name
 /**
  * The best shift of every item, in their order.
  * @param {Item[]} items
- * @param {[number, number, number, number][][]} lines what is drawn at each moment, from end to end
+ * @param {Line[][]} lines what is drawn at each moment, from end to end
  * @returns {Pair[]}
  */
 export function settled(items, lines) {
@@ -43,7 +45,7 @@ export function settled(items, lines) {
  * @param {number} x
  * @param {number} y
  * @param {Pair} size
- * @param {[number, number, number, number][]} lines
+ * @param {Line[]} lines
  */
 function covered(x, y, size, lines) {
   let cost = 0;
@@ -75,4 +77,48 @@ export function around(wide, high) {
     }
   }
   return found;
+}
+
+/**
+ * The box of a name in the middle of a place.
+ * @param {number} x
+ * @param {number} y
+ * @param {Pair} size
+ * @returns {Box}
+ */
+export function boxAt(x, y, [wide, high]) {
+  return [x - wide / 2, y - high / 2, x + wide / 2, y + high / 2];
+}
+
+/**
+ * The first of some boxes that lies on no other one and on no line.
+ * @param {Box[]} boxes
+ * @param {Box[]} taken
+ * @param {Line[]} lines
+ */
+export function free(boxes, taken, lines) {
+  return boxes.find((box) => !taken.some((each) => overlap(box, each)) && !lines.some((line) => crossed(box, line)));
+}
+
+/**
+ * @param {Box} one
+ * @param {Box} other
+ */
+function overlap(one, other) {
+  return one[0] < other[2] && other[0] < one[2] && one[1] < other[3] && other[1] < one[3];
+}
+
+/**
+ * Whether a line has a part within a box.
+ * @param {Box} box
+ * @param {Line} line
+ */
+function crossed([left, top, right, bottom], [ax, ay, bx, by]) {
+  let [from, to] = [0, 1]; // what of the line is left between the sides
+  for (const [way, room] of [[ax - bx, ax - left], [bx - ax, right - ax], [ay - by, ay - top], [by - ay, bottom - ay]]) {
+    if (way < 0) from = Math.max(from, room / way);
+    else if (way > 0) to = Math.min(to, room / way);
+    else if (room < 0) return false;
+  }
+  return from < to;
 }

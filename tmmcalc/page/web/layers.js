@@ -1,14 +1,20 @@
 // Vectors and angles that are shown together: arrows from their spots to one scale, angles with their legs and values.
 import { columnOf, numbers } from "./data.js";
+import { boxAt, free } from "./labels.js";
 import { between, placed, STILL, trackAt } from "./motion.js";
-import { drawn, named } from "./marks.js";
+import { named, sized } from "./letters.js";
+import { drawn, head } from "./marks.js";
 import { perPixel, scaleTold } from "./scales.js";
-import { parted, told, written } from "./words.js";
+import { measured, parted } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
-/** @typedef {{line: SVGElement, name: SVGElement, size: import("./labels.js").Pair}} Drawn an arrow and its sign */
-/** @typedef {[number, number, number, number]} Place left, top, right, bottom of a sign */
+/**
+ * @typedef {{line: SVGElement, tip: SVGElement, name: SVGElement, size: import("./labels.js").Pair, drop: number}} Drawn
+ *   an arrow and its sign
+ */
+/** @typedef {import("./labels.js").Box} Box of a sign */
 
+const FONT = 14; // of signs, in pixels
 const LONGEST = 110; // of a vector, in pixels
 const PART = 0.2; // of the width of the drawing, that it has at most
 const NAMED = 13; // a shorter vector has no room for its sign
@@ -16,6 +22,7 @@ const BEYOND = 9; // its tip a sign stands
 const LEG = 110; // of an angle, in pixels
 const ARC = 84;
 const SIGN = 76; // of its sign and value
+const SHORT = 0.4; // of their length that legs have at least
 const USUAL = 560; // width of a drawing, below which legs are shorter
 
 export class Layer {
@@ -43,7 +50,8 @@ export class Layer {
       const found = columnOf(angle.column);
       const legs = [0, 1].map(() => drawn("line", { class: "leg" }, this.group));
       const arc = drawn("path", { class: "arc" }, this.group);
-      return { angle, found, legs, arc, name: drawn("text", { class: "name" }, this.group) };
+      const name = named(this.group, parted(angle.sign), { class: "name" }, " = ");
+      return { angle, found, legs, arc, name, value: /** @type {Element} */ (name.lastElementChild) };
     });
     let largest = 0;
     for (const { x, y } of this.arrows) largest = x.reduce((most, _, k) => Math.max(most, Math.hypot(x[k], y[k]) || 0), largest);
@@ -57,10 +65,10 @@ export class Layer {
    * @returns {Drawn}
    */
   drawn(sign) {
-    const [letter, index] = parted(sign);
-    const line = drawn("line", { "marker-end": `url(#head-${this.colour})` }, this.group);
-    const name = named(this.group, letter, index, { class: "name", "text-anchor": "middle" });
-    return { line, name, size: [8 * letter.length + 6 * index.length, 14] };
+    const letters = parted(sign);
+    const [line, tip] = [drawn("line", {}, this.group), drawn("path", { class: "head" }, this.group)];
+    const name = named(this.group, letters, { class: "name", "text-anchor": "middle" });
+    return { line, tip, name, ...sized(letters.filter(Boolean).join("_"), FONT) };
   }
 
   /**
@@ -100,7 +108,7 @@ export class Layer {
 
   /**
    * Vectors from their spots, at the nearest solved position; signs stand where none is yet.
-   * @param {Place[]} taken
+   * @param {Box[]} taken
    */
   update(taken) {
     const { state, poses, gone } = this.scene;
@@ -132,13 +140,15 @@ export class Layer {
    * An angle with its legs and its value at the nearest solved position.
    * @param {Layer["angles"][number]} shown
    */
-  opened({ angle, found, legs, arc, name }) {
+  opened({ angle, found, legs, arc, name, value }) {
     const { state, poses, scale, x0, y0, width, height } = this.scene;
     const pose = poses?.get(angle.body) ?? STILL;
     const { values, there, at } = state;
     const [from, to] = [trackAt(angle.start, values, there), trackAt(angle.end, values, there)];
     const [x, y] = [pose.x * scale, -pose.y * scale];
-    const small = Math.min(1, width / USUAL);
+    const edges = [-x0, -y0, width - x0, height - y0];
+    const room = Math.min(...[from, to].map((direction) => far([x, y], [Math.cos(direction), -Math.sin(direction)], edges)));
+    const small = Math.min(1, width / USUAL, Math.max(SHORT, room / LEG)); // legs end in sight
     const [leg, radius] = [small * LEG, small * ARC];
     /** @param {number} direction @param {number} far @returns {[number, number]} */
     const point = (direction, far) => [x + far * Math.cos(direction), y - far * Math.sin(direction)];
@@ -154,8 +164,8 @@ export class Layer {
     const [ex, ey] = point(to, leg - 6);
     const [tx, ty] = [ex + 8 * Math.cos(away), ey - 8 * Math.sin(away) + 5];
     const rows = found?.stage.rows;
-    const value = rows ? numbers(found.column.values)[between(numbers(rows.values), at).near] : NaN;
-    name.textContent = `${parted(angle.sign)[0]} = ${written(value, 3)}${told(found?.column.unit ?? "")}`;
+    const size = rows ? numbers(found.column.values)[between(numbers(rows.values), at).near] : NaN;
+    value.textContent = ` = ${measured(size, found?.column.unit ?? "", 3)}`;
     const before = Math.cos(away) < 0;
     const [left, right] = [-x0 + 4 + (before ? SIGN : 0), width - x0 - 4 - (before ? 0 : SIGN)];
     name.setAttribute("x", Math.min(right, Math.max(left, tx)).toFixed(1));
@@ -165,38 +175,40 @@ export class Layer {
 }
 
 /**
+ * How far it is along a way from a place to the edges of the drawing.
+ * @param {number[]} at
+ * @param {number[]} way of length 1
+ * @param {number[]} edges left, top, right, bottom
+ */
+function far(at, way, edges) {
+  return Math.min(...way.map((part, k) => (part ? (edges[part < 0 ? k : k + 2] - at[k]) / part : Infinity)));
+}
+
+/**
  * An arrow, none where it is too short to be seen; its sign beyond its tip or beside it, none where there is no room.
  * @param {Drawn} shown
  * @param {number[]} from in pixels
  * @param {number[]} way in pixels
  * @param {number} long
- * @param {Place[]} taken
+ * @param {Box[]} taken
  */
-function arrow({ line, name, size }, [ax, ay], [dx, dy], long, taken) {
+function arrow({ line, tip, name, size, drop }, [ax, ay], [dx, dy], long, taken) {
   const seen = long > 1;
-  line.classList.toggle("lost", !seen);
-  if (seen) for (const [key, value] of Object.entries({ x1: ax, y1: ay, x2: ax + dx, y2: ay + dy })) line.setAttribute(key, value.toFixed(1));
+  for (const each of [line, tip]) each.classList.toggle("lost", !seen);
+  if (seen) {
+    const [bx, by] = [ax + dx, ay + dy];
+    for (const [key, value] of Object.entries({ x1: ax, y1: ay, x2: bx, y2: by })) line.setAttribute(key, value.toFixed(1));
+    tip.setAttribute("d", head([ax, ay], [bx, by]));
+  }
   const [ex, ey] = [dx / (long || 1), dy / (long || 1)];
   const out = BEYOND + Math.min(size[0] / 2 / (Math.abs(ex) || 1e-9), size[1] / 2 / (Math.abs(ey) || 1e-9)) / 2;
   const aside = (Math.abs(ey) * size[0] + Math.abs(ex) * size[1]) / 2 + 5;
   const places = [[long + out, 0], [0.7 * long, aside], [0.7 * long, -aside], [0.4 * long, aside], [0.4 * long, -aside]];
-  const free = places
-    .map(([along, beside]) => rectangle(ax + along * ex - beside * ey, ay + along * ey + beside * ex, size))
-    .find((box) => !taken.some((each) => box[0] < each[2] && each[0] < box[2] && box[1] < each[3] && each[1] < box[3]));
-  const told = long >= NAMED && free !== undefined;
-  name.classList.toggle("lost", !told);
-  if (!told) return;
-  taken.push(free);
-  name.setAttribute("x", ((free[0] + free[2]) / 2).toFixed(1));
-  name.setAttribute("y", ((free[1] + free[3]) / 2 + 5).toFixed(1));
-}
-
-/**
- * @param {number} x of the middle
- * @param {number} y
- * @param {import("./labels.js").Pair} size
- * @returns {Place}
- */
-function rectangle(x, y, [wide, high]) {
-  return [x - wide / 2, y - high / 2, x + wide / 2, y + high / 2];
+  const boxes = places.map(([along, beside]) => boxAt(ax + along * ex - beside * ey, ay + along * ey + beside * ex, size));
+  const place = long >= NAMED ? free(boxes, taken, []) : undefined;
+  name.classList.toggle("lost", !place);
+  if (!place) return;
+  taken.push(place);
+  name.setAttribute("x", ((place[0] + place[2]) / 2).toFixed(1));
+  name.setAttribute("y", ((place[1] + place[3]) / 2 + drop).toFixed(1));
 }

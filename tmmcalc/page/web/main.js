@@ -13,18 +13,30 @@ import { coupled, halt, State } from "./state.js";
 import { Plane } from "./trials.js";
 import { forget, language, remember, saying, speak, told, word } from "./words.js";
 
-const SHOWN = ["paths", "numbers", "names", "masses", "centres", "ghosts"];
-
 const FIRST = 4; // diagrams of a scene that asks for none
+const AIR = 32; // pixels above and below what stays in sight
 const ROWS = 8; // of a table that is a curve and no list
+const NUMBER = "i"; // of a row
+const BENT = 1e-3; // of its greatest value: what a curve differs from a straight line by
+const NOTHING = 1e-12;
 
 const title = /** @type {HTMLElement} */ (document.getElementById("title"));
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
+const system = matchMedia("(prefers-color-scheme: dark)");
 title.textContent = content.title;
+lit();
 tools(/** @type {HTMLElement} */ (document.getElementById("tools")));
 const choice = content.scenes.length > 1 ? variants() : null;
 /** @type {Map<State, number>} */
 const states = new Map(); // those that are shown, with the place where each was put
+
+/** What moves stays in sight beside what is read, where the window has room for all of it. */
+const beside = () => {
+  const left = /** @type {HTMLElement | null} */ (main.querySelector(".moving"));
+  left?.classList.toggle("fits", left.offsetHeight + AIR <= innerHeight);
+};
+const sized = new ResizeObserver(beside);
+addEventListener("resize", beside);
 
 printed();
 remember();
@@ -53,6 +65,8 @@ function shown() {
   states.clear();
   const { views, trials, stages } = scene();
   const left = views.length || trials.length ? made("div", { class: "moving" }, main) : null;
+  sized.disconnect();
+  if (left) sized.observe(left);
   for (const view of views) {
     const state = new State(view);
     if (left) moved(left, state);
@@ -65,9 +79,13 @@ function shown() {
   const right = made("div", { class: "read" }, main);
   const diagrams = made("section", { class: "diagrams" }, right);
   heading(diagrams, () => word("diagrams"));
-  const ordered = stages.filter((stage) => stage.rows?.header && stage.rows.of >= ROWS);
+  const telling = new Set(stages.filter((stage) => stage.facts.length).map((stage) => stage.name)); // others only draw
+  const ordered = stages.filter(
+    ({ name, rows }) => rows?.header && rows.name !== NUMBER && rows.of >= ROWS && telling.has(name.split("/")[0]),
+  );
   const first = ordered.flatMap((stage) => {
-    const column = stage.columns.find(({ values }) => numbers(values).some((value, _, all) => value !== all[0]));
+    const along = stage.rows ? numbers(stage.rows.values) : new Float32Array();
+    const column = stage.columns.find(({ values }) => curved(along, numbers(values)));
     return column ? [`${stage.name}.${column.name}`] : [];
   });
   const wished = views.flatMap((view) => view.shown);
@@ -76,6 +94,18 @@ function shown() {
   heading(results, () => word("facts"));
   facts(results, (column) => charts.add(column));
   main.style.minHeight = "";
+}
+
+/**
+ * Whether values go along a curve: a straight line tells little, what rounding leaves of nothing tells nothing.
+ * @param {Float32Array} x
+ * @param {Float32Array} y
+ */
+function curved(x, y) {
+  const last = x.length - 1;
+  const most = y.reduce((size, value) => Math.max(size, Math.abs(value) || 0), 0);
+  const slope = (y[last] - y[0]) / (x[last] - x[0]);
+  return most > NOTHING && y.some((value, k) => Math.abs(value - y[0] - slope * (x[k] - x[0])) > BENT * most);
 }
 
 /**
@@ -137,9 +167,7 @@ function moved(parent, state) {
   const layers = made("fieldset", { class: "layers" }, section);
   const legend = made("legend", {}, layers);
   saying(() => (legend.textContent = word("show")));
-  const known = SHOWN.filter((name) => offers(state.view, name));
-  const hidden = { centres: true, ghosts: content.scenes.length > MANY };
-  for (const name of known) drawing.tick(layers, name, () => word(name), { hidden: hidden[/** @type {"ghosts"} */ (name)] });
+  for (const [name, hidden] of offered(state.view)) drawing.tick(layers, name, () => word(name), { hidden });
   for (const { layer, colour } of drawing.scene.layers) {
     const scale = () => drawing.scene.layers.find((each) => each.layer === layer)?.scaled;
     drawing.tick(layers, layer.name, () => told(layer.title) + (scale() ? ` (${scale()})` : ""), { colour, hidden: layer.hidden });
@@ -149,20 +177,27 @@ function moved(parent, state) {
 }
 
 /**
- * Whether a view has what may be shown or hidden by this name.
+ * What may be shown or hidden of a view beside its layers: its name, and whether it is hidden until it is asked for.
  * @param {import("./data.js").View} view
- * @param {string} name
+ * @returns {[string, boolean][]}
  */
-function offers(view, name) {
-  const has = {
-    paths: view.spots.some((spot) => spot.path),
-    numbers: view.bodies.some((body) => body.number),
-    names: view.spots.some((spot) => spot.name && spot.kind !== "mass"),
-    masses: view.spots.some((spot) => spot.kind === "mass"),
-    centres: view.centres.length > 0,
-    ghosts: others(view).length > 0,
-  };
-  return has[/** @type {keyof typeof has} */ (name)];
+function offered(view) {
+  /** @type {[string, boolean, boolean][]} */
+  const all = [
+    ["paths", view.spots.some((spot) => spot.path), false],
+    ["numbers", view.bodies.some((body) => body.number), false],
+    ["names", view.spots.some((spot) => spot.name && spot.kind !== "mass"), false],
+    ["masses", view.spots.some((spot) => spot.kind === "mass"), false],
+    ["centres", view.centres.length > 0, true],
+    ["ghosts", others(view).length > 0, content.scenes.length > MANY],
+  ];
+  return all.flatMap(([name, there, hidden]) => (there ? [[name, hidden]] : []));
+}
+
+/** Light or dark as the system is, until a button says otherwise. */
+function lit() {
+  system.onchange = lit;
+  document.documentElement.dataset.theme = system.matches ? "dark" : "light";
 }
 
 /** @param {Element} parent */
@@ -177,10 +212,9 @@ function tools(parent) {
   choice.value = language();
   choice.addEventListener("change", () => speak(choice.value));
   button(parent, "theme", () => word("theme"), () => {
-    const dark = matchMedia("(prefers-color-scheme: dark)").matches;
-    const root = document.documentElement;
-    const now = root.dataset.theme ?? (dark ? "dark" : "light");
-    root.dataset.theme = now === "dark" ? "light" : "dark";
+    system.onchange = null;
+    const { dataset } = document.documentElement;
+    dataset.theme = dataset.theme === "dark" ? "light" : "dark";
   });
   button(parent, "print", () => word("print"), () => print());
 }

@@ -4,10 +4,12 @@ const SVG = "http://www.w3.org/2000/svg";
 export const PIN = 5;
 export const RING = 9; // radius of the ring of a number
 export const COLOURS = ["blue", "orange", "green", "purple"];
-const BLOCK = [34, 19];
-const PIVOT = [22, 17];
+export const BLOCK = [34, 19];
+export const PIVOT = [22, 17];
+const WALL = 2.5; // half the thickness of a rod that slides along one
 const [COILS, COIL] = [5, 7]; // turns of a spring, half its width
 const DOT = 4.5;
+const [HEAD, WING] = [9, 3]; // length and half the width of the head of an arrow
 const FINEST = 0.8; // module in pixels below which teeth are not drawn
 const SLOPE = Math.tan(Math.PI / 9); // of their flanks
 
@@ -87,17 +89,28 @@ function shaped(parent, mark, scale) {
     case "pivot":
       return pivot(parent, x, y, flat[2], flat[3]);
     case "guide":
-      return guide(parent, points[0], points[1], flat[4], flat[5]);
+      return guide(parent, points, flat[4], flat[5]);
     case "wall":
-      return wall(parent, points[0], points[1], flat[4], flat[5]);
+      return hatchedAlong(parent, points, flat[4], flat[5], 0, WALL);
     case "sleeve": {
       const group = drawn("g", {}, parent);
-      guide(group, points[0], points[0], flat[4], flat[5]);
+      guide(group, [points[0], points[0]], flat[4], flat[5]);
       return block(group, x, y, flat[2], flat[3]);
     }
     default:
       return drawn("path", { class: "cross", d: `M${x - 5},${y - 5}l10,10m0,-10l-10,10` }, parent);
   }
+}
+
+/**
+ * Put what is drawn in the axes of a body where that is.
+ * @param {Element} element
+ * @param {import("./motion.js").Pose} pose
+ * @param {number} scale
+ */
+export function put(element, { x, y, cos, sin }, scale) {
+  const matrix = [cos, -sin, sin, cos, x * scale, -y * scale].map((each) => each.toFixed(5));
+  element.setAttribute("transform", `matrix(${matrix.join(" ")})`);
 }
 
 /**
@@ -264,38 +277,32 @@ function pivot(parent, x, y, dx, dy) {
 }
 
 /**
+ * A hatched line from end to end with a block's room beyond them, along the far side of the block.
  * @param {Element} parent
- * @param {[number, number]} a
- * @param {[number, number]} b
+ * @param {[number, number][]} ends
  * @param {number} ox
  * @param {number} oy
  */
-function guide(parent, a, b, ox, oy) {
-  const turn = (Math.atan2(-oy, ox) * 180) / Math.PI - 90;
-  const group = drawn("g", { transform: `translate(${round(a[0])} ${round(a[1])}) rotate(${round(turn)})` }, parent);
-  const c = Math.cos((turn * Math.PI) / 180);
-  const s = Math.sin((turn * Math.PI) / 180);
-  const along = (b[0] - a[0]) * c + (b[1] - a[1]) * s;
-  const over = BLOCK[0] / 2 + 8;
-  hatched(group, Math.min(0, along) - over, Math.max(0, along) + over, BLOCK[1] / 2);
-  return group;
+function guide(parent, ends, ox, oy) {
+  return hatchedAlong(parent, ends, ox, oy, BLOCK[0] / 2 + 8, BLOCK[1] / 2);
 }
 
 /**
- * A hatched line from end to end.
+ * A hatched line between two points, so far beyond them and outward from them.
  * @param {Element} parent
- * @param {[number, number]} a
- * @param {[number, number]} b
+ * @param {[number, number][]} ends
  * @param {number} ox
  * @param {number} oy
+ * @param {number} over
+ * @param {number} out
  */
-function wall(parent, a, b, ox, oy) {
+function hatchedAlong(parent, [a, b], ox, oy, over, out) {
   const turn = (Math.atan2(-oy, ox) * 180) / Math.PI - 90;
   const group = drawn("g", { transform: `translate(${round(a[0])} ${round(a[1])}) rotate(${round(turn)})` }, parent);
   const c = Math.cos((turn * Math.PI) / 180);
   const s = Math.sin((turn * Math.PI) / 180);
   const along = (b[0] - a[0]) * c + (b[1] - a[1]) * s;
-  hatched(group, Math.min(0, along), Math.max(0, along), 2.5);
+  hatched(group, Math.min(0, along) - over, Math.max(0, along) + over, out);
   return group;
 }
 
@@ -324,66 +331,16 @@ export function centreOfMass(parent) {
 }
 
 /**
- * A name with its index, in an element of text.
- * @param {Element} parent
- * @param {string} letter
- * @param {string} index
- * @param {Record<string, string | number>} attributes
+ * The head of an arrow between two points in pixels, as the way of a path: no longer than half of a short one.
+ * @param {number[]} tail
+ * @param {number[]} tip
  */
-export function named(parent, letter, index, attributes = {}) {
-  const found = drawn("text", attributes, parent);
-  found.append(letter);
-  if (index) {
-    const below = drawn("tspan", { dy: "0.3em", "font-size": "72%" }, found);
-    below.textContent = index;
-  }
-  return found;
-}
-
-/**
- * A sign as the program writes it, with braces: `v_{BA}`, `a^{n}_{B_{2}A}`.
- * @param {Element} parent
- * @param {string} sign
- * @param {Record<string, string | number>} attributes
- */
-export function texted(parent, sign, attributes = {}) {
-  const found = drawn("text", attributes, parent);
-  let level = 0;
-  /** @param {string} text @param {number} wanted */
-  const put = (text, wanted) => {
-    if (!text) return;
-    const part = drawn("tspan", { "font-size": wanted ? "72%" : "100%", dy: (wanted - level) * 5 }, found);
-    part.textContent = text;
-    level = wanted;
-  };
-  /** @param {string} text @param {number} wanted */
-  const read = (text, wanted) => {
-    let rest = text;
-    while (rest) {
-      const cut = rest.search(/[_^]/);
-      if (cut < 0) return put(rest.replaceAll(/[{}]/g, ""), wanted);
-      put(rest.slice(0, cut).replaceAll(/[{}]/g, ""), wanted);
-      const lower = rest[cut] === "_";
-      const [inner, after] = braced(rest.slice(cut + 1));
-      read(inner, wanted + (lower ? 1 : -1));
-      rest = after;
-    }
-  };
-  read(sign, 0);
-  return found;
-}
-
-/**
- * What stands in braces at the beginning, or the first letter, and what comes after it.
- * @param {string} text
- * @returns {[string, string]}
- */
-function braced(text) {
-  if (text[0] !== "{") return [text.slice(0, 1), text.slice(1)];
-  let depth = 0;
-  for (let k = 0; k < text.length; k++) {
-    depth += text[k] === "{" ? 1 : text[k] === "}" ? -1 : 0;
-    if (!depth) return [text.slice(1, k), text.slice(k + 1)];
-  }
-  return [text.slice(1), ""];
+export function head([ax, ay], [bx, by]) {
+  const long = Math.hypot(bx - ax, by - ay);
+  const [ex, ey] = [(bx - ax) / (long || 1), (by - ay) / (long || 1)];
+  const size = Math.min(HEAD, long / 2);
+  const wing = Math.min(WING, 0.6 * size);
+  const [x, y] = [bx - size * ex, by - size * ey];
+  const wings = [1, -1].map((side) => `${round(x - side * wing * ey)},${round(y + side * wing * ex)}`);
+  return `M${round(bx)},${round(by)}L${wings.join("L")}z`;
 }

@@ -1,12 +1,15 @@
 // Names of points and numbers of links in a scene, each at one place beside what it names over the whole motion.
 import { around, settled } from "./labels.js";
-import { drawn, RING } from "./marks.js";
+import { sized } from "./letters.js";
+import { BLOCK, drawn, PIVOT, RING } from "./marks.js";
 import { between, placed, STILL } from "./motion.js";
+import { parted } from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./labels.js").Pair} Pair */
 /** @typedef {{body: string, at: number[], shift: Pair, size: Pair}} Named a place in the axes of a body, and pixels from it */
 
+const FONT = 16; // of names, in pixels
 const CHORDS = 60; // of a curve that names keep off
 const MOMENTS = 25; // of the motion that places of names are chosen by
 const LINES = new Set(["plate", "bar", "slot", "outline", "hole", "line"]);
@@ -29,10 +32,11 @@ export function putNames(scene) {
   const rings = scene.view.bodies.filter((body) => body.number);
   /** @type {import("./labels.js").Item[]} */
   const items = [];
+  /** @type {number[]} */
+  const drops = [];
   for (const spot of scene.view.spots) {
-    const [letter, index] = lettered(spot.name);
-    /** @type {import("./labels.js").Pair} */
-    const size = [9.5 * letter.length + 6 * index.length, 14];
+    const { size, drop } = sized(parted(spot.name).filter(Boolean).join("_"), FONT);
+    drops.push(drop);
     /** @type {import("./labels.js").Pair[]} */
     const choices = spot.kind === "word" ? [[0, 0], ...around(...size)] : around(...size);
     items.push({ at: over(spot.body, spot.at), size, choices });
@@ -48,7 +52,7 @@ export function putNames(scene) {
     const [x, y] = shifts[k];
     const name = /** @type {Element} */ (group.querySelector(".name"));
     name.setAttribute("x", x.toFixed(1));
-    name.setAttribute("y", (y + 5).toFixed(1));
+    name.setAttribute("y", (y + drops[k]).toFixed(1));
   });
   rings.forEach((body, k) => {
     const [x, y] = shifts[scene.spots.length + k];
@@ -99,8 +103,9 @@ function linesOf(scene, poses) {
     if (kind === "guide" || kind === "wall") add(STILL, flat.slice(0, 4), false);
     if (kind === "pivot") {
       const [x, y] = [flat[0] * scene.scale, -flat[1] * scene.scale];
-      found.push([x, y, x + 20 * flat[2], y - 20 * flat[3]]);
-      for (const [far, half] of [[10, 7], [20, 15]]) {
+      const [wide, high] = PIVOT;
+      found.push([x, y, x + 1.2 * high * flat[2], y - 1.2 * high * flat[3]]);
+      for (const [far, half] of [[0.6 * high, 0.3 * wide], [1.2 * high, 0.7 * wide]]) {
         const [cx, cy] = [x + far * flat[2], y - far * flat[3]];
         found.push([cx - half * flat[3], cy - half * flat[2], cx + half * flat[3], cy + half * flat[2]]);
       }
@@ -124,18 +129,9 @@ function blocked(scale, found, pose, flat) {
   const [x, y] = placed(pose, flat[0], flat[1]);
   const ex = pose.cos * flat[2] - pose.sin * flat[3];
   const ey = pose.sin * flat[2] + pose.cos * flat[3];
-  for (const side of [-10, 0, 10]) {
+  const [half, high] = [BLOCK[0] / 2, BLOCK[1] / 2];
+  for (const side of [-high, 0, high]) {
     const [px, py] = [x * scale - ey * side, -y * scale - ex * side];
-    found.push([px - 17 * ex, py + 17 * ey, px + 17 * ex, py - 17 * ey]);
+    found.push([px - half * ex, py + half * ey, px + half * ex, py - half * ey]);
   }
-}
-
-/**
- * The letter of a point and its number: S3 has an index.
- * @param {string} name
- * @returns {[string, string]}
- */
-export function lettered(name) {
-  const found = /^([A-Za-z]+)_?(\d+)$/.exec(name);
-  return found ? [found[1], found[2]] : [name, ""];
 }

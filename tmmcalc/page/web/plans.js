@@ -1,15 +1,22 @@
 // Plans of vectors at the nearest solved position: velocities, accelerations, forces, the lever.
 import { numbers } from "./data.js";
 import { between } from "./motion.js";
-import { around, settled } from "./labels.js";
-import { drawn, texted } from "./marks.js";
-import { made, resized, widthIn } from "./elements.js";
+import { around, boxAt, free } from "./labels.js";
+import { sized, texted } from "./letters.js";
+import { drawn, head } from "./marks.js";
+import { folding, made, resized, WIDE, widthIn } from "./elements.js";
+import { keep, kept } from "./kept.js";
 import { perPixel, scaleTold } from "./scales.js";
 import { saying, told, word } from "./words.js";
 
-const WIDE = 560;
 const HIGH = 360;
 const MARGIN = 36;
+const FONT = 15; // of names, in pixels
+const CORNER = 6; // that a corner takes
+const SAME = 12; // pixels within which corners have one name
+const OFF = [3, 9]; // pixels between a vector and its sign
+const PARTS = [0.5, 0.62, 0.38, 0.74, 0.26, 0.86]; // of a vector, where its sign may stand
+const PLAIN = new Set(["arm", "turned"]); // lines of the lever that are no vectors
 const NAMED = 26; // a shorter vector has no room for its sign
 
 export class Plans {
@@ -21,22 +28,27 @@ export class Plans {
    */
   constructor(parent, state) {
     this.state = state;
-    const part = made("details", { class: "plans" }, parent);
-    const title = made("summary", {}, part);
-    saying(() => (title.textContent = word("plans")));
+    const { plans, name } = state.view;
+    const { part, fold } = folding(parent, "plans", name, () => word("plans"));
     const label = made("label", {}, part);
     const said = made("span", {}, label);
     saying(() => (said.textContent = word("show")));
     const choice = made("select", { name: "plan" }, label);
-    state.view.plans.forEach((plan, k) => {
+    plans.forEach((plan, k) => {
       const option = made("option", { value: String(k) }, choice);
       saying(() => (option.textContent = told(plan.title)));
     });
+    const wished = kept(`plan ${name}`, plans[0].name);
+    this.chosen = Math.max(0, plans.findIndex((plan) => plan.name === wished));
+    choice.value = String(this.chosen);
     this.svg = drawn("svg", { class: "plan", role: "img" }, part);
     this.under = made("p", { class: "errors" }, part);
     this.part = part;
-    this.chosen = 0;
-    choice.addEventListener("change", () => this.choose(Number(choice.value)));
+    fold(false);
+    choice.addEventListener("change", () => {
+      this.choose(Number(choice.value));
+      keep(`plan ${name}`, this.plan.name);
+    });
     part.addEventListener("toggle", () => this.size());
     resized(part, () => this.size());
     saying(() => this.choose(this.chosen));
@@ -45,7 +57,7 @@ export class Plans {
 
   /** Draw it as wide as there is room. */
   size() {
-    this.wide = widthIn(this.part, WIDE);
+    this.wide = widthIn(this.part);
     this.svg.setAttribute("viewBox", `0 0 ${this.wide} ${HIGH}`);
     this.update();
   }
@@ -65,40 +77,43 @@ export class Plans {
   }
 
   /**
-   * Names of corners and signs of vectors, each where it covers least.
+   * Names of corners, then signs of vectors, the longest first: each where it lies on nothing, or nowhere.
    * @param {number[][]} at
    * @param {Element} names
    */
   name(at, names) {
-    /** @type {[number, number, number, number][]} */
-    const lines = this.plan.edges.map(([tail, head]) => [at[tail][0], at[tail][1], at[head][0], at[head][1]]);
-    /** @type {(import("./labels.js").Item & {text: string, kind: string})[]} */
-    const items = [];
+    const { edges } = this.plan;
+    /** @type {import("./labels.js").Line[]} */
+    const lines = edges.map(([tail, tip]) => [at[tail][0], at[tail][1], at[tip][0], at[tip][1]]);
+    const taken = at.map(([x, y]) => boxAt(x, y, [CORNER, CORNER]));
+    /** @param {string} text @param {string} kind @param {(size: import("./labels.js").Pair) => number[][]} choices */
+    const put = (text, kind, choices) => {
+      const { size, drop } = sized(text, FONT);
+      const boxes = choices(size).map(([x, y]) => boxAt(x, y, size));
+      const place = free(boxes.filter((box) => this.within(box)), taken, lines);
+      if (!place) return;
+      taken.push(place);
+      const [x, y] = [(place[0] + place[2]) / 2, (place[1] + place[3]) / 2 + drop];
+      texted(names, text, { class: kind, x, y, "text-anchor": "middle" });
+    };
     /** @type {number[][]} */
     const done = [];
     this.corners?.forEach(({ name }, k) => {
-      if (!name || done.some(([x, y]) => Math.hypot(x - at[k][0], y - at[k][1]) < 12)) return;
+      const [x, y] = at[k];
+      if (!name || done.some((each) => Math.hypot(each[0] - x, each[1] - y) < SAME)) return;
       done.push(at[k]);
-      const size = sized(name);
-      items.push({ at: [[at[k][0], at[k][1]]], size, choices: around(...size), text: name, kind: "vertex" });
+      put(name, "vertex", (size) => around(...size).map(([dx, dy]) => [x + dx, y + dy]));
     });
-    this.plan.edges.forEach(([, , sign, kind], k) => {
-      const [x1, y1, x2, y2] = lines[k];
-      const long = Math.hypot(x2 - x1, y2 - y1);
-      if (!sign || long < NAMED) return;
-      const size = sized(sign);
-      const [ex, ey] = [(x2 - x1) / long, (y2 - y1) / long];
-      const off = (Math.abs(ey) * size[0] + Math.abs(ex) * size[1]) / 2 + 3;
-      /** @type {import("./labels.js").Pair[]} */
-      const choices = [0, 0.15, -0.15, 0.28, -0.28].flatMap((part) =>
-        [1, -1].map((side) => /** @type {import("./labels.js").Pair} */ ([part * long * ex + side * off * ey, part * long * ey - side * off * ex])),
-      );
-      items.push({ at: [[(x1 + x2) / 2, (y1 + y2) / 2]], size, choices, text: sign, kind: `sign ${kind}` });
-    });
-    settled(items, [lines]).forEach(([dx, dy], k) => {
-      const { at: places, text, kind } = items[k];
-      texted(names, text, { class: kind, x: places[0][0] + dx, y: places[0][1] + dy + 5, "text-anchor": "middle" });
-    });
+    const long = lines.map(([ax, ay, bx, by]) => Math.hypot(bx - ax, by - ay));
+    for (const k of [...edges.keys()].sort((i, j) => long[j] - long[i])) {
+      const [, , sign, kind] = edges[k];
+      if (sign && long[k] >= NAMED) put(sign, `sign ${kind}`, (size) => beside(lines[k], long[k], size));
+    }
+  }
+
+  /** Whether a sign is seen whole. @param {import("./labels.js").Box} box */
+  within([left, top, right, bottom]) {
+    return left >= 0 && top >= 0 && right <= this.wide && bottom <= HIGH;
   }
 
   /**
@@ -127,20 +142,14 @@ export class Plans {
     this.svg.replaceChildren();
     const lines = drawn("g", {}, this.svg);
     const names = drawn("g", {}, this.svg);
-    for (const [tail, head, , kind] of this.plan.edges) {
+    for (const [tail, tip, , kind] of this.plan.edges) {
       const [x1, y1] = at[tail];
-      const [x2, y2] = at[head];
+      const [x2, y2] = at[tip];
       const long = Math.hypot(x2 - x1, y2 - y1);
       if (long < 0.7) continue;
       const group = drawn("g", { class: `edge ${kind}` }, lines);
       drawn("line", { x1, y1, x2, y2 }, group);
-      const [ex, ey] = [(x2 - x1) / long, (y2 - y1) / long];
-      const size = Math.min(10, 0.6 * long);
-      if (kind !== "arm" && kind !== "turned") {
-        const [bx, by] = [x2 - size * ex, y2 - size * ey];
-        const wing = 0.3 * size;
-        drawn("path", { d: `M${x2},${y2}L${bx - wing * ey},${by + wing * ex}L${bx + wing * ey},${by - wing * ex}z` }, group);
-      }
+      if (!PLAIN.has(kind)) drawn("path", { d: head(at[tail], at[tip]) }, group);
     }
     this.name(at, names);
     drawn("circle", { class: "pole", cx: at[0][0], cy: at[0][1], r: 3 }, this.svg);
@@ -148,11 +157,18 @@ export class Plans {
 }
 
 /**
- * About how large a sign is, in pixels.
- * @param {string} sign
- * @returns {[number, number]}
+ * Places of a sign along a vector, on both sides of it, from its middle on.
+ * @param {import("./labels.js").Line} line
+ * @param {number} long
+ * @param {import("./labels.js").Pair} size
  */
-function sized(sign) {
-  const [letter, ...index] = sign.split(/[_^]/);
-  return [8 * letter.length + 6 * index.join("").replaceAll(/[{}]/g, "").length, index.length ? 19 : 14];
+function beside([ax, ay, bx, by], long, [wide, high]) {
+  const [ex, ey] = [(bx - ax) / long, (by - ay) / long];
+  const half = (Math.abs(ey) * wide + Math.abs(ex) * high) / 2;
+  return OFF.flatMap((off) =>
+    PARTS.flatMap((part) => {
+      const [x, y] = [ax + part * (bx - ax), ay + part * (by - ay)];
+      return [half + off, -half - off].map((aside) => [x + aside * ey, y - aside * ex]);
+    }),
+  );
 }

@@ -4,7 +4,7 @@ import { button, called, icon, made } from "./elements.js";
 import { keep, kept } from "./kept.js";
 import { keyed, turning } from "./keys.js";
 import { halt, plays } from "./state.js";
-import { saying, told, word, written } from "./words.js";
+import { measured, saying, told, word, written } from "./words.js";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
 
@@ -48,13 +48,15 @@ export class Player {
       this.speed = Number(choice.value);
       keep(speed, this.speed);
     });
-    this.told = made("output", { class: "told", "aria-live": "off" }, parent);
+    const lines = made("output", { class: "told", "aria-live": "off" }, parent);
+    this.told = made("span", {}, lines);
+    this.solved = state.view.column ? made("span", {}, lines) : null; // a line of its own: what stands below does not leap
     this.wrong = made("p", { class: "wrong", role: "status" }, parent);
     if (state.view.stops.length) this.stops(parent);
     saying(() => this.tell());
     state.follow(() => this.tell());
     state.refused.push((asked) => {
-      this.wrong.textContent = Number.isNaN(asked) ? "" : `${state.view.symbol} = ${this.measured(asked)}: ${word(state.closes(asked) ? "beyond" : "unreached")}`;
+      this.wrong.textContent = Number.isNaN(asked) ? "" : `${this.placed(asked)}: ${word(state.closes(asked) ? "beyond" : "unreached")}`;
     });
   }
 
@@ -87,35 +89,33 @@ export class Player {
    */
   stops(parent) {
     const list = made("div", { class: "stops" }, parent);
-    const { stops, symbol } = this.state.view;
-    for (const stop of stops) {
+    const { stops } = this.state.view;
+    for (const stop of [...stops].sort((one, other) => this.state.along * (one.at - other.at))) {
       const found = made("button", { type: "button" }, list);
       saying(() => {
         const title = told(stop.title);
         const alike = stops.filter((each) => told(each.title) === title).length > 1;
-        found.textContent = alike ? `${title}, ${symbol} = ${this.measured(stop.at)}` : title;
+        found.textContent = alike ? `${title}, ${this.placed(stop.at)}` : title;
       });
       found.addEventListener("click", () => this.state.take(stop.at));
     }
   }
 
-  /** @param {number} value */
-  measured(value) {
-    const unit = told(this.state.view.unit);
-    return `${written(value, 5)}${unit === "°" ? "°" : ` ${unit}`}`;
+  /** Where the input stands, in words. @param {number} value */
+  placed(value) {
+    return `${this.state.view.symbol} = ${measured(value, this.state.view.unit, 5)}`;
   }
 
   /** Say where the input stands, and whose values are shown. */
   tell() {
     const { state } = this;
     this.slider.value = String(state.at);
-    const small = 1e-5 * state.span;
-    const step = state.view.steps.find(([, at]) => Math.abs(at - state.at) <= small);
-    const here = `${state.view.symbol} = ${this.measured(state.at)}`;
+    const step = state.view.steps.find(([, at]) => Math.abs(at - state.at) <= state.small);
+    const here = this.placed(state.at);
     const near = numbers(state.view.values)[state.near];
     this.slider.setAttribute("aria-valuetext", here);
-    const solved = state.view.column ? `; ${word("solved", { value: `${state.view.symbol} = ${this.measured(near)}` })}` : "";
-    this.told.textContent = `${here}${step?.[0] ? ` ${word("step", { label: step[0] })}` : ""}${solved}`;
+    this.told.textContent = `${here}${step?.[0] ? ` ${word("step", { label: step[0] })}` : ""}`;
+    if (this.solved) this.solved.textContent = word("solved", { value: this.placed(near) });
   }
 
   /** Let it go, or stop it. */

@@ -1,7 +1,7 @@
 // Numbers that go along with the input, in a table under the scene.
 import { numbers } from "./data.js";
 import { isThere, trackAt } from "./motion.js";
-import { made } from "./elements.js";
+import { lettered, made } from "./elements.js";
 import { measured, parted, saying, told } from "./words.js";
 
 const DIGITS = 4;
@@ -19,9 +19,7 @@ export function readings(parent, state) {
     const row = made("tr", {}, body);
     const name = made("th", { scope: "row" }, row);
     const sign = made("td", { class: "sign" }, row);
-    const [letter, index] = parted(reading.sign);
-    sign.append(letter);
-    if (index) made("sub", {}, sign).textContent = index;
+    lettered(sign, parted(reading.sign));
     const value = made("td", { class: "number" }, row);
     const all = typeof reading.value === "number" ? [reading.value] : [...numbers(reading.value[0])];
     const least = NOTHING * Math.max(...all.map(Math.abs));
@@ -32,7 +30,7 @@ export function readings(parent, state) {
       const there = isThere(reading.there, state.at);
       name.textContent = told(reading.name);
       const found = trackAt(reading.value, state.values, state.there);
-      value.textContent = there ? measured(Math.abs(found) < least ? 0 : found, reading.unit, DIGITS) : "–";
+      value.textContent = measured(!there ? NaN : Math.abs(found) < least ? 0 : found, reading.unit, DIGITS);
     }
   };
   saying(tell);

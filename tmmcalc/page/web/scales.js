@@ -1,5 +1,5 @@
 // Standard scales: of axes, of vectors to a centimetre of the screen.
-import { told, word, written } from "./words.js";
+import { measured, word } from "./words.js";
 
 const CENTIMETRE = 37.8; // in pixels of a screen
 
@@ -26,5 +26,5 @@ export function perPixel(least) {
  * @param {import("./data.js").Said} unit
  */
 export function scaleTold(per, unit) {
-  return word("arrow", { value: `${written(per * CENTIMETRE, 3)} ${told(unit)}`.trim() });
+  return word("arrow", { value: measured(per * CENTIMETRE, unit, 3) });
 }

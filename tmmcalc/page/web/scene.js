@@ -2,10 +2,12 @@
 import { numbers } from "./data.js";
 import { dragged } from "./drag.js";
 import { boxed, Ghosts } from "./ghosts.js";
+import { boxAt } from "./labels.js";
 import { Layer } from "./layers.js";
 import { isThere, placed, poseOf, posesOf, STILL } from "./motion.js";
-import { lettered, putNames } from "./naming.js";
-import { centreOfMass, COLOURS, draw, drawn, named, PIN, RING, stretch } from "./marks.js";
+import { putNames } from "./naming.js";
+import { named } from "./letters.js";
+import { centreOfMass, COLOURS, draw, drawn, PIN, put, RING, stretch } from "./marks.js";
 import { parted, told, word } from "./words.js";
 
 const WIDE = 760;
@@ -50,7 +52,6 @@ export class Scene {
     this.y0 = height / 2 + ((top + bottom) / 2) * this.scale;
     this.svg = drawn("svg", { viewBox: `0 0 ${Math.round(width)} ${Math.round(height)}`, class: "scene", role: "img", tabindex: 0 }, parent);
     this.title = drawn("title", {}, this.svg);
-    this.heads();
     const world = drawn("g", { transform: `translate(${this.x0} ${this.y0})` }, this.svg);
     this.ghosts = new Ghosts(this.view, this.scale, world);
     this.paths = drawn("g", { class: "paths" }, world);
@@ -82,19 +83,6 @@ export class Scene {
   leave() {
     this.state.leave(this.follow);
     this.svg.remove();
-  }
-
-  /** Heads of arrows, one for each colour. */
-  heads() {
-    const defs = drawn("defs", {}, this.svg);
-    for (const colour of COLOURS) {
-      const marker = drawn(
-        "marker",
-        { id: `head-${colour}`, viewBox: "0 0 10 6", refX: 9.5, refY: 3, markerWidth: 9, markerHeight: 6, orient: "auto", markerUnits: "userSpaceOnUse" },
-        defs,
-      );
-      drawn("path", { d: "M0,0L10,3L0,6z", class: `fill-${colour}` }, marker);
-    }
   }
 
   /**
@@ -141,7 +129,7 @@ export class Scene {
     if (spot.kind === "pin") drawn("circle", { r: PIN, class: "joint" }, group);
     else if (spot.kind === "mass") centreOfMass(group);
     else if (spot.kind === "point") drawn("circle", { r: 2, class: "dot" }, group);
-    named(group, ...lettered(spot.name), { class: "name", "text-anchor": "middle" });
+    named(group, parted(spot.name), { class: "name", "text-anchor": "middle" });
     return group;
   }
 
@@ -166,7 +154,7 @@ export class Scene {
   centred(centre, world) {
     const group = drawn("g", { class: "centre" }, world);
     drawn("path", { d: "M-5,-5L5,5M5,-5L-5,5" }, group);
-    named(group, ...parted(centre.name), { class: "name", x: 8, y: 14 });
+    named(group, parted(centre.name), { class: "name", x: 8, y: 14 });
     return group;
   }
 
@@ -203,10 +191,7 @@ export class Scene {
     this.gone = gone;
     this.view.bodies.forEach((body, k) => {
       const pose = /** @type {import("./motion.js").Pose} */ (poses.get(body.name));
-      const { x, y, cos, sin } = pose;
-      const s = this.scale;
-      const matrix = [cos, -sin, sin, cos, x * s, -y * s].map((each) => each.toFixed(5)).join(" ");
-      this.bodies[k].setAttribute("transform", `matrix(${matrix})`);
+      put(this.bodies[k], pose, this.scale);
       for (const each of [this.bodies[k], this.rings[k]]) each.classList.toggle("lost", gone.has(body.name));
       const [bx, by] = placed(pose, body.beside[0]?.[0] ?? 0, body.beside[0]?.[1] ?? 0);
       this.rings[k].setAttribute("transform", this.shifted(bx, by));
@@ -238,11 +223,9 @@ export class Scene {
   /** Vectors of the layers that are shown, their signs beside names and numbers. */
   point() {
     if (!this.layers.some((each) => each.shown)) return;
-    /** @type {import("./layers.js").Place[]} */
-    const taken = this.named.map(({ body, at, shift, size: [wide, high] }) => {
+    const taken = this.named.map(({ body, at, shift, size }) => {
       const [px, py] = placed(this.poses?.get(body) ?? STILL, at[0], at[1]);
-      const [x, y] = [px * this.scale + shift[0], -py * this.scale + shift[1]];
-      return [x - wide / 2, y - high / 2, x + wide / 2, y + high / 2];
+      return boxAt(px * this.scale + shift[0], -py * this.scale + shift[1], size);
     });
     for (const layer of this.layers) if (layer.shown) layer.update(taken);
   }

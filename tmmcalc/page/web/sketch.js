@@ -1,8 +1,9 @@
 // What is drawn of the point of a trial: bodies with teeth and marks, all by formulas, around a place in the middle.
 import { compiled } from "./formulas.js";
-import { COLOURS, drawn, named, RING } from "./marks.js";
+import { named } from "./letters.js";
+import { COLOURS, drawn, RING } from "./marks.js";
 import { teethAt, toothed } from "./outlines.js";
-import { told } from "./words.js";
+import { parted, told } from "./words.js";
 
 const FINE = 5e-4; // how far cubics may lie from curves, in the units of the formulas
 const BESIDE = [10, -9]; // pixels from a point to its name
@@ -64,8 +65,7 @@ export class Sketch {
     drawn("circle", { class: kind, r: kind === "number" ? RING : name ? SMALL : LARGE }, group);
     const [x, y] = [BESIDE[0] * side, BESIDE[1] * side + MIDDLE];
     const anchor = side > 0 ? "start" : side < 0 ? "end" : "middle";
-    const [letter, index] = side ? [name[0], name.slice(1)] : [name, ""];
-    if (name) named(group, letter, index, { x, y, class: side ? "name" : "", "text-anchor": anchor });
+    if (name) named(group, parted(name), { x, y, class: side ? "name" : "", "text-anchor": anchor });
     return (/** @type {number[][]} */ [at]) => group.setAttribute("transform", `translate(${at.map(tidy).join(" ")})`);
   }
 

@@ -1,6 +1,7 @@
 // Where the input stands, and who is told when it moves.
 import { numbers } from "./data.js";
 import { between } from "./motion.js";
+import { isAngle } from "./words.js";
 
 /** @type {() => void} */
 let stop = () => {};
@@ -37,6 +38,11 @@ export class State {
 
   get span() {
     return this.high - this.low;
+  }
+
+  /** How far apart places are that count as one. */
+  get small() {
+    return 1e-5 * this.span;
   }
 
   /** The sense in which it goes on. */
@@ -94,7 +100,7 @@ export class State {
    */
   closes(asked) {
     const { reach, unit } = this.view;
-    const turns = unit === "°" ? [-360, 0, 360] : [0];
+    const turns = isAngle(unit) ? [-360, 0, 360] : [0];
     return !reach.length || turns.some((turn) => reach.some(([low, high]) => low <= asked + turn && asked + turn <= high));
   }
 
@@ -106,9 +112,8 @@ export class State {
     const way = this.along;
     const places = this.view.steps.map((step) => step[1] * way).sort((a, b) => a - b);
     const at = this.at * way;
-    const small = 1e-5 * this.span;
     const next =
-      sense > 0 ? places.find((place) => place > at + small) : places.findLast((place) => place < at - small);
+      sense > 0 ? places.find((place) => place > at + this.small) : places.findLast((place) => place < at - this.small);
     if (next !== undefined) this.take(next * way);
     else if (this.view.whole) this.take(sense > 0 ? this.values[0] : (places.at(-2) ?? 0) * way);
   }

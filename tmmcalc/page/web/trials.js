@@ -1,11 +1,11 @@
 // A plane of two inputs whose point is moved by hand: regions, lines, points; sizes and a drawing follow by formulas.
 import { numbers } from "./data.js";
-import { button, made, resized } from "./elements.js";
+import { button, lettered, made, resized } from "./elements.js";
 import { Field, shaped } from "./field.js";
 import { chained, compiled } from "./formulas.js";
 import { keyed } from "./keys.js";
 import { away } from "./outlines.js";
-import { parted, saying, told, word, written } from "./words.js";
+import { isAngle, measured, parted, saying, told, word, written } from "./words.js";
 
 const NEAR = 1e-4; // of an edge: what lies on it belongs to its region
 const STEP = 0.01; // of the arrow keys; with Shift a tenth of it
@@ -39,10 +39,8 @@ export class Plane {
       const row = made("tr", {}, body);
       const meaning = made("th", { scope: "row" }, row);
       const sign = made("td", { class: "sign" }, row);
-      const [letter, index] = parted(shown.name.replace(/[{}]/g, "").replace("Delta", "Δ"));
-      sign.append(letter);
-      if (index) made("sub", {}, sign).textContent = index;
-      return { shown, row, meaning, value: made("td", { class: "number" }, row), least: made("td", { class: "least" }, row) };
+      lettered(sign, parted(shown.name.replace("Delta", "Δ")));
+      return { shown, row, meaning, value: made("td", { class: "number" }, row), bound: made("td", { class: "least" }, row) };
     });
     saying(() => this.say());
     resized(section, () => {
@@ -141,28 +139,32 @@ export class Plane {
     const place = strict.length ? "within" : held.length ? "flawed" : "outside";
     const apart = held.length > 0 && (strict.length ? strict : held).every((region) => region.apart);
     const verdict = apart ? word("apart", { place: word(place) }) : word(place);
-    this.verdict.textContent = `${this.said(inputs[0], x)}; ${this.said(inputs[1], y)}: ${verdict}`;
+    this.verdict.replaceChildren();
+    this.said(inputs[0], x, "; ");
+    this.said(inputs[1], y, `: ${verdict}`);
     this.verdict.classList.toggle("broken", place === "outside");
     put(this.refusal, this.drawing(values));
-    for (const { shown, row, meaning, value, least } of this.rows) {
-      const unit = told(shown.unit);
-      const factor = unit === "°" ? 180 / Math.PI : 1;
+    for (const { shown, row, meaning, value, bound } of this.rows) {
+      const factor = isAngle(shown.unit) ? 180 / Math.PI : 1;
       const found = shown.where && values[shown.where] < 0 ? NaN : values[shown.name] * factor;
-      const limit = typeof shown.least === "string" ? values[shown.least] : shown.least;
+      const least = typeof shown.least === "string" ? values[shown.least] : shown.least;
+      const limit = least === null ? null : least * factor;
       put(meaning, told(shown.meaning));
-      const behind = unit === "°" ? "°" : unit ? ` ${unit}` : "";
-      put(value, Number.isFinite(found) ? `${written(found)}${behind}` : "–");
-      put(least, limit === null ? "" : word("least", { low: written(limit, 4) }));
+      put(value, measured(found, shown.unit));
+      put(bound, limit === null ? "" : word("least", { low: measured(limit, shown.unit, 4) }));
       row.classList.toggle("broken", limit !== null && !(found >= limit - 1e-9));
     }
   }
 
   /**
+   * Where the point stands along an axis, and what comes after that.
    * @param {string} name
    * @param {number} value
+   * @param {string} after
    */
-  said(name, value) {
-    return `${parted(name).join("")} = ${written(value, 4)}`;
+  said(name, value, after) {
+    lettered(this.verdict, parted(name));
+    this.verdict.append(` = ${written(value, 4)}${after}`);
   }
 }
 

@@ -68,12 +68,27 @@ export function word(key, values = {}) {
 export function written(value, digits = 6) {
   if (!Number.isFinite(value)) return "–";
   const size = Math.abs(value);
-  let text = size && (size < 1e-4 || size >= 1e7) ? value.toExponential(digits - 1) : value.toPrecision(digits);
-  if (text.includes(".")) text = text.replace(/\.?0+(?=e|$)/, "");
-  const [mantissa, power] = (text.includes("e") && !(size < 1e-4 || size >= 1e7) ? String(Number(text)) : text).split("e");
-  const shown = mantissa.replace("-", "−");
-  const signed = spoken === "en" ? shown : shown.replace(".", ",");
-  return power === undefined ? signed : `${signed}·10${raised(power)}`;
+  const usual = size === 0 || (size >= 1e-4 && size < 1e7);
+  if (usual) return decimal(Number(value.toPrecision(digits)));
+  const [mantissa, power] = value.toExponential(digits - 1).split("e");
+  return `${decimal(Number(mantissa))}·10${raised(power)}`;
+}
+
+/**
+ * A number with all its digits.
+ * @param {number} value
+ */
+export function decimal(value) {
+  const shown = minus(String(value));
+  return spoken === "en" ? shown : shown.replace(".", ",");
+}
+
+/**
+ * A text that may be a number, with a true minus.
+ * @param {string} text
+ */
+export function minus(text) {
+  return text.replace(/^-(?=\d)/, "−");
 }
 
 /** @param {string} power */
@@ -82,15 +97,27 @@ function raised(power) {
   return [...power].map((sign) => signs[/** @type {"-"} */ (sign)] ?? "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)]).join("");
 }
 
+const DEGREES = "°";
+
 /**
- * A number with its unit; the sign of degrees stands at it.
- * @param {number} value
+ * Whether a unit is that of angles.
+ * @param {import("./data.js").Said} unit
+ */
+export function isAngle(unit) {
+  return told(unit) === DEGREES;
+}
+
+/**
+ * A number with its unit, or several with one: the sign of degrees stands at each. Nothing has no unit.
+ * @param {number | number[]} value
  * @param {import("./data.js").Said} unit
  * @param {number} [digits]
  */
 export function measured(value, unit, digits) {
-  const said = told(unit);
-  return `${written(value, digits)}${said && said !== "°" ? " " : ""}${said}`;
+  const all = [value].flat();
+  const behind = isAngle(unit) ? DEGREES : "";
+  const numbers = all.map((each) => written(each, digits) + (Number.isFinite(each) ? behind : "")).join("; ");
+  return behind || !all.some(Number.isFinite) ? numbers : `${numbers} ${told(unit)}`.trim();
 }
 
 /** @type {Record<string, string>} */
@@ -105,12 +132,15 @@ function lettered(name) {
 }
 
 /**
- * A name as it is set: its letter and its index.
+ * A name as it is set: its letter and its index, which may be the number after its letter.
  * @param {string} name
  * @returns {[string, string]}
  */
 export function parted(name) {
-  const [letter, ...index] = name.replaceAll(/[{}]/g, "").split("_");
+  const [first, ...rest] = name.replaceAll(/[{}]/g, "").split("_");
+  const numbered = /^([A-Za-z]+)(\d+)$/.exec(first);
+  const known = numbered && lettered(numbered[1]).length === 1;
+  const [letter, index] = known ? [numbered[1], [numbered[2], ...rest]] : [first, rest];
   const plain = letter.replaceAll("'", "");
   return [lettered(plain) + "′".repeat(letter.length - plain.length), index.map(lettered).join(", ")];
 }

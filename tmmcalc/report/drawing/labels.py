@@ -28,6 +28,7 @@ WRONG = 50.0  # and what it costs to be nearer to another one
 FURTHER = (4.0, 6.0, 8.5, 11.5, 15.0, 19.0, 24.0, 30.0)  # gaps of a name that found no free place nearby [mm]
 FAR = 3.0  # a name that stands farther from its anchor has a leader [mm]
 SLANT, FLAT = 0.3, 1.0  # slope of a leader below which it is level; what that costs
+NO_STROKES = np.empty((0, 2), complex)
 TOUCHING = 0.3  # strokes nearer than this all along are told apart by no name [mm]
 AWAY, LIKED, SECOND = 0.8, 0.5, 0.4  # cost of each gap farther away, gain of the preferred side, cost of a later anchor
 CROSSED = 3.0  # what it costs a leader to cross another name, by mm
@@ -71,7 +72,11 @@ class Labels:
         along = np.diff(z)
         counts = np.maximum(1, (np.abs(along) / STEP).astype(int))
         number = np.arange(1, counts.sum() + 1) - np.repeat(np.cumsum(counts) - counts, counts)
-        points = np.r_[z[:1], np.repeat(z[:-1], counts) + np.repeat(along, counts) * number / np.repeat(counts, counts)]
+        between = np.repeat(z[:-1], counts) + np.repeat(along, counts) * number / np.repeat(counts, counts)
+        self.avoid_points(np.r_[z[:1], between], weight)
+
+    def avoid_points(self, points: Plane, weight: float = 1.0) -> None:
+        """Keep clear of single points on paper."""
         self._points.append(points)
         self._weights.append(np.full(len(points), weight))
 
@@ -122,7 +127,7 @@ class Labels:
         places = [complex(anchor) for anchor in anchors]
         best = self._best(places, half, gaps, prefer, _strokes(own, others))
         if best.cost > COVERED:
-            best = min(best, self._best(places, half, FURTHER, prefer, []), key=lambda found: found.cost)
+            best = min(best, self._best(places, half, FURTHER, prefer, NO_STROKES), key=lambda found: found.cost)
         at, anchor, cost, _ = best
         self.count += 1
         if cost > COVERED:
@@ -147,7 +152,10 @@ class Labels:
         """Write a name that may be left out: its middle, or None where no place around the anchor is free."""
         larger = height * self.drawing.letters
         above, below = extent(text, larger)
-        if self._best([anchor], (width(text, larger) / 2, (above + below) / 2), gaps, prefer, []).whole > COVERED:
+        if (
+            self._best([anchor], (width(text, larger) / 2, (above + below) / 2), gaps, prefer, NO_STROKES).whole
+            > COVERED
+        ):
             return None
         return self.put(text, [anchor], height=height, gaps=gaps, prefer=prefer, colour=colour)
 
@@ -157,7 +165,7 @@ class Labels:
         half: tuple[float, float],
         gaps: tuple[float, ...],
         prefer: complex,
-        strokes: Sequence[Plane],
+        strokes: Plane,
     ) -> Place:
         """Where a name covers least, and near its anchor."""
         way = prefer / abs(prefer) if prefer else 0.0
@@ -170,7 +178,7 @@ class Labels:
                     break  # what is said against places so far away is more than all that the best one costs
                 tried = anchor + _outward(AROUND, half, gap)
                 cost = self._covered(tried, half)
-                if strokes:
+                if len(strokes):
                     cost = cost + _astray(tried, strokes)
                 if gaps[-1] > FAR:
                     cost = cost + self._crossed(anchor, tried, half)
@@ -240,13 +248,13 @@ class Labels:
         return np.asarray(cost + OUTSIDE * outside)
 
 
-def _strokes(own: Sequence[complex], others: Sequence[Sequence[complex]]) -> list[Plane]:
-    """Ends of a name's own stroke, then those of the others, but for one that its own lies upon."""
+def _strokes(own: Sequence[complex], others: Sequence[Sequence[complex]]) -> Plane:
+    """Ends (n, 2) of a name's own stroke, then those of the others, but for one that its own lies upon."""
     if not len(own):
-        return []
-    first = np.array([own[0], own[-1]], complex)
-    rest = (np.array([stroke[0], stroke[-1]], complex) for stroke in others)
-    return [first, *(stroke for stroke in rest if float(_distance(first, stroke).max()) > TOUCHING)]
+        return NO_STROKES
+    every = np.array([(stroke[0], stroke[-1]) for stroke in (own, *others)], complex)
+    apart = _distances(every[0], every).max(axis=1) > TOUCHING
+    return every[(np.arange(len(every)) == 0) | apart]
 
 
 def _edge(along: Plane, half: tuple[float, float]) -> Real:
@@ -256,20 +264,20 @@ def _edge(along: Plane, half: tuple[float, float]) -> Real:
     return np.asarray(np.maximum(1.0 - inside, 0.0))
 
 
-def _astray(centres: Plane, strokes: Sequence[Plane]) -> Real:
+def _astray(centres: Plane, strokes: Plane) -> Real:
     """What it costs a name to stand nearer to another stroke than to its own, the first of them."""
-    own, *others = (_distance(centres, stroke) for stroke in strokes)
+    own, *others = _distances(centres, strokes)
     nearest = np.min(others, axis=0) if others else np.full(len(centres), np.inf)
     short = np.maximum(CLEARLY - (nearest - own), 0.0)
     return np.asarray(ASTRAY * short + WRONG * (nearest < own))
 
 
-def _distance(at: Plane, stroke: Plane) -> Real:
-    """Distances of places from a straight stroke between two ends."""
-    tail, along = stroke[0], stroke[1] - stroke[0]
-    size = abs(along) ** 2
-    part = np.clip(((at - tail) * np.conj(along)).real / size, 0.0, 1.0) if size else 0.0
-    return np.asarray(np.abs(at - tail - part * along))
+def _distances(at: Plane, strokes: Plane) -> Real:
+    """Distances (strokes, places) of places from straight strokes between two ends."""
+    tails, along = strokes[:, :1], strokes[:, 1:] - strokes[:, :1]
+    size = np.abs(along) ** 2
+    part = ((at - tails) * np.conj(along)).real / np.where(size > 0.0, size, 1.0)
+    return np.asarray(np.abs(at - tails - np.clip(part, 0.0, 1.0) * along))
 
 
 def _outward(directions: Plane, half: tuple[float, float], gap: float) -> Plane:

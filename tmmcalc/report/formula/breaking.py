@@ -3,19 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
-from functools import cache
+from functools import cache, lru_cache
 
 from tmmcalc.report.formula import layout
 
-SMALL = 0.7  # size of an index against its letter
-GAP, SPACE = 0.17, 0.5  # a thin space, a relation with its spaces, and such [em]
+SMALL, AFTER = 0.78, 0.06  # width of an index against its letters, and what is free after it [em]
+GAP, SPACE = 0.17, 0.56  # a thin space, a relation with its spaces, and such [em]
 DIGIT, CAPITAL, LETTER = 0.5, 0.78, 0.55
-WIDE = {"m": 0.88, "w": 0.72, "M": 0.97, "H": 0.9, "W": 1.03, "i": 0.28, "l": 0.3, "ш": 0.85, "ж": 0.8}
+WIDE = {
+    "m": 0.88,
+    "w": 0.72,
+    "M": 0.97,
+    "H": 0.9,
+    "W": 1.03,
+    "i": 0.28,
+    "l": 0.3,
+    "ш": 0.85,
+    "ж": 0.8,
+    "ω": 0.64,
+    "σ": 0.6,
+    "x": 0.58,
+}
 WIDE |= {"·": 0.28, ".": 0.28, ",": 0.28, "−": 0.78, "I": 0.38}
 
 TERMS = {"+", "−"}
 
 
+@lru_cache(maxsize=1 << 15)
 def width(box: layout.Box) -> float:
     """About how wide it is [em], rather more than less."""
     match box:
@@ -36,7 +50,7 @@ def width(box: layout.Box) -> float:
         case layout.Script(base, lower, upper, primes):
             below = 0.0 if lower is None else width(lower)
             above = 0.3 * primes + (0.0 if upper is None else width(upper))
-            return width(base) + SMALL * max(below, above)
+            return width(base) + SMALL * max(below, above) + AFTER
         case layout.Fenced(inner):
             return width(inner) + 0.85
         case layout.Big(_, lower, body):

@@ -21,6 +21,13 @@ NO_DRIVE = "no [vibrator.drive]: no start under a motor"
 inputs = to_vibrator
 solve = "tmmcalc.vibration.vibrator.solve:solve_vibrator"
 kind = VibratorResult
+series = {
+    "modes": "mode shapes",
+    "curve": "resonance curve",
+    "steady": "steady vibration",
+    "start": "start with a given angle",
+    "drive": "start by the motor",
+}
 
 
 def columns(result: VibratorResult) -> Mapping[str, Any]:

@@ -55,7 +55,7 @@ class _Pendulum:
             unit="s",
             values=self.swing.t,
             whole=False,
-            column="",
+            column="t[s]",
             steps=(),
             box=(low - margin, high + margin),
             bodies=bodies,

@@ -31,7 +31,7 @@ from tmmcalc.vibration.vibrator.task import VibratorTask
 from tmmcalc.vibration.views.enlarged import factor_of, told
 
 STEPS = 120  # of a turn
-RIM = 24  # corners of the ring
+RIM = 36  # corners of the ring
 ROTOR = 0.45  # of the ring's radius: how long the arm of the unbalance is drawn
 HIGH = 1.1  # of the ring's radius: length of rods that have none
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from tmmcalc.cams.notes.lexicon import mm
 from tmmcalc.cams.notes.loaded.judged import Judging
-from tmmcalc.cams.notes.loaded.quantities import Found, shown_angle
+from tmmcalc.cams.notes.loaded.quantities import Found
 from tmmcalc.cams.strength.formulas import guide_pressure, reduced_moment, stem_moment, stem_stress
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph
@@ -28,9 +28,8 @@ def shaft(of: Judging) -> Iterator[Block]:
     yield Paragraph(tr("The camshaft lies on two supports with the cam in the middle."))
     radii: Lexicon = {"r_1^{*}": mm(found.radius, tr("least radius of the camshaft, in whole millimetres"))}
     if found.strength is not None and found.moment is not None and found.moment_phi is not None:
-        yield Paragraph(
-            tr("Bending and torque together are largest at $phi$ = {angle}:", angle=shown_angle(found.moment_phi))
-        )
+        place = of.of.where(found.moment_phi, found.moment, lambda place: _reduced(of, place))
+        yield Paragraph(tr("Bending and torque together are largest {where}:", where=place))
         there = of.of.found(found.moment_phi, found.moment, lambda place: _reduced(of, place))
         radii["r'_1"] = mm(found.strength, tr("radius of the camshaft by its strength"))
         yield from of.lines([REDUCED, STRENGTH], of.at(there, reduced=found.moment) | radii)
@@ -59,17 +58,15 @@ def stem(of: Judging) -> Iterator[Block]:
         return
     yield Heading(tr("Stem and guide"), 3)
     if bent is not None and bent.phi is not None and bent.value is not None:
-        yield Paragraph(
-            tr("The bending moment of the stem is largest at $phi$ = {angle}:", angle=shown_angle(bent.phi))
-        )
+        place = of.of.where(bent.phi, bent.value, lambda found: _bending(of, found))
+        yield Paragraph(tr("The bending moment of the stem is largest {where}:", where=place))
         there = of.of.found(bent.phi, bent.value, lambda found: _bending(of, found))
         moment = "abs(R*S')" if of.of.kind == "flat" else "abs(R*sin(theta)*q)"
         texts = (f"M_T = {moment}/10**3", "sigma_F = 4*10**3*M_T/(pi*r_T**3)")
         yield from of.lines(texts, of.at(there, bending=bent.value))
     if pressed is not None and pressed.phi is not None and pressed.value is not None:
-        yield Paragraph(
-            tr("The larger reaction of the guide is largest at $phi$ = {angle}:", angle=shown_angle(pressed.phi))
-        )
+        place = of.of.where(pressed.phi, pressed.value, lambda found: _pressure(of, found))
+        yield Paragraph(tr("The larger reaction of the guide is largest {where}:", where=place))
         there = of.of.found(pressed.phi, pressed.value, lambda found: _pressure(of, found))
         lower, upper = (abs(float(each[0])) for each in (there.now.lower, there.now.upper))
         edge = "N_1" if lower >= upper else "N_2"

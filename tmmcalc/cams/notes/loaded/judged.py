@@ -110,7 +110,6 @@ def of_needs(task: CamTask) -> Lexicon:
 def of_requirements(of: Judging) -> Lexicon:
     """What is given, and the constants of the roller and the shaft."""
     quantities, found = of_needs(of.of.task), of.found
-    quantities["omega_m"] = Given(of.of.loads.speed, "rad/s", tr("mean angular velocity of the cam"))
     quantities["R_max"] = Given(of.of.result.extreme("R").size, "N", tr("largest force of the cam"))
     if found.unit is not None:
         quantities["r_0"] = mm(found.unit.pin, tr("radius of the pin"))

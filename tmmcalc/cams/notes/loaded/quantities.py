@@ -8,7 +8,7 @@ spring, ``<O>`` the technological force, ``<m>`` the mass, ``<k>`` what brings m
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from math import atan2
+from math import atan2, isclose
 from typing import NamedTuple
 
 import numpy as np
@@ -17,7 +17,19 @@ from tmmcalc.cams.forces.results import CamForces
 from tmmcalc.cams.forces.state import Carried, State, carried, pivot_force, state
 from tmmcalc.cams.forces.turn import Points, at_rows, loads_of, weight
 from tmmcalc.cams.laws.law import Values
-from tmmcalc.cams.notes.lexicon import Told, angle, degrees_of, mm, of_follower, of_task, of_values, told_of
+from tmmcalc.cams.notes.lexicon import (
+    Told,
+    angle,
+    degrees_of,
+    dwell_of,
+    mean_speed,
+    mm,
+    of_follower,
+    of_task,
+    of_values,
+    told_of,
+    where,
+)
 from tmmcalc.cams.program import Positions
 from tmmcalc.cams.rounding import sides
 from tmmcalc.cams.task import CamTask, Loads
@@ -27,6 +39,7 @@ from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Lexicon, Place
 from tmmcalc.report.telling import filled, lines, named
 
+KEPT = 1e-9  # relative: values that differ less are one
 STEM = {"P": "P", "Q": "Q", "O": "Q", "m": "m_2", "k": "/10**3"}
 ROCKER = {"P": "M", "Q": "M", "O": "M_Q", "m": "J_2", "k": ""}
 
@@ -110,6 +123,18 @@ class Loaded(NamedTuple):
         )
         return Found(there, State._make(each[one] for each in now))
 
+    def dwell(self, phi: float, value: float, pick: Pick) -> tuple[float, float] | None:
+        """The dwell all over which a quantity has this value, that of the angle phi; None where it does not keep it."""
+
+        def keeps(at: float) -> bool:
+            return isclose(float(pick(self.found(at))[0]), value, rel_tol=KEPT)
+
+        return dwell_of(self.task.program, phi, keeps)
+
+    def where(self, phi: float, value: float, pick: Pick) -> str:
+        """The angle at which a quantity has a value, in a sentence, or the dwell over which it keeps it."""
+        return where(phi, self.dwell(phi, value, pick))
+
     def at(self, found: Found) -> Lexicon:
         """The quantities of a place."""
         points, now = found
@@ -153,7 +178,7 @@ def loaded_of(order: Order) -> Loaded:
 def of_scene(of: Loaded) -> Lexicon:
     """What is the same all over the turn."""
     loads, result = of.loads, of.result
-    found = of_task(of.told) | of_follower(result.follower)
+    found = of_task(of.told) | mean_speed(of.told) | of_follower(result.follower)
     found["<m>"] = (
         Given(loads.mass, "kg*m^2", tr("moment of inertia of the rocker about its pivot"))
         if of.turns

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from math import degrees
 
 import numpy as np
 
-from tmmcalc.cams.forces.results import CamForces, ForceExtreme
+from tmmcalc.cams.forces.results import ForceExtreme
+from tmmcalc.cams.forces.turn import at_rows
+from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.notes.lexicon import angle, table_rows
-from tmmcalc.cams.notes.loaded.quantities import Loaded, listed, of_scene, shown_angle
+from tmmcalc.cams.notes.loaded.quantities import Found, Loaded, listed, of_scene, shown_angle
+from tmmcalc.cams.rounding import sides
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.setting import spelt
 from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Heading, Lexicon, Paragraph, Place, Result, Table
-from tmmcalc.report.telling import column_of, number_of, plainly, tabulated
+from tmmcalc.report.telling import column_of, number_of, plainly, tabulated, two_sides
 
 ALONG = (
     "<P>_j = -<m>*(<y>''*omega**2 + <y>'*eps)<k>",
@@ -44,6 +48,7 @@ TORQUE = {
     "oscillating": ("T = M_c*psi'", "M_d = R*l_2*cos(theta)*psi'/10**3"),
 }
 EFFICIENCY = {1: "eta = 1 - mu/cos(theta)", -1: "eta = 1/(1 + mu/cos(theta))"}  # follower driven, and driving
+JUMP = 1e-9  # of the load: a smaller change is none
 COLUMNS = 11  # of a table that is no broader than a page
 
 
@@ -61,9 +66,7 @@ def reactions(of: Loaded) -> Iterator[Block]:
     yield from of.lines(ALONG, places)
     yield Paragraph(_friction_said(of))
     yield from of.lines(RATIO[of.kind] if of.carried.rubs else (), places)
-    for way in (1, -1, 0):
-        own = [place for place, lifting in zip(places, _lifting(of), strict=True) if lifting == way]
-        yield from _pressed(of, own, way)
+    yield from pressed(of, places)
     if result.guide is not None or of.turns:
         yield from of.lines(_signed(of, SUPPORTS[of.kind]), places)
     torque, driving = TORQUE[of.kind]
@@ -89,10 +92,11 @@ def _friction_said(of: Loaded) -> str:
     return tr("Friction at both edges of the guide opposes the motion of the follower:")
 
 
-def _pressed(of: Loaded, places: Sequence[Place], way: int) -> Iterator[Block]:
-    """R where friction is to be overcome, or helps, or there is none."""
-    words = {1: " - mu", -1: " + mu", 0: ""}
-    yield from of.lines([CONTACT[of.kind].replace("<g>", words[way])], places)
+def pressed(of: Loaded, places: Sequence[Place]) -> Iterator[Block]:
+    """R at the rows where friction is to be overcome, then where it helps, or there is none."""
+    for way, word in ((1, " - mu"), (-1, " + mu"), (0, "")):
+        own = [place for place, lifting in zip(places, _lifting(of), strict=True) if lifting == way]
+        yield from of.lines([CONTACT[of.kind].replace("<g>", word)], own)
 
 
 def _signed(of: Loaded, texts: Sequence[str]) -> list[str]:
@@ -148,15 +152,16 @@ def _jamming(of: Loaded) -> Iterator[Block]:
         return
     said = tr("part of the useful component of $R$ that friction takes")
     lexicon = of.at(of.found(reserve.phi, reserve.useful, lambda found: found.now.cosine - found.now.ratio))
+    place_said = of.where(reserve.phi, reserve.useful, lambda found: found.now.cosine - found.now.ratio)
     lexicon |= of.named({"chi": Given(reserve.eaten, "", said)})
     if reserve.critical is not None:
         lexicon["theta_cr"] = angle(reserve.critical, tr("pressure angle at which the follower would jam"))
     place = [Place("", lexicon)]
     yield Paragraph(
         tr(
-            "The follower is nearest to jamming at $phi$ = {angle}; it would jam where friction takes all of the "
-            "useful component, $chi = 1$:",
-            angle=shown_angle(reserve.phi),
+            "The follower is nearest to jamming {where}; it would jam where friction takes all of the useful "
+            "component, $chi = 1$:",
+            where=place_said,
         )
     )
     yield from of.lines([*RATIO[of.kind], "chi = mu" if of.kind == "flat" else "chi = mu/cos(theta)"], place)
@@ -171,6 +176,8 @@ def course(of: Loaded) -> Iterator[Block]:
     rows = table_rows(of.told)
     labels = [of.result.labels[row] for row in rows]
     first, second = _columns(of, rows)
+    moved = [values for name, values in (first | second).items() if not name.startswith("$phi")]
+    jumping = [*two_sides(labels, moved), *_jumps(of, rows)]
     if len(first | second) < COLUMNS:
         yield Paragraph(
             tr(
@@ -178,6 +185,7 @@ def course(of: Loaded) -> Iterator[Block]:
                 "{tab:cam_extremes}."
             )
         )
+        yield from jumping
         yield tabulated(tr("Forces and torques"), first | second, labels, head="$i$", key="cam_loads")
     else:
         yield Paragraph(
@@ -186,12 +194,32 @@ def course(of: Loaded) -> Iterator[Block]:
                 "over the turn in table {tab:cam_extremes}."
             )
         )
+        yield from jumping
         along = tr("Moments about the pivot of the rocker") if of.turns else tr("Forces along the lift")
         yield tabulated(along, first, labels, head="$i$", key="cam_loads")
         yield tabulated(tr("Reactions and torques"), second, labels, head="$i$", key="cam_reactions")
-    yield _extremes(of.result, rubs=of.carried.rubs)
+    yield _extremes(of)
     yield from _contact(of)
     yield from _work(of)
+
+
+def _jumps(of: Loaded, rows: Sequence[int]) -> Iterator[Paragraph]:
+    """Which side of a jump of the technological load between the ends of the turn a row has."""
+    program, phi = of.task.program, of.result.positions.phi
+    found = []
+    for row in rows[1:-1]:
+        force = at_rows(of.task, of.loads, sides(program, phi[row : row + 1])).force
+        if np.ptp(force) > JUMP * np.max(np.abs(force)) and of.points(row).force[0] == force[-1]:
+            found.append(of.result.labels[row])
+    if found:
+        labels = ", ".join(found)
+        yield Paragraph(
+            tr(
+                "Where the technological load jumps in a position (here {labels}), its value there is that after the "
+                "jump.",
+                labels=labels,
+            )
+        )
 
 
 def _columns(of: Loaded, rows: Sequence[int]) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]]:
@@ -224,18 +252,31 @@ def _columns(of: Loaded, rows: Sequence[int]) -> tuple[dict[str, np.ndarray], di
 
 
 NAMES = {"P_c": "P_c", "M_c": "M_c", "R": "R", "N1": "N_1", "N2": "N_2", "T": "T", "M_drive": "M_d"}
+PICKS: Mapping[str, Callable[[Loaded, Found], Values]] = {
+    "P_c": lambda of, found: found.now.load,
+    "M_c": lambda of, found: found.now.load,
+    "R": lambda of, found: found.now.contact,
+    "N1": lambda of, found: of.result.follower.sense * found.now.lower,
+    "N2": lambda of, found: of.result.follower.sense * found.now.upper,
+    "T": lambda of, found: -found.now.torque,
+    "M_drive": lambda of, found: found.now.driving,
+}
 
 
-def _extremes(result: CamForces, *, rubs: bool) -> Table:
+def _extremes(of: Loaded) -> Table:
     """Least and largest values of the turn with their angles; without friction T is the driving torque turned back."""
-    rows = [_extreme(each) for each in result.extremes if rubs or each.name != "T"]
+    rows = [_extreme(of, each) for each in of.result.extremes if of.carried.rubs or each.name != "T"]
     head = (tr("Quantity"), tr("Least"), "$phi$, °", tr("Largest"), "$phi$, °")
     return Table(tr("Extremes over the turn"), head, tuple(rows), "cam_extremes")
 
 
-def _extreme(each: ForceExtreme) -> tuple[str, ...]:
+def _extreme(of: Loaded, each: ForceExtreme) -> tuple[str, ...]:
+    """A row: an extreme that a dwell keeps is at all of its angles."""
     low, high = column_of([each.least, each.largest])
-    places = [spelt(f"{round(degrees(phi), 4) + 0.0:.6g}") for phi in (each.least_phi, each.largest_phi)]
+    places = []
+    for phi, value in ((each.least_phi, each.least), (each.largest_phi, each.largest)):
+        dwell = of.dwell(phi, value, partial(PICKS[each.name], of))
+        places.append("–".join(spelt(f"{round(degrees(at), 4) + 0.0:.6g}") for at in dwell or (phi,)))
     return f"${NAMES[each.name]}$, {tr_unit(each.unit)}", low, places[0], high, places[1]
 
 
@@ -274,7 +315,6 @@ def _work(of: Loaded) -> Iterator[Block]:
         "W_f": Given(work.friction, "J", tr("work of friction in a turn")),
         "M_m": Given(work.mean, "N*m", tr("mean driving torque")),
         "N_m": Given(work.power, "W", tr("mean power of the camshaft")),
-        "omega": Given(_mean_speed(of), "rad/s", tr("mean angular velocity of the cam")),
     }
     if work.efficiency is not None:
         found["eta_m"] = Given(work.efficiency, "", tr("mean efficiency of the cam mechanism in a turn"))
@@ -299,8 +339,4 @@ def _work(of: Loaded) -> Iterator[Block]:
     if work.efficiency is not None:
         yield Paragraph(tr("Useful is the work done against the technological load:"))
         yield from of.lines(["eta_m = -W_Q/W_d"], place)
-    yield from of.lines(["M_m = W_d/(2*pi)", "N_m = M_m*omega"], place)
-
-
-def _mean_speed(of: Loaded) -> float:
-    return of.loads.speed if of.task.turning is None else of.task.turning.mean
+    yield from of.lines(["M_m = W_d/(2*pi)", "N_m = M_m*<wt>"], place)

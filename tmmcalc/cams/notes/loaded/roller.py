@@ -8,7 +8,7 @@ import numpy as np
 
 from tmmcalc.cams.notes.lexicon import degrees_of
 from tmmcalc.cams.notes.loaded.judged import Judging
-from tmmcalc.cams.notes.loaded.quantities import Found, listed, shown_angle
+from tmmcalc.cams.notes.loaded.quantities import Found, listed
 from tmmcalc.cams.strength.case import contact_curvature, roller_acceleration
 from tmmcalc.cams.strength.formulas import HERTZ, contact_stress, flat_stress, slip
 from tmmcalc.cams.strength.material import contact_endurance
@@ -35,7 +35,7 @@ ROLLING = {
     "translating": "<A> = (S*S' + (S' <+> e)*S'')/w",
     "oscillating": "<A> = (u_1*u_2 + h_1*h_2)/w",
 }
-TURNING = "A = (omega**2*A_0 + eps*(w <g> r_2))/omega_m**2"
+TURNING = "A = (omega**2*A_0 + eps*(w <g> r_2))/<wn>**2"
 CURVATURE = {
     "translating": ("b_κ = S**2 + (S' <+> e)*(2*S' <+> e) - S*S''", "kappa = b_κ/w**3"),
     "oscillating": ("b_κ = u_1*h_2 - h_1*u_2", "kappa = b_κ/w**3"),
@@ -70,12 +70,13 @@ def rolling_blocks(of: Judging) -> Iterator[Block]:
     if of.needs.roller_inertia is None:
         yield Paragraph(tr("The roller is a hollow cylinder on its pin:"))
         yield from of.lines(["J_r = pi*b*rho_s*(r_2**4 - r_0**4)/(2*10**15)"], {})
-    texts = ("C_1 = (k_r + f_0*r_0)/(f_r*r_2)", "C_2 = 10**3*J_r*omega_m**2/(f_r*r_2**2)")
+    texts = ("C_1 = (k_r + f_0*r_0)/(f_r*r_2)", "C_2 = 10**3*J_r*<wn>**2/(f_r*r_2**2)")
     yield from of.lines(texts, {})
     said = tr("The roller rolls where the slip function $D$ is at most 1.")
     places, worst = _rows(of), of.margin("no slip")
     if worst is not None and worst.phi is not None and worst.value is not None:
-        said += " " + tr("It is largest at $phi$ = {angle}:", angle=shown_angle(worst.phi))
+        place = of.of.where(worst.phi, worst.value, lambda found: _slip_at(of, found))
+        said += " " + tr("It is largest {where}:", where=place)
         there = of.of.found(worst.phi, worst.value, lambda found: _slip_at(of, found))
         places = [*_asked(of), Place(at_angle(worst.phi), of.at(there, slip=worst.value))]
     yield Paragraph(said)
@@ -122,7 +123,8 @@ def contact(of: Judging, steel: CamMaterialTable | None) -> Iterator[Block]:
     yield Heading(tr("Contact stress"), 3)
     if steel is not None:
         yield from _permissible(steel)
-    yield Paragraph(tr("The contact stress is largest at $phi$ = {angle}:", angle=shown_angle(worst.phi)))
+    place = of.of.where(worst.phi, worst.value, lambda found: _stress_at(of, found))
+    yield Paragraph(tr("The contact stress is largest {where}:", where=place))
     there = of.of.found(worst.phi, worst.value, lambda found: _stress_at(of, found))
     asked = [] if of.found.stress is None else _asked(of)
     yield from _stressed(of, [*asked, Place(at_angle(worst.phi), of.at(there, stress=worst.value))])

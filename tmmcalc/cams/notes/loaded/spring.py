@@ -15,7 +15,7 @@ from tmmcalc.cams.forces.coils import CLEARANCE, wahl
 from tmmcalc.cams.forces.results import SpringFound, Wire
 from tmmcalc.cams.forces.spring import DEFLECTION, lifting_force
 from tmmcalc.cams.forces.turn import at_rows
-from tmmcalc.cams.notes.lexicon import mm
+from tmmcalc.cams.notes.lexicon import dwell_of, mm, where
 from tmmcalc.cams.notes.loaded.quantities import Loaded, of_rate, of_scene, shown_angle
 from tmmcalc.cams.pictures.wording import phase_name
 from tmmcalc.cams.rounding import sides
@@ -175,8 +175,8 @@ def _by_tangent(of: Loaded, spring: SpringFound) -> Iterator[Block]:
     yield Paragraph(
         tr(
             "The line of the spring over the displacement starts at $-f_1$ and touches the curve of the lifting force "
-            "raised by the least load of the contact; it does so at $phi$ = {angle}:",
-            angle=shown_angle(spring.phi),
+            "raised by the least load of the contact; it does so {where}:",
+            where=_where(of, spring.phi),
         )
     )
     if asked.deflection is None:
@@ -196,10 +196,15 @@ def _reached(of: Loaded, spring: SpringFound) -> Iterator[Block]:
     index = "M" if known else "r"
     lexicon = _lifted(of, task, phi, force, index)
     lexicon["K_min"] = Given(spring.reached, "", tr("least safety of the closure over the turn"))
-    yield Paragraph(tr("The safety is least at $phi$ = {angle}:", angle=shown_angle(phi)))
+    yield Paragraph(tr("The safety is least {where}:", where=_where(of, phi)))
     texts = ("K_min = (<Q>_0 + c*<dy>_<i>)/<P>_<i>",) if known else (LIFTING, "K_min = (<Q>_0 + c*<dy>_<i>)/<P>_<i>")
     yield from of.lines([text.replace("<i>", index) for text in texts], [Place("", lexicon)])
     yield Result("K_min", lexicon["K_min"], spring.asked or 1.0, ">=")
+
+
+def _where(of: Loaded, phi: float) -> str:
+    """An angle of the lifting force, which a dwell keeps."""
+    return where(phi, dwell_of(of.task.program, phi))
 
 
 def _rate(of: Loaded) -> str:

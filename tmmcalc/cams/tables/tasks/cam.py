@@ -51,7 +51,7 @@ def to_cam(spec: CamTables) -> CamTask:
     speed, remarks = _speed(spec, table, ratio)
     return CamTask(
         program=_program(table),
-        asked=_asked(table),
+        asked=_asked(table, _sense(spec, table)),
         limits=_limits(table),
         steps=table.steps,
         step=table.step,
@@ -146,10 +146,18 @@ def _laws(table: CamTable) -> tuple[Any, Any]:
     return table.rise_law or table.law, table.return_law or table.law
 
 
-def _asked(table: CamTable) -> Asked:
+def _sense(spec: CamTables, table: CamTable) -> int:
+    """Sense of the cam: as it is given, or that of the crank with which it turns."""
+    crank = spec.mechanism is not None and not _slides(spec)
+    if table.rotation is None and crank and table.speed is None and table.shaft in (None, "crank"):
+        return RIGHT_WAY["counter-clockwise" if spec.linkage.input.speed > 0 else "clockwise"]
+    return RIGHT_WAY[table.rotation or "clockwise"]
+
+
+def _asked(table: CamTable, sense: int) -> Asked:
     return Asked(
         kind=table.follower,
-        sense=RIGHT_WAY[table.rotation],
+        sense=sense,
         closure=table.closure,
         start=table.start_angle if table.follower == "oscillating" else table.start_distance,
         base=table.base_radius,

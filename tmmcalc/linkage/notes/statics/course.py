@@ -16,6 +16,7 @@ from tmmcalc.linkage.forces.stack import Stack, stacked
 from tmmcalc.linkage.notes.statics.loaded import Loaded, packed
 from tmmcalc.linkage.notes.statics.pairs import SMALL, ToldPair, along, rubs
 from tmmcalc.linkage.pictures.course import course_of
+from tmmcalc.linkage.pictures.cycle import closed
 from tmmcalc.linkage.pictures.forces import drive_graphs, reaction_graphs
 from tmmcalc.linkage.pictures.hodographs import draw_hodograph, hodographs_of
 from tmmcalc.report.drawing.box import Box
@@ -24,7 +25,7 @@ from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Result, Table
-from tmmcalc.report.telling import WIDE, located, span, tabulated
+from tmmcalc.report.telling import WIDE, located, span, tabulated, two_sides
 
 GRAPH, HALF = 46.0, (84.0, 52.0)  # height of a diagram of reactions, size of one of the drive [mm]
 SQUARE = 80.0  # height of a hodograph [mm]
@@ -45,14 +46,6 @@ def over_the_motion(loaded: Loaded, groups: Mapping[str, Sequence[ToldPair]]) ->
     """All positions; ``groups`` are the pairs of each group, by its name, and of the input link."""
     yield Heading(tr("Results at all positions"), 2)
     result, statics = loaded.result, loaded.statics
-    jump = next((label for label in result.labels if label.endswith("-")), None)
-    if jump is not None:
-        said = tr(
-            "Where friction jumps, as at position {label}, the limit just before stands in the row {before}.",
-            label=jump.removesuffix("-"),
-            before=jump.replace("-", "−"),
-        )
-        yield Paragraph(said)
     own = Values(result.reaction, result.normal, result.couple, result.friction, result.drive)
     if statics.scales:
         bare = statics.scene._replace(loading=replace(statics.scene.loading, pairs=()))
@@ -67,15 +60,31 @@ def over_the_motion(loaded: Loaded, groups: Mapping[str, Sequence[ToldPair]]) ->
             ideal=located(tables),
             rubbing=located(more),
         )
-        yield Paragraph(said)
-        yield from (*tables, *more)
     else:
-        tables = [*_tables(loaded, groups, own, tr("Reactions, {group}", group="{group}"), "all")]
-        yield Paragraph(tr("The reactions at all positions are {where}.", where=located(tables)))
-        yield from tables
+        tables, more = [*_tables(loaded, groups, own, tr("Reactions, {group}", group="{group}"), "all")], []
+        said = tr("The reactions at all positions are {where}.", where=located(tables))
+    yield Paragraph(said)
+    yield from _jumps(loaded)
+    yield from (*tables, *more)
     yield Paragraph(_balance(loaded))
     yield from _pictures(loaded)
     yield from _results(loaded, groups)
+
+
+def _jumps(loaded: Loaded) -> Iterator[Paragraph]:
+    """Which side of a jump the rows have."""
+    result = loaded.result
+    jump = next((label for label in result.labels if label.endswith("-")), None)
+    if jump is not None:
+        said = tr(
+            "Where friction jumps, as at position {label}, the limit just before stands in the row {before}.",
+            label=jump.removesuffix("-"),
+            before=jump.replace("-", "−"),
+        )
+        yield Paragraph(said)
+    if closed(loaded.told.chain):
+        columns = result.drive, *result.reaction.real, *result.reaction.imag, *result.friction
+        yield from two_sides(result.labels, columns)
 
 
 def _tables(

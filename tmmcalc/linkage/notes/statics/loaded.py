@@ -161,6 +161,12 @@ def said(loaded: Loaded, acting: Acting | Couple) -> str:
 def moments(loaded: Loaded, links: Sequence[int], point: str, own: set[str]) -> str:
     """The sum of the moments about a point, with arms; its quantities are put into the lexicons."""
     name = f"M_{{{''.join(map(str, links))}}}^{{{point}}}"
+    words = {"links": ", ".join(map(str, links)), "point": point}
+    said_sum = (
+        tr("sum of the given moments on links {links} about {point}", **words)
+        if len(links) > 1
+        else tr("sum of the given moments on link {links} about {point}", **words)
+    )
     terms: dict[str, None] = {}
     force, couple = loaded.largest
     for lexicon, each in zip(loaded.told.lexicons, loaded.bodies, strict=True):
@@ -187,7 +193,7 @@ def moments(loaded: Loaded, links: Sequence[int], point: str, own: set[str]) -> 
                     lexicon[canonical(key)] = Given(c.value, "N*m", said(loaded, c))
                     terms[key] = None
                     total += c.value
-        lexicon[canonical(name)] = Given(total, "N*m", tr("sum of the given moments about {point}", point=point))
+        lexicon[canonical(name)] = Given(total, "N*m", said_sum)
     for lexicon in loaded.told.lexicons:  # what acts in another position alone is nothing here
         for term in terms:
             for part in term.split("*"):

@@ -15,7 +15,7 @@ from tmmcalc.report.language import tr, tr_number
 from tmmcalc.report.manuscript import Block, Paragraph, Table
 from tmmcalc.report.telling import cell, column_of, located
 
-STOP = 1e-3  # relative change at which the passes end
+STOP = 1e-4  # of the magnitude of a reaction: a change at which the passes end
 FIRST, LAST = 3, 3  # passes that a long table shows
 MOST = 50
 LEAST = 1e-9  # of an unknown [N, mm]: less is rounding
@@ -29,7 +29,7 @@ def passes(loaded: Loaded, plan: Plan, pairs: Sequence[ToldPair]) -> Iterator[Bl
     tables = []
     for shown, row in enumerate(loaded.rows):
         theta, side = float(loaded.result.theta[row]), side_of(loaded.result, row)
-        found = textbook_iteration(loaded.statics, plan.group.name, theta, side, STOP, MOST)
+        found = textbook_iteration(loaded.statics, plan.group.name, theta, side, STOP, MOST, "reactions")
         caption = tr(
             "Successive approximations of group {name} {place}", name=plan.group.name, place=loaded.told.there(shown)
         )
@@ -37,8 +37,8 @@ def passes(loaded: Loaded, plan: Plan, pairs: Sequence[ToldPair]) -> Iterator[Bl
     yield Paragraph(
         tr(
             "The reactions are first found without friction; they give friction forces and moments, with which the "
-            "reactions are found again, until no unknown changes by more than {stop} %; the passes are {where}. The "
-            "formulas below hold for the solution to which these successive approximations lead.",
+            "reactions are found again, until no reaction changes by more than {stop} % of its magnitude; the passes "
+            "are {where}. The formulas below hold for the solution to which these successive approximations lead.",
             stop=tr_number(f"{100 * STOP:g}"),
             where=located(tables),
         )
@@ -67,8 +67,8 @@ def _table(found: Iteration, pairs: Mapping[str, ToldPair], loaded: Loaded, capt
         if np.nanmax(np.abs(values)) > LEAST:
             head, factor = printed_head(symbol, unit)
             rows.append((head, *column_of(factor * values)))
-    change = [cell(100 * each, 2) for each in found.change]
-    rows.append((tr("Largest relative change of a component, %"), *("–" if k == 0 else change[k] for k in shown), "–"))
+    shift = [cell(100 * each, 2) for each in found.shift]
+    rows.append((tr("Largest change of a reaction, %"), *("–" if k == 0 else shift[k] for k in shown), "–"))
     return Table(caption, (tr("Pass"), *(str(k + 1) for k in shown), tr("solution")), tuple(rows), key)
 
 
