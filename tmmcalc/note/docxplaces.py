@@ -57,8 +57,8 @@ def ordered(blocks: Sequence[Written]) -> Iterator[Written]:
             yield from page.take(waiting, every=True)
             if not first.number[:1].isdigit():
                 page.turn()
-        late = any(type(each) is type(first) for each in waiting) or page.left < page.height(first)
-        if len(chain) == 1 and page.floats(first) and late:
+        behind = isinstance(first, Image | Grid) and any(type(each) is type(first) for each in waiting)
+        if len(chain) == 1 and (behind or (page.floats(first) and page.left < page.height(first))):
             waiting.append(first)
             continue
         if waiting:
@@ -133,7 +133,7 @@ class _Page:
     def take(self, waiting: list[Written], *, every: bool = False) -> Iterator[Written]:
         """Set what waits: the first of it, on the next page if it has to be, and what fits behind it, or every one."""
         first = True
-        while waiting and (first or every or self.height(waiting[0]) <= self.left):
+        while waiting and (first or every or self.least(waiting[:1]) <= self.left):
             block = waiting.pop(0)
             self.put([block])
             yield block

@@ -78,7 +78,7 @@ def runs(text: Text) -> str:
                 if k and isinstance(last := parts[k - 1], str) and not last.endswith(" "):
                     before = last.rpartition(" ")[2]
                     found[-1] = _typed(last.removesuffix(before))
-                if isinstance(following := parts[k + 1] if k + 1 < len(parts) else None, str):
+                if k + 1 < len(parts) and isinstance(following := parts[k + 1], str):
                     after, space, rest = following.partition(" ")
                     parts[k + 1] = space + rest
                 found.append(f"<m:oMath>{_worded(before)}{omml(part)}{_worded(after)}</m:oMath>")
@@ -117,19 +117,19 @@ def _letters(box: Box) -> str:
             each = [*map(_letters, boxes)]
             return "".join(each) if all(each) else ""
         case Letter(text):
-            return _typed(text, "<w:rPr><w:i/></w:rPr>")
+            return _typed(text, "" if "Α" <= text <= "Ω" else "<w:rPr><w:i/></w:rPr>")
         case Word(text) if text.strip():
             return _typed(text)
         case Sign("/"):
             return _typed("/")
         case Script(Letter() | Word() as base, lower, upper, primes):
-            found = _letters(base)
+            said = _letters(base)
             for index, place in ((lower, "subscript"), (upper, "superscript")):
                 told = "" if index is None else plain(index).replace("_", "")
                 if not re.fullmatch(r"[\w′,–()+-]*", told):
                     return ""
-                found += _typed(told, f'<w:rPr><w:vertAlign w:val="{place}"/></w:rPr>')
-            return found + _typed("′" * primes)
+                said += _typed(told, f'<w:rPr><w:vertAlign w:val="{place}"/></w:rPr>')
+            return said + _typed("′" * primes)
     return ""
 
 
