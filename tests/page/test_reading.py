@@ -34,7 +34,7 @@ FOCUSED = """() => {
   return [all.indexOf(each), each.tagName, getComputedStyle(each).outlineStyle, box.width * box.height];
 }"""
 SEEN = "each => each.getBoundingClientRect().top >= 0 && each.getBoundingClientRect().bottom <= innerHeight"
-COLOURS = ("ink", "faint", "accent", "blue", "orange", "green", "purple", "warn")
+COLOURS = ("ink", "faint", "accent", "blue", "orange", "green", "purple", "olive", "warn")
 
 
 def channels(colour: str) -> list[int]:
@@ -226,8 +226,8 @@ def test_print_has_the_colours_of_paper(scheme: str, open_page: Open) -> None:
         assert all(contrast(of[name], of["paper"]) > 4.5 for name in COLOURS)
         assert luminance(of["warn-soft"]) > 0.8
         if lit:
-            assert {name: of[name] for name in ("blue", "orange", "green", "purple", "warn")} == {
-                name: lit[name] for name in ("blue", "orange", "green", "purple", "warn")
+            assert {name: of[name] for name in ("blue", "orange", "green", "purple", "olive", "warn")} == {
+                name: lit[name] for name in ("blue", "orange", "green", "purple", "olive", "warn")
             }
         found.page.emulate_media(media="screen")
         button.click()

@@ -17,7 +17,7 @@ import numpy as np
 from tmmcalc.core.plane import Plane, Real
 
 FRAME = ""  # the body that stands still
-TONES = BLUE, ORANGE, GREEN, PURPLE = (1, 2, 3, 4)  # numbers of colours
+TONES = BLUE, ORANGE, GREEN, PURPLE, OLIVE = (1, 2, 3, 4, 5)  # numbers of colours
 
 Kind = Literal[
     "plate",  # a filled polygon: its corners

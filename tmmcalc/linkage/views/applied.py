@@ -15,7 +15,7 @@ from tmmcalc.linkage.forces.rows import Rows
 from tmmcalc.linkage.freebody import Known, Solved, solved
 from tmmcalc.linkage.model import FRAME
 from tmmcalc.report.drawing.lettering import symbol
-from tmmcalc.report.moving import BLUE, PURPLE, Body, Layer, Vector, track_of
+from tmmcalc.report.moving import OLIVE, PURPLE, Body, Layer, Vector, track_of
 from tmmcalc.report.moving import FRAME as STANDING
 
 NEAR = 1e-9  # [m] so far a point of a link may seem to go along it
@@ -45,7 +45,7 @@ def applied_of(rows: Rows, per: float) -> Drawn:
         vectors[force.kind == "inertia"].append(Vector(sign, body.name, x, y, places))
     layers = (
         Layer("given", "Given forces", "N", (), tuple(vectors[False]), tone=PURPLE, hidden=True),
-        Layer("inertia", "Forces of inertia", "N", (), tuple(vectors[True]), tone=BLUE, hidden=True),
+        Layer("inertia", "Forces of inertia", "N", (), tuple(vectors[True]), tone=OLIVE, hidden=True),
     )
     return Drawn(tuple(points.values()), tuple(layer for layer in layers if layer.vectors))
 

@@ -3,7 +3,7 @@
 const SVG = "http://www.w3.org/2000/svg";
 export const PIN = 5;
 export const RING = 9; // radius of the ring of a number
-export const COLOURS = ["blue", "orange", "green", "purple"];
+export const COLOURS = ["blue", "orange", "green", "purple", "olive"];
 export const BLOCK = [34, 19];
 export const PIVOT = [22, 17];
 const WALL = 2.5; // half the thickness of a rod that slides along one
