@@ -14,7 +14,7 @@ import { Plane } from "./trials.js";
 import { forget, language, remember, saying, speak, told, word } from "./words.js";
 
 const FIRST = 4; // diagrams of a scene that asks for none
-const AIR = 32; // pixels above and below what stays in sight
+const AIR = 16; // pixels above and below what stays in sight
 const ROWS = 8; // of a table that is a curve and no list
 const NUMBER = "i"; // of a row
 const BENT = 1e-3; // of its greatest value: what a curve differs from a straight line by
@@ -30,10 +30,10 @@ const choice = content.scenes.length > 1 ? variants() : null;
 /** @type {Map<State, number>} */
 const states = new Map(); // those that are shown, with the place where each was put
 
-/** What moves stays in sight beside what is read, where the window has room for all of it. */
+/** What moves stays in sight beside what is read: all of it where the window has room, else its end. */
 const beside = () => {
   const left = /** @type {HTMLElement | null} */ (main.querySelector(".moving"));
-  left?.classList.toggle("fits", left.offsetHeight + AIR <= innerHeight);
+  if (left) left.style.top = `${Math.min(AIR, innerHeight - left.offsetHeight - AIR)}px`;
 };
 const sized = new ResizeObserver(beside);
 addEventListener("resize", beside);
