@@ -15,8 +15,8 @@ from tmmcalc.linkage.forces.rows import Rows
 from tmmcalc.linkage.freebody import Known, Solved, solved
 from tmmcalc.linkage.model import FRAME
 from tmmcalc.report.drawing.lettering import symbol
-from tmmcalc.report.moving import OLIVE, PURPLE, Body, Layer, Vector, track_of
 from tmmcalc.report.moving import FRAME as STANDING
+from tmmcalc.report.moving import OLIVE, PURPLE, Body, Layer, Vector, track_of
 
 NEAR = 1e-9  # [m] so far a point of a link may seem to go along it
 

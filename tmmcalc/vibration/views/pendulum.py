@@ -8,6 +8,7 @@ import numpy as np
 
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.core.plane import Plane
+from tmmcalc.core.quantity import quantity_of
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.moving import Body, Mark, Span, Spot, Track, View, seconds_of, track_of
 from tmmcalc.vibration.pendulum.results import PendulumResult
@@ -55,7 +56,7 @@ class _Pendulum:
             unit="s",
             values=self.swing.t,
             whole=False,
-            column="t[s]",
+            column=quantity_of(SwingCourse, "t").key,
             steps=(),
             box=(low - margin, high + margin),
             bodies=bodies,
