@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
 
 from note.scenes import written
 from tmmcalc.note.columns import asked, asked_by, least_width, widths_of
-from tmmcalc.note.tree import Grid, Text
+from tmmcalc.note.tree import ACROSS, ALONG, POINT, Caption, Grid, Text
+from tmmcalc.note.typst import HEAD, pdf
+from tmmcalc.note.typsttables import set_tables
 from tmmcalc.note.typstwords import set_text
 from tmmcalc.report.drawing.lettering import FONTS
 from tmmcalc.report.language import speaking
@@ -67,3 +70,22 @@ def test_columns_fit_the_page() -> None:
                     given.append(wide)
             assert given == pytest.approx([max(given, default=0.0)] * len(given))
             assert all(wide <= min(given) for wide in kept if given)
+
+
+@pytest.mark.parametrize("count", [20, 26, 40])
+def test_a_table_too_wide_for_a_page_is_turned(count: int) -> None:
+    """On the length of the page, in letters in which it fits there; one that fits nowhere fills it."""
+    reader = pytest.importorskip("pypdfium2")
+    pytest.importorskip("typst")
+    row = tuple(Text((f"−{k}.12345",)) for k in range(count))
+    grid = Grid(Caption("Table", "2.1", Text(("Wide",))), row, (row,) * 3)
+    text = set_tables([grid], floats=False, stays=False)
+    assert text.startswith("#turned[")
+    widths = [float(each) for each in re.findall(r"([\d.]+)mm, ", text.partition("(")[2])][:count]
+    assert ACROSS < sum(widths) <= ALONG + 0.01 * count
+    document = reader.PdfDocument(pdf(f"{HEAD.replace('LANGUAGE', 'en').replace('PLAIN', '3')}\n{text}"))
+    [page] = [each for each in document if each.get_width() > each.get_height()]
+    found = page.get_textpage()
+    rights = [found.get_charbox(k)[2] for k in range(found.count_chars())]
+    assert max(rights) <= page.get_width() - 10 / POINT
+    assert count > 30 or all(found.get_text_bounded().count(f"{k}.12345") >= 4 for k in range(10, count))

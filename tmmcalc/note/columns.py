@@ -57,19 +57,23 @@ def least_width(grid: Grid, em: float, beside: float) -> float:
 def widths_of(grid: Grid, em: float, beside: float, room: float) -> list[float]:
     """How wide its columns are [mm]: as their longest texts ask, as far as there is room for them.
 
-    Where there is not, the widest give way first, each no further than to its longest word.
+    Where there is not, the widest give way first, each no further than to its longest word; if that is too much they
+    fill the room all the same.
     """
     columns = asked_by(grid)
     least = [column.least * em + beside for column in columns]
     wished = [column.whole * em + beside for column in columns]
 
+    if sum(least) >= room:
+        return [room * need / sum(least) for need in least]
+    if sum(wished) <= room:
+        return wished
+
     def given(limit: float) -> list[float]:
         return [min(wish, max(need, limit)) for wish, need in zip(wished, least, strict=True)]
 
-    low, high = 0.0, max(wished, default=0.0)
-    if sum(wished) > room:
-        for _ in range(HALVINGS):
-            middle = (low + high) / 2
-            low, high = (middle, high) if sum(given(middle)) <= room else (low, middle)
-        return given(low)
-    return wished
+    low, high = 0.0, max(wished)
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if sum(given(middle)) <= room else (low, middle)
+    return given(low)

@@ -12,10 +12,11 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 from tmmcalc.note.columns import widths_of
 from tmmcalc.note.docxpages import SIZE, SMALL, styled
 from tmmcalc.note.docxplaces import WIDE, holds, ordered
-from tmmcalc.note.docxtables import ALONG, CELLS, PADDING, WHOLE, size_of, table
+from tmmcalc.note.docxtables import CELLS, PADDING, WHOLE, size_of, table
 from tmmcalc.note.docxwords import SPACES, bookmark, cell_runs, element, elements, field, in_cell, mark_of, run, runs
 from tmmcalc.note.tree import (
     ACROSS,
+    ALONG,
     POINT,
     Caption,
     Contents,

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from tmmcalc.note.columns import least_width
 from tmmcalc.note.tree import POINT, Grid
 
-ALONG = 257.0  # width of a table that is turned [mm]
 CELLS = (12, 11, 10, 9, 8)  # sizes of tables [pt], the first in which one fits; one that does not stands turned
 WHOLE = 15  # rows: a table of up to so many stands on one page
 MARGIN = 68  # between a text and a line; so far a table stands in, for its lines to keep the margin [twips]

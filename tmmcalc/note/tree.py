@@ -16,7 +16,7 @@ from tmmcalc.report.language import speaking, spoken, tr_unit
 from tmmcalc.spec.dimensions import UNITS
 
 POINT = 25.4 / 72.0  # of letters [mm]
-ACROSS = 175.0  # width of the text of a page [mm]
+ACROSS, ALONG = 175.0, 257.0  # width of the text of a page, of one that is turned [mm]
 CELL = 2.4  # of a cell of a table beside its letters, with its line [mm]
 NUMERIC = re.compile(r"[-−+–\d.,  \u202f%°]*")  # what a cell of numbers has
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from itertools import groupby
 
 from tmmcalc.note.columns import Asked, least_width, measured, widths_of
-from tmmcalc.note.tree import ACROSS, CELL, POINT, Grid, Text, Written, numeric
+from tmmcalc.note.tree import ACROSS, ALONG, CELL, POINT, Grid, Text, Written, numeric
 from tmmcalc.note.typstwords import GAP, escaped, label, set_text
 from tmmcalc.report.drawing.lettering import faces
 from tmmcalc.report.formula.layout import Box, Digits, Fraction, Gap, Letter, Marked, Row, Script, Sign, Word, inner
@@ -57,7 +57,7 @@ def set_tables(grids: Sequence[Grid], *, floats: bool, stays: bool) -> str:
     """
     size = _size_of(grids, SMALL)
     if not size:
-        return f"#turned[#{_grid(grids[0], SMALL[0], ACROSS)}]"
+        return f"#turned[#{_grid(grids[0], _size_of(grids[:1], SMALL, ALONG) or SMALL[-1], ALONG)}]"
     free = (ACROSS - GAP * (len(grids) - 1) - sum(_width_at(each, size) for each in grids)) / len(grids)
     shares = [_width_at(each, size) + free for each in grids]
     tables = [_grid(each, size, wide) for each, wide in zip(grids, shares, strict=True)]
@@ -77,9 +77,9 @@ def _stands(grid: Grid) -> str:
     return "here" if rows <= WHOLE[0] else "whole" if rows <= WHOLE[1] and _size_of([grid], SMALL) else "on"
 
 
-def _size_of(grids: Sequence[Grid], sizes: Sequence[float]) -> float:
-    """The size of letters [pt] in which tables have room beside each other, or 0."""
-    room = ACROSS - GAP * (len(grids) - 1)
+def _size_of(grids: Sequence[Grid], sizes: Sequence[float], wide: float = ACROSS) -> float:
+    """The size of letters [pt] in which tables have room beside each other, on so much [mm], or 0."""
+    room = wide - GAP * (len(grids) - 1)
     return next((size for size in sizes if sum(_width_at(each, size) for each in grids) <= room), 0.0)
 
 
