@@ -19,7 +19,6 @@ from tmmcalc.report.language import LANGUAGES
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
 
-POSITIONS = 360  # that a page solves of its own
 PLANNED = 3  # variants at most, that have plans of vectors: a page of more would be too large
 
 
@@ -31,7 +30,7 @@ class Variant(NamedTuple):
     source: str
 
 
-def content(variants: Sequence[Variant], title: str, key: str, language: str, positions: int = POSITIONS) -> Content:
+def content(variants: Sequence[Variant], title: str, key: str, language: str, positions: int) -> Content:
     """All that a page holds; ``key`` is what the variants differ in. Of many plans of vectors are left out."""
     block = Block()
     scenes = [_scene(each, block, positions, planned=len(variants) <= PLANNED) for each in variants]

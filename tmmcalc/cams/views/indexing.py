@@ -21,10 +21,10 @@ from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.tables.tasks.indexing import to_indexing
 from tmmcalc.core.notes import Phrase
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.moving import FRAME, Body, Handle, Mark, Reading, Spot, Stop, Track, View, track_of
+from tmmcalc.report.moving import BLUE, FRAME, ORANGE, Body, Handle, Mark, Reading, Spot, Stop, Track, View, track_of
 
 CHORD = 1e-5  # of the wheel: how far the drawn profiles may be from the true ones
-FRONT, BEHIND = 1, 2  # colours
+FRONT, BEHIND = BLUE, ORANGE
 PER = math.pi / 180  # rates are by degrees
 
 

@@ -20,7 +20,21 @@ from tmmcalc.gears.meshing.results import MeshPair
 from tmmcalc.gears.pictures import placedpair
 from tmmcalc.gears.pictures.placedpair import placed_pair
 from tmmcalc.report.drawing.order import Order
-from tmmcalc.report.moving import FRAME, Body, Handle, Layer, Mark, Reading, Spot, Track, Vector, View, track_of
+from tmmcalc.report.moving import (
+    FRAME,
+    GREEN,
+    PURPLE,
+    Body,
+    Handle,
+    Layer,
+    Mark,
+    Reading,
+    Spot,
+    Track,
+    Vector,
+    View,
+    track_of,
+)
 
 TOLERANCE, POINTS = 2e-3, 13  # of outlines [module]; of a flank
 PER = math.pi / 180  # of the input, in degrees
@@ -29,7 +43,7 @@ LEAST = 2.2  # half of its width at least, in pitches
 DEEP = 0.4  # [module] of the bodies behind the root circles that is shown
 BEYOND = 0.25  # of its width that a screen may show on each side more
 STEP = 0.01  # [rad] between the points of the back of a ring
-ACTION, SLIDING = 3, 4  # colours; those of the wheels are their numbers
+ACTION, SLIDING = GREEN, PURPLE  # colours; those of the wheels are their numbers
 ASIDE, EDGE = 0.05, 0.04  # where numbers of wheels stand: from the line of centres, from above and below
 ARROW = 0.13  # length of the arrows that tell how the wheels turn; all in parts of what is shown
 NAMED = ("N1", "A2", "P", "A1", "N2")

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
@@ -113,7 +112,7 @@ def _copies(network: Network, axes: dict[str, complex], name: str) -> Iterator[c
     centre = axes[bearer] if bearer != FRAME else axes[name]
     turns = spread(network, axes, bearer, MODULE)
     if len(turns) > 1:  # of fewer than the most on the carrier some of its places, where these are as many times more
-        turns = [Fraction(k, count) for k in range(count)] if len(turns) % count else turns[:: len(turns) // count]
+        turns = turns[:1] if len(turns) % count else turns[:: len(turns) // count]
     for turn in turns:
         yield centre + (axes[name] - centre) * complex(math.cos(2 * math.pi * turn), math.sin(2 * math.pi * turn))
 

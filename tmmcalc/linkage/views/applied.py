@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.linkage.forces.rows import Rows
-from tmmcalc.linkage.freebody import Known, Solved, solved
+from tmmcalc.linkage.forces.results import Forces
+from tmmcalc.linkage.freebody import Known, Solved
 from tmmcalc.linkage.model import FRAME
 from tmmcalc.report.drawing.lettering import symbol
 from tmmcalc.report.moving import FRAME as STANDING
@@ -28,13 +28,12 @@ class Drawn(NamedTuple):
     layers: tuple[Layer, ...]
 
 
-def applied_of(rows: Rows, per: float) -> Drawn:
+def applied_of(found: Solved, result: Forces, per: float) -> Drawn:
     """The given forces with that of the drive, and those of inertia, which may be far smaller, each to its own scale.
 
     ``per`` is the unit of the places of the view.
     """
-    found = solved(rows.statics, rows.result.theta, rows.side)
-    places = rows.result.phi / per
+    places = result.phi / per
     points: dict[tuple[str, complex], Body] = {}
     vectors: dict[bool, list[Vector]] = {False: [], True: []}
     for force in applied(found):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from tmmcalc.core.notes import Phrase
 from tmmcalc.linkage.columns import PHI
 from tmmcalc.linkage.forces.results import Forces
 from tmmcalc.linkage.forces.rows import Rows
+from tmmcalc.linkage.freebody import Solved, solved
 from tmmcalc.linkage.model import FRAME, Joint, Mechanism
 from tmmcalc.linkage.pictures.bodies import centre_of_block
 from tmmcalc.linkage.results import Kinematics
@@ -45,10 +47,17 @@ class Cycle:
 
             self.rows = Rows(mechanism, to_loading(spec), result, forces)
 
+    @cached_property
+    def acting(self) -> Solved | None:
+        """All that acts on the links, in the rows of the forces."""
+        if self.rows is None:
+            return None
+        return solved(self.rows.statics, self.rows.result.theta, self.rows.side)
+
     def view(self) -> View:
         """The view."""
         result, moved, unreached = self.result, self.moved, tuple(self._unreached())
-        applied = Drawn((), ()) if self.rows is None else applied_of(self.rows, self.per)
+        applied = Drawn((), ()) if self.acting is None else applied_of(self.acting, self.forces, self.per)
         return View(
             name="kinematics",
             title="Mechanism",
@@ -122,8 +131,8 @@ class Cycle:
     def _plans(self) -> Iterator[Plan]:
         """Plans of velocities and accelerations; of forces, where they are computed."""
         yield from plans_of_motion(self.mechanism, self.result)
-        if self.rows is not None:
-            yield from plans_of_forces(self.rows, self.per)
+        if self.rows is not None and self.acting is not None:
+            yield from plans_of_forces(self.rows, self.acting, self.per)
 
     def _stops(self) -> Iterator[Stop]:
         """Dead centres of the outputs."""

@@ -11,7 +11,7 @@ import numpy as np
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.forces.rows import Rows
-from tmmcalc.linkage.freebody import FreeBody, bodies_at, solved
+from tmmcalc.linkage.freebody import FreeBody, Solved, bodies_at
 from tmmcalc.linkage.lever import Lever, LeverForce, levers, working
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.pictures.vectors import designation, vertex_name
@@ -49,11 +49,10 @@ def _plan_of_motion(name: str, letter: str, title: str, unit: str, plan: Polygon
     return Plan(name, title, unit, tuple((said[each].replace("$", ""), tips[each]) for each in names), edges)
 
 
-def plans_of_forces(rows: Rows, per: float) -> Iterator[Plan]:
+def plans_of_forces(rows: Rows, found: Solved, per: float) -> Iterator[Plan]:
     """The polygon of forces of each free body, the lever of Zhukovsky; ``per`` is the unit of the places."""
     result = rows.result
     places = result.phi / per
-    found = solved(rows.statics, result.theta, rows.side)
     bodies = [bodies_at(found, row) for row in range(len(result.labels))]
     for k, body in enumerate(bodies[0]):
         yield _polygon(f"forces-{k}", [each[k] for each in bodies], body.name, places)

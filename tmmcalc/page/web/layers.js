@@ -80,7 +80,7 @@ export class Layer {
     const { values, low, high } = state;
     const [from, to] = view.bodies.find((each) => each.name === vector.body)?.there ?? [low, high];
     const own = vector.places ? [...numbers(vector.places)] : [from, ...values.filter((value) => value > from && value < to), to];
-    return Math.max(...own.map((at) => Math.hypot(...this.valued(vector, at, between(values, at)))));
+    return Math.max(...own.map((at) => Math.hypot(...this.valued(vector, at, between(values, at))) || 0));
   }
 
   /**

@@ -75,6 +75,7 @@ export class Player {
     };
     const look = new IntersectionObserver(
       ([entry]) => {
+        if (!place.isConnected) return look.disconnect(); // another variant stands in its place
         seen = entry.intersectionRatio > 0.99;
         this.dock?.();
       },
