@@ -199,7 +199,7 @@ def test_a_moment_that_jumps_is_the_same_in_all_tables_or_it_is_said(name: str, 
     apart = [label for label in own if own[label] != taken[label]]
     assert f"$M_c$ jumps in a position (here {', '.join(apart)})" in said
     assert f"Rows 0 and {reduced.rows[-2][0]} are one position" in said
-    assert all(f"begins or ends in a position (here {', '.join(sorted(counted, key=int))})" in said for _ in counted)
+    assert ("begins or ends in a position (here 2, 12)" in said) == bool(counted)
 
 
 def test_a_time_that_is_given_is_no_result() -> None:
