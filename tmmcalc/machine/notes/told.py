@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import math
-
 from tmmcalc.machine.driver import ConstantInertia
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Lexicon
-
-RPM = 30 / math.pi  # to a rad/s
 
 
 def mean_speed(speed: float) -> Given:
