@@ -160,7 +160,9 @@ def test_a_position_is_shown_in_which_links_move_and_stand_aslant(name: str, wan
         side = line.formula.sides[0]
         if isinstance(side, Name) and side.key.startswith(("omega", "phi")):
             for place in line.places:
-                assert abs(value_of(side, place.lexicon)) > 1e-3
+                found = place.lexicon[side.key].value
+                assert isinstance(found, float)
+                assert abs(found) > 1e-3, (side.key, place.name)
 
 
 @pytest.mark.parametrize("name", ["course-project", "shaper", "four-dyads"])
