@@ -176,8 +176,11 @@ def course(of: Loaded) -> Iterator[Block]:
     rows = table_rows(of.told)
     labels = [of.result.labels[row] for row in rows]
     first, second = _columns(of, rows)
-    moved = [values for name, values in (first | second).items() if not name.startswith("$phi")]
-    jumping = [*two_sides(labels, moved), *_jumps(of, rows)]
+    moved: dict[str, list[Values]] = {}  # by their units
+    for name, values in (first | second).items():
+        if not name.startswith("$phi"):
+            moved.setdefault(name.partition("$, ")[2], []).append(values)
+    jumping = [*two_sides(labels, moved.values()), *_jumps(of, rows)]
     if len(first | second) < COLUMNS:
         yield Paragraph(
             tr(
