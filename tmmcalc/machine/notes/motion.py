@@ -12,7 +12,7 @@ from tmmcalc.core.numerics.panels import Values
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.notes.shown import rows_shown
 from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
-from tmmcalc.machine.motion import Motion
+from tmmcalc.machine.motion import Motion, sided
 from tmmcalc.machine.nodes import nodal_tables, nodal_work
 from tmmcalc.machine.notes.motors import driven, of_motor
 from tmmcalc.machine.notes.told import inertias, mean_speed, reduced
@@ -27,7 +27,19 @@ from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr, tr_count
 from tmmcalc.report.manuscript import Block, Display, Heading, Lexicon, Paragraph, Place, Result
-from tmmcalc.report.telling import degrees, drawn, filled, held, lines, named, numeral, plainly, tabulated, two_sides
+from tmmcalc.report.telling import (
+    SAME,
+    degrees,
+    drawn,
+    filled,
+    held,
+    lines,
+    named,
+    numeral,
+    plainly,
+    tabulated,
+    two_sides,
+)
 
 SPEED = 78.0  # height of the picture [mm]
 TURNS = 5  # of the iteration that are shown in the table of turns
@@ -305,8 +317,7 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
         )
     )
     cycle = reduction.cycle
-    theta = np.clip(result.theta, 0.0, cycle.period)
-    links, slopes = cycle.panels.at(np.stack((cycle.inertia, cycle.slope)), theta)
+    links, slopes = sided(cycle, cycle.panels, np.stack((cycle.inertia, cycle.slope)), result.theta, result.early)
     places, letters = [], reduced()
     for row in _shown(result, order):
         lexicon = {
@@ -324,7 +335,9 @@ def _exact(result: Motion, order: Order) -> Iterator[Block]:
         }
         places.append(Place(tr("pos. {label}", label=result.labels[row]), named(lexicon)))
     yield from lines(("eps = (M_d + M_c - 0.5*<dJ>*omega**2)/(J_c + <J>)",), places, letters)
-    yield from two_sides(result.labels, (result.eps, result.load))
+    missed = result.regime.errors
+    same = max(SAME, missed.speed, missed.acceleration, missed.moment)
+    yield from two_sides(result.labels, (result.eps, result.load), same)
     columns: dict[str, Values] = {
         "$phi$, deg": np.degrees(result.phi),
         "$omega$, rad/s": result.omega,
