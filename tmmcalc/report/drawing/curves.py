@@ -114,8 +114,8 @@ class Graph:
 
     def rows(self, wide: float, larger: float) -> int:
         """Rows of words, so many times ``larger`` than usual, above a frame of this width [mm]."""
-        beside, row = self._key_of(self.head, wide, larger)
-        return max(len(key_rows(self.named, beside, larger)), row + 1 if self.head else 0)
+        wide_of_key, row = self._key_of(self.head, wide, larger)
+        return max(len(key_rows(self.named, wide_of_key, larger)), row + 1 if self.head else 0)
 
     def _key_of(self, title: str, wide: float, larger: float) -> tuple[float, int]:
         """How wide its key is [mm], and above how many rows its title stands: in the last one, or above all of them."""
