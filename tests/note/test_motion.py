@@ -206,6 +206,19 @@ def test_a_moment_that_jumps_is_the_same_in_all_tables_or_it_is_said(name: str, 
     assert ("begins or ends in a position (here 2, 12)" in said) == bool(counted)
 
 
+def test_the_exact_line_is_on_one_side_of_a_jump() -> None:
+    """In position 12 the cutting force ends, and the acceleration of a cam on the crank changes its sign."""
+    cam = (
+        'shaft = "crank", follower = "translating", stroke = 0.024, rise = "80°", return_angle = "90°", law = "const", '
+        'crank_angle = "140°", limits = { pressure_angle = "28°", shaft_radius = 0.02 }, '
+        "loads = { mass = 12, force = -120 }, spring = { least_contact = 40, deflection = 0.025 }"
+    )
+    assembler = Assembler()
+    assembler.written(told("shaper", "12", ("motion",), [f"cam={{ {cam} }}"]))
+    (line,) = [each for each in assembler.lines if each.formula.sides[0] == Name("eps")]
+    assert line.found.error < 1e-12
+
+
 def test_a_time_that_is_given_is_no_result() -> None:
     """The start-up is followed for 15 s; the stop ends by itself."""
     results = [each for each in blocks(told("course-project", only=("motion",))) if isinstance(each, Result)]
