@@ -52,7 +52,7 @@ def test_the_table_of_the_textbook(bare: RunResult) -> None:
     np.testing.assert_allclose(found["omega_idle_turn_2"], expected["omega_second_rev"], atol=1e-5)
     np.testing.assert_allclose(found["omega_idle_textbook"], expected["omega_periodic_n24"], atol=2e-6)
     details = bare.outcomes["motion"].stage.part("details")(bare.spec, bare.results)
-    assert [*details] == ["recurrence", "recurrence_idle", "flywheel_there"]
+    assert [*details] == ["recurrence", "recurrence_idle", "flywheel_existing"]
     assert details["recurrence_idle"].delta == pytest.approx(expected["delta_n24"], rel=1e-5)
     assert details["recurrence"].damping == pytest.approx(expected["B"] * np.radians(15), rel=1e-6)
     assert details["recurrence"].driving == pytest.approx(2 * expected["A"] * np.radians(15), rel=1e-6)

@@ -342,6 +342,16 @@ def test_an_extreme_that_a_dwell_keeps_is_told_with_the_dwell() -> None:
     assert "it does so over the dwell from φ = 190° to 360°" in text(Assembler().written([cam]))
 
 
+def test_a_force_that_dips_within_a_dwell_keeps_no_value_in_it() -> None:
+    """From 80° to 100° the follower rests at the top; between 86° and 88° nearly nothing presses on it."""
+    force = '{ phi = ["0°", "86°", "87°", "88°", "180°"], force = [-120, -120, -1, -120, -120] }'
+    change = f'cam.loads={{ mass = "1.2 kg", force_table = {force}, gravity = -9.81, friction = 0.1 }}'
+    (cam,) = told("course-project", None, ONLY, [change])
+    rows = next(each for each in cam.blocks if isinstance(each, Table) and each.key == "cam_extremes").rows
+    (load,) = [row for row in rows if row[0].startswith("$P_c$")]
+    assert "80–100" not in load
+
+
 def test_every_angular_velocity_of_the_cam_has_its_name() -> None:
     """That of a position, the given one, by which friction is reduced, and the mean of the time."""
     said = text(Assembler().written(told("course-project", None, ONLY)))

@@ -61,3 +61,13 @@ def test_what_is_zero_in_the_shown_positions_is_told() -> None:
     assert any("$M_{G}$ (weights)" in each for each in said)
     said = [each.text for each in blocks(told("press", "8", ("reduction",))) if isinstance(each, Paragraph)]
     assert not any("are zero" in each for each in said)
+
+
+def test_which_side_of_a_jump_a_load_is_told_of() -> None:
+    """The load of a cam falls in position 18 and grows in 19: its moment is that after the jump in both of them."""
+    force = '{ phi = ["0°", "40°", "40°", "55°", "55°", "180°"], force = [-90, -90, -20, -20, -80, 0] }'
+    changes = [f'cam.loads={{ mass = "1.2 kg", force_table = {force}, gravity = -9.81, friction = 0.1 }}']
+    found = blocks(told("course-project", only=("reduction",), changed=changes))
+    said = " ".join(each.text for each in found if isinstance(each, Paragraph))
+    assert "Where a load begins or ends in a position (here 19), it counts there." in said
+    assert "Where the technological load jumps in a position (here 18), its value there is that after the jump." in said

@@ -21,10 +21,8 @@ from tmmcalc.core.records import record
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.results import Extreme, Grade
 from tmmcalc.machine.cycle import Cycle
+from tmmcalc.machine.nodes import NEAR, on_edges
 from tmmcalc.machine.reduction.results import Contribution, Reduction, ReductionError
-
-NEAR = 1e-9  # of the period: edges so near to each other are one
-
 
 Kind = Literal["load", "weight", "spring", "friction"]
 
@@ -79,16 +77,14 @@ class Attached:
 
     def along(self, values: Values, theta: Values) -> Values:
         """Functions (..., K, N) at angles theta (n,) of the input, the last from within the cycle."""
-        x = self._once(theta)
-        edges = self.panels.edges
-        nearest = edges[np.clip(np.searchsorted(edges, x - NEAR), 0, len(edges) - 1)]
-        inner = self.panels.at(values, np.where(np.abs(nearest - x) <= NEAR, nearest, x))
+        inner = self.panels.at(values, on_edges(self.panels.edges, self._once(theta), NEAR * self.period))
         inner[..., -1] = self.panels.at(values, np.array([self.period]), before=True)[..., 0]
         return inner
 
     def _once(self, theta: Values) -> Values:
         """Angles (n,) from its last repetition on; rounding does not make its begin an end."""
-        return np.maximum(np.mod(theta + NEAR, self.period) - NEAR, 0.0)
+        near = NEAR * self.period
+        return np.maximum(np.mod(theta + near, self.period) - near, 0.0)
 
 
 def with_attached(result: Reduction, attached: Attached) -> Reduction:

@@ -15,7 +15,7 @@ from tmmcalc.core.records import record
 from tmmcalc.machine.cycle import Cycle
 from tmmcalc.machine.driver import ConstantInertia, Driver
 from tmmcalc.machine.motorside import MotorSide, motor_side
-from tmmcalc.machine.nodes import NEAR, at_speed, on_edges
+from tmmcalc.machine.nodes import LEVEL, NEAR, at_speed, both_sides, on_edges
 from tmmcalc.machine.offspeed import INPUT, off_speed
 from tmmcalc.machine.regime import Regime
 from tmmcalc.machine.textbook import EnergyMotion, Textbook, Turn
@@ -131,12 +131,10 @@ def motion_of(
     """The result from the regime and that without technological loads, ``quiet``."""
     labels, phi, theta, _ = positions
     sense = math.copysign(1.0, phi[-1])
-    at = on_edges(cycle, np.clip(theta, 0.0, cycle.period))
-    early = _early(cycle, at, positions.moment)
-    omega, eps, driving = _sided(
-        regime.panels, np.stack((regime.omega, regime.acceleration, regime.driving)), at, early
-    )
-    load = _sided(cycle.panels, np.stack((cycle.moment, cycle.viscous, cycle.quadratic)), at, early)
+    at, early = _placed(cycle, theta), _early(cycle, theta, positions.moment)
+    moving = np.stack((regime.omega, regime.acceleration, regime.driving))
+    omega, eps, driving = sided(cycle, regime.panels, moving, theta, early)
+    load = sided(cycle, cycle.panels, np.stack((cycle.moment, cycle.viscous, cycle.quadratic)), theta, early)
     return Motion(
         labels=labels,
         phi=phi,
@@ -162,18 +160,24 @@ def motion_of(
     )
 
 
-def _early(cycle: Cycle, at: Values, moment: Values | None) -> NDArray[np.bool_]:
+def _placed(cycle: Cycle, theta: Values) -> Values:
+    """Angles (n,) within the cycle."""
+    return on_edges(cycle.panels.edges, np.clip(theta, 0.0, cycle.period), NEAR * cycle.period)
+
+
+def _early(cycle: Cycle, theta: Values, moment: Values | None) -> NDArray[np.bool_]:
     """In which positions (n,) the ``moment`` that acts there is that just before a jump."""
     if moment is None:
-        return np.zeros(len(at), bool)
+        return np.zeros(len(theta), bool)
     whole = at_speed(cycle, cycle.speed)
-    after, before = (cycle.panels.at(whole, at, before=side) for side in (False, True))
-    apart = NEAR * float(np.max(np.abs(whole)))
+    after, before = both_sides(cycle, whole, _placed(cycle, theta))
+    apart = LEVEL * float(np.max(np.abs(whole)))
     return np.asarray(np.abs(before - moment) < np.abs(after - moment) - apart)
 
 
-def _sided(panels: Panels, values: Values, at: Values, early: NDArray[np.bool_]) -> Values:
-    """Values (..., n), where ``early`` (n,) the limits just before."""
+def sided(cycle: Cycle, panels: Panels, values: Values, theta: Values, early: NDArray[np.bool_]) -> Values:
+    """Functions (..., K, N) on panels at angles (n,) of a cycle, where ``early`` (n,) the limits just before."""
+    at = _placed(cycle, theta)
     return np.where(early, panels.at(values, at, before=True), panels.at(values, at))
 
 

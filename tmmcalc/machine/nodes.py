@@ -9,9 +9,8 @@ import numpy as np
 from tmmcalc.core.numerics.panels import Values
 from tmmcalc.machine.cycle import Cycle
 
-NEAR = (
-    1e-9  # of the period: a node so near to the edge of a panel, where a load may jump, lies on it; of a load: no jump
-)
+NEAR = 1e-9  # of the period: an angle so near to the edge of a panel, where a load may jump, lies on it
+LEVEL = 1e-9  # of the largest load: a smaller difference is no jump
 
 
 def nodal_tables(cycle: Cycle, n: int, speed: float) -> tuple[Values, Values]:
@@ -19,17 +18,24 @@ def nodal_tables(cycle: Cycle, n: int, speed: float) -> tuple[Values, Values]:
 
     Where the load jumps at a node the larger load counts, as the textbook counts it at both ends of its action.
     """
-    theta = on_edges(cycle, np.linspace(0.0, cycle.period, n + 1))
-    moment = at_speed(cycle, speed)
-    after, inertia = cycle.panels.at(np.stack((moment, cycle.inertia)), theta)
-    before = cycle.panels.at(moment, theta, before=True)
-    after[-1], before[0], inertia[-1] = after[0], before[-1], inertia[0]
+    theta = np.linspace(0.0, cycle.period, n + 1)
+    (after, inertia), (before, _) = both_sides(cycle, np.stack((at_speed(cycle, speed), cycle.inertia)), theta)
     return np.where(np.abs(after) >= np.abs(before), after, before), inertia
 
 
-def on_edges(cycle: Cycle, theta: Values) -> Values:
-    """The angles (n,), those but for rounding on the edge of a panel, where a load may jump, exactly there."""
-    edges, near = cycle.panels.edges, NEAR * cycle.period
+def both_sides(cycle: Cycle, values: Values, theta: Values) -> tuple[Values, Values]:
+    """Functions (..., K, N) just after and just before the angles (n,), which differ where they jump.
+
+    Before the beginning of the cycle is its end, and after its end the beginning.
+    """
+    panels, at = cycle.panels, on_edges(cycle.panels.edges, theta, NEAR * cycle.period)
+    begin, end = panels.edges[[0, -1]]
+    after = panels.at(values, np.where(at == end, begin, at))
+    return after, panels.at(values, np.where(at == begin, end, at), before=True)
+
+
+def on_edges(edges: Values, theta: Values, near: float) -> Values:
+    """The angles (n,), those that are on an edge but for rounding, so ``near``, exactly there."""
     nearest = edges[np.minimum(np.searchsorted(edges, theta - near), len(edges) - 1)]
     return np.where(np.abs(nearest - theta) <= near, nearest, theta)
 

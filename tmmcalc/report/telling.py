@@ -34,7 +34,7 @@ DIGITS = 5  # of the largest number of a column, of a number within a sentence
 WIDE, HIGH = 160.0, 130.0  # that a picture may be [mm]
 LATIN = {greek: name for name, greek in GREEK.items()}  # names of Greek letters
 SIGNS = ("<=", ">=", "<", ">")
-SAME = 1e-9  # of the largest value of a column: values that differ less are equal
+SAME = 1e-9  # of the largest value of its unit: values that differ less are equal
 ANGLE = 6  # decimals of an angle that are no rounding [deg]
 STEPS = (1, 2, 5, 10, 20, 50, 100, 200, 500)  # of a long course that are shown
 LETTERED = 1.15  # words of a picture against those of a drawing on screen
@@ -283,10 +283,16 @@ def located(blocks: Sequence[Table | Figure]) -> str:
     return tr("in figures {numbers}", numbers=numbers) if several else tr("in figure {numbers}", numbers=numbers)
 
 
-def two_sides(labels: Sequence[str], columns: Iterable[ArrayLike]) -> Iterator[Paragraph]:
-    """What is said of the first and the last row, two sides of one position, where a column (n,) differs in them."""
-    for values in map(np.asarray, columns):
-        if abs(values[0] - values[-1]) > SAME * np.nanmax(np.abs(values)):
+def two_sides(labels: Sequence[str], groups: Iterable[ArrayLike], same: float = SAME) -> Iterator[Paragraph]:
+    """What is said of the first and the last row, two sides of one position, where a column differs in them.
+
+    A group has the columns (k, n) or the column (n,) of one unit; less than ``same`` of its largest value is rounding.
+
+    >>> [*two_sides(("0", "1", "2"), [((5.0, 6.0, 5.0), (1e-13, 0.0, -1e-13))])]
+    []
+    """
+    for values in map(np.atleast_2d, groups):
+        if np.any(np.abs(values[:, 0] - values[:, -1]) > same * np.nanmax(np.abs(values), initial=0.0)):
             words = {"first": labels[0], "last": labels[-1]}
             said = tr("Rows {first} and {last} are one position, just after its jump and just before it.", **words)
             yield Paragraph(said)

@@ -12,7 +12,7 @@ import numpy as np
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.notes.lexicon import angle, degrees_of, of_task
 from tmmcalc.cams.notes.loaded.quantities import Loaded, loaded_of
-from tmmcalc.cams.notes.loaded.reactions import ALONG, pressed
+from tmmcalc.cams.notes.loaded.reactions import EVEN, pressed
 from tmmcalc.cams.tables.tasks.cam import to_cam
 from tmmcalc.linkage.results import Extreme
 from tmmcalc.machine.attached import Attached
@@ -39,7 +39,6 @@ ROCKER = {
     "cam friction": "M_cF = -abs(R*psi')*mu*l_2<u>/10**3",
 }
 ANGLE = "phi_1 = phi_r + phi<over>"
-EVEN = "<P>_j = -<m>*<y>''*<wn>**2<k>"  # the inertia of a shaft that turns evenly
 ASKED = "M_c = J'_c*omega_1**2/2"
 PLAIN, GEARED = (
     {"u": "", "u2": "", "u3": "", "over": ""},
@@ -90,7 +89,7 @@ def _even(of: Loaded, mean: Loaded, places: Sequence[Place]) -> Iterator[Block]:
     )
     given = of.named(of_task(of.told))
     own = [place._replace(lexicon=place.lexicon | given) for place in places]
-    yield from mean.lines((EVEN, ALONG[-1]), own)
+    yield from mean.lines(EVEN, own)
     yield from pressed(mean, own)
 
 

@@ -38,8 +38,7 @@ ROCKER = {"dy": "Deltapsi", "y": "psi", "h": "psi_m", "y0": "psi_0", "v": "omega
 PLUS, MINUS = {"+": "+", "-": "-"}, {"+": "-", "-": "+"}
 ANGLES: dict[PhaseKind, str] = {"rise": "phi_y", "high dwell": "phi_d", "return": "phi_c", "low dwell": "phi_b"}
 THIRD = 0.3  # of a phase: where it is worked out, as near as the rows of the tables come
-INSIDE = (1 / 5, 1 / 2, 4 / 5)  # of a dwell: where it is looked whether something keeps its value
-NEAR = 1e-9
+NEAR = 1e-9  # of the turn, or a part of a phase: one place
 FIGURES = 7  # digits of a value of a table
 PLACES = 6  # its decimals at most
 SHORT = 5  # digits of an angle within a sentence
@@ -247,17 +246,19 @@ def degrees_of(phi: float) -> str:
     return spelt(significant(round(degrees(phi), PLACES) + 0.0, SHORT))
 
 
-def dwell_of(program: Program, phi: float, keeps: Callable[[float], bool] | None = None) -> tuple[float, float] | None:
+def dwell_of(
+    program: Program, phi: float, keeps: Callable[[float, float], bool] | None = None
+) -> tuple[float, float] | None:
     """The dwell [rad] all over which something is what it is at phi, so that the angle itself tells nothing; or None.
 
-    At the end of a dwell ``keeps`` decides, which tells whether it is the same at another angle; without it only the
-    inside of a dwell counts, where a motion has nothing to change it.
+    ``keeps`` tells whether it is the same all over between two angles, and decides at the ends of a dwell, too; without
+    it only the inside of a dwell counts, where a motion has nothing to change it.
     """
     end, starts = float(program.starts[-1]), program.starts.tolist()
     near = NEAR * end if keeps is None else -NEAR * end
     for phase, (first, last) in zip(program.phases, pairwise(starts), strict=True):
         there = not phase.moves and any(first + near < at < last - near for at in (phi, phi + end, phi - end))
-        if there and (keeps is None or all(keeps(first + part * (last - first)) for part in INSIDE)):
+        if there and (keeps is None or keeps(first, last)):
             return first, last
     return None
 

@@ -64,7 +64,7 @@ def _cam(order: Order) -> Iterator[Datum]:
     table, told = order.spec.cam, told_of(order)
     yield from (Datum(what, text=text) for what, text in described(told))
     motion = told.named(of_task(told))
-    yield from _data(motion, (name for name in motion if name not in ("omega", "omega_n") or table.speed is not None))
+    yield from _data(motion, (name for name in motion if name != told.words["wn"] or table.speed is not None))
     yield from (Datum(what, text=text) for what, text in laws_described(told))
     sizes = [SIZES[size.symbol] for size in order.results["cam_synthesis"].sizes if size.given]
     yield from _data(of_follower(told.follower), sizes)

@@ -39,10 +39,8 @@ FOOT = 6.0  # room of the scale factors under a plan [mm]
 HEAD = 7.0  # room of the headings of the plans [mm]
 POLES = (50.0, 40.0, 30.0, 25.0, 20.0, 15.0, 12.0, 10.0, 8.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0)  # h [mm], as there is room
 OVER = 8.0  # of the upright lines beyond what lies on them [mm]
-FASTER, RUNS_OUT = (
-    4.0,
-    22.0,
-)  # a member so many times faster than all others runs out of the plan of speeds, so far [mm]
+FASTER = 4.0  # a member so many times faster than all others runs out of the plan of speeds,
+RUNS_OUT = 22.0  # so far [mm]
 STILL = 1e-9  # of the largest: what is at rest
 TITLE, NAME, NOTE, RING = 3.0, 2.6, 2.5, 2.3  # heights of headings, names, of what is told, of members [mm]
 USUAL, LARGEST = 300.0, 1.5  # width from which letters grow with the rectangle [mm], and how far: below a heading of A1

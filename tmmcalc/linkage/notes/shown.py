@@ -28,12 +28,12 @@ EQUAL = 1e-6  # [rad or m] distances that differ less are equal
 
 def rows_shown(order: Order, chain: Chain, result: Kinematics) -> list[int]:
     """Rows of the kinematics that are asked for, or one of each stroke."""
-    return order.rows(POSITIONS, result.labels) or rows_by_default(order, chain, result)
+    return order.rows(POSITIONS, result.labels) or _by_default(order, chain, result)
 
 
-def rows_by_default(order: Order, chain: Chain, result: Kinematics) -> list[int]:
+def _by_default(order: Order, chain: Chain, result: Kinematics) -> list[int]:
     """One row of each stroke."""
-    clear, power = telling(chain, result), _power(order, chain, result)
+    clear, power = _clear_rows(chain, result), _power(order, chain, result)
     most = float(np.max(power))
     candidates = np.flatnonzero(clear) if clear.any() else np.arange(len(clear))
     rows = []
@@ -46,7 +46,7 @@ def rows_by_default(order: Order, chain: Chain, result: Kinematics) -> list[int]
     return list(dict.fromkeys(rows))
 
 
-def telling(chain: Chain, result: Kinematics) -> np.ndarray:
+def _clear_rows(chain: Chain, result: Kinematics) -> np.ndarray:
     """Which rows (n,) have no link along an axis or in line with its neighbour, and no pair at rest."""
     configuration = motion_at(chain, result.x).configuration
     found = np.ones(len(result.x), bool)

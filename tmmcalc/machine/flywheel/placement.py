@@ -6,6 +6,7 @@ Beyond the gears it does not relieve them, though: they carry the peaks of the l
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import Literal
 
@@ -27,6 +28,7 @@ from tmmcalc.machine.model import FlywheelTask
 from tmmcalc.machine.verdicts import Verdict
 
 THICK = 0.4  # thickness over mean diameter above which a rim is hardly one
+TOO_FAST = "rim speed"  # name of the verdict on a rim that runs too fast
 SMALLEST = 0.01  # mean diameter below which there is no rim to speak of [m]
 
 ShaftName = Literal["input", "motor", "other"]
@@ -92,23 +94,27 @@ def _rim(task: FlywheelTask, own: float, fast: float) -> tuple[Rim | None, tuple
             diameter=1e3 * rim.diameter,
         )
         return None, (Verdict("warning", text, rim.diameter, SMALLEST, "m", "mean diameter"),)
+    return rim, tuple(_against(rim))
+
+
+def _against(rim: Rim) -> Iterator[Verdict]:
+    """What speaks against a rim: its thickness, its speed."""
     if rim.thickness > THICK * rim.diameter:
         text = Phrase(
             "the rim is {thickness:.2g} of its mean diameter thick, more disk than rim: a larger diameter, a wider rim "
             "or a faster shaft",
             thickness=rim.thickness / rim.diameter,
         )
-        return rim, (Verdict("warning", text, rim.thickness / rim.diameter, THICK, name="thickness/diameter"),)
-    if rim.allowed:
-        return rim, ()
-    text = Phrase(
-        "the rim runs at {speed:.4g} m/s, above {rim_speed:.4g} m/s, the limit for {material}: a smaller diameter, "
-        "a better material or a slower shaft",
-        speed=rim.speed,
-        rim_speed=material.rim_speed,
-        material=material.name,
-    )
-    return rim, (Verdict("warning", text, rim.speed, material.rim_speed, "m/s", "rim speed"),)
+        yield Verdict("warning", text, rim.thickness / rim.diameter, THICK, name="thickness/diameter")
+    if not rim.allowed:
+        text = Phrase(
+            "the rim runs at {speed:.4g} m/s, above {rim_speed:.4g} m/s, the limit for {material}: a smaller diameter, "
+            "a better material or a slower shaft",
+            speed=rim.speed,
+            rim_speed=rim.material.rim_speed,
+            material=rim.material.name,
+        )
+        yield Verdict("warning", text, rim.speed, rim.material.rim_speed, "m/s", TOO_FAST)
 
 
 def _sized(task: FlywheelTask, own: float, fast: float, material: Material) -> Rim:

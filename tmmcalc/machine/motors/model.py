@@ -20,7 +20,7 @@ Interpolation = Literal["linear", "pchip"]
 MotorKind = Literal["induction", "shunt", "series"]
 CharacteristicKind = Literal["parabolic", "linear", "kloss", "shunt", "series", "constant", "table"]
 MOTOR_KINDS = ("induction", "shunt", "series")
-RPM = 30 / math.pi
+RPM = 30 / math.pi  # to a rad/s
 
 
 @record

@@ -9,8 +9,8 @@ from functools import partial
 from tmmcalc.machine.balance.cylinders import Cylinder
 from tmmcalc.machine.balance.engines import EngineBalance, ShaftWeights
 from tmmcalc.machine.balance.enginetask import Engine
+from tmmcalc.machine.motors.model import RPM
 from tmmcalc.machine.notes.counterweights import signed
-from tmmcalc.machine.notes.told import RPM
 from tmmcalc.machine.pictures.engine import draw_engine
 from tmmcalc.machine.tables.tasks.balance import to_engine
 from tmmcalc.report.drawing.order import Order

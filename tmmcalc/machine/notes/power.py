@@ -10,10 +10,9 @@ from collections.abc import Iterator
 
 from tmmcalc.machine.driveline import DriveLine
 from tmmcalc.machine.judged import START, TEXTBOOK, Judged, rules
-from tmmcalc.machine.motors.model import Motor
+from tmmcalc.machine.motors.model import RPM, Motor
 from tmmcalc.machine.notes.motors import RATED, losses, motor_data
 from tmmcalc.machine.notes.reducing import index_of
-from tmmcalc.machine.notes.told import RPM
 from tmmcalc.machine.pictures.words import cause_name
 from tmmcalc.machine.power import LOSSES, MotorDuty, Power
 from tmmcalc.machine.reduction.results import Contribution, Reduction

@@ -105,10 +105,20 @@ def _jumps(result: Reduction) -> Iterator[Paragraph]:
     if not result.whole:
         return
     yield from two_sides(result.labels, result.moment)
-    acting = jumps(result, loads=True)
-    if loads := _between(result, acting):
-        yield Paragraph(tr("Where a load begins or ends in a position (here {labels}), it counts there.", labels=loads))
-    if friction := _between(result, (row for row in jumps(result, loads=False) if row not in acting)):
+    loads, rubbing = jumps(result, loads=True), jumps(result, loads=False)
+    if acting := _between(result, loads.larger):
+        yield Paragraph(
+            tr("Where a load begins or ends in a position (here {labels}), it counts there.", labels=acting)
+        )
+    if other := _between(result, loads.other):
+        yield Paragraph(
+            tr(
+                "Where the technological load jumps in a position (here {labels}), its value there is that after the "
+                "jump.",
+                labels=other,
+            )
+        )
+    if friction := _between(result, sorted(rubbing.rows - loads.rows)):
         yield Paragraph(
             tr("Where friction jumps in a position (here {labels}), the table has it after the jump.", labels=friction)
         )

@@ -14,7 +14,7 @@ from tmmcalc.machine.balance.rotors import Rotor, RotorVerdict
 from tmmcalc.machine.balance.rotortask import BalancedRotor
 from tmmcalc.machine.balance.weights import Weight
 from tmmcalc.machine.model import RotorTask
-from tmmcalc.machine.notes.told import RPM
+from tmmcalc.machine.motors.model import RPM
 from tmmcalc.machine.tables.tasks.balance import to_rotor
 from tmmcalc.report.drawing.order import Order
 from tmmcalc.report.formula.digits import Given

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from tmmcalc.machine.motors.model import RPM
 from tmmcalc.machine.notes.motors import motor_data
-from tmmcalc.machine.notes.told import RPM
 from tmmcalc.machine.power import Power
 from tmmcalc.machine.tables.tasks.balance import to_engine, to_rotor
 from tmmcalc.report.drawing.order import Order

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from tmmcalc.machine.flywheel.placement import Wheel
+from tmmcalc.machine.flywheel.placement import TOO_FAST, Wheel
 from tmmcalc.machine.flywheel.results import Flywheel
 from tmmcalc.machine.flywheel.rim import DEFAULT, POISSON, Rim
 from tmmcalc.machine.model import FlywheelTask
@@ -57,7 +57,7 @@ def _sized(wheel: Wheel, task: FlywheelTask, name: str, reduced: Given) -> Itera
         at = Place("", named({own: inertia, name: reduced, "u_M": ratio}))
         yield from lines((f"{own} = {name}/u_M**2",), [at])
     for verdict in wheel.verdicts:
-        if wheel.rim is None or wheel.rim.allowed:  # else it is told with the speed
+        if verdict.name != TOO_FAST:  # which is told with the speed
             said = tr_name(verdict.message)
             yield Paragraph(f"{said[:1].upper()}{said[1:]}.")
     if wheel.rim is not None:

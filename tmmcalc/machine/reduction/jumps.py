@@ -1,31 +1,45 @@
-"""In which positions of a reduction something jumps."""
+"""In which positions of a reduction something jumps, and which side of the jump it tells."""
 
 from __future__ import annotations
 
-import math
+from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.machine.nodes import NEAR, at_speed, nodal_tables, on_edges
+from tmmcalc.machine.motion import Positions
+from tmmcalc.machine.nodes import LEVEL, at_speed, both_sides, nodal_tables
 from tmmcalc.machine.reduction.results import Reduction
 
 
-def jumps(result: Reduction, *, loads: bool) -> list[int]:
-    """Rows of the positions in which the moments of the ``loads`` jump, or those of friction."""
+class Jumps(NamedTuple):
+    """Rows of the positions in which moments jump."""
+
+    larger: list[int]  # in which the larger side is told of all that jump
+    other: list[int]
+
+    @property
+    def rows(self) -> set[int]:
+        """All of them."""
+        return {*self.larger, *self.other}
+
+
+def jumps(result: Reduction, *, loads: bool) -> Jumps:
+    """Where the moments of the ``loads`` jump, or those of friction."""
     wanted = [k for k, each in enumerate(result.contributions) if each.kind == ("load" if loads else "friction")]
     if not wanted:
-        return []
-    panels, parts = result.cycle.panels, result.parts[wanted]
-    theta = on_edges(result.cycle, np.abs(result.phi - result.phi[0]))
-    after, before = panels.at(parts, theta), panels.at(parts, theta, before=True)
-    after[:, -1], before[:, 0] = after[:, 0], before[:, -1]  # the end of a cycle is its beginning
-    apart = np.abs(after - before) > NEAR * np.max(np.abs(parts), axis=(1, 2), initial=0.0)[:, None]
-    return np.flatnonzero(apart.any(axis=0)).tolist()
+        return Jumps([], [])
+    parts = result.parts[wanted]
+    after, before = both_sides(result.cycle, parts, Positions.of(result).theta)
+    jumping = np.abs(after - before) > LEVEL * np.max(np.abs(parts), axis=(1, 2))[:, None]
+    told, sizes = np.abs(result.moment[wanted]), np.abs((after, before))
+    larger = np.abs(told - np.max(sizes, axis=0)) < np.abs(told - np.min(sizes, axis=0))
+    rows, kept = jumping.any(axis=0), (larger | ~jumping).all(axis=0)
+    return Jumps(np.flatnonzero(rows & kept).tolist(), np.flatnonzero(rows & ~kept).tolist())
 
 
 def nodal_jumps(result: Reduction, speed: float) -> list[int]:
     """Rows in which the textbook's methods, to which the larger load counts at a jump, take another moment."""
-    taken = nodal_tables(result.cycle, len(result.phi) - 1, speed)[0]
-    own = math.copysign(1.0, result.phi[-1]) * result.total
+    taken, own = nodal_tables(result.cycle, len(result.phi) - 1, speed)[0], Positions.of(result).moment
+    assert own is not None
     size = float(np.max(np.abs(at_speed(result.cycle, speed))))
-    return np.flatnonzero(np.abs(taken - own) > NEAR * size).tolist()
+    return np.flatnonzero(np.abs(taken - own) > LEVEL * size).tolist()

@@ -114,7 +114,7 @@ def details(spec: MachineTables, results: Mapping[str, Any]) -> Mapping[str, Rec
     runs = {"recurrence": run_of(*given), "recurrence_idle": idle_run_of(*given)}
     told: dict[str, Recurrence | Rim] = {name: run.told() for name, run in runs.items() if run is not None}
     wheel = wheel_of(results["motion"], inputs(spec)[2], results)
-    return told if wheel is None or wheel.rim is None else {**told, "flywheel_there": wheel.rim}
+    return told if wheel is None or wheel.rim is None else {**told, "flywheel_existing": wheel.rim}
 
 
 def omits(spec: MachineTables) -> tuple[str, ...]:

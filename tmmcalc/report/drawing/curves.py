@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from tmmcalc.core.plane import Real
 from tmmcalc.core.records import record
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.diagram import ROW, Axis, Curve, Diagram, beside, key_above, key_rows, room, sample
+from tmmcalc.report.drawing.diagram import AIR, ROW, Axis, Curve, Diagram, beside, key_above, key_rows, room, sample
 from tmmcalc.report.drawing.lettering import width
 from tmmcalc.report.drawing.pens import Pen
 from tmmcalc.report.drawing.scales import factor_text, standard_scale
@@ -114,13 +114,13 @@ class Graph:
 
     def rows(self, wide: float, larger: float) -> int:
         """Rows of words, so many times ``larger`` than usual, above a frame of this width [mm]."""
-        beside, row = self._key_of(self.head, wide, larger)
-        return max(len(key_rows(self.named, beside, larger)), row + 1 if self.head else 0)
+        wide_of_key, row = self._key_of(self.head, wide, larger)
+        return max(len(key_rows(self.named, wide_of_key, larger)), row + 1 if self.head else 0)
 
     def _key_of(self, title: str, wide: float, larger: float) -> tuple[float, int]:
         """How wide its key is [mm], and above how many rows its title stands: in the last one, or above all of them."""
         left = wide - larger * _room_of(title)
-        apart = any(sample(name, larger) - 4.0 > left for name, _ in self.named)
+        apart = any(sample(name, larger) - AIR > left for name, _ in self.named)
         rows = len(key_rows(self.named, wide if apart else left, larger))
         return (wide, rows) if apart else (left, max(rows - 1, 0))
 
@@ -132,28 +132,21 @@ def column(drawing: Drawing, box: Box, graphs: Sequence[Graph], heights: Sequenc
     not be standard.
     """
     larger = drawing.letters
-    left, _, right, _ = sides(larger)
     scaled = any(graph.mu for graph in graphs)
     if scaled:
         box = narrowed(box, along_input(graphs[0].turns, graphs[0].phi), larger)
 
-    def frames_in(box: Box) -> list[Box]:
-        return stacked(box, [graph.rows(box.width - left - right, larger) for graph in graphs], heights, larger)
+    def above(wide: float) -> list[int]:
+        return [graph.rows(wide, larger) for graph in graphs]
 
-    frames = frames_in(box)
-    ordinates = [(graph.ordinate(frame.height)[0], frame.height) for graph, frame in zip(graphs, frames, strict=True)]
-    more = lacking(ordinates, larger) - (LONGER * larger if scaled else 0.0)
-    if more > 0:
-        frames = frames_in(box.inset(more, 0, 0, 0))
+    def ordinates(high: Sequence[float]) -> list[Axis]:
+        return [graph.ordinate(each)[0] for graph, each in zip(graphs, high, strict=True)]
+
+    frames = fitted(box, above, ordinates, heights, larger, LONGER * larger if scaled else 0.0)
     return [
         graph.draw(drawing, place, numbered=k + 1 == len(graphs))
         for k, (graph, place) in enumerate(zip(graphs, frames, strict=True))
     ]
-
-
-def lacking(ordinates: Iterable[tuple[Axis, float]], larger: float) -> float:
-    """What more than the usual room [mm] ordinates with the heights of their frames [mm] need on the left."""
-    return max(beside(axis, high, larger) for axis, high in ordinates) - SIDES[0] * larger
 
 
 def narrowed(box: Box, x: Real, larger: float) -> Box:
@@ -194,7 +187,7 @@ def scale_factor(letter: str, mu: float, unit: str) -> str:
 
 def _room_of(title: str) -> float:
     """Width that a title takes of the row beside it [mm]."""
-    return width(title, 2.5) + 4.0 if title else 0.0
+    return width(title, 2.5) + AIR if title else 0.0
 
 
 def _with_scale(along: Axis, turns: bool, wide: float) -> Axis:
@@ -220,6 +213,30 @@ def stacked(box: Box, rows: Sequence[int], heights: Sequence[float] = (), larger
         found.append(Box(box.left + left, low, box.right - right, high))
         at = low - bottom
     return found
+
+
+def fitted(
+    box: Box,
+    rows: Callable[[float], Sequence[int]],
+    ordinates: Callable[[Sequence[float]], Sequence[Axis]],
+    heights: Sequence[float],
+    larger: float,
+    spare: float = 0.0,
+) -> list[Box]:
+    """Frames as `stacked` has them, narrower where their ordinates need more room than the usual and ``spare`` [mm].
+
+    ``rows`` tells the rows of words above frames of a width [mm], ``ordinates`` the axes of frames of these heights.
+    """
+    left, _, right, _ = sides(larger)
+
+    def frames_in(box: Box) -> list[Box]:
+        return stacked(box, rows(box.width - left - right), heights, larger)
+
+    frames = frames_in(box)
+    high = [frame.height for frame in frames]
+    needed = max(beside(axis, each, larger) for axis, each in zip(ordinates(high), high, strict=True))
+    more = needed - left - spare
+    return frames_in(box.inset(more, 0, 0, 0)) if more > 0 else frames
 
 
 def along_input(turns: bool, phi: Real) -> Real:

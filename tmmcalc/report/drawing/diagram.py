@@ -24,6 +24,7 @@ NAMED = 3.5  # from a frame over the numbers of its ordinate to the name of it, 
 ROOM = 8.0  # least distance of ticks along y, with numbers on each [mm]
 SAMPLE = 9.0  # length of a line in the key [mm]
 ROW = 4.2  # height of a row of it
+AIR = 4.0  # behind a name in it, or between it and a title
 DOT = 0.42  # radius of a marked position [mm]
 NOISE = 1e-12  # of the largest value
 FEWEST, CLOSEST = 3, 1.5  # ticks of an ordinate though they stand nearer than that, so many heights of its numbers
@@ -236,7 +237,7 @@ def key_rows(names: Sequence[tuple[str, Pen]], wide: float, larger: float = 1.0)
     rows: list[list[tuple[str, Pen]]] = []
     at = math.inf
     for name, pen in names:
-        if at + sample(name, larger) - 4.0 > wide:
+        if at + sample(name, larger) - AIR > wide:
             rows.append([])
             at = 0.0
         rows[-1].append((name, pen))
@@ -246,7 +247,7 @@ def key_rows(names: Sequence[tuple[str, Pen]], wide: float, larger: float = 1.0)
 
 def sample(name: str, larger: float) -> float:
     """Room of a name with its piece of line, and air."""
-    return SAMPLE + 1.2 + width(name, HEIGHT * larger) + 4.0
+    return SAMPLE + 1.2 + width(name, HEIGHT * larger) + AIR
 
 
 def beside(y: Axis, high: float, larger: float = 1.0) -> float:

@@ -9,7 +9,7 @@ import numpy as np
 from tmmcalc.core.plane import Real
 from tmmcalc.core.records import record
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.curves import lacking, sides, stacked
+from tmmcalc.report.drawing.curves import fitted
 from tmmcalc.report.drawing.diagram import Axis, Diagram, key_rows, room
 from tmmcalc.report.drawing.pens import CURVES, Pen
 from tmmcalc.report.drawing.shapes import Drawing
@@ -48,16 +48,11 @@ def panels(
     if along.low == along.high:
         along = along._replace(high=along.low + 1.0)
     larger = drawing.letters
-    left, _, right, _ = sides(larger)
 
-    def frames_in(box: Box) -> list[Box]:
-        named = [len(key_rows(row.named, box.width - left - right, larger)) for row in rows]
-        return stacked(box, named, heights, larger)
+    def above(wide: float) -> list[int]:
+        return [len(key_rows(row.named, wide, larger)) for row in rows]
 
-    frames = frames_in(box)
-    more = lacking([(row.axis, frame.height) for row, frame in zip(rows, frames, strict=True)], larger)
-    if more > 0:
-        frames = frames_in(box.inset(more, 0, 0, 0))
+    frames = fitted(box, above, lambda _: [row.axis for row in rows], heights, larger)
     found = []
     for k, (row, frame) in enumerate(zip(rows, frames, strict=True)):
         diagram = Diagram(drawing, frame, along, row.axis, numbered=k + 1 == len(rows))

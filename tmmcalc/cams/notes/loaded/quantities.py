@@ -8,16 +8,17 @@ spring, ``<O>`` the technological force, ``<m>`` the mass, ``<k>`` what brings m
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from math import atan2, isclose
+from math import atan2
 from typing import NamedTuple
 
 import numpy as np
 
 from tmmcalc.cams.forces.results import CamForces
 from tmmcalc.cams.forces.state import Carried, State, carried, pivot_force, state
-from tmmcalc.cams.forces.turn import Points, at_rows, loads_of, weight
+from tmmcalc.cams.forces.turn import Points, at_rows, loads_of, smooth_panels, weight
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.notes.lexicon import (
+    NEAR,
     Told,
     angle,
     degrees_of,
@@ -30,7 +31,7 @@ from tmmcalc.cams.notes.lexicon import (
     told_of,
     where,
 )
-from tmmcalc.cams.program import Positions
+from tmmcalc.cams.program import TURN, Positions
 from tmmcalc.cams.rounding import sides
 from tmmcalc.cams.task import CamTask, Loads
 from tmmcalc.report.drawing.order import Order
@@ -125,9 +126,13 @@ class Loaded(NamedTuple):
 
     def dwell(self, phi: float, value: float, pick: Pick) -> tuple[float, float] | None:
         """The dwell all over which a quantity has this value, that of the angle phi; None where it does not keep it."""
+        on = smooth_panels(self.task, self.loads)
 
-        def keeps(at: float) -> bool:
-            return isclose(float(pick(self.found(at))[0]), value, rel_tol=KEPT)
+        def keeps(first: float, last: float) -> bool:
+            at, near = np.concatenate((on.x.ravel(), on.edges)), NEAR * TURN
+            inside = at[(first + near < at) & (at < last - near)]
+            points = at_rows(self.task, self.loads, sides(self.task.program, inside))
+            return np.allclose(pick(Found(points, state(self.carried, points))), value, rtol=KEPT, atol=0.0)
 
         return dwell_of(self.task.program, phi, keeps)
 

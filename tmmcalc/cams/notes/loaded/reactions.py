@@ -13,6 +13,7 @@ from tmmcalc.cams.forces.turn import at_rows
 from tmmcalc.cams.laws.law import Values
 from tmmcalc.cams.notes.lexicon import angle, table_rows
 from tmmcalc.cams.notes.loaded.quantities import Found, Loaded, listed, of_scene, shown_angle
+from tmmcalc.cams.program import Positions
 from tmmcalc.cams.rounding import sides
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.formula.setting import spelt
@@ -25,6 +26,7 @@ ALONG = (
     "<Q>_s = -(<Q>_0 + c*<dy>)",
     "<P>_c = <P>_j + <Q>_s + <O> + G",
 )
+EVEN = "<P>_j = -<m>*<y>''*<wn>**2<k>", ALONG[-1]  # of a shaft that turns evenly at the given speed
 GUIDE = "H_1 = S_0 + <dy>_max + r_2 + Delta_g"
 FLAT_GUIDE = "H_1 = S_0 + <dy>_max + Delta_g"
 RATIO = {
@@ -176,8 +178,11 @@ def course(of: Loaded) -> Iterator[Block]:
     rows = table_rows(of.told)
     labels = [of.result.labels[row] for row in rows]
     first, second = _columns(of, rows)
-    moved = [values for name, values in (first | second).items() if not name.startswith("$phi")]
-    jumping = [*two_sides(labels, moved), *_jumps(of, rows)]
+    moved: dict[str, list[Values]] = {}  # by their units
+    for name, values in (first | second).items():
+        if not name.startswith("$phi"):
+            moved.setdefault(name.partition("$, ")[2], []).append(values)
+    jumping = [*two_sides(labels, moved.values()), *_jumps(of, rows)]
     if len(first | second) < COLUMNS:
         yield Paragraph(
             tr(
@@ -205,12 +210,13 @@ def course(of: Loaded) -> Iterator[Block]:
 
 def _jumps(of: Loaded, rows: Sequence[int]) -> Iterator[Paragraph]:
     """Which side of a jump of the technological load between the ends of the turn a row has."""
-    program, phi = of.task.program, of.result.positions.phi
-    found = []
-    for row in rows[1:-1]:
-        force = at_rows(of.task, of.loads, sides(program, phi[row : row + 1])).force
-        if np.ptp(force) > JUMP * np.max(np.abs(force)) and of.points(row).force[0] == force[-1]:
-            found.append(of.result.labels[row])
+    positions = of.result.positions
+    inner = np.asarray(rows[1:-1], int)
+    phi = positions.phi[inner]
+    told = at_rows(of.task, of.loads, Positions(phi, positions.piece[inner], ())).force
+    before, after = at_rows(of.task, of.loads, sides(of.task.program, phi)).force.reshape(2, -1)
+    jumping = np.abs(after - before) > JUMP * np.maximum(np.abs(before), np.abs(after))
+    found = [of.result.labels[row] for row in inner[jumping & (told == after)]]
     if found:
         labels = ", ".join(found)
         yield Paragraph(

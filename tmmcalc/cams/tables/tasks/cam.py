@@ -28,12 +28,14 @@ from tmmcalc.cams.task import (
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import names_of
+from tmmcalc.linkage.wanted import slides
 
 if TYPE_CHECKING:
     from tmmcalc.cams.laws.law import Law
     from tmmcalc.cams.room import CamTables
     from tmmcalc.cams.tables.cam import CamTable
     from tmmcalc.cams.tables.cam_parts import CamLoadsTable, ForceTable
+    from tmmcalc.linkage.tables.input import InputTable
     from tmmcalc.spec.table import Table
 
 CLOSED = 1e-9  # of the largest force: values at both ends of a turn that are the same
@@ -109,8 +111,8 @@ def _speed(spec: CamTables, table: CamTable, ratio: float) -> tuple[float | None
     if table.speed is not None:
         return table.speed, ()
     shaft, speed = "", 0.0
-    if spec.mechanism is not None and not _slides(spec):
-        shaft, speed = "crank", abs(spec.mechanism.input.speed)
+    if (crank := _crank(spec)) is not None:
+        shaft, speed = "crank", abs(crank.speed)
     elif spec.torque is not None:
         shaft, speed = "shaft", spec.torque.speed
     if not shaft:
@@ -125,9 +127,9 @@ def _speed(spec: CamTables, table: CamTable, ratio: float) -> tuple[float | None
     return speed, (Phrase("{why}: the cam turns {how}, at {speed:.6g} rpm", why=why, how=how, speed=speed * 30 / pi),)
 
 
-def _slides(spec: CamTables) -> bool:
-    driven = spec.linkage.input.joint
-    return any(joint.name == driven and joint.kind == "prismatic" for joint in spec.linkage.joints)
+def _crank(spec: CamTables) -> InputTable | None:
+    """The input of a mechanism that a crank drives; None: there is none, or a slider does."""
+    return None if spec.mechanism is None or slides(spec) else spec.mechanism.input
 
 
 def _program(table: CamTable) -> Program:
@@ -148,9 +150,9 @@ def _laws(table: CamTable) -> tuple[Any, Any]:
 
 def _sense(spec: CamTables, table: CamTable) -> int:
     """Sense of the cam: as it is given, or that of the crank with which it turns."""
-    crank = spec.mechanism is not None and not _slides(spec)
-    if table.rotation is None and crank and table.speed is None and table.shaft in (None, "crank"):
-        return RIGHT_WAY["counter-clockwise" if spec.linkage.input.speed > 0 else "clockwise"]
+    crank = _crank(spec)
+    if table.rotation is None and crank is not None and table.speed is None and table.shaft in (None, "crank"):
+        return RIGHT_WAY["counter-clockwise" if crank.speed > 0 else "clockwise"]
     return RIGHT_WAY[table.rotation or "clockwise"]
 
 

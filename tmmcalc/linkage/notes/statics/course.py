@@ -25,11 +25,11 @@ from tmmcalc.report.drawing.shapes import Drawing
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr
 from tmmcalc.report.manuscript import Block, Figure, Heading, Paragraph, Result, Table
+from tmmcalc.report.numbers import NOISE
 from tmmcalc.report.telling import WIDE, located, span, tabulated, two_sides
 
 GRAPH, HALF = 46.0, (84.0, 52.0)  # height of a diagram of reactions, size of one of the drive [mm]
 SQUARE = 80.0  # height of a hodograph [mm]
-NOISE = 1e-12  # of the largest: less is nothing
 
 
 class Values(NamedTuple):
@@ -83,8 +83,10 @@ def _jumps(loaded: Loaded) -> Iterator[Paragraph]:
         )
         yield Paragraph(said)
     if closed(loaded.told.chain):
-        columns = result.drive, *result.reaction.real, *result.reaction.imag, *result.friction
-        yield from two_sides(result.labels, columns)
+        forces = np.concatenate((result.reaction.real, result.reaction.imag))
+        turns = np.array([pair.kind == "revolute" for pair in result.pairs])
+        groups = result.drive, forces, result.friction[turns], result.friction[~turns]
+        yield from two_sides(result.labels, groups)
 
 
 def _tables(
