@@ -304,7 +304,7 @@ def test_numbers_keep_their_powers_and_counts_their_digits(written: Written, ope
 
     def changed(content: Any) -> None:
         facts = content["scenes"][0]["stages"][-1]["facts"]
-        asked = [*((value, "m") for value in numbers), (78074900, ""), ("-1/4", "")]
+        asked = [*((value, "m") for value in numbers), (78074900, ""), ("−1/4", "")]
         for fact, (value, unit) in zip(facts, asked, strict=False):
             fact.update(value=value, unit=unit)
 
