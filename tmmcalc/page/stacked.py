@@ -16,7 +16,9 @@ FEW = 2  # rows, with which a course begins to be one
 class Course(NamedTuple):
     """What stands under one label of the first column: the columns that are numbers all along."""
 
-    label: str  # or what it means
+    label: str
+    meaning: str  # of the label
+    along: str  # the name of the column that its rows go along; empty: it is not said
     columns: dict[str, Values]
 
 
@@ -34,9 +36,8 @@ def courses(stage: str, result: Any) -> list[Course]:
     for label, _ in runs:
         here = labels == label
         columns = {header: _numbers(np.asarray(column)[here]) for header, column in _others(table)}
-        found.append(
-            Course(said.get(label, label), {header: each for header, each in columns.items() if each is not None})
-        )
+        numbers = {header: each for header, each in columns.items() if each is not None}
+        found.append(Course(label, *said.get(label, (label, "")), numbers))
     return found
 
 
