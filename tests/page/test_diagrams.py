@@ -141,6 +141,32 @@ def test_results_are_found_by_a_word(open_page: Open) -> None:
     assert not found.page.get_by_text("nothing is found").is_visible()
 
 
+def test_rows_of_tables_and_warnings_are_found(written: Written, open_page: Open, tmp_path: Path) -> None:
+    """In both languages; of a table the other rows are hidden, and the whole where none is left."""
+
+    def more(content: Any) -> None:
+        stages = content["scenes"][0]["stages"]
+        names = {"name": ["Verdict", "Висновок"], "sign": False, "unit": ""}
+        verdicts = ["quite fit", ["much too weak", "надто слабкий"]]
+        for stage, cells in zip(stages[-2:], (verdicts, ["x", "y"]), strict=True):
+            stage.update(facts=[], tables=[{"title": "", "columns": [{**names, "cells": cells}]}])
+        stages[-1].update(warnings=["a tooth is too weak", "a rim is hot"])
+
+    page = open_page(altered(written("shaper"), tmp_path / "more.html", more)).page
+    field = page.get_by_role("searchbox")
+    field.fill("TOO WEAK")
+    assert page.locator(".list tbody tr:visible").all_inner_texts() == ["much too weak"]
+    assert page.locator(".warning:visible").all_inner_texts() == ["a tooth is too weak"]
+    assert page.locator("details.stage:visible").count() == 2
+    assert page.locator(".list:visible").count() == 1
+    page.get_by_label("Language").select_option("uk")
+    field.fill("слабкий")
+    assert page.locator(".list tbody tr:visible").all_inner_texts() == ["надто слабкий"]
+    assert page.locator("details.stage:visible").count() == 1
+    field.fill("")
+    assert page.locator(".warning:visible").count() == page.locator(".warning").count() > 2
+
+
 def test_a_diagram_that_is_added_comes_into_sight(open_page: Open) -> None:
     found = open_page("shaper", size=(900, 700))
     found.page.locator('details[data-stage="forces"]').evaluate("part => { part.open = true; }")
