@@ -141,6 +141,32 @@ def test_results_are_found_by_a_word(open_page: Open) -> None:
     assert not found.page.get_by_text("nothing is found").is_visible()
 
 
+def test_rows_of_tables_and_warnings_are_found(written: Written, open_page: Open, tmp_path: Path) -> None:
+    """In both languages; of a table the other rows are hidden, and the whole where none is left."""
+
+    def more(content: Any) -> None:
+        stages = content["scenes"][0]["stages"]
+        names = {"name": ["Verdict", "Висновок"], "sign": False, "unit": ""}
+        verdicts = ["quite fit", ["much too weak", "надто слабкий"]]
+        for stage, cells in zip(stages[-2:], (verdicts, ["x", "y"]), strict=True):
+            stage.update(facts=[], tables=[{"title": "", "columns": [{**names, "cells": cells}]}])
+        stages[-1].update(warnings=["a tooth is too weak", "a rim is hot"])
+
+    page = open_page(altered(written("shaper"), tmp_path / "more.html", more)).page
+    field = page.get_by_role("searchbox")
+    field.fill("TOO WEAK")
+    assert page.locator(".list tbody tr:visible").all_inner_texts() == ["much too weak"]
+    assert page.locator(".warning:visible").all_inner_texts() == ["a tooth is too weak"]
+    assert page.locator("details.stage:visible").count() == 2
+    assert page.locator(".list:visible").count() == 1
+    page.get_by_label("Language").select_option("uk")
+    field.fill("слабкий")
+    assert page.locator(".list tbody tr:visible").all_inner_texts() == ["надто слабкий"]
+    assert page.locator("details.stage:visible").count() == 1
+    field.fill("")
+    assert page.locator(".warning:visible").count() == page.locator(".warning").count() > 2
+
+
 def test_a_diagram_that_is_added_comes_into_sight(open_page: Open) -> None:
     found = open_page("shaper", size=(900, 700))
     found.page.locator('details[data-stage="forces"]').evaluate("part => { part.open = true; }")
@@ -180,8 +206,8 @@ def test_keys_move_the_input_in_a_diagram(open_page: Open) -> None:
 
 def test_what_no_key_moves_takes_no_focus(open_page: Open) -> None:
     page = open_page("pair-blocking").page
-    page.locator(".adding select").select_option("blocking/1.x2")  # a list
-    plane = page.locator('.chart[data-column="blocking/1.x2"] > svg')
+    page.locator(".adding select").select_option("blocking/no undercut.x2")  # a list
+    plane = page.locator('.chart[data-column="blocking/no undercut.x2"] > svg')
     assert plane.get_attribute("tabindex") is None
     assert plane.get_attribute("role") == "img"
 
@@ -309,32 +335,73 @@ def test_long_numbers_of_an_axis_are_whole(written: Written, open_page: Open, tm
 
 
 @pytest.mark.parametrize(
-    ("name", "stage", "course", "along"),
+    ("name", "stage", "course", "along", "names"),
     [
-        ("vibratory-device", "vibrator", "start", "t[s]"),
-        ("vibratory-device", "vibrator", "curve", "omega[rad/s]"),
-        ("pendulum-rotor", "pendulum", "swing", "t[s]"),
-        ("electric-braking", "transient", "plugging", "t[s]"),
+        ("vibratory-device", "vibrator", "start", "t[s]", {"psi", "omega", "x", "E", "W"}),
+        ("vibratory-device", "vibrator", "curve", "omega[rad/s]", {"x", "y", "phi"}),
+        ("pendulum-rotor", "pendulum", "swing", "t[s]", {"v", "w", "x_O", "E"}),
+        ("electric-braking", "transient", "plugging", "t[s]", {"theta", "omega"}),
     ],
 )
 def test_courses_of_one_table_have_diagrams_of_their_own(
-    name: str, stage: str, course: str, along: str, written: Written
+    name: str, stage: str, course: str, along: str, names: set[str], written: Written
 ) -> None:
     """Modes, a resonance curve, motions in time stand below one another: no curve goes through all of them."""
     table: Any = STAGES[stage].table(run(load_spec(CONFIGS / f"{name}.toml"), target=[stage]).results[stage])
-    labels = [*dict.fromkeys(table.columns[0])]
     here = np.asarray(table.columns[0]) == course
     content, block = contents(written(name))
     stages = {each["name"]: each for each in content["scenes"][0]["stages"]}
     assert stages[stage]["rows"] is None
-    found = stages[f"{stage}/{labels.index(course) + 1}"]
+    found = stages[f"{stage}/{course}"]
     assert found["rows"]["header"] == along
+    assert names <= {column["name"] for column in found["columns"]}
     for column in found["columns"]:
         [k] = [k for k, header in enumerate(table.header) if header.split("[")[0] == column["name"]]
         true: Real = np.asarray(table.columns[k])[here].astype(float)
         at, count = column["values"]
         assert count == len(true)
         assert np.allclose(block[at : at + count], true, rtol=1e-6, atol=1e-9 * np.abs(true).max())
+
+
+def test_a_resonance_curve_below_resonance_is_over_the_speed(written: Written) -> None:
+    """There amplitudes grow with it, one way as it goes itself."""
+    content, block = contents(written("vibratory-device", 'vibrator.curve={ from = "50 rpm", to = "150 rpm" }'))
+    [found] = [each for each in content["scenes"][0]["stages"] if each["name"] == "vibrator/curve"]
+    at, count = found["columns"][0]["values"]
+    assert found["columns"][0]["name"] == "x"
+    assert (np.diff(block[at : at + count]) > 0).all()
+    assert found["rows"]["header"] == "omega[rad/s]"
+
+
+def test_a_course_is_known_by_its_label(open_page: Open, tmp_path: Path) -> None:
+    """The second one of one machine is none of the other: neither overlaid nor taken for it."""
+    file = tmp_path / "two.html"
+    write(CONFIGS / "electric-braking.toml", file, str(CONFIGS / "series-braking.toml"))
+    found = open_page(file)
+    both, alone = "transient/regenerative.omega", "transient/dynamic.omega"
+    for name, count in ((both, 1), (alone, 0)):
+        found.page.locator(".adding select").select_option(name)
+        assert found.page.locator(f'.chart[data-column="{name}"] .curve.other').count() == count
+    found.choose(1)
+    shown = found.page.eval_on_selector_all(".chart", "all => all.map(each => each.dataset.column)")
+    assert both in shown
+    assert alone not in shown
+    assert "self-excited" not in "".join(shown)
+
+
+def test_arrows_and_values_are_of_the_same_rows(tmp_path: Path) -> None:
+    """However many positions are asked for."""
+    file = tmp_path / "many.html"
+    write(CONFIGS / "four-bar.toml", file, "--positions", "1440")
+    content, block = contents(file)
+    [view] = content["scenes"][0]["views"]
+    at, count = view["values"]
+    rows = [each["rows"] for each in content["scenes"][0]["stages"] if each["rows"]]
+    assert rows
+    for each in rows:
+        assert each["header"] == view["column"]
+        assert each["kept"] == each["of"] == count == 1441
+        assert (block[each["values"][0] :][:count] == block[at : at + count]).all()
 
 
 def test_a_number_without_a_unit_has_none(open_page: Open) -> None:
@@ -373,13 +440,15 @@ def test_a_result_of_another_kind_leads_to_no_diagram(open_page: Open) -> None:
 def test_where_nothing_moves_a_diagram_is_read_by_hand(open_page: Open) -> None:
     """Of a resonance curve and a start: a click and keys show values; diagrams of one course go together."""
     page = open_page("vibratory-device").page
-    page.locator(".adding select").select_option("vibrator/2.y")
-    values = [page.locator(f'.chart[data-column="{name}"] button.value') for name in ("vibrator/2.x", "vibrator/2.y")]
+    page.locator(".adding select").select_option("vibrator/curve.y")
+    values = [
+        page.locator(f'.chart[data-column="{name}"] button.value') for name in ("vibrator/curve.x", "vibrator/curve.y")
+    ]
     before = [each.inner_text() for each in values]
-    other = page.locator('.chart[data-column="vibrator/4.x"] button.value')
+    other = page.locator('.chart[data-column="vibrator/start.x"] button.value')
     still = other.inner_text()
     assert all(each.endswith(" m") for each in before)
-    plane = page.locator('.chart[data-column="vibrator/2.x"] > svg')
+    plane = page.locator('.chart[data-column="vibrator/curve.x"] > svg')
     plane.click()
     after = [each.inner_text() for each in values]
     assert all(one != two for one, two in zip(before, after, strict=True))

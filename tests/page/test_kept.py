@@ -82,3 +82,38 @@ def test_ticks_speed_details_and_search_are_kept(pairs: Path, open_page: Open) -
     assert plan.input_value() == "1"
     assert page.get_by_role("searchbox").input_value() == "rocker"
     assert page.locator("tr[data-fact]:visible").count() == rows
+
+
+def test_the_place_in_a_diagram_that_nothing_moves_along_is_kept(open_page: Open, tmp_path: Path) -> None:
+    file = tmp_path / "two.html"
+    write(CONFIGS / "vibratory-device.toml", file, str(CONFIGS / "vibratory-device.toml"))
+    found = open_page(file)
+    found.page.locator(".adding select").select_option("vibrator/curve.x")
+    chart = found.page.locator('.chart[data-column="vibrator/curve.x"]')
+    plane, value = chart.locator("svg[role=slider]"), chart.locator("button.value")
+    first = value.inner_text()
+    plane.click()
+    at, told = plane.get_attribute("aria-valuenow"), value.inner_text()
+    assert told != first
+    found.choose(1)
+    assert plane.get_attribute("aria-valuenow") == at
+    assert value.inner_text() == told
+
+
+def test_the_point_of_a_trial_is_kept(open_page: Open, tmp_path: Path) -> None:
+    """Until the button brings it back: then every variant has its own again."""
+    file = tmp_path / "two.html"
+    write(CONFIGS / "pair-blocking.toml", file, str(CONFIGS / "pair-blocking.toml"))
+    found = open_page(file)
+    trial = found.page.locator(".trial").last
+    told = trial.locator(".told")
+    first = told.inner_text()
+    for _ in range(3):
+        trial.locator(".plane").press("ArrowRight")
+    moved = told.inner_text()
+    assert moved != first
+    found.choose(1)
+    assert told.inner_text() == moved
+    trial.locator(".player .main").click()
+    found.choose(0)
+    assert told.inner_text() == first

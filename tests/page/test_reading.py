@@ -15,8 +15,10 @@ from page.scenes import CONFIGS, command, write
 from page.test_all import SIZES
 from page.test_diagrams import number
 from tmmcalc.core.stage import STAGES
+from tmmcalc.page.lists import tables
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
+from tmmcalc.report.document import Document, View
 
 LATIN = re.compile(r"[A-Za-z]{3,}")
 # all that the page says of itself: its headings, what is beside its fields, what its buttons are called
@@ -304,7 +306,7 @@ def test_numbers_keep_their_powers_and_counts_their_digits(written: Written, ope
 
     def changed(content: Any) -> None:
         facts = content["scenes"][0]["stages"][-1]["facts"]
-        asked = [*((value, "m") for value in numbers), (78074900, ""), ("-1/4", "")]
+        asked = [*((value, "m") for value in numbers), (78074900, ""), ("−1/4", "")]
         for fact, (value, unit) in zip(facts, asked, strict=False):
             fact.update(value=value, unit=unit)
 
@@ -320,7 +322,9 @@ def test_a_stage_that_failed_says_why(open_page: Open, tmp_path: Path) -> None:
     with pytest.raises(AssertionError):  # the command ends with an error, and writes what there is
         write(spec, file)
     page = open_page(file).page
-    assert "cannot be assembled at any crank angle" in page.locator('[data-stage="kinematics"] .warning').inner_text()
+    said = page.locator('[data-stage="kinematics"] .warning')
+    assert "cannot be assembled at any crank angle" in said.inner_text()
+    assert "-> " in said.inner_text()  # signs stay as the command has them
     assert page.locator('[data-fact="structure.mobility"]').is_visible()
 
 
@@ -351,6 +355,13 @@ def test_tables_of_summaries_stand_among_the_results(name: str, stage: str, open
                 assert str(cell).replace("*", "·").split(" = ")[-1] in row[k].replace("−", "-")
     page.get_by_label("Language").select_option("uk")
     assert not LATIN.search(" ".join(part.locator(".list :is(td, th:not(.sign))").all_inner_texts()))
+
+
+def test_values_in_tables_are_written_as_elsewhere() -> None:
+    cells = ["beta = -30 deg", "1.2e-05", "2.5 mm", "1.2.3"]
+    [table] = tables(Document("", table=View(["value", "no."], [cells, [1, 2, 3, 4]], [0.0, 0.0])))
+    told = [row["cells"] for row in table["columns"]]
+    assert told[0] == ["β = −30°", ["0.000012", "0,000012"], ["2.5 mm", "2,5 мм"], "1.2.3"]
 
 
 def test_what_moves_stays_beside_what_is_read(open_page: Open) -> None:

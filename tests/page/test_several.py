@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from page.conftest import Open
+from page.opened import slid
 from page.scenes import CONFIGS, Fit, command, places, write
 from page.test_all import SIZES
 from page.test_diagrams import number
+from tmmcalc.cli import main
 from tmmcalc.core.errors import UsageError
 from tmmcalc.page.swept import swept as swept_variants
 
@@ -119,13 +122,62 @@ def test_several_specs_are_overlaid(open_page: Open, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("cells", "rule"),
-    [("nothing,status\n1,ok", "no table of a sweep"), (f"{CRANK},status\nlong,ok", "'long' is no number of a variant")],
+    [
+        ("nothing,status\n1,ok", "no table of a sweep"),
+        (f"{CRANK},status\nlong,ok", f"row 2, {re.escape(CRANK)}: 'long' is no number"),
+    ],
 )
 def test_what_is_no_sweep_is_refused(cells: str, rule: str, tmp_path: Path) -> None:
     table = tmp_path / "my.csv"
     table.write_text(cells, encoding="utf-8")
-    with pytest.raises(UsageError, match=rule):
+    with pytest.raises(UsageError, match=rule) as refused:
         swept_variants(table)
+    assert refused.value.where == "--sweep"
+
+
+def test_variants_are_called_by_their_values(tmp_path: Path) -> None:
+    """As numbers are written elsewhere on the page."""
+    table = tmp_path / "my.csv"
+    table.write_text("a.one[deg],a.two,a.three[mm],status\n-30,1.2e-05,2.5,ok\n", encoding="utf-8")
+    [(name, changed)] = swept_variants(table).variants
+    assert name == ["−30°; 0.000012; 2.5 mm", "−30°; 0,000012; 2,5 мм"]
+    assert changed == ('a.one="-30 deg"', "a.two=1.2e-05", 'a.three="2.5 mm"')
+
+
+@pytest.mark.parametrize("key", [CRANK, "mechanism.links[id=1].nothing"])
+def test_faults_of_all_variants_are_said(
+    key: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Those of stages, and those of the spec; each with its variant."""
+    table, page = tmp_path / "my.csv", tmp_path / "my.html"
+    table.write_text(f"{key},status\n5,ok\n6,ok\n", encoding="utf-8")
+    spec = str(CONFIGS / "four-bar.toml")
+    monkeypatch.setattr(
+        "sys.argv", ["tmmcalc", "page", spec, "--sweep", str(table), "-o", str(page), "--no-store", "-q"]
+    )
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code
+    told = capsys.readouterr().err
+    assert "error: variant 5: " in told
+    assert "error: variant 6: " in told
+
+
+@pytest.mark.parametrize(("name", "view"), [("hydraulic-lift", "kinematics"), ("manipulator", "manipulator")])
+def test_views_over_a_way_or_the_time_are_compared_too(name: str, view: str, open_page: Open, tmp_path: Path) -> None:
+    """Their units are said in two languages; the place is kept, the machine that is the same stands there."""
+    file = tmp_path / "two.html"
+    write(CONFIGS / f"{name}.toml", file, str(CONFIGS / f"{name}.toml"))
+    found = open_page(file)
+    for language in ("en", "uk"):
+        found.page.locator("select[name=language]").select_option(language)
+        assert found.page.locator(f"[data-view={view}] .ghost").count() == 1
+    slider = found.page.locator(f"[data-view={view}] .player input[type=range]").first
+    slid(slider, sum(float(slider.get_attribute(end)) for end in ("min", "max")) / 2)
+    at = float(slider.input_value())
+    found.choose(1)
+    assert float(slider.input_value()) == pytest.approx(at)
+    assert found.page.locator(f"[data-view={view}] .ghost:not(.lost)").count() == 1
 
 
 def test_specs_of_one_name_are_told_apart_in_both_languages(open_page: Open, tmp_path: Path) -> None:

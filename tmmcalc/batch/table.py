@@ -33,7 +33,7 @@ def read_points(file: Path) -> tuple[Labels, tuple[Axis, ...]]:
             labels.append((name, tuple(column)))
             continue
         key, unit = key_and_unit(name)
-        axes.append(Axis(key, tuple(_number(file, line, name, cell) for line, cell in enumerate(column, 2)), unit))
+        axes.append(Axis(key, tuple(number_of(file, line, name, cell) for line, cell in enumerate(column, 2)), unit))
     if not axes:
         raise UsageError(
             f"{file} has no key of the spec among its headers", remedy="a key has a dot, such as motion.inertia"
@@ -83,11 +83,13 @@ def cells_of(file: Path) -> list[list[str]]:
     return rows
 
 
-def _number(file: Path, line: int, name: str, cell: str) -> float:
+def number_of(file: Path, line: int, name: str, cell: str, where: str = "") -> float:
+    """The number of a cell; raises UsageError for one that is none, with its row and its header."""
     try:
         value = float(cell)
     except ValueError:
         value = float("nan")
     if abs(value) < float("inf"):
         return value
-    raise UsageError(f"{file}, row {line}, {name}: {cell!r} is no number", remedy="write a number such as 62 or 0.05")
+    rule = f"{file}, row {line}, {name}: {cell!r} is no number"
+    raise UsageError(rule, where=where, remedy="write a number such as 62 or 0.05")

@@ -82,15 +82,16 @@ def command(
         wanted = [(name, specs[0], (*own, *more)) for name, more in found.variants]
     job = Job(specs[0], store=store and sweep is None, fresh=fresh, quiet=quiet, keep_going=True, csv=False)
     jobs = [replace(job, file=spec, overrides=changed) for _, spec, changed in wanted]
-    scenes = _read(jobs)
+    names = [name if isinstance(name, str) else name[0] for name, *_ in wanted]
+    scenes = _read(names, jobs)
     variants: list[Variant] = []
-    failures: dict[str, TmmError] = {}
+    failures: list[tuple[str, TmmError]] = []
     with nullcontext(lambda words: None) if quiet or not sys.stderr.isatty() else described() as show:
-        for (name, *_), each, scene in zip(wanted, jobs, scenes, strict=True):
-            show(f"solving {name if isinstance(name, str) else name[0]}")
+        for called, (name, *_), each, scene in zip(names, wanted, jobs, scenes, strict=True):
+            show(f"solving {called}")
             run = each.run(scene, None)
             variants.append(Variant(name, run, text_of(scene)))
-            failures |= run.failures
+            failures += [(called, error) for error in run.failures.values()]
         show("drawing")
         spoken = language_of(variants[0].run.spec, language)
         title = " – ".join(dict.fromkeys(each.run.spec.project.title for each in variants))
@@ -105,7 +106,7 @@ def command(
         replace_file(file, written)
         if not quiet:
             note_written(file)
-    raise_failures(failures)
+    _raise(failures, several=len(jobs) > 1)
 
 
 def _names(specs: Sequence[Path]) -> list[str]:
@@ -123,14 +124,22 @@ def _names(specs: Sequence[Path]) -> list[str]:
     return found
 
 
-def _read(jobs: Sequence[Job]) -> list[Spec]:
+def _read(names: Sequence[str], jobs: Sequence[Job]) -> list[Spec]:
     """The specs, before any is solved; the faults of all are said."""
     scenes: list[Spec] = []
-    failures: dict[str, TmmError] = {}
-    for job in jobs:
+    failures: list[tuple[str, TmmError]] = []
+    for name, job in zip(names, jobs, strict=True):
         try:
             scenes.append(job.spec())
         except TmmError as error:
-            failures[str(job.file)] = error
-    raise_failures(failures)
+            failures.append((name, error))
+    _raise(failures, several=len(jobs) > 1)
     return scenes
+
+
+def _raise(failures: Sequence[tuple[str, TmmError]], *, several: bool) -> None:
+    """End with the errors, each with its variant, if there are any; of several variants it is said whose each is."""
+    for name, error in failures:
+        if several:
+            error.where = f"variant {name}: {error.where}" if error.where else f"variant {name}"
+    raise_failures({str(k): error for k, (_, error) in enumerate(failures)})

@@ -57,7 +57,8 @@ class Stage:
     ``errors(result)``    estimates of its errors; without it those of ``result.error``
     ``columns(result)``   its table for people: arrays by header, or columns of the rows of ``result.labels``; without
                           it the stage has none
-    ``series``            what labels of the first column of its table mean, by label, where it has several courses
+    ``series``            by the labels of the first column of its table, where it has several courses: what the label
+                          means, and the name of the column that the rows of the course go along
     ``omits(spec)``       sentences on what it leaves out within itself, because the scene has it not
     ``packages(spec)``    heavy packages that it imports for this scene
     ``found(spec, result, choose)``  what it found as keys of the spec, see `tmmcalc.spec.rewrite.Found`; of several

@@ -51,7 +51,7 @@ def _scene(variant: Variant, block: Block, positions: int, *, planned: bool) -> 
     run, given = variant.run, {*_strings(tomllib.loads(variant.source))}
     dense = _dense(run, positions)
     views = [*views_packed(run, dense, block, planned=planned)]
-    inputs = {(view["room"], view["column"]) for view in views}
+    inputs = {(view["room"], view["column"]) for view in views if view["column"]}
     return {
         "name": variant.name,
         "stages": [

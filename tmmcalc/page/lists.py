@@ -14,11 +14,11 @@ from tmmcalc.page.packing import Content
 from tmmcalc.page.said import Said, name_of, said, unit_of
 from tmmcalc.report.document import Document
 from tmmcalc.report.formula.symbols import GREEK, with_letters
-from tmmcalc.report.language import tr, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_measured
 
 ENGLISH = re.compile(r"[a-z]{4,}|\b[A-Z]?[a-z]{2,3}\b")  # a word that is no symbol
 SIGN = re.compile(rf"(?:[A-Za-z]|{'|'.join(GREEK)})'*(?:_.+)?")  # a letter with its index
-MEASURED = re.compile(r"(?:(.+) = )?(-?\d[\d.]*(?:e[-+]?\d+)?)(?: ([^\s\d]\S*))?")
+MEASURED = re.compile(r"(?:(.+) = )?(-?\d+(?:\.\d*)?(?:e[-+]?\d+)?)(?: ([^\s\d]\S*))?")
 KEYS = re.compile("(?<=[a-z]{2})_(?=[a-z]{2})")  # what joins words of a key
 
 
@@ -108,6 +108,6 @@ def _cell(value: Any) -> Any:
 
     def tell() -> str:
         before = f"{with_letters(sign)} = " if sign else ""
-        return f"{before}{tr_number(number).replace('-', '−')} {tr_unit(unit)}".strip()
+        return before + tr_measured(number, unit)
 
     return said(tell)

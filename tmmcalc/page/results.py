@@ -63,8 +63,8 @@ def stages_told(
 
 
 def failure_told(name: str, error: TmmError) -> Content:
-    """A stage that has no result: why."""
-    return {**_nothing(name, STAGES[name].title), "warnings": [name_of(str(error))]}
+    """A stage that has no result: why, as commands say it, for its keys and values are typed into the spec."""
+    return {**_nothing(name, STAGES[name].title), "warnings": [str(error)]}
 
 
 def _nothing(name: str, title: str) -> Content:
@@ -107,24 +107,29 @@ def _table(name: str, result: Any, inputs: Container[tuple[str, str]], block: Bl
     if not _ordered(values):
         along, others, values = "", headers, np.arange(1.0, len(table.first) + 1)
     columns = {header: table.column(header) for header in others}
-    return _laid(along, values, columns, {header: known[named(header)[0]].meaning for header in others}, block)
+    meanings = {header: known[named(header)[0]].meaning for header in others}
+    return _laid(along, values, columns, meanings, block, moved=(STAGES[name].room, along) in inputs)
 
 
 def _courses(name: str, result: Any, inputs: Container[tuple[str, str]], block: Block) -> Iterator[Content]:
     """Courses that stand below one another in the table of a stage, each as a stage of its own without facts.
 
-    They go along the input of a view, along the time, or along the first column that goes one way.
+    Each is called by its label, so that one is never taken for another that stands in its place in a variant. They go
+    along the input of a view, along what the stage says, or along the time or the first column that goes one way.
     """
     stage, meaning = STAGES[name], described(name, column=True)
-    for k, course in enumerate(courses(name, result), 1):
+    for course in courses(name, result):
         ordered = [header for header, each in course.columns.items() if _ordered(each)]
-        first = [header for header in ordered if (stage.room, header) in inputs or named(header)[0] == "t"]
-        along = next(iter([*first, *ordered]), "")
+        first = [
+            header for header in ordered if (stage.room, header) in inputs or named(header)[0] == (course.along or "t")
+        ]
+        along = next(iter([*first, *(() if course.along else ordered)]), "")
         columns = {header: each for header, each in course.columns.items() if header != along}
         values = course.columns.get(along, np.arange(1.0, len(next(iter(course.columns.values()), ())) + 1))
-        meanings = {header: _of_course(course.label, meaning(*named(header))[0]) for header in columns}
-        told = _nothing(f"{name}/{k}", _of_course(stage.title, course.label))
-        yield {**told, **_laid(along, values, columns, meanings, block)}
+        meanings = {header: _of_course(course.meaning, meaning(*named(header))[0]) for header in columns}
+        told = _nothing(f"{name}/{course.label}", _of_course(stage.title, course.meaning))
+        moved = (stage.room, along) in inputs
+        yield {**told, **_laid(along, values, columns, meanings, block, moved=moved)}
 
 
 def _of_course(what: str, word: str) -> str:
@@ -132,11 +137,14 @@ def _of_course(what: str, word: str) -> str:
 
 
 def _laid(
-    along: str, values: Values, columns: Mapping[str, Values], meanings: Mapping[str, str], block: Block
+    along: str, values: Values, columns: Mapping[str, Values], meanings: Mapping[str, str], block: Block, *, moved: bool
 ) -> Content:
-    """Columns by their headers over the values of another one, or over the numbers of the rows."""
+    """Columns by their headers over the values of another one, or over the numbers of the rows.
+
+    Where a view has ``moved`` along them all rows are shown: its arrows stand beside their values.
+    """
     row, unit = named(along) if along else ("", "")
-    kept = _kept(values, [*columns.values()], along != "")
+    kept = np.arange(len(values)) if moved else _kept(values, [*columns.values()], along != "")
     rows = {"header": along, "name": row, "unit": unit_of(unit), "values": block.put(values[kept])}
     return {
         "rows": {**rows, "kept": len(kept), "of": len(values)},

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import groupby
 from typing import Any, NamedTuple
 
@@ -16,7 +17,9 @@ FEW = 2  # rows, with which a course begins to be one
 class Course(NamedTuple):
     """What stands under one label of the first column: the columns that are numbers all along."""
 
-    label: str  # or what it means
+    label: str
+    meaning: str  # of the label
+    along: str  # the name of the column that its rows go along; empty: it is not said
     columns: dict[str, Values]
 
 
@@ -29,14 +32,14 @@ def courses(stage: str, result: Any) -> list[Course]:
     runs = [(label, len([*run])) for label, run in groupby(labels.tolist())]
     if not 1 < len(runs) == len({label for label, _ in runs}) or min(count for _, count in runs) < FEW:
         return []
-    said = STAGES[stage].part("series") or {}
+    said: Mapping[str, tuple[str, str]] = STAGES[stage].part("series") or {}
     found = []
     for label, _ in runs:
         here = labels == label
         columns = {header: _numbers(np.asarray(column)[here]) for header, column in _others(table)}
-        found.append(
-            Course(said.get(label, label), {header: each for header, each in columns.items() if each is not None})
-        )
+        numbers = {header: each for header, each in columns.items() if each is not None}
+        meaning, along = said.get(label, (label, ""))
+        found.append(Course(label, meaning, along, numbers))
     return found
 
 

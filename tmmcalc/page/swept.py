@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 from itertools import takewhile
-from math import isfinite, nan
 from pathlib import Path
 from typing import NamedTuple
 
-from tmmcalc.batch.table import cells_of, is_key, key_and_unit
+from tmmcalc.batch.table import cells_of, is_key, key_and_unit, number_of
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.stage import STAGES
 from tmmcalc.page.said import Said, said
-from tmmcalc.report.language import tr_number, tr_unit
+from tmmcalc.report.language import tr_measured
 from tmmcalc.spec.variants import Axis
 
 MOST = 24  # variants that a page has: of more, so many in equal steps
@@ -38,37 +37,24 @@ def swept(file: Path) -> Swept:
             where="--sweep",
             remedy="write one by tmmcalc sweep SPEC --set KEY=RANGE -o FILE",
         )
-    solved = [row for row in rows if row[head.index(STATUS)] == "ok"]
+    solved = [(line, row) for line, row in enumerate(rows, 2) if row[head.index(STATUS)] == "ok"]
     if not solved:
         rule = f"no variant of {file} is solved"
         raise UsageError(rule, where="--sweep", remedy="see the reasons in its last column")
     step = -(-len(solved) // MOST)
     axes = [Axis(key, (), unit) for key, unit in map(key_and_unit, keys)]
     variants = []
-    for row in solved[::step]:
-        values = [_number(file, each) for each in row[len(labels) : len(labels) + len(axes)]]
-        own = [*zip(axes, values, strict=True)]
+    for line, row in solved[::step]:
+        numbered = zip(axes, keys, row[len(labels) :], strict=False)
+        own = [(axis, number_of(file, line, key, cell, where="--sweep")) for axis, key, cell in numbered]
         name = ", ".join(row[: len(labels)]) or said(partial(_measured, own))
         variants.append((name, tuple(axis.assignment(value) for axis, value in own)))
     return Swept(", ".join(labels or (axis.key for axis in axes)), tuple(variants))
 
 
-def _number(file: Path, cell: str) -> float:
-    """A number of a variant; raises `UsageError` where it is none."""
-    try:
-        value = float(cell)
-    except ValueError:
-        value = nan  # as infinity is, none of a spec
-    if isfinite(value):
-        return value
-    rule = f"{file}: {cell!r} is no number of a variant"
-    raise UsageError(rule, where="--sweep", remedy="mend the cell, or run tmmcalc sweep again")
-
-
 def _measured(own: Sequence[tuple[Axis, float]]) -> str:
     """Values with their units in the language in force."""
-    numbers = [(tr_number(f"{value:.6g}").replace("-", "−"), axis.unit) for axis, value in own]
-    return "; ".join(f"{number}°" if unit == "deg" else f"{number} {tr_unit(unit)}".strip() for number, unit in numbers)
+    return "; ".join(tr_measured(f"{value:.6g}", axis.unit) for axis, value in own)
 
 
 def _keys(head: Sequence[str]) -> list[str]:

@@ -106,7 +106,18 @@ def _value(name: str, value: str | Sequence[str]) -> str:
         return found
     if (number := NUMBER.fullmatch(value)) is None:
         return tr_number(value)
-    digits, unit = number.groups()
+    return tr_measured(*number.groups(default=""))
+
+
+def tr_measured(digits: str, unit: str = "") -> str:
+    """A written number with its unit: a true minus and no exponent, an angle with the sign of degrees.
+
+    >>> tr_measured("-1.2e-05", "N*m"), tr_measured("30", "deg"), tr_measured("+4")
+    ('−0.000012 N·m', '30°', '+4')
+    >>> with speaking("uk"):
+    ...     tr_measured("2.5", "mm")
+    '2,5 мм'
+    """
     said = tr_number(f"{Decimal(digits.replace(',', '.').replace('−', '-')):f}").replace("-", "−")
     sign = "+" if digits.startswith("+") else ""
     return f"{sign}{said}°" if unit == "deg" else f"{sign}{said} {tr_unit(unit)}" if unit else sign + said

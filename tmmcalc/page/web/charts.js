@@ -9,7 +9,7 @@ import { keyed, turning } from "./keys.js";
 import { around, settled } from "./labels.js";
 import { standard } from "./scales.js";
 import { State } from "./state.js";
-import { isAngle, measured, parted, saying, told, word, written } from "./words.js";
+import { isAngle, measured, parted, same, saying, told, word, written } from "./words.js";
 
 const HIGH = 198;
 const LEFT = 62; // at least
@@ -83,12 +83,23 @@ export class Charts {
   }
 
   /**
-   * The place along rows that nothing moves along: one for all diagrams of a stage. A list has none.
+   * The place along rows that nothing moves along: one for all diagrams of a stage, kept as a hand leaves it for the
+   * other variants. A list has none.
    * @param {import("./data.js").Stage} stage
    */
   along({ name, rows }) {
     if (!rows?.header) return null;
-    const own = this.own.get(name) ?? new State(bare(rows));
+    const known = this.own.get(name);
+    if (known) return known;
+    const own = new State(bare(rows));
+    const place = `place ${name} ${rows.header}`;
+    own.move(kept(place, own.at));
+    const put = own.at; // it may be nearer than what was wished, which stays wished for others
+    let moved = false;
+    own.follow((at) => {
+      moved ||= at !== put;
+      if (moved) keep(place, at);
+    });
     this.own.set(name, own);
     return own;
   }
@@ -449,12 +460,4 @@ function cleared(values) {
  */
 function alike(one, other) {
   return one.header === other.header && one.name === other.name && same(one.unit, other.unit);
-}
-
-/**
- * @param {import("./data.js").Said} one
- * @param {import("./data.js").Said} other
- */
-function same(one, other) {
-  return told(one) === told(other);
 }

@@ -169,8 +169,10 @@ export function choose(k) {
  * @returns {{stage: Stage, column: Column} | null}
  */
 export function columnOf(name, { stages } = scene()) {
-  const [first, ...rest] = name.split(".");
-  const stage = stages.find((each) => each.name === first);
-  const column = stage?.columns.find((each) => each.name === rest.join("."));
-  return stage && column ? { stage, column } : null;
+  for (const stage of stages) {
+    // what a course is called by may have a dot itself
+    const column = stage.columns.find((each) => `${stage.name}.${each.name}` === name);
+    if (column) return { stage, column };
+  }
+  return null;
 }

@@ -2,7 +2,7 @@
 import { content, scene } from "./data.js";
 import { button, copied, folding, lettered, made } from "./elements.js";
 import { keep, kept } from "./kept.js";
-import { decimal, isCode, measured, minus, parted, saying, told, word, written } from "./words.js";
+import { decimal, isCode, measured, parted, saying, told, word, written } from "./words.js";
 
 const DIGITS = 5; // of numbers in the table of a summary
 const NOTHING = 1e-12;
@@ -33,9 +33,12 @@ export function facts(parent, show) {
     const { part, fold } = folding(parent, "stage", stage.name, () => told(stage.title));
     part.dataset.stage = stage.name;
     parts.push({ part, unfold: () => fold(stages.length <= FEW || stage.warnings.length > 0) });
+    /** @param {HTMLElement} row @param {() => string} text what it is found by, beside the title of its stage */
+    const sought = (row, text) => rows.push({ row, part, text: () => `${text()} ${told(stage.title)}`.toLowerCase() });
     for (const warning of stage.warnings) {
       const line = made("p", { class: "warning" }, part);
       saying(() => (line.textContent = told(warning)));
+      sought(line, () => told(warning));
     }
     if (stage.facts.length) {
       const table = made("table", {}, part);
@@ -44,10 +47,10 @@ export function facts(parent, show) {
       for (const fact of stage.facts) {
         const row = made("tr", { "data-fact": `${stage.name}.${fact.name}` }, body);
         listed(row, fact, () => columnFor(stage, fact), show);
-        rows.push({ row, part, text: () => `${fact.name} ${told(fact.meaning)} ${typeof fact.value === "number" ? "" : valued(fact)} ${told(stage.title)}`.toLowerCase() });
+        sought(row, () => `${fact.name} ${told(fact.meaning)} ${typeof fact.value === "number" ? "" : valued(fact)}`);
       }
     }
-    for (const each of stage.tables) lists.push(listing(part, each));
+    for (const each of stage.tables) lists.push(listing(part, each, sought));
     const { errors } = stage;
     if (errors.length) {
       const line = made("p", { class: "errors" }, part);
@@ -70,7 +73,7 @@ export function facts(parent, show) {
       if (asked) part.open = open.has(part);
       else unfold();
     }
-    for (const each of lists) each.hidden = asked !== "";
+    for (const each of lists) each.hidden = !each.querySelector("tbody tr:not([hidden])");
     nothing.hidden = found > 0 || asked === "";
   };
   search();
@@ -122,8 +125,9 @@ function listed(row, fact, column, show) {
  * A table of a summary: what is told of several things side by side.
  * @param {HTMLElement} parent
  * @param {import("./data.js").List} list
+ * @param {(row: HTMLElement, text: () => string) => void} sought what is told that a row can be found by a text
  */
-function listing(parent, { title, columns }) {
+function listing(parent, { title, columns }, sought) {
   const room = made("div", { class: "wide", tabindex: "0", role: "group" }, parent); // a narrow screen scrolls it
   const table = made("table", { class: "list" }, room);
   const caption = title ? made("caption", {}, table) : null;
@@ -149,6 +153,10 @@ function listing(parent, { title, columns }) {
       const cell = made("td", { class: typeof cells[k] === "number" ? "number" : "" }, row);
       saying(() => (cell.textContent = celled(cells[k], largest)));
     }
+    sought(row, () => {
+      const words = columns.map(({ cells }) => (typeof cells[k] === "number" ? "" : celled(cells[k], 0)));
+      return [told(title), ...columns.map(({ name }) => told(name)), ...words].join(" ");
+    });
   });
   return room;
 }
@@ -158,16 +166,18 @@ function listing(parent, { title, columns }) {
  * @param {number} largest of its column: what rounding leaves of nothing against it is nothing
  */
 function celled(value, largest) {
-  if (typeof value === "boolean") return word(value ? "holds" : "fails");
-  if (typeof value !== "number") return minus(told(value));
-  return written(Math.abs(value) < NOTHING * largest ? 0 : value, DIGITS);
+  return typeof value === "number" ? written(Math.abs(value) < NOTHING * largest ? 0 : value, DIGITS) : answered(value);
 }
 
 /** @param {import("./data.js").Fact} fact */
 function valued({ value, unit }) {
-  if (typeof value === "boolean") return word(value ? "holds" : "fails");
-  if (typeof value !== "number") return minus(told(value));
+  if (typeof value !== "number") return answered(value);
   return Number.isSafeInteger(value) && unit === "" ? decimal(value) : measured(value, unit); // a count has all digits
+}
+
+/** @param {boolean | import("./data.js").Said} value a truth value as a word, a text as it is */
+function answered(value) {
+  return typeof value === "boolean" ? word(value ? "holds" : "fails") : told(value);
 }
 
 /**

@@ -3,6 +3,7 @@ import { content, scene } from "./data.js";
 import { between, isThere, placed, posesOf, STILL } from "./motion.js";
 import { draw, drawn, put, stretch } from "./marks.js";
 import { State } from "./state.js";
+import { same } from "./words.js";
 
 export const MANY = 13; // variants, of which ghosts are not shown before they are asked for
 const SIZES = 3; // times its size: a picture that would have to grow more keeps its own
@@ -16,7 +17,7 @@ const SIZES = 3; // times its size: a picture that would have to grow more keeps
  */
 export function others(view) {
   const all = content.scenes.filter((each) => each !== scene()).flatMap((each) => each.views);
-  return all.filter((each) => each.name === view.name && each.room === view.room && each.unit === view.unit);
+  return all.filter((each) => each.name === view.name && each.room === view.room && same(each.unit, view.unit));
 }
 
 /**

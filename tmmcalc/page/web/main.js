@@ -11,7 +11,7 @@ import { Player } from "./player.js";
 import { readings } from "./readings.js";
 import { coupled, halt, State } from "./state.js";
 import { Plane } from "./trials.js";
-import { forget, language, remember, saying, speak, told, word } from "./words.js";
+import { forget, known, language, remember, saying, speak, told, word } from "./words.js";
 
 const FIRST = 4; // diagrams of a scene that asks for none
 const AIR = 16; // pixels above and below what stays in sight
@@ -113,7 +113,7 @@ function curved(x, y) {
  * @param {import("./data.js").View} view
  */
 function placeOf({ room, name, unit }) {
-  return `place ${room} ${name} ${JSON.stringify(unit)}`;
+  return `place ${room} ${name} ${known(unit)}`;
 }
 
 /** A slider over the variants; it stays while all else is made anew, for a hand holds it. */

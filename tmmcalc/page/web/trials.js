@@ -3,6 +3,7 @@ import { numbers } from "./data.js";
 import { button, lettered, made, resized } from "./elements.js";
 import { Field, shaped } from "./field.js";
 import { chained, compiled } from "./formulas.js";
+import { keep, kept } from "./kept.js";
 import { keyed } from "./keys.js";
 import { away } from "./outlines.js";
 import { isAngle, measured, parted, saying, told, word, written } from "./words.js";
@@ -19,7 +20,8 @@ export class Plane {
   constructor(parent, trial) {
     this.trial = trial;
     this.compute = chained(trial.steps);
-    this.at = trial.start;
+    this.place = `point ${trial.name}`;
+    this.at = this.within(kept(this.place, null) ?? trial.start);
     const section = made("section", { class: "trial", "data-trial": trial.name }, parent);
     const title = made("h2", {}, section);
     saying(() => (title.textContent = told(trial.title)));
@@ -30,7 +32,7 @@ export class Plane {
     this.verdict = made("output", { class: "told" }, section);
     this.refusal = made("output", { class: "wrong" }, section);
     const bar = made("div", { class: "player" }, section);
-    const back = button(bar, "back", () => word("chosen"), () => this.move(trial.start));
+    const back = button(bar, "back", () => word("chosen"), () => this.back());
     back.classList.add("main");
     if (trial.points.length) this.points(section);
     const table = made("table", { class: "readings" }, section);
@@ -72,7 +74,7 @@ export class Plane {
       if (one.buttons && svg.hasPointerCapture(one.pointerId)) this.move(field.pointed(one));
     });
     /** @type {import("./keys.js").Acts} */
-    const acts = { Home: () => this.move(this.trial.start) };
+    const acts = { Home: () => this.back() };
     for (const [key, [across, up]] of Object.entries(KEYS)) {
       acts[key] = ({ shiftKey }) => {
         const step = shiftKey ? STEP / 10 : STEP;
@@ -95,13 +97,23 @@ export class Plane {
     }
   }
 
-  /** @param {[number, number]} asked */
-  move([x, y]) {
+  /** The point that is nearest within the plane. @param {[number, number]} asked @returns {[number, number]} */
+  within([x, y]) {
     const [low, bottom, high, top] = this.trial.box;
-    /** @type {[number, number]} */
-    const within = [Math.min(high, Math.max(low, x)), Math.min(top, Math.max(bottom, y))];
-    this.at = within;
+    return [Math.min(high, Math.max(low, x)), Math.min(top, Math.max(bottom, y))];
+  }
+
+  /** Move the point by hand: other variants have it there too. @param {[number, number]} asked */
+  move(asked) {
+    this.at = this.within(asked);
+    keep(this.place, this.at);
     this.tell();
+  }
+
+  /** To the chosen point, of every variant its own. */
+  back() {
+    this.move(this.trial.start);
+    keep(this.place, null);
   }
 
   /** Whether the point lies within a region. @param {import("./data.js").Trial["regions"][number]} region */

@@ -53,6 +53,23 @@ export function told(text) {
 }
 
 /**
+ * What a text is known by, whatever language is spoken.
+ * @param {import("./data.js").Said} text
+ */
+export function known(text) {
+  return Array.isArray(text) ? text[0] : text;
+}
+
+/**
+ * Whether texts say the same: those in several languages are lists, of which no two are one.
+ * @param {import("./data.js").Said} one
+ * @param {import("./data.js").Said} other
+ */
+export function same(one, other) {
+  return known(one) === known(other);
+}
+
+/**
  * A text of the page itself, with values in its places.
  * @param {string} key
  * @param {Record<string, string>} values
@@ -75,20 +92,12 @@ export function written(value, digits = 6) {
 }
 
 /**
- * A number with all its digits.
+ * A number with all its digits and a true minus.
  * @param {number} value
  */
 export function decimal(value) {
-  const shown = minus(String(value));
+  const shown = String(value).replace(/^-/, "−");
   return spoken === "en" ? shown : shown.replace(".", ",");
-}
-
-/**
- * A text that may be a number, with a true minus.
- * @param {string} text
- */
-export function minus(text) {
-  return text.replace(/^-(?=\d)/, "−");
 }
 
 /** @param {string} power */

@@ -11,7 +11,11 @@ from tmmcalc.vibration.tables.tasks.vibration import to_pendulum
 inputs = to_pendulum
 solve = "tmmcalc.vibration.pendulum.solve:solve_pendulum"
 kind = PendulumResult
-series = {"modes": "mode shapes", "campbell": "frequencies over the speed of spin", "swing": "motion in time"}
+series = {
+    "modes": ("mode shapes", "a"),
+    "campbell": ("frequencies over the speed of spin", "spin"),
+    "swing": ("motion in time", "t"),
+}
 
 
 def columns(result: PendulumResult) -> Mapping[str, Any]:

@@ -22,11 +22,11 @@ inputs = to_vibrator
 solve = "tmmcalc.vibration.vibrator.solve:solve_vibrator"
 kind = VibratorResult
 series = {
-    "modes": "mode shapes",
-    "curve": "resonance curve",
-    "steady": "steady vibration",
-    "start": "start with a given angle",
-    "drive": "start by the motor",
+    "modes": ("mode shapes", "f"),
+    "curve": ("resonance curve", "omega"),
+    "steady": ("steady vibration", "t"),
+    "start": ("start with a given angle", "t"),
+    "drive": ("start by the motor", "t"),
 }
 
 
