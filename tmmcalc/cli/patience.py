@@ -34,9 +34,11 @@ def patience(*, quiet: bool = False) -> Iterator[None]:
             say(f"still at it after {after:g} s{told[0]}")
             wait, after = after, 2 * after
 
-    threading.Thread(target=speak, daemon=True).start()
+    speaking = threading.Thread(target=speak, daemon=True)
+    speaking.start()
     try:
         with listening(hear):
             yield
     finally:
         ended.set()
+        speaking.join()  # or its last line would stand below what the command ends with
