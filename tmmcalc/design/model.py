@@ -4,26 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.batch.choice import heavy
-from tmmcalc.batch.executors import Solve, solve, solve_by, solve_here
+from tmmcalc.batch.executors import Solve, solve_by, solve_here
 from tmmcalc.batch.local import available, cores, processes
 from tmmcalc.batch.places import SOLVER, Place
 from tmmcalc.batch.points import run_of
+from tmmcalc.batch.preparing import prepared
 from tmmcalc.batch.quantities import offered_like, others, told, unknown, unmatched
 from tmmcalc.batch.task import BROKEN, Row, Task
-from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
 from tmmcalc.naming.scene import Scene
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
 
-Values = NDArray[np.floating]
+Values = NDArray[np.floating[Any]]
 Told = Callable[[int], None]  # places that are done
 
 BLOCK = 256  # places that are solved and sent together
@@ -69,12 +71,22 @@ class Model:
         self._frame = replace(frame, patterns=self.names, solver=SOLVER)
         self._solve = solver
 
-    def within(self, low: Values, high: Values) -> Model:
-        """The same, made ready for places between ``low`` and ``high`` (k,): beyond them it may be slow."""
+    def over(self, some: Sequence[int], low: Values, high: Values) -> Model:
+        """The same as a function of some of the keys, made ready for places between ``low`` and ``high`` (len(some),).
+
+        Beyond these it may be slow.
+        """
         other = object.__new__(Model)
         vars(other).update(vars(self))
-        other._frame = self._frame.at([self.nominal, low, high])
+        other.nominal, other.keys = self.nominal[[*some]], tuple(self.keys[k] for k in some)
+        axes = tuple(self._frame.axes[k] for k in some)
+        other._frame = replace(self._frame, axes=axes).at([other.nominal, low, high])
         return other
+
+    @property
+    def together(self) -> bool:
+        """Whether places are solved together."""
+        return not isinstance(prepared(self._frame), str)
 
     def __call__(self, places: Values, told: Told = lambda done: None) -> Answers:
         """The results at places (n, k)."""
@@ -108,8 +120,6 @@ def solver_of(task: Task, count: int, jobs: int | None, scheduler: str | None, t
 
     Raises UsageError for ``jobs`` beside a ``scheduler``, and where joblib or distributed is not installed.
     """
-    from functools import partial
-
     if scheduler is not None:
         if jobs is not None:
             remedy = "leave --jobs or --scheduler out"
