@@ -26,6 +26,7 @@ SURE = 20.0  # times the errors that two sides have to differ by to be a kink
 UNSETTLED = 0.05  # of the derivative: an error above means that no straight line stands for the function
 STAYS = 0.9  # of a difference from the value at the place, at half of the step: it is a jump
 NOISE = 8 * np.finfo(float).eps  # of a value
+FLOOR = 1e4 * NOISE  # of its unit: smaller differences are rounding of what the result was made of
 
 
 @record
@@ -55,9 +56,9 @@ def slope(scale: float, here: float, there: Values) -> Slope:
     >>> slope(1.0, 0.0, np.abs(steps(1.0))).side
     'kink'
     """
-    if np.all(there == here):
-        return Slope(0.0, 0.0, "both", 0.0, 0.0, 0.0)
     h = steps(scale)[:LEVELS]
+    if np.all(np.abs(there - here) <= FLOOR * min(1.0, abs(here))):
+        return Slope(0.0, 0.0, "both", 0.0, 0.0, 0.0)
     up, down = there[:LEVELS], there[LEVELS:]
     size = max(abs(here), float(np.max(np.abs(there[np.isfinite(there)]), initial=0.0)))
     if _jumps(up - here, size) or _jumps(down - here, size):
@@ -88,7 +89,7 @@ def _one_sided(right: float, right_error: float, left: float, left_error: float)
 def _jumps(differences: Values, size: float) -> bool:
     """Whether differences over halved steps do not go to nothing."""
     known = np.abs(differences[np.isfinite(differences)])
-    if known.size < 3 or known[-1] <= 1e3 * NOISE * size:
+    if known.size < 3 or known[-1] <= max(1e3 * NOISE * size, FLOOR):
         return False
     return bool(known[-1] >= STAYS * known[-2] and known[-2] >= STAYS * known[-3])
 
