@@ -42,7 +42,7 @@ class Answers:
     @property
     def solved(self) -> NDArray[np.bool_]:
         """Places (n,) with all results."""
-        return np.isfinite(self.values).all(axis=1)
+        return np.asarray(np.isfinite(self.values).all(axis=1))
 
 
 class Model:
@@ -80,7 +80,7 @@ class Model:
         vars(other).update(vars(self))
         other.nominal, other.keys = self.nominal[[*some]], tuple(self.keys[k] for k in some)
         axes = tuple(self._frame.axes[k] for k in some)
-        other._frame = replace(self._frame, axes=axes).at([other.nominal, low, high])
+        other._frame = replace(self._frame, axes=axes).at([other.nominal.tolist(), low.tolist(), high.tolist()])
         return other
 
     @property

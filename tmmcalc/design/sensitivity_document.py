@@ -37,7 +37,7 @@ def tidy_sensitivity(result: Sensitivity, title: str) -> Document:
 
 
 def acts(each: Partial) -> bool:
-    """Whether a key has an influence that is more than the error of its derivative."""
+    """Whether a key has an influence that is more than the error of its derivative, or none that settles."""
     return each.slope.side in ("kink", "jump", "none") or abs(each.slope.value) > each.slope.error
 
 
