@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.batch.choice import heavy
-from tmmcalc.batch.executors import Solve, solve_by, solve_here
-from tmmcalc.batch.local import available, cores, processes
+from tmmcalc.batch.choice import cluster, heavy, local
+from tmmcalc.batch.executors import Solve, solve_here
+from tmmcalc.batch.local import available, cores
 from tmmcalc.batch.places import SOLVER, Place
 from tmmcalc.batch.points import run_of
 from tmmcalc.batch.preparing import prepared
@@ -121,13 +120,8 @@ def solver_of(task: Task, count: int, jobs: int | None, scheduler: str | None, t
     Raises UsageError for ``jobs`` beside a ``scheduler``, and where joblib or distributed is not installed.
     """
     if scheduler is not None:
-        if jobs is not None:
-            remedy = "leave --jobs or --scheduler out"
-            raise UsageError("the cluster has its own processes", where="--jobs", remedy=remedy)
-        from tmmcalc.batch.cluster import solve_on
-
-        return partial(solve_on, scheduler, tell=tell)
+        return cluster(scheduler, jobs, tell)
     if jobs is None:
         many = count > FEW * BLOCK or (heavy(task) and count > FEW)
         jobs = cores() if many and available() else 1
-    return solve_here if jobs == 1 else partial(solve_by, processes(jobs), tell=tell)
+    return local(jobs, tell)
