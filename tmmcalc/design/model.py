@@ -17,7 +17,6 @@ from tmmcalc.batch.points import run_of
 from tmmcalc.batch.preparing import prepared
 from tmmcalc.batch.quantities import offered_like, others, told, unknown, unmatched
 from tmmcalc.batch.task import BROKEN, Row, Task
-from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
 from tmmcalc.naming.scene import Scene
 
