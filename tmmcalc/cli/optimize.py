@@ -1,0 +1,96 @@
+"""``tmmcalc optimize``."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from tmmcalc.cli.messages import note_written, say
+from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
+from tmmcalc.cli.output import check_apart, check_picture, check_place, show, title
+
+
+def command(
+    spec: SpecFile,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "-o",
+            "--out",
+            metavar="FILE",
+            help="The best design as a ready spec; of a front FILE-1, FILE-2, ... What was stopped goes on from there.",
+            show_default=False,
+        ),
+    ] = None,
+    picture: Annotated[
+        Path | None,
+        typer.Option(
+            "--picture", metavar="FILE", help="The front of designs, by suffix svg, png or pdf.", show_default=False
+        ),
+    ] = None,
+    jobs: Annotated[
+        int | None,
+        typer.Option(
+            "--jobs", "-j", metavar="N", min=1, help="Local processes (default: as many as pay).", show_default=False
+        ),
+    ] = None,
+    scheduler: Annotated[
+        str | None,
+        typer.Option("--scheduler", metavar="ADDRESS", help="Solve on this Dask cluster.", show_default=False),
+    ] = None,
+    fresh: Annotated[bool, typer.Option("--fresh", help="Solve all designs, whatever an earlier run has left.")] = False,
+    form: Form = Format.table,
+    quiet: Quiet = False,
+    overrides: Set = None,
+) -> None:
+    """The best design by [optimize] of the spec: variables, results that are to be least or greatest, constraints.
+
+    All designs are solved where these are few; else evolution, then local search, and a second method beside it. What
+    binds the best one is told with what it costs, and how flat it is. Several results give the front of designs of
+    which none is better in all.
+
+    Example: tmmcalc optimize my.toml -o best.toml
+    """
+    if out is not None:
+        check_place(out, "-o")
+    if picture is not None:
+        check_picture(picture, "--picture")
+    check_apart(spec, out, picture)
+    from tmmcalc.design.optimize.document import optimum_document
+    from tmmcalc.design.optimize.ready import write_ready
+    from tmmcalc.design.optimize.scene import optimize
+    from tmmcalc.project import load_spec
+
+    with _progress(quiet) as told:
+        result = optimize(
+            spec, overrides or (), out=out, fresh=fresh, jobs=jobs, scheduler=scheduler, tell=_warn, told=told
+        )
+    heading = title(load_spec(spec, overrides or ()), spec, "optimum")
+    files = write_ready(result, spec, overrides or (), out) if out is not None else []
+    if picture is not None:
+        from tmmcalc.design.optimize.picture import front_drawing
+        from tmmcalc.report.drawing import draw
+
+        draw(picture, lambda: front_drawing(result, heading))
+        files.append(picture)
+    show(optimum_document(result, heading), form)
+    for file in files:
+        if not quiet:
+            note_written(file)
+
+
+def _warn(text: str) -> None:
+    say(f"warning: {text}", "yellow")
+
+
+def _progress(quiet: bool) -> AbstractContextManager[Callable[[int, str], None]]:
+    if quiet or not sys.stderr.isatty():
+        return nullcontext(lambda solved, words: None)
+    from tmmcalc.cli.progress import told_with
+
+    return told_with("designs")
