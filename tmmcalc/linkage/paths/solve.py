@@ -14,7 +14,7 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.numerics.extended import CHAIN, EPS, MARGIN, WIDER
 from tmmcalc.core.plane import Real
-from tmmcalc.linkage.assembly import TURN, coordinate
+from tmmcalc.linkage.assembly import coordinate
 from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.grid import analysed_range
 from tmmcalc.linkage.lastdigit import in_full
@@ -45,12 +45,16 @@ def solve_paths(mechanism: Mechanism, asked: tuple[WantedPath, ...], kinematics:
     error = PathError(max(kinematics.error.position, CHAIN), CHAIN)
     if WIDER:
         error = errors_of(alone(in_full(chain)), over, found, asked)[0]
-    (result,) = records_of(over, found, asked, [chain.turns], [error])
+    (result,) = records_of(over, found, asked, chain.turns, [error])
     return result
 
 
 def records_of(
-    over: Range, found: Sequence[Reached], asked: Sequence[WantedPath], turns: Sequence[bool], errors: Sequence[PathError]
+    over: Range,
+    found: Sequence[Reached],
+    asked: Sequence[WantedPath],
+    turns: Sequence[bool],
+    errors: Sequence[PathError],
 ) -> list[Paths]:
     """The results of V variants, from what was found of every path."""
     told = [deviations(over, each, path) for each, path in zip(found, asked, strict=True)]
@@ -63,7 +67,7 @@ def records_of(
         paths = tuple(each.record(v, path) for each, path in zip(told, asked, strict=True))
         results.append(
             Paths(
-                turns=turns[v],
+                turns=turns,
                 closed=over.closed,
                 paths=paths,
                 labels=labels,
