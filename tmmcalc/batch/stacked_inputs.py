@@ -40,7 +40,7 @@ FREE = re.compile(
     r"0\.(frame|links\.\d+|joints\.\d+)\.points\..+|0\.input\.(speed|acceleration|start)|0\.outputs\.\d+\.direction|"
     r"1\.bodies\.\d+\.(mass|inertia|center)|1\.gravity|1\.loads\.\d+\.(factor|point|direction|law\.(value|coefficient))|"
     r"1\.springs\.\d+\.(stiffness|free|damping|points\.\d)|1\.pairs\.\d+\.(friction|radius|length)|"
-    r"2\.0\.motor\.(power|inertia)|2\.1\.(ratio|efficiency|inertia)|2\.2\.inertia|2\.3\.\w+"
+    r"2\.0\.motor\.(power|inertia)|2\.1\.(ratio|efficiency|inertia)|2\.2\.inertia|2\.3\.\w+|3\.\d+\.(through|at)\.\d+"
 )
 ONE_NUMBER = "what they read is asked for one number"
 
@@ -55,28 +55,30 @@ class Together(NamedTuple, Generic[T]):
     apart: dict[int, str]
 
 
-def given(spec: Spec, loaded: bool, driven: bool) -> Any:
-    """The linkage, what acts on it, and the machine, as the stages read them; None for what is not asked for."""
+def given(spec: Spec, loaded: bool, driven: bool, traced: bool) -> Any:
+    """The linkage, what acts on it, the machine, wanted paths, as the stages read them; None for what is not asked."""
     from tmmcalc.linkage.tables.tasks.loading import to_loading
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+    from tmmcalc.linkage.tables.tasks.paths import to_paths
     from tmmcalc.machine.tables.tasks.machine import to_flywheel, to_gears, to_motion, to_motor
 
     machine = (to_motor(spec), to_gears(spec), to_motion(spec), to_flywheel(spec)) if driven else None
-    return to_linkage(spec.linkage), to_loading(spec) if loaded else None, machine
+    loading, paths = to_loading(spec) if loaded else None, to_paths(spec) if traced else None
+    return to_linkage(spec.linkage), loading, machine, paths
 
 
 class Inputs:
     """The inputs of all variants of a task like the one of the valid point ``first``.
 
-    ``loaded`` and ``driven``: what acts on the linkage, and the machine, are among them.
+    ``loaded``, ``driven`` and ``traced``: what acts on the linkage, the machine, and wanted paths are among them.
     """
 
-    def __init__(self, task: Task, first: int, *, loaded: bool, driven: bool) -> None:
+    def __init__(self, task: Task, first: int, *, loaded: bool, driven: bool, traced: bool) -> None:
         self.first = task.values(first)
         self._task, self._variants = task, task.variants()
-        self._asked = loaded, driven
+        self._asked = loaded, driven, traced
         self._origin = np.array(self.first)
-        self.tree = given(self._variants.spec(task.assignments(first)), loaded, driven)
+        self.tree = given(self._variants.spec(task.assignments(first)), *self._asked)
         self._shape = shape_of(self.tree)
         self._base = np.array(numbers(self.tree), complex)
         self._plain = np.array([isinstance(number, float) for number in numbers(self.tree)])

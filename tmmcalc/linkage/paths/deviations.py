@@ -149,7 +149,13 @@ def _covered(along: Real, closed: bool) -> Real:
     return np.asarray(TURN - np.max(gaps, axis=1))
 
 
-def names_of(asked: WantedPath) -> dict[str, str]:
-    """Names of the facts of a path by the fields of `Deviations`; an angle among them is told in degrees."""
+def names_of(path: str) -> dict[str, str]:
+    """Names of the facts of a path by the fields of `PathDeviation` that `Deviations` has."""
     told = quantities(PathDeviation)
-    return {field: told[field].of(path=asked.name, own="").name for field in told}
+    return {field: told[field].of(path=path, own="").name for field in told}
+
+
+def told_by(found: Deviations, path: str) -> dict[str, Real]:
+    """The facts (V,) of a path of cranks that turn wholly, by name: angles in degrees."""
+    turned = found._replace(worst_at=np.degrees(found.worst_at), covered=np.degrees(found.covered))
+    return {name: getattr(turned, field) for field, name in names_of(path).items()}
