@@ -29,6 +29,7 @@ Track = Callable[[Real, Indices], Plane]
 LONGER = 1.5  # a path between two samples over the chord of its speed there, at most
 STILL = 1e-12  # of what D' is made of: a distance that does not change along the path
 EQUAL = 1e-12  # of the size of the scene: distances that differ by less are equal
+NOISE = 4 * EPS  # of what D' is made of: it is a root
 ITERATIONS = 80
 
 
@@ -72,7 +73,7 @@ def nearest(path: Path, wanted: Plane) -> Nearest:
     size = np.max(np.abs(r), axis=1)[:, None] + np.abs(wanted)  # (V, n)
     still = np.max(np.abs(slope), axis=2) <= STILL * size * np.max(np.abs(v), axis=1)[:, None]
     brackets = _brackets(path, wanted, slope, bend, ~still)
-    at = _refined(path.track, brackets, wanted)
+    at = _refined(path, brackets, wanted)
     variant, point, x, free = brackets.variant, brackets.point, at, np.ones(at.size, bool)
     if not path.closed:
         rows, columns = (each.ravel() for each in np.indices((count, n)))
@@ -166,9 +167,10 @@ def _near(path: Path, wanted: Plane, *cells: tuple[Indices, ...]) -> list[_Brack
     return found
 
 
-def _refined(track: Track, brackets: _Brackets, wanted: Plane) -> Real:
+def _refined(path: Path, brackets: _Brackets, wanted: Plane) -> Real:
     """The roots (c,) of D' in brackets over which it rises: Newton, halving where a step leaves the bracket or lags."""
     variant, w = brackets.variant, wanted[brackets.variant, brackets.point]
+    least = EPS * float(np.max(np.abs(path.x[:, [0, -1]])))
     low, high = brackets.low.copy(), brackets.high.copy()
     x = (low + high) / 2
     last = high - low
@@ -177,7 +179,7 @@ def _refined(track: Track, brackets: _Brackets, wanted: Plane) -> Real:
         if not active.size:
             break
         at = x[active]
-        state = track(at, variant[active])
+        state = path.track(at, variant[active])
         slope, bend = slopes_at(state, w[active])
         below = slope < 0
         low[active] = bottom = np.where(below, at, low[active])
@@ -187,8 +189,8 @@ def _refined(track: Track, brackets: _Brackets, wanted: Plane) -> Real:
         good = (bend > 0) & (newton >= bottom) & (newton <= top) & (2 * np.abs(newton - at) <= last[active])
         onward = np.where(good, newton, (bottom + top) / 2)
         last[active] = step = np.abs(onward - at)
-        noise = EPS * np.abs(state[1]) * (np.abs(state[0]) + np.abs(w[active]))
+        noise = NOISE * np.abs(state[1]) * (np.abs(state[0]) + np.abs(w[active]))
         there = np.abs(slope) <= noise
         x[active] = np.where(there, at, onward)
-        active = active[~(there | (step <= EPS * np.abs(at)))]
+        active = active[~(there | (step <= least))]
     return x
