@@ -63,20 +63,19 @@ def _facts(result: Paths) -> Iterator[Fact]:
 
 
 def _path_facts(result: Paths, path: PathDeviation) -> Iterator[Fact]:
-    label = path.name if path.name == path.point else Phrase("{path} of {point}", path=path.name, point=path.point)
     places = {"path": path.name, "own": "rad" if result.turns else "m"}
     turned = "[deg]" if result.turns else ""
     at = f"phi = {_input(result, path.worst_at)}"
     text = f"rms {_mm(path.rms)} mm; greatest {_mm(path.largest)} mm, of point {path.worst} at {at}"
     values = keyed(path, "rms", "largest", "worst", f"worst_at{turned}", **places)
-    yield Fact(Phrase("distance from path {name}", name=label), text, values)
+    yield Fact(Phrase("distance from path {name}", name=path.name), text, values)
     yield Fact(
-        Phrase("sum of squares of {name}", name=label),
+        Phrase("sum of squares of {name}", name=path.name),
         f"{number(1e6 * path.total)} mm^2 over {path.count} points",
         keyed(path, "total", **places),
     )
     yield Fact(
-        Phrase("path {name} meets its points", name=label),
+        Phrase("path {name} meets its points", name=path.name),
         f"{ORDERS[path.order]}, over {_input(result, path.covered)} of the input",
         keyed(path, "ordered", f"covered{turned}", **places),
     )

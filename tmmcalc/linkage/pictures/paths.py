@@ -94,7 +94,7 @@ def draw_distances(drawing: Drawing, box: Box, result: Paths) -> None:
         values, numbers = distance[rows], np.arange(1.0, path.count + 1)
         across = Axis(tr("point"), 0.5, path.count + 0.5, whole=True)
         top = room([values, np.zeros(1)])[1]
-        up = Axis(f"{tr('distance')}, {tr_unit('mm')}", 0.0, top)
+        up = Axis(f"{tr('distance from the path')}, {tr_unit('mm')}", 0.0, top)
         diagram = Diagram(drawing, frame.inset(0, 9, 0, 7), across, up)
         for k, value in zip(numbers.tolist(), values.tolist(), strict=True):
             diagram.curve(np.array([complex(k, 0), complex(k, value)]), CURVES[0])
