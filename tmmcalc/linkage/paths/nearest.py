@@ -5,21 +5,21 @@ Half the squared distance D = |r - w|^2 / 2 of the path r(x) from a point w has 
     D' = (r - w) . r'        D'' = r' . r' + (r - w) . r''
 
 so that a nearest place is a root of D' with D' rising, found by Newton with the exact transfer functions r', r''. The
-samples of a survey bracket all roots: a step over which D' goes from below zero to above it holds one, and one over
-which D'' changes its sign may hide two, which the turning point of D' between them parts. Brackets that are farther
-away than the nearest sample by more than the path between their ends are left out.
+samples of a survey bracket all roots: a step over which D' goes from below zero to above it holds one; one in which D'
+turns back may hide more, as beside a cusp, and is parted where it turns. Steps that are farther away than the nearest
+sample by more than the path between their ends are left out.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.numerics.extended import EPS
-from tmmcalc.core.numerics.roots import Indices, bracketed
+from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.survey import within_turn
 
@@ -28,9 +28,10 @@ Track = Callable[[Real, Indices], Plane]
 
 LONGER = 1.5  # a path between two samples over the chord of its speed there, at most
 STILL = 1e-12  # of what D' is made of: a distance that does not change along the path
-EQUAL = 1e-12  # of the size of the scene: distances that differ by less are equal
+EQUAL = 4 * EPS  # of the size of the scene: distances that differ by less are equal
 NOISE = 4 * EPS  # of what D' is made of: it is a root
 ITERATIONS = 80
+PARTINGS = 4  # of a step in which D' turns back
 
 
 class Path(NamedTuple):
@@ -51,13 +52,34 @@ class Nearest(NamedTuple):
     free: NDArray[np.bool_]
 
 
-class _Brackets(NamedTuple):
-    """Steps of the survey (c,) each with a nearest place: variant, wanted point, ends of the input."""
+class _Ends(NamedTuple):
+    """D' and D'' at the beginning and at the end of steps (...)."""
+
+    slope: Real
+    bend: Real
+    slope_after: Real
+    bend_after: Real
+
+
+class _Steps(NamedTuple):
+    """Intervals (c,) of the input, each for one wanted point of one variant."""
 
     variant: Indices
     point: Indices
     low: Real
     high: Real
+    ends: _Ends
+
+    def some(self, flags: NDArray[np.bool_]) -> _Steps:
+        """Those with a flag."""
+        variant, point, low, high = (part[flags] for part in self[:4])
+        return _Steps(variant, point, low, high, _Ends(*(part[flags] for part in self.ends)))
+
+
+def _joined(parts: Sequence[_Steps]) -> _Steps:
+    variant, point, low, high = (np.concatenate(each) for each in zip(*(part[:4] for part in parts), strict=True))
+    ends = zip(*(part.ends for part in parts), strict=True)
+    return _Steps(variant, point, low, high, _Ends(*map(np.concatenate, ends)))
 
 
 def nearest(path: Path, wanted: Plane) -> Nearest:
@@ -117,57 +139,94 @@ def _slopes(samples: Plane, wanted: Plane) -> tuple[Real, Real]:
     return slope, bend
 
 
-def _brackets(path: Path, wanted: Plane, slope: Real, bend: Real, asked: NDArray[np.bool_]) -> _Brackets:
-    """All steps with a place that may be the nearest one."""
-    below, convex = slope < 0, bend > 0
-    before, after = below[..., :-1], below[..., 1:]
-    rising = before & ~after & asked[..., None]
-    # over a step D' turns back towards zero and away from it again: below zero from above, or the other way
-    hides = (before == after) & (convex[..., :-1] == before) & (convex[..., 1:] != before) & asked[..., None]
-    plain, hidden = _near(path, wanted, np.nonzero(rising), np.nonzero(hides))
-    if not hidden.variant.size:
-        return plain
-    w = wanted[hidden.variant, hidden.point]
+def _bernstein(ends: _Ends, wide: Real) -> tuple[Real, Real, Real]:
+    """The coefficients a, b, c of the slope of the cubic with the values and slopes of D' at both ends of steps.
 
-    def turn(x: Real, which: Indices) -> Real:
-        return slopes_at(path.track(x, hidden.variant[which]), w[which])[1]
-
-    middle = bracketed(turn, hidden.low, hidden.high)
-    first = slopes_at(path.track(hidden.low, hidden.variant), w)[0] < 0
-    there = slopes_at(path.track(middle, hidden.variant), w)[0] < 0
-    parted = first != there
-    low, high = np.where(first, hidden.low, middle), np.where(first, middle, hidden.high)
-    both = zip(plain, (hidden.variant, hidden.point, low, high), strict=True)
-    return _Brackets(*(np.append(one, other[parted]) for one, other in both))
+    They are those of a polynomial of Bernstein over a step of this width: where they have one sign D' does not turn.
+    """
+    a, c = wide * ends.bend, wide * ends.bend_after
+    return a, 1.5 * (ends.slope_after - ends.slope) - 0.5 * (a + c), c
 
 
-def _near(path: Path, wanted: Plane, *cells: tuple[Indices, ...]) -> list[_Brackets]:
+def _turns(ends: _Ends, wide: Real) -> NDArray[np.bool_]:
+    """Steps over which D' turns back."""
+    a, b, c = _bernstein(ends, wide)
+    up = b > 0
+    return np.asarray(((a > 0) != up) | ((c > 0) != up))
+
+
+def _brackets(path: Path, wanted: Plane, slope: Real, bend: Real, asked: NDArray[np.bool_]) -> _Steps:
+    """All steps, or parts of a step, over which D' rises through zero and which may hold the nearest place."""
+    ends = _Ends(slope[..., :-1], bend[..., :-1], slope[..., 1:], bend[..., 1:])
+    asked = (_turns(ends, np.diff(path.x)[:, None]) | _rises(ends)) & asked[..., None]
+    steps = _near(path, wanted, ends, np.nonzero(asked))
+    found = []
+    for _ in range(PARTINGS):
+        turns = _turns(steps.ends, steps.high - steps.low)
+        found.append(steps.some(~turns & _rises(steps.ends)))
+        steps = steps.some(turns)
+        if not steps.low.size:
+            break
+        steps = _parted(path, wanted, steps)
+    found.append(steps.some(_rises(steps.ends)))
+    return _joined(found)
+
+
+def _rises(ends: _Ends) -> NDArray[np.bool_]:
+    """Steps over which D' goes from below zero to above it."""
+    return np.asarray((ends.slope < 0) & (ends.slope_after >= 0))
+
+
+def _parted(path: Path, wanted: Plane, steps: _Steps) -> _Steps:
+    """The steps in up to three parts each, between the places where D' turns back."""
+    wide = steps.high - steps.low
+    a, b, c = _bernstein(steps.ends, wide)
+    inner = [steps.low + t * wide for t in _roots(a - 2 * b + c, 2 * (b - a), a)]
+    w = wanted[steps.variant, steps.point]
+    states = [slopes_at(path.track(x, steps.variant), w) for x in inner]
+    edges = [steps.low, *inner, steps.high]
+    states = [steps.ends[:2], *states, steps.ends[2:]]
+    parts = [
+        _Steps(steps.variant, steps.point, edges[k], edges[k + 1], _Ends(*states[k], *states[k + 1])) for k in range(3)
+    ]
+    whole = _joined(parts)
+    return whole.some(whole.low < whole.high)
+
+
+def _roots(p: Real, q: Real, r: Real) -> tuple[Real, Real]:
+    """The roots of p t^2 + q t + r between 0 and 1, ascending; 1 in place of one beyond.
+
+    Where there is none it is where the polynomial is nearest to zero: the next cubics are those of shorter steps.
+    """
+    below = q * q - 4 * p * r
+    with np.errstate(divide="ignore", invalid="ignore"):
+        far = -0.5 * (q + np.copysign(np.sqrt(np.maximum(below, 0)), q))  # of one sign: no digits are lost
+        both = np.stack((far / p, np.where(below < 0, far / p, r / far)))
+        low, high = np.sort(np.where((both > 0) & (both < 1), both, 1.0), axis=0)
+    return low, high
+
+
+def _near(path: Path, wanted: Plane, every: _Ends, cells: tuple[Indices, ...]) -> _Steps:
     """Of steps (variants, points, numbers) those that may hold the nearest place of all.
 
     The ends of a step are d_0 and d_1 away and the path between them is s long, so that it is nowhere nearer than
     (d_0 + d_1 - s)/2, and somewhere as near as the nearer end.
     """
     r, v, _ = path.samples
+    variant, point, k = cells
     best = np.full(wanted.shape, np.inf)
     if not path.closed:
         best = np.min(np.abs(r[:, None, [0, -1]] - wanted[:, :, None]), axis=2)
-    least = []
-    for variant, point, k in cells:
-        w = wanted[variant, point]
-        ends = np.abs(r[variant, k] - w), np.abs(r[variant, k + 1] - w)
-        speed = np.maximum(np.abs(v[variant, k]), np.abs(v[variant, k + 1]))
-        way = LONGER * speed * (path.x[variant, k + 1] - path.x[variant, k])
-        np.minimum.at(best, (variant, point), np.minimum(*ends))
-        least.append((ends[0] + ends[1] - way) / 2)
-    found = []
-    for (variant, point, k), lowest in zip(cells, least, strict=True):
-        near = lowest <= best[variant, point]
-        variant, point, k = variant[near], point[near], k[near]
-        found.append(_Brackets(variant, point, path.x[variant, k], path.x[variant, k + 1]))
-    return found
+    w = wanted[variant, point]
+    before, after = np.abs(r[variant, k] - w), np.abs(r[variant, k + 1] - w)
+    np.minimum.at(best, (variant, point), np.minimum(before, after))
+    low, high = path.x[variant, k], path.x[variant, k + 1]
+    way = LONGER * np.maximum(np.abs(v[variant, k]), np.abs(v[variant, k + 1])) * (high - low)
+    ends = _Ends(*(rows[cells] for rows in every))
+    return _Steps(variant, point, low, high, ends).some(before + after - way <= 2 * best[variant, point])
 
 
-def _refined(path: Path, brackets: _Brackets, wanted: Plane) -> Real:
+def _refined(path: Path, brackets: _Steps, wanted: Plane) -> Real:
     """The roots (c,) of D' in brackets over which it rises: Newton, halving where a step leaves the bracket or lags."""
     variant, w = brackets.variant, wanted[brackets.variant, brackets.point]
     least = EPS * float(np.max(np.abs(path.x[:, [0, -1]])))
