@@ -92,7 +92,7 @@ def test_keys_that_there_are_not(tmp_path: Path) -> None:
         ("shaper.toml", "motion.delta", ["flywheel.inertia", "loads[name=Q5].force"]),
         ("pair-spur.toml", "pair.*", ["pair*"]),
         ("cam.toml", "cam_synthesis.*", ["cam*"]),
-        ("extra-contact.toml", "contact.*", ["contact*"]),
+        ("extra-bearing.toml", "bearing.*", ["bearing*"]),
     ],
 )
 def test_rooms_are_all_alike(config: str, name: str, keys: list[str]) -> None:
