@@ -131,6 +131,13 @@ def test_places_near_a_cusp_and_within_a_narrow_loop(beside: complex, far: float
     assert np.max(nearest - distances(result)) < 1e-7
 
 
+def test_a_centre_of_curvature_within_a_narrow_loop() -> None:
+    """D' and D'' nearly vanish together there, and D' turns back within parts of parts of a step."""
+    bars, w = (0.65, 0.87, 0.88, 0.79 + 0j, 1.05 + 0.08j), 1.496606 + 0.81272j
+    r = curve(*bars, np.linspace(0.45, 0.55, 1_000_001))
+    assert distances(found(coupler(*bars), wanted([w])))[0] == pytest.approx(np.min(np.abs(r - w)), abs=1e-10)
+
+
 def _pole(bars: Any, x: float) -> complex:
     """The point of the coupler that stands at a crank angle, in its axes: where crank and rocker meet."""
     l1, l2, l3, c = bars

@@ -116,9 +116,10 @@ class Columns:
 
     def _paths(self, block: Block, asked: tuple[WantedPath, ...], values: Values, clear: Flags) -> None:
         from tmmcalc.linkage.paths.columns import path_columns
-        from tmmcalc.linkage.stacked.paths import parts_of, paths_of
+        from tmmcalc.linkage.stacked.paths import paths_of
 
-        for some in parts_of(np.flatnonzero(clear), asked):
+        some = np.flatnonzero(clear)
+        if some.size:
             found, facts = paths_of(block, some, asked, self._base.results["paths"])
             self._write("paths", path_columns(found), some, values)
             self._facts("paths", facts, some, values)

@@ -92,7 +92,7 @@ class Results:
 
     def _solved(self, tree: Any, count: int) -> dict[int, _Variant]:
         """What is solved together of the variants of stacked inputs, by their numbers, of those that are clear."""
-        from tmmcalc.linkage.stacked.paths import parts_of, paths_records
+        from tmmcalc.linkage.stacked.paths import paths_records
         from tmmcalc.linkage.stacked.scene import block_of
         from tmmcalc.machine.stacked.records import forces_records, kinematics_records, reduction_records
 
@@ -102,10 +102,9 @@ class Results:
         found = {v: _Variant({"structure": self._base.results["structure"]}, machines(v)) for v in some.tolist()}
         if some.size:
             some = _noted(found, some, "kinematics", kinematics_records(block, some))
-        if "paths" in self._stages:
-            for part in parts_of(some, paths):
-                own = paths_records(block, part, paths, _of(found, part, "kinematics"), self._base.results["paths"])
-                _noted(found, part, "paths", own)
+        if some.size and "paths" in self._stages:
+            own = paths_records(block, some, paths, _of(found, some, "kinematics"), self._base.results["paths"])
+            some = _noted(found, some, "paths", own)
         if some.size and "forces" in self._stages:
             some = _noted(found, some, "forces", forces_records(block, some, _of(found, some, "kinematics")))
         if some.size and "reduction" in self._stages:

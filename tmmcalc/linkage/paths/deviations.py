@@ -52,19 +52,18 @@ def _states(point: str, chain: Chain, configuration: Configuration, rows: NDArra
 
 def reached(evaluate: Evaluate, over: Range, asked: WantedPath) -> Reached:
     """The places of one path; the numbers of ``asked`` are those of all variants, or of each (`Alike`)."""
-    count, m = over.x.shape
+    count = len(over.x)
     wanted = _each(asked.through, count)
     point, each = states(asked.point), np.arange(count)
     if asked.at:
         x = over.start[:, None] + _each(asked.at, count)
         place = evaluate(x.ravel(), np.repeat(each, x.shape[1]), point, 0)[0]
         return Reached(wanted, x, place.reshape(x.shape), np.zeros(x.shape, bool))
-    samples: Any = evaluate(over.x.ravel(), np.repeat(each, m), point, 2).reshape(3, count, m)
 
     def track(x: Real, variants: NDArray[np.intp]) -> Any:
         return evaluate(x, variants, point, 2)
 
-    found = nearest(Path(track, over.x, samples, over.start, over.sense, over.closed), wanted)
+    found = nearest(Path(track, over.x, over.start, over.sense, over.closed), wanted)
     place = track(found.x.ravel(), np.repeat(each, wanted.shape[1]))[0]
     return Reached(wanted, found.x, place.reshape(wanted.shape), found.free)
 

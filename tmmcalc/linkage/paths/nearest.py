@@ -6,8 +6,8 @@ Half the squared distance D = |r - w|^2 / 2 of the path r(x) from a point w has 
 
 so that a nearest place is a root of D' with D' rising, found by Newton with the exact transfer functions r', r''. The
 samples of a survey bracket all roots: a step over which D' goes from below zero to above it holds one; one in which D'
-turns back may hide more, as beside a cusp, and is parted where it turns. Steps that are farther away than the nearest
-sample by more than the path between their ends are left out.
+turns back may hide more, as beside a cusp, and is parted where it turns for as long as its cubic may be zero. Steps
+that are farther away than the nearest sample by more than the path between their ends are left out.
 """
 
 from __future__ import annotations
@@ -27,19 +27,20 @@ Track = Callable[[Real, Indices], Plane]
 """(input coordinates (m,), their variants (m,)) -> r, r', r'' (3, m)."""
 
 LONGER = 1.5  # a path between two samples over the chord of its speed there, at most
-STILL = 1e-12  # of what D' is made of: a distance that does not change along the path
+STILL = 1e-12  # of the size of the scene: a distance that does not change along the path
 EQUAL = 4 * EPS  # of the size of the scene: distances that differ by less are equal
 NOISE = 4 * EPS  # of what D' is made of: it is a root
 ITERATIONS = 80
-PARTINGS = 4  # of a step in which D' turns back
+PARTINGS = 16  # of a step in which D' turns back, at most
+TRUSTED = 1  # partings, after which the cubic of D' tells whether there is a root at all
+CELLS = 1 << 16  # samples of distances that are looked at together: they stay in cache
 
 
 class Path(NamedTuple):
-    """The samples of a path of V variants, along which the nearest places are sought."""
+    """The path of a point of V variants, along which the nearest places are sought."""
 
     track: Track
-    x: Real  # (V, m) ascending
-    samples: Plane  # (3, V, m) r, r', r''
+    x: Real  # (V, m) input coordinates of a survey, ascending
     start: Real  # (V,) position 0
     sense: float  # of the motion, 1 or -1
     closed: bool  # a whole turn: the last sample repeats the first
@@ -88,15 +89,12 @@ def nearest(path: Path, wanted: Plane) -> Nearest:
     A path that is everywhere at one distance from a point is nearest to it in position 0.
     """
     count, n = wanted.shape
-    slope, bend = _slopes(path.samples, wanted)
-    if path.closed:  # the same place twice, which rounding must not part
-        slope[..., -1], bend[..., -1] = slope[..., 0], bend[..., 0]
-    r, v, _ = path.samples
-    size = np.max(np.abs(r), axis=1)[:, None] + np.abs(wanted)  # (V, n)
-    still = np.max(np.abs(slope), axis=2) <= STILL * size * np.max(np.abs(v), axis=1)[:, None]
-    brackets = _brackets(path, wanted, slope, bend, ~still)
-    at = _refined(path, brackets, wanted)
-    variant, point, x, free = brackets.variant, brackets.point, at, np.ones(at.size, bool)
+    at_once = max(1, CELLS // (n * path.x.shape[1]))
+    parts = [_near(path, wanted, np.arange(k, min(k + at_once, count))) for k in range(0, count, at_once)]
+    brackets = _brackets(path, wanted, _joined([part.steps for part in parts]))
+    sample, size, still = (np.concatenate(each) for each in zip(*(part[1:] for part in parts), strict=True))
+    variant, point, x = brackets.variant, brackets.point, _refined(path, brackets, wanted)
+    free = np.ones(x.size, bool)
     if not path.closed:
         rows, columns = (each.ravel() for each in np.indices((count, n)))
         for end in (0, -1):
@@ -112,11 +110,47 @@ def nearest(path: Path, wanted: Plane) -> Nearest:
         x = within_turn(x, path.start[variant], path.sense)
         along = path.sense * (x - path.start[variant])
     order = np.argsort(along)[::-1]  # what is written last stays: the first of the motion
-    found = Nearest(np.repeat(path.start[:, None], n, axis=1), np.zeros(wanted.shape, bool))
+    found = Nearest(sample, np.zeros(wanted.shape, bool))  # a sample where rounding leaves no root
     found.x[variant[order], point[order]] = x[order]
     found.free[variant[order], point[order]] = free[order]
     found.x[still], found.free[still] = np.repeat(path.start[:, None], n, axis=1)[still], False
     return found
+
+
+class _Near(NamedTuple):
+    """What a survey of some variants (v,) leaves."""
+
+    steps: _Steps
+    sample: Real  # (v, n) input coordinates of the nearest samples
+    size: Real  # (v, n) of the scene: the largest coordinate of the path and that of the point
+    still: NDArray[np.bool_]  # (v, n) the path is everywhere at one distance from the point
+
+
+def _near(path: Path, wanted: Plane, variants: Indices) -> _Near:
+    """The steps of the survey that may hold the place nearest of all: over which D' rises through zero or turns back.
+
+    The ends of a step are d_0 and d_1 away and the path between them is s long, so that it is nowhere nearer than
+    (d_0 + d_1 - s)/2.
+    """
+    x, w = path.x[variants], wanted[variants]
+    samples = path.track(x.ravel(), np.repeat(variants, x.shape[1])).reshape(3, *x.shape)
+    if path.closed:  # the same place twice, which rounding must not part
+        samples[..., -1] = samples[..., 0]
+    r, speed = samples[0], np.abs(samples[1])
+    across, up = (each[0][:, None] - each[1][:, :, None] for each in ((r.real, w.real), (r.imag, w.imag)))
+    far = np.sqrt(across**2 + up**2)  # (v, n, m)
+    least, most = np.min(far, axis=2), np.max(far, axis=2)
+    size = np.max(np.abs(r), axis=1)[:, None] + np.abs(w)
+    still = most - least <= STILL * size
+    way = LONGER * np.maximum(speed[:, :-1], speed[:, 1:]) * np.diff(x)
+    near = far[..., :-1] + far[..., 1:] <= way[:, None] + 2 * least[..., None]
+    row, point, k = np.nonzero(near & ~still[..., None])
+    states = (samples[:, row, k + end] for end in (0, 1))
+    ends = _Ends(*(each for state in states for each in slopes_at(state, w[row, point])))
+    steps = _Steps(variants[row], point, x[row, k], x[row, k + 1], ends)
+    steps = steps.some(_turns(ends, steps.high - steps.low) | _rises(ends))
+    sample = np.take_along_axis(x, np.argmin(far, axis=2), axis=1)
+    return _Near(steps, sample, size, still)
 
 
 def slopes_at(state: Plane, wanted: Plane) -> tuple[Real, Real]:
@@ -124,19 +158,6 @@ def slopes_at(state: Plane, wanted: Plane) -> tuple[Real, Real]:
     r, v, a = state
     off = r - wanted
     return off.real * v.real + off.imag * v.imag, v.real**2 + v.imag**2 + off.real * a.real + off.imag * a.imag
-
-
-def _slopes(samples: Plane, wanted: Plane) -> tuple[Real, Real]:
-    """D' and D'' (V, n, m) at all samples (3, V, m): linear in the point, so that few passes over the arrays do."""
-    r, v, a = samples
-    x, y = wanted.real[:, :, None], wanted.imag[:, :, None]
-    own = r.real * v.real + r.imag * v.imag
-    slope = own[:, None] - x * v.real[:, None]
-    slope -= y * v.imag[:, None]
-    own = v.real**2 + v.imag**2 + r.real * a.real + r.imag * a.imag
-    bend = own[:, None] - x * a.real[:, None]
-    bend -= y * a.imag[:, None]
-    return slope, bend
 
 
 def _bernstein(ends: _Ends, wide: Real) -> tuple[Real, Real, Real]:
@@ -155,26 +176,31 @@ def _turns(ends: _Ends, wide: Real) -> NDArray[np.bool_]:
     return np.asarray(((a > 0) != up) | ((c > 0) != up))
 
 
-def _brackets(path: Path, wanted: Plane, slope: Real, bend: Real, asked: NDArray[np.bool_]) -> _Steps:
-    """All steps, or parts of a step, over which D' rises through zero and which may hold the nearest place."""
-    ends = _Ends(slope[..., :-1], bend[..., :-1], slope[..., 1:], bend[..., 1:])
-    asked = (_turns(ends, np.diff(path.x)[:, None]) | _rises(ends)) & asked[..., None]
-    steps = _near(path, wanted, ends, np.nonzero(asked))
+def _rises(ends: _Ends) -> NDArray[np.bool_]:
+    """Steps over which D' goes from below zero to above it."""
+    return np.asarray((ends.slope < 0) & (ends.slope_after >= 0))
+
+
+def _crosses(ends: _Ends, wide: Real) -> NDArray[np.bool_]:
+    """Steps over which D' may be zero: the coefficients of Bernstein of its cubic do not have one sign."""
+    thirds = ends.slope + wide * ends.bend / 3, ends.slope_after - wide * ends.bend_after / 3
+    every = np.stack((ends.slope, *thirds, ends.slope_after))
+    return np.asarray((np.min(every, axis=0) <= 0) & (np.max(every, axis=0) >= 0))
+
+
+def _brackets(path: Path, wanted: Plane, steps: _Steps) -> _Steps:
+    """Of steps those, or their parts, over which D' rises through zero."""
     found = []
-    for _ in range(PARTINGS):
-        turns = _turns(steps.ends, steps.high - steps.low)
+    for parting in range(PARTINGS):
+        wide = steps.high - steps.low
+        turns = _turns(steps.ends, wide)
         found.append(steps.some(~turns & _rises(steps.ends)))
-        steps = steps.some(turns)
+        steps = steps.some(turns & (_crosses(steps.ends, wide) | (parting < TRUSTED)))
         if not steps.low.size:
             break
         steps = _parted(path, wanted, steps)
     found.append(steps.some(_rises(steps.ends)))
     return _joined(found)
-
-
-def _rises(ends: _Ends) -> NDArray[np.bool_]:
-    """Steps over which D' goes from below zero to above it."""
-    return np.asarray((ends.slope < 0) & (ends.slope_after >= 0))
 
 
 def _parted(path: Path, wanted: Plane, steps: _Steps) -> _Steps:
@@ -196,34 +222,15 @@ def _parted(path: Path, wanted: Plane, steps: _Steps) -> _Steps:
 def _roots(p: Real, q: Real, r: Real) -> tuple[Real, Real]:
     """The roots of p t^2 + q t + r between 0 and 1, ascending; 1 in place of one beyond.
 
-    Where there is none it is where the polynomial is nearest to zero: the next cubics are those of shorter steps.
+    Where there are none it is where the polynomial is nearest to zero, and the middle: the next cubics are those of
+    shorter steps.
     """
     below = q * q - 4 * p * r
     with np.errstate(divide="ignore", invalid="ignore"):
         far = -0.5 * (q + np.copysign(np.sqrt(np.maximum(below, 0)), q))  # of one sign: no digits are lost
-        both = np.stack((far / p, np.where(below < 0, far / p, r / far)))
+        both = np.stack((far / p, np.where(below < 0, 0.5, r / far)))
         low, high = np.sort(np.where((both > 0) & (both < 1), both, 1.0), axis=0)
     return low, high
-
-
-def _near(path: Path, wanted: Plane, every: _Ends, cells: tuple[Indices, ...]) -> _Steps:
-    """Of steps (variants, points, numbers) those that may hold the nearest place of all.
-
-    The ends of a step are d_0 and d_1 away and the path between them is s long, so that it is nowhere nearer than
-    (d_0 + d_1 - s)/2, and somewhere as near as the nearer end.
-    """
-    r, v, _ = path.samples
-    variant, point, k = cells
-    best = np.full(wanted.shape, np.inf)
-    if not path.closed:
-        best = np.min(np.abs(r[:, None, [0, -1]] - wanted[:, :, None]), axis=2)
-    w = wanted[variant, point]
-    before, after = np.abs(r[variant, k] - w), np.abs(r[variant, k + 1] - w)
-    np.minimum.at(best, (variant, point), np.minimum(before, after))
-    low, high = path.x[variant, k], path.x[variant, k + 1]
-    way = LONGER * np.maximum(np.abs(v[variant, k]), np.abs(v[variant, k + 1])) * (high - low)
-    ends = _Ends(*(rows[cells] for rows in every))
-    return _Steps(variant, point, low, high, ends).some(before + after - way <= 2 * best[variant, point])
 
 
 def _refined(path: Path, brackets: _Steps, wanted: Plane) -> Real:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -19,16 +19,9 @@ from tmmcalc.linkage.paths.task import WantedPath
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.stacked.dense import evaluated, places_of
 from tmmcalc.linkage.stacked.scene import Block
-from tmmcalc.linkage.survey import STEPS, Evaluate, Quantity
+from tmmcalc.linkage.survey import Evaluate, Quantity
 
-CELLS = 1 << 16  # samples of distances that are looked at together: they stay in cache
 Asked = tuple[WantedPath, ...]
-
-
-def parts_of(variants: Indices, asked: Asked) -> Iterator[Indices]:
-    """The variants in parts whose distances from all points along the paths stay in cache."""
-    size = max(1, CELLS // (STEPS * max(len(path.through) for path in asked)))
-    return (variants[at : at + size] for at in range(0, len(variants), size))
 
 
 def paths_of(block: Block, variants: Indices, asked: Asked, base: Paths) -> tuple[Paths, dict[str, Real]]:
