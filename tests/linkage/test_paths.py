@@ -213,6 +213,25 @@ def test_it_does_not_matter_where_the_scene_stands() -> None:
     assert other.paths[0].total == pytest.approx(one.paths[0].total, rel=1e-13)
 
 
+def test_one_point_and_points_that_coincide() -> None:
+    w = 0.3 + 0.1j
+    (one,) = found(coupler(*BARS), wanted([w])).paths
+    (three,) = found(coupler(*BARS), wanted([w, w, w])).paths
+    for told in (one, three):
+        assert (told.order, told.worst) == ("along", 1)
+        assert told.covered == pytest.approx(0, abs=2e-15)
+        assert told.rms == told.largest == pytest.approx(math.sqrt(one.total), rel=1e-15)
+    assert three.total == pytest.approx(3 * one.total, rel=1e-15)
+
+
+def test_points_are_moved_as_a_figure() -> None:
+    w, turn, shift = np.array([0.2 + 0.3j, 0.3 + 0.35j, 0.1 + 0.1j]), 1.234, 0.4 - 0.7j
+    figure = replace(wanted(w * np.exp(-1j * turn) - shift * np.exp(-1j * turn)), turn=turn, shift=shift)
+    one, other = found(coupler(*BARS), wanted(w)), found(coupler(*BARS), figure)
+    np.testing.assert_allclose(other.wanted, w, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(distances(other), distances(one), rtol=0, atol=2e-15)
+
+
 def test_the_order_of_the_points() -> None:
     w = curve(*BARS, np.array([0.5, 1.5, 3.0, 4.5, 6.0]))
     for points_, order in (
@@ -235,10 +254,12 @@ def test_the_order_of_the_points() -> None:
 def test_a_prescribed_timing() -> None:
     at = [0.0, 0.4, -1.0, 9.0]
     w = [0.2 + 0.3j, 0.1j, 0.3, 0.3 + 0.1j]
-    result = found(coupler(*BARS), wanted(w, at=at))
-    np.testing.assert_allclose(result.reached, curve(*BARS, np.array(at)), atol=1e-15)
-    np.testing.assert_array_equal(result.phi, at)
-    assert result.paths[0].order is None
+    for start in (0.0, 2.5, -9.0):  # the angle from which a timing counts is a number like others
+        mechanism = replace(coupler(*BARS), input=Input("O", 1.0, start=start))
+        result = found(mechanism, wanted(w, at=at))
+        np.testing.assert_allclose(result.reached, curve(*BARS, start + np.array(at)), atol=2e-15)
+        np.testing.assert_allclose(result.phi, at, rtol=0, atol=2e-15)
+        assert result.paths[0].order is None
     with pytest.raises(UsageError, match="point 2 is prescribed for angle_1 = 90 deg, outside"):
         found(chebyshev(0.3), wanted([1, 2], at=[0, HIGH - LOW]))
 
@@ -295,11 +316,15 @@ HEAD = LINE.read_text(encoding="utf-8").partition("[[paths]]")[0]
 @pytest.mark.parametrize(
     ("lines", "path", "said"),
     [
-        ('point = "P"\nthrough = [[0, 0]]\nat = [0, 1]', "paths[0].at", "2 input coordinates for 1 points"),
+        ('point = "P"\nthrough = [[0, 0]]\nat = [0, 1]', "paths[0].at", "2 input coordinates, points: 1"),
         ('point = "Q"\nthrough = [[0, 0]]', "paths[0].point", "no link has a point 'Q'"),
         ('point = "C"\nthrough = [[0, 0]]', "paths[0].point", "'C' is a point of the frame and does not move"),
         ('point = "P"\nthrough = [[0, 0]]\nat = ["3 mm"]', "paths[0].at[0]", "so an angle is needed"),
         ('point = "P"\nthrough = [[0, 0]]\nat = [20]', "paths[0].at[0]", "radians, more than a full turn"),
+        ('point = "P"\nthrough = [[0, 0]]\nat = []', "paths[0].at", "0 input coordinates, points: 1"),
+        ('point = "P"\nthrough = [[0, 0]]\nturn = 30', "paths[0].turn", "radians, more than a full turn"),
+        ('point = "P"\nthrough = [[0, 0]]\nshift = [0]', "paths[0].shift", "the way by which all points are moved"),
+        ('point = "P"\nthrough = [[0, nan]]', "paths[0].through[0][1]", "nan is not a finite number"),
         ('point = "P"\nthrough = []', "paths[0].through", "through"),
         ("through = [[0, 0]]", "paths[0].point", "a path is that of a point of a moving link"),
     ],
@@ -328,7 +353,10 @@ BOUNDS = {
     "mechanism.fixed.O[0]": (0.045, 0.052),
     "mechanism.fixed.O[1]": (-0.01, 0.01),
     "mechanism.links[id=3].points.B[0]": (0.045, 0.052),
+    "mechanism.input.start": (-6, 6),
     "paths[0].through[2][0]": (0.019, 0.021),
+    "paths[0].turn": (-0.1, 0.1),
+    "paths[0].shift[1]": (-0.002, 0.002),
 }
 
 
@@ -341,6 +369,7 @@ def drawn(file: Path, count: int) -> Path:
     return file
 
 
+MOVED = 'paths[0].shift=["1 mm", 0]'
 TIMED = 'paths[0].at=["0 deg", "20 deg", "40 deg", "60 deg", "80 deg", "1 rad"]'
 
 
@@ -358,7 +387,7 @@ TIMED = 'paths[0].at=["0 deg", "20 deg", "40 deg", "60 deg", "80 deg", "1 rad"]'
 )
 def test_variants_together_are_those_alone(tmp_path: Path, asked: Any, sets: Any, way: type) -> None:
     """Some do not assemble over the whole turn: these are solved alone, which is told."""
-    task = task_of(LINE, sets, drawn(tmp_path / "points.csv", 40), (), asked)
+    task = task_of(LINE, [MOVED, *sets], drawn(tmp_path / "points.csv", 40), (), asked)
     assert isinstance(stacked.prepared(task), way)
     rows = stacked.solve_points(task, range(40))
     apart = [row for row in rows if row.alone]
@@ -373,7 +402,7 @@ def test_variants_together_are_those_alone(tmp_path: Path, asked: Any, sets: Any
 
 def test_specs_of_many_signs_are_read_a_few_times(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Sizes that go through zero answer the checks of a spec in few ways, and each way is read once."""
-    task = task_of(LINE, [], drawn(tmp_path / "points.csv", 400), (), ("paths.deviation_rms_P",))
+    task = task_of(LINE, [MOVED], drawn(tmp_path / "points.csv", 400), (), ("paths.deviation_rms_P",))
     inputs = Inputs(task, 0, loaded=False, driven=False, traced=True)
     read, own = [], Inputs._read
 

@@ -71,7 +71,7 @@ def _path_facts(result: Paths, path: PathDeviation) -> Iterator[Fact]:
     yield Fact(Phrase("distance from path {name}", name=path.name), text, values)
     yield Fact(
         Phrase("sum of squares of {name}", name=path.name),
-        f"{number(1e6 * path.total)} mm^2 over {path.count} points",
+        f"{number(1e6 * path.total)} mm^2 over {path.count} point{'s' if path.count != 1 else ''}",
         keyed(path, "total", **places),
     )
     yield Fact(

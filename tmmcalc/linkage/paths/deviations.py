@@ -53,7 +53,8 @@ def _states(point: str, chain: Chain, configuration: Configuration, rows: NDArra
 def reached(evaluate: Evaluate, over: Range, asked: WantedPath) -> Reached:
     """The places of one path; the numbers of ``asked`` are those of all variants, or of each (`Alike`)."""
     count = len(over.x)
-    wanted = _each(asked.through, count)
+    turn, shift = _each((asked.turn, asked.shift), count).T[:, :, None]
+    wanted = shift + np.exp(1j * turn) * _each(asked.through, count)
     point, each = states(asked.point), np.arange(count)
     if asked.at:
         x = over.start[:, None] + _each(asked.at, count)

@@ -5,7 +5,7 @@ from typing import Annotated
 from pydantic import Field
 
 from tmmcalc.spec.identifiers import Name, PointName
-from tmmcalc.spec.quantities import InputCoordinate, Point
+from tmmcalc.spec.quantities import Angle, InputCoordinate, Point
 from tmmcalc.spec.table import Table
 
 PathName = Annotated[str, Name("path")]
@@ -24,3 +24,5 @@ class PathTable(Table):
         description="Prescribed timing: the input coordinate at each of these points, counted from position 0 as `phi` "
         "is in tables (default: the place of the path nearest to each point counts).",
     )
+    turn: Angle = Field(default=0.0, description="Angle by which all points are turned about the origin.")
+    shift: Point = Field(default=[0.0, 0.0], description="`[x, y]` by which all points are moved, after the turn.")

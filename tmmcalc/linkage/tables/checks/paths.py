@@ -32,7 +32,7 @@ def check_timing(outline: Outline) -> Iterator[Finding]:
         if isinstance(through, list) and len(through) != len(at):
             yield Finding(
                 ("paths", index, "at"),
-                f"{len(at)} input coordinates for {len(through)} points",
+                f"{len(at)} input coordinate{'s' if len(at) != 1 else ''}, points: {len(through)}",
                 "write one for each point of through, or remove at",
             )
         for place, value in enumerate(at):

@@ -15,6 +15,13 @@ def to_paths(spec: LinkageTables) -> tuple[WantedPath, ...]:
     """The wanted paths of the spec."""
     names = path_names([table.name for table in spec.paths], [table.point for table in spec.paths])
     return tuple(
-        WantedPath(name, table.point, tuple(complex(*point) for point in table.through), tuple(table.at or ()))
+        WantedPath(
+            name=name,
+            point=table.point,
+            through=tuple(complex(*point) for point in table.through),
+            at=tuple(table.at or ()),
+            turn=table.turn,
+            shift=complex(*table.shift),
+        )
         for name, table in zip(names, spec.paths, strict=True)
     )

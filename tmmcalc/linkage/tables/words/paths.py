@@ -8,6 +8,7 @@ MISSING = {
 LISTS = {
     "through": ("the points that are to be passed", 'through = [["20 mm", "20 mm"], ["20 mm", "45 mm"]]'),
     "through[]": ("the coordinates of a point", 'through = [["20 mm", "20 mm"], ["20 mm", "45 mm"]]'),
+    "shift": ("the way by which all points are moved", 'shift = ["20 mm", "5 mm"]'),
     "at": ("the input coordinates at the points", 'at = ["0 deg", "20 deg"]'),
 }
 
