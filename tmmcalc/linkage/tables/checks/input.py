@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TypeGuard
 
-from tmmcalc.linkage.tables.checks.written_linkage import FRAME, WrittenLinkage, written_linkage
+from tmmcalc.linkage.tables.checks.written_linkage import FRAME, WrittenJoint, WrittenLinkage, written_linkage
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, is_integer, subtable, tables
@@ -51,7 +51,7 @@ def check_joint(outline: Outline) -> Iterator[Finding]:
 
 
 # tables beside [mechanism] that read no speed of its input; constraints may be on velocities
-_WITHOUT_SPEED = {"project", "mechanism", "unsteady"}
+_WITHOUT_SPEED = {"project", "mechanism", "unsteady", "paths"}
 
 
 def check_speed(outline: Outline) -> Iterator[Finding]:
@@ -71,22 +71,33 @@ def check_dimensions(outline: Outline) -> Iterator[Finding]:
     if joint is None or joint.kind not in _COORDINATE:
         return
     for path, value, dimension in _quantities(outline, joint.kind):
-        written = dimension_of(value)
-        if _is_disguised(value, dimension):
-            yield Finding(
-                path,
-                f"{show(value)} without a unit is in radians, more than a full turn",
-                f'write "{value:g} deg"',
-            )
-        # Any other dimension is a fault whatever the joint, and is reported with the tables.
-        if written != dimension and written in _others(dimension):
-            needed, example = DIMENSIONS[dimension].noun, DIMENSIONS[dimension].example
-            yield Finding(
-                path,
-                f'{show(value)} is {DIMENSIONS[written].noun}; the input joint "{joint.name}" is '
-                f"{joint.kind}, so {needed} is needed",
-                f'write {needed}, such as "{example}"',
-            )
+        yield from _check_dimension(joint, path, value, dimension)
+
+
+def check_coordinate(outline: Outline, value: object, path: Path) -> Iterator[Finding]:
+    """An input coordinate in another table has the dimension of the input joint, too."""
+    joint = written_linkage(outline).input_joint
+    if joint is not None and joint.kind in _COORDINATE:
+        yield from _check_dimension(joint, path, value, _COORDINATE[joint.kind])
+
+
+def _check_dimension(joint: WrittenJoint, path: Path, value: object, dimension: str) -> Iterator[Finding]:
+    written = dimension_of(value)
+    if _is_disguised(value, dimension):
+        yield Finding(
+            path,
+            f"{show(value)} without a unit is in radians, more than a full turn",
+            f'write "{value:g} deg"',
+        )
+    # Any other dimension is a fault whatever the joint, and is reported with the tables.
+    if written != dimension and written in _others(dimension):
+        needed, example = DIMENSIONS[dimension].noun, DIMENSIONS[dimension].example
+        yield Finding(
+            path,
+            f'{show(value)} is {DIMENSIONS[written].noun}; the input joint "{joint.name}" is '
+            f"{joint.kind}, so {needed} is needed",
+            f'write {needed}, such as "{example}"',
+        )
 
 
 def _quantities(outline: Outline, kind: str) -> Iterator[tuple[Path, object, str]]:
