@@ -45,16 +45,19 @@ FREE = re.compile(
 )
 WANTED = "3."  # wanted paths, whose numbers no check compares
 ONE_NUMBER = "what they read is asked for one number"
+STUCK = "kinematics: the links do not reach throughout a turn of the crank"
 
 
 class Together(NamedTuple, Generic[T]):
     """Of some variants, by their numbers among all asked for, what is solved together.
 
-    Of others why they have to be solved alone, where a reason is known.
+    Of others why they have to be solved alone, where a reason is known; ``refused`` are those that surely have no
+    solution, with a reason that is shorter than what they say when they are solved alone.
     """
 
     found: dict[int, T]
     apart: dict[int, str]
+    refused: dict[int, str]
 
 
 def given(spec: Spec, loaded: bool, driven: bool, traced: bool) -> Any:

@@ -78,7 +78,7 @@ def command(
 
         draw(picture, lambda: front_drawing(result, heading))
         files.append(picture)
-    show(optimum_document(result, heading), form)
+    show(optimum_document(result, heading, form is Format.table), form)
     for file in files:
         if not quiet:
             note_written(file)

@@ -67,14 +67,14 @@ def _row(each: Partial, unit: str) -> tuple[str, str, str, str]:
     """Key, value, derivative, and what one per cent of the key does to the result; of a key that is 0 none."""
     key, own = key_and_unit(each.key)
     percent = f"{each.relative:+.3g} %" if np.isfinite(each.relative) else ""
-    value = each.slope.side if np.isnan(each.slope.value) else f"{number(each.slope.value)} {_per(unit, own)}"
+    value = each.slope.side if np.isnan(each.slope.value) else f"{number(each.slope.value)} {per(unit, own)}"
     return key, f"{number(each.value)} {own}".rstrip(), value.rstrip(), percent
 
 
 def _notes(shown: Sequence[Partial], unit: str) -> Iterator[str]:
     """Kinks with both sides, jumps, and where no straight line stands for the result."""
     for each in shown:
-        per = _per(unit, key_and_unit(each.key)[1])
+        per = per(unit, key_and_unit(each.key)[1])
         if each.slope.side == "kink":
             left, right = (f"{number(side)} {per}".rstrip() for side in (each.slope.left, each.slope.right))
             yield f"warning: {each.key}: a kink, {left} to smaller values and {right} to larger ones"
@@ -91,10 +91,10 @@ def _notes(shown: Sequence[Partial], unit: str) -> Iterator[str]:
             yield f"note: {each.key}: the derivative is known to {each.error:.1e} of it alone"
 
 
-def _per(unit: str, below: str) -> str:
+def per(unit: str, below: str) -> str:
     """Unit of a derivative.
 
-    >>> _per("N", "mm"), _per("", "kg*m^2"), _per("m", "")
+    >>> per("N", "mm"), per("", "kg*m^2"), per("m", "")
     ('N/mm', '1/(kg*m^2)', 'm')
     """
     if not below:

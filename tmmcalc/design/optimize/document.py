@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -10,22 +11,26 @@ from tmmcalc.batch.table import key_and_unit
 from tmmcalc.design.optimize.optimum import Binding
 from tmmcalc.design.optimize.problem import Objective
 from tmmcalc.design.optimize.scene import Optimum
+from tmmcalc.design.sensitivity_document import per
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
-VARIABLES = ("variable", "value", "at least", "at most", "as good from", "as good to", "a unit of its limit")
-LIMITS = ("constraint", "value", "at least", "at most", "a unit of its limit")
+VARIABLES = ("variable", "value", "at least", "at most", "as good from", "as good to", "limit costs")
+LIMITS = ("constraint", "value", "at least", "at most", "limit costs")
 CLOSE = 1e-6  # of the objective: two methods that agree
 BALANCED = 1e-3  # of the slope of the objective: what is left over of it
 REPEATED = 1e-9  # of the objective: what the stages may differ by when the design is solved by itself
 
 
-def optimum_document(result: Optimum, title: str) -> Document:
-    """Of one objective the best design, its variables and limits; of several a row a design of the front."""
+def optimum_document(result: Optimum, title: str, people: bool = True) -> Document:
+    """Of one objective the best design, its variables and limits; of several a row a design of the front.
+
+    ``people``: values have their units beside them; else units have a column.
+    """
     if len(result.objectives) > 1:
         return _front(result, title)
     facts = (*_best(result), *_search(result))
-    return Document(title, facts, (*_notes(result),), _variables(result), parts=tuple(_limits(result)))
+    return Document(title, facts, (*_notes(result),), _variables(result, people), parts=tuple(_limits(result, people)))
 
 
 def _best(result: Optimum) -> Iterator[Fact]:
@@ -83,8 +88,8 @@ def _notes(result: Optimum) -> Iterator[str]:
     balance = result.stationarity
     if balance is not None and balance.kinks:
         yield (
-            f"note: the objective has a kink at the optimum in {balance.kinks} of its variables: no slope says what "
-            "limits cost"
+            f"note: the objective has a kink at the optimum in {balance.kinks} of its variables: what limits cost is "
+            "found by seeking again with looser ones"
         )
     elif balance is not None and np.isfinite(balance.residual) and balance.residual > BALANCED and result.flat:
         if not result.complete and any(not each.among for each in result.variables):
@@ -93,15 +98,50 @@ def _notes(result: Optimum) -> Iterator[str]:
         yield "warning: solved by itself a design differs from what the search saw"
 
 
-def _variables(result: Optimum) -> View:
+def _variables(result: Optimum, people: bool) -> View:
     """A row a variable: its value, its limits, how far it can go at one per cent of the objective."""
     bound = {(each.name, each.side): each for each in result.binding if each.variable}
     rows = []
     for variable, flat in zip(result.variables, result.flat, strict=True):
         binds = bound.get((variable.name, "at least")) or bound.get((variable.name, "at most"))
-        key = f"{variable.name}[{variable.unit}]" if variable.unit else variable.name
-        rows.append((key, flat.value, variable.low, variable.high, flat.low, flat.high, _cost(result, binds)))
-    return View(VARIABLES, [*map(list, zip(*rows, strict=True))])
+        values = (flat.value, variable.low, variable.high, flat.low, flat.high)
+        rows.append(_row(result, variable.name, variable.unit, values, binds, people))
+    return _view(VARIABLES, rows, people)
+
+
+def _limits(result: Optimum, people: bool) -> Iterator[Document]:
+    """A row a constraint, if there are any."""
+    if not result.limits:
+        return
+    bound = {(each.name, each.side): each for each in result.binding if not each.variable}
+    rows = []
+    for limit, value in zip(result.limits, result.designs[0].limits, strict=True):
+        binds = bound.get((limit.name, "at least")) or bound.get((limit.name, "at most"))
+        rows.append(_row(result, limit.name, limit.unit, (value, limit.at_least, limit.at_most), binds, people))
+    names = [each.name for each in result.binding]
+    fact = Fact("bind", ", ".join(names) or "none", {"binding": names})
+    yield Document("constraints", (fact,), (), _view(LIMITS, rows, people))
+
+
+def _row(
+    result: Optimum,
+    name: str,
+    unit: str,
+    values: Sequence[float | None],
+    binding: Binding | None,
+    people: bool,
+) -> tuple[Any, ...]:
+    """Name, values, what a unit of the limit costs that binds: with their units for people."""
+    if not people:
+        cost = binding.cost if binding is not None and np.isfinite(binding.cost) else None
+        return name, unit, *values, cost
+    told = ["" if each is None else f"{number(each)} {unit}".rstrip() for each in values]
+    return name, *told, _cost(result, binding)
+
+
+def _view(headers: tuple[str, ...], rows: Sequence[tuple[Any, ...]], people: bool) -> View:
+    first, *rest = headers
+    return View(headers if people else (first, "unit", *rest), [*map(list, zip(*rows, strict=True))])
 
 
 def _cost(result: Optimum, binding: Binding | None) -> str:
@@ -110,25 +150,8 @@ def _cost(result: Optimum, binding: Binding | None) -> str:
         return ""
     if not np.isfinite(binding.cost):
         return "binds"
-    unit = result.objectives[0].unit
-    below = f"/{binding.unit}" if binding.unit else ""
-    return f"{binding.cost:+.4g} {unit or '1'}{below}" if unit or below else f"{binding.cost:+.4g}"
-
-
-def _limits(result: Optimum) -> Iterator[Document]:
-    """A row a constraint, if there are any."""
-    if not result.limits:
-        return
-    bound = {(each.name, each.side): each for each in result.binding if not each.variable}
-    rows = []
-    for limit, value in zip(result.limits, result.designs[0].limits, strict=True):
-        binds = bound.get((limit.name, "at least")) or bound.get((limit.name, "at most"))
-        name = f"{limit.name}[{limit.unit}]" if limit.unit else limit.name
-        rows.append((name, value, *(("" if each is None else each) for each in (limit.at_least, limit.at_most)), _cost(result, binds)))
-    facts = (Fact("bind", ", ".join(each.name for each in result.binding) or "none", {
-        "binding": [{"name": each.name, "side": each.side, "limit": each.limit, "cost": each.cost if np.isfinite(each.cost) else None} for each in result.binding]
-    }),)  # fmt: skip
-    yield Document("constraints", facts, (), View(LIMITS, [*map(list, zip(*rows, strict=True))]))
+    text = f"{binding.cost:+.4g} {per(result.objectives[0].unit, binding.unit)}".rstrip()
+    return f"about {text}" if binding.again else text
 
 
 def _front(result: Optimum, title: str) -> Document:

@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from tmmcalc.core.records import record
 from tmmcalc.design.differences import Slope, slope, steps
+from tmmcalc.design.optimize.evolution import evolve, population
+from tmmcalc.design.optimize.order import Scores
 from tmmcalc.design.optimize.problem import Limit, Problem
 
 Values = NDArray[np.floating[Any]]
@@ -20,6 +22,9 @@ LEVEL = 0.01  # of the objective: what is worse by no more is as good
 REACH = 1e-6  # of the box: the nearest design that is tried for flatness
 LADDER = 24  # designs to a side, each farther by the same factor
 HALVINGS = 30
+LOOSER = 0.01  # of a limit, by which it is loosened to see what it costs
+NEAR = 0.05  # of the box to each side, within which the optimum is sought again
+SEEKS = 300  # designs a variable for that
 
 
 @record
@@ -32,6 +37,7 @@ class Binding:
     unit: str
     cost: float  # change of the objective for a change of the limit, in the units of both; NaN: not known
     variable: bool
+    again: bool = False  # the cost is what was won when the optimum was sought again with a looser limit, no slope
 
 
 @record
@@ -91,8 +97,11 @@ def bindings(problem: Problem, place: Values) -> tuple[tuple[Binding, ...], Stat
     for (limit, side, _), cost in zip(limited, costs, strict=False):
         value = limit.at_least if side == "at least" else limit.at_most
         assert value is not None
+        again = not np.isfinite(cost)
+        if again:
+            cost = _by_seeking(problem, place, limit, side)
         change = objective.sign * (cost if side == "at least" else -cost)
-        found.append(Binding(limit.name, side, value, limit.unit, float(change), False))
+        found.append(Binding(limit.name, side, value, limit.unit, float(change), False, again))
     for (k, side), cost in zip(walls, costs[len(limited) :], strict=True):
         variable = problem.variables[k]
         change = objective.sign * (cost if side == "at least" else -cost) / (variable.high - variable.low)
@@ -110,6 +119,32 @@ def _binding_limits(problem: Problem, results: Values) -> list[tuple[Limit, str,
             if limit is not None and abs(value - limit) <= BINDS * (abs(limit) or 1.0):
                 found.append((each, side, sign))
     return found
+
+
+def _by_seeking(problem: Problem, place: Values, limit: Limit, side: str) -> float:
+    """What a unit of a limit costs: by seeking the optimum again, about the one there is, with the limit a bit looser.
+
+    Where the objective has a kink no slopes balance, and this is the way that is left.
+    """
+    value = limit.at_least if side == "at least" else limit.at_most
+    assert value is not None
+    step = LOOSER * (abs(value) or 1.0)
+    low, high = np.maximum(place - NEAR, 0.0), np.minimum(place + NEAR, 1.0)
+    middle = np.divide(place - low, high - low, out=np.full(len(place), 0.5), where=high > low)
+    held = np.isin(np.arange(len(place)), problem.discrete)
+
+    def scores(places: Values) -> Scores:
+        return problem.scores(np.where(held, place, low + places * (high - low)))
+
+    before, rule = float(problem.scores(place[None]).objectives[0, 0]), problem.rule
+    problem.rule = rule.looser(limit.name, side, step)
+    try:
+        rng = np.random.default_rng(0)
+        first = np.concatenate((middle[None], rng.random((population(len(place), SEEKS) - 1, len(place)))))
+        found = evolve(scores, first, SEEKS * len(problem.free), rng)
+    finally:
+        problem.rule = rule
+    return max(0.0, before - float(found.scores.objectives[0, 0])) / step
 
 
 def _slopes(problem: Problem, place: Values, here: Values) -> list[dict[int, Slope]]:

@@ -7,6 +7,7 @@ solved is numbered as it is asked for, so that a journal of an earlier run answe
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import reduce
 from typing import Any
 
@@ -89,6 +90,17 @@ class Rule:
     def plain(self) -> bool:
         """Whether all limits have to hold, each by itself."""
         return self.rule in ("", " and ".join((*(each.name for each in self.limits), *self.given)))
+
+    def looser(self, name: str, side: str, by: float) -> Rule:
+        """The same with one side of a limit moved outward."""
+        moved = []
+        for each in self.limits:
+            if each.name == name and side == "at least" and each.at_least is not None:
+                each = replace(each, at_least=each.at_least - by)
+            elif each.name == name and side == "at most" and each.at_most is not None:
+                each = replace(each, at_most=each.at_most + by)
+            moved.append(each)
+        return replace(self, limits=tuple(moved))
 
     def kept(self, limit: Limit, results: Values) -> NDArray[np.bool_]:
         """Which results (n, m) are within one limit."""
