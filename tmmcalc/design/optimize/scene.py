@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from tmmcalc.batch.content import key_of
 from tmmcalc.batch.journal import Journal
 from tmmcalc.batch.reading import frame_of
+from tmmcalc.batch.sweep import part
 from tmmcalc.batch.table import key_and_unit
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.records import record
@@ -72,6 +73,7 @@ class Optimum:
     flat: tuple[Flatness, ...]
     solved: int
     failed: int
+    resumed: int  # of those solved: by an earlier run
 
 
 def optimize(
@@ -98,8 +100,11 @@ def optimize(
     with ExitStack() as stack:
         journal = None
         if out is not None:
-            journal = stack.enter_context(Journal(out.with_name(f"{out.name}.part"), key_of(frame)))
-        problem = problem_of(None if fresh else journal)
+            place = part(out)
+            if fresh:
+                place.unlink(missing_ok=True)
+            journal = stack.enter_context(Journal(place, key_of(frame)))
+        problem = problem_of(journal)
         result = _found(problem, frame, spec.optimize, nominal, told)
         if journal is not None:
             journal.done = True
@@ -134,6 +139,7 @@ def _found(problem: Problem, frame: Task, table: OptimizeTable, nominal: Values,
         flatness(problem, course.places[0]) if single else (),
         problem.solved,
         sum(map(bool, problem.reasons)),
+        problem.resumed,
     )
 
 
