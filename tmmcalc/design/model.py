@@ -25,11 +25,16 @@ if TYPE_CHECKING:
 
 Values = NDArray[np.floating[Any]]
 Told = Callable[[int], None]  # places that are done
+Where = Callable[[str], str]  # where a name of a result is asked for, for messages
 
 BLOCK = 256  # places at most that are solved and sent together
 LEAST = 32  # and at least, where they are solved together
 PARTS = 4  # blocks of a few places
 FEW = 64  # places that are not worth a process
+
+
+def _of(name: str) -> str:
+    return "--of"
 
 
 @record
@@ -53,7 +58,7 @@ class Model:
     nothing.
     """
 
-    def __init__(self, frame: Task, solver: Solve = solve_here, brief: bool = False) -> None:
+    def __init__(self, frame: Task, solver: Solve = solve_here, brief: bool = False, *, where: Where = _of) -> None:
         self.run: RunResult = run_of(frame, frame.variants().spec())
         error = next(iter(self.run.failures.values()), None)
         scene = Scene(self.run.spec, self.run.results)
@@ -63,7 +68,7 @@ class Model:
             if error is not None:
                 raise error
             known = [name for name, _ in told(self.run.results, others(missed))]
-            raise unknown(missed, [*known, *offered_like(missed, self.run.results, self.run.spec)], "--of")
+            raise unknown(missed, [*known, *offered_like(missed, self.run.results, self.run.spec)], where(missed))
         self.names = tuple(values)
         self.found = np.array([*values.values()])
         self.nominal = np.array(frame.values(0))

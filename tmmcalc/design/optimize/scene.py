@@ -22,7 +22,7 @@ from tmmcalc.design.optimize.optimum import Binding, Flatness, Stationarity, bin
 from tmmcalc.design.optimize.order import Scores
 from tmmcalc.design.optimize.problem import Limit, Objective, Problem, Rule, Variable
 from tmmcalc.design.optimize.search import Second, search
-from tmmcalc.feasibility.quantities import limits, of_given
+from tmmcalc.feasibility.quantities import limits, of_given, place
 from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
 from tmmcalc.feasibility.judge import sides
 from tmmcalc.naming.language import parse
@@ -100,10 +100,10 @@ def optimize(
     with ExitStack() as stack:
         journal = None
         if out is not None:
-            place = part(out)
+            left = part(out)
             if fresh:
-                place.unlink(missing_ok=True)
-            journal = stack.enter_context(Journal(place, key_of(frame)))
+                left.unlink(missing_ok=True)
+            journal = stack.enter_context(Journal(left, key_of(frame)))
         problem = problem_of(journal)
         result = _found(problem, frame, spec.optimize, nominal, told)
         if journal is not None:
@@ -182,16 +182,17 @@ def _prepared(
     table = spec.optimize
     assert table is not None
     keys = [key for variable in table.variables for key in variable.of]
-    asked = [*table.least, *table.greatest]
     task = to_feasibility(spec)
-    names = [*dict.fromkeys([*asked, *(each.asked.text for each in task.constraints if each.given is None)])]
+    asking = {each.asked.text: place(each) for each in task.constraints if each.given is None}
+    asking |= {name: f"optimize.{sense}" for sense in ("least", "greatest") for name in getattr(table, sense)}
+    names = [*asking]
     frame = frame_of(file, fixed, keys, names)
     variables, at = [], 0
     for number, variable in enumerate(table.variables, 1):
         axes = frame.axes[at : at + len(variable.of)]
         variables.append(_variable(variable, axes, at, frame, f"optimize.variables, {number}"))
         at += len(axes)
-    model = Model(frame, solver_of(frame, EACH * len(variables), jobs, scheduler, tell), brief=True)
+    model = Model(frame, solver_of(frame, EACH * len(variables), jobs, scheduler, tell), brief=True, where=asking.__getitem__)
     columns = _columns(model)
     low, high = np.empty(len(keys)), np.empty(len(keys))
     for each in variables:
