@@ -13,7 +13,7 @@ import numpy as np
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.numerics.extended import CHAIN, EPS, MARGIN, WIDER
-from tmmcalc.core.plane import Real
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.assembly import coordinate
 from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.grid import analysed_range
@@ -58,9 +58,7 @@ def records_of(
 ) -> list[Paths]:
     """The results of V variants, from what was found of every path."""
     told = [deviations(over, each, path) for each, path in zip(found, asked, strict=True)]
-    phi = np.concatenate([each.x - over.start[:, None] for each in found], axis=1)
-    wanted = np.concatenate([each.wanted for each in found], axis=1)
-    place = np.concatenate([each.place for each in found], axis=1)
+    phi, wanted, place = joined(over, found)
     labels = labels_of(asked)
     results = []
     for v, error in enumerate(errors):
@@ -80,6 +78,13 @@ def records_of(
             )
         )
     return results
+
+
+def joined(over: Range, found: Sequence[Reached]) -> tuple[Real, Plane, Plane]:
+    """Input coordinates from position 0, wanted points and places (V, n), the points of one path behind the other."""
+    phi = np.concatenate([each.x - over.start[:, None] for each in found], axis=1)
+    wanted = np.concatenate([each.wanted for each in found], axis=1)
+    return phi, wanted, np.concatenate([each.place for each in found], axis=1)
 
 
 def labels_of(asked: Sequence[WantedPath]) -> tuple[str, ...]:
