@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -53,7 +54,7 @@ def records_of(
     over: Range,
     found: Sequence[Reached],
     asked: Sequence[WantedPath],
-    turns: Sequence[bool],
+    turns: bool,
     errors: Sequence[PathError],
 ) -> list[Paths]:
     """The results of V variants, from what was found of every path."""
@@ -104,7 +105,7 @@ def errors_of(wide: Evaluate, over: Range, found: Sequence[Reached], asked: Sequ
     for each, path in zip(found, asked, strict=True):
         variants = np.repeat(np.arange(count), each.x.shape[1])
         x = each.x.astype(np.longdouble)
-        state = wide(x.ravel(), variants, states(path.point), 2).reshape(3, *x.shape)
+        state: Any = wide(x.ravel(), variants, states(path.point), 2).reshape(3, *x.shape)
         slope, bend = slopes_at(state, each.wanted)
         onward = np.where(each.free & (bend > 0), -slope / np.where(bend > 0, bend, 1), 0)
         onward = np.clip(onward, -span[:, None], span[:, None])

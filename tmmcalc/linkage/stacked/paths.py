@@ -27,7 +27,7 @@ Asked = tuple[WantedPath, ...]
 def paths_of(block: Block, variants: Indices, asked: Asked, base: Paths) -> tuple[Paths, dict[str, Real]]:
     """The paths of some variants (v,), the points of one behind the other; and their facts (v,) by name."""
     over, own, found = _reached(block, variants, asked)
-    facts = {}
+    facts: dict[str, Real] = {}
     for each, path in zip(found, own, strict=True):
         facts |= told_by(deviations(over, each, path), path.name)
     phi, wanted, place = joined(over, found)
