@@ -50,11 +50,13 @@ def test_the_best_design_is_a_ready_spec(cli: Cli, spec: Path) -> None:
 
 
 def test_a_front_is_as_many_specs_and_a_picture(cli: Cli, spec: Path) -> None:
+    other = '{ of = "mechanism.links[id=3].points.B[0]", at_least = "250 mm", at_most = "350 mm" }'
+    sought = 'least = ["kinematics.size(omega_3)", "kinematics.size(eps_3)"]\ndesigns = 4'
     spec.write_text(
         spec.read_text()
-        .replace('least = "kinematics.size(omega_3)"', 'least = ["kinematics.size(omega_3)", "kinematics.size(eps_3)"]\ndesigns = 4')
-        .replace("variables = [", f'variables = [{{ of = "mechanism.links[id=3].points.B[0]", at_least = "250 mm", at_most = "350 mm" }}, ')
-    )  # fmt: skip
+        .replace('least = "kinematics.size(omega_3)"', sought)
+        .replace("variables = [", f"variables = [{other}, ")
+    )
     out, picture = spec.with_name("best.toml"), spec.with_name("front.svg")
     told = cli("optimize", str(spec), "-o", str(out), "--picture", str(picture), "-f", "json")
     assert told.code == 0

@@ -43,7 +43,7 @@ def command(
         str | None,
         typer.Option("--scheduler", metavar="ADDRESS", help="Solve on this Dask cluster.", show_default=False),
     ] = None,
-    fresh: Annotated[bool, typer.Option("--fresh", help="Solve all designs, whatever an earlier run has left.")] = False,
+    fresh: Annotated[bool, typer.Option("--fresh", help="Solve all designs, whatever is stored.")] = False,
     form: Form = Format.table,
     quiet: Quiet = False,
     overrides: Set = None,

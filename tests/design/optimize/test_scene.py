@@ -122,7 +122,7 @@ least = "kinematics.size(omega_3)"
 evaluations = 100
 variables = [{{ of = "{CRANK}", at_least = "800 mm", at_most = "900 mm" }}]
 """
-    with pytest.raises(NoSolutionError, match="none of .* designs has a solution; most often, .* times: kinematics"):
+    with pytest.raises(NoSolutionError, match=r"none of .* designs has a solution; most often, .* times: kinematics"):
         optimize(spec(tmp_path, asked))
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.batch.table import key_and_unit
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.design.optimize.optimum import Binding
 from tmmcalc.design.optimize.problem import Objective
 from tmmcalc.design.optimize.scene import Optimum
@@ -40,7 +40,9 @@ def _best(result: Optimum) -> Iterator[Fact]:
     yield Fact(_sense(objective), text, {"objective": objective.name, "best": best, "unit": unit})
     was = result.nominal[0]
     if np.isfinite(was):
-        change = f", {abs(best / was - 1):.1%} {'less' if best < was else 'more'} than now" if was and best != was else ""
+        change = (
+            f", {abs(best / was - 1):.1%} {'less' if best < was else 'more'} than now" if was and best != was else ""
+        )
         yield Fact("of the spec as it is", f"{number(was)} {unit}".rstrip() + change, {"now": was})
 
 
@@ -53,12 +55,10 @@ def _search(result: Optimum) -> Iterator[Fact]:
     yield Fact("method", f"complete: {result.method} were solved" if result.complete else result.method)
     second = result.second
     if second is not None:
-        yield Fact("second method", _confirmed(result), {
-            "second_method": second.method,
-            "second_best": [each.sign * best if np.isfinite(best) else None for each, best in zip(result.objectives, second.best, strict=True)],
-            "second_starts": second.starts,
-            "second_hits": second.hits,
-        })  # fmt: skip
+        signs = [each.sign for each in result.objectives]
+        found = [sign * best if np.isfinite(best) else None for sign, best in zip(signs, second.best, strict=True)]
+        told = {"method": second.method, "best": found, "starts": second.starts, "hits": second.hits}
+        yield Fact("second method", _confirmed(result), {f"second_{key}": value for key, value in told.items()})
     if result.stationarity is not None and np.isfinite(result.stationarity.residual) and result.flat:
         left = result.stationarity.residual
         text = f"slopes of objective and limits balance to {left:.1e}"
@@ -93,9 +93,8 @@ def _notes(result: Optimum) -> Iterator[str]:
             f"note: the objective has a kink at the optimum in {balance.kinks} of its variables: what limits cost is "
             "found by seeking again with looser ones"
         )
-    elif balance is not None and np.isfinite(balance.residual) and balance.residual > BALANCED and result.flat:
-        if not result.complete and any(not each.among for each in result.variables):
-            yield f"warning: slopes do not balance at the optimum (to {balance.residual:.1e}): it may not be the best yet"
+    elif balance is not None and balance.residual > BALANCED and not all(each.among for each in result.variables):
+        yield f"warning: slopes do not balance at the optimum (to {balance.residual:.1e}): it may not be the best yet"
     if result.designs and max(each.again for each in result.designs) > REPEATED:
         yield "warning: solved by itself a design differs from what the search saw"
 
@@ -185,4 +184,3 @@ def _header(name: str, unit: str) -> str:
 
 def _sense(objective: Objective) -> str:
     return f"{'least' if objective.sign > 0 else 'greatest'} {objective.name}"
-

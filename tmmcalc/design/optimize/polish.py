@@ -6,7 +6,7 @@ greatest of several values has one, a search may stop early: it never makes a de
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from functools import partial
 from typing import Any
@@ -67,7 +67,7 @@ def _by(scores: Scores, at: int, aim: Aim) -> Scores:
     return Scores(objectives[None, [aim.objective]], np.array([max(scores.violation[at], *over, 0.0)]))
 
 
-class _Spent(Exception):
+class _SpentError(Exception):
     """A search has stepped through as many designs as it may."""
 
 
@@ -77,7 +77,7 @@ def _search(problem: Problem, start: Values, aim: Aim, ask: Ask) -> Values:
 
     picture = _Picture(problem, start, aim, ask)
     free = problem.free
-    with suppress(_Spent):
+    with suppress(_SpentError):
         known = picture.value(picture.best)
         gain = np.inf
         for _ in range(AGAIN):
@@ -137,7 +137,7 @@ class _Picture:
         if np.array_equal(x, self._place):
             return
         if self._looks == LONGEST:
-            raise _Spent
+            raise _SpentError
         self._looks += 1
         count = len(x)
         places = np.tile(self._start, (2 * count + 1, 1))
@@ -167,7 +167,7 @@ class _Picture:
                 columns += sides(results[:, each.column], each.at_least, each.at_most)
         else:
             columns.append(rule.margin(results))
-        for number, (each, cap) in enumerate(zip(self._problem.objectives, self._aim.caps, strict=True)):
+        for number, (objective, cap) in enumerate(zip(self._problem.objectives, self._aim.caps, strict=True)):
             if np.isfinite(cap) and number != self._aim.objective:
-                columns.append((cap - each.sign * results[:, each.column]) / (abs(cap) or 1.0))
+                columns.append((cap - objective.sign * results[:, objective.column]) / (abs(cap) or 1.0))
         return np.array(columns).reshape(len(columns), len(results)).T
