@@ -1,0 +1,67 @@
+"""What derivatives tell of tolerances: mean, sigma, worst case, and the share of every source in the variance."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tmmcalc.core.records import record
+from tmmcalc.design.tolerance.sources import Clearance, Sources, Values
+
+
+@record
+class Linear:
+    """Of m results with n parts that vary."""
+
+    mean: Values  # (m,), with half the curvature times the variance where curvatures are known
+    sigma: Values  # (m,)
+    least: Values  # (m,) worst case below
+    largest: Values  # (m,) worst case above
+    shares: Values  # (m, n) of the variance; each row sums to 1, or is 0 where nothing varies
+
+
+def linear(sources: Sources, nominal: Values, slopes: Values, curvatures: Values | None = None) -> Linear:
+    """Of results ``nominal`` (m,) with first derivatives ``slopes`` (m, k) by keys, and second ones along each key.
+
+    sigma^2 = sum over parts of S C S^T; worst case: the sum of |S| T, of dimensions made alike |sum of S T|, of a pin
+    the length of its slope.
+    """
+    variances = np.einsum("mi,pij,mj->mp", slopes, sources.covariances(), slopes)
+    total = variances.sum(axis=1)
+    mean = nominal + slopes @ sources.mean()
+    if curvatures is not None:
+        about = sources.covariances().sum(axis=0).diagonal() + sources.mean() ** 2
+        mean = mean + 0.5 * curvatures @ about
+    ends = [ends_of(sources, slope) for slope in slopes]
+    return Linear(
+        mean,
+        np.sqrt(total),
+        nominal + np.array([low for low, _ in ends]),
+        nominal + np.array([high for _, high in ends]),
+        np.divide(variances, total[:, None], out=np.zeros_like(variances), where=total[:, None] > 0),
+    )
+
+
+def ends_of(sources: Sources, slope: Values) -> tuple[float, float]:
+    """The least and the largest change of a linear result with derivatives (k,)."""
+    low = high = 0.0
+    alike: dict[str, list[float]] = {}
+    for each in sources.dimensions:
+        ends = [slope[each.key] * each.low, slope[each.key] * each.high]
+        if each.alike:
+            both = alike.setdefault(each.group, [0.0, 0.0])
+            both[0] += ends[0]
+            both[1] += ends[1]
+        else:
+            low, high = low + min(ends), high + max(ends)
+    for ends in alike.values():
+        low, high = low + min(ends), high + max(ends)
+    for pair in sources.clearances:
+        reach = reach_of(pair, slope)
+        low, high = low - reach, high + reach
+    return float(low), float(high)
+
+
+def reach_of(pair: Clearance, slope: Values) -> float:
+    """The largest change that a clearance makes."""
+    own = slope[list(pair.keys)]
+    return pair.radius * float(np.hypot(*own) if pair.pin else abs(own @ np.array(pair.across)))
