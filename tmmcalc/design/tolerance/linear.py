@@ -63,5 +63,5 @@ def ends_of(sources: Sources, slope: Values) -> tuple[float, float]:
 
 def reach_of(pair: Clearance, slope: Values) -> float:
     """The largest change that a clearance makes."""
-    own = slope[list(pair.keys)]
-    return pair.radius * float(np.hypot(*own) if pair.pin else abs(own @ np.array(pair.across)))
+    own = slope[list(pair.keys)] * pair.scale
+    return pair.radius * float(np.hypot(*own) if pair.across is None else abs(own @ np.array(pair.across)))

@@ -73,29 +73,29 @@ class Dimension:
 
 @record
 class Clearance:
-    """A pair that has play: ``across`` (1 or 2, 2) are directions, by which ``keys`` move, times ``radius``.
+    """A pair that has play: two coordinates x and y of a pin or of a guide, which move by ``radius``.
 
-    Two directions are those of a pin in the axes of a link, which moves along any sum of them on a circle; one is that
-    across a guide, to one side or the other.
+    Where a guide has ``across``, its normal, it moves along that to one side or the other; a pin moves on a circle.
     """
 
     name: str
-    keys: tuple[int, ...]
-    radius: float  # half of the clearance, in the unit of the keys
-    across: tuple[float, ...] = ()  # of a guide: parts of its normal along the keys; empty: a pin
+    keys: tuple[int, int]  # columns of x and y among the keys
+    radius: float  # half of the clearance
+    across: tuple[float, float] | None = None
+    scale: tuple[float, float] = (1.0, 1.0)  # units of x and y in one of the radius
 
     @property
     def pin(self) -> bool:
         """Whether it may go in any direction of the plane."""
-        return not self.across
+        return self.across is None
 
     def shift(self, part: Values) -> Values:
         """Shifts (n, keys) at numbers (n,) from 0 to 1: parts of a turn, or below and above one half the two sides."""
         if self.pin:
             angle = 2 * np.pi * part
-            return self.radius * np.column_stack([np.cos(angle), np.sin(angle)])
+            return self.radius * np.column_stack([np.cos(angle), np.sin(angle)]) * self.scale
         side = np.where(part < 0.5, -1.0, 1.0)
-        return self.radius * side[:, None] * np.array(self.across)
+        return np.asarray(self.radius * side[:, None] * np.multiply(self.across, self.scale))
 
 
 @record
@@ -165,8 +165,8 @@ class Sources:
                     found[self.part_of(each), each.key, other.key] += covariance(each, other)
         for number, pair in enumerate(self.clearances, len(self.names) - len(self.clearances)):
             keys = list(pair.keys)
-            own = 0.5 * np.eye(2) if pair.pin else np.outer(pair.across, pair.across)
-            found[number][np.ix_(keys, keys)] += pair.radius**2 * own
+            own = 0.5 * np.eye(2) if pair.across is None else np.outer(pair.across, pair.across)
+            found[number][np.ix_(keys, keys)] += pair.radius**2 * own * np.outer(pair.scale, pair.scale)
         return found
 
 

@@ -61,7 +61,6 @@ class Box:
         self.movers += [(each,) for each in sources.dimensions if not each.alike]
         self.movers += sources.clearances
         self.turns = np.array([isinstance(each, Clearance) and each.pin for each in self.movers])
-        self.sides = np.array([isinstance(each, Clearance) and not each.pin for each in self.movers])
         self.names = [
             each.name if isinstance(each, Clearance) else each[0].group if each[0].alike else each[0].name
             for each in self.movers
@@ -97,7 +96,7 @@ class _Counted:
         return found
 
     def slopes(self, places: Values) -> Values:
-        """Derivatives (n, v, m) by the numbers, of pins by the keys that they move: (n, v + pins, m)."""
+        """Derivatives (n, v, m) by the numbers, of clearances by x and y: (n, v + clearances, m)."""
         box = self.box
         around, widths = [], []
         for at, each in enumerate(box.movers):
@@ -110,11 +109,10 @@ class _Counted:
                 around.append(box.keys(moved))
             widths.append(high - low)
         for each in box.sources.clearances:
-            for key in each.keys:
-                base = box.keys(places)
+            for key, scale in zip(each.keys, each.scale, strict=True):
                 for step in (-STEP, STEP):
-                    moved = base.copy()
-                    moved[:, key] += step * each.radius
+                    moved = box.keys(places)
+                    moved[:, key] += step * each.radius * scale
                     around.append(moved)
                 widths.append(np.full(len(places), 2 * STEP * each.radius))
         found = np.asarray(self.results(np.concatenate(around)), float).reshape(len(widths), 2, len(places), -1)
@@ -182,9 +180,9 @@ def _corner(box: Box, slope: Values) -> Values:
     at = 0
     for number, each in enumerate(box.movers):
         if isinstance(each, Clearance):
-            own = slope[at : at + len(each.keys)]
-            at += len(each.keys)
-            if each.pin:
+            own = slope[at : at + 2]
+            at += 2
+            if each.across is None:
                 found[number] = (np.arctan2(own[1], own[0]) / (2 * np.pi)) % 1.0 if np.isfinite(own).all() else 0.0
             else:
                 found[number] = float(own @ np.array(each.across) > 0)
@@ -199,16 +197,16 @@ def _turned(box: Box, slopes: Values) -> tuple[str, ...]:
     ranges = np.array([
         1.0 if not isinstance(each, Clearance) else each.radius
         for each in box.movers
-        for _ in range(len(each.keys) if isinstance(each, Clearance) else 1)
+        for _ in range(2 if isinstance(each, Clearance) else 1)
     ])  # fmt: skip
     moved = slopes * ranges
     least = MATTERS * np.nanmax(np.abs(moved).sum(axis=1), initial=0.0)
     names, at = [], 0
     for name, each in zip(box.names, box.movers, strict=True):
-        own = moved[:, at : at + (len(each.keys) if isinstance(each, Clearance) else 1)]
-        if isinstance(each, Clearance) and not each.pin:
+        own = moved[:, at : at + (2 if isinstance(each, Clearance) else 1)]
+        if isinstance(each, Clearance) and each.across is not None:
             own = own @ np.array(each.across)[:, None]
-        at += len(each.keys) if isinstance(each, Clearance) else 1
+        at += 2 if isinstance(each, Clearance) else 1
         reach = own[np.nanargmax(np.linalg.norm(own, axis=1))] if np.isfinite(own).all(axis=1).any() else own[0]
         along = own @ reach / (np.linalg.norm(reach) or 1.0)
         if (along < -least).any():
