@@ -1,0 +1,193 @@
+"""The document of a study of tolerances: yield, what did not assemble, every result, the shares of all that varies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from tmmcalc.design.tolerance.sampling import QUANTILES, Estimate, Statistics
+from tmmcalc.design.tolerance.study import Tolerated
+from tmmcalc.design.tolerance.worst import Worst
+from tmmcalc.design.tolerance.yields import MOST
+from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.numbers import number
+
+SHOWN = 5  # reasons, and parts that are told in words
+NO_SHARE = 5e-4  # of the variance: less is shown as 0
+HEADERS = (
+    "result", "nominal", "worst least", "worst largest", "mean", "sigma", "linear sigma", "0.135 %", "99.865 %",
+)  # fmt: skip
+
+
+def tolerance_document(result: Tolerated, title: str) -> Document:
+    """Yield, refusals, a row a result, then the shares; a result of many columns has its part."""
+    notes = (*_notes(result), *_assumptions(result))
+    facts = (_samples(result), *_refusals(result), *_yield(result), *_widths(result))
+    shown = range(len(result.worst))
+    rows = [_row(result, at) for at in shown]
+    table = View(HEADERS, [list(column) for column in zip(*rows, strict=True)])
+    values = {result.names[at]: _values(result, at) for at in shown}
+    told = Fact("results", f"{len(rows)}, with {len(result.sources.names)} parts that vary", values)
+    return Document(title, (*facts, told), notes, table, parts=(_shares(result),))
+
+
+def _samples(result: Tolerated) -> Fact:
+    lost = sum(each.count for each in result.refusals)
+    text = f"{result.samples}, seed {result.seed}, {lost or 'none'} of them without a result"
+    return Fact("samples", text, {"samples": result.samples, "seed": result.seed, "without_result": lost})
+
+
+def _refusals(result: Tolerated) -> Iterator[Fact]:
+    for at, each in enumerate(result.refusals[:SHOWN], 1):
+        values = {"reason": each.reason, "samples": each.count, "sample": each.sample}
+        yield Fact(f"without a result: {each.count}", f"sample {each.sample}: {each.reason}", {f"refusal_{at}": values})
+    if len(result.refusals) > SHOWN:
+        yield Fact("other reasons", f"{len(result.refusals) - SHOWN} more kinds", {})
+
+
+def _yield(result: Tolerated) -> Iterator[Fact]:
+    if result.good is None:
+        yield Fact("yield", "not known: the spec has no [[constraints]]", {})
+        return
+    good = result.good
+    text = f"{_percent(good.value)} ({_percent(good.low)} to {_percent(good.high)} at 95 %)"
+    yield Fact("yield", text, {"yield": _plain(good)})
+    for name, count in result.failing.items():
+        text = f"{count} samples beyond its limits, {_percent(count / result.samples)}"
+        yield Fact(f"{name} fails", text, {f"failing_{name}": count})
+
+
+def _widths(result: Tolerated) -> Iterator[Fact]:
+    """Which tolerance is to be narrowed first, and which may be widened."""
+    found = result.widenings
+    if found is None:
+        return
+    values: dict[str, Any] = {
+        "linear_yield": found.linear_yield,
+        "loss": found.loss,
+        "parts": [{"name": each.name, "widening": each.factor, "gain_at_half": each.gain} for each in found.parts],
+    }
+    yield Fact("yield of the linear model", _percent(found.linear_yield), values)
+    useful = [each for each in found.parts if each.gain > 0][:SHOWN]
+    if useful:
+        text = "; ".join(f"{each.name}: half of it gains {_percent(each.gain)}" for each in useful)
+        yield Fact("to narrow first", text, {})
+    wide = sorted((each for each in found.parts if each.factor > 1.0), key=lambda each: -each.factor)[:SHOWN]
+    if wide:
+        text = "; ".join(f"{each.name} {_times(each.factor)}" for each in wide)
+        yield Fact(f"may be widened, each alone, at {_percent(found.loss)} of yield", text, {})
+    if len(found.together) > 1:
+        text = f"{', '.join(found.together)} {_times(found.common)}"
+        told = {"together": list(found.together), "together_widening": found.common}
+        yield Fact("may be widened together", text, told)
+
+
+def _times(factor: float) -> str:
+    return f"{MOST:g} times and more" if factor >= MOST else f"{factor:.3g} times"
+
+
+def _row(result: Tolerated, at: int) -> tuple[Any, ...]:
+    worst, told = result.worst[at], result.statistics[at]
+    line = result.linear
+    blank = ("", "", "", "")
+    own = blank if told is None else (told.mean.value, told.sigma.value, told.quantiles[0].value, told.quantiles[-1].value)
+    mean, sigma, low, high = own
+    ends = ("", "") if worst.how == "none" else (worst.least, worst.largest)
+    return (result.names[at], float(result.nominal[at]), *ends, mean, sigma, float(line.sigma[at]), low, high)
+
+
+def _values(result: Tolerated, at: int) -> dict[str, Any]:
+    line, worst = result.linear, result.worst[at]
+    told: dict[str, Any] = {
+        "nominal": float(result.nominal[at]),
+        "linear": {
+            "mean": float(line.mean[at]),
+            "sigma": float(line.sigma[at]),
+            "least": float(line.least[at]),
+            "largest": float(line.largest[at]),
+            "shares": dict(zip(result.sources.names, line.shares[at].tolist(), strict=True)),
+        },
+        "worst": _worst(worst, result.keys),
+    }
+    if result.statistics[at] is not None:
+        told["statistics"] = _moments(result.statistics[at])
+    return told
+
+
+def _worst(worst: Worst, keys: tuple[str, ...]) -> dict[str, Any]:
+    found: dict[str, Any] = {"how": worst.how, "evaluations": worst.evaluations, "turned": list(worst.turned)}
+    if worst.how != "none":
+        found |= {"least": worst.least, "largest": worst.largest}
+        found["at_least"] = dict(zip(keys, worst.at_least.tolist(), strict=True))
+        found["at_largest"] = dict(zip(keys, worst.at_largest.tolist(), strict=True))
+    return found
+
+
+def _moments(told: Statistics | None) -> dict[str, Any]:
+    assert told is not None
+    quantiles = {f"quantile_{q:g}": _plain(each) for q, each in zip(QUANTILES, told.quantiles, strict=True)}
+    return {
+        "samples": told.count,
+        "mean": _plain(told.mean),
+        "sigma": _plain(told.sigma),
+        "skewness": _plain(told.skewness),
+        **quantiles,
+        "least": told.least,
+        "largest": told.largest,
+    }
+
+
+def _plain(found: Estimate) -> dict[str, float]:
+    return {"value": found.value, "low": found.low, "high": found.high}
+
+
+def _notes(result: Tolerated) -> Iterator[str]:
+    """How each worst case was found, results of one kind together."""
+    kinds: dict[tuple[str, tuple[str, ...]], list[str]] = {}
+    for name, worst in zip(result.names, result.worst, strict=False):
+        kinds.setdefault((worst.how, worst.turned), []).append(name)
+    for (how, turned), names in kinds.items():
+        some = result.worst[result.names.index(names[0])]
+        of = ", ".join(names)
+        why = f"the influence of {', '.join(turned)} changes its sign" if turned else "a corner is not the extreme"
+        if how == "signs":
+            yield f"worst case of {of}: by signs of the derivatives, which hold where they were tried in the whole box"
+        elif how == "search":
+            if some.lost:
+                why = f"{why}, and {some.lost} places of the box have no result" if turned else "places have no result"
+            yield f"warning: worst case of {of}: {why}; the box was searched, {some.evaluations} evaluations in all"
+        else:
+            yield f"warning: worst case of {of}: no place of the box was found to have a result"
+    if any(each is None for each in result.statistics):
+        names = [name for name, each in zip(result.names, result.statistics, strict=True) if each is None]
+        yield f"warning: too few samples have {', '.join(names)} for statistics"
+
+
+def _assumptions(result: Tolerated) -> Iterator[str]:
+    if any(pair.pin for pair in result.sources.clearances):
+        yield (
+            "clearances of pins are massless links of half of the clearance: contact is never lost, any direction is as "
+            "likely as another"
+        )
+    if any(not pair.pin for pair in result.sources.clearances):
+        yield "sliders lean on one or the other side of their guides, half of the clearance off, each as often"
+
+
+def _shares(result: Tolerated) -> Document:
+    """Per cent of the variance by the linear model, a row a part, a column a result; the most important first."""
+    shares = result.linear.shares[: len(result.worst)]
+    order = np.argsort(-shares.max(axis=0), kind="stable")
+    headers = ["varies", *(f"{name} %" for name in result.names[: len(shares)])]
+    columns: list[list[Any]] = [[result.sources.names[k] for k in order]]
+    columns += [[_share(float(row[k])) for k in order] for row in shares]
+    return Document("shares of the variance", (), (), View(headers, columns))
+
+
+def _share(part: float) -> float:
+    return round(100 * part, 2) if part >= NO_SHARE / 10 else 0.0
+
+
+def _percent(part: float) -> str:
+    return f"{number(100 * part, 5)} %"
