@@ -92,10 +92,11 @@ def _row(result: Tolerated, at: int) -> tuple[Any, ...]:
     worst, told = result.worst[at], result.statistics[at]
     line = result.linear
     blank = ("", "", "", "")
-    own = blank if told is None else (told.mean.value, told.sigma.value, told.quantiles[0].value, told.quantiles[-1].value)
+    quantiles = () if told is None else (told.quantiles[0].value, told.quantiles[-1].value)
+    own = blank if told is None else map(number, (told.mean.value, told.sigma.value, *quantiles))
     mean, sigma, low, high = own
-    ends = ("", "") if worst.how == "none" else (worst.least, worst.largest)
-    return (result.names[at], float(result.nominal[at]), *ends, mean, sigma, float(line.sigma[at]), low, high)
+    ends = ("", "") if worst.how == "none" else map(number, (worst.least, worst.largest))
+    return result.names[at], number(result.nominal[at]), *ends, mean, sigma, number(line.sigma[at]), low, high
 
 
 def _values(result: Tolerated, at: int) -> dict[str, Any]:
