@@ -44,6 +44,7 @@ SECTIONS = {
             Command("names", "What a scene can tell, by name: symbol, unit, meaning, value."),
             Command("sweep", "Variants of a spec over ranges of its keys, to one CSV."),
             Command("feasibility", "Constraints on results: which hold, by how much."),
+            Command("tolerance", "What tolerances do: worst case, statistics, yield, shares."),
             Command("plot", "Draw the result of a stage to an svg, png, pdf or dxf file."),
             Command("sheet", "Draw the sheets that are handed in: A1, with frame and title block."),
             Command("note", "The explanatory note: every formula in letters, in numbers, checked."),
