@@ -21,6 +21,7 @@ REPLICATES = 16
 STUDENT = 2.131449545559323  # 0.975 of Student's distribution with 15 degrees of freedom
 NORMAL = 1.959963984540054  # 0.975 of the normal one
 QUANTILES = (0.00135, 0.05, 0.5, 0.95, 0.99865)
+NOISE = 1e-9  # of what is compared
 FEW = 5 * REPLICATES  # samples of the rarer kind below which a share has Wilson's interval
 
 
@@ -77,9 +78,9 @@ def statistics(values: Values) -> Statistics:
     return Statistics(
         len(whole),
         _estimate(np.mean, blocks, whole),
-        _estimate(_sigma, blocks, whole),
+        _sigma(blocks, whole),
         _estimate(_skewness, blocks, whole),
-        tuple(_estimate(lambda x, q=q: np.quantile(x, q), blocks, whole) for q in QUANTILES),  # type: ignore[misc]
+        tuple(_quantile(blocks, whole, q) for q in QUANTILES),
         float(whole.min()),
         float(whole.max()),
     )
@@ -91,11 +92,7 @@ def share(held: NDArray[np.bool_]) -> Estimate:
     By what the replicates differ, where there are enough samples of both kinds; else by Wilson's interval of
     independent ones, which is wider than that of quasi-random ones.
     """
-    many = int(held.sum())
-    if min(many, len(held) - many) < FEW:
-        return wilson(many, len(held))
-    found = _estimate(np.mean, np.split(held.astype(float), REPLICATES), held.astype(float))
-    return Estimate(found.value, max(found.low, 0.0), min(found.high, 1.0))
+    return _share(np.split(held, REPLICATES))
 
 
 def wilson(held: int, count: int) -> Estimate:
@@ -111,6 +108,27 @@ def wilson(held: int, count: int) -> Estimate:
     return Estimate(part, 0.0 if held == 0 else middle - half, 1.0 if held == count else middle + half)
 
 
+def _share(blocks: Sequence[NDArray[np.bool_]]) -> Estimate:
+    held = np.concatenate(blocks)
+    many = int(held.sum())
+    if min(many, len(held) - many) < FEW:
+        return wilson(many, len(held))
+    found = _estimate(np.mean, [block.astype(float) for block in blocks], held.astype(float))
+    return Estimate(found.value, max(found.low, 0.0), min(found.high, 1.0))
+
+
+def _quantile(blocks: Sequence[Values], whole: Values, q: float) -> Estimate:
+    """Between the quantiles at the ends of the interval of the share that is not above it.
+
+    Quantiles of the few samples of a block have a bias that their scatter does not show.
+    """
+    value = float(np.quantile(whole, q))
+    part = _share([block <= value for block in blocks])
+    ends = np.clip([q + part.low - part.value, q + part.high - part.value], 0.0, 1.0)
+    low, high = np.quantile(whole, ends).tolist()
+    return Estimate(value, low, high)
+
+
 def _estimate(told: Callable[[Values], Any], blocks: Sequence[Values], whole: Values) -> Estimate:
     """Of all samples, with the interval by the scatter of the blocks."""
     value = float(told(whole))
@@ -119,8 +137,23 @@ def _estimate(told: Callable[[Values], Any], blocks: Sequence[Values], whole: Va
     return Estimate(value, value - half, value + half)
 
 
-def _sigma(x: Values) -> float:
-    return float(np.std(x, ddof=1))
+def _sigma(blocks: Sequence[Values], whole: Values) -> Estimate:
+    """By the mean squares of blocks about the mean of all: of roots of few squares the mean would be too small.
+
+    Mean squares are skewed, so that Student's interval is turned by P. Hall's cubic (On the removal of skewness by
+    transformation, 1992).
+    """
+    squares = np.array([np.mean((block - whole.mean()) ** 2) for block in blocks])
+    middle, spread, n = float(squares.mean()), float(squares.std(ddof=1)), len(squares)
+    sigma = float(np.std(whole, ddof=1))
+    if spread <= NOISE * middle:
+        return Estimate(sigma, sigma, sigma)
+    skew = _skewness(squares) * math.sqrt(n * (n - 1)) / (n - 2)
+    ends = np.array([1.0, -1.0]) * STUDENT / math.sqrt(n)
+    if abs(skew) > NOISE:
+        ends = 3 / skew * (np.cbrt(1 + skew * (ends - skew / (6 * n))) - 1)
+    low, high = np.sqrt(np.maximum(middle - spread * ends, 0.0)).tolist()
+    return Estimate(sigma, min(low, sigma), max(high, sigma))
 
 
 def _skewness(x: Values) -> float:
