@@ -36,10 +36,14 @@ class Shared:
 class Asked:
     """The tables of what is asked of a design as a whole."""
 
-    tolerances: list[ToleranceTable] = table("How far dimensions may be from what the spec says, and the play of pairs.")
+    tolerances: list[ToleranceTable] = table(
+        "How far dimensions may be from what the spec says, and the play of pairs."
+    )
 
 
-TABLES |= merged([*(room.tables for room in ROOMS), entries("tmmcalc.report", Shared), entries("tmmcalc.design", Asked)])
+TABLES |= merged(
+    [*(room.tables for room in ROOMS), entries("tmmcalc.report", Shared), entries("tmmcalc.design", Asked)]
+)
 CHAPTERS = {name: title for room in ROOMS for name, title in room.chapters.items()}  # of the note
 STAGES |= merged([room.stages for room in ROOMS])
 STAGES |= {

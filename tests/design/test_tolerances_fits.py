@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import pytest
@@ -12,7 +13,7 @@ from tmmcalc.spec.units import UnitError
 
 UNITS = {5: 7, 6: 10, 7: 16, 8: 25, 9: 40, 10: 64, 11: 100, 12: 160, 13: 250, 14: 400, 15: 640, 16: 1000, 17: 1600,
          18: 2500}  # fmt: skip
-MEANS = [math.sqrt(3), *(math.sqrt(low * high) for low, high in zip(STEPS, STEPS[1:], strict=False))]  # [mm]
+MEANS = [math.sqrt(3), *(math.sqrt(low * high) for low, high in itertools.pairwise(STEPS))]  # [mm]
 
 
 def unit(size: float, step: int) -> float:
@@ -31,7 +32,8 @@ def test_widths_are_the_formula_rounded(row: int) -> None:
 def test_widths_grow_with_grade_and_size() -> None:
     for row in range(13):
         column = [WIDTHS[grade][row] for grade in GRADES]
-        assert column == sorted(column) and len({*column}) == len(column)
+        assert column == sorted(column)
+        assert len({*column}) == len(column)
     for grade in GRADES:
         assert list(WIDTHS[grade]) == sorted(WIDTHS[grade])
         assert len(WIDTHS[grade]) == (13 if grade in ("01", "0") else 21)
@@ -85,7 +87,9 @@ def test_what_the_standard_has_not_is_told() -> None:
 
 
 def test_general_tolerances() -> None:
-    assert of_length("m", 0.1) == 0.3e-3 and of_length("f", -0.006) == 0.05e-3 and of_length("v", 3.0) == 8e-3
+    assert of_length("m", 0.1) == 0.3e-3
+    assert of_length("f", -0.006) == 0.05e-3
+    assert of_length("v", 3.0) == 8e-3
     assert of_angle("c", 0.08) == pytest.approx(math.radians(0.5))
     for letter, size in (("f", 2.5), ("v", 0.002), ("m", 0.0), ("m", 5.0)):
         with pytest.raises(UnitError):

@@ -52,14 +52,17 @@ def test_wildcards_groups_measured_and_clearances(tmp_path: Path) -> None:
         'of = "mechanism.joints[name=D0].guide.angle"\ntolerance = "m"\nside = "400 mm"',
     )
     named = [each.name for each in found.dimensions]
-    assert named[:3] == [f"mechanism.links[id={link}].points.{point}[0]" for link, point in ((1, "A"), (3, "C"), (4, "D"))]
+    assert named[:3] == [
+        f"mechanism.links[id={link}].points.{point}[0]" for link, point in ((1, "A"), (3, "C"), (4, "D"))
+    ]
     assert found.names == (
         "all", "mechanism.fixed.O[1]", "mechanism.joints[name=D0].guide.angle", "clearance of C", "clearance of D0",
     )  # fmt: skip
     assert found.dimensions[3].measured == (-0.01, 0.02)
     assert found.dimensions[4].high == pytest.approx(1 / 6)  # 10 minutes, in degrees
     pin, guide = found.clearances
-    assert pin.radius == pytest.approx(2e-5) and pin.scale == (1000.0, 1.0)
+    assert pin.radius == pytest.approx(2e-5)
+    assert pin.scale == (1000.0, 1.0)
     assert guide.across == pytest.approx((0.0, 1.0))
 
 
@@ -127,7 +130,19 @@ value = "kinematics.stroke_D"
 at_least = "657.9 mm"
 """
     Path("s.toml").write_text(text, encoding="utf-8")
-    words = ["tolerance", "s.toml", "--samples", "64", "--band", "kinematics.x_D", "-o", "t.csv", "--format", "json", "-q"]
+    words = [
+        "tolerance",
+        "s.toml",
+        "--samples",
+        "64",
+        "--band",
+        "kinematics.x_D",
+        "-o",
+        "t.csv",
+        "--format",
+        "json",
+        "-q",
+    ]
     first = CliRunner().invoke(app, [*words, "--picture", "t.svg"])
     assert first.exit_code == 0, first.output
     told = json.loads(first.stdout)

@@ -39,7 +39,9 @@ def command(
     samples: Annotated[
         int, typer.Option("--samples", metavar="N", min=32, max=1_000_000, help="At least so many; a power of two.")
     ] = 2**14,
-    seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="Of the samples: the same seed, the same.")] = 1,
+    seed: Annotated[
+        int, typer.Option("--seed", metavar="N", min=0, help="Of the samples: the same seed, the same.")
+    ] = 1,
     picture: Annotated[
         Path | None,
         typer.Option(

@@ -1,7 +1,7 @@
 """ISO 286: standard tolerances IT01 to IT18, and fundamental deviations of shafts and holes, sizes up to 3150 mm.
 
-The standard's rounded values, ISO 286-1:2010, tables 1 to 5. Holes D to H are shafts mirrored at the nominal size, holes
-K to P with the addition Delta = IT(n) - IT(n - 1) where the grade is fine and the size is above 3 mm.
+The standard's rounded values, ISO 286-1:2010, tables 1 to 5. Holes D to H are shafts mirrored at the nominal size,
+holes K to P with the addition Delta = IT(n) - IT(n - 1) where the grade is fine and the size is above 3 mm.
 """
 
 from __future__ import annotations
@@ -32,7 +32,8 @@ WIDTHS = {
     "9": (25, 30, 36, 43, 52, 62, 74, 87, 100, 115, 130, 140, 155, 175, 200, 230, 260, 310, 370, 440, 540),
     "10": (40, 48, 58, 70, 84, 100, 120, 140, 160, 185, 210, 230, 250, 280, 320, 360, 420, 500, 600, 700, 860),
     "11": (60, 75, 90, 110, 130, 160, 190, 220, 250, 290, 320, 360, 400, 440, 500, 560, 660, 780, 920, 1100, 1350),
-    "12": (100, 120, 150, 180, 210, 250, 300, 350, 400, 460, 520, 570, 630, 700, 800, 900, 1050, 1250, 1500, 1750, 2100),
+    "12": (100, 120, 150, 180, 210, 250, 300, 350, 400, 460, 520, 570, 630, 700, 800, 900, 1050, 1250, 1500, 1750,
+           2100),
     "13": (140, 180, 220, 270, 330, 390, 460, 540, 630, 720, 810, 890, 970, 1100, 1250, 1400, 1650, 1950, 2300, 2800,
            3300),
     "14": (250, 300, 360, 430, 520, 620, 740, 870, 1000, 1150, 1300, 1400, 1550, 1750, 2000, 2300, 2600, 3100, 3700,
@@ -109,7 +110,9 @@ def deviations(text: str, size: float) -> Deviations:
     if letter.lower() not in LETTERS or letter not in (letter.lower(), letter.upper()):
         known = (*LETTERS, *(each.upper() for each in LETTERS))
         guess = did_you_mean(letter, known)
-        raise UnitError(f"{show(text)}: {show(letter)} is none of the letters here", f"{guess} {listing(known)}".strip())
+        raise UnitError(
+            f"{show(text)}: {show(letter)} is none of the letters here", f"{guess} {listing(known)}".strip()
+        )
     if letter in UPPER:
         upper = -UPPER[letter][row] * micron
         return round(upper - width, 12), round(upper, 12)
@@ -128,7 +131,9 @@ def _upper_of_hole(letter: str, grade: str, size: float) -> float:
     row, order, millimetres = _row(size), _order(grade), round(size * 1e3, 9)
     if not 3 <= order <= 8 or millimetres > DELTA_TO:
         text = f"{letter.upper()}{grade}"
-        raise UnitError(f"{text} is not given here for {millimetres:g} mm", "grades 3 to 8, up to 500 mm; or [low, high]")
+        raise UnitError(
+            f"{text} is not given here for {millimetres:g} mm", "grades 3 to 8, up to 500 mm; or [low, high]"
+        )
     low, high, told = M6
     if letter == "m" and order == 6 and low < millimetres <= high:
         return told

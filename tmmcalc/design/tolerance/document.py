@@ -169,8 +169,8 @@ def _notes(result: Tolerated) -> Iterator[str]:
 def _assumptions(result: Tolerated) -> Iterator[str]:
     if any(pair.pin for pair in result.sources.clearances):
         yield (
-            "clearances of pins are massless links of half of the clearance: contact is never lost, any direction is as "
-            "likely as another"
+            "clearances of pins are massless links of half of the clearance: contact is never lost, any direction is "
+            "as likely as another"
         )
     if any(not pair.pin for pair in result.sources.clearances):
         yield "sliders lean on one or the other side of their guides, half of the clearance off, each as often"

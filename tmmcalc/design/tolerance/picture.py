@@ -1,4 +1,4 @@
-"""Pictures of a study of tolerances: histograms of the results, and the band of a column over the positions of a turn."""
+"""Pictures of a study of tolerances: histograms of the results, the band of a column over the positions of a turn."""
 
 from __future__ import annotations
 

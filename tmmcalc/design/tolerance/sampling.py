@@ -120,7 +120,8 @@ def _share(blocks: Sequence[NDArray[np.bool_]]) -> Estimate:
 def _quantile(blocks: Sequence[Values], whole: Values, q: float) -> Estimate:
     """Between the quantiles at the ends of the interval of the share that is not above it.
 
-    Quantiles of the few samples of a block have a bias that their scatter does not show.
+    Quantiles of the few samples of a block have a bias that their scatter does not show. An interval ends at the
+    outermost sample at the latest, so that of 0.135 % needs some thousand samples.
     """
     value = float(np.quantile(whole, q))
     part = _share([block <= value for block in blocks])

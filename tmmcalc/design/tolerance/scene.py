@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -68,7 +68,7 @@ def tolerate(asked: Asked, told: Told = lambda done, failed: None, warn: Callabl
     order = [at for at in range(len(model.names)) if at not in last] + last
     names = [model.names[at] for at in order]
 
-    def by_places(task: Task, blocks: Sequence[Sequence[int]]) -> Iterator[list[Row]]:
+    def by_places(task: Task, blocks: Iterable[Sequence[int]]) -> Iterator[list[Row]]:
         return near.rows((point, task.values(point)) for block in blocks for point in block)
 
     def solved(places: Values) -> tuple[Values, Sequence[str]]:
@@ -125,5 +125,3 @@ def _rule(spec: Spec, model: Model, names: Sequence[str]) -> Rule | None:
             found = one(each.asked, model.run.results, scene)
             limited[each.name] = names.index(found.key), limits(each, found.unit)
     return Rule(task.combined, limited, given)
-
-

@@ -91,7 +91,7 @@ class Clearance:
 
     def shift(self, part: Values) -> Values:
         """Shifts (n, keys) at numbers (n,) from 0 to 1: parts of a turn, or below and above one half the two sides."""
-        if self.pin:
+        if self.across is None:
             angle = 2 * np.pi * part
             return self.radius * np.column_stack([np.cos(angle), np.sin(angle)]) * self.scale
         side = np.where(part < 0.5, -1.0, 1.0)
@@ -191,4 +191,3 @@ def covariance(one: Dimension, other: Dimension) -> float:
     second = both * score[:, None] + math.sqrt(1 - both**2) * score
     inner = (other.deviation(second.ravel()).reshape(second.shape) - other.mean) @ weight
     return float(weight @ ((one.deviation(score) - one.mean) * inner))
-

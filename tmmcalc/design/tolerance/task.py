@@ -27,7 +27,11 @@ def keys_of(tolerances: Sequence[ToleranceTable], document: Raw) -> tuple[str, .
     """The keys that vary, each once; raises UsageError where nothing does, or a key is none."""
     keys: list[str] = []
     for table in tolerances:
-        keys += [*_pin(table, document)[0]] if table.joint else [one for key in table.of for one in _meant(table, key, document)]
+        keys += (
+            [*_pin(table, document)[0]]
+            if table.joint
+            else [one for key in table.of for one in _meant(table, key, document)]
+        )
     if not keys:
         raise UsageError("nothing varies", where="tolerances", remedy='add [[tolerances]] with of = "..." to the spec')
     return tuple(dict.fromkeys(keys))
@@ -101,7 +105,7 @@ def _ends(table: ToleranceTable, size: float, unit: str) -> tuple[float, float]:
 
 def _general(table: ToleranceTable, size: float, unit: str) -> tuple[float, float]:
     """By ISO 2768: of a length by itself, of an angle by its shorter side."""
-    letter = class_of(table.tolerance)
+    letter = class_of(str(table.tolerance))
     if kind_of(unit) == kind_of(RADIAN):
         if table.side is None:
             raise UnitError("an angle has its general tolerance by its shorter side", 'add side = "80 mm"')

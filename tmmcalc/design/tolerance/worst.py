@@ -1,7 +1,7 @@
-"""The worst case of results over all that varies: the corner that signs of derivatives tell, if they hold, else a search.
+"""The worst case of results over all that varies: the corner that signs of derivatives tell, or else a search.
 
 Places are numbers (n, v) of the unit cube: where every dimension stands between its ends (one number of those that are
-wholly alike), at which part of a turn a pin rests, on which side a slider. The corner of a result is found by its slopes
+wholly alike), at which part of a turn a pin rests, on which side a slider. The corner of a result is found by slopes
 where one stands, again and again, so that the directions of pins settle too. Then slopes are taken at the corners and
 at random places: where one that matters has another sign than at the corner, corners prove nothing, and the whole box
 is searched: corners, quasi-random places, and steps from the best of them along every number.
@@ -163,9 +163,7 @@ def _corners(counted: _Counted) -> tuple[Values, Values]:
     values = counted(places)[np.arange(2 * count), which]
     for _ in range(ROUNDS):
         slopes = counted.slopes(places)
-        tried = np.array(
-            [_corner(box, sign * slopes[at, :, which[at]]) for at, sign in enumerate(signs)]
-        )
+        tried = np.array([_corner(box, sign * slopes[at, :, which[at]]) for at, sign in enumerate(signs)])
         found = counted(tried)[np.arange(2 * count), which]
         better = signs * (found - values) > SETTLED * np.abs(values)
         if not better.any():

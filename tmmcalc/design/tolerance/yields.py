@@ -7,6 +7,7 @@ are multiplied, and results follow by their slopes.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -71,9 +72,7 @@ class Rule:
 
     def failing(self, results: Values) -> dict[str, int]:
         """How many samples are beyond the limits of every constraint; those that lack the result count."""
-        return {
-            name: int((~Rule(name, {name: told}, {}).holds(results)).sum()) for name, told in self.limits.items()
-        }
+        return {name: int((~Rule(name, {name: told}, {}).holds(results)).sum()) for name, told in self.limits.items()}
 
 
 def widenings(
@@ -89,12 +88,12 @@ def widenings(
         return float(holds(whole + (factor - 1) * changes[:, which].sum(axis=1)).mean())
 
     every = np.arange(len(names))
-    parts = [
-        Widening(name, _factor(lambda f, k=k: at(every[k : k + 1], f), before - loss), at(every[k : k + 1], NARROWED) - before)  # type: ignore[misc]  # noqa: E501
-        for k, name in enumerate(names)
-    ]
+    parts = []
+    for name, own in zip(names, every[:, None], strict=True):
+        factor = _factor(partial(at, own), before - loss)
+        parts.append(Widening(name, factor, at(own, NARROWED) - before))
     little = _little(shares)
-    common = _factor(lambda f: at(little, f), before - loss) if len(little) else 1.0
+    common = _factor(partial(at, little), before - loss) if len(little) else 1.0
     order = sorted(range(len(parts)), key=lambda k: (-parts[k].gain, parts[k].factor))
     return Widenings(loss, before, tuple(parts[k] for k in order), tuple(names[k] for k in little), common)
 

@@ -79,7 +79,9 @@ def _check_ends(path: Path, width: list[object]) -> Iterator[Finding]:
     except (UnitError, ValueError):
         return
     if low >= high:
-        yield Finding((*path, "tolerance"), f"{show(width)}: the first deviation is not below the second", "exchange them")
+        yield Finding(
+            (*path, "tolerance"), f"{show(width)}: the first deviation is not below the second", "exchange them"
+        )
 
 
 def _check_joint(path: Path, table: Raw, outline: Outline) -> Iterator[Finding]:
