@@ -233,6 +233,7 @@ def test_late_tables_are_those_of_the_root() -> None:
         "feasibility",
         "sheets",
         "note",
+        "tolerances",
     }
     assert {*Spec.model_fields} - root == {*LATE} | further
     assert root < {*Spec.model_fields}

@@ -95,7 +95,7 @@ def _band(drawing: Drawing, box: Box, result: Tolerated) -> None:
     low, high = float(apart.min()), float(apart.max())
     air = AIR * (high - low) or 1.0
     label = tr("{name}: apart from nominal, {unit}", name=name, unit=unit) if unit else name
-    along = Axis(tr("position"), 0.0, max(float(x[-1]), 1.0), whole=True)
+    along = Axis(tr("number of the position"), 0.0, max(float(x[-1]), 1.0), whole=True)
     field = Diagram(drawing, box, along, Axis(label, low - air, high + air))
     pens = (WORST, CURVES[0], LINEAR, CURVES[0], WORST)
     for row, pen in zip(apart, pens, strict=True):
