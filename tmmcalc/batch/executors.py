@@ -75,7 +75,10 @@ def solve_by(workers: Workers, task: Task, blocks: Iterable[Block], tell: Tell) 
         deaths.update(points if alone else ())
         given_up = [point for point in points if deaths[point] >= DEATHS]
         suspects.extend([point] for point in points if deaths[point] < DEATHS)
-        yield [Row(getattr(point, "point", point), BROKEN, f"its process died {DEATHS} times: not enough memory?") for point in given_up]
+        yield [
+            Row(getattr(point, "point", point), BROKEN, f"its process died {DEATHS} times: not enough memory?")
+            for point in given_up
+        ]
 
 
 def _drain(

@@ -48,14 +48,12 @@ def chosen(data: dict[str, Any], patterns: Sequence[str]) -> list[str]:
 
 
 def scales(axes: Sequence[Axis]) -> list[float]:
-    """An ordinary size of each value, in its unit: its own, or a part of the largest of its kind where it is nearly 0."""
+    """An ordinary size of each value, in its unit: its own, or of one near 0 a part of the largest of its kind."""
     largest: dict[str, float] = {}
     sizes = [_in_si(axis) for axis in axes]
     for kind, unit, value in sizes:
         largest[kind] = max(largest.get(kind, 0.0), abs(value) * unit)
-    return [
-        max(abs(value), (SMALL if value else NOTHING) * largest[kind] / unit) or 1.0 for kind, unit, value in sizes
-    ]
+    return [max(abs(value), (SMALL if value else NOTHING) * largest[kind] / unit) or 1.0 for kind, unit, value in sizes]
 
 
 def varied(task: Task, sizes: Sequence[float]) -> list[str]:
@@ -93,8 +91,9 @@ def _places(items: Sequence[Any]) -> list[str]:
     """What stands in brackets for each element: its number or name where these tell all apart, else its index."""
     for key in _NUMBERED:
         own = [item.get(key) if isinstance(item, dict) else None for item in items]
-        if all(isinstance(each, int | str) for each in own) and len({*map(str, own)}) == len(own):
-            return [f"{key}={each if isinstance(each, int) else _bare(each)}" for each in own]
+        words = [str(each) if isinstance(each, int) else _bare(each) for each in own if isinstance(each, int | str)]
+        if len(words) == len({*words}) == len(items):
+            return [f"{key}={word}" for word in words]
     return [str(at) for at in range(len(items))]
 
 

@@ -4,21 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.batch.choice import heavy
-from tmmcalc.batch.executors import Solve, solve_by, solve_here
-from tmmcalc.batch.local import available, cores, processes
+from tmmcalc.batch.choice import cluster, heavy, local
+from tmmcalc.batch.executors import Solve, solve_here
+from tmmcalc.batch.local import available, cores
 from tmmcalc.batch.places import SOLVER, Place
 from tmmcalc.batch.points import run_of
 from tmmcalc.batch.preparing import prepared
 from tmmcalc.batch.quantities import offered_like, others, told, unknown, unmatched
 from tmmcalc.batch.task import BROKEN, Row, Task
-from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
 from tmmcalc.naming.scene import Scene
 
@@ -42,7 +40,7 @@ class Answers:
     @property
     def solved(self) -> NDArray[np.bool_]:
         """Places (n,) with all results."""
-        return np.isfinite(self.values).all(axis=1)
+        return np.asarray(np.isfinite(self.values).all(axis=1))
 
 
 class Model:
@@ -80,7 +78,7 @@ class Model:
         vars(other).update(vars(self))
         other.nominal, other.keys = self.nominal[[*some]], tuple(self.keys[k] for k in some)
         axes = tuple(self._frame.axes[k] for k in some)
-        other._frame = replace(self._frame, axes=axes).at([other.nominal, low, high])
+        other._frame = replace(self._frame, axes=axes).at([other.nominal.tolist(), low.tolist(), high.tolist()])
         return other
 
     @property
@@ -121,13 +119,8 @@ def solver_of(task: Task, count: int, jobs: int | None, scheduler: str | None, t
     Raises UsageError for ``jobs`` beside a ``scheduler``, and where joblib or distributed is not installed.
     """
     if scheduler is not None:
-        if jobs is not None:
-            remedy = "leave --jobs or --scheduler out"
-            raise UsageError("the cluster has its own processes", where="--jobs", remedy=remedy)
-        from tmmcalc.batch.cluster import solve_on
-
-        return partial(solve_on, scheduler, tell=tell)
+        return cluster(scheduler, jobs, tell)
     if jobs is None:
         many = count > FEW * BLOCK or (heavy(task) and count > FEW)
         jobs = cores() if many and available() else 1
-    return solve_here if jobs == 1 else partial(solve_by, processes(jobs), tell=tell)
+    return local(jobs, tell)

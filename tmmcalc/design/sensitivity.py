@@ -126,12 +126,16 @@ def _slopes(model: Model, sizes: Values, progress: Progress) -> tuple[list[list[
     left, solved, scale = list(range(len(sizes))), 0, sizes.copy()
     for _ in range(ROUNDS):
         total = solved + 2 * LEVELS * len(left)
+
+        def told(done: int, before: int = solved, total: int = total) -> None:
+            progress(before + done, total)
+
         for some, part in _parts(model, left, FIRST * scale):
             moves = [(at, step) for at, k in enumerate(some) for step in steps(scale[k])]
             places = np.tile(part.nominal, (len(moves), 1))
             for row, (at, step) in enumerate(moves):
                 places[row, at] += step
-            answers = part(places, lambda done, before=solved, total=total: progress(before + done, total))
+            answers = part(places, told)
             solved += len(moves)
             for at, k in enumerate(some):
                 own = slice(at * 2 * LEVELS, (at + 1) * 2 * LEVELS)
