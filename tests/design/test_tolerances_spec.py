@@ -83,7 +83,7 @@ def test_wildcards_groups_measured_and_clearances(tmp_path: Path) -> None:
         (f'{CRANK}\ntolerance = "h7"\nside = "80 mm"', "side"),
         (f'{CRANK}\ntolerance = "h7"\njoint = "A"', "together with of"),
         ('of = "mechanism.links[id=1].points.Z[0]"\ntolerance = "h7"', "Z"),
-        ('of = "mechanism.nothing.*"\ntolerance = "h7"', "matches no number"),
+        ('of = "mechanism.nothing.*"\ntolerance = "h7"', "no number of the spec"),
         ('joint = "Z"\nclearance = "0.1 mm"', "no joint"),
         ('joint = "A"', "missing key: clearance"),
         ('joint = "A"\nclearance = "0.1 mm"\nlink = 4', "no joint of link 4"),

@@ -6,7 +6,8 @@ from pydantic import Field
 
 from tmmcalc.design.tables.fits import is_class
 from tmmcalc.design.tables.general import class_of
-from tmmcalc.spec.choices import Known, Listed, OneOrMore
+from tmmcalc.design.tables.key import Keys
+from tmmcalc.spec.choices import Known, Listed
 from tmmcalc.spec.phrases import show
 from tmmcalc.spec.quantities import Number, Size
 from tmmcalc.spec.reader import Reader
@@ -15,21 +16,6 @@ from tmmcalc.spec.units import UnitError, dimension_of
 
 KINDS = ("normal", "uniform", "triangular", "measured")
 EXAMPLES = '"0.1 mm", ["-0.02 mm", "0.05 mm"], "1 %", "h7", "IT7" or "ISO 2768-m"'
-
-
-class Key(Reader):
-    """A key of the spec as an override has it, or several by wildcards."""
-
-    def read(self, value: object) -> str:
-        """Return the key; raise UnitError with the fault in plain words."""
-        if not isinstance(value, str) or not value.strip() or "=" in value.rpartition("]")[2]:
-            rule = f"{show(value)} is no key of a spec"
-            raise UnitError(rule, 'write it as an override has it: "mechanism.links[id=1].points.A[0]"')
-        return value.strip()
-
-    def describe(self) -> dict[str, Any]:
-        """Return the JSON Schema of a key."""
-        return {"type": "string", "description": "A key of the spec, as in --set; * and ? stand for any letters."}
 
 
 class Deviation(Reader):
@@ -86,7 +72,6 @@ def _percent(text: str) -> object:
         return text
 
 
-Keys = Annotated[list[str], OneOrMore(Key())]
 Tolerance = Annotated[Any, Width()]
 Measured = Annotated[list[Any], Listed(Deviation(), '["-0.01 mm", "0.02 mm"]')]
 Kind = Annotated[str, Known("distribution", KINDS)]

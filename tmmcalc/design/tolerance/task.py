@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any, cast
 from tmmcalc.core.errors import UsageError
 from tmmcalc.design.tables.fits import deviations, is_class
 from tmmcalc.design.tables.general import class_of, of_angle, of_length
-from tmmcalc.design.tables.numbers import is_wild, matching
 from tmmcalc.design.tolerance.sources import Clearance, Dimension, Kind, Sources
+from tmmcalc.naming.keys import chosen
+from tmmcalc.naming.language import WILD
 from tmmcalc.naming.rows import in_unit
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.outline import Raw
@@ -62,10 +63,10 @@ def _meant(table: ToleranceTable, key: str, document: Raw) -> list[str]:
     """The keys that one of a table stands for; wildcards pass over zeros where the tolerance is that of a size."""
     from tmmcalc.spec.variants import given
 
-    found = matching(key, document)
+    found = chosen(document, [key], "tolerances")
     width = table.tolerance
     sized = isinstance(width, str) and (is_class(width) or bool(class_of(width)) or width.rstrip().endswith("%"))
-    return [each for each in found if not (sized and is_wild(key) and given(each, document)[0] == 0.0)]
+    return [each for each in found if not (sized and not WILD.isdisjoint(key) and given(each, document)[0] == 0.0)]
 
 
 def _dimension(table: ToleranceTable, axis: Axis, at: int, where: str) -> Dimension:
@@ -162,6 +163,5 @@ def _pin(table: ToleranceTable, document: Raw) -> tuple[tuple[str, str], tuple[f
     point = names[links.index(link)]
     stem = f"mechanism.fixed.{point}" if link == 0 else f"mechanism.links[id={link}].points.{point}"
     keys = (f"{stem}[0]", f"{stem}[1]")
-    for key in keys:
-        matching(key, document)  # a point given by length and angle has none
+    chosen(document, keys, "tolerances")  # a point given by length and angle has none
     return keys, None

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.design.tables.general import class_of
-from tmmcalc.design.tables.numbers import matching
+from tmmcalc.naming.keys import chosen
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, subtable, tables
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
@@ -38,7 +38,7 @@ def _check_dimensions(path: Path, table: Raw, outline: Outline) -> Iterator[Find
     for key in keys:
         if isinstance(key, str) and key.strip() and "=" not in key.rpartition("]")[2]:
             try:
-                matching(key.strip(), outline.document)
+                chosen(outline.document, [key.strip()])
             except UsageError as error:
                 yield Finding((*path, "of"), error.message, error.remedy)
     yield from _check_width(path, table)
