@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated
 
@@ -115,9 +115,12 @@ def _warn(text: str) -> None:
     say(f"warning: {text}", "yellow")
 
 
-def _progress(count: int, quiet: bool) -> AbstractContextManager[Callable[[int, int], None]]:
+@contextmanager
+def _progress(count: int, quiet: bool) -> Iterator[Callable[[int], None]]:
     if quiet or not sys.stderr.isatty():
-        return nullcontext(lambda done, failed: None)
+        yield lambda done: None
+        return
     from tmmcalc.cli.progress import counted
 
-    return counted("samples", count)
+    with counted("samples", count) as shown:
+        yield lambda done: shown(done, 0)

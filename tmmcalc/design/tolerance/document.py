@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from tmmcalc.batch.table import key_and_unit
 from tmmcalc.design.tolerance.sampling import QUANTILES, Estimate, Statistics
 from tmmcalc.design.tolerance.study import Tolerated
 from tmmcalc.design.tolerance.worst import Worst
@@ -15,6 +16,7 @@ from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
 SHOWN = 5  # reasons, and parts that are told in words
+OFF = 0.1  # of sigma: by more the linear model is said to be off
 NO_SHARE = 5e-4  # of the variance: less is shown as 0
 HEADERS = (
     "result", "nominal", "worst least", "worst largest", "mean", "sigma", "linear sigma", "0.135 %", "99.865 %",
@@ -96,22 +98,21 @@ def _row(result: Tolerated, at: int) -> tuple[Any, ...]:
     own = blank if told is None else map(number, (told.mean.value, told.sigma.value, *quantiles))
     mean, sigma, low, high = own
     ends = ("", "") if worst.how == "none" else map(number, (worst.least, worst.largest))
-    return result.names[at], number(result.nominal[at]), *ends, mean, sigma, number(line.sigma[at]), low, high
+    straight = number(line.sigma[at]) if np.isfinite(line.sigma[at]) else ""
+    return result.names[at], number(result.nominal[at]), *ends, mean, sigma, straight, low, high
 
 
 def _values(result: Tolerated, at: int) -> dict[str, Any]:
     line, worst = result.linear, result.worst[at]
-    told: dict[str, Any] = {
-        "nominal": float(result.nominal[at]),
-        "linear": {
+    told: dict[str, Any] = {"nominal": float(result.nominal[at]), "worst": _worst(worst, result.keys)}
+    if np.isfinite(line.sigma[at]):
+        told["linear"] = {
             "mean": float(line.mean[at]),
             "sigma": float(line.sigma[at]),
             "least": float(line.least[at]),
             "largest": float(line.largest[at]),
             "shares": dict(zip(result.sources.names, line.shares[at].tolist(), strict=True)),
-        },
-        "worst": _worst(worst, result.keys),
-    }
+        }
     if result.statistics[at] is not None:
         told["statistics"] = _moments(result.statistics[at])
     return told
@@ -161,9 +162,31 @@ def _notes(result: Tolerated) -> Iterator[str]:
             yield f"warning: worst case of {of}: {why}; the box was searched, {some.evaluations} evaluations in all"
         else:
             yield f"warning: worst case of {of}: no place of the box was found to have a result"
+    yield from _bends(result)
     if any(each is None for each in result.statistics):
         names = [name for name, each in zip(result.names, result.statistics, strict=True) if each is None]
         yield f"warning: too few samples have {', '.join(names)} for statistics"
+
+
+def _bends(result: Tolerated) -> Iterator[str]:
+    """Where the linear model does not stand for a result, by its derivatives and by the samples."""
+    for each in result.bends:
+        key = key_and_unit(each.key)[0]
+        if each.slope.side == "kink":
+            yield f"note: {each.name} has a kink along {key}: the linear model takes the middle of both sides"
+        elif each.slope.side == "jump":
+            yield f"warning: {each.name} jumps along {key}: there is no linear model of it"
+        else:
+            yield f"warning: {each.name} has no clear derivative along {key}: the linear model of it is in doubt"
+    for name, told, mean, sigma in zip(
+        result.names, result.statistics, result.linear.mean, result.linear.sigma, strict=False
+    ):
+        if told is None or not np.isfinite(sigma):
+            continue
+        shift, ratio = abs(told.mean.value - mean), told.sigma.value / sigma if sigma > 0 else 1.0
+        if shift > OFF * told.sigma.value or abs(ratio - 1) > OFF:
+            text = f"its mean is {number(shift, 3)} off, sigma of the samples {number(ratio, 3)} of it"
+            yield f"warning: the linear model is no good for {name}: {text}"
 
 
 def _assumptions(result: Tolerated) -> Iterator[str]:

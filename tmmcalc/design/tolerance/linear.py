@@ -5,35 +5,37 @@ from __future__ import annotations
 import numpy as np
 
 from tmmcalc.core.records import record
+from tmmcalc.design.differences import Slope
 from tmmcalc.design.tolerance.sources import Clearance, Sources, Values
 
 
 @record
 class Linear:
-    """Of m results with n parts that vary."""
+    """Of m results with n parts that vary; NaN of a result that has no derivative."""
 
-    mean: Values  # (m,), with half the curvature times the variance where curvatures are known
+    mean: Values  # (m,)
     sigma: Values  # (m,)
     least: Values  # (m,) worst case below
     largest: Values  # (m,) worst case above
     shares: Values  # (m, n) of the variance; each row sums to 1, or is 0 where nothing varies
 
 
-def linear(sources: Sources, nominal: Values, slopes: Values, curvatures: Values | None = None) -> Linear:
-    """Of results ``nominal`` (m,) with first derivatives ``slopes`` (m, k) by keys, and second ones along each key.
+def straight(found: Slope) -> float:
+    """The derivative by which a straight line stands for a result: of a kink the middle of both; NaN: there is none."""
+    return (found.left + found.right) / 2 if found.side == "kink" else found.value
+
+
+def linear(sources: Sources, nominal: Values, slopes: Values) -> Linear:
+    """Of results ``nominal`` (m,) with derivatives ``slopes`` (m, k) by keys.
 
     sigma^2 = sum over parts of S C S^T; worst case: the sum of |S| T, of dimensions made alike |sum of S T|, of a pin
     the length of its slope.
     """
     variances = np.einsum("mi,pij,mj->mp", slopes, sources.covariances(), slopes)
     total = variances.sum(axis=1)
-    mean = nominal + slopes @ sources.mean()
-    if curvatures is not None:
-        about = sources.covariances().sum(axis=0).diagonal() + sources.mean() ** 2
-        mean = mean + 0.5 * curvatures @ about
     ends = [ends_of(sources, slope) for slope in slopes]
     return Linear(
-        mean,
+        nominal + slopes @ sources.mean(),
         np.sqrt(total),
         nominal + np.array([low for low, _ in ends]),
         nominal + np.array([high for _, high in ends]),

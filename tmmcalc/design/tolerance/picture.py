@@ -27,7 +27,7 @@ AIR = 0.04  # beside the outermost place, of the span
 def tolerance_drawing(result: Tolerated, heading: str) -> Drawing:
     """Sheets of up to four histograms, then one of the band if there is one."""
     shown = [at for at in range(len(result.worst)) if result.statistics[at] is not None]
-    banded = len(result.names) > len(result.worst)
+    banded = bool(result.band)
     count = max(math.ceil(len(shown) / MOST) + banded, 1)
     drawing, boxes = sheets(count)
     boxes = [headed(drawing, box, heading) for box in boxes]
@@ -81,8 +81,8 @@ def _histogram(drawing: Drawing, box: Box, result: Tolerated, at: int) -> None:
 
 def band(result: Tolerated) -> tuple[Values, Values]:
     """Nominal values (n,) of the column at its positions, and its quantiles (quantiles, n) there."""
-    first = len(result.worst)
-    return result.nominal[first:], np.nanquantile(result.values[:, first:], QUANTILES, axis=0)
+    columns = [*result.band]
+    return result.nominal[columns], np.nanquantile(result.values[:, columns], QUANTILES, axis=0)
 
 
 def _band(drawing: Drawing, box: Box, result: Tolerated) -> None:
@@ -90,7 +90,7 @@ def _band(drawing: Drawing, box: Box, result: Tolerated) -> None:
     nominal, levels = band(result)
     apart = levels - nominal
     x = np.arange(len(nominal), dtype=float)
-    name, _, unit = result.names[len(result.worst)].partition("@")
+    name, _, unit = result.names[result.band[0]].partition("@")
     unit = unit.partition("[")[2].rstrip("]")
     low, high = float(apart.min()), float(apart.max())
     air = AIR * (high - low) or 1.0

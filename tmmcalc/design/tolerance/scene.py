@@ -9,12 +9,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tmmcalc.batch.choice import heavy
 from tmmcalc.batch.reading import frame_of
 from tmmcalc.batch.sweep import sweep
+from tmmcalc.batch.table import key_and_unit
 from tmmcalc.batch.task import BROKEN, Row, Task
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
-from tmmcalc.design.model import Model, solver_of
+from tmmcalc.design.keys import scales, varied
+from tmmcalc.design.model import BLOCK, Answers, Model, Told, solver_of
+from tmmcalc.design.sensitivity import sensitivity
 from tmmcalc.design.tolerance.sampling import sizes
 from tmmcalc.design.tolerance.sources import Values
 from tmmcalc.design.tolerance.study import Tolerated, ranges, study
@@ -30,7 +34,6 @@ if TYPE_CHECKING:
     from tmmcalc.project import Spec
 
 REACH = 1.6  # of half the range of a key: samples lie within, but for one in a million
-Told = Callable[[int, int], None]  # samples done, of these without a result
 
 
 @record
@@ -49,54 +52,76 @@ class Asked:
     fresh: bool = False
 
 
-def tolerate(asked: Asked, told: Told = lambda done, failed: None, warn: Callable[[str], None] = print) -> Tolerated:
+def tolerate(asked: Asked, told: Told = lambda done: None, warn: Callable[[str], None] = print) -> Tolerated:
     """The study; raises UsageError for tolerances that do not fit, and the error of the spec as it is."""
     variants = Variants(read_text(asked.file), str(asked.file), asked.file.parent, asked.overrides)
     spec = variants.spec()
     constraints = [each.asked.text for each in to_feasibility(spec).constraints if each.given is None]
-    band = _band(asked.band, spec)
-    patterns = [*dict.fromkeys([*asked.of, *constraints, *band])]
-    if not {*patterns} - {*band}:
+    wanted = [*dict.fromkeys([*asked.of, *constraints])]
+    if not wanted:
         raise UsageError("no result is asked for", where="--of", remedy="name results, or add [[constraints]]")
+    course = _band(asked.band, spec)
     keys = keys_of(spec.tolerances, variants.data)
-    frame = frame_of(asked.file, asked.overrides, keys, patterns)
+    frame = frame_of(asked.file, asked.overrides, keys, [*dict.fromkeys([*wanted, *course])])
+    _check(frame)
     sources = sources_of(spec.tolerances, variants.data, frame.axes)
-    model = Model(frame, solver_of(frame, sizes(asked.samples), asked.jobs, asked.scheduler, warn))
-    near = model.over(range(len(keys)), *(model.nominal + end * REACH * ranges(sources) for end in (-1, 1)))
-    rows = {_bare(name): at for at, name in enumerate(model.names)}
-    last = [rows[name] for name in band]
-    order = [at for at in range(len(model.names)) if at not in last] + last
-    names = [model.names[at] for at in order]
-
-    def by_places(task: Task, blocks: Iterable[Sequence[int]]) -> Iterator[list[Row]]:
-        return near.rows((point, task.values(point)) for block in blocks for point in block)
+    model = Model(frame)
+    many = solver_of(frame, sizes(asked.samples), asked.jobs, asked.scheduler, warn)
+    lines = sensitivity(asked.file, wanted, keys, asked.overrides, scheduler=asked.scheduler, tell=warn)
+    names = [*lines.names, *(name for name in model.names if name not in lines.names)]
+    order = [model.names.index(name) for name in names]
+    # processes are no use to the few places at a time of a search, unless each takes long
+    near = (model.by(many) if heavy(frame) else model).over(
+        range(len(keys)), *(model.nominal + end * REACH * ranges(sources) for end in (-1, 1))
+    )
+    bare = {key_and_unit(name)[0]: at for at, name in enumerate(names)}
 
     def solved(places: Values) -> tuple[Values, Sequence[str]]:
-        task = replace(frame.at(places.tolist()), patterns=model.names)
-        sheet = sweep(task, by_places, asked.out, fresh=asked.fresh, told=told).sheet
-        if BROKEN in sheet.status:
-            raise RuntimeError(sheet.reasons[sheet.status.index(BROKEN)])
-        place = {name: at for at, name in enumerate(sheet.names)}
-        columns = [sheet.values[:, place[name]] if name in place else np.full(len(places), np.nan) for name in names]
-        return np.array(columns).T, sheet.reasons
+        every = near.by(many)
+        answers = every(places, told) if asked.out is None else _kept(every, frame, places, asked, told)
+        return answers.values[:, order], answers.reasons
 
     return study(
         names,
         model.keys,
         model.nominal,
+        model.found[order],
         sources,
+        [[each.slope for each in lines.partials if each.name == name] for name in lines.names],
         lambda places: near(places).values[:, order],
         solved,
         _rule(spec, model, names),
         samples=sizes(asked.samples),
         seed=asked.seed,
-        columns=range(len(names) - len(last)),
+        band=[bare[name] for name in course],
     )
 
 
-def _bare(name: str) -> str:
-    """A name without its unit."""
-    return name.rpartition("[")[0] if name.endswith("]") and not name.endswith("@]") else name
+def _check(frame: Task) -> None:
+    """Raise UsageError for a key that takes no small change, such as a number of teeth."""
+    for axis, reason in zip(frame.axes, varied(frame, scales(frame.axes)), strict=True):
+        if reason:
+            raise UsageError(f"{axis.key} takes no small change: {reason}", where="tolerances", remedy="leave it out")
+
+
+def _kept(model: Model, frame: Task, places: Values, asked: Asked, told: Told) -> Answers:
+    """The results at places, which are kept in a table; what an earlier run has done is not done again."""
+    task = replace(frame.at(places.tolist()), patterns=model.names, block=BLOCK)
+
+    def solve(task: Task, blocks: Iterable[Sequence[int]]) -> Iterator[list[Row]]:
+        left = {point for block in blocks for point in block}
+        numbers = dict.fromkeys(point // BLOCK for point in left)
+        # whole blocks, so that digits do not depend on what is done already
+        every = (at for number in numbers for at in range(number * BLOCK, min((number + 1) * BLOCK, task.count)))
+        for rows in model.rows((at, task.values(at)) for at in every):
+            yield [row for row in rows if row.point in left]
+
+    sheet = sweep(task, solve, asked.out, fresh=asked.fresh, told=lambda done, failed: told(done)).sheet
+    if BROKEN in sheet.status:
+        raise RuntimeError(sheet.reasons[sheet.status.index(BROKEN)])
+    place = {name: at for at, name in enumerate(sheet.names)}
+    columns = [sheet.values[:, place[name]] if name in place else np.full(len(places), np.nan) for name in model.names]
+    return Answers(np.array(columns).T, sheet.reasons)
 
 
 def _band(column: str, spec: Spec) -> list[str]:

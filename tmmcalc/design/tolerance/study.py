@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
 from tmmcalc.core.records import record
-from tmmcalc.design.tolerance.linear import Linear, linear
+from tmmcalc.design.differences import Slope
+from tmmcalc.design.tolerance.linear import Linear, linear, straight
 from tmmcalc.design.tolerance.sampling import Estimate, Statistics, points, share, statistics
 from tmmcalc.design.tolerance.sources import Sources, Values
 from tmmcalc.design.tolerance.worst import Results, Worst, worst_cases
@@ -16,7 +17,8 @@ from tmmcalc.design.tolerance.yields import Rule, Widenings, widenings
 
 Solved = Callable[[Values], tuple[Values, Sequence[str]]]  # keys (n, k) -> results (n, m), why one has none (n,)
 
-SLOPE, CURVE = 0.02, 0.5  # of the range of a key: steps of first and of second differences
+CHUNK = 4096  # samples of which the changes by every part are held at once
+FEWER = 2**14  # samples by which the linear model tells of the yield
 
 
 @record
@@ -29,6 +31,15 @@ class Refusal:
 
 
 @record
+class Bend:
+    """A key along which no straight line stands for a result: a kink, a jump, an end, or what does not settle."""
+
+    name: str
+    key: str
+    slope: Slope
+
+
+@record
 class Tolerated:
     """What tolerances do to m results, by n parts that vary; ``keys`` are told with their units."""
 
@@ -36,9 +47,10 @@ class Tolerated:
     nominal: Values  # (m,)
     keys: tuple[str, ...]
     sources: Sources
-    linear: Linear
-    worst: tuple[Worst, ...]  # (m,)
-    statistics: tuple[Statistics | None, ...]  # (m,), None where too few samples have the result
+    linear: Linear  # of the first results, those that are asked for and no course
+    bends: tuple[Bend, ...]
+    worst: tuple[Worst, ...]  # of these
+    statistics: tuple[Statistics | None, ...]  # of these, None where too few samples have the result
     samples: int
     seed: int
     refusals: tuple[Refusal, ...]  # the most frequent first
@@ -46,45 +58,54 @@ class Tolerated:
     failing: dict[str, int]  # samples beyond the limits, by constraint
     widenings: Widenings | None
     values: Values  # (samples, m)
+    band: tuple[int, ...]  # columns of the course over the positions of a turn
 
 
 def study(
     names: Sequence[str],
     keys: Sequence[str],
     nominal: Values,
+    found: Values,
     sources: Sources,
+    slopes: Sequence[Sequence[Slope]],
     results: Results,
     solved: Solved,
     rule: Rule | None,
     *,
     samples: int,
     seed: int,
-    columns: Sequence[int] | None = None,
+    band: Sequence[int] = (),
 ) -> Tolerated:
-    """Of results that are a function of keys with values ``nominal`` (k,).
+    """Of results that are ``found`` (m,) where the keys are ``nominal`` (k,).
 
-    ``results`` is asked for differences and the worst case, ``solved`` once for all samples, so that it may keep them.
-    The worst case is that of ``columns`` (None: all); the others, such as those of a course, have none.
+    ``slopes`` are derivatives by results, then by keys; those beyond the results that have them are of the course in
+    the columns ``band`` alone. ``results`` is asked for the worst case, ``solved`` once for all samples, so that it may
+    keep them.
     """
-    own = list(range(len(names)) if columns is None else columns)
-    first, slopes, curvatures = differences(results, sources, nominal)
-    parts = sources.parts(points(sources, samples, seed))
-    values, reasons = solved(nominal + parts.sum(axis=1))
-    told = linear(sources, first, slopes, curvatures)
+    own = len(slopes)
+    lines = np.array([[straight(each) for each in row] for row in slopes])
+    drawn = points(sources, samples, seed)
+    values, reasons = solved(nominal + moved(sources, drawn))
+    told = linear(sources, found[:own], lines)
     widened = None
-    if rule is not None and np.isfinite(slopes).all():
-        changes = parts @ slopes.T
-        limited = [column for column, _ in rule.limits.values()]
-        widened = widenings(rule.holds, sources.names, first, changes, told.shares[limited])
+    if rule is not None and np.isfinite(lines[rule.columns]).all():
+        parts = np.concatenate([sources.parts(some) @ lines.T for some in _chunks(drawn[:FEWER])])
+        widened = widenings(rule.holds, sources.names, found[:own], parts, told.shares[rule.columns])
     held = None if rule is None else rule.holds(values)
     return Tolerated(
         tuple(names),
-        first,
+        found,
         tuple(keys),
         sources,
         told,
-        worst_cases(lambda places: results(places)[:, own], sources, nominal, seed),
-        tuple(_statistics(column) for column in values.T),
+        tuple(
+            Bend(names[m], keys[k], each)
+            for m, row in enumerate(slopes)
+            for k, each in enumerate(row)
+            if each.side != "both"
+        ),
+        worst_cases(lambda places: results(places)[:, :own], sources, nominal, seed),
+        tuple(_statistics(column) for column in values.T[:own]),
         len(values),
         seed,
         refusals(reasons),
@@ -92,29 +113,17 @@ def study(
         {} if rule is None else rule.failing(values),
         widened,
         values,
+        tuple(band),
     )
 
 
-def differences(results: Results, sources: Sources, nominal: Values) -> tuple[Values, Values, Values]:
-    """Results (m,) at the nominal place, their first and second derivatives (m, k) along every key.
+def moved(sources: Sources, drawn: Values) -> Values:
+    """Changes (n, keys) at points (n, count) of the unit cube."""
+    return np.concatenate([sources.parts(some).sum(axis=1) for some in _chunks(drawn)])
 
-    Central differences with steps by the ranges of the keys, the first ones extrapolated from two steps (h, 2 h); that
-    of a key that does not move is 0.
-    """
-    spread = ranges(sources)
-    places = [nominal]
-    for at, width in enumerate(spread):
-        for step in (SLOPE, 2 * SLOPE, CURVE):
-            for side in (-1, 1):
-                moved = nominal.copy()
-                moved[at] += side * step * width
-                places.append(moved)
-    found = results(np.array(places))
-    around = found[1:].reshape(len(spread), 3, 2, -1)
-    width = spread[:, None]
-    slope, coarse = ((around[:, k, 1] - around[:, k, 0]) / (2 * h * width) for k, h in ((0, SLOPE), (1, 2 * SLOPE)))
-    curve = (around[:, 2, 1] - 2 * found[0] + around[:, 2, 0]) / (CURVE * width) ** 2
-    return found[0], np.asarray((4 * slope - coarse) / 3).T, np.asarray(curve).T
+
+def _chunks(drawn: Values) -> Iterator[Values]:
+    return (drawn[at : at + CHUNK] for at in range(0, len(drawn), CHUNK))
 
 
 def ranges(sources: Sources) -> Values:

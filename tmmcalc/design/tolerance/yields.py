@@ -55,6 +55,11 @@ class Rule:
     limits: dict[str, tuple[int, Limits]]  # name of a constraint: column, limits in the unit of the column
     given: dict[str, bool]
 
+    @property
+    def columns(self) -> list[int]:
+        """The columns that have limits."""
+        return [column for column, _ in self.limits.values()]
+
     def holds(self, results: Values) -> NDArray[np.bool_]:
         """Whether samples (n, m) keep the rule; one that lacks a constrained result does not."""
         truths = {name: np.full(len(results), held) for name, held in self.given.items()}
