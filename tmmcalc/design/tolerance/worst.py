@@ -3,8 +3,9 @@
 Places are numbers (n, v) of the unit cube: where every dimension stands between its ends (one number of those that are
 wholly alike), at which part of a turn a pin rests, on which side a slider. The corner of a result is found by slopes
 where one stands, again and again, so that the directions of pins settle too. Then slopes are taken at the corners and
-at random places: where one that matters has another sign than at the corner, corners prove nothing, and the whole box
-is searched: corners, quasi-random places, and steps from the best of them along every number.
+at random places. Where some that matter have another sign than at the corner, the others stay there and the box of
+these is searched: corners, quasi-random places, and steps from the best of them along every number. Where places lack
+a result, or one of them outdoes the corners, that is the whole box.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from tmmcalc.core.records import record
 from tmmcalc.design.tolerance.sources import Clearance, Dimension, Sources, Values
 
 Results = Callable[[Values], Values]  # places of the keys (n, k) -> results (n, m), NaN where there is none
+Indices = NDArray[np.intp]
 How = Literal["signs", "search", "none"]
 
 STEP = 1e-3  # of a difference, as part of a range
@@ -27,7 +29,7 @@ ROUNDS = 8  # of the way to a corner
 SETTLED = 1e-9  # of the range of a result: a corner that adds less is the one
 RANDOM = 12  # places at which signs are checked, beside the corners
 CORNERS = 10  # numbers of which all corners are tried
-PLACES = 2048  # of a search, quasi-random
+PLACES, EACH = 2048, 32  # of a search, quasi-random: at most, and to a corner of the box
 STARTS = 4  # of its steps
 FIRST, LAST = 0.25, 1e-5  # length of the first and the last step
 
@@ -141,9 +143,16 @@ def worst_cases(results: Results, sources: Sources, nominal: Values, seed: int) 
             np.nanmax(column, initial=-np.inf) > best[1] + SETTLED * abs(best[1])
         )
         how: How = "signs"
-        if turned[which] or lost or outdone or not np.isfinite(best).all():
+        if lost or outdone or not np.isfinite(best).all():
             how = "search"
-            sides, best = _searched(counted, which, np.concatenate([places, sides]), seed)
+            every = np.arange(len(box.names))
+            sides, best = _searched(counted, which, np.stack([np.concatenate([places, sides])] * 2), every, seed)
+        elif turned[which]:
+            how = "search"
+            free = np.array([box.names.index(name) for name in turned[which]])
+            starts = np.repeat(sides[:, None], len(places), axis=1)
+            starts[:, :, free] = places[:, free]
+            sides, best = _searched(counted, which, np.concatenate([sides[:, None], starts], axis=1), free, seed)
         if not np.isfinite(best).all():
             how = "none"
         low, high = box.keys(sides)
@@ -212,18 +221,25 @@ def _turned(box: Box, slopes: Values) -> tuple[str, ...]:
     return tuple(names)
 
 
-def _searched(counted: _Counted, which: int, starts: Values, seed: int) -> tuple[Values, Values]:
-    """The best places (2, v) of the whole box for the least and the largest of a result, and its values (2,)."""
+def _searched(counted: _Counted, which: int, starts: Values, free: Indices, seed: int) -> tuple[Values, Values]:
+    """The best places (2, v) for the least and the largest of a result, and its values (2,).
+
+    ``starts`` (2, n, v) are tried first; the numbers ``free`` go through the box, the others stay as in the first.
+    """
     box = counted.box
-    places = np.concatenate([starts, _spread(len(box.names), seed)])
-    values = counted(places)[:, which]
     ends, best = [], []
-    for sign in (-1.0, 1.0):
+    steps = np.eye(len(box.names))[free]
+    spread = _spread(len(free), seed)
+    for sign, own in zip((-1.0, 1.0), starts, strict=True):
+        further = np.tile(own[0], (len(spread), 1))
+        further[:, free] = spread
+        places = np.concatenate([own, further])
+        values = counted(places)[:, which]
         good = np.argsort(np.where(np.isfinite(values), -sign * values, np.inf), kind="stable")[:STARTS]
         here, gain = places[good], sign * values[good]
         step = np.full(len(good), FIRST)
         while (step > LAST).any():
-            moves = np.concatenate([np.eye(len(box.names)), -np.eye(len(box.names))])
+            moves = np.concatenate([steps, -steps])
             tried = box.kept(here[:, None, :] + step[:, None, None] * moves)
             found = sign * counted(tried.reshape(-1, len(box.names)))[:, which].reshape(len(good), -1)
             found = np.where(np.isfinite(found), found, -np.inf)
@@ -243,7 +259,9 @@ def _spread(count: int, seed: int) -> Values:
     """Corners of the unit cube, all or as many as of so many numbers, and quasi-random places in it."""
     from scipy.stats.qmc import Sobol
 
-    inner = Sobol(count, seed=np.random.default_rng(np.random.SeedSequence(seed).spawn(2)[1])).random(PLACES)
+    inner = Sobol(count, seed=np.random.default_rng(np.random.SeedSequence(seed).spawn(2)[1])).random(
+        min(PLACES, EACH * 2**count)
+    )
     if count <= CORNERS:
         corners: NDArray[np.floating] = (np.arange(2**count)[:, None] >> np.arange(count) & 1).astype(float)
     else:
