@@ -37,7 +37,7 @@ class Asked:
     """The tables of what is asked of a design as a whole."""
 
     tolerances: list[ToleranceTable] = table(
-        "How far dimensions may be from what the spec says, and the play of pairs."
+        "How far dimensions may be from what the spec says, and the play of pairs.", files=("measurements",)
     )
 
 

@@ -159,7 +159,8 @@ def test_places_without_a_result_are_searched_around() -> None:
 
 
 def test_a_clearance_turns_to_where_it_is_worst() -> None:
-    pin = Sources(2, (), (Clearance("A", (0, 1), 0.1, None, (1.0, 1000.0)),))  # y in another unit
+    play = Dimension("A", 0, 0.1, 0.1)
+    pin = Sources(2, (), (Clearance("A", (0, 1), play, None, False, (1.0, 1000.0)),))  # y in another unit
     angle = np.linspace(0, 2 * np.pi, 100_001)
     exact = (0.1 * np.cos(angle) - 2) ** 2 + 0.1 * np.sin(angle)
     (found,) = worst_cases(lambda x: (x[:, :1] - 2) ** 2 + x[:, 1:] / 1000, pin, np.zeros(2), 1)
@@ -167,7 +168,7 @@ def test_a_clearance_turns_to_where_it_is_worst() -> None:
     told = linear(pin, np.zeros(1), np.array([[3.0, 0.004]]))
     assert told.largest[0] == pytest.approx(0.5)
     assert told.sigma[0] == pytest.approx(0.5 / math.sqrt(2))
-    guide = Sources(2, (), (Clearance("B", (0, 1), 0.1, (0.6, 0.8)),))
+    guide = Sources(2, (), (Clearance("B", (0, 1), play, (0.6, 0.8), True),))
     assert np.unique(np.round(sampled(guide, 64), 12), axis=0).tolist() == [[-0.06, -0.08], [0.06, 0.08]]
     assert linear(guide, np.zeros(1), np.array([[1.0, 1.0]])).sigma[0] == pytest.approx(0.14)
 

@@ -61,9 +61,10 @@ def test_wildcards_groups_measured_and_clearances(tmp_path: Path) -> None:
     assert found.dimensions[3].measured == (-0.01, 0.02)
     assert found.dimensions[4].high == pytest.approx(1 / 6)  # 10 minutes, in degrees
     pin, guide = found.clearances
-    assert pin.radius == pytest.approx(2e-5)
+    assert pin.largest == pytest.approx(2e-5)
     assert pin.scale == (1000.0, 1.0)
-    assert guide.across == pytest.approx((0.0, 1.0))
+    assert guide.sides
+    assert guide.along == pytest.approx((0.0, 1.0))
 
 
 @pytest.mark.parametrize(

@@ -9,11 +9,13 @@ from tmmcalc.design.tables.general import class_of
 from tmmcalc.design.tables.key import Keys
 from tmmcalc.spec.choices import Known, Listed
 from tmmcalc.spec.phrases import show
-from tmmcalc.spec.quantities import Number, Size
+from tmmcalc.spec.quantities import Number, Quantity, Size
 from tmmcalc.spec.reader import Reader
 from tmmcalc.spec.table import Table
 from tmmcalc.spec.units import UnitError, dimension_of
 
+MEASURED = ("sizes", "deviations")
+DIRECTIONS = ("any", "force")
 KINDS = ("normal", "uniform", "triangular", "measured")
 EXAMPLES = '"0.1 mm", ["-0.02 mm", "0.05 mm"], "1 %", "h7", "IT7" or "ISO 2768-m"'
 
@@ -32,6 +34,44 @@ class Deviation(Reader):
     def describe(self) -> dict[str, Any]:
         """Return the JSON Schema: a number or a text."""
         return {"anyOf": [{"type": "number"}, {"type": "string"}], "description": "A deviation."}
+
+
+class Play(Reader):
+    """A clearance, or the least and the largest of one."""
+
+    def read(self, value: object) -> tuple[float, float]:
+        """Return both ends [m]; raise UnitError with the fault in plain words."""
+        size = Quantity("length", at_least_zero=True)
+        low, high = value if isinstance(value, list) and len(value) == 2 else (value, value)
+        least, largest = size.read(low), size.read(high)
+        if largest == 0 or least > largest:
+            raise UnitError(
+                f"{show(value)} is no clearance", 'write one above 0, "0.05 mm", or two: ["0.02 mm", "0.06 mm"]'
+            )
+        return least, largest
+
+    def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema: a length, or two."""
+        one = Quantity("length", at_least_zero=True).describe()
+        both = {"type": "array", "items": one, "minItems": 2, "maxItems": 2}
+        return {"anyOf": [one, both], "description": "A clearance, or the least and the largest."}
+
+
+class Towards(Reader):
+    """Where a pin rests: anywhere, where the force presses, or at an angle."""
+
+    def read(self, value: object) -> float | str:
+        """Return the word, or the angle [rad]; raise UnitError with the fault in plain words."""
+        if value in DIRECTIONS:
+            return str(value)
+        try:
+            return Quantity("angle").read(value)
+        except UnitError:
+            raise UnitError(f"{show(value)} is no direction", 'write "any", "force" or an angle, "90 deg"') from None
+
+    def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema: a word or an angle."""
+        return {"anyOf": [{"enum": [*DIRECTIONS]}, Quantity("angle").describe()], "description": "A direction."}
 
 
 class Width(Reader):
@@ -75,6 +115,9 @@ def _percent(text: str) -> object:
 Tolerance = Annotated[Any, Width()]
 Measured = Annotated[list[Any], Listed(Deviation(), '["-0.01 mm", "0.02 mm"]')]
 Kind = Annotated[str, Known("distribution", KINDS)]
+MeasuredAs = Annotated[str, Known("kind of measured values", MEASURED)]
+Clearance = Annotated[Any, Play()]
+Direction = Annotated[float | str, Towards()]
 Correlation = Annotated[float, Number("a coefficient of correlation", "0.8", above=0, at_most=1)]
 
 
@@ -104,6 +147,13 @@ class ToleranceTable(Table):
         default=None,
         description='Deviations that were measured, in place of a tolerance: `["-0.01 mm", "0.02 mm"]`.',
     )
+    measurements: str | None = Field(
+        default=None, description="CSV file of pieces that were measured, in place of a tolerance."
+    )
+    column: str = Field(default="", description="Its column, as its header has it, with or without `[unit]`.")
+    measured_as: MeasuredAs = Field(
+        default="sizes", description='Whether the file has `"sizes"` or `"deviations"` from what the spec says.'
+    )
     alike: str = Field(
         default="",
         description="Name of a group of dimensions that are made alike, in one go: they vary together.",
@@ -112,10 +162,16 @@ class ToleranceTable(Table):
         default=1.0, description="Coefficient of correlation within the group `alike`; 1: entirely alike."
     )
     joint: str | None = Field(default=None, description="Joint that has play, in place of `of`.")
-    clearance: Size | None = Field(
+    clearance: Clearance | None = Field(
         default=None,
-        description="Play of the joint: its pin or slider is half of it off, a pin in any direction, a slider to "
-        "either side.",
+        description="Play of the joint: its pin or slider is half of it off. Of two, the least and the largest, it lies "
+        "between by the distribution.",
+    )
+    direction: Direction = Field(
+        default="any",
+        description='Where a pin rests: `"any"`, all directions alike (of a slider: either side, each as often); '
+        '`"force"`, where the reaction of the spec as it is presses when it is largest; or an angle in the axes of the '
+        "link.",
     )
     link: int | None = Field(
         default=None, description="Link in whose axes the pin is moved (default: the first moving one of the joint)."

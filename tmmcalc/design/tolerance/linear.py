@@ -58,12 +58,17 @@ def ends_of(sources: Sources, slope: Values) -> tuple[float, float]:
     for ends in alike.values():
         low, high = low + min(ends), high + max(ends)
     for pair in sources.clearances:
-        reach = reach_of(pair, slope)
-        low, high = low - reach, high + reach
+        ends = ends_of_play(pair, slope)
+        low, high = low + ends[0], high + ends[1]
     return float(low), float(high)
 
 
-def reach_of(pair: Clearance, slope: Values) -> float:
-    """The largest change that a clearance makes."""
+def ends_of_play(pair: Clearance, slope: Values) -> tuple[float, float]:
+    """The least and the largest change that a clearance makes."""
     own = slope[list(pair.keys)] * pair.scale
-    return pair.radius * float(np.hypot(*own) if pair.across is None else abs(own @ np.array(pair.across)))
+    if pair.along is None:
+        reach = pair.largest * float(np.hypot(*own))
+        return -reach, reach
+    straight = float(own @ np.array(pair.along))
+    ends = (-pair.largest if pair.sides else pair.radius.low) * straight, pair.largest * straight
+    return min(ends), max(ends)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -26,8 +29,10 @@ from tmmcalc.design.tolerance.task import keys_of, sources_of
 from tmmcalc.design.tolerance.yields import Rule
 from tmmcalc.feasibility.quantities import limits, of_given
 from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
+from tmmcalc.naming.language import parse
 from tmmcalc.naming.scene import Scene
 from tmmcalc.naming.told import one
+from tmmcalc.pipeline.runner import run
 from tmmcalc.project.loader import Variants, read_text
 
 if TYPE_CHECKING:
@@ -64,7 +69,7 @@ def tolerate(asked: Asked, told: Told = lambda done: None, warn: Callable[[str],
     keys = keys_of(spec.tolerances, variants.data)
     frame = frame_of(asked.file, asked.overrides, keys, [*dict.fromkeys([*wanted, *course])])
     _check(frame)
-    sources = sources_of(spec.tolerances, variants.data, frame.axes)
+    sources = sources_of(spec.tolerances, variants.data, frame.axes, partial(_pressed, spec))
     model = Model(frame)
     many = solver_of(frame, sizes(asked.samples), asked.jobs, asked.scheduler, warn)
     lines = sensitivity(asked.file, wanted, keys, asked.overrides, scheduler=asked.scheduler, tell=warn)
@@ -95,6 +100,21 @@ def tolerate(asked: Asked, told: Told = lambda done: None, warn: Callable[[str],
         seed=asked.seed,
         band=[bare[name] for name in course],
     )
+
+
+def _pressed(spec: Spec, joint: str, link: int) -> complex:
+    """The direction of the reaction on a link in its own axes, where the reaction is largest over the motion."""
+    found = run(spec, target=("forces",)).results
+    forces = found["forces"]
+    at = next(j for j, pair in enumerate(forces.pairs) if pair.joint == joint)
+    size = np.abs(forces.reaction[at])
+    row = int(np.argmax(size))
+    if size[row] == 0:
+        raise UsageError(f"{joint} has no reaction", where="tolerances", remedy='write direction = "any"')
+    label = forces.labels[row].rstrip("-")
+    turned = math.radians(one(parse(f"kinematics.angle_{link}@{label}"), found).value) if link else 0.0
+    force = complex(forces.reaction[at][row]) * (1 if link == max(forces.pairs[at].links) else -1)
+    return force / size[row] * cmath.exp(-1j * turned)
 
 
 def _check(frame: Task) -> None:

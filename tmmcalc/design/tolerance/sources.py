@@ -1,9 +1,11 @@
 """What varies: dimensions within their deviations, and clearances of pairs as massless links of constant length.
 
-A clearance of a pin moves it by half of the clearance in any direction, all of them alike: the pin rests on its
-bearing (a massless link of that length, as is usual; contact is never lost). One of a slider moves its guide by half of
-it to one side or the other. A source has one number of its own, and dimensions of one group share a second one: their
-normal scores correlate by the product of the roots of their coefficients, made alike entirely where these are 1.
+A clearance of a pin moves it by half of the clearance in any direction, all of them alike, or towards one that is told:
+the pin rests on its bearing (a massless link of that length, as is usual; contact is never lost). One of a slider moves
+its guide by half of it to one side or the other, each as often, or to one that is told. A clearance itself may lie
+between two ends, as that of a fit does. A source has one number of its own, and dimensions of one group share a second
+one: their normal scores correlate by the product of the roots of their coefficients, made alike entirely where these
+are 1.
 """
 
 from __future__ import annotations
@@ -73,29 +75,62 @@ class Dimension:
 
 @record
 class Clearance:
-    """A pair that has play: two coordinates x and y of a pin or of a guide, which move by ``radius``.
+    """A pair that has play: two coordinates x and y of a pin or of a guide, which move by its ``radius``.
 
-    Where a guide has ``across``, its normal, it moves along that to one side or the other; a pin moves on a circle.
+    A pin without a direction ``along`` moves on a circle; one with it, or a guide, whose normal it is, moves along it:
+    to either of the two ``sides``, or to that of the direction.
     """
 
     name: str
     keys: tuple[int, int]  # columns of x and y among the keys
-    radius: float  # half of the clearance
-    across: tuple[float, float] | None = None
+    radius: Dimension  # half of the clearance, as a deviation from none; its key is that of x
+    along: tuple[float, float] | None = None
+    sides: bool = False
     scale: tuple[float, float] = (1.0, 1.0)  # units of x and y in one of the radius
 
     @property
     def pin(self) -> bool:
         """Whether it may go in any direction of the plane."""
-        return self.across is None
+        return self.along is None
 
-    def shift(self, part: Values) -> Values:
-        """Shifts (n, keys) at numbers (n,) from 0 to 1: parts of a turn, or below and above one half the two sides."""
-        if self.across is None:
+    @property
+    def drawn(self) -> bool:
+        """Whether its direction is drawn."""
+        return self.pin or self.sides
+
+    @property
+    def varies(self) -> bool:
+        """Whether the clearance itself does."""
+        return self.radius.high > self.radius.low
+
+    @property
+    def largest(self) -> float:
+        """Half of the largest clearance."""
+        return self.radius.high
+
+    def shift(self, part: Values, radius: Values) -> Values:
+        """Shifts (n, 2) of these radii at numbers (n,) from 0 to 1: parts of a turn, or up to 0.5 and above the sides."""
+        if self.along is None:
             angle = 2 * np.pi * part
-            return self.radius * np.column_stack([np.cos(angle), np.sin(angle)]) * self.scale
-        side = np.where(part < 0.5, -1.0, 1.0)
-        return np.asarray(self.radius * side[:, None] * np.multiply(self.across, self.scale))
+            return radius[:, None] * np.column_stack([np.cos(angle), np.sin(angle)]) * self.scale
+        side = np.where(part < 0.5, -1.0, 1.0) if self.sides else np.ones(len(part))
+        return np.asarray((radius * side)[:, None] * np.multiply(self.along, self.scale))
+
+    @property
+    def mean(self) -> Values:
+        """Mean shift (2,)."""
+        if self.drawn:
+            return np.zeros(2)
+        return self.radius.mean * np.multiply(self.along, self.scale)
+
+    @property
+    def covariance(self) -> Values:
+        """Covariance of the shifts (2, 2)."""
+        square = self.radius.sigma**2
+        if self.drawn:
+            square += self.radius.mean**2
+        own = 0.5 * np.eye(2) if self.along is None else np.outer(self.along, self.along)
+        return np.asarray(square * own * np.outer(self.scale, self.scale))
 
 
 @record
@@ -120,8 +155,9 @@ class Sources:
 
     @property
     def count(self) -> int:
-        """Numbers of a sample: one of each dimension that is not wholly its group's, each group, each clearance."""
-        return sum(not each.alike for each in self.dimensions) + len(self.groups) + len(self.clearances)
+        """Numbers of a sample: of each dimension that is not wholly its group's, each group, what of each clearance."""
+        of_clearances = sum(pair.drawn + pair.varies for pair in self.clearances)
+        return sum(not each.alike for each in self.dimensions) + len(self.groups) + of_clearances
 
     def part_of(self, dimension: Dimension) -> int:
         """The independent part that a dimension belongs to."""
@@ -145,15 +181,20 @@ class Sources:
                 score = math.sqrt(share) * shared[each.group] + math.sqrt(1 - share) * score
             found[:, self.part_of(each), each.key] += each.deviation(score)
         for number, pair in enumerate(self.clearances, len(self.names) - len(self.clearances)):
-            found[:, number, list(pair.keys)] += pair.shift(uniform[:, at])
-            at += 1
+            part = uniform[:, at] if pair.drawn else np.zeros(len(uniform))
+            at += pair.drawn
+            radius = pair.radius.deviation(ndtri(drawn[:, at]) if pair.varies else np.zeros(len(uniform)))
+            at += pair.varies
+            found[:, number, list(pair.keys)] += pair.shift(part, radius)
         return found
 
     def mean(self) -> Values:
-        """Mean change of every key (keys,); a clearance has none."""
+        """Mean change of every key (keys,)."""
         found = np.zeros(self.keys)
         for each in self.dimensions:
             found[each.key] += each.mean
+        for pair in self.clearances:
+            found[list(pair.keys)] += pair.mean
         return found
 
     def covariances(self) -> Values:
@@ -164,9 +205,7 @@ class Sources:
                 if each is other or (each.group and each.group == other.group):
                     found[self.part_of(each), each.key, other.key] += covariance(each, other)
         for number, pair in enumerate(self.clearances, len(self.names) - len(self.clearances)):
-            keys = list(pair.keys)
-            own = 0.5 * np.eye(2) if pair.across is None else np.outer(pair.across, pair.across)
-            found[number][np.ix_(keys, keys)] += pair.radius**2 * own * np.outer(pair.scale, pair.scale)
+            found[number][np.ix_(pair.keys, pair.keys)] += pair.covariance
         return found
 
 

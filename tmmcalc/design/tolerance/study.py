@@ -133,7 +133,7 @@ def ranges(sources: Sources) -> Values:
         found[each.key] += (each.high - each.low) / 2
     for pair in sources.clearances:
         for key, scale in zip(pair.keys, pair.scale, strict=True):
-            found[key] += pair.radius * scale
+            found[key] += pair.largest * scale
     return np.where(found > 0, found, 1.0)
 
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, cast
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.design.tables.fits import deviations, is_class
 from tmmcalc.design.tables.general import class_of, of_angle, of_length
+from tmmcalc.design.tolerance.measured import column_of
 from tmmcalc.design.tolerance.sources import Clearance, Dimension, Kind, Sources
 from tmmcalc.naming.keys import chosen
 from tmmcalc.naming.language import WILD
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
     from tmmcalc.spec.variants import Axis
 
 METRE, RADIAN = "m", "rad"
+Pressed = Callable[[str, int], complex]  # name of a joint, a link of it -> unit vector in the axes of the link
 
 
 def keys_of(tolerances: Sequence[ToleranceTable], document: Raw) -> tuple[str, ...]:
@@ -29,7 +32,7 @@ def keys_of(tolerances: Sequence[ToleranceTable], document: Raw) -> tuple[str, .
     keys: list[str] = []
     for table in tolerances:
         keys += (
-            [*_pin(table, document)[0]]
+            [*_pin(table, document).keys]
             if table.joint
             else [one for key in table.of for one in _meant(table, key, document)]
         )
@@ -38,10 +41,13 @@ def keys_of(tolerances: Sequence[ToleranceTable], document: Raw) -> tuple[str, .
     return tuple(dict.fromkeys(keys))
 
 
-def sources_of(tolerances: Sequence[ToleranceTable], document: Raw, axes: Sequence[Axis]) -> Sources:
+def sources_of(
+    tolerances: Sequence[ToleranceTable], document: Raw, axes: Sequence[Axis], pressed: Pressed | None = None
+) -> Sources:
     """All that varies; the axes are those of `keys_of`, each with its nominal value and unit.
 
-    Raises UsageError where a tolerance does not fit its size or its unit, or a key has two.
+    ``pressed`` tells where forces press joints whose clearance is told to be there. Raises UsageError where a tolerance
+    does not fit its size or its unit, or a key has two.
     """
     place = {axis.key: at for at, axis in enumerate(axes)}
     dimensions: list[Dimension] = []
@@ -49,7 +55,7 @@ def sources_of(tolerances: Sequence[ToleranceTable], document: Raw, axes: Sequen
     for number, table in enumerate(tolerances, 1):
         where = f"tolerances, {number}"
         if table.joint:
-            clearances.append(_clearance(table, document, axes, place, where))
+            clearances.append(_clearance(table, document, axes, place, where, pressed))
             continue
         for key in table.of:
             for one in _meant(table, key, document):
@@ -75,12 +81,25 @@ def _dimension(table: ToleranceTable, axis: Axis, at: int, where: str) -> Dimens
         if table.measured is not None:
             measured = tuple(_in(unit, each) for each in table.measured)
             ends, kind = (min(measured), max(measured)), "measured"
+        elif table.measurements is not None:
+            measured = _pieces(table, axis, unit, where)
+            ends, kind = (min(measured), max(measured)), "measured"
         else:
             measured, kind = (), table.distribution
             ends = _ends(table, axis.values[0], unit)
     except UnitError as error:
         raise UsageError(f"{axis.key}: {error.message}", where=where, remedy=error.remedy) from None
     return Dimension(axis.key, at, *ends, cast(Kind, kind), measured, table.alike, table.correlation)
+
+
+def _pieces(table: ToleranceTable, axis: Axis, unit: str, where: str) -> tuple[float, ...]:
+    """Deviations of the pieces of a file in the unit of the key."""
+    told, values = column_of(Path(str(table.measurements)), table.column, where)
+    if (kind_of(told) if told else None) != (kind_of(unit) if unit else None):
+        rule = f"{table.measurements} is in {told or 'bare numbers'}, and this {f'in {unit}' if unit else 'is one'}"
+        raise UnitError(rule, "name another column, or write its unit in the header: A[mm]")
+    sizes = [_in(unit, value) for value in values]
+    return tuple(sizes if table.measured_as == "deviations" else [size - axis.values[0] for size in sizes])
 
 
 def _ends(table: ToleranceTable, size: float, unit: str) -> tuple[float, float]:
@@ -138,25 +157,49 @@ def _in(unit: str, value: float | str) -> float:
 
 
 def _clearance(
-    table: ToleranceTable, document: Raw, axes: Sequence[Axis], place: dict[str, int], where: str
+    table: ToleranceTable,
+    document: Raw,
+    axes: Sequence[Axis],
+    place: dict[str, int],
+    where: str,
+    pressed: Pressed | None,
 ) -> Clearance:
-    keys, across = _pin(table, document)
-    units = [axes[place[key]].unit or axes[place[key]].si for key in keys]
+    pin = _pin(table, document)
+    units = [axes[place[key]].unit or axes[place[key]].si for key in pin.keys]
     scale = [_scale(unit, METRE, "clearance") for unit in units]
-    if not table.clearance:
-        raise UsageError("a clearance of 0 is none", where=where, remedy="write one above 0, or remove the table")
-    number = tuple(place[key] for key in keys)
+    x, y = (place[key] for key in pin.keys)
     name = f"clearance of {table.joint}"
-    return Clearance(name, (number[0], number[1]), table.clearance / 2, across, (1 / scale[0], 1 / scale[1]))
+    low, high = (end / 2 for end in table.clearance)
+    along, sides = pin.across, pin.across is not None and table.direction == "any"
+    if table.direction == "force":
+        if pressed is None:
+            raise UsageError(f"no force is known in {table.joint}", where=where, remedy='write direction = "any"')
+        towards = pressed(str(table.joint), pin.link)
+        along = (towards.real, towards.imag)
+        if pin.across is not None:
+            side = math.copysign(1.0, along[0] * pin.across[0] + along[1] * pin.across[1])
+            along = (side * pin.across[0], side * pin.across[1])
+    elif isinstance(table.direction, float):
+        along = (math.cos(table.direction), math.sin(table.direction))
+    radius = Dimension(name, x, low, high, cast(Kind, table.distribution))
+    return Clearance(name, (x, y), radius, along, sides, (1 / scale[0], 1 / scale[1]))
 
 
-def _pin(table: ToleranceTable, document: Raw) -> tuple[tuple[str, str], tuple[float, float] | None]:
-    """Keys of the coordinates that a clearance moves, and the normal of a guide; raises UsageError without them."""
+class _Pin(NamedTuple):
+    """What a clearance moves: keys of two coordinates in the axes of a link, of a guide its normal there."""
+
+    keys: tuple[str, str]
+    link: int
+    across: tuple[float, float] | None = None
+
+
+def _pin(table: ToleranceTable, document: Raw) -> _Pin:
+    """Raises UsageError where there are no such coordinates."""
     joint = next(each for each in document["mechanism"]["joints"] if each["name"] == table.joint)
     if joint["kind"] == "prismatic":
         angle = parse(joint["guide"].get("angle", 0.0), "angle")
         stem, across = f"mechanism.joints[name={table.joint}].guide.through", (-math.sin(angle), math.cos(angle))
-        return (f"{stem}[0]", f"{stem}[1]"), across
+        return _Pin((f"{stem}[0]", f"{stem}[1]"), joint["links"][1], across)
     links = joint["links"]
     link = table.link if table.link is not None else next(each for each in links if each != 0)
     names = joint.get("points", [joint.get("point", table.joint)] * 2)
@@ -164,4 +207,4 @@ def _pin(table: ToleranceTable, document: Raw) -> tuple[tuple[str, str], tuple[f
     stem = f"mechanism.fixed.{point}" if link == 0 else f"mechanism.links[id={link}].points.{point}"
     keys = (f"{stem}[0]", f"{stem}[1]")
     chosen(document, keys, "tolerances")  # a point given by length and angle has none
-    return keys, None
+    return _Pin(keys, link)

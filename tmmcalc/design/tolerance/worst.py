@@ -1,7 +1,8 @@
 """The worst case of results over all that varies: the corner that signs of derivatives tell, or else a search.
 
 Places are numbers (n, v) of the unit cube: where every dimension stands between its ends (one number of those that are
-wholly alike), at which part of a turn a pin rests, on which side a slider. The corner of a result is found by slopes
+wholly alike), at which part of a turn a pin rests, on which side a slider, or how large a clearance is whose side is
+told; else clearances are the largest. The corner of a result is found by slopes
 where one stands, again and again, so that the directions of pins settle too. Then slopes are taken at the corners and
 at random places. Where some that matter have another sign than at the corner, the others stay there and the box of
 these is searched: corners, quasi-random places, and steps from the best of them along every number. Where places lack
@@ -73,7 +74,9 @@ class Box:
         found = np.tile(self.nominal, (len(places), 1))
         for at, each in enumerate(self.movers):
             if isinstance(each, Clearance):
-                found[:, list(each.keys)] += each.shift(places[:, at])
+                low = each.largest if each.drawn else each.radius.low
+                radius = low + (each.largest - low) * places[:, at]
+                found[:, list(each.keys)] += each.shift(places[:, at], radius)
                 continue
             for one in each:
                 found[:, one.key] += one.low + (one.high - one.low) * places[:, at]
@@ -114,9 +117,9 @@ class _Counted:
             for key, scale in zip(each.keys, each.scale, strict=True):
                 for step in (-STEP, STEP):
                     moved = box.keys(places)
-                    moved[:, key] += step * each.radius * scale
+                    moved[:, key] += step * each.largest * scale
                     around.append(moved)
-                widths.append(np.full(len(places), 2 * STEP * each.radius))
+                widths.append(np.full(len(places), 2 * STEP * each.largest))
         found = np.asarray(self.results(np.concatenate(around)), float).reshape(len(widths), 2, len(places), -1)
         self.evaluations += len(around) * len(places)
         return np.asarray((found[:, 1] - found[:, 0]) / np.array(widths)[:, :, None]).transpose(1, 0, 2)
@@ -189,10 +192,10 @@ def _corner(box: Box, slope: Values) -> Values:
         if isinstance(each, Clearance):
             own = slope[at : at + 2]
             at += 2
-            if each.across is None:
+            if each.along is None:
                 found[number] = (np.arctan2(own[1], own[0]) / (2 * np.pi)) % 1.0 if np.isfinite(own).all() else 0.0
             else:
-                found[number] = float(own @ np.array(each.across) > 0)
+                found[number] = float(own @ np.array(each.along) > 0)
         else:
             found[number] = float(slope[at] > 0)
             at += 1
@@ -202,7 +205,7 @@ def _corner(box: Box, slope: Values) -> Values:
 def _turned(box: Box, slopes: Values) -> tuple[str, ...]:
     """The variables whose slope (n, v) has both signs; of clearances where it turns by more than a right angle."""
     ranges = np.array([
-        1.0 if not isinstance(each, Clearance) else each.radius
+        1.0 if not isinstance(each, Clearance) else each.largest
         for each in box.movers
         for _ in range(2 if isinstance(each, Clearance) else 1)
     ])  # fmt: skip
@@ -211,8 +214,8 @@ def _turned(box: Box, slopes: Values) -> tuple[str, ...]:
     names, at = [], 0
     for name, each in zip(box.names, box.movers, strict=True):
         own = moved[:, at : at + (2 if isinstance(each, Clearance) else 1)]
-        if isinstance(each, Clearance) and each.across is not None:
-            own = own @ np.array(each.across)[:, None]
+        if isinstance(each, Clearance) and each.along is not None:
+            own = own @ np.array(each.along)[:, None]
         at += 2 if isinstance(each, Clearance) else 1
         reach = own[np.nanargmax(np.linalg.norm(own, axis=1))] if np.isfinite(own).all(axis=1).any() else own[0]
         along = own @ reach / (np.linalg.norm(reach) or 1.0)

@@ -12,8 +12,10 @@ from tmmcalc.spec.outline import Outline, Raw, subtable, tables
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
 from tmmcalc.spec.units import dimension_of
 
-OF_DIMENSIONS = ("tolerance", "side", "distribution", "measured", "alike", "correlation")
-OF_JOINTS = ("clearance", "link")
+OF_FILES = ("column", "measured_as")
+OF_DIMENSIONS = ("tolerance", "side", "measured", "measurements", *OF_FILES, "alike", "correlation")
+OF_JOINTS = ("clearance", "direction", "link")
+MEASURED = ("measured", "measurements")  # deviations, and the file of pieces
 
 
 def check_tolerances(outline: Outline) -> Iterator[Finding]:
@@ -49,18 +51,24 @@ def _check_dimensions(path: Path, table: Raw, outline: Outline) -> Iterator[Find
 
 def _check_width(path: Path, table: Raw) -> Iterator[Finding]:
     """A tolerance, or deviations that were measured."""
-    measured = table.get("distribution") == "measured"
-    if "measured" in table and "tolerance" in table:
-        rule = "tolerance together with measured: the measured deviations say all"
+    asked = table.get("distribution") == "measured"
+    given = [key for key in MEASURED if key in table]
+    if given and "tolerance" in table:
+        rule = f"tolerance together with {given[0]}: what was measured says all"
         yield Finding((*path, "tolerance"), rule, "remove one of them")
-    elif "measured" in table and "distribution" in table and not measured:
-        rule = f"measured deviations with distribution = {show(table['distribution'])}"
+    elif len(given) > 1:
+        yield Finding((*path, given[1]), "measured together with measurements", "remove one of them")
+    elif given and "distribution" in table and not asked:
+        rule = f"{given[0]} with distribution = {show(table['distribution'])}"
         yield Finding((*path, "distribution"), rule, 'write "measured", or remove it')
-    elif measured and "measured" not in table:
-        rule = "missing key: measured, the deviations of this distribution"
-        yield Finding(path, rule, 'add measured = ["-0.01 mm", "0.02 mm"]')
-    elif not measured and "measured" not in table and "tolerance" not in table:
+    elif asked and not given:
+        rule = "missing key: measured, the deviations of this distribution, or measurements"
+        yield Finding(path, rule, 'add measured = ["-0.01 mm", "0.02 mm"], or measurements = "pieces.csv"')
+    elif not given and "tolerance" not in table:
         yield Finding(path, "missing key: tolerance of these dimensions", 'add tolerance = "0.1 mm", "h7" or "m"')
+    for key in OF_FILES:
+        if key in table and "measurements" not in table:
+            yield Finding((*path, key), f"{key} without measurements: of which file", 'add measurements = "pieces.csv"')
     width = table.get("tolerance")
     if isinstance(width, list) and len(width) == 2:
         yield from _check_ends(path, width)
@@ -92,6 +100,9 @@ def _check_joint(path: Path, table: Raw, outline: Outline) -> Iterator[Finding]:
             return
     if "clearance" not in table:
         yield Finding(path, "missing key: clearance of the joint", 'add clearance = "0.05 mm"')
+    if table.get("distribution") == "measured":
+        rule = "a clearance with a measured distribution"
+        yield Finding((*path, "distribution"), rule, 'write "normal", "uniform" or "triangular"')
     joints = {each.get("name"): each for _, each in tables(subtable(outline.document, "mechanism"), "joints")}
     name = table["joint"]
     known = [each for each in joints if isinstance(each, str)]
@@ -107,6 +118,9 @@ def _check_place(path: Path, table: Raw, joint: Raw) -> Iterator[Finding]:
     """The pin is on the link that is named; a guide that moves is given by coordinates of its own."""
     links = joint.get("links")
     if joint.get("kind") == "prismatic":
+        if table.get("direction", "any") not in ("any", "force"):
+            rule = f"direction = {show(table['direction'])} of a slider: it leans on one side of its guide or the other"
+            yield Finding((*path, "direction"), rule, 'write "any" or "force"')
         if "link" in table:
             rule = "link of a slider: its guide is moved across, whatever the link"
             yield Finding((*path, "link"), rule, "remove it")
