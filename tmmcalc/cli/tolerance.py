@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
@@ -13,6 +14,14 @@ import typer
 from tmmcalc.cli.messages import note_written, say
 from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile, patterns_of
 from tmmcalc.cli.output import check_apart, check_picture, check_place, show, title
+
+
+class Balance(StrEnum):
+    """Rules of balanced tolerances."""
+
+    cost = "cost"
+    share = "share"
+    none = "none"
 
 
 def command(
@@ -68,6 +77,14 @@ def command(
         str | None,
         typer.Option("--scheduler", metavar="ADDRESS", help="Solve on this Dask cluster.", show_default=False),
     ] = None,
+    balance: Annotated[
+        Balance,
+        typer.Option(
+            "--balance",
+            help="All tolerances at once at the yield of before: at least cost, that of each as 1/tolerance, or of "
+            "equal shares in the variance.",
+        ),
+    ] = Balance.cost,
     fresh: Annotated[bool, typer.Option("--fresh", help="Solve all samples, whatever is stored.")] = False,
     form: Form = Format.table,
     quiet: Quiet = False,
@@ -95,7 +112,17 @@ def command(
     from tmmcalc.project import load_spec
 
     asked = Asked(
-        spec, tuple(overrides or ()), tuple(patterns_of(of)), band or "", samples, seed, jobs, scheduler, out, fresh
+        file=spec,
+        overrides=tuple(overrides or ()),
+        of=tuple(patterns_of(of)),
+        band=band or "",
+        samples=samples,
+        seed=seed,
+        jobs=jobs,
+        scheduler=scheduler,
+        out=out,
+        fresh=fresh,
+        balance=None if balance is Balance.none else balance.value,
     )
     with _progress(sizes(samples), quiet) as told:
         result = tolerate(asked, told, _warn)

@@ -43,7 +43,7 @@ class Play(Reader):
         """Return both ends [m]; raise UnitError with the fault in plain words."""
         size = Quantity("length", at_least_zero=True)
         low, high = value if isinstance(value, list) and len(value) == 2 else (value, value)
-        least, largest = size.read(low), size.read(high)
+        least, largest = float(size.read(low)), float(size.read(high))
         if largest == 0 or least > largest:
             raise UnitError(
                 f"{show(value)} is no clearance", 'write one above 0, "0.05 mm", or two: ["0.02 mm", "0.06 mm"]'
@@ -164,8 +164,8 @@ class ToleranceTable(Table):
     joint: str | None = Field(default=None, description="Joint that has play, in place of `of`.")
     clearance: Clearance | None = Field(
         default=None,
-        description="Play of the joint: its pin or slider is half of it off. Of two, the least and the largest, it lies "
-        "between by the distribution.",
+        description="Play of the joint: its pin or slider is half of it off. Of two, the least and the largest, it is "
+        "between them by the distribution.",
     )
     direction: Direction = Field(
         default="any",

@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
 from tmmcalc.batch.table import key_and_unit
+from tmmcalc.design.tolerance.balance import Balance
 from tmmcalc.design.tolerance.sampling import QUANTILES, Estimate, Statistics
+from tmmcalc.design.tolerance.sources import Clearance
 from tmmcalc.design.tolerance.study import Tolerated
 from tmmcalc.design.tolerance.worst import Worst
 from tmmcalc.design.tolerance.yields import MOST
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
+RULES = {
+    "cost": "least cost, if that of each is as the reciprocal of its tolerance",
+    "share": "equal shares in the variance",
+}
 SHOWN = 5  # reasons, and parts that are told in words
 OFF = 0.1  # of sigma: by more the linear model is said to be off
 NO_SHARE = 5e-4  # of the variance: less is shown as 0
@@ -32,7 +39,10 @@ def tolerance_document(result: Tolerated, title: str) -> Document:
     table = View(HEADERS, [list(column) for column in zip(*rows, strict=True)])
     values = {result.names[at]: _values(result, at) for at in shown}
     told = Fact("results", f"{len(rows)}, with {len(result.sources.names)} parts that vary", values)
-    return Document(title, (*facts, told), notes, table, parts=(_shares(result),))
+    parts = [_shares(result)]
+    if result.balance is not None:
+        parts.append(_balance(result.balance, result.sources.names))
+    return Document(title, (*facts, told), notes, table, parts=tuple(parts))
 
 
 def _samples(result: Tolerated) -> Fact:
@@ -84,6 +94,24 @@ def _widths(result: Tolerated) -> Iterator[Fact]:
         text = f"{', '.join(found.together)} {_times(found.common)}"
         told = {"together": list(found.together), "together_widening": found.common}
         yield Fact("may be widened together", text, told)
+
+
+def _balance(found: Balance, names: tuple[str, ...]) -> Document:
+    """All tolerances at once, at equal yield: factors of their widths, the widest first."""
+    factors = dict(sorted(zip(names, found.factors.tolist(), strict=True), key=lambda each: -each[1]))
+    good, before = found.after, found.before
+    ends = f"{_percent(good.low)} to {_percent(good.high)} at 95 %"
+    facts = (
+        Fact("rule", RULES[found.law], {"rule": found.law, "factors": factors}),
+        Fact(
+            "yield",
+            f"{_percent(good.value)} ({ends}), {_percent(before.value)} before, by {found.samples} samples",
+            {"yield": _plain(good), "yield_before": _plain(before), "samples": found.samples},
+        ),
+        Fact("cost", f"{_percent(found.cost)} of before", {"cost": found.cost}),
+    )
+    columns: list[list[Any]] = [[*factors], [number(factor, 3) for factor in factors.values()]]
+    return Document("balanced at equal yield", facts, (), View(["varies", "times as wide"], columns), name="balance")
 
 
 def _times(factor: float) -> str:
@@ -158,8 +186,9 @@ def _notes(result: Tolerated) -> Iterator[str]:
             yield f"worst case of {of}: by signs of the derivatives, which hold where they were tried in the whole box"
         elif how == "search":
             if some.lost:
-                why = f"{why}, and {some.lost} places of the box have no result" if turned else "places have no result"
-            yield f"warning: worst case of {of}: {why}; the box was searched, {some.evaluations} evaluations in all"
+                lost = f"{some.lost} places of the box have no result"
+                why = f"{why}, and {lost}" if turned else lost
+            yield f"warning: worst case of {of}: {why}; the box was searched for it, {some.evaluations} evaluations in all"
         else:
             yield f"warning: worst case of {of}: no place of the box was found to have a result"
     yield from _bends(result)
@@ -190,20 +219,28 @@ def _bends(result: Tolerated) -> Iterator[str]:
 
 
 def _assumptions(result: Tolerated) -> Iterator[str]:
-    if any(pair.pin for pair in result.sources.clearances):
-        yield (
-            "clearances of pins are massless links of half of the clearance: contact is never lost, any direction is "
-            "as likely as another"
-        )
-    if any(not pair.pin for pair in result.sources.clearances):
-        yield "sliders lean on one or the other side of their guides, half of the clearance off, each as often"
+    pairs = result.sources.clearances
+    if pairs:
+        yield "clearances are massless links of half of the clearance: contact is never lost"
+    if any(pair.pin for pair in pairs):
+        yield "pins rest in any direction, one as likely as another; of the worst case in the worst one"
+    if any(pair.sides for pair in pairs):
+        yield "sliders lean on one or the other side of their guides, each as often; of the worst case on the worse one"
+    told = [f"{pair.name.removeprefix('clearance of ')} ({_direction(pair)})" for pair in pairs if not pair.drawn]
+    if told:
+        yield f"pins rest where it is told, at all positions, angles in the axes of their links: {', '.join(told)}"
+
+
+def _direction(pair: Clearance) -> str:
+    assert pair.along is not None
+    return f"{number(math.degrees(math.atan2(pair.along[1], pair.along[0])), 5)} deg"
 
 
 def _shares(result: Tolerated) -> Document:
     """Per cent of the variance by the linear model, a row a part, a column a result; the most important first."""
     shares = result.linear.shares[: len(result.worst)]
     order = np.argsort(-shares.max(axis=0), kind="stable")
-    headers = ["varies", *(f"{name} %" for name in result.names[: len(shares)])]
+    headers = ["varies", *(f"{key_and_unit(name)[0]}[%]" for name in result.names[: len(shares)])]
     columns: list[list[Any]] = [[result.sources.names[k] for k in order]]
     columns += [[_share(float(row[k])) for k in order] for row in shares]
     return Document("shares of the variance", (), (), View(headers, columns))

@@ -58,8 +58,8 @@ def ends_of(sources: Sources, slope: Values) -> tuple[float, float]:
     for ends in alike.values():
         low, high = low + min(ends), high + max(ends)
     for pair in sources.clearances:
-        ends = ends_of_play(pair, slope)
-        low, high = low + ends[0], high + ends[1]
+        least, largest = ends_of_play(pair, slope)
+        low, high = low + least, high + largest
     return float(low), float(high)
 
 

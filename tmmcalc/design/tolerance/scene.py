@@ -22,6 +22,7 @@ from tmmcalc.core.records import record
 from tmmcalc.design.keys import scales, varied
 from tmmcalc.design.model import BLOCK, Answers, Model, Told, solver_of
 from tmmcalc.design.sensitivity import sensitivity
+from tmmcalc.design.tolerance.balance import Law
 from tmmcalc.design.tolerance.sampling import sizes
 from tmmcalc.design.tolerance.sources import Values
 from tmmcalc.design.tolerance.study import Tolerated, ranges, study
@@ -38,6 +39,7 @@ from tmmcalc.project.loader import Variants, read_text
 if TYPE_CHECKING:
     from tmmcalc.project import Spec
 
+MANY = 2**13  # places that are worth starting processes
 REACH = 1.6  # of half the range of a key: samples lie within, but for one in a million
 
 
@@ -55,6 +57,7 @@ class Asked:
     scheduler: str | None = None
     out: Path | None = None  # the samples; what an earlier run has done is not done again
     fresh: bool = False
+    balance: Law | None = "cost"  # by which all tolerances are balanced at equal yield
 
 
 def tolerate(asked: Asked, told: Told = lambda done: None, warn: Callable[[str], None] = print) -> Tolerated:
@@ -81,8 +84,9 @@ def tolerate(asked: Asked, told: Told = lambda done: None, warn: Callable[[str],
     )
     bare = {key_and_unit(name)[0]: at for at, name in enumerate(names)}
 
+    every = near.by(many)
+
     def solved(places: Values) -> tuple[Values, Sequence[str]]:
-        every = near.by(many)
         answers = every(places, told) if asked.out is None else _kept(every, frame, places, asked, told)
         return answers.values[:, order], answers.reasons
 
@@ -93,12 +97,13 @@ def tolerate(asked: Asked, told: Told = lambda done: None, warn: Callable[[str],
         model.found[order],
         sources,
         [[each.slope for each in lines.partials if each.name == name] for name in lines.names],
-        lambda places: near(places).values[:, order],
+        lambda places: (every if len(places) > MANY else near)(places).values[:, order],
         solved,
         _rule(spec, model, names),
         samples=sizes(asked.samples),
         seed=asked.seed,
         band=[bare[name] for name in course],
+        law=asked.balance,
     )
 
 

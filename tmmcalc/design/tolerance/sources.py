@@ -11,6 +11,7 @@ are 1.
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any, Literal
 
 import numpy as np
@@ -58,6 +59,11 @@ class Dimension:
             return np.asarray(middle - np.sign(0.5 - part) * half * (1 - np.sqrt(2 * tail)))
         ordered = np.sort(np.array(self.measured))
         return np.asarray(ordered[np.minimum((part * len(ordered)).astype(int), len(ordered) - 1)])
+
+    def scaled(self, factor: float) -> Dimension:
+        """The same with deviations that are so many times as large."""
+        measured = tuple(factor * each for each in self.measured)
+        return replace(self, low=factor * self.low, high=factor * self.high, measured=measured)
 
     @property
     def mean(self) -> float:
@@ -109,7 +115,7 @@ class Clearance:
         return self.radius.high
 
     def shift(self, part: Values, radius: Values) -> Values:
-        """Shifts (n, 2) of these radii at numbers (n,) from 0 to 1: parts of a turn, or up to 0.5 and above the sides."""
+        """Shifts (n, 2) of these radii at numbers (n,) from 0 to 1: parts of a turn, or below and from 0.5 the side."""
         if self.along is None:
             angle = 2 * np.pi * part
             return radius[:, None] * np.column_stack([np.cos(angle), np.sin(angle)]) * self.scale
@@ -119,7 +125,7 @@ class Clearance:
     @property
     def mean(self) -> Values:
         """Mean shift (2,)."""
-        if self.drawn:
+        if self.along is None or self.sides:
             return np.zeros(2)
         return self.radius.mean * np.multiply(self.along, self.scale)
 
@@ -158,6 +164,15 @@ class Sources:
         """Numbers of a sample: of each dimension that is not wholly its group's, each group, what of each clearance."""
         of_clearances = sum(pair.drawn + pair.varies for pair in self.clearances)
         return sum(not each.alike for each in self.dimensions) + len(self.groups) + of_clearances
+
+    def scaled(self, factors: Values) -> Sources:
+        """The same with deviations and clearances that are ``factors`` (parts,) times as large."""
+        by_part = dict(zip(self.names, map(float, factors), strict=True))
+        return Sources(
+            self.keys,
+            tuple(each.scaled(by_part[each.group or each.name]) for each in self.dimensions),
+            tuple(replace(each, radius=each.radius.scaled(by_part[each.name])) for each in self.clearances),
+        )
 
     def part_of(self, dimension: Dimension) -> int:
         """The independent part that a dimension belongs to."""

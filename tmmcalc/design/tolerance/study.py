@@ -9,8 +9,9 @@ import numpy as np
 
 from tmmcalc.core.records import record
 from tmmcalc.design.differences import Slope
+from tmmcalc.design.tolerance.balance import Balance, Law, balanced
 from tmmcalc.design.tolerance.linear import Linear, linear, straight
-from tmmcalc.design.tolerance.sampling import Estimate, Statistics, points, share, statistics
+from tmmcalc.design.tolerance.sampling import REPLICATES, Estimate, Statistics, points, share, statistics
 from tmmcalc.design.tolerance.sources import Sources, Values
 from tmmcalc.design.tolerance.worst import Results, Worst, worst_cases
 from tmmcalc.design.tolerance.yields import Rule, Widenings, widenings
@@ -19,6 +20,7 @@ Solved = Callable[[Values], tuple[Values, Sequence[str]]]  # keys (n, k) -> resu
 
 CHUNK = 4096  # samples of which the changes by every part are held at once
 FEWER = 2**14  # samples by which the linear model tells of the yield
+LEAST = 1024  # samples of tolerances that are balanced
 
 
 @record
@@ -57,6 +59,7 @@ class Tolerated:
     good: Estimate | None  # the yield; None without constraints
     failing: dict[str, int]  # samples beyond the limits, by constraint
     widenings: Widenings | None
+    balance: Balance | None
     values: Values  # (samples, m)
     band: tuple[int, ...]  # columns of the course over the positions of a turn
 
@@ -75,22 +78,36 @@ def study(
     samples: int,
     seed: int,
     band: Sequence[int] = (),
+    law: Law | None = None,
 ) -> Tolerated:
     """Of results that are ``found`` (m,) where the keys are ``nominal`` (k,).
 
     ``slopes`` are derivatives by results, then by keys; those beyond the results that have them are of the course in
-    the columns ``band`` alone. ``results`` is asked for the worst case, ``solved`` once for all samples, so that it may
-    keep them.
+    the columns ``band`` alone. ``results`` is asked for the worst case and for samples of tolerances that are balanced
+    by a ``law``, ``solved`` once for all samples, so that it may keep them.
     """
     own = len(slopes)
     lines = np.array([[straight(each) for each in row] for row in slopes])
     drawn = points(sources, samples, seed)
     values, reasons = solved(nominal + moved(sources, drawn))
     told = linear(sources, found[:own], lines)
-    widened = None
-    if rule is not None and np.isfinite(lines[rule.columns]).all():
+    widened = balance = None
+    if rule is not None and rule.columns and np.isfinite(lines[rule.columns]).all():
         parts = np.concatenate([sources.parts(some) @ lines.T for some in _chunks(drawn[:FEWER])])
         widened = widenings(rule.holds, sources.names, found[:own], parts, told.shares[rule.columns])
+        if law is not None and told.shares[rule.columns].any():
+            few = max(samples // 4, min(samples, LEAST))
+            some, before = _fewer(drawn, few), _fewer(values, few)
+
+            def sampled(factors: Values) -> Estimate:
+                if np.all(factors == 1):
+                    return share(rule.holds(before))
+                return share(rule.holds(results(nominal + moved(sources.scaled(factors), some))))
+
+            def by_lines(factors: Values) -> float:
+                return float(rule.holds(found[:own] + np.einsum("npm,p->nm", parts, factors)).mean())
+
+            balance = balanced(law, told.shares[rule.columns], by_lines, sampled, len(some))
     held = None if rule is None else rule.holds(values)
     return Tolerated(
         tuple(names),
@@ -112,6 +129,7 @@ def study(
         None if held is None else share(held),
         {} if rule is None else rule.failing(values),
         widened,
+        balance,
         values,
         tuple(band),
     )
@@ -120,6 +138,11 @@ def study(
 def moved(sources: Sources, drawn: Values) -> Values:
     """Changes (n, keys) at points (n, count) of the unit cube."""
     return np.concatenate([sources.parts(some).sum(axis=1) for some in _chunks(drawn)])
+
+
+def _fewer(many: Values, count: int) -> Values:
+    """Of samples (n, ...) in replicates one after the other the first ones of each, so many together."""
+    return np.concatenate([block[: count // REPLICATES] for block in np.split(many, REPLICATES)])
 
 
 def _chunks(drawn: Values) -> Iterator[Values]:
