@@ -88,6 +88,12 @@ class Model:
         other._frame = replace(self._frame, axes=axes).at([other.nominal.tolist(), low.tolist(), high.tolist()])
         return other
 
+    def by(self, solver: Solve) -> Model:
+        """The same, of which places are solved so."""
+        other = object.__new__(Model)
+        vars(other).update(vars(self), _solve=solver)
+        return other
+
     @property
     def together(self) -> bool:
         """Whether places are solved together."""
