@@ -16,7 +16,7 @@ import numpy as np
 from tmmcalc.batch.points import solve_points as solve_alone
 from tmmcalc.batch.preparing import prepared
 from tmmcalc.batch.stacked import UNLIKE
-from tmmcalc.batch.task import Row, Task
+from tmmcalc.batch.task import Row, Task, verdict
 
 SOLVER = "tmmcalc.batch.places:solve_places"
 
@@ -31,7 +31,7 @@ class Place(NamedTuple):
 def solve_places(task: Task, places: Sequence[Place]) -> list[Row]:
     """Rows of the places, in their order; those that cannot be solved together are solved alone.
 
-    Nothing is raised for a variant: its row says why it failed.
+    Nothing is raised for a variant: its row says why it failed, in short where the task is content with that.
     """
     made, found, apart = prepared(task), dict[int, Row](), dict[int, str]()
     if not isinstance(made, str):
@@ -41,6 +41,9 @@ def solve_places(task: Task, places: Sequence[Place]) -> list[Row]:
             rows = made.rows([place.point for place in block], np.array([place.values for place in block]))
             found.update((at + k, row) for k, row in rows.found.items())
             apart.update((at + k, reason) for k, reason in rows.apart.items())
+            if task.brief:
+                failed = ((at + k, verdict(error)) for k, error in rows.failed.items())
+                found.update((k, Row(places[k].point, *told)) for k, told in failed)
     rest = [k for k in range(len(places)) if k not in found]
     if rest:
         alone = task.at([places[k].values for k in rest])

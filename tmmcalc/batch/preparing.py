@@ -28,7 +28,7 @@ LOADED = ("forces", "reduction")  # stages that read what acts on the linkage
 
 def prepared(task: Task) -> Columns | Results | str:
     """What all blocks of a task need, or why it cannot be solved in blocks."""
-    return _prepared(replace(task, solver="", block=0), hash_of_files(task))  # whoever solves it
+    return _prepared(replace(task, solver="", block=0, brief=False), hash_of_files(task))  # whoever solves it
 
 
 @lru_cache(maxsize=2)

@@ -50,11 +50,13 @@ ONE_NUMBER = "what they read is asked for one number"
 class Together(NamedTuple, Generic[T]):
     """Of some variants, by their numbers among all asked for, what is solved together.
 
-    Of others why they have to be solved alone, where a reason is known.
+    Of others why they have to be solved alone, where a reason is known; and of which it is known that they have no
+    solution, with what is said of them in short.
     """
 
     found: dict[int, T]
     apart: dict[int, str]
+    failed: dict[int, TmmError]
 
 
 def given(spec: Spec, loaded: bool, driven: bool, traced: bool) -> Any:

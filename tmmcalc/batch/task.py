@@ -32,6 +32,7 @@ class Task:
     tolerance: float | None = None  # relative error asked of every stage
     solver: str = "tmmcalc.batch.points:solve_points"  # (task, points) -> rows, "module:function"
     block: int = 16  # points that are solved and sent together
+    brief: bool = False  # of places without a solution a reason in short will do, which costs less
 
     @property
     def count(self) -> int:

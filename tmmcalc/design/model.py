@@ -47,11 +47,11 @@ class Model:
     """Named results of a scene over the axes of a frame (`batch.reading.frame_of`).
 
     ``names`` are those that its patterns stand for at the spec as it is, ``nominal`` (k,) the values of its keys there,
-    ``found`` (m,) those of the results. Raises the error of the spec as it is, and UsageError for a pattern that names
-    nothing.
+    ``found`` (m,) those of the results. Of places without a solution a reason in short will do where ``brief``, which
+    costs less. Raises the error of the spec as it is, and UsageError for a pattern that names nothing.
     """
 
-    def __init__(self, frame: Task, solver: Solve = solve_here) -> None:
+    def __init__(self, frame: Task, solver: Solve = solve_here, *, brief: bool = False) -> None:
         self.run: RunResult = run_of(frame, frame.variants().spec())
         error = next(iter(self.run.failures.values()), None)
         scene = Scene(self.run.spec, self.run.results)
@@ -66,7 +66,7 @@ class Model:
         self.found = np.array([*values.values()])
         self.nominal = np.array(frame.values(0))
         self.keys = tuple(axis.name for axis in frame.axes)
-        self._frame = replace(frame, patterns=self.names, solver=SOLVER)
+        self._frame = replace(frame, patterns=self.names, solver=SOLVER, brief=brief)
         self._solve = solver
 
     def over(self, some: Sequence[int], low: Values, high: Values) -> Model:

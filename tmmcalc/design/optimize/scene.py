@@ -185,7 +185,7 @@ def _prepared(
         axes = frame.axes[at : at + len(variable.of)]
         variables.append(_variable(variable, axes, at, frame, f"optimize.variables, {number}"))
         at += len(axes)
-    model = Model(frame, solver_of(frame, EACH * len(variables), jobs, scheduler, tell))
+    model = Model(frame, solver_of(frame, EACH * len(variables), jobs, scheduler, tell), brief=True)
     columns = _columns(model)
     low, high = np.empty(len(keys)), np.empty(len(keys))
     for each in variables:

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.errors import AssemblyError
 from tmmcalc.core.numerics.alike import Rows
 from tmmcalc.core.numerics.alike import rows_of as at_rows
 from tmmcalc.core.numerics.roots import Indices
@@ -89,6 +90,19 @@ class Block(NamedTuple):
     def labels(self) -> int:
         """Number of positions of one variant."""
         return len(self.same.kinematics.x)
+
+    @property
+    def short(self) -> dict[int, AssemblyError]:
+        """The variants of which the survey tells that their crank makes no full turn, with what is said of each.
+
+        Solved alone such a variant says where it assembles besides.
+        """
+        steps = self.chain.tree.steps
+        errors = [
+            AssemblyError("the crank cannot make a full turn", where=f"kinematics, group {step.group.name}")
+            for step in steps
+        ]
+        return {int(v): errors[self.settled.short[v]] for v in np.flatnonzero(self.settled.short >= 0)}
 
     @property
     def rows(self) -> tuple[Real, Real, tuple[str, ...]]:

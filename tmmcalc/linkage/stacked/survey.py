@@ -2,6 +2,7 @@
 
 A variant is clear if every dyad assembles and transmits at all samples of a turn by more than its margin changes from
 one sample to the next, and if its first output and its rubbing pairs turn as often as those of the other variants.
+Of one with a dyad that does not reach at a sample it is known that its crank makes no full turn.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ TOGETHER = ROWS // STEPS  # variants whose surveys are evaluated together
 MARGIN = 0.02  # squared sine above which a dyad is nowhere near to a limit position
 REACH = 1e-3  # the same of the pivots of an RPR dyad, against their largest distance
 SWIFT = 1.0  # a link that turns more in one step [rad] is looked at alone
+SHORT = 1e-6  # of the largest margin: a dyad that lacks more does not reach, whatever rounding does
 STEP = TURN / STEPS
 X = STEP * np.arange(STEPS) - math.pi - STEP / 2
 
@@ -43,6 +45,7 @@ class Settled(NamedTuple):
     turning: Real  # (V, R) where rubbing pairs turn back [rad]
     scales: dict[str, Real]  # largest relative rates (V,) in the rubbing joints
     link_angles: Real | None  # (L, V, STEPS + 1) continuous angles of the links over the survey [rad]
+    short: Indices  # (V,) number of the first dyad that does not reach all over the turn, -1: none is known
 
 
 def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool, told: bool = False) -> Settled:
@@ -83,13 +86,15 @@ def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool
         np.concatenate([np.zeros((count, 0)), *backs], axis=1),
         {name: row.view(Alike) for name, row in zip(rubbing, largest[outputs:], strict=True)},
         link_angles,
+        np.concatenate([look.short for look in looks]),
     )
 
 
 class _Look(NamedTuple):
-    """Samples of some variants: which are clear (v,), rates (F, v, STEPS), angles of the links."""
+    """Samples of some variants: which are clear (v,), what is short (v,), rates (F, v, STEPS), angles of the links."""
 
     clear: Flags
+    short: Indices
     rates: Real
     link_angles: Real
 
@@ -100,13 +105,16 @@ def _look(chain: Rows[Chain], variants: Indices, outputs: int, rubbing: Sequence
     configuration = own.evaluate(x)
     rates = _rates(own, configuration, outputs, rubbing, x.size).reshape(-1, len(variants), STEPS)
     clear = np.ones(len(variants), bool)
+    short = np.full(len(variants), -1)
     for k in range(len(own.steps)):
-        clear &= _reaches(own, k, configuration, len(variants))
+        reaches, lacks = _reaches(own, k, configuration, len(variants))
+        clear &= reaches
+        short = np.where(lacks & (short < 0), k, short)
     link_angles: Real = np.zeros((0, len(variants), 0))
     if tracked:
         link_angles = _link_angles(own, configuration, len(variants))
         clear &= np.max(np.abs(np.diff(link_angles, axis=2)), axis=(0, 2)) < SWIFT
-    return _Look(clear, rates, link_angles)
+    return _Look(clear, short, rates, link_angles)
 
 
 def _rates(chain: Chain, configuration: Configuration, outputs: int, rubbing: Sequence[str], n: int) -> Real:
@@ -119,18 +127,19 @@ def _rates(chain: Chain, configuration: Configuration, outputs: int, rubbing: Se
     return rows
 
 
-def _reaches(chain: Chain, k: int, configuration: Configuration, count: int) -> Flags:
-    """Variants whose dyad k is far from limit positions and dead points."""
+def _reaches(chain: Chain, k: int, configuration: Configuration, count: int) -> tuple[Flags, Flags]:
+    """Variants whose dyad k is far from limit positions and dead points, and those where it does not reach."""
     step, ports = chain.dyad(k), configuration.ports[k]
     margin = np.broadcast_to(step.dyad.margin(*ports), count * STEPS).reshape(count, STEPS)
     with np.errstate(invalid="ignore"):
         moves = np.max(np.abs(margin - np.roll(margin, 1, axis=1)), axis=1)
         least = np.min(margin, axis=1)
         clear = least > np.maximum(MARGIN, moves)
+        lacks = least < -SHORT * np.max(np.abs(margin), axis=1)
         if step.group.kind == "RPR":
             apart = np.broadcast_to(square(ports[0].r - ports[1].r), count * STEPS).reshape(count, STEPS)
             clear &= np.min(apart, axis=1) > REACH * np.max(apart, axis=1)
-    return np.asarray(clear)
+    return np.asarray(clear), np.asarray(lacks)
 
 
 def _link_angles(chain: Chain, configuration: Configuration, count: int) -> Real:
