@@ -14,13 +14,13 @@ from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.records import record
 from tmmcalc.design.optimize.evolution import Population, evolve, population
 from tmmcalc.design.optimize.order import Scores, better, crowding, front_numbers, ranked
-from tmmcalc.design.optimize.polish import Aim, polish
+from tmmcalc.design.optimize.polish import SHORTER, Aim, polish
 from tmmcalc.design.optimize.problem import Problem
 
 Values = NDArray[np.floating[Any]]
 Tell = Callable[[str, Scores], None]  # what is being done, the best so far first
 
-STEPS = 40  # of a local search, by which their number is planned
+STEPS = 100  # of a local search, by which their number is planned
 STARTS = 8, 256  # of local searches, at least and at most
 DRAWN = 16  # random designs for every start
 EQUAL = 1e-6  # of the objective: two methods that found the same
@@ -77,8 +77,12 @@ def search(problem: Problem, nominal: Values, budget: int, seed: int, designs: i
     ahead = any(
         theirs < own - EQUAL * abs(own) for own, theirs in zip(mine, second.best, strict=True) if np.isfinite(theirs)
     )
-    method = "differential evolution, then sequential quadratic programming" if problem.free else "differential evolution"
-    return Course(kept.places, kept.scores, method, False, Second(second.method, second.best, second.hits, second.starts, ahead))
+    method = (
+        "differential evolution, then sequential quadratic programming" if problem.free else "differential evolution"
+    )
+    return Course(
+        kept.places, kept.scores, method, False, Second(second.method, second.best, second.hits, second.starts, ahead)
+    )
 
 
 def _complete(problem: Problem, sizes: Sequence[int], tell: Tell) -> Population:
@@ -122,7 +126,11 @@ def _spread(variables: int, count: int, seed: int) -> Values:
 
 def _check(problem: Problem, scores: Scores) -> None:
     """Raise where there is nothing to be chosen."""
-    if np.isfinite(scores.violation).all() and np.ptp(scores.objectives, axis=0).max() == 0 and len(scores.violation) > 1:
+    if (
+        np.isfinite(scores.violation).all()
+        and np.ptp(scores.objectives, axis=0).max() == 0
+        and len(scores.violation) > 1
+    ):
         _refuse_constant(problem)
     if scores.violation.min() == 0:
         return
@@ -262,7 +270,7 @@ def _by_starts(problem: Problem, budget: int, seed: int) -> tuple[Second, Popula
     method = "sequential quadratic programming from random designs"
     if not chosen:
         return Second(method, (np.inf,) * several, 0, starts, False), Population(drawn[:0], scores[:0])
-    found = polish(problem, drawn[chosen], aims)
+    found = polish(problem, drawn[chosen], aims, SHORTER)
     kept = found.scores.violation == 0
     best, hits = [], 0
     for at in range(several):
