@@ -289,9 +289,7 @@ def _columns(found: _Equilibrium, shifts: Real, placed: Placing) -> Iterator[tup
             yield each.header, Derivative(*told[each.header])
 
 
-def _pair(
-    found: _Equilibrium, j: int, name: str, of_force: Real, of_moment: Real
-) -> dict[str, tuple[Real, Real]]:
+def _pair(found: _Equilibrium, j: int, name: str, of_force: Real, of_moment: Real) -> dict[str, tuple[Real, Real]]:
     """Changes of the columns of a pair with their errors."""
     result, seat, rub = found.result, found.seats[j], found.rubs[j]
     one, two = found.changes[2 * j], found.changes[2 * j + 1]

@@ -120,9 +120,7 @@ def _body(given: Given, body: Body, change: Any) -> list[Acted]:
     gravity, dgravity = given.scene.loading.gravity, given.changes.gravity
     force = body.mass * (gravity - acceleration)
     dforce = change.mass * (gravity - acceleration) + body.mass * (dgravity - dacceleration)
-    couple = given.couple(
-        body.link, -body.inertia * angular[0], -change.inertia * angular - body.inertia * dangular
-    )
+    couple = given.couple(body.link, -body.inertia * angular[0], -change.inertia * angular - body.inertia * dangular)
     return [given.at(body.link, r[0], dr, force[0], dforce), couple]
 
 
@@ -160,9 +158,8 @@ def _resistance(given: Given, load: Load, change: Any) -> tuple[Real, Real]:
         rate = (np.conj(e) * relative).real
         drate = (np.conj(de) * relative + np.conj(e) * drelative).real
     v, dv = rate * w, drate * w + rate * dw
-    c, dc = load.law.coefficient * load.factor, (  # type: ignore[attr-defined]
-        change.law.coefficient * load.factor + load.law.coefficient * change.factor  # type: ignore[attr-defined]
-    )
+    law: Any = load.law
+    c, dc = law.coefficient * load.factor, change.law.coefficient * load.factor + law.coefficient * change.factor
     if isinstance(load.law, Viscous):
         return -(c * v)[0], -(dc * v + c * dv)
     return -(c * v * np.abs(v))[0], -(dc * v * np.abs(v) + 2 * c * np.abs(v) * dv)
@@ -288,4 +285,4 @@ def _torsion(given: Given, spring: Spring, change: Any, number: int) -> tuple[Re
     dmoment = dmoment + spring.damping * (drate * w + rate * dw)
     if spring.stiffness:
         dmoment = dmoment + change.stiffness * elastic / spring.stiffness
-    return (elastic + damped)[0], dmoment
+    return np.asarray((elastic + damped)[0]), dmoment
