@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any
 
 import mpmath as mp
@@ -31,7 +32,7 @@ KEYS = [
     ("four-bar", "mechanism.links[id=2].points.B[0]={}", None, 5e-4),
     ("four-bar", "mechanism.input.start={}", 0.0, 0.02),
     ("class-three", "mechanism.links[id=1].points.A[0]={}", None, 2e-4),
-    ("class-four", "mechanism.input.speed={}", 10.0, 0.05),
+    ("class-four", "mechanism.input.speed={}", None, 1e-3),
     ("class-three-slider", "mechanism.links[id=3].mass={}", None, 0.1),
     ("crank-slider", "mechanism.links[id=2].points.B[0]={}", None, 5e-4),
     ("slotted-link", "mechanism.links[id=1].points.A[0]={}", None, 2e-4),
@@ -46,7 +47,7 @@ def extrapolated(f: Callable[[float], Any], h: float) -> Any:
     """The derivative at 0 by central differences, extrapolated to the step 0 (Richardson)."""
     row = [(f(h / 2**i) - f(-h / 2**i)) / (2 * h / 2**i) for i in range(LEVELS)]
     for m in range(1, LEVELS):
-        row = [(4**m * fine - coarse) / (4**m - 1) for coarse, fine in zip(row, row[1:], strict=False)]
+        row = [(4**m * fine - coarse) / (4**m - 1) for coarse, fine in pairwise(row)]
     return row[0]
 
 

@@ -7,9 +7,9 @@ The unknowns are the origin z and the angle theta of every moving link, whatever
     the drive       theta = x of a crank,   e . D = x of a prismatic joint
 
 with e = d_j u_j, D = z_i + p_i u_i - z_j - p_j u_j, which is F(q, x, p) = 0 with the inputs p. Along a change dp of the
-inputs J dq = -F_p dp, J = F_q; the same matrix gives the changes of the transfer functions q' and q'' from the equations differentiated once and twice by x, each with the
-lower ones on its right side. The input coordinate x is one direction more: it gives q', q'' and q''' again, by which
-rows follow an input coordinate that moves.
+inputs J dq = -F_p dp, J = F_q; the same matrix gives the changes of the transfer functions q' and q'' from the
+equations differentiated once and twice by x, each with the lower ones on its right side. The input coordinate x is one
+direction more, which gives the derivatives along x, by which rows follow an input coordinate that moves.
 
 Jets are arrays (3, ...): a value and its first and second derivative by x. Their changes in K directions are
 (3, K, n), those of inputs (K, 1). Lengths are in units of the reach in the matrix, so that its condition is a number.

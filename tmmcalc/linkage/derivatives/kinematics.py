@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.plane import Real
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.records import record
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Step, chain_of
@@ -58,8 +58,9 @@ class OutputDerivatives:
 class KinematicsDerivatives:
     """Derivatives along K directions of the inputs.
 
-    ``columns`` by ``name[unit]``; ``transmission`` by group: of its smallest angle [rad], None where it is a right angle.
-    ``x`` (K, n): how the input coordinates of the rows move.
+    ``columns`` by ``name[unit]``; ``transmission`` by group: of its smallest angle [rad], None where it is a right
+    angle. ``x`` (K, n): how the input coordinates of the rows move. Where two places have the same extreme, it is
+    followed at the one that the result names, which is one side of a kink.
     """
 
     columns: dict[str, Derivative]
@@ -149,9 +150,9 @@ def _columns(whole: Moved, outputs: tuple[Output, ...], rates: _Rates, size: Rea
         omega, eps = (u[1] / u[0]).imag, (u[2] / u[0]).imag
         yield from _five(np.stack([omega, omega, eps]), whole.links[link].angle, rates, size / whole.reach)
     for name, link, _ in chain.layout.points:
-        jet, change = whole.named(link, name)
-        for part in (np.real, np.imag):
-            yield from _five(part(jet), part(change), rates, size)
+        r, dr = whole.named(link, name)
+        yield from _five(r.real, dr.real, rates, size)
+        yield from _five(r.imag, dr.imag, rates, size)
     for joint in chain.layout.joints:
         yield from _five(*whole.slide(chain.mechanism.joint(joint)), rates, size)
 
@@ -283,16 +284,16 @@ def _squared_sine(moved: Moved, step: Step) -> tuple[float, Real]:
     outer = [mechanism.joint(name) for name in step.group.outer]
     inner = mechanism.joint(step.group.inner[0])
 
-    def place(name: int) -> tuple[complex, Real]:
+    def place(name: int) -> tuple[complex, Plane]:
         joint = (*outer, inner)[name]
         r, dr = moved.pin(joint, 0)
         return complex(r[0, 0, 0]), dr[0, :, 0]
 
-    def line(name: int) -> tuple[complex, Real]:
+    def line(name: int) -> tuple[complex, Plane]:
         e, de = moved.line((*outer, inner)[name])
         return complex(e[0, 0, 0]), de[0, :, 0]
 
-    def between(one: int, other: int) -> tuple[complex, Real]:
+    def between(one: int, other: int) -> tuple[complex, Plane]:
         (a, da), (b, db) = place(one), place(other)
         return b - a, db - da
 

@@ -272,7 +272,7 @@ def _torsion(given: Given, spring: Spring, change: Any, number: int) -> tuple[Re
     """The moment (n,) on the first link, as the sources of the scene give it, and its change (K, n)."""
     moved, (a, b) = given.moved, spring.links
     w, dw = given.scene.travel.speed, given.moved.changes.input.speed
-    elastic = np.zeros(len(given.place.theta))
+    elastic: Real = np.zeros(len(given.place.theta))
     for source in given.scene.sources:
         if source.name == spring.name and source.kind == "spring":
             action = source.actions(given.place)[0]
