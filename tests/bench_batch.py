@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import groupby
 from pathlib import Path
 from time import perf_counter, process_time
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,7 +43,7 @@ def batches() -> list[str]:
     _line("one by one", alone)
     made = stacked.prepared(asked)
     assert not isinstance(made, str)
-    made.rows(range(1))
+    made.rows(range(1), values(asked, range(1)))
     one = _seconds(lambda: [stacked.solve_points(asked, block) for block in blocks]) / COUNT
     _line(f"together, {BLOCK} at a time", one, bar_text(one[1] * 1e6, MOST))
     print(f"    times as fast as one by one {alone[0] / one[0]:42.1f} {alone[1] / one[1]:11.1f}")
@@ -55,6 +56,11 @@ def batches() -> list[str]:
     return ["sweep of the shaper"] if one[1] * 1e6 > MOST else []
 
 
+def values(task: Task, some: range) -> Any:
+    """Values (v, axes) of some points."""
+    return np.array([task.values(point) for point in some])
+
+
 def _all_facts() -> None:
     """The same shapers, of which all facts up to the motion are asked for."""
     asked = replace(task(), targets=("forces", "motion"), patterns=())
@@ -62,9 +68,9 @@ def _all_facts() -> None:
     _line("all their facts, one by one", alone)
     made = stacked.prepared(asked)
     assert not isinstance(made, str)
-    assert len(made.rows(range(8)).found) == 8
+    assert len(made.rows(range(8), values(asked, range(8))).found) == 8
     parts = [range(at, at + made.block) for at in range(0, FACTS, made.block)]
-    both = _seconds(lambda: [made.rows(part) for part in parts]) / FACTS
+    both = _seconds(lambda: [made.rows(part, values(asked, part)) for part in parts]) / FACTS
     _line("together", both)
     print(f"    times as fast as one by one {alone[0] / both[0]:42.1f} {alone[1] / both[1]:11.1f}")
 

@@ -34,6 +34,7 @@ FLOORS = (
     "note",
     "accuracy",
     "batch",
+    "design",
     "page",
     "stress",
     "api",

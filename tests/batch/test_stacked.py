@@ -64,7 +64,7 @@ def kind(name: str) -> tuple[str, str]:
 def solved_together(task: Task) -> dict[int, Row]:
     made = stacked.prepared(task)
     assert isinstance(made, Columns), made
-    return made.rows(range(task.count)).found
+    return made.rows(range(task.count), np.array([task.values(point) for point in range(task.count)])).found
 
 
 def table(file: Path, count: int, keys: dict[str, tuple[float, float]], seed: int = 1) -> Path:
@@ -189,7 +189,7 @@ def test_specs_are_not_read_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
     task = task_of(SHAPER, [FEW, f"{CRANK}=0.15:0.25:1000"], None, (), ("kinematics.max(v_D0)",))
     inputs = Inputs(task, 0, loaded=False, driven=False)
     monkeypatch.setattr(Inputs, "_read", lambda *_: pytest.fail("a spec was read"))
-    numbers, there = inputs.numbers(range(1000))
+    numbers, there = inputs.numbers(np.array([task.values(point) for point in range(1000)]))
     crank = [numbers[:, k] for k in range(numbers.shape[1]) if np.ptp(numbers[:, k].real)]
     assert there.all()
     assert all(np.allclose(column.real, np.linspace(0.15, 0.25, 1000), rtol=1e-14) for column in crank)
@@ -207,6 +207,17 @@ def test_the_sweep_says_how_its_variants_were_solved() -> None:
     assert stacked.way(facts) == "variants solved together, balance of each by itself"
     strict = task_of(SHAPER, [FEW, f"{CRANK}=0.15:0.25:20"], None, (), (), 1e-6)
     assert stacked.way(strict) == "variants solved one by one: a tolerance is asked for"
+
+
+def test_a_row_of_a_table_is_solved_together() -> None:
+    """Whose columns are made of the motion alone, not of what the textbook has beside it."""
+    names = ("motion.omega@3", "forces.R_A@3", "motion.max(omega)")
+    task = task_of(SHAPER, ["motion.inertia=20:200:20"], None, (), names)
+    rows = stacked.solve_points(task, range(task.count))
+    assert {row.alone for row in rows} == {""}
+    for row, alone in zip(rows, points.solve_points(task, range(task.count)), strict=True):
+        assert row.names == alone.names
+        assert list(row.values) == pytest.approx(list(alone.values), rel=SAME)
 
 
 @pytest.mark.slow

@@ -10,6 +10,7 @@ preparing.py   what points need to be solved together, or why they cannot be
 stacked.py     points solved together, and in which way they were; stacked_columns.py values of columns at once,
                stacked_results.py results of every variant, stacked_inputs.py what their stages read,
                stacked_acting.py which causes act, stacked_machine.py their steady motions
+places.py      the same at places that are chosen while one goes on
 outcomes.py    the result of one stage at every point
 regions.py     where constraints hold over one or two keys
 choice.py      by which solver, in what blocks, in how many processes

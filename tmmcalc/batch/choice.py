@@ -57,12 +57,21 @@ def solver_of(task: Task, jobs: int | None, scheduler: str | None, tell: Callabl
     Raises UsageError for ``jobs`` beside a ``scheduler``, and where joblib or distributed is not installed.
     """
     if scheduler is not None:
-        if jobs is not None:
-            raise UsageError(
-                "the cluster has its own processes", where="--jobs", remedy="leave --jobs or --scheduler out"
-            )
-        from tmmcalc.batch.cluster import solve_on
-
-        return chosen(task, cores(), cores())[0], partial(solve_on, scheduler, tell=tell)
+        return chosen(task, cores(), cores())[0], cluster(scheduler, jobs, tell)
     task, number = chosen(task, jobs, cores() if available() else 1)
-    return task, solve_here if number == 1 else partial(solve_by, processes(number), tell=tell)
+    return task, local(number, tell)
+
+
+def cluster(scheduler: str, jobs: int | None, tell: Callable[[str], None]) -> Solve:
+    """The workers of a cluster; raises UsageError for ``jobs`` beside it, and where distributed is not installed."""
+    if jobs is not None:
+        remedy = "leave --jobs or --scheduler out"
+        raise UsageError("the cluster has its own processes", where="--jobs", remedy=remedy)
+    from tmmcalc.batch.cluster import solve_on
+
+    return partial(solve_on, scheduler, tell=tell)
+
+
+def local(jobs: int, tell: Callable[[str], None]) -> Solve:
+    """So many processes, this one alone if it is one; raises UsageError where joblib is not installed."""
+    return solve_here if jobs == 1 else partial(solve_by, processes(jobs), tell=tell)

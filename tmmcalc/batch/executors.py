@@ -12,6 +12,7 @@ from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from contextlib import AbstractContextManager
 from functools import partial
 from time import monotonic, sleep
+from typing import Any
 
 from tmmcalc._version import __version__
 from tmmcalc.batch.task import BROKEN, Row, Task
@@ -19,7 +20,7 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
 from tmmcalc.core.stage import resolve
 
-Block = Sequence[int]
+Block = Sequence[Any]  # points by their numbers, or places with a number (`batch.places`)
 Solve = Callable[[Task, Iterable[Block]], Iterator[list[Row]]]
 Tell = Callable[[str], None]
 DEATHS = 2  # of a process over one and the same point
@@ -61,7 +62,7 @@ def solve_here(task: Task, blocks: Iterable[Block]) -> Iterator[list[Row]]:
 def solve_by(workers: Workers, task: Task, blocks: Iterable[Block], tell: Tell) -> Iterator[list[Row]]:
     """Solve blocks by workers, each as soon as one is free; rows come in any order."""
     work = partial(solve_there, __version__, task)
-    waiting, suspects, deaths = deque(blocks), deque[Block](), Counter[int]()
+    waiting, suspects, deaths = deque(blocks), deque[Block](), Counter[Any]()
     while waiting or suspects:
         alone = bool(suspects)
         with workers.open() as pool:
@@ -74,7 +75,10 @@ def solve_by(workers: Workers, task: Task, blocks: Iterable[Block], tell: Tell) 
         deaths.update(points if alone else ())
         given_up = [point for point in points if deaths[point] >= DEATHS]
         suspects.extend([point] for point in points if deaths[point] < DEATHS)
-        yield [Row(point, BROKEN, f"its process died {DEATHS} times: not enough memory?") for point in given_up]
+        yield [
+            Row(getattr(point, "point", point), BROKEN, f"its process died {DEATHS} times: not enough memory?")
+            for point in given_up
+        ]
 
 
 def _drain(

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from tmmcalc.batch.choice import chosen
 from tmmcalc.batch.preparing import prepared
 from tmmcalc.batch.stacked import SOLVER
@@ -27,9 +29,10 @@ def outcomes(task: Task) -> Iterator[Any | TmmError]:
     variants = task.variants()
     for first in range(0, task.count, BLOCK):
         block = range(first, min(first + BLOCK, task.count))
-        found = together.results(block).found if isinstance(together, Results) else {}
-        for point in block:
-            yield found[point][task.targets[0]] if point in found else _alone(task, variants, point)
+        given = np.array([task.values(point) for point in block])
+        found = together.results(given).found if isinstance(together, Results) else {}
+        for k, point in enumerate(block):
+            yield found[k][task.targets[0]] if k in found else _alone(task, variants, point)
 
 
 def _alone(task: Task, variants: Variants, point: int) -> Any | TmmError:

@@ -68,9 +68,9 @@ def offered_like(pattern: str, results: Mapping[str, Any], spec: Any) -> Iterato
                 yield f"{stage}.{each.quantity}{unit}"
 
 
-def unknown(pattern: str, names: Sequence[str]) -> UsageError:
+def unknown(pattern: str, names: Sequence[str], where: str = "--columns") -> UsageError:
     """The error of a pattern that names nothing, with the nearest of what there is."""
     bare = pattern.rpartition("[")[0]
     same = [name for name in names if bare and rank(name, [bare]) is not None]
     remedy = f"it is {', '.join(same)}" if same else near(pattern, names, "quantities")
-    return UsageError(f"no quantity is called {pattern!r}", where="--columns", remedy=remedy)
+    return UsageError(f"no quantity is called {pattern!r}", where=where, remedy=remedy)

@@ -16,7 +16,7 @@ from tmmcalc.project.loader import Variants, read_text
 from tmmcalc.rooms import STAGES
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.override import split
-from tmmcalc.spec.variants import MOST, Axis, axis, is_range
+from tmmcalc.spec.variants import MOST, Axis, axis, given, is_range
 
 if TYPE_CHECKING:
     from tmmcalc.project import Spec
@@ -58,6 +58,35 @@ def task_of(
         raise UsageError(
             f"{task.count} points are more than {MOST}", value=task.count, limit=MOST, remedy="make the ranges coarser"
         )
+    return replace(task, axes=_with_units(task))
+
+
+def frame_of(
+    file: Path,
+    fixed: Sequence[str],
+    keys: Sequence[str],
+    patterns: Sequence[str],
+    tolerance: float | None = None,
+) -> Task:
+    """A task of one point, the spec with its overrides as it stands; the axes are keys of it with their values.
+
+    Raises UsageError for a key that holds no number, and SpecError for a spec that has faults.
+    """
+    text = read_text(file)
+    variants = Variants(text, str(file), file.parent, fixed)
+    variants.spec()
+    axes = tuple(Axis(key, (value,), unit) for key in keys for value, unit in [given(key, variants.data)])
+    task = Task(
+        text=text,
+        file=str(file),
+        folder=str(file.parent.absolute()),
+        fixed=tuple(fixed),
+        axes=axes,
+        listed=True,
+        targets=stages_of(patterns, STAGES),
+        patterns=tuple(patterns),
+        tolerance=tolerance,
+    )
     return replace(task, axes=_with_units(task))
 
 

@@ -14,6 +14,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 
+import numpy as np
+
 from tmmcalc.batch.points import solve_points as solve_alone
 from tmmcalc.batch.preparing import prepared
 from tmmcalc.batch.stacked_columns import Columns
@@ -55,15 +57,16 @@ def solve_points(task: Task, points: Sequence[int]) -> list[Row]:
     """Rows of the points, in their order; those that cannot be solved together are solved alone."""
     made, found, apart = prepared(task), dict[int, Row](), dict[int, str]()
     if not isinstance(made, str):
-        for block in dict.fromkeys(point // made.block for point in points):
-            rows = _rows(made, range(block * made.block, min((block + 1) * made.block, task.count)))
-            found.update(rows.found)
-            apart.update(rows.apart)
+        for number in dict.fromkeys(point // made.block for point in points):
+            block = range(number * made.block, min((number + 1) * made.block, task.count))
+            rows = _rows(made, block, tuple(map(task.values, block)))
+            found.update((row.point, row) for row in rows.found.values())
+            apart.update((block[k], reason) for k, reason in rows.apart.items())
     rest = [point for point in points if point not in found]
     found.update((row.point, replace(row, alone=apart.get(row.point, UNLIKE))) for row in solve_alone(task, rest))
     return [found[point] for point in points]
 
 
 @lru_cache(maxsize=4)  # neighbouring blocks, when points are asked for one by one
-def _rows(made: Columns | Results, points: range) -> Together[Row]:
-    return made.rows(points)
+def _rows(made: Columns | Results, points: range, values: tuple[tuple[float, ...], ...]) -> Together[Row]:
+    return made.rows(points, np.array(values))

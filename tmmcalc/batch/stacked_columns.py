@@ -34,6 +34,7 @@ class Asked(NamedTuple):
     stage: str
     of: str  # empty: a fact of its summary
     column: str
+    row: int | None = None  # the one that is asked for
 
 
 def asked(name: str, base: RunResult) -> Asked | None:
@@ -45,7 +46,13 @@ def asked(name: str, base: RunResult) -> Asked | None:
     stage, of, fact, place, _ = parse(name)
     if of or place:
         told = fact in ("phi", *COLUMNS.values()) if stage == "motion" else fact not in CHECKS
-        return Asked(stage, of, fact) if stage in STAGES and told and of in REDUCED and place is None else None
+        if stage not in STAGES or not told:
+            return None
+        if place is None:
+            return Asked(stage, of, fact) if of in REDUCED else None
+        labels = base.results[stage].labels
+        one = not place.column and not place.last and place.first in labels and of in ("", *REDUCED)
+        return Asked(stage, of or "first", fact, labels.index(place.first)) if one else None
     if stage == "motion" and fact in FIGURES:
         return Asked(stage, "", fact)
     kind, _, output = fact.partition("_")
@@ -65,13 +72,13 @@ class Columns:
         self._names, self._asked = tuple(asked), tuple(asked.values())
         self._tracked = any(each.column.startswith(("angle_", "S_")) for each in self._asked)
 
-    def rows(self, points: range) -> Together[Row]:
-        """Rows of those points of a block that are solved together."""
+    def rows(self, points: Sequence[int], given: Values) -> Together[Row]:
+        """Rows of those points of a block that are solved together; ``given`` are their values (v, axes)."""
         found, apart = dict[int, Row](), dict[int, str]()
-        for which, (values, clear) in self._inputs.parts(points, self._block, apart):
+        for which, (values, clear) in self._inputs.parts(given, self._block, apart):
             clear = clear & np.all(np.isfinite(values), axis=1)
-            for place, row in zip(which[clear].tolist(), values[clear], strict=True):
-                found[points[place]] = Row(points[place], OK, "", self._names, array("d", row.tolist()))
+            for k, row in zip(which[clear].tolist(), values[clear], strict=True):
+                found[k] = Row(points[k], OK, "", self._names, array("d", row.tolist()))
         return Together(found, apart)
 
     def _block(self, tree: Any, count: int) -> tuple[Values, Flags]:
@@ -128,7 +135,8 @@ class Columns:
             if asked.stage == stage and asked.of:
                 if asked.column not in made:
                     made[asked.column] = np.asarray(by_name[asked.column].make(), float).reshape(len(some), -1)
-                values[some, k] = REDUCED[asked.of](made[asked.column])
+                own = made[asked.column]
+                values[some, k] = REDUCED[asked.of](own if asked.row is None else own[:, [asked.row]])
 
     def _facts(self, stage: str, found: dict[str, Values], some: Any, values: Values) -> None:
         """Write what is asked of facts (v,) of some variants."""

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from tmmcalc.project import Spec
 
 Numbers = NDArray[np.complexfloating[Any, Any]]
+Values = NDArray[np.floating[Any]]
 Flags = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 T = TypeVar("T")
@@ -45,7 +46,10 @@ ONE_NUMBER = "what they read is asked for one number"
 
 
 class Together(NamedTuple, Generic[T]):
-    """Of some points what is solved together; of others why they have to be solved alone, where a reason is known."""
+    """Of some variants, by their numbers among all asked for, what is solved together.
+
+    Of others why they have to be solved alone, where a reason is known.
+    """
 
     found: dict[int, T]
     apart: dict[int, str]
@@ -68,10 +72,10 @@ class Inputs:
     """
 
     def __init__(self, task: Task, first: int, *, loaded: bool, driven: bool) -> None:
-        self.first = first
+        self.first = task.values(first)
         self._task, self._variants = task, task.variants()
         self._asked = loaded, driven
-        self._origin = np.array(task.values(first))
+        self._origin = np.array(self.first)
         self.tree = given(self._variants.spec(task.assignments(first)), loaded, driven)
         self._shape = shape_of(self.tree)
         self._base = np.array(numbers(self.tree), complex)
@@ -88,16 +92,15 @@ class Inputs:
         names = zip(paths(self.tree), self._differ, strict=True)
         return next((name for name, differs in names if differs and not FREE.fullmatch(name)), None)
 
-    def numbers(self, points: Sequence[int]) -> tuple[Numbers, Flags]:
-        """The numbers (v, L) of some points, and which of the points have inputs like those of the first."""
-        values = np.array([self._task.values(point) for point in points])
+    def numbers(self, values: Values) -> tuple[Numbers, Flags]:
+        """The numbers (v, L) of variants with these values (v, axes), and which have inputs like those of the first."""
         if self._slopes is None:
-            doubtful = np.ones(len(points), bool)
-            found = np.tile(self._base, (len(points), 1))
+            doubtful = np.ones(len(values), bool)
+            found = np.tile(self._base, (len(values), 1))
         else:
             found = self._base + (values - self._origin) @ self._slopes
             doubtful = np.any(_signs(found, self._pairs) != self._signs, axis=1)
-        there = np.ones(len(points), bool)
+        there = np.ones(len(values), bool)
         for row in np.flatnonzero(doubtful).tolist():
             read = self._read(values[row])
             there[row] = read is not None and bool(np.all((read == self._base) | self._differ))
@@ -107,15 +110,15 @@ class Inputs:
         return found, there & np.all(same, axis=1)
 
     def parts(
-        self, points: Sequence[int], solve: Callable[[Any, int], T], apart: dict[int, str]
+        self, values: Values, solve: Callable[[Any, int], T], apart: dict[int, str]
     ) -> Iterator[tuple[Indices, T]]:
-        """What ``solve`` makes of the stacked inputs of some points, in parts whose constants answer questions alike.
+        """What ``solve`` makes of the stacked inputs of variants, in parts whose constants answer questions alike.
 
-        With the numbers of the points of each part among all. A part with a variant in which something has no solution
-        is halved, and what then is left is left out. So is a part in which something asks for what one number alone can
-        tell, or a fault of the program shows: ``apart`` gets the reason by point.
+        With the numbers of the variants of each part among all. A part with a variant in which something has no
+        solution is halved, and what then is left is left out. So is a part in which something asks for what one number
+        alone can tell, or a fault of the program shows: ``apart`` gets the reason by variant.
         """
-        found, there = self.numbers(points)
+        found, there = self.numbers(values)
         waiting = [np.flatnonzero(there)]
         while waiting:
             which = waiting.pop()
@@ -128,24 +131,24 @@ class Inputs:
                 waiting += [which[middle:], which[:middle]] if middle else []
             except Exception as fault:
                 reason = ONE_NUMBER if isinstance(fault, SeveralError) else verdict(fault)[1]
-                apart.update((points[k], reason) for k in which.tolist())
+                apart.update((k, reason) for k in which.tolist())
             else:
                 yield which, made
 
-    def spec(self, point: int) -> Spec:
-        """The spec of a point."""
-        return self._variants.spec(self._task.assignments(point))
+    def spec(self, values: Sequence[float] | Values) -> Spec:
+        """The spec of a variant with these values of the axes."""
+        axes = zip(self._task.axes, values, strict=True)
+        return self._variants.spec([axis.assignment(float(value)) for axis, value in axes])
 
     def stacked(self, found: Numbers) -> Any:
         """The inputs of variants with these numbers (v, L) as one tree."""
         columns = (column.real if plain else column for column, plain in zip(found.T, self._plain, strict=True))
         return rebuilt(self.tree, [alike(np.ascontiguousarray(column)) for column in columns])
 
-    def _read(self, values: Sequence[float] | NDArray[np.floating[Any]]) -> Numbers | None:
+    def _read(self, values: Sequence[float] | Values) -> Numbers | None:
         """The numbers (L,) of a variant as its spec gives them; None for one that is none, or has other parts."""
-        axes = zip(self._task.axes, values, strict=True)
         try:
-            tree = given(self._variants.spec([axis.assignment(float(value)) for axis, value in axes]), *self._asked)
+            tree = given(self.spec(values), *self._asked)
         except Exception:  # solved alone it says why
             return None
         return np.array(numbers(tree), complex) if shape_of(tree) == self._shape else None

@@ -178,7 +178,7 @@ def _constant(machine: Machine, speed: float) -> float:
 
 
 def _at_positions(found: Regimes, base: Motion, wanted: Collection[str]) -> Motion:
-    """The motion at the positions of all machines."""
+    """The motion at the positions of all machines, without what the textbook makes of that of one."""
     m = found.machines
     at = places(m, np.clip(base.theta, 0.0, base.regime.panels.edges[-1]), base.early)
     find: dict[str, Callable[[], Values]] = {
@@ -189,4 +189,4 @@ def _at_positions(found: Regimes, base: Motion, wanted: Collection[str]) -> Moti
         "load": lambda: at.at(found.load),
     }
     rows: dict[str, Any] = {field: find[field]().ravel() for field, column in COLUMNS.items() if column in wanted}
-    return replace(base, phi=np.tile(base.phi, len(m.low)), **rows)
+    return replace(base, phi=np.tile(base.phi, len(m.low)), textbook=None, by_energy=None, **rows)

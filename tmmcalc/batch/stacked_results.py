@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
 
 Found = dict[str, Any]  # results by stage
+Values = NDArray[np.floating[Any]]
 Flags = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
@@ -61,26 +62,27 @@ class Results:
         together = (*TOGETHER, *(MOVED if self._motion else ()))
         return tuple(name for name in self._stages if name not in together)
 
-    def rows(self, points: range) -> Together[Row]:
-        """Rows of those points of a block that are solved together."""
+    def rows(self, points: Sequence[int], given: Values) -> Together[Row]:
+        """Rows of those points of a block that are solved together; ``given`` are their values (v, axes)."""
         shared: dict[tuple[str, ...], tuple[str, ...]] = {}  # a thousand variants have the names of one
-        found, (every, apart) = {}, self.results(points)
-        for point, results in every.items():
+        found, (every, apart) = {}, self.results(given)
+        for k, results in every.items():
             try:
                 values = self._quantities(results)
             except Exception as fault:  # one variant that breaks the program must not end the others
-                apart[point] = verdict(fault)[1]
+                apart[k] = verdict(fault)[1]
                 continue
             names = shared.setdefault(tuple(values), tuple(values))
-            found[point] = Row(point, OK, "", names, array("d", values.values()))
+            found[k] = Row(points[k], OK, "", names, array("d", values.values()))
         return Together(found, apart)
 
-    def results(self, points: range) -> Together[Found]:
-        """Results by stage of those points of a block that are solved together and have all of them."""
+    def results(self, given: Values) -> Together[Found]:
+        """Results by stage of those variants, of values (v, axes), that are solved together and have all of them."""
         every = Together[Found]({}, {})
-        for which, variants in self._inputs.parts(points, self._solved, every.apart):
+        for which, variants in self._inputs.parts(given, self._solved, every.apart):
             for k, variant in variants.items():
-                self._complete(points[int(which[k])], variant, every)
+                at = int(which[k])
+                self._complete(at, given[at], variant, every)
         return every
 
     def _quantities(self, results: Found) -> dict[str, float]:
@@ -122,26 +124,26 @@ class Results:
                 there = [k for k, results in enumerate(own) if results is not None]
                 _noted(found, some[there], name, [made[k] for k in there])
 
-    def _complete(self, point: int, variant: _Variant, every: Together[Found]) -> None:
+    def _complete(self, k: int, values: Values, variant: _Variant, every: Together[Found]) -> None:
         """Run the stages that are left, and note the variant if all have a result."""
         try:
             for name in self._stages:
                 if name not in variant.results:
-                    self._run(name, variant, point)
+                    self._run(name, variant, values)
         except TmmError:
             return  # solved alone it says why
         except Exception as fault:
-            every.apart[point] = verdict(fault)[1]
+            every.apart[k] = verdict(fault)[1]
             return
-        every.found[point] = variant.results
+        every.found[k] = variant.results
 
-    def _run(self, name: str, variant: _Variant, point: int = -1) -> None:
+    def _run(self, name: str, variant: _Variant, values: Values | None = None) -> None:
         """Run a stage for one variant."""
         stage = self._stages[name]
         if name in MACHINE and variant.machine is not None:
             given: Any = given_of(name, variant.machine, self._key)
         else:
-            given = stage.inputs(self._inputs.spec(point))
+            given = stage.inputs(self._inputs.spec(self._inputs.first if values is None else values))
         upstream = upstream_of(stage, variant.results)
         variant.results[name] = stage.solve(*arguments(given), **upstream, **stage.settings)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -51,6 +52,12 @@ class Task:
     def assignments(self, point: int) -> list[str]:
         """The overrides that make the variant."""
         return [axis.assignment(value) for axis, value in zip(self.axes, self.values(point), strict=True)]
+
+    def at(self, points: Sequence[Sequence[float]]) -> Task:
+        """The same with other points, by the values of the keys."""
+        columns = zip(*points, strict=True)
+        axes = (replace(axis, values=tuple(map(float, own))) for axis, own in zip(self.axes, columns, strict=True))
+        return replace(self, axes=tuple(axes), listed=True, labels=())
 
     def spread(self) -> list[int]:
         """A few points over the sweep, the first one first."""

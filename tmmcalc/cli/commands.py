@@ -43,6 +43,7 @@ SECTIONS = {
             Command("run", "Run every stage that the spec has."),
             Command("names", "What a scene can tell, by name: symbol, unit, meaning, value."),
             Command("sweep", "Variants of a spec over ranges of its keys, to one CSV."),
+            Command("sensitivity", "Which numbers of a spec matter for a result, by how much."),
             Command("feasibility", "Constraints on results: which hold, by how much."),
             Command("plot", "Draw the result of a stage to an svg, png, pdf or dxf file."),
             Command("sheet", "Draw the sheets that are handed in: A1, with frame and title block."),

@@ -101,6 +101,22 @@ def counted(what: str, total: int) -> Iterator[Callable[[int, int], None]]:
 
 
 @contextmanager
+def growing(what: str) -> Iterator[Callable[[int, int], None]]:
+    """A bar that is told how many are done of how many, which may become more, shown after a moment."""
+    began = monotonic()
+    with ExitStack() as stack:
+        bar: list[tuple[Bar, Any]] = []
+
+        def told(done: int, total: int) -> None:
+            if not bar and monotonic() - began > PATIENCE:
+                bar.append(_bar(stack, what, total))
+            for progress, task in bar:
+                progress.update(task, completed=done, total=total)
+
+        yield told
+
+
+@contextmanager
 def described() -> Iterator[Callable[[str], None]]:
     """A spinner that is told what is being done, shown after a moment, with the time since the beginning."""
     began = monotonic()

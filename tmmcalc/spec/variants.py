@@ -78,6 +78,16 @@ def axis(assignment: str, data: dict[str, Any]) -> Axis:
     return Axis(key, values, unit)
 
 
+def given(key: str, data: dict[str, Any]) -> tuple[float, str]:
+    """Number and unit of what a document holds at a key; raises UsageError if that is no number, or nothing.
+
+    >>> given("motor.power", {"motor": {"power": "2 kW"}})
+    (2.0, 'kW')
+    """
+    assignment = f"{key}=0"
+    return _quantity(value_at(data, assignment), assignment)
+
+
 def grid(axes: Sequence[Axis]) -> Iterator[tuple[float, ...]]:
     """Every point of the grid, one value an axis; the last axis runs fastest.
 

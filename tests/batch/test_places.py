@@ -1,0 +1,68 @@
+"""Places that are chosen while one goes on: the same results as points have, here and in other processes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tmmcalc.batch.choice import local
+from tmmcalc.batch.places import SOLVER, Place, solve_places
+from tmmcalc.batch.points import solve_points
+from tmmcalc.batch.reading import frame_of
+from tmmcalc.batch.task import Task
+from tmmcalc.core.errors import UsageError
+
+SHAPER = Path(__file__).parents[2] / "configs" / "shaper.toml"
+CRANK, RAM = "mechanism.links[id=1].points.A[0]", "mechanism.links[id=5].mass"
+NAMES = ("kinematics.stroke_D[m]", "forces.max(R_A)[N]", "forces.M_drive@3[N*m]")
+
+
+@pytest.fixture(scope="module")
+def frame() -> Task:
+    task = frame_of(SHAPER, ["mechanism.grid.positions=18"], [CRANK, RAM], NAMES)
+    nominal = np.array(task.values(0))
+    return replace(task.at([nominal.tolist(), (0.9 * nominal).tolist(), (1.1 * nominal).tolist()]), solver=SOLVER)
+
+
+def places(count: int) -> list[Place]:
+    rng = np.random.default_rng(5)
+    return [Place(7 + k, (200 * x, 190 * y)) for k, (x, y) in enumerate(0.9 + 0.2 * rng.random((count, 2)))]
+
+
+def test_a_frame_has_the_keys_with_their_values(frame: Task) -> None:
+    assert [axis.name for axis in frame.axes] == [f"{CRANK}[mm]", f"{RAM}[kg]"]
+    assert frame.values(0) == (200.0, 190.0)
+    with pytest.raises(UsageError, match="is no number"):
+        frame_of(SHAPER, (), ["project.title"], NAMES)
+
+
+def test_places_are_points(frame: Task) -> None:
+    asked = places(40)
+    rows = solve_places(frame, asked)
+    assert [row.point for row in rows] == [place.point for place in asked]
+    assert {row.alone for row in rows} == {""}
+    alone = solve_points(frame.at([place.values for place in asked]), range(40))
+    for one, other in zip(rows, alone, strict=True):
+        assert one.names == other.names == NAMES
+        assert list(one.values) == pytest.approx(list(other.values), rel=1e-10)
+
+
+def test_a_place_without_a_solution_says_why(frame: Task) -> None:
+    (bad, good) = solve_places(frame, [Place(0, (900.0, 190.0)), Place(1, (200.0, 190.0))])
+    assert bad.status.startswith("failed")
+    assert bad.reason
+    assert good.ok
+
+
+def test_places_in_other_processes_are_the_same_to_the_last_digit(frame: Task) -> None:
+    pytest.importorskip("joblib")
+    asked = places(24)
+    blocks = [asked[:12], asked[12:]]
+    here = {row.point: row for block in blocks for row in solve_places(frame, block)}
+    said: list[str] = []
+    there = {row.point: row for rows in local(2, said.append)(frame, blocks) for row in rows}
+    assert there == here
+    assert not said

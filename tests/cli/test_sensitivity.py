@@ -1,0 +1,37 @@
+"""``tmmcalc sensitivity`` as its user meets it."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import pytest
+
+from cli.conftest import Cli
+
+SHAPER = Path(__file__).parents[2] / "configs" / "shaper.toml"
+CRANK, AXIS = "mechanism.links[id=1].points.A[0]", "mechanism.fixed.O[1]"
+
+
+def test_the_command(cli: Cli) -> None:
+    told = cli("sensitivity", str(SHAPER), "--of", "stroke_D,kinematics.K_D", "--to", f"{CRANK},{AXIS}")
+    assert told.code == 0
+    assert "kinematics.stroke_D" in told.out
+    assert "+1 %" in told.out
+    assert "200 mm" in told.out
+    wide = cli("sensitivity", str(SHAPER), "--of", "kinematics.stroke_D", "--to", CRANK, "--format", "csv")
+    (row,) = csv.DictReader(io.StringIO(wide.out))
+    assert row["key"] == f"{CRANK}[mm]"
+    assert float(row["derivative"]) == pytest.approx(0.658064516129 / 200)
+    assert row["from"] == "both"
+    whole = json.loads(cli("sensitivity", str(SHAPER), "--of", "stroke_D", "--to", CRANK, "--format", "json").out)
+    assert whole["variants"] == 18
+
+
+def test_what_is_wrong_is_one_error(cli: Cli) -> None:
+    told = cli("sensitivity", str(SHAPER), "--of", "stroke_D,", "--to", CRANK)
+    assert told.code == 2
+    assert "a name is missing" in told.err
+    assert cli("sensitivity", str(SHAPER), "--of", "stroke_D", "--to", "title").code == 2

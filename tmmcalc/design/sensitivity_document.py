@@ -1,0 +1,125 @@
+"""The document of sensitivities: of every result the numbers that it depends on, the one that matters most first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from tmmcalc.batch.table import key_and_unit
+from tmmcalc.design.sensitivity import Partial, Sensitivity
+from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.numbers import number
+
+HEADERS = ("key", "value", "derivative", "for 1 %")
+TIDY = ("result", "key", "value", "derivative", "left", "right", "error", "relative", "curvature", "from")
+SHOWN = 5  # ends that are told
+POOR = 1e-6  # an error above is told of each
+OTHER = {"right": "larger", "left": "smaller"}
+
+
+def sensitivity_document(result: Sensitivity, title: str) -> Document:
+    """One part a result; before them how near variants without a solution are, and which keys take no small change."""
+    parts = tuple(_part(result, name, value) for name, value in zip(result.names, result.found, strict=True))
+    return Document(title, (*_facts(result),), parts=parts)
+
+
+def tidy_sensitivity(result: Sensitivity, title: str) -> Document:
+    """One table of all derivatives, for programs; what there is not is empty."""
+    rows = [
+        (each.name, each.key, each.value, *map(_or_none, (each.slope.value, each.slope.left, each.slope.right)),
+         _or_none(each.slope.error), _or_none(each.relative), _or_none(each.slope.curvature), each.slope.side)
+        for name in result.names
+        for each in result.of(name)
+    ]  # fmt: skip
+    columns = [*map(list, zip(*rows, strict=True))] or [[] for _ in TIDY]
+    return Document(title, (*_facts(result),), table=View(TIDY, columns))
+
+
+def acts(each: Partial) -> bool:
+    """Whether a key has an influence that is more than the error of its derivative, or none that settles."""
+    return each.slope.side in ("kink", "jump", "none") or abs(each.slope.value) > each.slope.error
+
+
+def _facts(result: Sensitivity) -> Iterator[Fact]:
+    yield Fact("variants", str(result.solved), {"variants": result.solved})
+    yield from _ends(result)
+    yield from _fixed(result)
+
+
+def _part(result: Sensitivity, name: str, value: float) -> Document:
+    every = result.of(name)
+    shown = [each for each in every if acts(each)]
+    bare, unit = key_and_unit(name)
+    facts = [
+        Fact("value", f"{number(value)} {unit}".rstrip(), {"value": value}),
+        Fact("depends on", f"{len(shown)} of {len(every)} numbers", {"keys": len(shown)}),
+    ]
+    errors = [each.error for each in shown if np.isfinite(each.error)]
+    if errors:
+        facts.append(Fact("derivatives", f"off by {max(errors):.0e} of them at most", {"error": max(errors)}))
+    rows = [_row(each, unit) for each in shown]
+    table = View(HEADERS, [*map(list, zip(*rows, strict=True))]) if rows else None
+    return Document(bare, tuple(facts), tuple(_notes(shown, unit)), table, name=bare)
+
+
+def _row(each: Partial, unit: str) -> tuple[str, str, str, str]:
+    """Key, value, derivative, and what one per cent of the key does to the result; of a key that is 0 none."""
+    key, own = key_and_unit(each.key)
+    percent = f"{each.relative:+.3g} %" if np.isfinite(each.relative) else ""
+    value = each.slope.side if np.isnan(each.slope.value) else f"{number(each.slope.value)} {_per(unit, own)}"
+    return key, f"{number(each.value)} {own}".rstrip(), value.rstrip(), percent
+
+
+def _notes(shown: Sequence[Partial], unit: str) -> Iterator[str]:
+    """Kinks with both sides, jumps, and where no straight line stands for the result."""
+    for each in shown:
+        per = _per(unit, key_and_unit(each.key)[1])
+        if each.slope.side == "kink":
+            left, right = (f"{number(side)} {per}".rstrip() for side in (each.slope.left, each.slope.right))
+            yield f"warning: {each.key}: a kink, {left} to smaller values and {right} to larger ones"
+        elif each.slope.side == "jump":
+            yield f"warning: {each.key}: the result jumps here, so that it has no derivative"
+        elif each.slope.side in ("left", "right"):
+            yield f"note: {each.key}: there are solutions to one side alone, that of {OTHER[each.slope.side]} values"
+        elif each.slope.side == "none":
+            yield (
+                f"warning: {each.key}: differences do not settle (off by {each.slope.error:.1e}): no straight line "
+                "stands for the result here, which a dead point or the end of what can be assembled does"
+            )
+        elif each.error > POOR:
+            yield f"note: {each.key}: the derivative is known to {each.error:.1e} of it alone"
+
+
+def _per(unit: str, below: str) -> str:
+    """Unit of a derivative.
+
+    >>> _per("N", "mm"), _per("", "kg*m^2"), _per("m", "")
+    ('N/mm', '1/(kg*m^2)', 'm')
+    """
+    if not below:
+        return unit
+    return f"{unit or '1'}/({below})" if {"*", "/"} & set(below) else f"{unit or '1'}/{below}"
+
+
+def _ends(result: Sensitivity) -> Iterator[Fact]:
+    """Keys of which a small step has no solution any more, the nearest ones first."""
+    near = sorted(result.reaches, key=lambda each: abs(each.step))
+    for at, each in enumerate(near[:SHOWN], 1):
+        values = {f"end_{at}": {"key": each.key, "step": each.step, "reason": each.reason}}
+        yield Fact("no solution", f"{each.key} {each.step:+.3g}: {each.reason}", values)
+    if len(near) > SHOWN:
+        yield Fact("no solution", f"{len(near) - SHOWN} keys more")
+
+
+def _fixed(result: Sensitivity) -> Iterator[Fact]:
+    """Keys that take no small change, by the number of each reason."""
+    if result.fixed:
+        whole = [key for key, reason in result.fixed if "whole number" in reason]
+        others = [f"{key}: {reason}" for key, reason in result.fixed if key not in whole]
+        text = "; ".join([f"{len(whole)} whole numbers"] * bool(whole) + others)
+        yield Fact("left out", text, {"left_out": [key for key, _ in result.fixed]})
+
+
+def _or_none(value: float) -> float | None:
+    return float(value) if np.isfinite(value) else None
