@@ -11,10 +11,12 @@ from tmmcalc.design.sensitivity import Partial, Sensitivity
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
-HEADERS = ("key", "value", "derivative", "for 1 %")
-TIDY = ("result", "key", "value", "derivative", "left", "right", "error", "relative", "curvature", "from")
+HEADERS = ("key", "value", "derivative", "for 1 %", "error", "way")
+TIDY = ("result", "key", "value", "derivative", "left", "right", "error", "relative", "curvature", "from", "way")
 SHOWN = 5  # ends that are told
 POOR = 1e-6  # an error above is told of each
+PERCENT = 0.01  # of a key: the change that the table tells of
+BENT = 0.25  # of the change by the derivative: where one per cent adds more to it, this is told
 OTHER = {"right": "larger", "left": "smaller"}
 
 
@@ -28,7 +30,7 @@ def tidy_sensitivity(result: Sensitivity, title: str) -> Document:
     """One table of all derivatives, for programs; what there is not is empty."""
     rows = [
         (each.name, each.key, each.value, *map(_or_none, (each.slope.value, each.slope.left, each.slope.right)),
-         _or_none(each.slope.error), _or_none(each.relative), _or_none(each.slope.curvature), each.slope.side)
+         _or_none(each.slope.error), _or_none(each.relative), _or_none(each.slope.curvature), each.slope.side, each.way)
         for name in result.names
         for each in result.of(name)
     ]  # fmt: skip
@@ -39,6 +41,12 @@ def tidy_sensitivity(result: Sensitivity, title: str) -> Document:
 def acts(each: Partial) -> bool:
     """Whether a key has an influence that is more than the error of its derivative, or none that settles."""
     return each.slope.side in ("kink", "jump", "none") or abs(each.slope.value) > each.slope.error
+
+
+def bent(each: Partial) -> bool:
+    """Whether the second derivative adds to the change for one per cent what is no longer small against it."""
+    bend = abs(each.slope.curvature) * PERCENT * abs(each.value) / 2
+    return bool(bend > BENT * abs(each.slope.value) and abs(each.slope.value) > each.slope.error)
 
 
 def _facts(result: Sensitivity) -> Iterator[Fact]:
@@ -63,12 +71,13 @@ def _part(result: Sensitivity, name: str, value: float) -> Document:
     return Document(bare, tuple(facts), tuple(_notes(shown, unit)), table, name=bare)
 
 
-def _row(each: Partial, unit: str) -> tuple[str, str, str, str]:
-    """Key, value, derivative, and what one per cent of the key does to the result; of a key that is 0 none."""
+def _row(each: Partial, unit: str) -> tuple[str, ...]:
+    """Key, value, derivative, what one per cent of the key does to the result (of a key that is 0 none), error, way."""
     key, own = key_and_unit(each.key)
     percent = f"{each.relative:+.3g} %" if np.isfinite(each.relative) else ""
     value = each.slope.side if np.isnan(each.slope.value) else f"{number(each.slope.value)} {_per(unit, own)}"
-    return key, f"{number(each.value)} {own}".rstrip(), value.rstrip(), percent
+    error = f"{each.error:.0e}" if np.isfinite(each.error) else ""
+    return key, f"{number(each.value)} {own}".rstrip(), value.rstrip(), percent, error, each.way
 
 
 def _notes(shown: Sequence[Partial], unit: str) -> Iterator[str]:
@@ -82,6 +91,11 @@ def _notes(shown: Sequence[Partial], unit: str) -> Iterator[str]:
             yield f"warning: {each.key}: the result jumps here, so that it has no derivative"
         elif each.slope.side in ("left", "right"):
             yield f"note: {each.key}: there are solutions to one side alone, that of {OTHER[each.slope.side]} values"
+        elif each.slope.side == "none" and each.way == "exact":
+            yield (
+                f"warning: {each.key}: the derivative holds for the least of changes alone: small steps do not follow "
+                "it, as near a dead point or the end of what can be assembled"
+            )
         elif each.slope.side == "none":
             yield (
                 f"warning: {each.key}: differences do not settle (off by {each.slope.error:.1e}): no straight line "
@@ -89,6 +103,14 @@ def _notes(shown: Sequence[Partial], unit: str) -> Iterator[str]:
             )
         elif each.error > POOR:
             yield f"note: {each.key}: the derivative is known to {each.error:.1e} of it alone"
+        if bent(each):
+            step = PERCENT * abs(each.value)
+            sides = [sign * each.slope.value * step + each.slope.curvature * step**2 / 2 for sign in (1, -1)]
+            more, less = (f"{number(side)} {unit}".rstrip() for side in sides)
+            yield (
+                f"warning: {each.key}: no straight line stands for one per cent, of which more changes the result by "
+                f"{more}, less by {less}, as its bend tells"
+            )
 
 
 def _per(unit: str, below: str) -> str:

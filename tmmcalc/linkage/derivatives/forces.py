@@ -16,12 +16,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.derivatives import Derivative
 from tmmcalc.core.numerics.alike import numbers
 from tmmcalc.core.plane import Plane, Real, cross
 from tmmcalc.core.records import record
 from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.derivatives.closure import EPS, Moved, Slopes, changes_of
-from tmmcalc.linkage.derivatives.kinematics import MARGIN, Derivative
+from tmmcalc.linkage.derivatives.kinematics import MARGIN
 from tmmcalc.linkage.derivatives.loads import Given, exact, given_loads
 from tmmcalc.linkage.derivatives.rows import Directions, Placing, directions_of, placing, row_shifts
 from tmmcalc.linkage.forces.columns import columns
@@ -97,7 +98,9 @@ def differentiate_forces(
         pole=0j,
     )
     given = given._replace(pole=complex(_seat(whole, mechanism.joint(mechanism.input.joint)).r[0]))
-    equilibrium = _Equilibrium(statics, given, result, side)
+    shift = np.max(np.abs(dx), axis=1)
+    gross = (moved.largest() + along.largest() * shift)[2] / moved.reach
+    equilibrium = _Equilibrium(statics, given, result, side, gross)
     return ForcesDerivatives(dict(_columns(equilibrium, shifts[:, position], placed)))
 
 
@@ -138,8 +141,9 @@ def _seat(moved: Moved, joint: Joint) -> _Seat:
 class _Equilibrium:
     """The linear system at all rows, and the changes of all that the table tells."""
 
-    def __init__(self, statics: Statics, given: Given, result: Forces, side: Real) -> None:
+    def __init__(self, statics: Statics, given: Given, result: Forces, side: Real, gross: Real) -> None:
         self.result, self.given, self.statics = result, given, statics
+        self.gross = gross  # (K,) relative changes of the motion of which those at the rows are made
         mechanism = statics.scene.chain.mechanism
         self.rows = {link.id: 3 * i for i, link in enumerate(mechanism.links)}
         self.seats = [_seat(given.moved, joint) for joint in mechanism.joints]
@@ -257,6 +261,7 @@ class _Equilibrium:
         """What the changes of forces [N], and of moments, may be off by, (K,) each."""
         condition = float(np.max(np.linalg.cond(self.matrix, 1)))
         scale = np.max(np.abs(self.sides), axis=(0, 2)) + np.max(np.abs(self.changes), axis=(0, 2))
+        scale = scale + self.gross * float(np.max(np.abs(self.result.reaction)))
         motion = float(np.max(self.given.moved.condition)) * max(EPS, self.given.kinematics.error.acceleration)
         rounding = MARGIN * (EPS * condition + max(motion, self.result.error)) * scale
         laws = [load for load in self.given.scene.loading.loads if isinstance(load.law, Placed)]

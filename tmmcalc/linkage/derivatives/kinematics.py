@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.derivatives import Derivative
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.core.records import record
 from tmmcalc.linkage.assembly import TURN
@@ -25,14 +26,6 @@ from tmmcalc.linkage.results import Extreme, Kinematics, OutputSummary
 
 MARGIN = 8.0  # of the roundings of one solution, in units of the condition times the last digit
 RIGHT = 1e-9  # a squared sine nearer than this to 1 is that of a right angle, which no change makes larger
-
-
-@record
-class Derivative:
-    """Derivatives along K directions: of a column (K, n), of a number (K,); and what each may be off by, (K,)."""
-
-    value: Real
-    error: Real
 
 
 @record
@@ -67,6 +60,8 @@ class KinematicsDerivatives:
     outputs: tuple[OutputDerivatives, ...]
     transmission: dict[str, Derivative | None]
     x: Real
+    speed: Real  # (K,) of the input, and its acceleration
+    acceleration: Real
 
 
 class _Rates(NamedTuple):
@@ -126,6 +121,8 @@ def differentiate_kinematics(mechanism: Mechanism, kinematics: Kinematics, slope
         ),
         transmission=dict(_transmissions(directions, placed)),
         x=dx,
+        speed=np.asarray(drive.speed)[:, 0],
+        acceleration=np.asarray(drive.acceleration)[:, 0],
     )
 
 
