@@ -66,3 +66,11 @@ def test_places_in_other_processes_are_the_same_to_the_last_digit(frame: Task) -
     there = {row.point: row for rows in local(2, said.append)(frame, blocks) for row in rows}
     assert there == here
     assert not said
+
+
+def test_places_about_one_point_alone_are_solved_as_they_are() -> None:
+    """What is prepared by the point of the spec alone knows no slopes: nothing of it may be taken for another place."""
+    point = replace(frame_of(SHAPER, (), [CRANK, RAM], NAMES), solver=SOLVER)
+    (row,) = solve_places(point, [Place(0, (210.0, 180.0))])
+    (alone,) = solve_points(point.at([(210.0, 180.0)]), range(1))
+    assert list(row.values) == pytest.approx(list(alone.values), rel=1e-10)

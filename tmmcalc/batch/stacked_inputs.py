@@ -80,6 +80,7 @@ class Inputs:
         self._shape = shape_of(self.tree)
         self._base = np.array(numbers(self.tree), complex)
         self._plain = np.array([isinstance(number, float) for number in numbers(self.tree)])
+        self._still = np.array([min(axis.values) == max(axis.values) for axis in task.axes])  # of no known slope
         self._slopes, seen = self._affine()
         self._differ = np.any(seen != self._base, axis=0)
         self._acting = Acting(list(paths(self.tree)))
@@ -100,6 +101,7 @@ class Inputs:
         else:
             found = self._base + (values - self._origin) @ self._slopes
             doubtful = np.any(_signs(found, self._pairs) != self._signs, axis=1)
+            doubtful |= np.any((values != self._origin) & self._still, axis=1)
         there = np.ones(len(values), bool)
         for row in np.flatnonzero(doubtful).tolist():
             read = self._read(values[row])

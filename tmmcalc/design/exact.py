@@ -19,6 +19,7 @@ from tmmcalc.naming.table import table_of
 
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
+    from tmmcalc.project import Spec
 
 APART = 3.0  # times the error that two sides differ by to be those of a kink
 
@@ -31,6 +32,10 @@ class Exact:
         asked = dict.fromkeys(name.stage for name in self._names)
         self._stages = tuple(stage for stage in asked if stage in STAGES and STAGES[stage].part("derivatives"))
         self._inputs = Inputs(frame, self._stages)
+
+    def spec(self, values: Sequence[float]) -> Spec:
+        """The spec where the keys have these values; raises `SpecError` where it is none."""
+        return self._inputs.spec(values)
 
     def at(self, values: Sequence[float], run: RunResult) -> list[list[Slope | None]]:
         """Derivatives by key and result where the keys have these values; ``run`` is what was found there.
@@ -45,11 +50,16 @@ class Exact:
         slopes = self._inputs.slopes(values, self._sizes)
         known, parts = np.flatnonzero(np.isfinite(slopes.error)).tolist(), parts_of(read)
         for stage in stages:
-            made = STAGES[stage].part("derivatives")(read[stage], run.results, slopes.value[:, parts[stage]])
+            own = STAGES[stage].part("derivatives")
+            try:
+                made: Derivatives | None = own(read[stage], run.results, slopes.value[:, parts[stage]])
+            except np.linalg.LinAlgError:  # at a dead point itself
+                continue
             for m, name in enumerate(self._names):
                 sides = None if made is None or name.stage != stage else _sides(name, made, run.results[stage])
-                for k in known if sides is not None else ():
-                    found[k][m] = _slope(sides, k, float(slopes.error[k]))
+                if sides is not None:
+                    for k in known:
+                        found[k][m] = _slope(sides, k, float(slopes.error[k]))
         return found
 
     @staticmethod

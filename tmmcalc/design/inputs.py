@@ -24,6 +24,7 @@ from tmmcalc.project import Spec
 Numbers = NDArray[np.complexfloating[Any, Any]]
 
 AFFINE = 1e-14  # of a number: what may be left of three differences of an affine one
+FAR = 1e-13  # the same from one place to another
 HALVED = 5  # steps of others
 KNOWN = 1e-9  # of the largest change: less has to be left where others are extrapolated
 FINER = 1 / 64  # of the step, where a larger one makes no valid spec
@@ -37,6 +38,23 @@ class Slopes(NamedTuple):
     error: NDArray[np.floating[Any]]
 
 
+class _Affine(NamedTuple):
+    """Numbers (L,) at a place with their slopes, which are those of other places too where the numbers there agree."""
+
+    values: NDArray[np.floating[Any]]
+    here: Numbers
+    shape: Any
+    slopes: Slopes
+
+    def holds(self, values: NDArray[np.floating[Any]], here: Numbers, shape: Any) -> bool:
+        """Whether they are affine from there to other values."""
+        if shape != self.shape:
+            return False
+        moved = np.abs(values - self.values) @ np.abs(self.slopes.value)
+        off = here - self.here - (values - self.values) @ self.slopes.value
+        return bool(np.all(np.abs(off) <= FAR * (np.abs(here) + np.abs(self.here) + moved)))
+
+
 class Inputs:
     """What some stages read of the spec of a frame, as functions of the values of its keys."""
 
@@ -44,6 +62,7 @@ class Inputs:
         self._axes, self._stages = frame.axes, tuple(stages)
         self._variants = frame.variants()
         self._nominal = frame.values(0)
+        self._affine: _Affine | None = None
 
     def spec(self, values: Sequence[float]) -> Spec:
         """The spec with these values of the keys; raises `SpecError` where it is none."""
@@ -58,6 +77,8 @@ class Inputs:
         """Derivatives by the keys, of which ``sizes`` are ordinary changes, at a place."""
         trees = self.of(self.spec(values))
         here, shape = _flat(trees), _shape(trees)
+        if self._affine is not None and self._affine.holds(np.array(values), here, shape):
+            return self._affine.slopes
 
         def read(k: int, step: float) -> Numbers | None:
             moved = [*values]
@@ -70,10 +91,13 @@ class Inputs:
 
         found = [_slope(k, sizes[k], here, read) for k in range(len(sizes))]
         none = np.zeros(len(here), complex)
-        return Slopes(
+        made = Slopes(
             np.array([none if each is None else each[0] for each in found]).reshape(len(found), len(here)),
             np.array([np.nan if each is None else each[1] for each in found]),
         )
+        if self._affine is None and np.all(made.error == AFFINE):
+            self._affine = _Affine(np.array(values), here, shape, made)
+        return made
 
 
 def parts_of(trees: Mapping[str, Any]) -> dict[str, slice]:

@@ -31,6 +31,7 @@ EPS = float(np.finfo(float).eps)
 BINOMIAL = ((1.0,), (1.0, 1.0), (1.0, 2.0, 1.0))
 
 Slopes = NDArray[np.complexfloating[Any, Any]]
+Indices = NDArray[np.intp]
 
 
 def changes_of(tree: Any, slopes: Slopes) -> Any:
@@ -130,6 +131,15 @@ class Moved(NamedTuple):
             for change in self.links.values()
         ]
         return np.maximum.accumulate(np.max(np.broadcast_arrays(*parts), axis=0), axis=0)
+
+    def some(self, rows: Indices) -> Moved:
+        """The same at some of the input coordinates."""
+        bodies = {k: Body(*(part[..., rows] for part in body)) for k, body in self.bodies.items()}
+        links = {
+            k: Change(change.z[..., rows], change.angle[..., rows], change.u[..., rows])
+            for k, change in self.links.items()
+        }
+        return self._replace(bodies=bodies, links=links, condition=self.condition[rows])
 
     def along(self, other: Moved, dx: Real) -> Moved:
         """The whole changes where the input coordinate moves by dx (K, n): ``other`` is the change along it."""

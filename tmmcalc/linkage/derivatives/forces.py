@@ -77,12 +77,14 @@ def differentiate_forces(
     if not exact(statics.scene):
         return None
     count = len(numbers(mechanism))
-    directions = directions_of(mechanism, chain_of(mechanism, kinematics), kinematics, slopes[:, :count])
+    travel = statics.scene.travel
+    x = travel.x(result.theta)
+    directions = directions_of(mechanism, chain_of(mechanism, kinematics), kinematics, slopes[:, :count], x)
     placed = placing(directions, default_outputs(directions.chain))
     shifts = row_shifts(directions, placed)
     position, begin = _positions(statics, kinematics, result)
-    travel, dx = statics.scene.travel, (placed.start + shifts)[:, position]
-    moved, along = directions.at(travel.x(result.theta))
+    dx = (placed.start + shifts)[:, position]
+    moved, along = directions.at(x)
     whole = moved.along(along, dx)
     side = Rows(mechanism, loading, kinematics, result).side
     _, changes = changes_of((mechanism, loading), slopes)

@@ -96,7 +96,7 @@ def differentiate_kinematics(mechanism: Mechanism, kinematics: Kinematics, slope
     linear systems: their condition times the last digit of the largest change, with the error of what they stand on.
     """
     chain = chain_of(mechanism, kinematics)
-    directions = directions_of(mechanism, chain, kinematics, slopes)
+    directions = directions_of(mechanism, chain, kinematics, slopes, kinematics.x)
     outputs = default_outputs(chain)
     placed = placing(directions, outputs)
     shifts = row_shifts(directions, placed)

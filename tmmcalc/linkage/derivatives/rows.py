@@ -45,9 +45,17 @@ class Directions(NamedTuple):
     kinematics: Kinematics
     changes: Any  # the mechanism with its slopes
     along_x: Any  # the same with none, of one direction
+    places: (
+        Real  # (p,) input coordinates of ``moved``, the changes there, and of ``along``, those along x
+    )
+    moved: Moved
+    along: Moved
 
     def at(self, x: Real) -> tuple[Moved, Moved]:
         """The changes at fixed input coordinates (m,), and the derivatives along the input coordinate."""
+        first = np.minimum(np.searchsorted(self.places, x), len(self.places) - 1)
+        if np.array_equal(self.places[first], x):
+            return self.moved.some(first), self.along.some(first)
         closure = Closure(self.chain, x)
         return closure.moved(self.changes), closure.moved(self.along_x, along_x=True)
 
@@ -62,10 +70,24 @@ class Directions(NamedTuple):
         return math.copysign(1.0, self.kinematics.speed)
 
 
-def directions_of(mechanism: Mechanism, chain: Chain, kinematics: Kinematics, slopes: Slopes) -> Directions:
-    """The directions of slopes (K, L) of the numbers of the mechanism."""
-    none = np.zeros((1, slopes.shape[1]), slopes.dtype)
-    return Directions(chain, kinematics, changes_of(mechanism, slopes), changes_of(mechanism, none))
+def directions_of(mechanism: Mechanism, chain: Chain, kinematics: Kinematics, slopes: Slopes, rows: Real) -> Directions:
+    """The directions of slopes (K, L) of the numbers of the mechanism; ``rows`` are places that will be asked for."""
+    changes = changes_of(mechanism, slopes)
+    still = changes_of(mechanism, np.zeros((1, slopes.shape[1]), slopes.dtype))
+    places = np.unique(np.concatenate((rows, kinematics.x, _special(kinematics))))
+    closure = Closure(chain, places)
+    moved, along = closure.moved(changes), closure.moved(still, along_x=True)
+    return Directions(chain, kinematics, changes, still, places, moved, along)
+
+
+def _special(kinematics: Kinematics) -> Real:
+    """Dead centres, extremes, position 0."""
+    found = [float(kinematics.x[0] - kinematics.phi[0])]
+    for summary in kinematics.summaries:
+        found += [centre.x for centre in summary.dead_centres]
+        found += [extreme.x for extreme in (*summary.velocity, *summary.acceleration)]
+    found += [each.transmission_at for each in kinematics.qualities if each.transmission_at is not None]
+    return np.array(found)
 
 
 def placing(directions: Directions, outputs: tuple[Output, ...]) -> Placing:
