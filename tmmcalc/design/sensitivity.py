@@ -39,6 +39,11 @@ class Partial:
         size = abs(self.slope.value)
         return self.slope.error / size if size else 0.0
 
+    @property
+    def acts(self) -> bool:
+        """Whether the key has an influence that is more than the error of its derivative, or none that settles."""
+        return self.slope.side in ("kink", "jump", "none") or abs(self.slope.value) > self.slope.error
+
 
 @record
 class Sensitivity:

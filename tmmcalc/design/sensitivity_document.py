@@ -7,13 +7,17 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from tmmcalc.batch.table import key_and_unit
+from tmmcalc.design.courses import Course
 from tmmcalc.design.sensitivity import Partial, Sensitivity
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
 HEADERS = ("key", "value", "derivative", "for 1 %", "error", "way")
 TIDY = ("result", "key", "value", "derivative", "left", "right", "error", "relative", "curvature", "from", "way")
+BY_ROW = ("column", "row", "at", "value", "key", "key_value", "derivative", "error", "from", "way")
 SHOWN = 5  # ends that are told
+MOST = 6  # keys of which a table for people tells in every row
+LETTERS = "ABCDEF"
 POOR = 1e-6  # an error above is told of each
 PERCENT = 0.01  # of a key: the change that the table tells of
 BENT = 0.25  # of the change by the derivative: where one per cent adds more to it, this is told
@@ -38,9 +42,36 @@ def tidy_sensitivity(result: Sensitivity, title: str) -> Document:
     return Document(title, (*_facts(result),), table=View(TIDY, columns))
 
 
-def acts(each: Partial) -> bool:
-    """Whether a key has an influence that is more than the error of its derivative, or none that settles."""
-    return each.slope.side in ("kink", "jump", "none") or abs(each.slope.value) > each.slope.error
+def courses_document(every: Sequence[Course], result: Sensitivity, title: str) -> Document:
+    """One part a column: what one per cent of the keys that matter most does to it in every row."""
+    return Document(title, (*_facts(result),), parts=tuple(_course(course) for course in every))
+
+
+def tidy_courses(every: Sequence[Course], result: Sensitivity, title: str) -> Document:
+    """One table of all derivatives in all rows, for programs."""
+    rows = [
+        (course.column, label, x, value, each.key, each.value, *map(_or_none, (each.slope.value, each.slope.error)),
+         each.slope.side, each.way)
+        for course in every
+        for own in course.partials
+        for label, x, value, each in zip(course.labels, course.x, course.values, own, strict=True)
+    ]  # fmt: skip
+    columns = [*map(list, zip(*rows, strict=True))] or [[] for _ in BY_ROW]
+    return Document(title, (*_facts(result),), table=View(BY_ROW, columns))
+
+
+def _course(course: Course) -> Document:
+    bare, unit = key_and_unit(course.column)
+    telling, count = course.telling[:MOST], len(course.partials)
+    facts = [Fact("depends on", f"{len(course.telling)} of {count} numbers", {"keys": len(course.telling)})]
+    keys = [f"{letter} {key_and_unit(own[0].key)[0]}" for letter, own in zip(LETTERS, telling, strict=False)]
+    facts += [Fact("keys" if k == 0 else "", key) for k, key in enumerate(keys)]
+    told = [[number(each.slope.value * PERCENT * each.value) for each in own] for own in telling]
+    headers = ["row", *([course.over] if course.over else []), f"value {unit}".rstrip(), *LETTERS[: len(told)]]
+    places = [[number(x) for x in course.x]] if course.over else []
+    columns = [[*course.labels], *places, [number(value) for value in course.values], *told]
+    notes = ("note: the columns by letters are what one per cent of these keys does, in the unit of the value",)
+    return Document(bare, tuple(facts), notes if told else (), View(tuple(headers), columns), name=bare)
 
 
 def bent(each: Partial) -> bool:
@@ -57,7 +88,7 @@ def _facts(result: Sensitivity) -> Iterator[Fact]:
 
 def _part(result: Sensitivity, name: str, value: float) -> Document:
     every = result.of(name)
-    shown = [each for each in every if acts(each)]
+    shown = [each for each in every if each.acts]
     bare, unit = key_and_unit(name)
     facts = [
         Fact("value", f"{number(value)} {unit}".rstrip(), {"value": value}),
