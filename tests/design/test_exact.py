@@ -25,7 +25,18 @@ AIM = 1e-6
 # config, results, how many of the pairs of a result and a key have to be given exactly
 SCENES = [
     ("shaper", ["kinematics.stroke_D", "kinematics.K_D", "kinematics.aS_D_max", "kinematics.rms(vS_D)"], 1.0),
-    ("shaper", ["forces.max(R_A)", "forces.rms(M_drive)", "forces.R_C@6", "forces.range(M_drive)"], 0.9),
+    (
+        "shaper",
+        [
+            "forces.max(R_A)",
+            "forces.rms(M_drive)",
+            "forces.R_C@6",
+            "forces.range(M_drive)",
+            "forces.R_A_max",
+            "forces.P_drive_min",
+        ],
+        0.9,
+    ),
     ("four-bar", ["kinematics.stroke_3", "kinematics.x_B@3", "kinematics.at_max(vS_3)", "kinematics.mean(y_B)"], 1.0),
     ("crank-slider", ["kinematics.stroke_B", "kinematics.aS_B_min", "kinematics.integral(vS_B)"], 1.0),
     ("class-three", ["kinematics.max(omega_3)", "kinematics.first(eps_3)", "kinematics.size(eps_3)"], 1.0),

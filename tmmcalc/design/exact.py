@@ -52,7 +52,9 @@ class Exact:
         for stage in stages:
             own = STAGES[stage].part("derivatives")
             try:
-                made: Derivatives | None = own(read[stage], run.results, slopes.value[:, parts[stage]])
+                made: Derivatives | None = own(
+                    read[stage], run.results, slopes.value[:, parts[stage]], self._facts(stage)
+                )
             except np.linalg.LinAlgError:  # at a dead point itself
                 continue
             for m, name in enumerate(self._names):
@@ -62,16 +64,25 @@ class Exact:
                         found[k][m] = _slope(sides, k, float(slopes.error[k]))
         return found
 
+    def _facts(self, stage: str) -> frozenset[str]:
+        """Keys of the facts of a stage that are asked for."""
+        return frozenset(_key(name) for name in self._names if name.fact and name.stage == stage)
+
     @staticmethod
     def _reads_alike(stage: str, read: Any, run: RunResult) -> bool:
         """Whether a stage has read what the spec says, and nothing that other stages put in its place."""
         return same(read, STAGES[stage].inputs(run.spec))
 
 
+def _key(name: Name) -> str:
+    """The key of a fact, as its stage tells it."""
+    return f"{name.what}[{name.unit}]" if name.unit else name.what
+
+
 def _sides(name: Name, made: Derivatives, result: Any) -> Sides | None:
     """Derivatives of a named result along all directions, if they are given."""
     if name.fact:
-        change = made.facts.get(f"{name.what}[{name.unit}]" if name.unit else name.what)
+        change = made.facts.get(_key(name))
         return None if change is None else Sides(change.value, change.value, change.error)
     table = table_of(name.stage, result)
     headers = () if table is None else [each for each in table.headers if named(each)[0] == name.what]

@@ -9,7 +9,7 @@ of a table that is nearer than the step the slope is that of both sides together
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -28,7 +28,7 @@ from tmmcalc.linkage.loadlaws.tabulated import Tabulated
 from tmmcalc.linkage.loadlaws.viscous import Viscous
 from tmmcalc.linkage.loads.scene import Scene
 from tmmcalc.linkage.loads.sources import Place
-from tmmcalc.linkage.loads.travel import travel_of
+from tmmcalc.linkage.loads.travel import EDGE, travel_of
 from tmmcalc.linkage.loads.values import Acting
 from tmmcalc.linkage.loads.windows import handed_over, window_of
 from tmmcalc.linkage.model import FRAME
@@ -200,6 +200,17 @@ def _placed(given: Given, load: Load, change: Any, number: int) -> tuple[Real, R
 
 def _difference(given: Given, number: int, k: int) -> Real:
     """Change (n,) of the law of a load along direction k: by differences of its formula, at places known exactly."""
+    total = np.zeros(len(given.place.theta))
+    for weight, step, made in stepped(given, k):
+        total += weight * _value(given, *made, number, k, step)
+    return total
+
+
+def stepped(given: Given, k: int) -> Iterator[tuple[float, float, tuple[Any, Loading]]]:
+    """Mechanism and loading at the steps of a difference along direction k, with weights; nothing where nothing moves.
+
+    The weights are those of the derivative.
+    """
     tree = (given.scene.chain.mechanism, given.scene.loading)
     base = np.array(numbers(tree), complex)
     plain = [isinstance(value, float) for value in numbers(tree)]
@@ -208,15 +219,33 @@ def _difference(given: Given, number: int, k: int) -> Real:
     changes += [np.max(np.abs(change.angle[0, k])) for change in given.moved.links.values()]
     changes += [np.max(np.abs(change.z[0, k])) / given.moved.reach for change in given.moved.links.values()]
     largest = float(max(changes))
-    if largest == 0:
-        return np.zeros(len(given.place.theta))
-    h = STEP / largest
-    total = np.zeros(len(given.place.theta))
-    for step, weight in STENCIL:
+    for step, weight in STENCIL if largest else ():
+        h = STEP / largest
         moved = base + step * h * given.slopes[k]
-        made = rebuilt(tree, [v.real if real else v for v, real in zip(moved.tolist(), plain, strict=True)])
-        total += weight / h * _value(given, *made, number, k, step * h)
-    return total
+        leaves = [v.real if real else v for v, real in zip(moved.tolist(), plain, strict=True)]
+        yield weight / h, step * h, rebuilt(tree, leaves)
+
+
+def edge_moves(given: Given, theta: float) -> Real | None:
+    """Change (K,) of the angle along the motion at which a load begins or ends, of one that does so at theta.
+
+    None where none does.
+    """
+    scene = given.scene
+    for number, load in enumerate(scene.loading.loads):
+        edges = window_of(scene.chain, given.kinematics, scene.travel, load).edges if load.factor else []
+        own = [at for at, edge in enumerate(edges) if abs(edge - theta) <= EDGE]
+        if own:
+            found = np.zeros(len(given.dtheta))
+            for k in range(len(found)):
+                for weight, step, (mechanism, loading) in stepped(given, k):
+                    chain, kinematics = replace(scene.chain, mechanism=mechanism), given.stepped(k, step)
+                    travel = travel_of(chain, kinematics, loading.loads)
+                    found[k] += weight * (
+                        window_of(chain, kinematics, travel, loading.loads[number]).edges[own[0]] - theta
+                    )
+            return found
+    return None
 
 
 def _value(given: Given, mechanism: Any, loading: Loading, number: int, k: int, h: float) -> Real:

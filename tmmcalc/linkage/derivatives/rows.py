@@ -45,9 +45,7 @@ class Directions(NamedTuple):
     kinematics: Kinematics
     changes: Any  # the mechanism with its slopes
     along_x: Any  # the same with none, of one direction
-    places: (
-        Real  # (p,) input coordinates of ``moved``, the changes there, and of ``along``, those along x
-    )
+    places: Real  # (p,) input coordinates of ``moved``, the changes there, and of ``along``, those along x
     moved: Moved
     along: Moved
 

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Container, Iterator, Mapping
 from typing import Any
 
 from tmmcalc.core.derivatives import Derivative, Derivatives
 from tmmcalc.core.quantity import keyed, quantity_of
 from tmmcalc.linkage.derivatives.closure import EPS, Slopes
 from tmmcalc.linkage.derivatives.forces import differentiate_forces
-from tmmcalc.linkage.derivatives.kinematics import KinematicsDerivatives, OutputDerivatives, differentiate_kinematics
+from tmmcalc.linkage.derivatives.kinematics import KinematicsDerivatives, differentiate_kinematics
+from tmmcalc.linkage.derivatives.summaries import OutputDerivatives
+from tmmcalc.linkage.forces.columns import drive_of
+from tmmcalc.linkage.forces.results import Forces, PairForces
 from tmmcalc.linkage.loading import Loading
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.results import GroupQuality, Kinematics, OutputSummary
@@ -19,7 +22,9 @@ EXACT = frozenset({"closed", "projection"})  # methods whose columns are exact d
 Told = Iterator[tuple[str, Derivative | None]]
 
 
-def of_kinematics(mechanism: Mechanism, results: Mapping[str, Any], slopes: Slopes) -> Derivatives | None:
+def of_kinematics(
+    mechanism: Mechanism, results: Mapping[str, Any], slopes: Slopes, asked: Container[str]
+) -> Derivatives | None:
     """Of the columns and of the facts: strokes, their angles and ratio, extremes of outputs, transmission."""
     result: Kinematics = results["kinematics"]
     if result.method.name not in EXACT:
@@ -30,13 +35,28 @@ def of_kinematics(mechanism: Mechanism, results: Mapping[str, Any], slopes: Slop
         facts += _output(summary, own)
     for quality in result.qualities:
         facts += _quality(quality, found.transmission.get(quality.group))
-    return Derivatives(found.columns, {key: each for key, each in facts if each is not None})
+    return Derivatives(found.columns, {key: each for key, each in facts if each and key in asked})
 
 
-def of_forces(inputs: tuple[Mechanism, Loading], results: Mapping[str, Any], slopes: Slopes) -> Derivatives | None:
-    """Of the columns."""
-    found = differentiate_forces(*inputs, results["kinematics"], results["forces"], slopes)
-    return None if found is None else Derivatives(found.columns, {})
+def of_forces(
+    inputs: tuple[Mechanism, Loading], results: Mapping[str, Any], slopes: Slopes, asked: Collection[str]
+) -> Derivatives | None:
+    """Of the columns and of the largest reactions, couples, edge reactions and drives."""
+    result: Forces = results["forces"]
+    found = differentiate_forces(*inputs, results["kinematics"], result, slopes, extremes=bool(asked))
+    if found is None:
+        return None
+    if found.extremes is None:
+        return Derivatives(found.columns, {})
+    facts: list[tuple[str, Derivative | None]] = []
+    for pair in result.pairs:
+        for field in ("force", "couple", "pressure"):
+            told = quantity_of(PairForces, field, joint=pair.joint)
+            facts.append((told.key, getattr(found.extremes, field).get(pair.joint)))
+    drive = drive_of(result.turns)
+    for told, each in ((drive, found.extremes.drive), (quantity_of(Forces, "power"), found.extremes.power)):
+        facts += [(told.marked(word).key, own) for word, own in zip(("min", "max"), each, strict=True)]
+    return Derivatives(found.columns, {key: each for key, each in facts if each and key in asked})
 
 
 def _drive(result: Kinematics, found: KinematicsDerivatives) -> Told:
