@@ -44,8 +44,9 @@ SCENES = [
     ("scissor-lift", ["kinematics.max(vS_P)", "forces.max(F_drive)"], 0.9),
 ]
 
-
+SPRUNG = ["forces.max(M_drive)", "forces.rms(R_A)", "forces.R_B@5", "forces.M_drive_max", "forces.R_C_max"]
 QUICK = [
+    ("sprung.toml", SPRUNG, ["springs*", "loads[name=turn]*moment*"]),
     (
         "shaper",
         [*SCENES[0][1], *SCENES[1][1]],
@@ -58,7 +59,7 @@ def both_ways(
     config: str, names: list[str], keys: list[str]
 ) -> tuple[Model, list[list[Slope | None]], list[list[Slope]]]:
     """The model of keys of a spec (none: of all), its exact derivatives, and those by differences alone."""
-    file = CONFIGS / f"{config}.toml"
+    file = CONFIGS / f"{config}.toml" if "." not in config else Path(__file__).parent / config
     data = Variants(file.read_text(encoding="utf-8"), str(file), CONFIGS).data
     frame = frame_of(file, (), chosen(data, keys) if keys else keys_of(data), names)
     sizes, reasons = scales(frame.axes), varied(frame, scales(frame.axes))

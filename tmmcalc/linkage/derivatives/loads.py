@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmmcalc.core.numerics.alike import numbers, rebuilt
+from tmmcalc.core.numerics.alike import groups, numbers, rebuilt
 from tmmcalc.core.plane import LinkMotion, Plane, Real, cross
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.derivatives.closure import Moved, Slopes
@@ -214,8 +214,8 @@ def stepped(given: Given, k: int) -> Iterator[tuple[float, float, tuple[Any, Loa
     tree = (given.scene.chain.mechanism, given.scene.loading)
     base = np.array(numbers(tree), complex)
     plain = [isinstance(value, float) for value in numbers(tree)]
-    parts = np.abs(given.slopes[k]) / np.maximum(np.abs(base), np.max(np.abs(base)) * 1e-12)
-    changes = [np.max(np.abs(parts[base != 0]), initial=0.0), np.max(np.abs(given.dtheta[k]))]
+    parts = np.abs(given.slopes[k]) / _sizes(tree, base)
+    changes = [np.max(parts, initial=0.0), np.max(np.abs(given.dtheta[k]))]
     changes += [np.max(np.abs(change.angle[0, k])) for change in given.moved.links.values()]
     changes += [np.max(np.abs(change.z[0, k])) / given.moved.reach for change in given.moved.links.values()]
     largest = float(max(changes))
@@ -224,6 +224,15 @@ def stepped(given: Given, k: int) -> Iterator[tuple[float, float, tuple[Any, Loa
         moved = base + step * h * given.slopes[k]
         leaves = [v.real if real else v for v, real in zip(moved.tolist(), plain, strict=True)]
         yield weight / h, step * h, rebuilt(tree, leaves)
+
+
+def _sizes(tree: Any, base: Slopes) -> Real:
+    """Ordinary sizes (L,) of numbers: their own, of zeros the largest of their record, else one."""
+    own, owner = np.abs(base), np.array(groups(tree))
+    largest = np.zeros(int(owner.max(initial=0)) + 1)
+    np.maximum.at(largest, owner, own)
+    sizes = np.where(own > 0, own, largest[owner])
+    return np.where(sizes > 0, sizes, 1.0)
 
 
 def edge_moves(given: Given, theta: float) -> Real | None:
