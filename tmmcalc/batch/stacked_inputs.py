@@ -37,10 +37,11 @@ CORNERS = 16
 
 # What may differ between variants: everything of which the array code takes one number a row.
 FREE = re.compile(
-    r"0\.(frame|links\.\d+|joints\.\d+)\.points\..+|0\.input\.(speed|acceleration|start)|0\.outputs\.\d+\.direction|"
+    r"0\.(frame|links\.\d+|joints\.\d+)\.points\..+|0\.joints\.\d+\.directions\.\d|"
+    r"0\.input\.(speed|acceleration|start)|0\.outputs\.\d+\.direction|"
     r"1\.bodies\.\d+\.(mass|inertia|center)|1\.gravity|1\.loads\.\d+\.(factor|point|direction|law\.(value|coefficient))|"
     r"1\.springs\.\d+\.(stiffness|free|damping|points\.\d)|1\.pairs\.\d+\.(friction|radius|length)|"
-    r"2\.0\.motor\.(power|inertia)|2\.1\.(ratio|efficiency|inertia)|2\.2\.inertia|2\.3\.\w+"
+    r"2\.0\.motor\.(power|inertia|speed|synchronous|start)|2\.1\.(ratio|efficiency|inertia)|2\.2\.inertia|2\.3\.\w+"
 )
 ONE_NUMBER = "what they read is asked for one number"
 
