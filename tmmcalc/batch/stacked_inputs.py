@@ -39,10 +39,12 @@ CORNERS = 16
 
 # What may differ between variants: everything of which the array code takes one number a row.
 FREE = re.compile(
-    r"0\.(frame|links\.\d+|joints\.\d+)\.points\..+|0\.input\.(speed|acceleration|start)|0\.outputs\.\d+\.direction|"
+    r"0\.(frame|links\.\d+|joints\.\d+)\.points\..+|0\.joints\.\d+\.directions\.\d|"
+    r"0\.input\.(speed|acceleration|start)|0\.outputs\.\d+\.direction|"
     r"1\.bodies\.\d+\.(mass|inertia|center)|1\.gravity|1\.loads\.\d+\.(factor|point|direction|law\.(value|coefficient))|"
     r"1\.springs\.\d+\.(stiffness|free|damping|points\.\d)|1\.pairs\.\d+\.(friction|radius|length)|"
-    r"2\.0\.motor\.(power|inertia)|2\.1\.(ratio|efficiency|inertia)|2\.2\.inertia|2\.3\.\w+|3\.\d+\.((through|at)\.\d+|turn|shift)"
+    r"2\.0\.motor\.(power|inertia|speed|synchronous|start)|2\.1\.(ratio|efficiency|inertia)|2\.2\.inertia|2\.3\.\w+|"
+    r"3\.\d+\.((through|at)\.\d+|turn|shift)"
 )
 WANTED = "3."  # wanted paths, whose numbers no check compares
 ONE_NUMBER = "what they read is asked for one number"
@@ -88,6 +90,7 @@ class Inputs:
         self._shape = shape_of(self.tree)
         self._base = np.array(numbers(self.tree), complex)
         self._plain = np.array([isinstance(number, float) for number in numbers(self.tree)])
+        self._still = np.array([min(axis.values) == max(axis.values) for axis in task.axes])  # of no known slope
         self._slopes, seen = self._affine()
         self._scale = _scale(seen)
         self._differ = np.any(seen != self._base, axis=0)
@@ -113,11 +116,12 @@ class Inputs:
         else:
             found = self._base + (values - self._origin) @ self._slopes
             signs = _signs(found, self._pairs)
-            for row in self._answers.others(signs):
-                if not self._answers.known(signs[row]):
+            still = np.any((values != self._origin) & self._still, axis=1)
+            for row in sorted({*self._answers.others(signs), *np.flatnonzero(still).tolist()}):
+                if still[row] or not self._answers.known(signs[row]):
                     told = found[row].copy()
                     there[row] = self._take(values[row], found[row])
-                    if there[row] and np.all(np.abs(found[row] - told) <= AFFINE * self._scale):
+                    if there[row] and not still[row] and np.all(np.abs(found[row] - told) <= AFFINE * self._scale):
                         self._answers.add(signs[row])
                         found[row] = told  # the same to the last digit, whichever variant is the first
         same = self._acting(found) == self._acting(self._base[None])

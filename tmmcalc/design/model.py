@@ -76,16 +76,17 @@ class Model:
         self._frame = replace(frame, patterns=self.names, solver=SOLVER, brief=brief)
         self._solve = solver
 
-    def over(self, some: Sequence[int], low: Values, high: Values) -> Model:
+    def over(self, some: Sequence[int], low: Values, high: Values, about: Sequence[float] | None = None) -> Model:
         """The same as a function of some of the keys, made ready for places between ``low`` and ``high`` (len(some),).
 
-        Beyond these it may be slow.
+        Beyond these it may be slow. ``about`` (len(some),) is another place within than that of the spec.
         """
         other = object.__new__(Model)
         vars(other).update(vars(self))
         other.nominal, other.keys = self.nominal[[*some]], tuple(self.keys[k] for k in some)
         axes = tuple(self._frame.axes[k] for k in some)
-        other._frame = replace(self._frame, axes=axes).at([other.nominal.tolist(), low.tolist(), high.tolist()])
+        middle = other.nominal.tolist() if about is None else [*about]
+        other._frame = replace(self._frame, axes=axes).at([middle, low.tolist(), high.tolist()])
         return other
 
     def by(self, solver: Solve) -> Model:
