@@ -57,7 +57,8 @@ def test_on_a_ball_the_optimum_and_its_costs_are_those_of_the_closed_form():
     made = problem(both, [(-5.0, 5.0)] * 3, [Limit("ball", 1, "", None, 2.0)], [-1])
     course = found(made)
     assert -course.scores.objectives[0, 0] == pytest.approx(26.0, rel=1e-8)
-    held, balance = bindings(made, course.places[0])
+    x = made.inside(course.places)[0]
+    held, balance = bindings(made, course.places[0], 10 * np.array([a, x / np.linalg.norm(x)]))
     assert [(each.name, each.side) for each in held] == [("ball", "at most")]
     assert held[0].cost == pytest.approx(13.0, rel=1e-5)
     assert balance.residual < 1e-5

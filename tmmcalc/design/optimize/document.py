@@ -61,8 +61,8 @@ def _search(result: Optimum) -> Iterator[Fact]:
         yield Fact("second method", _confirmed(result), {f"second_{key}": value for key, value in told.items()})
     if result.stationarity is not None and np.isfinite(result.stationarity.residual) and result.flat:
         left = result.stationarity.residual
-        text = f"slopes of objective and limits balance to {left:.1e}"
-        yield Fact("optimality", text, {"imbalance": left})
+        text = f"{'exact ' * result.exact}slopes of objective and limits balance to {left:.1e}"
+        yield Fact("optimality", text, {"imbalance": left, "exact": result.exact})
     again = max(each.again for each in result.designs)
     yield Fact("solved again", f"by the ordinary stages, the same to {again:.0e}", {"apart": again})
 

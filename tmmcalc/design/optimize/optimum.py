@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.core.records import record
-from tmmcalc.design.differences import Slope, slope, steps
+from tmmcalc.design.differences import slope, steps
 from tmmcalc.design.optimize.evolution import evolve, population
 from tmmcalc.design.optimize.order import Scores
 from tmmcalc.design.optimize.problem import Limit, Problem
 
 Values = NDArray[np.floating[Any]]
 
-SCALE = 1e-2  # of the box, for steps of derivatives
+SCALE = 1e-2  # of the box, for steps by which kinks are seen
 BINDS = 1e-6  # of a limit or of the box: nearer is on it
 LEVEL = 0.01  # of the objective: what is worse by no more is as good
 REACH = 1e-6  # of the box: the nearest design that is tried for flatness
@@ -58,29 +58,28 @@ class Stationarity:
     kinks: int  # slopes that are none
 
 
-def bindings(problem: Problem, place: Values) -> tuple[tuple[Binding, ...], Stationarity]:
-    """What binds a design (k,) of the unit box: multipliers of its limits, by the slopes of all results there."""
+def bindings(problem: Problem, place: Values, slopes: Values) -> tuple[tuple[Binding, ...], Stationarity]:
+    """What binds a design (k,) of the unit box: multipliers of its limits.
+
+    ``slopes`` (m, f) are the derivatives of all results there by the variables that take any value, over the unit box;
+    NaN where there is none.
+    """
     from scipy.optimize import nnls
 
     results = problem.solve(problem.inside(place[None]))[0]
     objective = problem.objectives[0]
-    slopes = _slopes(problem, place, results)
     limited = [*_binding_limits(problem, results)]
     walls = [
-        (k, side) for k in problem.free for side in ("at least", "at most")
+        (k, side)
+        for k in problem.free
+        for side in ("at least", "at most")
         if (place[k] if side == "at least" else 1 - place[k]) <= BINDS
-    ]  # fmt: skip
-    gradient = objective.sign * _gradient(slopes, objective.column)
-    columns = [sign * _gradient(slopes, each.column) for each, _, sign in limited]
-    columns += [
-        (1.0 if side == "at least" else -1.0) * np.eye(len(problem.free))[problem.free.index(k)] for k, side in walls
     ]
-    kinks = sum(
-        each.side in ("kink", "jump", "none")
-        for own in slopes
-        for column, each in own.items()
-        if column == objective.column
-    )
+    gradient = objective.sign * slopes[objective.column]
+    columns = [sign * slopes[each.column] for each, _, sign in limited]
+    inward = np.eye(len(problem.free))
+    columns += [(1.0 if side == "at least" else -1.0) * inward[problem.free.index(k)] for k, side in walls]
+    kinks = int(np.isnan(gradient).sum())
     costs = np.full(len(columns), np.nan)
     residual = np.nan
     size = float(np.linalg.norm(gradient))
@@ -149,26 +148,25 @@ def _by_seeking(problem: Problem, place: Values, limit: Limit, side: str) -> flo
     return max(0.0, before - float(found.scores.objectives[0, 0])) / step
 
 
-def _slopes(problem: Problem, place: Values, here: Values) -> list[dict[int, Slope]]:
-    """Derivatives with respect to the free variables, by the results that count, over the unit box."""
-    free = problem.free
-    columns = sorted({problem.objectives[0].column, *(each.column for each in problem.rule.limits)})
-    moves = steps(SCALE)
+def kinks(problem: Problem, place: Values) -> NDArray[np.bool_]:
+    """Which results (m, f) have a kink or a jump by which free variable, within a small step of a design (k,).
+
+    An optimum often lies on a kink, as where two maxima are equally large, but up to rounding: derivatives are then
+    those of one side, and this is seen by steps alone.
+    """
+    free, moves = problem.free, steps(SCALE)
+    here = problem.solve(problem.inside(place[None]))[0]
     places = np.tile(place, (len(free) * len(moves), 1))
     for at, k in enumerate(free):
         places[at * len(moves) : (at + 1) * len(moves), k] += moves
-    results = problem.beyond(places)
-    return [
-        {
-            column: slope(SCALE, float(here[column]), results[at * len(moves) : (at + 1) * len(moves), column])
-            for column in columns
-        }
-        for at in range(len(free))
-    ]
-
-
-def _gradient(slopes: Sequence[dict[int, Slope]], column: int) -> Values:
-    return np.array([own[column].value for own in slopes])
+    there = problem.beyond(places).reshape(len(free), len(moves), len(here))
+    return np.array(
+        [
+            [slope(SCALE, value, own[:, m]).side in ("kink", "jump", "none") for own in there]
+            for m, value in enumerate(here.tolist())
+        ],
+        dtype=bool,
+    ).reshape(len(here), len(free))
 
 
 def flatness(problem: Problem, place: Values) -> tuple[Flatness, ...]:

@@ -115,7 +115,8 @@ class _Picture:
         self._problem, self._start, self._aim, self._ask = problem, start, aim, ask
         self._free = problem.free
         self._place = np.full(len(self._free), np.nan)
-        self._origin, self._ways, self._scale = start[self._free], np.eye(len(self._free)), 1.0
+        self._ways: Values = np.eye(len(self._free))
+        self._origin, self._scale = start[self._free], 1.0
         self.best, self.least, self._broken, self._left = start[self._free], np.inf, np.inf, longest * len(self._free)
 
     def value(self, y: Values) -> float:

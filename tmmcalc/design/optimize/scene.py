@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,8 +18,9 @@ from tmmcalc.batch.sweep import part
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.headers import key_and_unit
 from tmmcalc.core.records import record
+from tmmcalc.design.gradient import Gradients
 from tmmcalc.design.model import Model, solver_of
-from tmmcalc.design.optimize.optimum import Binding, Flatness, Stationarity, bindings, flatness
+from tmmcalc.design.optimize.optimum import Binding, Flatness, Stationarity, bindings, flatness, kinks
 from tmmcalc.design.optimize.order import Scores
 from tmmcalc.design.optimize.problem import Limit, Objective, Problem, Rule, Variable
 from tmmcalc.design.optimize.search import Second, search
@@ -41,6 +43,7 @@ if TYPE_CHECKING:
 Values = NDArray[np.floating[Any]]
 Told = Callable[[int, str], None]  # designs that are solved; what is being done, and the best so far
 
+SCALE = 1e-2  # of the range of a variable, for steps where derivatives are not exact
 EACH = 2000  # designs a variable that may be solved
 MOST = 10_000  # values of a variable in steps
 
@@ -70,6 +73,7 @@ class Optimum:
     second: Second | None
     binding: tuple[Binding, ...]
     stationarity: Stationarity | None  # of one objective
+    exact: bool  # the slopes that it is told by
     flat: tuple[Flatness, ...]
     solved: int
     failed: int
@@ -124,7 +128,12 @@ def _found(problem: Problem, frame: Task, table: OptimizeTable, nominal: Values,
     course = search(problem, start, budget, table.seed, table.designs, tell)
     single = len(problem.objectives) == 1
     designs = tuple(_design(problem, frame, place) for place in course.places)
-    binding, stationarity = bindings(problem, course.places[0]) if single else ((), None)
+    binding: tuple[Binding, ...] = ()
+    stationarity, exact = None, False
+    if single:
+        slopes, exact = _slopes(problem, frame, course.places[0])
+        slopes[kinks(problem, course.places[0])] = np.nan
+        binding, stationarity = bindings(problem, course.places[0], slopes)
     return Optimum(
         problem.variables,
         problem.objectives,
@@ -136,11 +145,39 @@ def _found(problem: Problem, frame: Task, table: OptimizeTable, nominal: Values,
         course.second,
         binding,
         stationarity,
+        exact,
         flatness(problem, course.places[0]) if single else (),
         problem.solved,
         sum(map(bool, problem.reasons)),
         problem.resumed,
     )
+
+
+def _slopes(problem: Problem, frame: Task, place: Values) -> tuple[Values, bool]:
+    """Derivatives (m, f) of the results by the variables that take any value, over the unit box; whether all are exact.
+
+    NaN where there is none.
+    """
+    values = problem.inside(place[None])[0]
+    set_to = dict[int, float]()
+    for variable, value in zip(problem.variables, values.tolist(), strict=True):
+        set_to |= dict.fromkeys(variable.keys, value)
+    free = [problem.variables[k] for k in problem.free]
+    moved = [key for variable in free for key in variable.keys]
+    if not moved:
+        return np.zeros((len(problem.model.names), 0)), True
+    held = [frame.axes[key].assignment(value) for key, value in set_to.items() if key not in moved]
+    here = [set_to[key] for key in moved]
+    there = replace(frame, axes=tuple(frame.axes[key] for key in moved), fixed=(*frame.fixed, *held)).at([here])
+    sizes = [SCALE * (variable.high - variable.low) for variable in free for _ in variable.keys]
+    gradients = Gradients(there, sizes)
+    found = gradients(np.array(here))
+    rows = [gradients.names.index(name) for name in problem.model.names]
+    ends = np.cumsum([len(variable.keys) for variable in free])[:-1]
+    parts = np.split(found.slopes[rows], ends, axis=1)
+    ranges = [variable.high - variable.low for variable in free]
+    slopes = np.array([part.sum(axis=1) * span for part, span in zip(parts, ranges, strict=True)]).T
+    return slopes, bool(found.exact[rows].all())
 
 
 def _design(problem: Problem, frame: Task, place: Values) -> Design:
