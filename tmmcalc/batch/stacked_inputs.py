@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from itertools import product
 from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
 
@@ -74,10 +75,11 @@ class Inputs:
 
     def __init__(self, task: Task, first: int, *, loaded: bool, driven: bool) -> None:
         self.first = task.values(first)
-        self._task, self._variants = task, task.variants()
+        self._task = task
+        self._variants = replace(task, fixed=(*task.fixed, *task.assignments(first))).variants()
         self._asked = loaded, driven
         self._origin = np.array(self.first)
-        self.tree = given(self._variants.spec(task.assignments(first)), loaded, driven)
+        self.tree = given(self._variants.spec(), loaded, driven)
         self._shape = shape_of(self.tree)
         self._base = np.array(numbers(self.tree), complex)
         self._plain = np.array([isinstance(number, float) for number in numbers(self.tree)])
@@ -140,8 +142,8 @@ class Inputs:
 
     def spec(self, values: Sequence[float] | Values) -> Spec:
         """The spec of a variant with these values of the axes."""
-        axes = zip(self._task.axes, values, strict=True)
-        return self._variants.spec([axis.assignment(float(value)) for axis, value in axes])
+        given = zip(self._task.axes, values, self.first, strict=True)
+        return self._variants.spec([axis.assignment(float(value)) for axis, value, own in given if value != own])
 
     def stacked(self, found: Numbers) -> Any:
         """The inputs of variants with these numbers (v, L) as one tree."""
