@@ -201,7 +201,7 @@ def test_many_points_are_solved_together_by_themselves() -> None:
 
 def test_specs_are_not_read_one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
     task = task_of(SHAPER, [FEW, f"{CRANK}=0.15:0.25:1000"], None, (), ("kinematics.max(v_D0)",))
-    inputs = Inputs(task, 0, loaded=False, driven=False)
+    inputs = Inputs(task, 0, loaded=False, driven=False, traced=False)
     monkeypatch.setattr(Inputs, "_read", lambda *_: pytest.fail("a spec was read"))
     numbers, there = inputs.numbers(np.array([task.values(point) for point in range(1000)]))
     crank = [numbers[:, k] for k in range(numbers.shape[1]) if np.ptp(numbers[:, k].real)]

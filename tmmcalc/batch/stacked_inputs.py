@@ -3,7 +3,8 @@
 Nearly all of it are quantities times a unit, so that every number is an affine function of the swept values. Whether it
 is so is seen at the ends of all ranges, at their corners, and at some places between. The checks of a spec ask for one
 number whether it lies in a range, and for two of the same table which is larger, or whether they are equal: a variant
-that answers one of these otherwise than the first one is read as a whole, as are all where something is not affine.
+that answers one of these otherwise than all that were read before is read as a whole, as are all where something is not
+affine.
 """
 
 from __future__ import annotations
@@ -42,8 +43,10 @@ FREE = re.compile(
     r"0\.input\.(speed|acceleration|start)|0\.outputs\.\d+\.direction|"
     r"1\.bodies\.\d+\.(mass|inertia|center)|1\.gravity|1\.loads\.\d+\.(factor|point|direction|law\.(value|coefficient))|"
     r"1\.springs\.\d+\.(stiffness|free|damping|points\.\d)|1\.pairs\.\d+\.(friction|radius|length)|"
-    r"2\.0\.motor\.(power|inertia|speed|synchronous|start)|2\.1\.(ratio|efficiency|inertia)|2\.2\.inertia|2\.3\.\w+"
+    r"2\.0\.motor\.(power|inertia|speed|synchronous|start)|2\.1\.(ratio|efficiency|inertia)|2\.2\.inertia|2\.3\.\w+|"
+    r"3\.\d+\.((through|at)\.\d+|turn|shift)"
 )
+WANTED = "3."  # wanted paths, whose numbers no check compares
 ONE_NUMBER = "what they read is asked for one number"
 
 
@@ -57,38 +60,43 @@ class Together(NamedTuple, Generic[T]):
     apart: dict[int, str]
 
 
-def given(spec: Spec, loaded: bool, driven: bool) -> Any:
-    """The linkage, what acts on it, and the machine, as the stages read them; None for what is not asked for."""
+def given(spec: Spec, loaded: bool, driven: bool, traced: bool) -> Any:
+    """The linkage, what acts on it, the machine, wanted paths, as the stages read them; None for what is not asked."""
     from tmmcalc.linkage.tables.tasks.loading import to_loading
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+    from tmmcalc.linkage.tables.tasks.paths import to_paths
     from tmmcalc.machine.tables.tasks.machine import to_flywheel, to_gears, to_motion, to_motor
 
     machine = (to_motor(spec), to_gears(spec), to_motion(spec), to_flywheel(spec)) if driven else None
-    return to_linkage(spec.linkage), to_loading(spec) if loaded else None, machine
+    loading, paths = to_loading(spec) if loaded else None, to_paths(spec) if traced else None
+    return to_linkage(spec.linkage), loading, machine, paths
 
 
 class Inputs:
     """The inputs of all variants of a task like the one of the valid point ``first``.
 
-    ``loaded`` and ``driven``: what acts on the linkage, and the machine, are among them.
+    ``loaded``, ``driven`` and ``traced``: what acts on the linkage, the machine, and wanted paths are among them.
     """
 
-    def __init__(self, task: Task, first: int, *, loaded: bool, driven: bool) -> None:
+    def __init__(self, task: Task, first: int, *, loaded: bool, driven: bool, traced: bool) -> None:
         self.first = task.values(first)
         self._task = task
         self._variants = replace(task, fixed=(*task.fixed, *task.assignments(first))).variants()
-        self._asked = loaded, driven
+        self._asked = loaded, driven, traced
         self._origin = np.array(self.first)
-        self.tree = given(self._variants.spec(), loaded, driven)
+        self.tree = given(self._variants.spec(), *self._asked)
         self._shape = shape_of(self.tree)
         self._base = np.array(numbers(self.tree), complex)
         self._plain = np.array([isinstance(number, float) for number in numbers(self.tree)])
         self._still = np.array([min(axis.values) == max(axis.values) for axis in task.axes])  # of no known slope
         self._slopes, seen = self._affine()
+        self._scale = np.maximum(np.max(np.abs(seen), axis=0), 1e-300)
         self._differ = np.any(seen != self._base, axis=0)
-        self._acting = Acting(list(paths(self.tree)))
-        self._pairs = _pairs(groups(self.tree), self._differ)
-        self._signs = _signs(self._base[None], self._pairs)
+        places = list(paths(self.tree))
+        self._acting = Acting(places)
+        compared = np.array([not place.startswith(WANTED) for place in places])
+        self._pairs = _pairs(groups(self.tree), self._differ & compared)
+        self._known = {_signs(self._base[None], self._pairs).tobytes()}  # answers of variants that were read
 
     @property
     def fixed(self) -> str | None:
@@ -98,18 +106,20 @@ class Inputs:
 
     def numbers(self, values: Values) -> tuple[Numbers, Flags]:
         """The numbers (v, L) of variants with these values (v, axes), and which have inputs like those of the first."""
-        if self._slopes is None:
-            doubtful = np.ones(len(values), bool)
-            found = np.tile(self._base, (len(values), 1))
-        else:
-            found = self._base + (values - self._origin) @ self._slopes
-            doubtful = np.any(_signs(found, self._pairs) != self._signs, axis=1)
-            doubtful |= np.any((values != self._origin) & self._still, axis=1)
+        found = np.tile(self._base, (len(values), 1))
+        if self._slopes is not None:
+            found += (values - self._origin) @ self._slopes
+        answers, strange = _signs(found, self._pairs), np.any((values != self._origin) & self._still, axis=1)
         there = np.ones(len(values), bool)
-        for row in np.flatnonzero(doubtful).tolist():
+        for row in range(len(values)):
+            answer = answers[row].tobytes()
+            if self._slopes is not None and answer in self._known and not strange[row]:
+                continue
             read = self._read(values[row])
             there[row] = read is not None and bool(np.all((read == self._base) | self._differ))
             if read is not None:
+                if there[row] and not strange[row] and np.all(np.abs(read - found[row]) <= AFFINE * self._scale):
+                    self._known.add(answer)
                 found[row] = read
         same = self._acting(found) == self._acting(self._base[None])
         return found, there & np.all(same, axis=1)
@@ -180,8 +190,7 @@ class Inputs:
         if len(whole) < len(seen) + len(read):
             return None, known
         expected = self._base + (places - self._origin) @ slopes
-        scale = np.maximum(np.max(np.abs(known), axis=0), 1e-300)
-        close = np.abs(np.array(read) - expected) <= AFFINE * scale
+        close = np.abs(np.array(read) - expected) <= AFFINE * np.maximum(np.max(np.abs(known), axis=0), 1e-300)
         return slopes if close.all() else None, known
 
 

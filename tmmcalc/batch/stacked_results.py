@@ -34,7 +34,7 @@ Flags = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
 BLOCK = 32  # variants: more take no less time each, and are lost where a process is killed
-TOGETHER = ("structure", "kinematics", "forces", "reduction", "power")
+TOGETHER = ("structure", "kinematics", "paths", "forces", "reduction", "power")
 MOVED = ("flywheel", "motion")  # and these with a motor
 
 
@@ -92,15 +92,19 @@ class Results:
 
     def _solved(self, tree: Any, count: int) -> dict[int, _Variant]:
         """What is solved together of the variants of stacked inputs, by their numbers, of those that are clear."""
+        from tmmcalc.linkage.stacked.paths import paths_records
         from tmmcalc.linkage.stacked.scene import block_of
         from tmmcalc.machine.stacked.records import forces_records, kinematics_records, reduction_records
 
-        mechanism, loading, machine = tree
+        mechanism, loading, machine, paths = tree
         block = block_of(self._same, count, mechanism, loading, tracked=True, told=True)
         some, machines = np.flatnonzero(block.settled.clear), Rows(machine)
         found = {v: _Variant({"structure": self._base.results["structure"]}, machines(v)) for v in some.tolist()}
         if some.size:
             some = _noted(found, some, "kinematics", kinematics_records(block, some))
+        if some.size and "paths" in self._stages:
+            own = paths_records(block, some, paths, _of(found, some, "kinematics"), self._base.results["paths"])
+            some = _noted(found, some, "paths", own)
         if some.size and "forces" in self._stages:
             some = _noted(found, some, "forces", forces_records(block, some, _of(found, some, "kinematics")))
         if some.size and "reduction" in self._stages:
