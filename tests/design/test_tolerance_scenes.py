@@ -96,6 +96,7 @@ def test_where_a_result_is_least_the_linear_model_sees_nothing(tmp_path: Path) -
     assert any("linear model is no good" in note for note in tolerance_document(found, "t").notes)
 
 
+@pytest.mark.slow
 def test_a_guide_that_goes_up_to_the_limit_of_assembly(tmp_path: Path) -> None:
     """Offsets beyond l - r do not assemble: they are counted, named, and lost to the yield."""
     found = of(
@@ -114,7 +115,7 @@ def test_a_guide_that_goes_up_to_the_limit_of_assembly(tmp_path: Path) -> None:
 
 def test_a_clearance_presses_where_the_force_is_largest(tmp_path: Path) -> None:
     """Against the run itself: the reaction in C on the slotted link, turned into its axes."""
-    found = of(tmp_path, 'joint = "C"\nclearance = ["0.02 mm", "0.06 mm"]\ndirection = "force"', samples=256)
+    found = of(tmp_path, 'joint = "C"\nclearance = ["0.02 mm", "0.06 mm"]\ndirection = "force"')
     (pair,) = found.sources.clearances
     run = tmmcalc.run(tmmcalc.load_spec(CONFIGS / "shaper.toml", ["mechanism.grid.positions=12"]), target="forces")
     forces, motion = run.table("forces"), run.table("kinematics")
@@ -129,9 +130,13 @@ def test_a_clearance_presses_where_the_force_is_largest(tmp_path: Path) -> None:
     assert pair.along == pytest.approx((own.real, own.imag), abs=1e-9)
     told = found.statistics[0]
     assert told is not None
-    per = 2 * 200 / 620  # of the stroke and the length of the slotted link
-    assert told.mean.value - found.nominal[0] == pytest.approx(per * own.real * 20e-6, rel=2e-2)
-    assert told.sigma.value == pytest.approx(abs(per * own.real) * 20e-6 / 6, rel=3e-2)
+    # along the slotted link the stroke is 2 l_1/l_0 of it; across, one dead centre is higher and the other one lower by
+    # the sine of the swing, which the slope of the connecting rod makes of the stroke
+    sine, rise = 200 / 620, 1.0 - 1.02 * math.sqrt(1 - (200 / 620) ** 2)
+    side = np.sign(column(motion, "x_D[m]")[at] - column(motion, "x_C[m]")[at])
+    per = 2 * sine * (own.real + side * rise / math.sqrt(0.29**2 - rise**2) * own.imag)
+    assert told.mean.value - found.nominal[0] == pytest.approx(per * 20e-6, rel=1e-2)
+    assert told.sigma.value == pytest.approx(abs(per) * 10e-6 / 3, rel=1e-2)
     assert any("at all positions" in note for note in tolerance_document(found, "t").notes)
 
 
