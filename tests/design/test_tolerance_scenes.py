@@ -90,7 +90,8 @@ def test_where_a_result_is_least_the_linear_model_sees_nothing(tmp_path: Path) -
     assert told.skewness.value == pytest.approx(math.sqrt(8), rel=5e-2)
     assert told.quantiles[2].value - 2 * r == pytest.approx(0.4549364 * c * e**2, rel=1e-2)
     (worst,) = found.worst
-    assert (worst.how, worst.least) == ("search", pytest.approx(2 * r, abs=1e-12))
+    assert worst.how == "search"
+    assert worst.least == pytest.approx(2 * r, abs=1e-12)
     exact = [math.sqrt((l + side * r) ** 2 - (3 * e) ** 2) for side in (1, -1)]
     assert worst.largest == pytest.approx(exact[0] - exact[1], rel=1e-10)
     assert any("linear model is no good" in note for note in tolerance_document(found, "t").notes)
