@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -82,7 +83,13 @@ def test_coordinates_on_both_sides_of_nothing_are_solved_together(monkeypatch: p
     asked = [Place(at, tuple(values)) for at, values in enumerate(moved)]
     solve_places(frame, asked[:1])  # prepares
     read: list[int] = []
-    monkeypatch.setattr(Inputs, "_read", lambda self, values, own=Inputs._read: read.append(1) or own(self, values))
+    own = Inputs._read
+
+    def counted(self: Inputs, values: Any) -> Any:
+        read.append(1)
+        return own(self, values)
+
+    monkeypatch.setattr(Inputs, "_read", counted)
     rows = solve_places(frame, asked)
     assert {row.alone for row in rows} == {""}
     assert len(read) < 60

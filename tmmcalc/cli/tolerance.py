@@ -17,7 +17,7 @@ from tmmcalc.cli.output import check_apart, check_picture, check_place, show, ti
 
 
 class Balance(StrEnum):
-    """Rules of balanced tolerances."""
+    """Rules of balanced tolerances, as `tmmcalc.design.tolerance.balance` has them, or none."""
 
     cost = "cost"
     share = "share"
@@ -122,7 +122,7 @@ def command(
         scheduler=scheduler,
         out=out,
         fresh=fresh,
-        balance=None if balance is Balance.none else balance.value,
+        balance={Balance.cost: "cost", Balance.share: "share", Balance.none: None}[balance],
     )
     with _progress(sizes(samples), quiet) as told:
         result = tolerate(asked, told, _warn)

@@ -13,7 +13,7 @@ from tmmcalc.design.tolerance.balance import Balance
 from tmmcalc.design.tolerance.sampling import QUANTILES, Estimate, Statistics
 from tmmcalc.design.tolerance.sources import Clearance
 from tmmcalc.design.tolerance.study import Tolerated
-from tmmcalc.design.tolerance.worst import Worst
+from tmmcalc.design.tolerance.worst import MOST_LOST, Worst
 from tmmcalc.design.tolerance.yields import MOST
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
@@ -186,9 +186,10 @@ def _notes(result: Tolerated) -> Iterator[str]:
             yield f"worst case of {of}: by signs of the derivatives, which hold where they were tried in the whole box"
         elif how == "search":
             if some.lost:
-                lost = f"{some.lost} places of the box have no result"
+                cut = ", so that the search was cut short" if some.lost >= MOST_LOST else ""
+                lost = f"{some.lost} places of the box have no result{cut}"
                 why = f"{why}, and {lost}" if turned else lost
-            yield f"warning: worst case of {of}: {why}; the box was searched for it, {some.evaluations} evaluations in all"
+            yield f"warning: worst case of {of}: {why}; the box was searched, {some.evaluations} evaluations in all"
         else:
             yield f"warning: worst case of {of}: no place of the box was found to have a result"
     yield from _bends(result)

@@ -19,8 +19,8 @@ from tmmcalc.design.tolerance.yields import Rule, Widenings, widenings
 Solved = Callable[[Values], tuple[Values, Sequence[str]]]  # keys (n, k) -> results (n, m), why one has none (n,)
 
 CHUNK = 4096  # samples of which the changes by every part are held at once
-FEWER = 2**14  # samples by which the linear model tells of the yield
-LEAST = 1024  # samples of tolerances that are balanced
+FEWER = 2**14  # samples by which the linear model tells of the yield, and of balanced tolerances
+LEAST = 1024  # of these
 
 
 @record
@@ -96,7 +96,7 @@ def study(
         parts = np.concatenate([sources.parts(some) @ lines.T for some in _chunks(drawn[:FEWER])])
         widened = widenings(rule.holds, sources.names, found[:own], parts, told.shares[rule.columns])
         if law is not None and told.shares[rule.columns].any():
-            few = max(samples // 4, min(samples, LEAST))
+            few = min(max(samples // 4, min(samples, LEAST)), FEWER)
             some, before = _fewer(drawn, few), _fewer(values, few)
 
             def sampled(factors: Values) -> Estimate:

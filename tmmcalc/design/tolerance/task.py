@@ -169,6 +169,7 @@ def _clearance(
     scale = [_scale(unit, METRE, "clearance") for unit in units]
     x, y = (place[key] for key in pin.keys)
     name = f"clearance of {table.joint}"
+    assert table.clearance is not None  # the checks of the table ask for it
     low, high = (end / 2 for end in table.clearance)
     along, sides = pin.across, pin.across is not None and table.direction == "any"
     if table.direction == "force":

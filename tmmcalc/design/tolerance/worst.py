@@ -32,6 +32,7 @@ RANDOM = 12  # places at which signs are checked, beside the corners
 CORNERS = 10  # numbers of which all corners are tried
 PLACES, EACH = 2048, 32  # of a search, quasi-random: at most, and to a corner of the box
 STARTS = 4  # of its steps
+MOST_LOST = 256  # places without a result, after which a search goes no further: they take long
 FIRST, LAST = 0.25, 1e-5  # length of the first and the last step
 
 
@@ -93,6 +94,11 @@ class _Counted:
     def __init__(self, results: Results, box: Box) -> None:
         self.results, self.box = results, box
         self.evaluations = self.lost = 0
+
+    @property
+    def cut(self) -> bool:
+        """Whether too many places have no result for a search to go on."""
+        return self.lost >= MOST_LOST
 
     def __call__(self, places: Values) -> Values:
         found = np.asarray(self.results(self.box.keys(places)), float)
@@ -241,7 +247,7 @@ def _searched(counted: _Counted, which: int, starts: Values, free: Indices, seed
         good = np.argsort(np.where(np.isfinite(values), -sign * values, np.inf), kind="stable")[:STARTS]
         here, gain = places[good], sign * values[good]
         step = np.full(len(good), FIRST)
-        while (step > LAST).any():
+        while (step > LAST).any() and not counted.cut:
             moves = np.concatenate([steps, -steps])
             tried = box.kept(here[:, None, :] + step[:, None, None] * moves)
             found = sign * counted(tried.reshape(-1, len(box.names)))[:, which].reshape(len(good), -1)
