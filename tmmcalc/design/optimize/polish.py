@@ -46,13 +46,28 @@ class Locals:
     scores: Scores
 
 
-def polish(problem: Problem, starts: Values, aims: Sequence[Aim]) -> Locals:
-    """The best that local searches from designs (n, k) of the unit box find, each with its aim."""
+class _Budget:
+    """Solves designs for all searches, and counts what is left of those that they may solve."""
+
+    def __init__(self, problem: Problem, most: float) -> None:
+        self._problem, self.left = problem, most
+
+    def solve(self, places: Values) -> Values:
+        self.left -= len(places)
+        return self._problem.beyond(places)
+
+
+def polish(problem: Problem, starts: Values, aims: Sequence[Aim], most: float = np.inf) -> Locals:
+    """The best that local searches from designs (n, k) of the unit box find, each with its aim.
+
+    They end where they are once all together have solved ``most`` designs.
+    """
     before = problem.scores(starts)
     if not problem.free:
         return Locals(starts, before)
-    searches = [partial(_search, problem, start, aim) for start, aim in zip(starts, aims, strict=True)]
-    ends = np.array(together(searches, problem.beyond))
+    budget = _Budget(problem, most)
+    searches = [partial(_search, problem, budget, start, aim) for start, aim in zip(starts, aims, strict=True)]
+    ends = np.array(together(searches, budget.solve))
     after = problem.scores(ends)
     taken = np.array(
         [bool(better(_by(after, at, aim), _by(before, at, aim))[0]) for at, aim in enumerate(aims)], dtype=bool
@@ -71,11 +86,11 @@ class _Spent(Exception):
     """A search has stepped through as many designs as it may."""
 
 
-def _search(problem: Problem, start: Values, aim: Aim, ask: Ask) -> Values:
+def _search(problem: Problem, budget: _Budget, start: Values, aim: Aim, ask: Ask) -> Values:
     """The best that one search sees; it is begun anew while that gains."""
     from scipy.optimize import minimize
 
-    picture = _Picture(problem, start, aim, ask)
+    picture = _Picture(problem, budget, start, aim, ask)
     free = problem.free
     with suppress(_Spent):
         known = picture.value(picture.best)
@@ -104,8 +119,8 @@ def _search(problem: Problem, start: Values, aim: Aim, ask: Ask) -> Values:
 class _Picture:
     """Objective and constraints with their slopes about the last place that was asked for."""
 
-    def __init__(self, problem: Problem, start: Values, aim: Aim, ask: Ask) -> None:
-        self._problem, self._start, self._aim, self._ask = problem, start, aim, ask
+    def __init__(self, problem: Problem, budget: _Budget, start: Values, aim: Aim, ask: Ask) -> None:
+        self._problem, self._budget, self._start, self._aim, self._ask = problem, budget, start, aim, ask
         self._free = problem.free
         self._place = np.full(len(self._free), np.nan)
         self.scale = 1.0
@@ -136,7 +151,7 @@ class _Picture:
     def _look(self, x: Values) -> None:
         if np.array_equal(x, self._place):
             return
-        if self._looks == LONGEST:
+        if self._looks == LONGEST or self._budget.left <= 0:
             raise _Spent
         self._looks += 1
         count = len(x)
