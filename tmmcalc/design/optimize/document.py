@@ -46,6 +46,8 @@ def _best(result: Optimum) -> Iterator[Fact]:
 
 def _search(result: Optimum) -> Iterator[Fact]:
     lost = f", {result.failed} of them without a solution" if result.failed else ""
+    if result.resumed:
+        lost += f", {result.resumed} of them by an earlier run"
     values = {"solved": result.solved, "without_solution": result.failed, "method": result.method}
     yield Fact("designs", f"{result.solved} solved{lost}", values)
     yield Fact("method", f"complete: {result.method} were solved" if result.complete else result.method)

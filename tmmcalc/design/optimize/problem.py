@@ -6,7 +6,7 @@ solved is numbered as it is asked for, so that a journal of an earlier run answe
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
 from typing import Any
@@ -24,7 +24,6 @@ from tmmcalc.feasibility.logic import Form, conjunction
 from tmmcalc.feasibility.rule import function
 
 Values = NDArray[np.floating[Any]]
-Told = Callable[[int], None]  # designs that are solved
 
 START = 1024  # designs that there is room for at the beginning
 TOLERANCE = 1e-9  # of a limit, that counts as kept: what rounding leaves of a design on it
@@ -133,15 +132,19 @@ class Problem:
         rule: Rule,
         model: Model,
         journal: Journal | None = None,
-        told: Told = lambda solved: None,
     ) -> None:
         self.variables, self.objectives, self.rule, self.model = tuple(variables), tuple(objectives), rule, model
-        self._journal, self._told = journal, told
+        self._journal = journal
         self._known = {row.point: row for row in journal.rows()} if journal is not None else {}
         self._index: dict[bytes, int] = {}
         self._values = np.empty((START, len(self.variables)))
         self._results = np.empty((START, len(model.names)))
         self._reasons: list[str] = []
+
+    @property
+    def resumed(self) -> int:
+        """Designs that an earlier run had solved."""
+        return min(len(self._known), self.solved)
 
     @property
     def solved(self) -> int:
@@ -208,7 +211,6 @@ class Problem:
             self._values, self._results = _room(self._values, last), _room(self._results, last)
             self._values[first:last], self._results[first:last] = values[fresh], found
             self._reasons += reasons
-            self._told(self.solved)
         return np.asarray(self._results[numbers])
 
     @property

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from tmmcalc.batch.content import key_of
 from tmmcalc.batch.journal import Journal
 from tmmcalc.batch.reading import frame_of
+from tmmcalc.batch.sweep import part
 from tmmcalc.batch.table import key_and_unit
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.records import record
@@ -21,7 +22,7 @@ from tmmcalc.design.optimize.optimum import Binding, Flatness, Stationarity, bin
 from tmmcalc.design.optimize.order import Scores
 from tmmcalc.design.optimize.problem import Limit, Objective, Problem, Rule, Variable
 from tmmcalc.design.optimize.search import Second, search
-from tmmcalc.feasibility.quantities import limits, of_given
+from tmmcalc.feasibility.quantities import limits, of_given, place
 from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
 from tmmcalc.feasibility.judge import sides
 from tmmcalc.naming.language import parse
@@ -72,6 +73,7 @@ class Optimum:
     flat: tuple[Flatness, ...]
     solved: int
     failed: int
+    resumed: int  # of those solved: by an earlier run
 
 
 def optimize(
@@ -98,8 +100,11 @@ def optimize(
     with ExitStack() as stack:
         journal = None
         if out is not None:
-            journal = stack.enter_context(Journal(out.with_name(f"{out.name}.part"), key_of(frame)))
-        problem = problem_of(None if fresh else journal)
+            left = part(out)
+            if fresh:
+                left.unlink(missing_ok=True)
+            journal = stack.enter_context(Journal(left, key_of(frame)))
+        problem = problem_of(journal)
         result = _found(problem, frame, spec.optimize, nominal, told)
         if journal is not None:
             journal.done = True
@@ -134,6 +139,7 @@ def _found(problem: Problem, frame: Task, table: OptimizeTable, nominal: Values,
         flatness(problem, course.places[0]) if single else (),
         problem.solved,
         sum(map(bool, problem.reasons)),
+        problem.resumed,
     )
 
 
@@ -176,16 +182,17 @@ def _prepared(
     table = spec.optimize
     assert table is not None
     keys = [key for variable in table.variables for key in variable.of]
-    asked = [*table.least, *table.greatest]
     task = to_feasibility(spec)
-    names = [*dict.fromkeys([*asked, *(each.asked.text for each in task.constraints if each.given is None)])]
+    asking = {each.asked.text: place(each) for each in task.constraints if each.given is None}
+    asking |= {name: f"optimize.{sense}" for sense in ("least", "greatest") for name in getattr(table, sense)}
+    names = [*asking]
     frame = frame_of(file, fixed, keys, names)
     variables, at = [], 0
     for number, variable in enumerate(table.variables, 1):
         axes = frame.axes[at : at + len(variable.of)]
         variables.append(_variable(variable, axes, at, frame, f"optimize.variables, {number}"))
         at += len(axes)
-    model = Model(frame, solver_of(frame, EACH * len(variables), jobs, scheduler, tell), brief=True)
+    model = Model(frame, solver_of(frame, EACH * len(variables), jobs, scheduler, tell), brief=True, where=asking.__getitem__)
     columns = _columns(model)
     low, high = np.empty(len(keys)), np.empty(len(keys))
     for each in variables:

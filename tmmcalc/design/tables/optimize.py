@@ -45,6 +45,7 @@ class OptimizeTable(Table):
     variables: list[VariableTable] = Field(min_length=1, max_length=60, description="What may be changed.")
     seed: Seed = Field(default=1, description="Of the search: the same seed finds the same.")
     evaluations: Count | None = Field(
-        default=None, description="Variants that the search may solve (default: 2000 a variable)."
+        default=None,
+        description="Designs that the evolution may solve (default: 2000 a variable); the second method takes about as many.",
     )
     designs: Designs = Field(default=25, description="Designs of the front that are told.")

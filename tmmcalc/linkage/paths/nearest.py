@@ -73,14 +73,18 @@ class _Steps(NamedTuple):
 
     def some(self, flags: NDArray[np.bool_]) -> _Steps:
         """Those with a flag."""
-        variant, point, low, high = (part[flags] for part in self[:4])
-        return _Steps(variant, point, low, high, _Ends(*(part[flags] for part in self.ends)))
+        ends = _Ends(*(part[flags] for part in self.ends))
+        return _Steps(self.variant[flags], self.point[flags], self.low[flags], self.high[flags], ends)
 
 
 def _joined(parts: Sequence[_Steps]) -> _Steps:
-    variant, point, low, high = (np.concatenate(each) for each in zip(*(part[:4] for part in parts), strict=True))
-    ends = zip(*(part.ends for part in parts), strict=True)
-    return _Steps(variant, point, low, high, _Ends(*map(np.concatenate, ends)))
+    return _Steps(
+        variant=np.concatenate([part.variant for part in parts]),
+        point=np.concatenate([part.point for part in parts]),
+        low=np.concatenate([part.low for part in parts]),
+        high=np.concatenate([part.high for part in parts]),
+        ends=_Ends(*map(np.concatenate, zip(*(part.ends for part in parts), strict=True))),
+    )
 
 
 def nearest(path: Path, wanted: Plane) -> Nearest:

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 import numpy as np
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.notes import Phrase, listed
 from tmmcalc.core.numerics.extended import CHAIN, EPS, MARGIN, WIDER
-from tmmcalc.core.plane import Real
+from tmmcalc.core.plane import Plane, Real
 from tmmcalc.linkage.assembly import coordinate
 from tmmcalc.linkage.chain import Chain, chain_of
 from tmmcalc.linkage.grid import analysed_range
@@ -53,14 +54,12 @@ def records_of(
     over: Range,
     found: Sequence[Reached],
     asked: Sequence[WantedPath],
-    turns: Sequence[bool],
+    turns: bool,
     errors: Sequence[PathError],
 ) -> list[Paths]:
     """The results of V variants, from what was found of every path."""
     told = [deviations(over, each, path) for each, path in zip(found, asked, strict=True)]
-    phi = np.concatenate([each.x - over.start[:, None] for each in found], axis=1)
-    wanted = np.concatenate([each.wanted for each in found], axis=1)
-    place = np.concatenate([each.place for each in found], axis=1)
+    phi, wanted, place = joined(over, found)
     labels = labels_of(asked)
     results = []
     for v, error in enumerate(errors):
@@ -82,6 +81,13 @@ def records_of(
     return results
 
 
+def joined(over: Range, found: Sequence[Reached]) -> tuple[Real, Plane, Plane]:
+    """Input coordinates from position 0, wanted points and places (V, n), the points of one path behind the other."""
+    phi = np.concatenate([each.x - over.start[:, None] for each in found], axis=1)
+    wanted = np.concatenate([each.wanted for each in found], axis=1)
+    return phi, wanted, np.concatenate([each.place for each in found], axis=1)
+
+
 def labels_of(asked: Sequence[WantedPath]) -> tuple[str, ...]:
     """Rows are called by the numbers of their points; of several paths by the name of the path before it."""
     before = [f"{path.name}:" if len(asked) > 1 else "" for path in asked]
@@ -99,7 +105,7 @@ def errors_of(wide: Evaluate, over: Range, found: Sequence[Reached], asked: Sequ
     for each, path in zip(found, asked, strict=True):
         variants = np.repeat(np.arange(count), each.x.shape[1])
         x = each.x.astype(np.longdouble)
-        state = wide(x.ravel(), variants, states(path.point), 2).reshape(3, *x.shape)
+        state: Any = wide(x.ravel(), variants, states(path.point), 2).reshape(3, *x.shape)
         slope, bend = slopes_at(state, each.wanted)
         onward = np.where(each.free & (bend > 0), -slope / np.where(bend > 0, bend, 1), 0)
         onward = np.clip(onward, -span[:, None], span[:, None])

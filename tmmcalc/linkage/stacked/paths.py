@@ -14,7 +14,7 @@ from tmmcalc.core.plane import Real
 from tmmcalc.linkage.lastdigit import in_full
 from tmmcalc.linkage.paths.deviations import Range, Reached, deviations, reached, told_by
 from tmmcalc.linkage.paths.results import PathError, Paths
-from tmmcalc.linkage.paths.solve import errors_of, records_of
+from tmmcalc.linkage.paths.solve import errors_of, joined, records_of
 from tmmcalc.linkage.paths.task import WantedPath
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.stacked.dense import evaluated, places_of
@@ -27,11 +27,10 @@ Asked = tuple[WantedPath, ...]
 def paths_of(block: Block, variants: Indices, asked: Asked, base: Paths) -> tuple[Paths, dict[str, Real]]:
     """The paths of some variants (v,), the points of one behind the other; and their facts (v,) by name."""
     over, own, found = _reached(block, variants, asked)
-    facts = {}
+    facts: dict[str, Real] = {}
     for each, path in zip(found, own, strict=True):
         facts |= told_by(deviations(over, each, path), path.name)
-    phi = np.concatenate([each.x - over.start[:, None] for each in found], axis=1)
-    wanted, place = (np.concatenate(z, axis=1) for z in zip(*((e.wanted, e.place) for e in found), strict=True))
+    phi, wanted, place = joined(over, found)
     return replace(base, phi=phi.ravel(), wanted=wanted.ravel(), reached=place.ravel()), facts
 
 

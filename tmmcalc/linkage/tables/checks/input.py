@@ -50,8 +50,8 @@ def check_joint(outline: Outline) -> Iterator[Finding]:
         )
 
 
-# tables beside [mechanism] that read no speed of its input; constraints may be on velocities
-_WITHOUT_SPEED = {"project", "mechanism", "unsteady", "paths"}
+_WITHOUT_SPEED = {"project", "mechanism", "unsteady", "paths"}  # tables that read no speed of the input
+_UNHURRIED = {"structure", "paths"}  # stages whose results no speed changes; constraints on others may be on velocities
 
 
 def check_speed(outline: Outline) -> Iterator[Finding]:
@@ -61,7 +61,10 @@ def check_speed(outline: Outline) -> Iterator[Finding]:
     if not given or "speed" in given:
         return
     loaded = any("mass" in link or "inertia" in link for _, link in tables(table, "links"))
-    if loaded or {*outline.document} - _WITHOUT_SPEED or "acceleration" in given:
+    others = {*outline.document} - _WITHOUT_SPEED
+    if all(constraint.get("stage") in _UNHURRIED for _, constraint in tables(outline.document, "constraints")):
+        others.discard("constraints")
+    if loaded or others or "acceleration" in given:
         yield Finding((*_INPUT, "speed"), "missing key: the input needs its mean speed", 'add speed = "55 rpm"')
 
 
