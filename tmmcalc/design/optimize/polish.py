@@ -6,7 +6,7 @@ greatest of several values has one, a search may stop early: it never makes a de
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from functools import partial
 from typing import Any
