@@ -18,6 +18,7 @@ from tmmcalc.vibration.room import ROOM as VIBRATION
 
 if TYPE_CHECKING:
     from tmmcalc.design.tables.optimize import OptimizeTable
+    from tmmcalc.design.tables.tolerances import ToleranceTable
     from tmmcalc.report.tables.note import NoteTable
     from tmmcalc.report.tables.sheets import SheetsTable
 
@@ -36,6 +37,9 @@ class Shared:
 class Asked:
     """The tables of what is asked of a design as a whole."""
 
+    tolerances: list[ToleranceTable] = table(
+        "How far dimensions may be from what the spec says, and the play of pairs.", files=("measurements",)
+    )
     optimize: OptimizeTable | None = table("What is sought, and what may be changed for it.")
 
 

@@ -14,7 +14,6 @@ from importlib import import_module
 from tmmcalc.batch.executors import Workers
 from tmmcalc.core.errors import UsageError
 
-
 KEPT = 300.0  # seconds that processes wait for more
 
 

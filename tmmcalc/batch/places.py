@@ -42,9 +42,7 @@ def solve_places(task: Task, places: Sequence[Place]) -> list[Row]:
             found.update((at + k, row) for k, row in rows.found.items())
             apart.update((at + k, reason) for k, reason in rows.apart.items())
             if task.brief:
-                found.update(
-                    (at + k, Row(block[k].point, UNSOLVED, reason)) for k, reason in rows.refused.items()
-                )
+                found.update((at + k, Row(block[k].point, UNSOLVED, reason)) for k, reason in rows.refused.items())
     rest = [k for k in range(len(places)) if k not in found]
     if rest:
         alone = task.at([places[k].values for k in rest])

@@ -46,6 +46,7 @@ SECTIONS = {
             Command("sensitivity", "Which numbers of a spec matter for a result, by how much."),
             Command("optimize", "The best design: variables, objectives, constraints."),
             Command("feasibility", "Constraints on results: which hold, by how much."),
+            Command("tolerance", "What tolerances do: worst case, statistics, yield, shares."),
             Command("plot", "Draw the result of a stage to an svg, png, pdf or dxf file."),
             Command("sheet", "Draw the sheets that are handed in: A1, with frame and title block."),
             Command("note", "The explanatory note: every formula in letters, in numbers, checked."),

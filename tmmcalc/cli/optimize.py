@@ -10,23 +10,17 @@ from typing import Annotated
 
 import typer
 
+from tmmcalc.cli.found import Choose, Force, SpecOut, Target
 from tmmcalc.cli.messages import note_written, say
 from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
-from tmmcalc.cli.output import check_apart, check_picture, check_place, show, title
+from tmmcalc.cli.output import check_apart, check_picture, show, title
 
 
 def command(
     spec: SpecFile,
-    out: Annotated[
-        Path | None,
-        typer.Option(
-            "-o",
-            "--out",
-            metavar="FILE",
-            help="The best design as a ready spec; of a front FILE-1, FILE-2, ... What was stopped goes on from there.",
-            show_default=False,
-        ),
-    ] = None,
+    spec_out: SpecOut = None,
+    force: Force = False,
+    choose: Choose = None,
     picture: Annotated[
         Path | None,
         typer.Option(
@@ -43,7 +37,7 @@ def command(
         str | None,
         typer.Option("--scheduler", metavar="ADDRESS", help="Solve on this Dask cluster.", show_default=False),
     ] = None,
-    fresh: Annotated[bool, typer.Option("--fresh", help="Solve all designs, whatever an earlier run has left.")] = False,
+    fresh: Annotated[bool, typer.Option("--fresh", help="Solve all designs, whatever is stored.")] = False,
     form: Form = Format.table,
     quiet: Quiet = False,
     overrides: Set = None,
@@ -54,34 +48,40 @@ def command(
     binds the best one is told with what it costs, and how flat it is. Several results give the front of designs of
     which none is better in all.
 
-    Example: tmmcalc optimize my.toml -o best.toml
+    --spec writes the spec with the design in the place of its numbers, of a front that of --choose; beside it stands
+    what is solved, so that a search that was stopped goes on from there.
+
+    Example: tmmcalc optimize my.toml --spec best.toml
     """
-    if out is not None:
-        check_place(out, "-o")
+    target = Target(spec, spec_out, force, choose)
+    target.check()
     if picture is not None:
         check_picture(picture, "--picture")
-    check_apart(spec, out, picture)
+    check_apart(spec if not force else None, spec_out, picture)
     from tmmcalc.design.optimize.document import optimum_document
-    from tmmcalc.design.optimize.ready import write_ready
+    from tmmcalc.design.optimize.ready import found_of
     from tmmcalc.design.optimize.scene import optimize
     from tmmcalc.project import load_spec
+    from tmmcalc.project.found import settled_text
+    from tmmcalc.report.rows import check_choice
 
+    scene = load_spec(spec, overrides or ())
     with _progress(quiet) as told:
         result = optimize(
-            spec, overrides or (), out=out, fresh=fresh, jobs=jobs, scheduler=scheduler, tell=_warn, told=told
+            spec, overrides or (), out=spec_out, fresh=fresh, jobs=jobs, scheduler=scheduler, tell=_warn, told=told
         )
-    heading = title(load_spec(spec, overrides or ()), spec, "optimum")
-    files = write_ready(result, spec, overrides or (), out) if out is not None else []
+    check_choice(choose or 1, len(result.designs), "design")
+    settled = settled_text(scene, spec_out, found_of(result, scene, choose)) if spec_out is not None else None
+    heading = title(scene, spec, "optimum")
     if picture is not None:
         from tmmcalc.design.optimize.picture import front_drawing
         from tmmcalc.report.drawing import draw
 
         draw(picture, lambda: front_drawing(result, heading))
-        files.append(picture)
     show(optimum_document(result, heading, form is Format.table), form)
-    for file in files:
-        if not quiet:
-            note_written(file)
+    target.write(settled, quiet)
+    if picture is not None and not quiet:
+        note_written(picture)
 
 
 def _warn(text: str) -> None:

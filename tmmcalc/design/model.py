@@ -54,8 +54,8 @@ class Model:
     """Named results of a scene over the axes of a frame (`batch.reading.frame_of`).
 
     ``names`` are those that its patterns stand for at the spec as it is, ``nominal`` (k,) the values of its keys there,
-    ``found`` (m,) those of the results; ``brief`` see `Task`. Raises the error of the spec as it is, and UsageError for a pattern that names
-    nothing.
+    ``found`` (m,) those of the results; ``brief``: see `Task`. Raises the error of the spec as it is, and UsageError
+    for a pattern that names nothing.
     """
 
     def __init__(self, frame: Task, solver: Solve = solve_here, brief: bool = False, *, where: Where = _of) -> None:
@@ -86,6 +86,12 @@ class Model:
         other.nominal, other.keys = self.nominal[[*some]], tuple(self.keys[k] for k in some)
         axes = tuple(self._frame.axes[k] for k in some)
         other._frame = replace(self._frame, axes=axes).at([other.nominal.tolist(), low.tolist(), high.tolist()])
+        return other
+
+    def by(self, solver: Solve) -> Model:
+        """The same, of which places are solved so."""
+        other = object.__new__(Model)
+        vars(other).update(vars(self), _solve=solver)
         return other
 
     @property

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from tmmcalc.batch.table import key_and_unit
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.design.sensitivity import Partial, Sensitivity
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
@@ -74,9 +74,9 @@ def _row(each: Partial, unit: str) -> tuple[str, str, str, str]:
 def _notes(shown: Sequence[Partial], unit: str) -> Iterator[str]:
     """Kinks with both sides, jumps, and where no straight line stands for the result."""
     for each in shown:
-        slope_unit = per(unit, key_and_unit(each.key)[1])
+        below = per(unit, key_and_unit(each.key)[1])
         if each.slope.side == "kink":
-            left, right = (f"{number(side)} {slope_unit}".rstrip() for side in (each.slope.left, each.slope.right))
+            left, right = (f"{number(side)} {below}".rstrip() for side in (each.slope.left, each.slope.right))
             yield f"warning: {each.key}: a kink, {left} to smaller values and {right} to larger ones"
         elif each.slope.side == "jump":
             yield f"warning: {each.key}: the result jumps here, so that it has no derivative"

@@ -25,7 +25,9 @@ class Fake:
         found = self._function(np.array([values for _, values in every]))
         for (number, _), own in zip(every, found, strict=True):
             known = np.isfinite(own).all()
-            yield [Row(number, OK if known else "failed 3", "" if known else "no way", self.names if known else (), own)]
+            yield [
+                Row(number, OK if known else "failed 3", "" if known else "no way", self.names if known else (), own)
+            ]
 
     def answers(self, rows: Sequence[Row]) -> Answers:
         ordered = sorted(rows, key=lambda row: row.point)

@@ -77,7 +77,7 @@ def test_several_processes_find_the_same_to_the_last_digit(tmp_path: Path) -> No
 def test_a_run_that_was_killed_goes_on_and_ends_as_one_that_was_not(tmp_path: Path) -> None:
     file, out = spec(tmp_path, SWIFTEST), tmp_path / "best.toml"
     whole = optimize(file)
-    command = [sys.executable, "-m", "tmmcalc", "optimize", str(file), "-o", str(out), "-q"]
+    command = [sys.executable, "-m", "tmmcalc", "optimize", str(file), "--spec", str(out), "-q"]
     run = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     journal, until = part(out), time.monotonic() + 60
     while (not journal.exists() or journal.stat().st_size < 20_000) and time.monotonic() < until:
@@ -122,7 +122,7 @@ least = "kinematics.size(omega_3)"
 evaluations = 100
 variables = [{{ of = "{CRANK}", at_least = "800 mm", at_most = "900 mm" }}]
 """
-    with pytest.raises(NoSolutionError, match="none of .* designs has a solution; most often, .* times: kinematics"):
+    with pytest.raises(NoSolutionError, match=r"none of .* designs has a solution; most often, .* times: kinematics"):
         optimize(spec(tmp_path, asked))
 
 

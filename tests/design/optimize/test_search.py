@@ -35,7 +35,9 @@ def test_a_curved_valley_is_followed_to_its_end(seed):
     made = problem(rosenbrock, [(-5.0, 5.0)] * 4)
     course = found(made, 8000, seed)
     assert made.inside(course.places)[0] == pytest.approx(np.ones(4), abs=1e-6)
-    assert course.second is not None and course.second.hits > 0 and not course.second.better
+    assert course.second is not None
+    assert course.second.hits > 0
+    assert not course.second.better
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
@@ -90,7 +92,8 @@ def test_whole_numbers_and_a_catalogue_are_searched_completely_where_that_is_sma
         for one, two in itertools.product(range(17, 41), range(20, 121))
         if one + two <= 150
     )
-    assert course.complete and made.solved == 24 * 101
+    assert course.complete
+    assert made.solved == 24 * 101
     assert course.scores.objectives[0, 0] == pytest.approx(best[0], rel=1e-12)
     assert made.inside(course.places)[0].tolist() == [best[1], best[2]]
 
@@ -129,7 +132,7 @@ def test_a_front_is_that_of_the_closed_form():
     roots = np.sqrt(np.maximum(course.scores.objectives, 0.0))
     assert len(roots) == 15
     assert roots.sum(axis=1) == pytest.approx(np.ones(15), abs=1e-5)
-    assert roots[:, 0].min() < 1e-4 and roots[:, 1].min() < 1e-4
+    assert roots.min(axis=0) == pytest.approx(np.zeros(2), abs=1e-4)
     assert np.diff(np.sort(roots[:, 0])).max() < 0.2
 
 
@@ -155,7 +158,11 @@ def test_bounds_within_which_nothing_has_a_solution():
 def test_constraints_that_contradict_each_other():
     made = problem(lambda x: np.array([x[:, 0], x[:, 0] ** 2]).T, [(-3.0, 3.0)],
                    [Limit("large", 0, "mm", 2.0, None), Limit("small", 1, "", None, 1.0)])  # fmt: skip
-    with pytest.raises(NoSolutionError, match=r"none of \d+ designs keeps the constraints; of the nearest large is 1\.\d+ mm \(at least 2; \d+ of \d+ designs keep it\), small"):
+    with pytest.raises(
+        NoSolutionError,
+        match=r"none of \d+ designs keeps the constraints; of the nearest large is 1\.\d+ mm "
+        r"\(at least 2; \d+ of \d+ designs keep it\), small",
+    ):
         found(made, 400)
 
 

@@ -118,7 +118,7 @@ def told(
 ) -> tuple[int, str, str]:
     """Exit code, standard output and error of a search by a spec."""
     file.write_text(text)
-    monkeypatch.setattr(sys, "argv", ["tmmcalc", "optimize", str(file), "-o", str(file.with_name("best.toml"))])
+    monkeypatch.setattr(sys, "argv", ["tmmcalc", "optimize", str(file), "--spec", str(file.with_name("best.toml"))])
     monkeypatch.setattr("tmmcalc.cli.patience.FIRST", 1e6)
     with pytest.raises(SystemExit) as ended:
         main()

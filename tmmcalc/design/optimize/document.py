@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.batch.table import key_and_unit
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.design.optimize.optimum import Binding
 from tmmcalc.design.optimize.problem import Objective
 from tmmcalc.design.optimize.scene import Optimum
@@ -18,6 +18,7 @@ from tmmcalc.report.numbers import number
 VARIABLES = ("variable", "value", "at least", "at most", "as good from", "as good to", "limit costs")
 LIMITS = ("constraint", "value", "at least", "at most", "limit costs")
 CLOSE = 1e-6  # of the objective: two methods that agree
+WORSE = 10.0  # of the objective: what is told as a part of it
 BALANCED = 1e-3  # of the slope of the objective: what is left over of it
 REPEATED = 1e-9  # of the objective: what the stages may differ by when the design is solved by itself
 
@@ -40,7 +41,9 @@ def _best(result: Optimum) -> Iterator[Fact]:
     yield Fact(_sense(objective), text, {"objective": objective.name, "best": best, "unit": unit})
     was = result.nominal[0]
     if np.isfinite(was):
-        change = f", {abs(best / was - 1):.1%} {'less' if best < was else 'more'} than now" if was and best != was else ""
+        change = (
+            f", {abs(best / was - 1):.1%} {'less' if best < was else 'more'} than now" if was and best != was else ""
+        )
         yield Fact("of the spec as it is", f"{number(was)} {unit}".rstrip() + change, {"now": was})
 
 
@@ -53,12 +56,10 @@ def _search(result: Optimum) -> Iterator[Fact]:
     yield Fact("method", f"complete: {result.method} were solved" if result.complete else result.method)
     second = result.second
     if second is not None:
-        yield Fact("second method", _confirmed(result), {
-            "second_method": second.method,
-            "second_best": [each.sign * best if np.isfinite(best) else None for each, best in zip(result.objectives, second.best, strict=True)],
-            "second_starts": second.starts,
-            "second_hits": second.hits,
-        })  # fmt: skip
+        signs = [each.sign for each in result.objectives]
+        found = [sign * best if np.isfinite(best) else None for sign, best in zip(signs, second.best, strict=True)]
+        told = {"method": second.method, "best": found, "starts": second.starts, "hits": second.hits}
+        yield Fact("second method", _confirmed(result), {f"second_{key}": value for key, value in told.items()})
     if result.stationarity is not None and np.isfinite(result.stationarity.residual) and result.flat:
         left = result.stationarity.residual
         text = f"slopes of objective and limits balance to {left:.1e}"
@@ -78,7 +79,7 @@ def _confirmed(result: Optimum) -> str:
         if not np.isfinite(best):
             told.append("found nothing that keeps the constraints")
         elif best > own + CLOSE * abs(own):
-            worse = f", {(best - own) / abs(own):.1%} worse" if own else ""
+            worse = f", {(best - own) / abs(own):.1%} worse" if best - own < WORSE * abs(own) else ""
             told.append(f"found {number(objective.sign * best)} {objective.unit}".rstrip() + worse)
         else:
             first = "it is what is told here: the first found less good" if second.better else "the same"
@@ -93,9 +94,8 @@ def _notes(result: Optimum) -> Iterator[str]:
             f"note: the objective has a kink at the optimum in {balance.kinks} of its variables: what limits cost is "
             "found by seeking again with looser ones"
         )
-    elif balance is not None and np.isfinite(balance.residual) and balance.residual > BALANCED and result.flat:
-        if not result.complete and any(not each.among for each in result.variables):
-            yield f"warning: slopes do not balance at the optimum (to {balance.residual:.1e}): it may not be the best yet"
+    elif balance is not None and balance.residual > BALANCED and not all(each.among for each in result.variables):
+        yield f"warning: slopes do not balance at the optimum (to {balance.residual:.1e}): it may not be the best yet"
     if result.designs and max(each.again for each in result.designs) > REPEATED:
         yield "warning: solved by itself a design differs from what the search saw"
 
@@ -185,4 +185,3 @@ def _header(name: str, unit: str) -> str:
 
 def _sense(objective: Objective) -> str:
     return f"{'least' if objective.sign > 0 else 'greatest'} {objective.name}"
-

@@ -51,7 +51,7 @@ def evolve(
     spent, start = len(first), len(first)
     several = scores.objectives.shape[1] > 1
     moves, crossings, turn = np.full(MEMORY, 0.5), np.full(MEMORY, 0.5), 0
-    lost = np.empty((0, first.shape[1]))
+    lost: Values = np.empty((0, first.shape[1]))
     while True:
         order = ranked(scores)
         places, scores = places[order], scores[order]
@@ -117,7 +117,7 @@ def _trials(places: Values, lost: Values, move: Values, cross: Values, rng: np.r
     pool = np.concatenate((places, lost))
     own = np.arange(size)
     one = (own + rng.integers(1, size, size=size)) % size
-    two = rng.integers(len(pool), size=size)
+    two = np.asarray(rng.integers(len(pool), size=size))
     while (same := (two == own) | (two == one)).any():
         two[same] = rng.integers(len(pool), size=int(same.sum()))
     moved = places + move[:, None] * (elite - places + places[one] - pool[two])

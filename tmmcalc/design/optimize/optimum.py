@@ -45,12 +45,9 @@ class Flatness:
     """Between which values of a variable, the others held, the design stays feasible and within LEVEL of the best."""
 
     name: str
-    unit: str
     value: float
     low: float
     high: float
-    least: float  # limits of the variable
-    most: float
 
 
 @record
@@ -75,9 +72,14 @@ def bindings(problem: Problem, place: Values) -> tuple[tuple[Binding, ...], Stat
     ]  # fmt: skip
     gradient = objective.sign * _gradient(slopes, objective.column)
     columns = [sign * _gradient(slopes, each.column) for each, _, sign in limited]
-    columns += [(1.0 if side == "at least" else -1.0) * np.eye(len(problem.free))[problem.free.index(k)] for k, side in walls]
+    columns += [
+        (1.0 if side == "at least" else -1.0) * np.eye(len(problem.free))[problem.free.index(k)] for k, side in walls
+    ]
     kinks = sum(
-        each.side in ("kink", "jump", "none") for own in slopes for column, each in own.items() if column == objective.column
+        each.side in ("kink", "jump", "none")
+        for own in slopes
+        for column, each in own.items()
+        if column == objective.column
     )
     costs = np.full(len(columns), np.nan)
     residual = np.nan
@@ -177,10 +179,14 @@ def flatness(problem: Problem, place: Values) -> tuple[Flatness, ...]:
     reach = {**_reach(problem, place, level, sides)}
     found = []
     for k, variable in enumerate(problem.variables):
-        ends = [place[k] - reach[k, -1.0], place[k] + reach[k, 1.0]] if k in problem.free else _listed(problem, place, k, level)
+        ends = (
+            [place[k] - reach[k, -1.0], place[k] + reach[k, 1.0]]
+            if k in problem.free
+            else _listed(problem, place, k, level)
+        )
         low, high = problem.inside(np.array([np.where(np.arange(len(place)) == k, end, place) for end in ends]))[:, k]
         value = float(problem.inside(place[None])[0, k])
-        found.append(Flatness(variable.name, variable.unit, value, float(low), float(high), variable.low, variable.high))
+        found.append(Flatness(variable.name, value, float(low), float(high)))
     return tuple(found)
 
 
@@ -233,4 +239,3 @@ def _listed(problem: Problem, place: Values, k: int, level: float) -> list[float
     while high < count - 1 and good[high + 1]:
         high += 1
     return [float(parts[low]), float(parts[high])]
-

@@ -87,8 +87,8 @@ def crowding(objectives: Values) -> Values:
     for column in range(several):
         order = np.argsort(objectives[:, column], kind="stable")
         own = objectives[order, column]
-        span = own[-1] - own[0]
         apart[order[[0, -1]]] = np.inf
-        if count > 2 and np.isfinite(span) and span > 0:
+        span = own[-1] - own[0] if np.isfinite(own).all() else 0.0
+        if count > 2 and span > 0:
             apart[order[1:-1]] += (own[2:] - own[:-2]) / span
     return apart

@@ -82,7 +82,7 @@ def _by(scores: Scores, at: int, aim: Aim) -> Scores:
     return Scores(objectives[None, [aim.objective]], np.array([max(scores.violation[at], *over, 0.0)]))
 
 
-class _Spent(Exception):
+class _SpentError(Exception):
     """A search has stepped through as many designs as it may."""
 
 
@@ -92,7 +92,7 @@ def _search(problem: Problem, budget: _Budget, start: Values, aim: Aim, ask: Ask
 
     picture = _Picture(problem, budget, start, aim, ask)
     free = problem.free
-    with suppress(_Spent):
+    with suppress(_SpentError):
         known = picture.value(picture.best)
         gain = np.inf
         for _ in range(AGAIN):
@@ -152,7 +152,7 @@ class _Picture:
         if np.array_equal(x, self._place):
             return
         if self._looks == LONGEST or self._budget.left <= 0:
-            raise _Spent
+            raise _SpentError
         self._looks += 1
         count = len(x)
         places = np.tile(self._start, (2 * count + 1, 1))
@@ -182,7 +182,7 @@ class _Picture:
                 columns += sides(results[:, each.column], each.at_least, each.at_most)
         else:
             columns.append(rule.margin(results))
-        for number, (each, cap) in enumerate(zip(self._problem.objectives, self._aim.caps, strict=True)):
+        for number, (objective, cap) in enumerate(zip(self._problem.objectives, self._aim.caps, strict=True)):
             if np.isfinite(cap) and number != self._aim.objective:
-                columns.append((cap - each.sign * results[:, each.column]) / (abs(cap) or 1.0))
+                columns.append((cap - objective.sign * results[:, objective.column]) / (abs(cap) or 1.0))
         return np.array(columns).reshape(len(columns), len(results)).T

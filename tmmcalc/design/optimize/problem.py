@@ -137,8 +137,8 @@ class Problem:
         self._journal = journal
         self._known = {row.point: row for row in journal.rows()} if journal is not None else {}
         self._index: dict[bytes, int] = {}
-        self._values = np.empty((START, len(self.variables)))
-        self._results = np.empty((START, len(model.names)))
+        self._values: Values = np.empty((START, len(self.variables)))
+        self._results: Values = np.empty((START, len(model.names)))
         self._reasons: list[str] = []
 
     @property
@@ -196,7 +196,7 @@ class Problem:
 
     def judged(self, results: Values) -> Scores:
         """Scores of results (n, m)."""
-        failed = ~np.isfinite(results[:, self._needed]).all(axis=1)
+        failed = np.asarray(~np.isfinite(results[:, self._needed]).all(axis=1))
         objectives = np.array([each.sign * results[:, each.column] for each in self.objectives]).T
         with np.errstate(invalid="ignore"):
             violation = self.rule.violation(results)

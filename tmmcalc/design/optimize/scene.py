@@ -15,17 +15,17 @@ from tmmcalc.batch.content import key_of
 from tmmcalc.batch.journal import Journal
 from tmmcalc.batch.reading import frame_of
 from tmmcalc.batch.sweep import part
-from tmmcalc.batch.table import key_and_unit
 from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.core.records import record
 from tmmcalc.design.model import Model, solver_of
 from tmmcalc.design.optimize.optimum import Binding, Flatness, Stationarity, bindings, flatness
 from tmmcalc.design.optimize.order import Scores
 from tmmcalc.design.optimize.problem import Limit, Objective, Problem, Rule, Variable
 from tmmcalc.design.optimize.search import Second, search
+from tmmcalc.feasibility.judge import sides
 from tmmcalc.feasibility.quantities import limits, of_given, place
 from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
-from tmmcalc.feasibility.judge import sides
 from tmmcalc.naming.language import parse
 from tmmcalc.naming.rows import in_unit
 from tmmcalc.naming.scene import Scene
@@ -212,14 +212,16 @@ def _prepared(
         if one_of.column == other.column:
             rule = f"{one_of.name} and {other.name} are the same result"
             raise UsageError(rule, where="optimize", remedy="remove one of them")
-    given, limited = {}, []
-    for each in task.constraints:
-        if each.given is not None:
-            value, unit = of_given(each)
-            given[each.name] = float(min(sides(value, *limits(each, unit))))
+    given: dict[str, float] = {}
+    limited: list[Limit] = []
+    for constraint in task.constraints:
+        if constraint.given is not None:
+            value, unit = of_given(constraint)
+            given[constraint.name] = float(min(sides(value, *limits(constraint, unit))))
         else:
-            found = one(each.asked, model.run.results, Scene(model.run.spec, model.run.results))
-            limited.append(Limit(each.name, columns[found.key], found.unit, *limits(each, found.unit)))
+            found = one(constraint.asked, model.run.results, Scene(model.run.spec, model.run.results))
+            low_high = limits(constraint, found.unit)
+            limited.append(Limit(constraint.name, columns[found.key], found.unit, *low_high))
     rule = Rule(tuple(limited), given, task.rule, task.form, task.m)
     return frame, lambda journal: Problem(variables, objectives, rule, near, journal), model.nominal
 
@@ -247,7 +249,8 @@ def _variable(table: VariableTable, axes: Sequence[Axis], at: int, frame: Task, 
         if table.among is not None:
             among = tuple(sorted(_in(unit, each) for each in table.among))
             return Variable(first.key, keys, unit, among[0], among[-1], among)
-        assert table.at_least is not None and table.at_most is not None
+        assert table.at_least is not None
+        assert table.at_most is not None
         low, high = _in(unit, table.at_least), _in(unit, table.at_most)
         step = _in(unit, table.step) if table.step is not None else _whole(frame, first, low, high)
     except UnitError as error:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from itertools import product
 from math import prod
 from typing import Any
@@ -25,6 +26,8 @@ STARTS = 8, 256  # of local searches, at least and at most
 DRAWN = 16  # random designs for every start
 EQUAL = 1e-6  # of the objective: two methods that found the same
 BLOCK = 4096  # designs of a complete search that are asked for at once
+SAME = 1e-4  # of the range of a front: designs that differ by less are one
+TINY = 1e-300
 NEAR = 64  # sets of listed values about the best that are tried
 
 
@@ -36,7 +39,7 @@ class Second:
     best: tuple[float, ...]  # inf where it found nothing
     hits: int  # of its local searches that found the best, within EQUAL
     starts: int  # 0: it is no local search
-    better: bool  # than the first
+    better: bool = False  # than the first
 
 
 @record
@@ -69,16 +72,13 @@ def search(problem: Problem, nominal: Values, budget: int, seed: int, designs: i
     tell("second method", best.scores)
     second, other = _second(problem, budget, seed)
     joined = _joined(best, other)
-    if several:
-        kept = Population(*_chosen(joined, designs))
-    else:
-        kept = Population(joined.places[:1], joined.scores[:1])
-    mine = [float(best.scores.objectives[:, at].min()) for at in range(len(problem.objectives))]
-    ahead = any(
-        theirs < own - EQUAL * abs(own) for own, theirs in zip(mine, second.best, strict=True) if np.isfinite(theirs)
-    )
-    method = "differential evolution, then sequential quadratic programming" if problem.free else "differential evolution"
-    return Course(kept.places, kept.scores, method, False, Second(second.method, second.best, second.hits, second.starts, ahead))
+    kept = Population(*_chosen(joined, designs))
+    mine = best.scores.objectives.min(axis=0)
+    ahead = bool((np.array(second.best) < mine - EQUAL * np.abs(mine)).any())
+    method = "differential evolution"
+    if problem.free:
+        method += ", then sequential quadratic programming"
+    return Course(kept.places, kept.scores, method, False, replace(second, better=ahead))
 
 
 def _complete(problem: Problem, sizes: Sequence[int], tell: Tell) -> Population:
@@ -122,8 +122,7 @@ def _spread(variables: int, count: int, seed: int) -> Values:
 
 def _check(problem: Problem, scores: Scores) -> None:
     """Raise where there is nothing to be chosen."""
-    if np.isfinite(scores.violation).all() and np.ptp(scores.objectives, axis=0).max() == 0 and len(scores.violation) > 1:
-        _refuse_constant(problem)
+    _refuse_constant(problem)
     if scores.violation.min() == 0:
         return
     if not np.isfinite(scores.violation.min()):
@@ -182,13 +181,21 @@ def _chosen(found: Population, designs: int) -> tuple[Values, Scores]:
     if found.scores.objectives.shape[1] == 1:
         return found.places[:1], found.scores[:1]
     own = np.flatnonzero((front_numbers(found.scores) == 0) & (found.scores.violation == 0))
-    _, once = np.unique(found.scores.objectives[own], axis=0, return_index=True)
-    own = own[np.sort(once)]
+    own = _different(found.scores.objectives, own)
     while len(own) > designs:
         apart = crowding(found.scores.objectives[own])
         own = np.delete(own, int(np.argmin(apart)))
     own = own[np.lexsort(found.scores.objectives[own].T[::-1])]
     return found.places[own], found.scores[own]
+
+
+def _different(objectives: Values, own: NDArray[np.intp]) -> NDArray[np.intp]:
+    """Those designs of a front that are not the same as one before, within a part of the range of all."""
+    if not len(own):
+        return own
+    cells = np.round((objectives[own] - objectives[own].min(axis=0)) / (SAME * np.ptp(objectives[own], axis=0) + TINY))
+    _, once = np.unique(cells, axis=0, return_index=True)
+    return own[np.sort(once)]
 
 
 def _polished(problem: Problem, best: Population) -> Population:
@@ -261,7 +268,7 @@ def _by_starts(problem: Problem, budget: int, seed: int) -> tuple[Second, Popula
         aims += [Aim(at, np.full(several, np.inf))] * len(own)
     method = "sequential quadratic programming from random designs"
     if not chosen:
-        return Second(method, (np.inf,) * several, 0, starts, False), Population(drawn[:0], scores[:0])
+        return Second(method, (np.inf,) * several, 0, starts), Population(drawn[:0], scores[:0])
     found = polish(problem, drawn[chosen], aims, budget - len(drawn))
     kept = found.scores.violation == 0
     best, hits = [], 0
@@ -269,7 +276,7 @@ def _by_starts(problem: Problem, budget: int, seed: int) -> tuple[Second, Popula
         own = found.scores.objectives[:, at][kept & np.array([aim.objective == at for aim in aims])]
         best.append(float(own.min()) if own.size else np.inf)
         hits += int((own <= best[-1] + EQUAL * abs(best[-1])).sum()) if own.size else 0
-    return Second(method, tuple(best), hits, len(chosen), False), Population(found.places[kept], found.scores[kept])
+    return Second(method, tuple(best), hits, len(chosen)), Population(found.places[kept], found.scores[kept])
 
 
 def _by_scipy(problem: Problem, budget: int, seed: int) -> tuple[Second, Population]:
@@ -308,7 +315,7 @@ def _by_scipy(problem: Problem, budget: int, seed: int) -> tuple[Second, Populat
     stack = np.array(places)
     scores = problem.scores(stack)
     kept = scores.violation == 0
-    return Second("scipy's differential evolution", tuple(best), 0, 0, False), Population(stack[kept], scores[kept])
+    return Second("scipy's differential evolution", tuple(best), 0, 0), Population(stack[kept], scores[kept])
 
 
 def _joined(one: Population, other: Population) -> Population:

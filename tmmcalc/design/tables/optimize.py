@@ -36,8 +36,8 @@ class VariableTable(Table):
 class OptimizeTable(Table):
     """The search for the best design: its variables, and the results that are to be least or greatest.
 
-    Designs keep all `[[constraints]]` by the rule of `[feasibility]`. Several results give the front of designs of which
-    none is better in all (Pareto).
+    Designs keep all `[[constraints]]` by the rule of `[feasibility]`. Several results give the front of designs of
+    which none is better in all (Pareto).
     """
 
     least: Results = Field(default=[], description='Results that are to be least, by name: `"paths.deviation_sum_C"`.')
@@ -46,6 +46,7 @@ class OptimizeTable(Table):
     seed: Seed = Field(default=1, description="Of the search: the same seed finds the same.")
     evaluations: Count | None = Field(
         default=None,
-        description="Designs that the evolution may solve (default: 2000 a variable); the second method takes about as many.",
+        description="Designs that the evolution may solve (default: 2000 a variable); the second method takes about "
+        "as many.",
     )
     designs: Designs = Field(default=25, description="Designs of the front that are told.")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from math import isfinite
 
 from tmmcalc.core.errors import UsageError
@@ -88,9 +88,9 @@ def _check_values(path: Path, variable: Raw, units: list[str]) -> Iterator[Findi
         yield Finding((*path, "step"), rule, "write a smaller one, or widen the limits")
 
 
-def _numbers(path: Path, values: list[object], units: list[str]) -> Iterator[Finding]:
+def _numbers(path: Path, values: list[object], units: list[str]) -> Generator[Finding, None, list[float]]:
     """The values in the unit of the first key; a finding for one that does not fit, none for what is no number."""
-    known = []
+    known: list[float] = []
     for value in values:
         if isinstance(value, bool) or not isinstance(value, str | int | float):
             continue
@@ -107,5 +107,6 @@ def _comparable(value: str | float, unit: str) -> float:
     """The value in the unit of its key; without one in SI."""
     dimension = None if unit else dimension_of(value)
     return in_unit(value, unit) if dimension is None else in_si(value, dimension)
+
 
 CHECKS = (check_optimize,)
