@@ -60,10 +60,10 @@ def _search(result: Optimum) -> Iterator[Fact]:
         found = [sign * best if np.isfinite(best) else None for sign, best in zip(signs, second.best, strict=True)]
         told = {"method": second.method, "best": found, "starts": second.starts, "hits": second.hits}
         yield Fact("second method", _confirmed(result), {f"second_{key}": value for key, value in told.items()})
-    if result.stationarity is not None and np.isfinite(result.stationarity.residual) and result.flat:
-        left = result.stationarity.residual
-        text = f"slopes of objective and limits balance to {left:.1e}"
-        yield Fact("optimality", text, {"imbalance": left})
+    balance = result.stationarity
+    if balance is not None and np.isfinite(balance.residual) and not all(each.among for each in result.variables):
+        text = f"slopes of objective and limits balance to {balance.residual:.1e}"
+        yield Fact("optimality", text, {"imbalance": balance.residual})
     again = max(each.again for each in result.designs)
     yield Fact("solved again", f"by the ordinary stages, the same to {again:.0e}", {"apart": again})
 
@@ -90,10 +90,8 @@ def _confirmed(result: Optimum) -> str:
 def _notes(result: Optimum) -> Iterator[str]:
     balance = result.stationarity
     if balance is not None and balance.kinks:
-        yield (
-            f"note: the objective has a kink at the optimum in {balance.kinks} of its variables: what limits cost is "
-            "found by seeking again with looser ones"
-        )
+        costs = ": what limits cost is found by seeking again with looser ones" if result.binding else ""
+        yield f"note: the objective has a kink at the optimum in {balance.kinks} of its variables{costs}"
     elif balance is not None and balance.residual > BALANCED and not all(each.among for each in result.variables):
         yield f"warning: slopes do not balance at the optimum (to {balance.residual:.1e}): it may not be the best yet"
     if result.designs and max(each.again for each in result.designs) > REPEATED:
