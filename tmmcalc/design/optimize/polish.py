@@ -24,8 +24,11 @@ Values = NDArray[np.floating[Any]]
 
 STEP = 1e-5  # of the box, to both sides
 PRECISION = 1e-13  # of the objective, at which a search stops
-LONGEST = 120  # designs that a search steps through
-AGAIN = 4  # times it is begun anew where it ended, while this makes it better
+BEND = 1e-4  # of the box: steps by which bends are measured
+WIDE = 0.25  # of the box: how far a coordinate reaches at most, in which the objective does not bend
+LONGEST, SHORTER = 1000, 240  # designs a variable that a search may ask for: one of the best, one of many
+ROUND = 120  # steps of a search, after which it is begun anew where it has come to
+AGAIN = 20  # times it is begun anew, while this makes it better
 WORTH = 1e-9  # of the objective: what is gained that another beginning is worth
 WALL = 1e6  # times the objective: where there is no solution
 
@@ -46,28 +49,16 @@ class Locals:
     scores: Scores
 
 
-class _Budget:
-    """Solves designs for all searches, and counts what is left of those that they may solve."""
-
-    def __init__(self, problem: Problem, most: float) -> None:
-        self._problem, self.left = problem, most
-
-    def solve(self, places: Values) -> Values:
-        self.left -= len(places)
-        return self._problem.beyond(places)
-
-
-def polish(problem: Problem, starts: Values, aims: Sequence[Aim], most: float = np.inf) -> Locals:
+def polish(problem: Problem, starts: Values, aims: Sequence[Aim], longest: int = LONGEST) -> Locals:
     """The best that local searches from designs (n, k) of the unit box find, each with its aim.
 
-    They end where they are once all together have solved ``most`` designs.
+    Each may ask for ``longest`` designs a variable.
     """
     before = problem.scores(starts)
     if not problem.free:
         return Locals(starts, before)
-    budget = _Budget(problem, most)
-    searches = [partial(_search, problem, budget, start, aim) for start, aim in zip(starts, aims, strict=True)]
-    ends = np.array(together(searches, budget.solve))
+    searches = [partial(_search, problem, start, aim, longest) for start, aim in zip(starts, aims, strict=True)]
+    ends = np.array(together(searches, problem.beyond))
     after = problem.scores(ends)
     taken = np.array(
         [bool(better(_by(after, at, aim), _by(before, at, aim))[0]) for at, aim in enumerate(aims)], dtype=bool
@@ -86,89 +77,118 @@ class _SpentError(Exception):
     """A search has stepped through as many designs as it may."""
 
 
-def _search(problem: Problem, budget: _Budget, start: Values, aim: Aim, ask: Ask) -> Values:
+def _search(problem: Problem, start: Values, aim: Aim, longest: int, ask: Ask) -> Values:
     """The best that one search sees; it is begun anew while that gains."""
     from scipy.optimize import minimize
 
-    picture = _Picture(problem, budget, start, aim, ask)
+    picture = _Picture(problem, start, aim, longest, ask)
     free = problem.free
     with suppress(_SpentError):
-        known = picture.value(picture.best)
-        gain = np.inf
+        known, idle = picture.value(np.zeros(len(free))), 0
         for _ in range(AGAIN):
-            if not np.isfinite(known) or gain <= WORTH * abs(known):
+            if not np.isfinite(known) or idle == 2:
                 break
-            here, picture.scale = picture.best, abs(known) or 1.0
+            picture.begin(straight=idle == 0)  # where that gains nothing, along the variables as they are
             minimize(
                 picture.scaled,
-                here,
+                np.zeros(len(free)),
                 jac=picture.slope,
                 method="SLSQP",
-                bounds=[(0.0, 1.0)] * len(free),
-                constraints=[{"type": "ineq", "fun": picture.margins, "jac": picture.margin_slopes}]
-                if picture.limited
-                else [],
-                options={"ftol": PRECISION, "maxiter": LONGEST},
+                constraints=[{"type": "ineq", "fun": picture.margins, "jac": picture.margin_slopes}],
+                options={"ftol": PRECISION, "maxiter": ROUND},
             )
             gain, known = known - picture.least, picture.least
+            idle = idle + 1 if gain <= WORTH * abs(known) else 0
     found = start.copy()
     found[free] = picture.best
     return found
 
 
 class _Picture:
-    """Objective and constraints with their slopes about the last place that was asked for."""
+    """Objective and constraints with their slopes about the last place that was asked for.
 
-    def __init__(self, problem: Problem, budget: _Budget, start: Values, aim: Aim, ask: Ask) -> None:
-        self._problem, self._budget, self._start, self._aim, self._ask = problem, budget, start, aim, ask
+    Places are told by coordinates y about one of them, ``origin + ways @ y``, along which the objective bends alike: in
+    these a narrow curved valley, as sums of squares have, is a bowl, and the first step of a search that of Newton.
+    """
+
+    def __init__(self, problem: Problem, start: Values, aim: Aim, longest: int, ask: Ask) -> None:
+        self._problem, self._start, self._aim, self._ask = problem, start, aim, ask
         self._free = problem.free
         self._place = np.full(len(self._free), np.nan)
-        self.scale = 1.0
-        self.best, self.least, self._broken, self._looks = start[self._free], np.inf, np.inf, 0
-        self.limited = bool(len(self._margins_of(np.zeros((1, len(problem.model.names))))[0]))
+        self._origin, self._ways, self._scale = start[self._free], np.eye(len(self._free)), 1.0
+        self.best, self.least, self._broken, self._left = start[self._free], np.inf, np.inf, longest * len(self._free)
 
-    def value(self, x: Values) -> float:
+    def value(self, y: Values) -> float:
         """The objective, inf where there is none."""
-        self._look(x)
+        self._look(y)
         return float(self._value)
 
-    def scaled(self, x: Values) -> float:
-        value = self.value(x) / self.scale
+    def begin(self, *, straight: bool) -> None:
+        """Go on from the best place; ``straight``: with coordinates along which the objective bends alike there."""
+        self._origin, self._scale = self.best, abs(self.least) or 1.0
+        self._ways = self._straightened() if straight else np.eye(len(self._free))
+        self._place = np.full(len(self._free), np.nan)
+
+    def _straightened(self) -> Values:
+        """Ways (k, k) to either side of the origin of which each changes the objective by half of itself at its end."""
+        count = len(self._free)
+        first, second = np.triu_indices(count, 1)
+        alone, pairs = BEND * np.eye(count), BEND * (np.eye(count)[first] + np.eye(count)[second])
+        values = self._asked(self._origin + np.concatenate((np.zeros((1, count)), alone, -alone, pairs, -pairs)))[:, 0]
+        here, (up, down), (along, back) = (
+            values[0],
+            np.split(values[1 : 2 * count + 1], 2),
+            np.split(values[2 * count + 1 :], 2),
+        )
+        bends = np.diag(up + down - 2 * here)
+        bends[first, second] = bends[second, first] = (
+            along + back + 2 * here - (up + down)[first] - (up + down)[second]
+        ) / 2
+        own, ways = np.linalg.eigh(np.nan_to_num(bends) / BEND**2)
+        return np.asarray(ways / np.sqrt(np.maximum(np.abs(own) / self._scale, WIDE**-2)))
+
+    def scaled(self, y: Values) -> float:
+        value = self.value(y) / self._scale
         return value if np.isfinite(value) else WALL
 
-    def slope(self, x: Values) -> Values:
-        self._look(x)
-        return self._slopes[:, 0] / self.scale
+    def slope(self, y: Values) -> Values:
+        self._look(y)
+        return self._slopes[:, 0] / self._scale
 
-    def margins(self, x: Values) -> Values:
-        self._look(x)
-        return self._margins
+    def margins(self, y: Values) -> Values:
+        """What is left to the walls of the box, and to all limits."""
+        self._look(y)
+        x = self._origin + self._ways @ y
+        return np.concatenate((x, 1 - x, self._margins))
 
-    def margin_slopes(self, x: Values) -> Values:
-        self._look(x)
-        return self._slopes[:, 1:].T
+    def margin_slopes(self, y: Values) -> Values:
+        self._look(y)
+        return np.concatenate((self._ways, -self._ways, self._slopes[:, 1:].T))
 
-    def _look(self, x: Values) -> None:
-        if np.array_equal(x, self._place):
-            return
-        if self._looks == LONGEST or self._budget.left <= 0:
+    def _asked(self, x: Values) -> Values:
+        """Objective and limits (n, 1 + c) at places of the variables that are free, NaN where there is no solution."""
+        if self._left <= 0:
             raise _SpentError
-        self._looks += 1
-        count = len(x)
-        places = np.tile(self._start, (2 * count + 1, 1))
+        self._left -= len(x)
+        places = np.tile(self._start, (len(x), 1))
         places[:, self._free] = x
-        places[1 : count + 1, self._free] += STEP * np.eye(count)
-        places[count + 1 :, self._free] -= STEP * np.eye(count)
         results = self._ask(places)
         objective = self._problem.judged(results).objectives[:, self._aim.objective]
         every = np.column_stack((objective, self._margins_of(results)))
-        every = np.where(np.isfinite(every), every, np.nan)
+        return np.where(np.isfinite(every), every, np.nan)
+
+    def _look(self, y: Values) -> None:
+        if np.array_equal(y, self._place):
+            return
+        count = len(y)
+        x, steps = self._origin + self._ways @ y, STEP * np.eye(count)
+        every = self._asked(x + np.concatenate((np.zeros((1, count)), steps, -steps)))
         here, up, down = every[0], every[1 : count + 1], every[count + 1 :]
         slopes = (up - down) / (2 * STEP)
         slopes = np.where(np.isnan(slopes), (up - here) / STEP, slopes)
         slopes = np.where(np.isnan(slopes), (here - down) / STEP, slopes)
-        self._slopes = np.nan_to_num(slopes)
-        self._place, self._value = x.copy(), np.inf if np.isnan(here[0]) else here[0]
+        self._slopes = self._ways.T @ np.nan_to_num(slopes)
+        self._place, self._value = y.copy(), np.inf if np.isnan(here[0]) else here[0]
         self._margins = np.where(np.isnan(here[1:]), -WALL, here[1:])
         broken = max(0.0, -float(self._margins.min(initial=0.0)) - TOLERANCE)
         if np.isfinite(self._value) and (broken, self._value) < (self._broken, self.least):

@@ -15,13 +15,13 @@ from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.records import record
 from tmmcalc.design.optimize.evolution import Population, evolve, population
 from tmmcalc.design.optimize.order import Scores, better, crowding, front_numbers, ranked
-from tmmcalc.design.optimize.polish import Aim, polish
+from tmmcalc.design.optimize.polish import SHORTER, Aim, polish
 from tmmcalc.design.optimize.problem import Problem
 
 Values = NDArray[np.floating[Any]]
 Tell = Callable[[str, Scores], None]  # what is being done, the best so far first
 
-STEPS = 40  # of a local search, by which their number is planned
+STEPS = 100  # of a local search, by which their number is planned
 STARTS = 8, 256  # of local searches, at least and at most
 DRAWN = 16  # random designs for every start
 EQUAL = 1e-6  # of the objective: two methods that found the same
@@ -269,7 +269,7 @@ def _by_starts(problem: Problem, budget: int, seed: int) -> tuple[Second, Popula
     method = "sequential quadratic programming from random designs"
     if not chosen:
         return Second(method, (np.inf,) * several, 0, starts), Population(drawn[:0], scores[:0])
-    found = polish(problem, drawn[chosen], aims, budget - len(drawn))
+    found = polish(problem, drawn[chosen], aims, SHORTER)
     kept = found.scores.violation == 0
     best, hits = [], 0
     for at in range(several):
