@@ -18,6 +18,7 @@ from tmmcalc.report.numbers import number
 VARIABLES = ("variable", "value", "at least", "at most", "as good from", "as good to", "limit costs")
 LIMITS = ("constraint", "value", "at least", "at most", "limit costs")
 CLOSE = 1e-6  # of the objective: two methods that agree
+WORSE = 10.0  # of the objective: what is told as a part of it
 BALANCED = 1e-3  # of the slope of the objective: what is left over of it
 REPEATED = 1e-9  # of the objective: what the stages may differ by when the design is solved by itself
 
@@ -59,10 +60,10 @@ def _search(result: Optimum) -> Iterator[Fact]:
         found = [sign * best if np.isfinite(best) else None for sign, best in zip(signs, second.best, strict=True)]
         told = {"method": second.method, "best": found, "starts": second.starts, "hits": second.hits}
         yield Fact("second method", _confirmed(result), {f"second_{key}": value for key, value in told.items()})
-    if result.stationarity is not None and np.isfinite(result.stationarity.residual) and result.flat:
-        left = result.stationarity.residual
-        text = f"{'exact ' * result.exact}slopes of objective and limits balance to {left:.1e}"
-        yield Fact("optimality", text, {"imbalance": left, "exact": result.exact})
+    balance = result.stationarity
+    if balance is not None and np.isfinite(balance.residual) and not all(each.among for each in result.variables):
+        text = f"{'exact ' * result.exact}slopes of objective and limits balance to {balance.residual:.1e}"
+        yield Fact("optimality", text, {"imbalance": balance.residual, "exact": result.exact})
     again = max(each.again for each in result.designs)
     yield Fact("solved again", f"by the ordinary stages, the same to {again:.0e}", {"apart": again})
 
@@ -78,7 +79,7 @@ def _confirmed(result: Optimum) -> str:
         if not np.isfinite(best):
             told.append("found nothing that keeps the constraints")
         elif best > own + CLOSE * abs(own):
-            worse = f", {(best - own) / abs(own):.1%} worse" if own else ""
+            worse = f", {(best - own) / abs(own):.1%} worse" if best - own < WORSE * abs(own) else ""
             told.append(f"found {number(objective.sign * best)} {objective.unit}".rstrip() + worse)
         else:
             first = "it is what is told here: the first found less good" if second.better else "the same"
@@ -89,10 +90,8 @@ def _confirmed(result: Optimum) -> str:
 def _notes(result: Optimum) -> Iterator[str]:
     balance = result.stationarity
     if balance is not None and balance.kinks:
-        yield (
-            f"note: the objective has a kink at the optimum in {balance.kinks} of its variables: what limits cost is "
-            "found by seeking again with looser ones"
-        )
+        costs = ": what limits cost is found by seeking again with looser ones" if result.binding else ""
+        yield f"note: the objective has a kink at the optimum in {balance.kinks} of its variables{costs}"
     elif balance is not None and balance.residual > BALANCED and not all(each.among for each in result.variables):
         yield f"warning: slopes do not balance at the optimum (to {balance.residual:.1e}): it may not be the best yet"
     if result.designs and max(each.again for each in result.designs) > REPEATED:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
+from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -225,13 +226,18 @@ def _prepared(
     names = [*asking]
     frame = frame_of(file, fixed, keys, names)
     variables, at = [], 0
-    for number, variable in enumerate(table.variables, 1):
+    for number, variable in enumerate(table.variables):
         axes = frame.axes[at : at + len(variable.of)]
-        variables.append(_variable(variable, axes, at, frame, f"optimize.variables, {number}"))
+        variables.append(_variable(variable, axes, at, frame, f"optimize.variables[{number}]"))
         at += len(axes)
-    model = Model(
-        frame, solver_of(frame, EACH * len(variables), jobs, scheduler, tell), brief=True, where=asking.__getitem__
-    )
+    solver = solver_of(frame, EACH * len(variables), jobs, scheduler, tell)
+    try:
+        model = Model(frame, solver, brief=True, where=asking.__getitem__)
+    except UsageError as error:
+        asked = next((where for name, where in asking.items() if parse(name).stage == error.where), None)
+        if asked is None:
+            raise
+        raise UsageError(f"{error.where} does not run: {error.message}", where=asked, remedy=error.remedy) from None
     columns = _columns(model)
     low, high = np.empty(len(keys)), np.empty(len(keys))
     for each in variables:
@@ -239,6 +245,10 @@ def _prepared(
     near = model.over(range(len(keys)), low, high)
     objectives = [_objective(model, columns, name, 1) for name in table.least]
     objectives += [_objective(model, columns, name, -1) for name in table.greatest]
+    for one_of, other in combinations(objectives, 2):
+        if one_of.column == other.column:
+            rule = f"{one_of.name} and {other.name} are the same result"
+            raise UsageError(rule, where="optimize", remedy="remove one of them")
     given: dict[str, float] = {}
     limited: list[Limit] = []
     for constraint in task.constraints:
