@@ -28,6 +28,7 @@ FLOORS = (
     "vibration",
     "manipulators",
     "extras",
+    "design.tables",
     "rooms",
     "project",
     "pipeline",
@@ -69,6 +70,9 @@ def _imported(file: Path, files: dict[str, Path]) -> Iterator[str]:
 
 
 def package(module: str) -> str:
+    """Its floor; tables of what is asked of a design stand below, where specs are read, and the rest far above."""
+    if f"{module}.".startswith("tmmcalc.design.tables."):
+        return "design.tables"
     return module.split(".")[1] if "." in module else ""
 
 

@@ -17,10 +17,12 @@ from tmmcalc.manipulators.room import ROOM as MANIPULATORS
 from tmmcalc.vibration.room import ROOM as VIBRATION
 
 if TYPE_CHECKING:
+    from tmmcalc.design.tables.optimize import OptimizeTable
+    from tmmcalc.design.tables.tolerances import ToleranceTable
     from tmmcalc.report.tables.note import NoteTable
     from tmmcalc.report.tables.sheets import SheetsTable
 
-__all__ = ["CHAPTERS", "ROOMS", "STAGES", "TABLES", "Shared"]
+__all__ = ["CHAPTERS", "ROOMS", "STAGES", "TABLES", "Asked", "Shared"]
 
 ROOMS = (LINKAGE, MACHINE, GEARS, CAMS, VIBRATION, MANIPULATORS, EXTRAS, FEASIBILITY)
 
@@ -32,7 +34,18 @@ class Shared:
     note: NoteTable | None = table("The explanatory note that is handed in.")
 
 
-TABLES |= merged([*(room.tables for room in ROOMS), entries("tmmcalc.report", Shared)])
+class Asked:
+    """The tables of what is asked of a design as a whole."""
+
+    tolerances: list[ToleranceTable] = table(
+        "How far dimensions may be from what the spec says, and the play of pairs.", files=("measurements",)
+    )
+    optimize: OptimizeTable | None = table("What is sought, and what may be changed for it.")
+
+
+TABLES |= merged(
+    [*(room.tables for room in ROOMS), entries("tmmcalc.report", Shared), entries("tmmcalc.design", Asked)]
+)
 CHAPTERS = {name: title for room in ROOMS for name, title in room.chapters.items()}  # of the note
 STAGES |= merged([room.stages for room in ROOMS])
 STAGES |= {

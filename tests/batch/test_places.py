@@ -7,12 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from tmmcalc.batch.choice import local
 from tmmcalc.batch.places import SOLVER, Place, solve_places
 from tmmcalc.batch.points import solve_points
 from tmmcalc.batch.reading import frame_of
-from tmmcalc.batch.task import Task
+from tmmcalc.batch.task import Row, Task
 from tmmcalc.core.errors import UsageError
 
 SHAPER = Path(__file__).parents[2] / "configs" / "shaper.toml"
@@ -66,6 +67,33 @@ def test_places_in_other_processes_are_the_same_to_the_last_digit(frame: Task) -
     there = {row.point: row for rows in local(2, said.append)(frame, blocks) for row in rows}
     assert there == here
     assert not said
+
+
+def test_coordinates_on_both_sides_of_nothing_are_solved_together(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pins off by a clearance, whose nominal coordinates are 0: their specs are read once a combination of signs."""
+    from tmmcalc.batch.stacked_inputs import Inputs
+
+    pins = [f"mechanism.links[id={link}].points.{point}" for link, point in ((1, "O"), (2, "A"), (3, "B"))]
+    keys = [f"{pin}[{axis}]" for pin in pins for axis in (0, 1)]
+    frame = frame_of(SHAPER, ["mechanism.grid.positions=18"], keys, NAMES)
+    frame = replace(frame.at([[0.0] * 6, [-5e-5] * 6, [5e-5] * 6]), solver=SOLVER)
+    angles = 2 * np.pi * np.random.default_rng(3).random((400, 3, 1))
+    moved = (5e-5 * np.concatenate([np.cos(angles), np.sin(angles)], axis=2)).reshape(400, 6).tolist()
+    asked = [Place(at, tuple(values)) for at, values in enumerate(moved)]
+    solve_places(frame, asked[:1])  # prepares
+    read: list[int] = []
+    monkeypatch.setattr(Inputs, "_read", lambda self, values, own=Inputs._read: read.append(1) or own(self, values))
+    rows = solve_places(frame, asked)
+    assert {row.alone for row in rows} == {""}
+    assert len(read) < 60
+    backwards = solve_places(frame, asked[::-1])[::-1]
+    assert values_of(backwards) == pytest.approx(values_of(rows), rel=1e-13)
+    alone = solve_points(frame.at([each.values for each in asked[::20]]), range(20))
+    assert values_of(rows[::20]) == pytest.approx(values_of(alone), rel=1e-10)
+
+
+def values_of(rows: list[Row]) -> NDArray[np.floating]:
+    return np.array([list(row.values) for row in rows])
 
 
 def test_places_about_one_point_alone_are_solved_as_they_are() -> None:

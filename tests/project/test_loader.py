@@ -245,6 +245,8 @@ def test_late_tables_are_those_of_the_root() -> None:
         "feasibility",
         "sheets",
         "note",
+        "tolerances",
+        "optimize",
     }
     assert {*Spec.model_fields} - root == {*LATE} | further
     assert root < {*Spec.model_fields}

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.batch.stacked_inputs import Inputs, Together
+from tmmcalc.batch.stacked_inputs import STUCK, Inputs, Together
 from tmmcalc.batch.task import OK, Row
 from tmmcalc.naming.language import parse
 from tmmcalc.naming.rows import REDUCED
@@ -79,15 +79,16 @@ class Columns:
 
     def rows(self, points: Sequence[int], given: Values) -> Together[Row]:
         """Rows of those points of a block that are solved together; ``given`` are their values (v, axes)."""
-        found, apart = dict[int, Row](), dict[int, str]()
-        for which, (values, clear) in self._inputs.parts(given, self._block, apart):
+        found, apart, refused = dict[int, Row](), dict[int, str](), dict[int, str]()
+        for which, (values, clear, stuck) in self._inputs.parts(given, self._block, apart):
+            refused.update(dict.fromkeys(which[stuck].tolist(), STUCK))
             clear = clear & np.all(np.isfinite(values), axis=1)
             for k, row in zip(which[clear].tolist(), values[clear], strict=True):
                 found[k] = Row(points[k], OK, "", self._names, array("d", row.tolist()))
-        return Together(found, apart)
+        return Together(found, apart, refused)
 
-    def _block(self, tree: Any, count: int) -> tuple[Values, Flags]:
-        """Values (v, names) of stacked inputs, and which of the variants are clear."""
+    def _block(self, tree: Any, count: int) -> tuple[Values, Flags, Flags]:
+        """Values (v, names) of stacked inputs, which of the variants are clear, and which surely do not assemble."""
         from tmmcalc.linkage.stacked.scene import block_of
         from tmmcalc.linkage.stacked.tables import strokes_of
 
@@ -106,7 +107,7 @@ class Columns:
                 self._kinematics(block, some, values)
             if some.size and "forces" in targets:
                 clear[some] &= self._forces(block, some, values, machine is None)
-        return values, clear
+        return values, clear, block.settled.stuck
 
     def _kinematics(self, block: Block, some: Any, values: Values) -> None:
         from tmmcalc.linkage.columns import columns

@@ -3,8 +3,8 @@
 Nearly all of it are quantities times a unit, so that every number is an affine function of the swept values. Whether it
 is so is seen at the ends of all ranges, at their corners, and at some places between. The checks of a spec ask for one
 number whether it lies in a range, and for two of the same table which is larger, or whether they are equal: a variant
-that answers one of these otherwise than all that were read before is read as a whole, as are all where something is not
-affine.
+of which a table answers these as none did before is read as a whole, as are all where something is not affine. So of
+coordinates that are 0 in the spec, and then on this side or that, every combination is read once.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ Numbers = NDArray[np.complexfloating[Any, Any]]
 Values = NDArray[np.floating[Any]]
 Flags = NDArray[np.bool_]
 Indices = NDArray[np.intp]
+Signs = NDArray[np.int8]
 T = TypeVar("T")
 
 AFFINE = 1e-14  # relative error of a number as an affine function
@@ -48,16 +49,19 @@ FREE = re.compile(
 )
 WANTED = "3."  # wanted paths, whose numbers no check compares
 ONE_NUMBER = "what they read is asked for one number"
+STUCK = "kinematics: the links do not reach throughout a turn of the crank"
 
 
 class Together(NamedTuple, Generic[T]):
     """Of some variants, by their numbers among all asked for, what is solved together.
 
-    Of others why they have to be solved alone, where a reason is known.
+    Of others why they have to be solved alone, where a reason is known; ``refused`` are those that surely have no
+    solution, with a reason that is shorter than what they say when they are solved alone.
     """
 
     found: dict[int, T]
     apart: dict[int, str]
+    refused: dict[int, str]
 
 
 def given(spec: Spec, loaded: bool, driven: bool, traced: bool) -> Any:
@@ -90,13 +94,13 @@ class Inputs:
         self._plain = np.array([isinstance(number, float) for number in numbers(self.tree)])
         self._still = np.array([min(axis.values) == max(axis.values) for axis in task.axes])  # of no known slope
         self._slopes, seen = self._affine()
-        self._scale = np.maximum(np.max(np.abs(seen), axis=0), 1e-300)
+        self._scale = _scale(seen)
         self._differ = np.any(seen != self._base, axis=0)
         places = list(paths(self.tree))
         self._acting = Acting(places)
         compared = np.array([not place.startswith(WANTED) for place in places])
         self._pairs = _pairs(groups(self.tree), self._differ & compared)
-        self._known = {_signs(self._base[None], self._pairs).tobytes()}  # answers of variants that were read
+        self._answers = _Answers(_signs(self._base[None], self._pairs)[0], np.array(groups(self.tree))[self._pairs[0]])
 
     @property
     def fixed(self) -> str | None:
@@ -106,21 +110,22 @@ class Inputs:
 
     def numbers(self, values: Values) -> tuple[Numbers, Flags]:
         """The numbers (v, L) of variants with these values (v, axes), and which have inputs like those of the first."""
-        found = np.tile(self._base, (len(values), 1))
-        if self._slopes is not None:
-            found += (values - self._origin) @ self._slopes
-        answers, strange = _signs(found, self._pairs), np.any((values != self._origin) & self._still, axis=1)
         there = np.ones(len(values), bool)
-        for row in range(len(values)):
-            answer = answers[row].tobytes()
-            if self._slopes is not None and answer in self._known and not strange[row]:
-                continue
-            read = self._read(values[row])
-            there[row] = read is not None and bool(np.all((read == self._base) | self._differ))
-            if read is not None:
-                if there[row] and not strange[row] and np.all(np.abs(read - found[row]) <= AFFINE * self._scale):
-                    self._known.add(answer)
-                found[row] = read
+        if self._slopes is None:
+            found = np.tile(self._base, (len(values), 1))
+            for row in range(len(values)):
+                there[row] = self._take(values[row], found[row])
+        else:
+            found = self._base + (values - self._origin) @ self._slopes
+            signs = _signs(found, self._pairs)
+            still = np.any((values != self._origin) & self._still, axis=1)
+            for row in sorted({*self._answers.others(signs), *np.flatnonzero(still).tolist()}):
+                if still[row] or not self._answers.known(signs[row]):
+                    told = found[row].copy()
+                    there[row] = self._take(values[row], found[row])
+                    if there[row] and not still[row] and np.all(np.abs(found[row] - told) <= AFFINE * self._scale):
+                        self._answers.add(signs[row])
+                        found[row] = told  # the same to the last digit, whichever variant is the first
         same = self._acting(found) == self._acting(self._base[None])
         return found, there & np.all(same, axis=1)
 
@@ -160,6 +165,13 @@ class Inputs:
         columns = (column.real if plain else column for column, plain in zip(found.T, self._plain, strict=True))
         return rebuilt(self.tree, [alike(np.ascontiguousarray(column)) for column in columns])
 
+    def _take(self, values: Values, found: Numbers) -> bool:
+        """Read the numbers (L,) of a variant; whether they are there, and those of the first that may not differ."""
+        read = self._read(values)
+        if read is not None:
+            found[:] = read
+        return read is not None and bool(np.all((read == self._base) | self._differ))
+
     def _read(self, values: Sequence[float] | Values) -> Numbers | None:
         """The numbers (L,) of a variant as its spec gives them; None for one that is none, or has other parts."""
         try:
@@ -190,8 +202,40 @@ class Inputs:
         if len(whole) < len(seen) + len(read):
             return None, known
         expected = self._base + (places - self._origin) @ slopes
-        close = np.abs(np.array(read) - expected) <= AFFINE * np.maximum(np.max(np.abs(known), axis=0), 1e-300)
+        close = np.abs(np.array(read) - expected) <= AFFINE * _scale(known)
         return slopes if close.all() else None, known
+
+
+class _Answers:
+    """What the tables of variants answer that are read as the function tells: those of the ``first`` (q,), and others.
+
+    ``owner`` (q/2,) are the tables of the questions, which both coordinates have.
+    """
+
+    def __init__(self, first: Signs, owner: Indices) -> None:
+        self._first = first
+        every = np.tile(owner, 2)
+        self._tables = [np.flatnonzero(every == table) for table in np.unique(owner)]
+        self._known = [{first[own].tobytes()} for own in self._tables]
+
+    def others(self, signs: Signs) -> list[int]:
+        """The variants, of answers (v, q), that do not answer as the first one."""
+        found: list[int] = np.flatnonzero(np.any(signs != self._first, axis=1)).tolist()
+        return found
+
+    def known(self, signs: Signs) -> bool:
+        """Whether every table has answered so before."""
+        return all(signs[own].tobytes() in known for own, known in zip(self._tables, self._known, strict=True))
+
+    def add(self, signs: Signs) -> None:
+        """Note the answers (q,) of a variant that is read as the function tells."""
+        for own, known in zip(self._tables, self._known, strict=True):
+            known.add(signs[own].tobytes())
+
+
+def _scale(seen: Numbers) -> Values:
+    """How large the numbers (L,) of variants (m, L) are."""
+    return np.asarray(np.maximum(np.max(np.abs(seen), axis=0), 1e-300))
 
 
 def _places(ends: Sequence[tuple[float, float]]) -> NDArray[np.floating[Any]]:
@@ -203,20 +247,20 @@ def _places(ends: Sequence[tuple[float, float]]) -> NDArray[np.floating[Any]]:
     return np.asarray(low + (high - low) * np.concatenate((parts, rng.random((PROBES, len(ends))))))
 
 
-def _pairs(owner: Sequence[int], differ: Flags) -> NDArray[np.intp]:
+def _pairs(owner: Sequence[int], differ: Flags) -> Indices:
     """Numbers of two numbers of one table, (2, m), at least one of which differs; one with itself stands for zero."""
     tables = np.array(owner)
     i, j = np.nonzero((tables[:, None] == tables) & differ[:, None])
     return np.stack((i, j))
 
 
-def _signs(found: Numbers, pairs: NDArray[np.intp]) -> NDArray[np.integer[Any]]:
+def _signs(found: Numbers, pairs: Indices) -> Signs:
     """Which of two numbers (v, L) is larger, or whether they are equal: (v, 2 m) for both coordinates."""
     a, b = found[:, pairs[0]], np.where(pairs[0] == pairs[1], 0.0, found[:, pairs[1]])
     parts = [(a.real, b.real), (a.imag, b.imag)]
     return np.concatenate([_sign(one, other) for one, other in parts], axis=1)
 
 
-def _sign(a: NDArray[np.floating[Any]], b: NDArray[np.floating[Any]]) -> NDArray[np.integer[Any]]:
+def _sign(a: NDArray[np.floating[Any]], b: NDArray[np.floating[Any]]) -> Signs:
     far = np.abs(a - b) > SAME * np.maximum(np.abs(a), np.abs(b))
     return np.where(far, np.sign(a - b), 0.0).astype(np.int8)

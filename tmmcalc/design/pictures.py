@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tmmcalc.batch.table import key_and_unit
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.design.courses import Course
 from tmmcalc.design.sensitivity import Partial, Sensitivity
 from tmmcalc.report.drawing.box import Box

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from tmmcalc.batch.table import key_and_unit
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.design.courses import Course
 from tmmcalc.design.sensitivity import Partial, Sensitivity
 from tmmcalc.report.document import Document, Fact, View
@@ -106,7 +106,7 @@ def _row(each: Partial, unit: str) -> tuple[str, ...]:
     """Key, value, derivative, what one per cent of the key does to the result (of a key that is 0 none), error, way."""
     key, own = key_and_unit(each.key)
     percent = f"{each.relative:+.3g} %" if np.isfinite(each.relative) else ""
-    value = each.slope.side if np.isnan(each.slope.value) else f"{number(each.slope.value)} {_per(unit, own)}"
+    value = each.slope.side if np.isnan(each.slope.value) else f"{number(each.slope.value)} {per(unit, own)}"
     error = f"{each.error:.0e}" if np.isfinite(each.error) else ""
     return key, f"{number(each.value)} {own}".rstrip(), value.rstrip(), percent, error, each.way
 
@@ -114,9 +114,9 @@ def _row(each: Partial, unit: str) -> tuple[str, ...]:
 def _notes(shown: Sequence[Partial], unit: str) -> Iterator[str]:
     """Kinks with both sides, jumps, and where no straight line stands for the result."""
     for each in shown:
-        per = _per(unit, key_and_unit(each.key)[1])
+        below = per(unit, key_and_unit(each.key)[1])
         if each.slope.side == "kink":
-            left, right = (f"{number(side)} {per}".rstrip() for side in (each.slope.left, each.slope.right))
+            left, right = (f"{number(side)} {below}".rstrip() for side in (each.slope.left, each.slope.right))
             yield f"warning: {each.key}: a kink, {left} to smaller values and {right} to larger ones"
         elif each.slope.side == "jump":
             yield f"warning: {each.key}: the result jumps here, so that it has no derivative"
@@ -144,10 +144,10 @@ def _notes(shown: Sequence[Partial], unit: str) -> Iterator[str]:
             )
 
 
-def _per(unit: str, below: str) -> str:
+def per(unit: str, below: str) -> str:
     """Unit of a derivative.
 
-    >>> _per("N", "mm"), _per("", "kg*m^2"), _per("m", "")
+    >>> per("N", "mm"), per("", "kg*m^2"), per("m", "")
     ('N/mm', '1/(kg*m^2)', 'm')
     """
     if not below:

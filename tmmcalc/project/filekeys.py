@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from tmmcalc.core.manifest import Entry
-from tmmcalc.rooms import ROOMS
+from tmmcalc.rooms import TABLES
 from tmmcalc.spec.csvtables import CHOICE
 from tmmcalc.spec.outline import Raw, subtable, tables
 from tmmcalc.spec.phrases import Path
@@ -20,7 +20,7 @@ def names_files(data: Raw) -> bool:
 
 def keys() -> list[tuple[Entry, list[str], str]]:
     """The keys that name files, tables in CSV first: the table of the root, the keys to what holds the key, the key."""
-    split = [(entry, key.split(".")) for room in ROOMS for entry in room.tables for key in entry.files]
+    split = [(entry, key.split(".")) for entry in TABLES.values() for key in entry.files]
     return sorted(((entry, steps[:-1], steps[-1]) for entry, steps in split), key=lambda each: each[2] != TABLE)
 
 

@@ -55,10 +55,10 @@ if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
     from tmmcalc.extras.room import ExtraTables
     from tmmcalc.manipulators.room import ManipulatorTables
-    from tmmcalc.rooms import Shared
+    from tmmcalc.rooms import Asked, Shared
     from tmmcalc.vibration.room import VibrationTables
 
-    class Spec(CamTables, VibrationTables, ManipulatorTables, ExtraTables, Shared, Table):
+    class Spec(CamTables, VibrationTables, ManipulatorTables, ExtraTables, Shared, Asked, Table):
         """The root as type checkers see it."""
 
         project: ProjectTable

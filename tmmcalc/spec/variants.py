@@ -88,6 +88,17 @@ def given(key: str, data: dict[str, Any]) -> tuple[float, str]:
     return _quantity(value_at(data, assignment), assignment)
 
 
+def is_number(value: object) -> bool:
+    """Whether a value of a document is a number, or the text of one with what may be its unit.
+
+    >>> is_number("2 kW"), is_number(True), is_number("steel")
+    (True, False, False)
+    """
+    if isinstance(value, str):
+        return _read(value) is not None
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
 def grid(axes: Sequence[Axis]) -> Iterator[tuple[float, ...]]:
     """Every point of the grid, one value an axis; the last axis runs fastest.
 

@@ -50,7 +50,14 @@ def check_joint(outline: Outline) -> Iterator[Finding]:
         )
 
 
-_WITHOUT_SPEED = {"project", "mechanism", "unsteady", "paths"}  # tables that read no speed of the input
+_WITHOUT_SPEED = {
+    "project",
+    "mechanism",
+    "unsteady",
+    "paths",
+    "optimize",
+    "tolerances",
+}  # tables that read no speed of the input
 _UNHURRIED = {"structure", "paths"}  # stages whose results no speed changes; constraints on others may be on velocities
 
 

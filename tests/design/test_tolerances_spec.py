@@ -1,0 +1,161 @@
+"""The table ``[[tolerances]]`` and ``tmmcalc tolerance``: one message a fault, what it makes, what it prints."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from tmmcalc.batch.reading import frame_of
+from tmmcalc.cli.app import app
+from tmmcalc.core.errors import SpecError, UsageError
+from tmmcalc.design.tolerance.sources import Sources
+from tmmcalc.design.tolerance.task import keys_of, sources_of
+from tmmcalc.project.loader import Variants, parse_spec
+
+SHAPER = (Path(__file__).parents[2] / "configs" / "shaper.toml").read_text(encoding="utf-8")
+CRANK = 'of = "mechanism.links[id=1].points.A[0]"'
+
+
+def sources(tmp_path: Path, *tables: str) -> Sources:
+    file = tmp_path / "s.toml"
+    text = SHAPER + "".join(f"\n[[tolerances]]\n{table}\n" for table in tables)
+    file.write_text(text, encoding="utf-8")
+    variants = Variants(text, str(file), tmp_path, ())
+    spec = variants.spec()
+    frame = frame_of(file, (), keys_of(spec.tolerances, variants.data), ["kinematics.stroke_D"])
+    return sources_of(spec.tolerances, variants.data, frame.axes)
+
+
+@pytest.mark.parametrize(
+    ("tolerance", "low", "high"),
+    [  # of a crank of 200 mm, in mm
+        ('"0.1 mm"', -0.1, 0.1), ("1e-4", -0.1, 0.1), ('["-0.02 mm", "50 um"]', -0.02, 0.05), ('"1 %"', -2.0, 2.0),
+        ('"h7"', -0.046, 0.0), ('"IT7"', -0.023, 0.023), ('"H8"', 0.0, 0.072), ('"ISO 2768-m"', -0.5, 0.5),
+        ('"c"', -1.2, 1.2),
+    ],
+)  # fmt: skip
+def test_tolerances_are_read_in_the_unit_of_the_key(tmp_path: Path, tolerance: str, low: float, high: float) -> None:
+    (found,) = sources(tmp_path, f"{CRANK}\ntolerance = {tolerance}").dimensions
+    assert (found.low, found.high) == pytest.approx((low, high), abs=1e-9)
+
+
+def test_wildcards_groups_measured_and_clearances(tmp_path: Path) -> None:
+    found = sources(
+        tmp_path,
+        'of = "mechanism.links[*].points.*"\ntolerance = "js9"\nalike = "all"\ncorrelation = 0.5',
+        'of = "mechanism.fixed.O[1]"\nmeasured = ["-0.01 mm", "0.02 mm"]',
+        'joint = "C"\nclearance = "0.04 mm"',
+        'joint = "D0"\nclearance = "0.1 mm"',
+        'of = "mechanism.joints[name=D0].guide.angle"\ntolerance = "m"\nside = "400 mm"',
+    )
+    named = [each.name for each in found.dimensions]
+    assert named[:3] == [
+        f"mechanism.links[id={link}].points.{point}[0]" for link, point in ((1, "A"), (3, "C"), (4, "D"))
+    ]
+    assert found.names == (
+        "all", "mechanism.fixed.O[1]", "mechanism.joints[name=D0].guide.angle", "clearance of C", "clearance of D0",
+    )  # fmt: skip
+    assert found.dimensions[3].measured == (-0.01, 0.02)
+    assert found.dimensions[4].high == pytest.approx(1 / 6)  # 10 minutes, in degrees
+    pin, guide = found.clearances
+    assert pin.largest == pytest.approx(2e-5)
+    assert pin.scale == (1000.0, 1.0)
+    assert guide.sides
+    assert guide.along == pytest.approx((0.0, 1.0))
+
+
+@pytest.mark.parametrize(
+    ("table", "said"),
+    [
+        (CRANK, "missing key: tolerance"),
+        ('tolerance = "h7"', "missing key: of"),
+        (f'{CRANK}\ntolerance = "7"', "is no tolerance"),
+        (f'{CRANK}\ntolerance = "-0.1 mm"', "above 0"),
+        (f'{CRANK}\ntolerance = ["0.1 mm", "-0.1 mm"]', "exchange"),
+        (f'{CRANK}\ntolerance = ["0.1 mm"]', "two deviations"),
+        (f'{CRANK}\ntolerance = "0 %"', "out of range"),
+        (f'{CRANK}\ntolerance = "h7"\ndistribution = "normall"', "did you mean"),
+        (f'{CRANK}\ndistribution = "measured"', "missing key: measured"),
+        (f'{CRANK}\ntolerance = "h7"\nmeasured = [1e-5]', "measured"),
+        (f'{CRANK}\ntolerance = "h7"\ncorrelation = 0.5', "alike"),
+        (f'{CRANK}\ntolerance = "h7"\nside = "80 mm"', "side"),
+        (f'{CRANK}\ntolerance = "h7"\njoint = "A"', "together with of"),
+        ('of = "mechanism.links[id=1].points.Z[0]"\ntolerance = "h7"', "Z"),
+        ('of = "mechanism.nothing.*"\ntolerance = "h7"', "no number of the spec"),
+        ('joint = "Z"\nclearance = "0.1 mm"', "no joint"),
+        ('joint = "A"', "missing key: clearance"),
+        ('joint = "A"\nclearance = "0.1 mm"\nlink = 4', "no joint of link 4"),
+        ('joint = "A3"\nclearance = "0.1 mm"', "named point"),
+    ],
+)
+def test_a_fault_is_one_message(table: str, said: str) -> None:
+    with pytest.raises(SpecError) as error:
+        parse_spec(f"{SHAPER}\n[[tolerances]]\n{table}\n")
+    (fault,) = error.value.faults
+    assert said in f"{fault}"
+
+
+@pytest.mark.parametrize(
+    ("tables", "said"),
+    [
+        ((f'{CRANK}\ntolerance = "1 deg"',), "is no tolerance of it"),
+        ((f'{CRANK}\ntolerance = "h19"',), "no grade"),
+        (('of = "mechanism.links[id=3].mass"\ntolerance = "h7"',), "is a tolerance of lengths"),
+        ((f'{CRANK}\ntolerance = "h7"', f'{CRANK}\ntolerance = "h8"'), "two tolerances"),
+        (('of = "mechanism.joints[name=D0].guide.angle"\ntolerance = "m"',), "shorter side"),
+    ],
+)
+def test_what_does_not_fit_its_size_is_told(tmp_path: Path, tables: tuple[str, ...], said: str) -> None:
+    with pytest.raises(UsageError, match=said):
+        sources(tmp_path, *tables)
+
+
+def test_the_command_tells_all_and_goes_on_where_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    text = f"""{SHAPER}
+[[tolerances]]
+{CRANK}
+tolerance = "js9"
+
+[[tolerances]]
+of = "mechanism.fixed.O[1]"
+tolerance = "0.05 mm"
+distribution = "uniform"
+
+[[constraints]]
+name = "stroke"
+value = "kinematics.stroke_D"
+at_least = "657.9 mm"
+"""
+    Path("s.toml").write_text(text, encoding="utf-8")
+    words = [
+        "tolerance",
+        "s.toml",
+        "--samples",
+        "64",
+        "--band",
+        "kinematics.x_D",
+        "-o",
+        "t.csv",
+        "--format",
+        "json",
+        "-q",
+    ]
+    first = CliRunner().invoke(app, [*words, "--picture", "t.svg"])
+    assert first.exit_code == 0, first.output
+    told = json.loads(first.stdout)
+    stroke = told["kinematics.stroke_D[m]"]
+    assert stroke["worst"]["how"] == "signs"
+    assert stroke["worst"]["least"] == pytest.approx(stroke["linear"]["least"], abs=1e-7)
+    assert stroke["statistics"]["sigma"]["value"] == pytest.approx(stroke["linear"]["sigma"], rel=0.05)
+    assert sum(stroke["linear"]["shares"].values()) == pytest.approx(1.0)
+    assert 0.5 < told["yield"]["low"] <= told["yield"]["value"] <= told["yield"]["high"] < 1.0
+    assert Path("t.svg").stat().st_size > 10_000
+    before = Path("t.csv").stat().st_mtime_ns
+    assert CliRunner().invoke(app, words).stdout == first.stdout
+    assert Path("t.csv").stat().st_mtime_ns == before  # nothing was solved again
+    none = CliRunner().invoke(app, ["tolerance", "s.toml", "--of", "kinematics.strok_D"])
+    assert isinstance(none.exception, UsageError)

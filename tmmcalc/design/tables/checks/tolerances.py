@@ -1,0 +1,135 @@
+"""Checks of ``[[tolerances]]``: keys that hold numbers, one way to say how they vary, joints that there are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tmmcalc.core.errors import UsageError
+from tmmcalc.design.tables.general import class_of
+from tmmcalc.naming.keys import chosen
+from tmmcalc.spec.findings import Finding
+from tmmcalc.spec.outline import Outline, Raw, subtable, tables
+from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
+from tmmcalc.spec.units import dimension_of
+
+OF_FILES = ("column", "measured_as")
+OF_DIMENSIONS = ("tolerance", "side", "measured", "measurements", *OF_FILES, "alike", "correlation")
+OF_JOINTS = ("clearance", "direction", "link")
+MEASURED = ("measured", "measurements")  # deviations, and the file of pieces
+
+
+def check_tolerances(outline: Outline) -> Iterator[Finding]:
+    """Each is that of dimensions, or of a joint, and complete."""
+    for index, table in tables(outline.document, "tolerances"):
+        path: Path = ("tolerances", index)
+        if "joint" in table and "of" not in table:
+            yield from _check_joint(path, table, outline)
+        elif "of" not in table:
+            yield Finding(path, "missing key: of, the dimensions, or joint", 'add of = "...", or joint = "A"')
+        else:
+            yield from _check_dimensions(path, table, outline)
+
+
+def _check_dimensions(path: Path, table: Raw, outline: Outline) -> Iterator[Finding]:
+    for key in ("joint", *OF_JOINTS):
+        if key in table:
+            rule = f"{key} together with of: a joint has a table of its own"
+            yield Finding((*path, key), rule, "write two [[tolerances]]")
+            return
+    keys = table["of"] if isinstance(table["of"], list) else [table["of"]]
+    for key in keys:
+        if isinstance(key, str) and key.strip() and "=" not in key.rpartition("]")[2]:
+            try:
+                chosen(outline.document, [key.strip()])
+            except UsageError as error:
+                yield Finding((*path, "of"), error.message, error.remedy)
+    yield from _check_width(path, table)
+    if table.get("correlation") is not None and not table.get("alike"):
+        rule = "correlation without alike: it is that of a group"
+        yield Finding((*path, "correlation"), rule, 'add alike = "bores", or remove it')
+
+
+def _check_width(path: Path, table: Raw) -> Iterator[Finding]:
+    """A tolerance, or deviations that were measured."""
+    asked = table.get("distribution") == "measured"
+    given = [key for key in MEASURED if key in table]
+    if given and "tolerance" in table:
+        rule = f"tolerance together with {given[0]}: what was measured says all"
+        yield Finding((*path, "tolerance"), rule, "remove one of them")
+    elif len(given) > 1:
+        yield Finding((*path, given[1]), "measured together with measurements", "remove one of them")
+    elif given and "distribution" in table and not asked:
+        rule = f"{given[0]} with distribution = {show(table['distribution'])}"
+        yield Finding((*path, "distribution"), rule, 'write "measured", or remove it')
+    elif asked and not given:
+        rule = "missing key: measured, the deviations of this distribution, or measurements"
+        yield Finding(path, rule, 'add measured = ["-0.01 mm", "0.02 mm"], or measurements = "pieces.csv"')
+    elif not given and "tolerance" not in table:
+        yield Finding(path, "missing key: tolerance of these dimensions", 'add tolerance = "0.1 mm", "h7" or "m"')
+    for key in OF_FILES:
+        if key in table and "measurements" not in table:
+            yield Finding((*path, key), f"{key} without measurements: of which file", 'add measurements = "pieces.csv"')
+    width = table.get("tolerance")
+    if isinstance(width, list) and len(width) == 2:
+        yield from _check_ends(path, width)
+    if "side" in table and not (isinstance(width, str) and class_of(width)):
+        rule = "side is that of an angle with a class of ISO 2768"
+        yield Finding((*path, "side"), rule, 'write tolerance = "m", or remove it')
+
+
+def _check_ends(path: Path, width: list[object]) -> Iterator[Finding]:
+    """The lower deviation comes first."""
+    from tmmcalc.spec.units import UnitError, parse
+
+    kinds = {dimension_of(each) for each in width if isinstance(each, str)} - {None}
+    try:
+        low, high = (parse(each, *(kind for kind in kinds if kind)) if kinds else float(str(each)) for each in width)
+    except (UnitError, ValueError):
+        return
+    if low >= high:
+        yield Finding(
+            (*path, "tolerance"), f"{show(width)}: the first deviation is not below the second", "exchange them"
+        )
+
+
+def _check_joint(path: Path, table: Raw, outline: Outline) -> Iterator[Finding]:
+    for key in OF_DIMENSIONS:
+        if key in table:
+            rule = f"{key} together with joint: a joint has a clearance"
+            yield Finding((*path, key), rule, 'write clearance = "0.05 mm", and the dimensions in a table of their own')
+            return
+    if "clearance" not in table:
+        yield Finding(path, "missing key: clearance of the joint", 'add clearance = "0.05 mm"')
+    if table.get("distribution") == "measured":
+        rule = "a clearance with a measured distribution"
+        yield Finding((*path, "distribution"), rule, 'write "normal", "uniform" or "triangular"')
+    joints = {each.get("name"): each for _, each in tables(subtable(outline.document, "mechanism"), "joints")}
+    name = table["joint"]
+    known = [each for each in joints if isinstance(each, str)]
+    if isinstance(name, str) and name not in joints:
+        guess = did_you_mean(name, known)
+        remedy = f"{guess} the joints are: {listing(known)}".strip() if known else "remove it: there is no [mechanism]"
+        yield Finding((*path, "joint"), f"there is no joint {show(name)}", remedy)
+    elif isinstance(name, str):
+        yield from _check_place(path, table, joints[name])
+
+
+def _check_place(path: Path, table: Raw, joint: Raw) -> Iterator[Finding]:
+    """The pin is on the link that is named; a guide that moves is given by coordinates of its own."""
+    links = joint.get("links")
+    if joint.get("kind") == "prismatic":
+        if table.get("direction", "any") not in ("any", "force"):
+            rule = f"direction = {show(table['direction'])} of a slider: it leans on one side of its guide or the other"
+            yield Finding((*path, "direction"), rule, 'write "any" or "force"')
+        if "link" in table:
+            rule = "link of a slider: its guide is moved across, whatever the link"
+            yield Finding((*path, "link"), rule, "remove it")
+        elif not isinstance(subtable(joint, "guide").get("through"), list):
+            rule = f"the guide of {show(joint.get('name'))} goes through a named point, which other joints may have"
+            yield Finding((*path, "joint"), rule, "write guide.through of the joint as coordinates [x, y]")
+    elif "link" in table and isinstance(links, list) and table["link"] not in links:
+        rule = f"{show(joint.get('name'))} is no joint of link {show(table['link'])}"
+        yield Finding((*path, "link"), rule, f"its links are: {listing(links)}")
+
+
+CHECKS = (check_tolerances,)

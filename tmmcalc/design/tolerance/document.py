@@ -1,0 +1,254 @@
+"""The document of a study of tolerances: yield, what did not assemble, every result, the shares of all that varies."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from tmmcalc.core.headers import key_and_unit
+from tmmcalc.design.tolerance.balance import Balance
+from tmmcalc.design.tolerance.sampling import QUANTILES, Estimate, Statistics
+from tmmcalc.design.tolerance.sources import Clearance
+from tmmcalc.design.tolerance.study import Tolerated
+from tmmcalc.design.tolerance.worst import Worst
+from tmmcalc.design.tolerance.yields import MOST
+from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.numbers import number
+
+RULES = {
+    "cost": "least cost, if that of each is as the reciprocal of its tolerance",
+    "share": "equal shares in the variance",
+}
+SHOWN = 5  # reasons, and parts that are told in words
+OFF = 0.1  # of sigma: by more the linear model is said to be off
+NO_SHARE = 5e-4  # of the variance: less is shown as 0
+HEADERS = (
+    "result", "nominal", "worst least", "worst largest", "mean", "sigma", "linear sigma", "0.135 %", "99.865 %",
+)  # fmt: skip
+
+
+def tolerance_document(result: Tolerated, title: str) -> Document:
+    """Yield, refusals, a row a result, then the shares; a result of many columns has its part."""
+    notes = (*_notes(result), *_assumptions(result))
+    facts = (_samples(result), *_refusals(result), *_yield(result), *_widths(result))
+    shown = range(len(result.worst))
+    rows = [_row(result, at) for at in shown]
+    table = View(HEADERS, [list(column) for column in zip(*rows, strict=True)])
+    values = {result.names[at]: _values(result, at) for at in shown}
+    told = Fact("results", f"{len(rows)}, with {len(result.sources.names)} parts that vary", values)
+    parts = [_shares(result)]
+    if result.balance is not None:
+        parts.append(_balance(result.balance, result.sources.names))
+    return Document(title, (*facts, told), notes, table, parts=tuple(parts))
+
+
+def _samples(result: Tolerated) -> Fact:
+    lost = sum(each.count for each in result.refusals)
+    text = f"{result.samples}, seed {result.seed}, {lost or 'none'} of them without a result"
+    return Fact("samples", text, {"samples": result.samples, "seed": result.seed, "without_result": lost})
+
+
+def _refusals(result: Tolerated) -> Iterator[Fact]:
+    for at, each in enumerate(result.refusals[:SHOWN], 1):
+        values = {"reason": each.reason, "samples": each.count, "sample": each.sample}
+        yield Fact(f"without a result: {each.count}", f"sample {each.sample}: {each.reason}", {f"refusal_{at}": values})
+    if len(result.refusals) > SHOWN:
+        yield Fact("other reasons", f"{len(result.refusals) - SHOWN} more kinds", {})
+
+
+def _yield(result: Tolerated) -> Iterator[Fact]:
+    if result.good is None:
+        yield Fact("yield", "not known: the spec has no [[constraints]]", {})
+        return
+    good = result.good
+    text = f"{_percent(good.value)} ({_percent(good.low)} to {_percent(good.high)} at 95 %)"
+    yield Fact("yield", text, {"yield": _plain(good)})
+    for name, count in result.failing.items():
+        text = f"{count} samples beyond its limits, {_percent(count / result.samples)}"
+        yield Fact(f"{name} fails", text, {f"failing_{name}": count})
+
+
+def _widths(result: Tolerated) -> Iterator[Fact]:
+    """Which tolerance is to be narrowed first, and which may be widened."""
+    found = result.widenings
+    if found is None:
+        return
+    values: dict[str, Any] = {
+        "linear_yield": found.linear_yield,
+        "loss": found.loss,
+        "parts": [{"name": each.name, "widening": each.factor, "gain_at_half": each.gain} for each in found.parts],
+    }
+    yield Fact("yield of the linear model", _percent(found.linear_yield), values)
+    useful = [each for each in found.parts if each.gain > 0][:SHOWN]
+    if useful:
+        text = "; ".join(f"{each.name}: half of it gains {_percent(each.gain)}" for each in useful)
+        yield Fact("to narrow first", text, {})
+    wide = sorted((each for each in found.parts if each.factor > 1.0), key=lambda each: -each.factor)[:SHOWN]
+    if wide:
+        text = "; ".join(f"{each.name} {_times(each.factor)}" for each in wide)
+        yield Fact(f"may be widened, each alone, at {_percent(found.loss)} of yield", text, {})
+    if len(found.together) > 1:
+        text = f"{', '.join(found.together)} {_times(found.common)}"
+        told = {"together": list(found.together), "together_widening": found.common}
+        yield Fact("may be widened together", text, told)
+
+
+def _balance(found: Balance, names: tuple[str, ...]) -> Document:
+    """All tolerances at once, at equal yield: factors of their widths, the widest first."""
+    factors = dict(sorted(zip(names, found.factors.tolist(), strict=True), key=lambda each: -each[1]))
+    good, before = found.after, found.before
+    ends = f"{_percent(good.low)} to {_percent(good.high)} at 95 %"
+    facts = (
+        Fact("rule", RULES[found.law], {"rule": found.law, "factors": factors}),
+        Fact(
+            "yield",
+            f"{_percent(good.value)} ({ends}), {_percent(before.value)} before, by {found.samples} samples",
+            {"yield": _plain(good), "yield_before": _plain(before), "samples": found.samples},
+        ),
+        Fact("cost", f"{_percent(found.cost)} of before", {"cost": found.cost}),
+    )
+    columns: list[list[Any]] = [[*factors], [number(factor, 3) for factor in factors.values()]]
+    return Document("balanced at equal yield", facts, (), View(["varies", "times as wide"], columns), name="balance")
+
+
+def _times(factor: float) -> str:
+    return f"{MOST:g} times and more" if factor >= MOST else f"{factor:.3g} times"
+
+
+def _row(result: Tolerated, at: int) -> tuple[Any, ...]:
+    worst, told = result.worst[at], result.statistics[at]
+    line = result.linear
+    blank = ("", "", "", "")
+    quantiles = () if told is None else (told.quantiles[0].value, told.quantiles[-1].value)
+    own = blank if told is None else map(number, (told.mean.value, told.sigma.value, *quantiles))
+    mean, sigma, low, high = own
+    ends = ("", "") if worst.how == "none" else map(number, (worst.least, worst.largest))
+    straight = number(line.sigma[at]) if np.isfinite(line.sigma[at]) else ""
+    return result.names[at], number(result.nominal[at]), *ends, mean, sigma, straight, low, high
+
+
+def _values(result: Tolerated, at: int) -> dict[str, Any]:
+    line, worst = result.linear, result.worst[at]
+    told: dict[str, Any] = {"nominal": float(result.nominal[at]), "worst": _worst(worst, result.keys)}
+    if np.isfinite(line.sigma[at]):
+        told["linear"] = {
+            "mean": float(line.mean[at]),
+            "sigma": float(line.sigma[at]),
+            "least": float(line.least[at]),
+            "largest": float(line.largest[at]),
+            "shares": dict(zip(result.sources.names, line.shares[at].tolist(), strict=True)),
+        }
+    if result.statistics[at] is not None:
+        told["statistics"] = _moments(result.statistics[at])
+    return told
+
+
+def _worst(worst: Worst, keys: tuple[str, ...]) -> dict[str, Any]:
+    found: dict[str, Any] = {"how": worst.how, "evaluations": worst.evaluations, "turned": list(worst.turned)}
+    if worst.how != "none":
+        found |= {"least": worst.least, "largest": worst.largest}
+        found["at_least"] = dict(zip(keys, worst.at_least.tolist(), strict=True))
+        found["at_largest"] = dict(zip(keys, worst.at_largest.tolist(), strict=True))
+    return found
+
+
+def _moments(told: Statistics | None) -> dict[str, Any]:
+    assert told is not None
+    quantiles = {f"quantile_{q:g}": _plain(each) for q, each in zip(QUANTILES, told.quantiles, strict=True)}
+    return {
+        "samples": told.count,
+        "mean": _plain(told.mean),
+        "sigma": _plain(told.sigma),
+        "skewness": _plain(told.skewness),
+        **quantiles,
+        "least": told.least,
+        "largest": told.largest,
+    }
+
+
+def _plain(found: Estimate) -> dict[str, float]:
+    return {"value": found.value, "low": found.low, "high": found.high}
+
+
+def _notes(result: Tolerated) -> Iterator[str]:
+    """How each worst case was found, results of one kind together."""
+    kinds: dict[tuple[str, tuple[str, ...]], list[str]] = {}
+    for name, worst in zip(result.names, result.worst, strict=False):
+        kinds.setdefault((worst.how, worst.turned), []).append(name)
+    for (how, turned), names in kinds.items():
+        some = result.worst[result.names.index(names[0])]
+        of = ", ".join(names)
+        why = f"the influence of {', '.join(turned)} changes its sign" if turned else "a corner is not the extreme"
+        if how == "signs":
+            yield f"worst case of {of}: by signs of the derivatives, which hold where they were tried in the whole box"
+        elif how == "search":
+            if some.lost:
+                lost = f"{some.lost} places of the box have no result"
+                why = f"{why}, and {lost}" if turned else lost
+            yield f"warning: worst case of {of}: {why}; the box was searched for it, {some.evaluations} evaluations in all"
+        else:
+            yield f"warning: worst case of {of}: no place of the box was found to have a result"
+    yield from _bends(result)
+    if any(each is None for each in result.statistics):
+        names = [name for name, each in zip(result.names, result.statistics, strict=True) if each is None]
+        yield f"warning: too few samples have {', '.join(names)} for statistics"
+
+
+def _bends(result: Tolerated) -> Iterator[str]:
+    """Where the linear model does not stand for a result, by its derivatives and by the samples."""
+    for each in result.bends:
+        key = key_and_unit(each.key)[0]
+        if each.slope.side == "kink":
+            yield f"note: {each.name} has a kink along {key}: the linear model takes the middle of both sides"
+        elif each.slope.side == "jump":
+            yield f"warning: {each.name} jumps along {key}: there is no linear model of it"
+        else:
+            yield f"warning: {each.name} has no clear derivative along {key}: the linear model of it is in doubt"
+    for name, told, mean, sigma in zip(
+        result.names, result.statistics, result.linear.mean, result.linear.sigma, strict=False
+    ):
+        if told is None or not np.isfinite(sigma):
+            continue
+        shift, ratio = abs(told.mean.value - mean), told.sigma.value / sigma if sigma > 0 else 1.0
+        if shift > OFF * told.sigma.value or abs(ratio - 1) > OFF:
+            text = f"its mean is {number(shift, 3)} off, sigma of the samples {number(ratio, 3)} of it"
+            yield f"warning: the linear model is no good for {name}: {text}"
+
+
+def _assumptions(result: Tolerated) -> Iterator[str]:
+    pairs = result.sources.clearances
+    if pairs:
+        yield "clearances are massless links of half of the clearance: contact is never lost"
+    if any(pair.pin for pair in pairs):
+        yield "pins rest in any direction, one as likely as another; of the worst case in the worst one"
+    if any(pair.sides for pair in pairs):
+        yield "sliders lean on one or the other side of their guides, each as often; of the worst case on the worse one"
+    told = [f"{pair.name.removeprefix('clearance of ')} ({_direction(pair)})" for pair in pairs if not pair.drawn]
+    if told:
+        yield f"pins rest where it is told, at all positions, angles in the axes of their links: {', '.join(told)}"
+
+
+def _direction(pair: Clearance) -> str:
+    assert pair.along is not None
+    return f"{number(math.degrees(math.atan2(pair.along[1], pair.along[0])), 5)} deg"
+
+
+def _shares(result: Tolerated) -> Document:
+    """Per cent of the variance by the linear model, a row a part, a column a result; the most important first."""
+    shares = result.linear.shares[: len(result.worst)]
+    order = np.argsort(-shares.max(axis=0), kind="stable")
+    headers = ["varies", *(f"{key_and_unit(name)[0]}[%]" for name in result.names[: len(shares)])]
+    columns: list[list[Any]] = [[result.sources.names[k] for k in order]]
+    columns += [[_share(float(row[k])) for k in order] for row in shares]
+    return Document("shares of the variance", (), (), View(headers, columns))
+
+
+def _share(part: float) -> float:
+    return round(100 * part, 2) if part >= NO_SHARE / 10 else 0.0
+
+
+def _percent(part: float) -> str:
+    return f"{number(100 * part, 5)} %"
