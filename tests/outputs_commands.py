@@ -14,6 +14,7 @@ COMMANDS = {  # by stage: the command that prints it
     "dyad": "dyad",
     "structure": "structure",
     "kinematics": "kinematics",
+    "paths": "paths",
     "forces": "forces",
     "reduction": "reduce",
     "train": "gears synth",

@@ -32,6 +32,7 @@ from tmmcalc.api.linkages import list_assemblies as list_assemblies
 from tmmcalc.api.linkages import solve_forces as solve_forces
 from tmmcalc.api.linkages import solve_kinematics as solve_kinematics
 from tmmcalc.api.linkages import solve_manipulator as solve_manipulator
+from tmmcalc.api.linkages import solve_paths as solve_paths
 from tmmcalc.api.linkages import solve_reduction as solve_reduction
 from tmmcalc.api.linkages import solve_structure as solve_structure
 from tmmcalc.api.linkages import solve_synthesis as solve_synthesis
@@ -130,6 +131,7 @@ from tmmcalc.linkage.model import Joint as Joint
 from tmmcalc.linkage.model import Link as Link
 from tmmcalc.linkage.model import Mechanism as Mechanism
 from tmmcalc.linkage.model import Output as Output
+from tmmcalc.linkage.paths.results import Paths as Paths
 from tmmcalc.linkage.plan import position_plan as position_plan
 from tmmcalc.linkage.results import Kinematics as Kinematics
 from tmmcalc.linkage.results import Method as Method

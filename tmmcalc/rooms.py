@@ -17,6 +17,7 @@ from tmmcalc.manipulators.room import ROOM as MANIPULATORS
 from tmmcalc.vibration.room import ROOM as VIBRATION
 
 if TYPE_CHECKING:
+    from tmmcalc.design.tables.optimize import OptimizeTable
     from tmmcalc.design.tables.tolerances import ToleranceTable
     from tmmcalc.report.tables.note import NoteTable
     from tmmcalc.report.tables.sheets import SheetsTable
@@ -39,6 +40,7 @@ class Asked:
     tolerances: list[ToleranceTable] = table(
         "How far dimensions may be from what the spec says, and the play of pairs.", files=("measurements",)
     )
+    optimize: OptimizeTable | None = table("What is sought, and what may be changed for it.")
 
 
 TABLES |= merged(

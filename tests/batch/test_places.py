@@ -101,3 +101,11 @@ def test_coordinates_on_both_sides_of_nothing_are_solved_together(monkeypatch: p
 
 def values_of(rows: list[Row]) -> NDArray[np.floating]:
     return np.array([list(row.values) for row in rows])
+
+
+def test_places_about_one_point_alone_are_solved_as_they_are() -> None:
+    """What is prepared by the point of the spec alone knows no slopes: nothing of it may be taken for another place."""
+    point = replace(frame_of(SHAPER, (), [CRANK, RAM], NAMES), solver=SOLVER)
+    (row,) = solve_places(point, [Place(0, (210.0, 180.0))])
+    (alone,) = solve_points(point.at([(210.0, 180.0)]), range(1))
+    assert list(row.values) == pytest.approx(list(alone.values), rel=1e-10)

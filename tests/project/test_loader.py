@@ -149,7 +149,18 @@ SINGLE = (
     "train",
 )
 LATE = (*LISTS, *SINGLE)
-LATER = ("gearing", "pair", "cam", "indexing", "vibrator", "pendulum", "unsteady", "manipulator", "linksynthesis")
+LATER = (
+    "gearing",
+    "pair",
+    "cam",
+    "indexing",
+    "vibrator",
+    "pendulum",
+    "unsteady",
+    "paths",
+    "manipulator",
+    "linksynthesis",
+)
 
 
 @cache
@@ -219,6 +230,7 @@ def test_late_tables_are_those_of_the_root() -> None:
         "vibrator",
         "pendulum",
         "unsteady",
+        "paths",
         "dyad",
         "manipulator",
         "contact",
@@ -234,6 +246,7 @@ def test_late_tables_are_those_of_the_root() -> None:
         "sheets",
         "note",
         "tolerances",
+        "optimize",
     }
     assert {*Spec.model_fields} - root == {*LATE} | further
     assert root < {*Spec.model_fields}

@@ -13,8 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from properties import examples
 
-from tmmcalc.batch.table import key_and_unit
 from tmmcalc.core.errors import SpecError, TmmError
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.gears.strength.material import parse_hardness
 from tmmcalc.project import parse_spec
 from tmmcalc.spec.choices import Exact

@@ -18,6 +18,7 @@ HELD = {
     "synthesis": "linkage/synthesis/test_errors.py",
     "dyad": "linkage/test_dyad.py",
     "kinematics": "linkage/test_errors.py linkage/loops/test_estimate.py",
+    "paths": "linkage/test_paths.py",
     "forces": "linkage/forces/test_estimate.py",
     "reduction": "machine/reduction/test_estimate.py",
     "train": "gears/test_rounding.py",

@@ -93,6 +93,16 @@ def test_position_0_may_be_anywhere(name: str) -> None:
         assert met.error < 1e-13
 
 
+@pytest.mark.parametrize("ladder", ["positions", "start", "direction", "scale"])
+def test_wanted_paths_stay_as_far(monkeypatch: pytest.MonkeyPatch, ladder: str) -> None:
+    monkeypatch.setattr(numbering, "POSITIONS", (12, 36))
+    moved = 'paths=[{point="P", through=[[0.02, 0.02], [0.02, 0.03], [0.04, 0.01]], turn=0.1, shift=[0.001, 0.002]}]'
+    track = climbed("wanted-path", ladder, 'mechanism.input.speed="10 rad/s"', moved).track("paths")
+    errors = [met.error for _, met in track if met.error is not None]
+    assert len(errors) > (ladder == "positions")
+    assert max(errors) < 1e-13
+
+
 def test_scale_from_micrometres_to_kilometres() -> None:
     ladder = climbed("press", "scale", stage="forces")
     assert {rung.size for rung in ladder.rungs} >= {1e-6, 1e-3, 1.0, 1e3}
@@ -133,6 +143,10 @@ def test_what_a_scene_has_not_is_left_out_with_the_reason() -> None:
         solve_stress(variants("rotor"), ["dead-point"])
     with pytest.raises(UsageError, match="no ladder is called"):
         solve_stress(variants("rotor"), ["nothing"])
+    with pytest.raises(UsageError, match="a crank without a speed"):
+        solve_stress(variants("wanted-path"), ["direction"])
+    with pytest.raises(UsageError, match="are counted from position 0"):
+        solve_stress(variants("wanted-path", "paths[0].at=[0, 1, 2, 3, 4, 5]"), ["start"])
 
 
 def failing(kind: Callable[[], Exception]) -> Callable[..., Any]:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.forces.results import Forces
     from tmmcalc.linkage.listing import Listing
     from tmmcalc.linkage.loading import Loading
+    from tmmcalc.linkage.paths.results import Paths
     from tmmcalc.linkage.synthesis.results import Synthesis as LinkSynthesis
     from tmmcalc.linkage.synthesis.task import SynthesisTask
     from tmmcalc.linkage.unsteady.results import Unsteady
@@ -72,6 +73,14 @@ def solve_reduction(scene: Spec | Mechanism, loading: Loading | None = None) -> 
 
     mechanism, given = _loaded(scene, loading)
     return _reduction(mechanism, given, _kinematics(mechanism))
+
+
+def solve_paths(spec: Spec) -> Paths:
+    """How far the paths of points are from the wanted ones of a spec.
+
+    Raises what `solve_kinematics` does, and `UsageError` for a prescribed position outside of the analysed range.
+    """
+    return solved(spec, "paths")
 
 
 def solve_unsteady(spec: Spec) -> Unsteady:

@@ -72,6 +72,9 @@ def cluster(scheduler: str, jobs: int | None, tell: Callable[[str], None]) -> So
     return partial(solve_on, scheduler, tell=tell)
 
 
-def local(jobs: int, tell: Callable[[str], None]) -> Solve:
-    """So many processes, this one alone if it is one; raises UsageError where joblib is not installed."""
-    return solve_here if jobs == 1 else partial(solve_by, processes(jobs), tell=tell)
+def local(jobs: int, tell: Callable[[str], None], kept: bool = False) -> Solve:
+    """So many processes, this one alone if it is one; raises UsageError where joblib is not installed.
+
+    ``kept``: they stay for the next question.
+    """
+    return solve_here if jobs == 1 else partial(solve_by, processes(jobs, kept), tell=tell)

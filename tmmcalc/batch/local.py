@@ -14,9 +14,14 @@ from importlib import import_module
 from tmmcalc.batch.executors import Workers
 from tmmcalc.core.errors import UsageError
 
+KEPT = 300.0  # seconds that processes wait for more
 
-def processes(jobs: int) -> Workers:
-    """``jobs`` processes; raises UsageError if joblib is not installed."""
+
+def processes(jobs: int, kept: bool = False) -> Workers:
+    """``jobs`` processes; raises UsageError if joblib is not installed.
+
+    ``kept``: they stay when what was asked is done, for who asks again and again, until this process ends.
+    """
     try:
         import_module("joblib")
     except ImportError:
@@ -27,7 +32,7 @@ def processes(jobs: int) -> Workers:
             where="--jobs",
             remedy=f"{install('parallel')}, or leave --jobs out",
         ) from None
-    return Workers(lambda: _pool(jobs), lambda: jobs, (BrokenExecutor,))
+    return Workers(lambda: _pool(jobs, kept), lambda: jobs, (BrokenExecutor,))
 
 
 def available() -> bool:
@@ -43,15 +48,19 @@ def cores() -> int:
 
 
 @contextmanager
-def _pool(jobs: int) -> Iterator[Executor]:
+def _pool(jobs: int, kept: bool) -> Iterator[Executor]:
     from joblib.externals.loky import get_reusable_executor
 
     # each process has one thread for linear algebra, leaves interrupts to its parent, and does not outlive it
-    pool = get_reusable_executor(jobs, env={"OPENBLAS_NUM_THREADS": "1"}, initializer=_follow, initargs=(os.getpid(),))
+    own = {"env": {"OPENBLAS_NUM_THREADS": "1"}, "initializer": _follow, "initargs": (os.getpid(),)}
+    pool = get_reusable_executor(jobs, timeout=KEPT if kept else 10, **own)
+    done = False
     try:
         yield pool
+        done = True
     finally:
-        pool.shutdown(wait=True, kill_workers=True)
+        if not (done and kept):
+            pool.shutdown(wait=True, kill_workers=True)
 
 
 def _follow(parent: int) -> None:

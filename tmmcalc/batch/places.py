@@ -16,7 +16,7 @@ import numpy as np
 from tmmcalc.batch.points import solve_points as solve_alone
 from tmmcalc.batch.preparing import prepared
 from tmmcalc.batch.stacked import UNLIKE
-from tmmcalc.batch.task import Row, Task
+from tmmcalc.batch.task import UNSOLVED, Row, Task
 
 SOLVER = "tmmcalc.batch.places:solve_places"
 
@@ -41,6 +41,8 @@ def solve_places(task: Task, places: Sequence[Place]) -> list[Row]:
             rows = made.rows([place.point for place in block], np.array([place.values for place in block]))
             found.update((at + k, row) for k, row in rows.found.items())
             apart.update((at + k, reason) for k, reason in rows.apart.items())
+            if task.brief:
+                found.update((at + k, Row(block[k].point, UNSOLVED, reason)) for k, reason in rows.refused.items())
     rest = [k for k in range(len(places)) if k not in found]
     if rest:
         alone = task.at([places[k].values for k in rest])

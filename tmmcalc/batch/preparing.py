@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
 
 TRIED = 16  # points over the sweep, one of which has to have a solution
-COLUMNS = frozenset({"structure", "kinematics", "forces", "reduction", "power", "motion"})  # for which columns do
+COLUMNS = frozenset({"structure", "kinematics", "paths", "forces", "reduction", "power", "motion"})  # their columns do
 LOADED = ("forces", "reduction")  # stages that read what acts on the linkage
 
 
@@ -74,11 +74,12 @@ def _solver(task: Task, point: int) -> Columns | Results | str:
         return "a cam loads a shaft of the machine"
     if by_choice(task.patterns, base.results, base.spec):
         return "columns or facts by choice are asked for"
-    loaded, driven = not ran.isdisjoint(LOADED), not ran.isdisjoint(MACHINE)
+    loaded, driven, traced = not ran.isdisjoint(LOADED), not ran.isdisjoint(MACHINE), "paths" in ran
     columns = _columns(task, base)
     if columns:
-        loaded, driven = bool({"forces", "motion"} & {*task.targets}), "motion" in task.targets
-    inputs = Inputs(task, point, loaded=loaded, driven=driven)
+        targets = {*task.targets}
+        loaded, driven, traced = bool({"forces", "motion"} & targets), "motion" in targets, "paths" in targets
+    inputs = Inputs(task, point, loaded=loaded, driven=driven, traced=traced)
     if inputs.fixed is not None:
         return f"{inputs.fixed} differs"
     return _compiled(task, base, inputs, columns)
@@ -98,7 +99,7 @@ def _compiled(task: Task, base: RunResult, inputs: Inputs, columns: dict[str, As
     from tmmcalc.linkage.stacked.scene import refusal as refused
     from tmmcalc.linkage.stacked.scene import same_of
 
-    mechanism, loading, machine = inputs.tree
+    mechanism, loading, machine, _ = inputs.tree
     same = same_of(mechanism, loading, base.results["kinematics"])
     reason = refused(mechanism, loading, same)
     if reason is not None:

@@ -87,25 +87,25 @@ def frame_of(
         patterns=tuple(patterns),
         tolerance=tolerance,
     )
-    return replace(task, axes=_with_units(task))
+    return replace(task, axes=_with_units(task, stands=True))
 
 
-def _with_units(task: Task) -> tuple[Axis, ...]:
-    """The axes of bare numbers with their SI units: the one that, written out, gives the same spec."""
+def _with_units(task: Task, *, stands: bool = False) -> tuple[Axis, ...]:
+    """The axes of bare numbers with their SI units: the one that, written out, gives the same spec.
+
+    ``stands``: the values are those of the spec, so that none of them needs to be set.
+    """
     variants = task.variants()
     point = next((point for point in task.spread() if _spec(variants, task.assignments(point)) is not None), None)
     if point is None or all(axis.unit for axis in task.axes):
         return task.axes
-    given = task.assignments(point)
+    given = [] if stands else task.assignments(point)
     wanted = _spec(variants, given)
     found = []
     for at, (each, value) in enumerate(zip(task.axes, task.values(point), strict=True)):
+        others = [*given[:at], *given[at + 1 :]]
         told = (replace(each, unit=dimension.si) for dimension in DIMENSIONS.values() if not each.unit)
-        same = [
-            one.unit
-            for one in told
-            if _spec(variants, [*given[:at], one.assignment(value), *given[at + 1 :]]) == wanted
-        ]
+        same = [one.unit for one in told if _spec(variants, [*others, one.assignment(value)]) == wanted]
         found.append(replace(each, si=same[0]) if len(same) == 1 else each)
     return tuple(found)
 

@@ -18,11 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc._version import __version__
-from tmmcalc.batch.table import is_key, key_and_unit
+from tmmcalc.batch.table import is_key
 from tmmcalc.batch.task import OK, Row, Task
 from tmmcalc.core.atomic import replace_file
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.files import read_file
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.core.quantity import truths
 from tmmcalc.core.records import record
 from tmmcalc.naming.language import parse, rank

@@ -1,4 +1,4 @@
-"""Columns of kinematics, forces and motion of many variants at once, strokes, and figures of the motion."""
+"""Columns of kinematics, paths, forces and motion of many variants at once, and the few facts of these."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.batch.stacked_inputs import Inputs, Together
+from tmmcalc.batch.stacked_inputs import STUCK, Inputs, Together
 from tmmcalc.batch.task import OK, Row
 from tmmcalc.naming.language import parse
 from tmmcalc.naming.rows import REDUCED
@@ -17,6 +17,7 @@ from tmmcalc.naming.rows import REDUCED
 if TYPE_CHECKING:
     from tmmcalc.batch.stacked_machine import Machine
     from tmmcalc.linkage.forces.results import Forces
+    from tmmcalc.linkage.paths.task import WantedPath
     from tmmcalc.linkage.stacked.scene import Block, Same
     from tmmcalc.pipeline.outcome import RunResult
 
@@ -24,7 +25,7 @@ Values = NDArray[np.floating[Any]]
 Flags = NDArray[np.bool_]
 
 BLOCK = 256  # variants
-STAGES = ("kinematics", "forces", "motion")  # whose columns blocks tell
+STAGES = ("kinematics", "paths", "forces", "motion")  # whose columns blocks tell
 CHECKS = {"equilibrium", "virtual"}  # columns of forces that no block tells
 
 
@@ -40,6 +41,7 @@ class Asked(NamedTuple):
 def asked(name: str, base: RunResult) -> Asked | None:
     """What a name asks for; None for what is no column, and none of the few facts."""
     from tmmcalc.batch.stacked_machine import COLUMNS
+    from tmmcalc.linkage.paths.deviations import names_of
     from tmmcalc.linkage.stacked.tables import STROKES
     from tmmcalc.machine.stacked.figures import FIGURES
 
@@ -53,6 +55,9 @@ def asked(name: str, base: RunResult) -> Asked | None:
         labels = base.results[stage].labels
         one = not place.column and not place.last and place.first in labels and of in ("", *REDUCED)
         return Asked(stage, of or "first", fact, labels.index(place.first)) if one else None
+    if stage == "paths":
+        names = {name for path in base.results[stage].paths for name in names_of(path.name).values()}
+        return Asked(stage, "", fact) if fact in names else None
     if stage == "motion" and fact in FIGURES:
         return Asked(stage, "", fact)
     kind, _, output = fact.partition("_")
@@ -74,38 +79,51 @@ class Columns:
 
     def rows(self, points: Sequence[int], given: Values) -> Together[Row]:
         """Rows of those points of a block that are solved together; ``given`` are their values (v, axes)."""
-        found, apart = dict[int, Row](), dict[int, str]()
-        for which, (values, clear) in self._inputs.parts(given, self._block, apart):
+        found, apart, refused = dict[int, Row](), dict[int, str](), dict[int, str]()
+        for which, (values, clear, stuck) in self._inputs.parts(given, self._block, apart):
+            refused.update(dict.fromkeys(which[stuck].tolist(), STUCK))
             clear = clear & np.all(np.isfinite(values), axis=1)
             for k, row in zip(which[clear].tolist(), values[clear], strict=True):
                 found[k] = Row(points[k], OK, "", self._names, array("d", row.tolist()))
-        return Together(found, apart)
+        return Together(found, apart, refused)
 
-    def _block(self, tree: Any, count: int) -> tuple[Values, Flags]:
-        """Values (v, names) of stacked inputs, and which of the variants are clear."""
+    def _block(self, tree: Any, count: int) -> tuple[Values, Flags, Flags]:
+        """Values (v, names) of stacked inputs, which of the variants are clear, and which surely do not assemble."""
         from tmmcalc.linkage.stacked.scene import block_of
         from tmmcalc.linkage.stacked.tables import strokes_of
 
-        mechanism, loading, machine = tree
+        mechanism, loading, machine, paths = tree
         block = block_of(self._same, count, mechanism, loading, self._tracked)
         values, clear = np.zeros((count, len(self._names))), block.settled.clear.copy()
         targets = {each.stage for each in self._asked}
         if machine is not None:
             self._motion(block, machine, values, clear)
         self._facts("kinematics", strokes_of(block) if block.settled.reached.size else {}, slice(None), values)
+        if paths is not None:
+            self._paths(block, paths, values, clear)
         for part in block.parts(block.labels):
             some = part[clear[part]]
             if some.size and "kinematics" in targets:
                 self._kinematics(block, some, values)
             if some.size and "forces" in targets:
                 clear[some] &= self._forces(block, some, values, machine is None)
-        return values, clear
+        return values, clear, block.settled.stuck
 
     def _kinematics(self, block: Block, some: Any, values: Values) -> None:
         from tmmcalc.linkage.columns import columns
         from tmmcalc.linkage.stacked.tables import kinematics_of
 
         self._write("kinematics", columns(kinematics_of(block, some)), some, values)
+
+    def _paths(self, block: Block, asked: tuple[WantedPath, ...], values: Values, clear: Flags) -> None:
+        from tmmcalc.linkage.paths.columns import path_columns
+        from tmmcalc.linkage.stacked.paths import paths_of
+
+        some = np.flatnonzero(clear)
+        if some.size:
+            found, facts = paths_of(block, some, asked, self._base.results["paths"])
+            self._write("paths", path_columns(found), some, values)
+            self._facts("paths", facts, some, values)
 
     def _forces(self, block: Block, some: Any, values: Values, between: bool) -> Flags:
         from tmmcalc.linkage.forces.columns import columns

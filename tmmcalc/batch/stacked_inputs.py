@@ -39,54 +39,65 @@ CORNERS = 16
 
 # What may differ between variants: everything of which the array code takes one number a row.
 FREE = re.compile(
-    r"0\.(frame|links\.\d+|joints\.\d+)\.points\..+|0\.input\.(speed|acceleration|start)|0\.outputs\.\d+\.direction|"
+    r"0\.(frame|links\.\d+|joints\.\d+)\.points\..+|0\.joints\.\d+\.directions\.\d|"
+    r"0\.input\.(speed|acceleration|start)|0\.outputs\.\d+\.direction|"
     r"1\.bodies\.\d+\.(mass|inertia|center)|1\.gravity|1\.loads\.\d+\.(factor|point|direction|law\.(value|coefficient))|"
     r"1\.springs\.\d+\.(stiffness|free|damping|points\.\d)|1\.pairs\.\d+\.(friction|radius|length)|"
-    r"2\.0\.motor\.(power|inertia)|2\.1\.(ratio|efficiency|inertia)|2\.2\.inertia|2\.3\.\w+"
+    r"2\.0\.motor\.(power|inertia|speed|synchronous|start)|2\.1\.(ratio|efficiency|inertia)|2\.2\.inertia|2\.3\.\w+|"
+    r"3\.\d+\.((through|at)\.\d+|turn|shift)"
 )
+WANTED = "3."  # wanted paths, whose numbers no check compares
 ONE_NUMBER = "what they read is asked for one number"
+STUCK = "kinematics: the links do not reach throughout a turn of the crank"
 
 
 class Together(NamedTuple, Generic[T]):
     """Of some variants, by their numbers among all asked for, what is solved together.
 
-    Of others why they have to be solved alone, where a reason is known.
+    Of others why they have to be solved alone, where a reason is known; ``refused`` are those that surely have no
+    solution, with a reason that is shorter than what they say when they are solved alone.
     """
 
     found: dict[int, T]
     apart: dict[int, str]
+    refused: dict[int, str]
 
 
-def given(spec: Spec, loaded: bool, driven: bool) -> Any:
-    """The linkage, what acts on it, and the machine, as the stages read them; None for what is not asked for."""
+def given(spec: Spec, loaded: bool, driven: bool, traced: bool) -> Any:
+    """The linkage, what acts on it, the machine, wanted paths, as the stages read them; None for what is not asked."""
     from tmmcalc.linkage.tables.tasks.loading import to_loading
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+    from tmmcalc.linkage.tables.tasks.paths import to_paths
     from tmmcalc.machine.tables.tasks.machine import to_flywheel, to_gears, to_motion, to_motor
 
     machine = (to_motor(spec), to_gears(spec), to_motion(spec), to_flywheel(spec)) if driven else None
-    return to_linkage(spec.linkage), to_loading(spec) if loaded else None, machine
+    loading, paths = to_loading(spec) if loaded else None, to_paths(spec) if traced else None
+    return to_linkage(spec.linkage), loading, machine, paths
 
 
 class Inputs:
     """The inputs of all variants of a task like the one of the valid point ``first``.
 
-    ``loaded`` and ``driven``: what acts on the linkage, and the machine, are among them.
+    ``loaded``, ``driven`` and ``traced``: what acts on the linkage, the machine, and wanted paths are among them.
     """
 
-    def __init__(self, task: Task, first: int, *, loaded: bool, driven: bool) -> None:
+    def __init__(self, task: Task, first: int, *, loaded: bool, driven: bool, traced: bool) -> None:
         self.first = task.values(first)
         self._task, self._variants = task, task.variants()
-        self._asked = loaded, driven
+        self._asked = loaded, driven, traced
         self._origin = np.array(self.first)
-        self.tree = given(self._variants.spec(task.assignments(first)), loaded, driven)
+        self.tree = given(self._variants.spec(task.assignments(first)), *self._asked)
         self._shape = shape_of(self.tree)
         self._base = np.array(numbers(self.tree), complex)
         self._plain = np.array([isinstance(number, float) for number in numbers(self.tree)])
+        self._still = np.array([min(axis.values) == max(axis.values) for axis in task.axes])  # of no known slope
         self._slopes, seen = self._affine()
         self._scale = _scale(seen)
         self._differ = np.any(seen != self._base, axis=0)
-        self._acting = Acting(list(paths(self.tree)))
-        self._pairs = _pairs(groups(self.tree), self._differ)
+        places = list(paths(self.tree))
+        self._acting = Acting(places)
+        compared = np.array([not place.startswith(WANTED) for place in places])
+        self._pairs = _pairs(groups(self.tree), self._differ & compared)
         self._answers = _Answers(_signs(self._base[None], self._pairs)[0], np.array(groups(self.tree))[self._pairs[0]])
 
     @property
@@ -105,11 +116,12 @@ class Inputs:
         else:
             found = self._base + (values - self._origin) @ self._slopes
             signs = _signs(found, self._pairs)
-            for row in self._answers.others(signs):
-                if not self._answers.known(signs[row]):
+            still = np.any((values != self._origin) & self._still, axis=1)
+            for row in sorted({*self._answers.others(signs), *np.flatnonzero(still).tolist()}):
+                if still[row] or not self._answers.known(signs[row]):
                     told = found[row].copy()
                     there[row] = self._take(values[row], found[row])
-                    if there[row] and np.all(np.abs(found[row] - told) <= AFFINE * self._scale):
+                    if there[row] and not still[row] and np.all(np.abs(found[row] - told) <= AFFINE * self._scale):
                         self._answers.add(signs[row])
                         found[row] = told  # the same to the last digit, whichever variant is the first
         same = self._acting(found) == self._acting(self._base[None])

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmmcalc.batch.quantities import told
-from tmmcalc.batch.stacked_inputs import Inputs, Together
+from tmmcalc.batch.stacked_inputs import STUCK, Inputs, Together
 from tmmcalc.batch.stacked_machine import MACHINE, given_of, motions_of_each
 from tmmcalc.batch.task import OK, Row, Task, verdict
 from tmmcalc.core.errors import TmmError
@@ -34,7 +34,7 @@ Flags = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
 BLOCK = 32  # variants: more take no less time each, and are lost where a process is killed
-TOGETHER = ("structure", "kinematics", "forces", "reduction", "power")
+TOGETHER = ("structure", "kinematics", "paths", "forces", "reduction", "power")
 MOVED = ("flywheel", "motion")  # and these with a motor
 
 
@@ -65,7 +65,7 @@ class Results:
     def rows(self, points: Sequence[int], given: Values) -> Together[Row]:
         """Rows of those points of a block that are solved together; ``given`` are their values (v, axes)."""
         shared: dict[tuple[str, ...], tuple[str, ...]] = {}  # a thousand variants have the names of one
-        found, (every, apart) = {}, self.results(given)
+        found, (every, apart, refused) = {}, self.results(given)
         for k, results in every.items():
             try:
                 values = self._quantities(results)
@@ -74,12 +74,13 @@ class Results:
                 continue
             names = shared.setdefault(tuple(values), tuple(values))
             found[k] = Row(points[k], OK, "", names, array("d", values.values()))
-        return Together(found, apart)
+        return Together(found, apart, refused)
 
     def results(self, given: Values) -> Together[Found]:
         """Results by stage of those variants, of values (v, axes), that are solved together and have all of them."""
-        every = Together[Found]({}, {})
-        for which, variants in self._inputs.parts(given, self._solved, every.apart):
+        every = Together[Found]({}, {}, {})
+        for which, (variants, stuck) in self._inputs.parts(given, self._solved, every.apart):
+            every.refused.update(dict.fromkeys(which[stuck].tolist(), STUCK))
             for k, variant in variants.items():
                 at = int(which[k])
                 self._complete(at, given[at], variant, every)
@@ -90,17 +91,24 @@ class Results:
         asked = [*self._stages] if task.patterns or not task.targets else [*task.targets]
         return dict(told(results, task.patterns, stages=asked))
 
-    def _solved(self, tree: Any, count: int) -> dict[int, _Variant]:
-        """What is solved together of the variants of stacked inputs, by their numbers, of those that are clear."""
+    def _solved(self, tree: Any, count: int) -> tuple[dict[int, _Variant], Flags]:
+        """What is solved together of the variants of stacked inputs, by their numbers, of those that are clear.
+
+        And which of all (v,) surely do not assemble.
+        """
+        from tmmcalc.linkage.stacked.paths import paths_records
         from tmmcalc.linkage.stacked.scene import block_of
         from tmmcalc.machine.stacked.records import forces_records, kinematics_records, reduction_records
 
-        mechanism, loading, machine = tree
+        mechanism, loading, machine, paths = tree
         block = block_of(self._same, count, mechanism, loading, tracked=True, told=True)
         some, machines = np.flatnonzero(block.settled.clear), Rows(machine)
         found = {v: _Variant({"structure": self._base.results["structure"]}, machines(v)) for v in some.tolist()}
         if some.size:
             some = _noted(found, some, "kinematics", kinematics_records(block, some))
+        if some.size and "paths" in self._stages:
+            own = paths_records(block, some, paths, _of(found, some, "kinematics"), self._base.results["paths"])
+            some = _noted(found, some, "paths", own)
         if some.size and "forces" in self._stages:
             some = _noted(found, some, "forces", forces_records(block, some, _of(found, some, "kinematics")))
         if some.size and "reduction" in self._stages:
@@ -108,7 +116,7 @@ class Results:
             before, some = some, _noted(found, some, "reduction", reductions)
             if self._motion and some.size and "power" in self._stages:
                 self._move(block, machine, before, cycles, found)
-        return found
+        return found, block.settled.stuck
 
     def _move(self, block: Block, machine: Machine, some: Indices, cycles: Cycles, found: dict[int, _Variant]) -> None:
         """Find the flywheels and the steady motions of variants; those that are not clear are left out."""

@@ -14,6 +14,7 @@ import csv
 from pathlib import Path
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.project.loader import read_text
 from tmmcalc.spec.variants import Axis
 
@@ -44,13 +45,6 @@ def read_points(file: Path) -> tuple[Labels, tuple[Axis, ...]]:
 def is_key(header: str) -> bool:
     """Whether a header is a key of the spec, not that of labels."""
     return "." in header
-
-
-def key_and_unit(header: str) -> tuple[str, str]:
-    """The key and the unit of a header: what a last bracket holds, if that is no index and no choice."""
-    key, _, last = header.removesuffix("]").rpartition("[")
-    is_unit = header.endswith("]") and key and not any(sign in last for sign in "]=\"'") and last.strip("0123456789-")
-    return (key, last) if is_unit else (header, "")
 
 
 def row_of(file: Path, name: str) -> list[str]:

@@ -32,6 +32,7 @@ class Task:
     tolerance: float | None = None  # relative error asked of every stage
     solver: str = "tmmcalc.batch.points:solve_points"  # (task, points) -> rows, "module:function"
     block: int = 16  # points that are solved and sent together
+    brief: bool = False  # of variants that do not assemble no more than that is asked for: no place, no lengths
 
     @property
     def count(self) -> int:
@@ -90,6 +91,7 @@ class Row:
 
 OK = "ok"
 INVALID = "failed 2"  # the variant is no valid spec, or lacks what was asked for
+UNSOLVED = "failed 3"  # the variant has no solution
 BROKEN = "failed 1"  # a fault of the program, or a process that died
 
 

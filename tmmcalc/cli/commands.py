@@ -44,6 +44,7 @@ SECTIONS = {
             Command("names", "What a scene can tell, by name: symbol, unit, meaning, value."),
             Command("sweep", "Variants of a spec over ranges of its keys, to one CSV."),
             Command("sensitivity", "Which numbers of a spec matter for a result, by how much."),
+            Command("optimize", "The best design: variables, objectives, constraints."),
             Command("feasibility", "Constraints on results: which hold, by how much."),
             Command("tolerance", "What tolerances do: worst case, statistics, yield, shares."),
             Command("plot", "Draw the result of a stage to an svg, png, pdf or dxf file."),

@@ -117,6 +117,13 @@ def growing(what: str) -> Iterator[Callable[[int, int], None]]:
 
 
 @contextmanager
+def told_with(what: str) -> Iterator[Callable[[int, str], None]]:
+    """A spinner that is told how many are done, and what is to be said of them."""
+    with described() as told:
+        yield lambda done, words: told(f"{done} {what}: {words}")
+
+
+@contextmanager
 def described() -> Iterator[Callable[[str], None]]:
     """A spinner that is told what is being done, shown after a moment, with the time since the beginning."""
     began = monotonic()

@@ -4,31 +4,46 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from typing import Annotated
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Protocol
 
 import typer
 
-from tmmcalc.cli.messages import say
-from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
-from tmmcalc.cli.output import show
+from tmmcalc.cli.messages import note_written, say
+from tmmcalc.cli.options import Form, Format, Language, Quiet, Set, SpecFile, language_of
+from tmmcalc.cli.output import check_picture, show
 from tmmcalc.core.errors import UsageError
 
-_COMMA = re.compile(r",(?![^\[]*\])")  # outside of brackets
+if TYPE_CHECKING:
+    from tmmcalc.report.document import Document
+    from tmmcalc.report.drawing.shapes import Drawing
+
+Names = Sequence[str]
+Figure = Callable[[], "Drawing"]
+
+_COMMA = re.compile(r",(?![^\[(]*[\])])")  # outside of brackets
+
+
+class Told(Protocol):
+    """What makes the document of what was found, for people or for programs."""
+
+    def __call__(self, title: str, people: bool) -> Document:
+        """The document."""
 
 
 def command(
     spec: SpecFile,
     of: Annotated[
-        list[str],
+        list[str] | None,
         typer.Option(
             "--of",
             metavar="NAMES",
             help="Results by name, with wildcards: 'kinematics.stroke_D,forces.max(R_A)'. May be repeated.",
             show_default=False,
         ),
-    ],
+    ] = None,
     to: Annotated[
         list[str] | None,
         typer.Option(
@@ -36,6 +51,25 @@ def command(
             metavar="KEYS",
             help="Keys of the spec, with wildcards: 'mechanism.links*mass' (default: all its numbers). May be "
             "repeated.",
+            show_default=False,
+        ),
+    ] = None,
+    curve: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--curve",
+            metavar="COLUMNS",
+            help="In place of --of: columns of tables, in every row, with wildcards: 'kinematics.vS_D'. May be "
+            "repeated.",
+            show_default=False,
+        ),
+    ] = None,
+    picture: Annotated[
+        Path | None,
+        typer.Option(
+            "--picture",
+            metavar="FILE",
+            help="Draw bars, or the curves, by suffix svg, png, pdf or dxf.",
             show_default=False,
         ),
     ] = None,
@@ -56,26 +90,69 @@ def command(
     ] = None,
     form: Form = Format.table,
     quiet: Quiet = False,
+    language: Language = None,
     overrides: Set = None,
 ) -> None:
     """Derivatives of results with respect to the numbers of a spec: which of them matters, by how much.
 
     Of every result the keys are ranked by what one per cent of them does. A kink is told with both sides, a jump as
-    such; where steps end without a solution this is told, and where no straight line stands for the result.
+    such; where steps end without a solution this is told, and where no straight line stands for the result. With
+    --curve columns are asked in every row of their tables.
 
     Example: tmmcalc sensitivity my.toml --of 'kinematics.stroke_D,forces.max(R_A)' --to 'mechanism.links*'
     """
+    names, columns, keys = _listed(of or (), "--of"), _listed(curve or (), "--curve"), _listed(to or (), "--to")
+    if bool(names) == bool(columns):
+        what = "nothing is asked for" if not names else "results and columns are two tables"
+        raise UsageError(what, where="--of, --curve", remedy="give one of them, e.g. --of kinematics.stroke_D")
+    if picture is not None:
+        check_picture(picture, "--picture")
+    title = f"{spec.stem}: sensitivity"
+    with _progress(quiet) as shown:
+        ways: Any = {"jobs": jobs, "scheduler": scheduler, "tell": _warn, "progress": shown}
+        told, figure = (_of_columns if columns else _of_results)(spec, names or columns, keys, overrides or (), ways)
+    if picture is not None:
+        _draw(picture, figure, spec, overrides or (), language)
+        if not quiet:
+            note_written(picture)
+    show(told(title, people=form is Format.table), form)
+
+
+def _of_results(spec: Path, names: Names, keys: Names, fixed: Names, ways: Any) -> tuple[Told, Figure]:
     from tmmcalc.design.sensitivity import sensitivity
     from tmmcalc.design.sensitivity_document import sensitivity_document, tidy_sensitivity
 
-    names, keys = _listed(of, "--of"), _listed(to or (), "--to")
-    with _progress(quiet) as shown:
-        found = sensitivity(
-            spec, names, keys, overrides or (), jobs=jobs, scheduler=scheduler, tell=_warn, progress=shown
-        )
-    title = f"{spec.stem}: sensitivity"
-    make = sensitivity_document if form is Format.table else tidy_sensitivity
-    show(make(found, title), form)
+    found = sensitivity(spec, names, keys, fixed, **ways)
+
+    def drawn() -> Drawing:
+        from tmmcalc.design.pictures import bars
+
+        return bars(found)
+
+    return lambda title, people: (sensitivity_document if people else tidy_sensitivity)(found, title), drawn
+
+
+def _of_columns(spec: Path, columns: Names, keys: Names, fixed: Names, ways: Any) -> tuple[Told, Figure]:
+    from tmmcalc.design.courses import courses
+    from tmmcalc.design.sensitivity_document import courses_document, tidy_courses
+
+    every, found = courses(spec, columns, keys, fixed, **ways)
+
+    def drawn() -> Drawing:
+        from tmmcalc.design.pictures import curves
+
+        return curves(every)
+
+    return lambda title, people: (courses_document if people else tidy_courses)(every, found, title), drawn
+
+
+def _draw(file: Path, figure: Figure, spec: Path, fixed: Names, language: str | None) -> None:
+    from tmmcalc.project.loader import load_spec
+    from tmmcalc.report.drawing import draw
+    from tmmcalc.report.language import speaking
+
+    with speaking(language_of(load_spec(spec, fixed), language)):
+        draw(file, figure)
 
 
 def _listed(given: list[str] | tuple[str, ...], flag: str) -> list[str]:

@@ -68,6 +68,10 @@ class Stage:
     ``placed(spec, value)``  the spec with one row more, where the first of its columns has this value (a number with a
                           unit or without): of stages whose rows are places that can be asked for, for `tmmcalc.naming`
     ``dense(spec, count)``   the spec with so many equal steps of its rows: of the same stages, for what moves smoothly
+    ``derivatives(inputs, results, slopes, asked)``  derivatives of its result along K directions of the numbers that
+                          it reads, (K, L) in the order of `core.numerics.alike.numbers` of its inputs, as
+                          `core.derivatives`; None where none are known. On no other number of the spec may its
+                          result depend, not by the results that it reads either. Of facts those ``asked`` do
     ``unfit(spec, plan)``  an error of what it is asked about stages that the plan leaves out, raised before any runs;
                           None if there is none
     ``further(spec, results)``  columns by choice of the rows of its table, a sequence of `Column`: they stand in no

@@ -25,9 +25,16 @@ if TYPE_CHECKING:
 
 Values = NDArray[np.floating[Any]]
 Told = Callable[[int], None]  # places that are done
+Where = Callable[[str], str]  # where a name of a result is asked for, for messages
 
-BLOCK = 256  # places that are solved and sent together
+BLOCK = 256  # places at most that are solved and sent together
+LEAST = 32  # and at least, where they are solved together
+PARTS = 4  # blocks of a few places
 FEW = 64  # places that are not worth a process
+
+
+def _of(name: str) -> str:
+    return "--of"
 
 
 @record
@@ -47,11 +54,11 @@ class Model:
     """Named results of a scene over the axes of a frame (`batch.reading.frame_of`).
 
     ``names`` are those that its patterns stand for at the spec as it is, ``nominal`` (k,) the values of its keys there,
-    ``found`` (m,) those of the results. Raises the error of the spec as it is, and UsageError for a pattern that names
-    nothing.
+    ``found`` (m,) those of the results; ``brief``: see `Task`. Raises the error of the spec as it is, and UsageError
+    for a pattern that names nothing.
     """
 
-    def __init__(self, frame: Task, solver: Solve = solve_here) -> None:
+    def __init__(self, frame: Task, solver: Solve = solve_here, brief: bool = False, *, where: Where = _of) -> None:
         self.run: RunResult = run_of(frame, frame.variants().spec())
         error = next(iter(self.run.failures.values()), None)
         scene = Scene(self.run.spec, self.run.results)
@@ -61,24 +68,25 @@ class Model:
             if error is not None:
                 raise error
             known = [name for name, _ in told(self.run.results, others(missed))]
-            raise unknown(missed, [*known, *offered_like(missed, self.run.results, self.run.spec)], "--of")
+            raise unknown(missed, [*known, *offered_like(missed, self.run.results, self.run.spec)], where(missed))
         self.names = tuple(values)
         self.found = np.array([*values.values()])
         self.nominal = np.array(frame.values(0))
         self.keys = tuple(axis.name for axis in frame.axes)
-        self._frame = replace(frame, patterns=self.names, solver=SOLVER)
+        self._frame = replace(frame, patterns=self.names, solver=SOLVER, brief=brief)
         self._solve = solver
 
-    def over(self, some: Sequence[int], low: Values, high: Values) -> Model:
+    def over(self, some: Sequence[int], low: Values, high: Values, about: Sequence[float] | None = None) -> Model:
         """The same as a function of some of the keys, made ready for places between ``low`` and ``high`` (len(some),).
 
-        Beyond these it may be slow.
+        Beyond these it may be slow. ``about`` (len(some),) is another place within than that of the spec.
         """
         other = object.__new__(Model)
         vars(other).update(vars(self))
         other.nominal, other.keys = self.nominal[[*some]], tuple(self.keys[k] for k in some)
         axes = tuple(self._frame.axes[k] for k in some)
-        other._frame = replace(self._frame, axes=axes).at([other.nominal.tolist(), low.tolist(), high.tolist()])
+        middle = other.nominal.tolist() if about is None else [*about]
+        other._frame = replace(self._frame, axes=axes).at([middle, low.tolist(), high.tolist()])
         return other
 
     def by(self, solver: Solve) -> Model:
@@ -103,7 +111,9 @@ class Model:
     def rows(self, places: Iterator[tuple[int, Sequence[float]]]) -> Iterator[list[Row]]:
         """Rows of numbered places as they come, in any order."""
         every = [Place(number, tuple(values)) for number, values in places]
-        yield from self._solve(self._frame, [every[at : at + BLOCK] for at in range(0, len(every), BLOCK)])
+        # blocks depend on nothing but the number of places, so that values are the same at any number of processes
+        size = min(BLOCK, max(LEAST if self.together else 1, -(-len(every) // PARTS)))
+        yield from self._solve(self._frame, [every[at : at + size] for at in range(0, len(every), size)])
 
     def answers(self, rows: Sequence[Row]) -> Answers:
         """The results that rows hold, in the order of their numbers; raises a fault of the program."""
@@ -129,4 +139,4 @@ def solver_of(task: Task, count: int, jobs: int | None, scheduler: str | None, t
     if jobs is None:
         many = count > FEW * BLOCK or (heavy(task) and count > FEW)
         jobs = cores() if many and available() else 1
-    return local(jobs, tell)
+    return local(jobs, tell, kept=True)

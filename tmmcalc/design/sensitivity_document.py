@@ -6,15 +6,21 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from tmmcalc.batch.table import key_and_unit
+from tmmcalc.core.headers import key_and_unit
+from tmmcalc.design.courses import Course
 from tmmcalc.design.sensitivity import Partial, Sensitivity
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
-HEADERS = ("key", "value", "derivative", "for 1 %")
-TIDY = ("result", "key", "value", "derivative", "left", "right", "error", "relative", "curvature", "from")
+HEADERS = ("key", "value", "derivative", "for 1 %", "error", "way")
+TIDY = ("result", "key", "value", "derivative", "left", "right", "error", "relative", "curvature", "from", "way")
+BY_ROW = ("column", "row", "at", "value", "key", "key_value", "derivative", "error", "from", "way")
 SHOWN = 5  # ends that are told
+MOST = 6  # keys of which a table for people tells in every row
+LETTERS = "ABCDEF"
 POOR = 1e-6  # an error above is told of each
+PERCENT = 0.01  # of a key: the change that the table tells of
+BENT = 0.25  # of the change by the derivative: where one per cent adds more to it, this is told
 OTHER = {"right": "larger", "left": "smaller"}
 
 
@@ -28,7 +34,7 @@ def tidy_sensitivity(result: Sensitivity, title: str) -> Document:
     """One table of all derivatives, for programs; what there is not is empty."""
     rows = [
         (each.name, each.key, each.value, *map(_or_none, (each.slope.value, each.slope.left, each.slope.right)),
-         _or_none(each.slope.error), _or_none(each.relative), _or_none(each.slope.curvature), each.slope.side)
+         _or_none(each.slope.error), _or_none(each.relative), _or_none(each.slope.curvature), each.slope.side, each.way)
         for name in result.names
         for each in result.of(name)
     ]  # fmt: skip
@@ -36,9 +42,42 @@ def tidy_sensitivity(result: Sensitivity, title: str) -> Document:
     return Document(title, (*_facts(result),), table=View(TIDY, columns))
 
 
-def acts(each: Partial) -> bool:
-    """Whether a key has an influence that is more than the error of its derivative, or none that settles."""
-    return each.slope.side in ("kink", "jump", "none") or abs(each.slope.value) > each.slope.error
+def courses_document(every: Sequence[Course], result: Sensitivity, title: str) -> Document:
+    """One part a column: what one per cent of the keys that matter most does to it in every row."""
+    return Document(title, (*_facts(result),), parts=tuple(_course(course) for course in every))
+
+
+def tidy_courses(every: Sequence[Course], result: Sensitivity, title: str) -> Document:
+    """One table of all derivatives in all rows, for programs."""
+    rows = [
+        (course.column, label, x, value, each.key, each.value, *map(_or_none, (each.slope.value, each.slope.error)),
+         each.slope.side, each.way)
+        for course in every
+        for own in course.partials
+        for label, x, value, each in zip(course.labels, course.x, course.values, own, strict=True)
+    ]  # fmt: skip
+    columns = [*map(list, zip(*rows, strict=True))] or [[] for _ in BY_ROW]
+    return Document(title, (*_facts(result),), table=View(BY_ROW, columns))
+
+
+def _course(course: Course) -> Document:
+    bare, unit = key_and_unit(course.column)
+    telling, count = course.telling[:MOST], len(course.partials)
+    facts = [Fact("depends on", f"{len(course.telling)} of {count} numbers", {"keys": len(course.telling)})]
+    keys = [f"{letter} {key_and_unit(own[0].key)[0]}" for letter, own in zip(LETTERS, telling, strict=False)]
+    facts += [Fact("keys" if k == 0 else "", key) for k, key in enumerate(keys)]
+    told = [[number(each.slope.value * PERCENT * each.value) for each in own] for own in telling]
+    headers = ["row", *([course.over] if course.over else []), f"value {unit}".rstrip(), *LETTERS[: len(told)]]
+    places = [[number(x) for x in course.x]] if course.over else []
+    columns = [[*course.labels], *places, [number(value) for value in course.values], *told]
+    notes = ("note: the columns by letters are what one per cent of these keys does, in the unit of the value",)
+    return Document(bare, tuple(facts), notes if told else (), View(tuple(headers), columns), name=bare)
+
+
+def bent(each: Partial) -> bool:
+    """Whether the second derivative adds to the change for one per cent what is no longer small against it."""
+    bend = abs(each.slope.curvature) * PERCENT * abs(each.value) / 2
+    return bool(bend > BENT * abs(each.slope.value) and abs(each.slope.value) > each.slope.error)
 
 
 def _facts(result: Sensitivity) -> Iterator[Fact]:
@@ -49,7 +88,7 @@ def _facts(result: Sensitivity) -> Iterator[Fact]:
 
 def _part(result: Sensitivity, name: str, value: float) -> Document:
     every = result.of(name)
-    shown = [each for each in every if acts(each)]
+    shown = [each for each in every if each.acts]
     bare, unit = key_and_unit(name)
     facts = [
         Fact("value", f"{number(value)} {unit}".rstrip(), {"value": value}),
@@ -63,25 +102,31 @@ def _part(result: Sensitivity, name: str, value: float) -> Document:
     return Document(bare, tuple(facts), tuple(_notes(shown, unit)), table, name=bare)
 
 
-def _row(each: Partial, unit: str) -> tuple[str, str, str, str]:
-    """Key, value, derivative, and what one per cent of the key does to the result; of a key that is 0 none."""
+def _row(each: Partial, unit: str) -> tuple[str, ...]:
+    """Key, value, derivative, what one per cent of the key does to the result (of a key that is 0 none), error, way."""
     key, own = key_and_unit(each.key)
     percent = f"{each.relative:+.3g} %" if np.isfinite(each.relative) else ""
-    value = each.slope.side if np.isnan(each.slope.value) else f"{number(each.slope.value)} {_per(unit, own)}"
-    return key, f"{number(each.value)} {own}".rstrip(), value.rstrip(), percent
+    value = each.slope.side if np.isnan(each.slope.value) else f"{number(each.slope.value)} {per(unit, own)}"
+    error = f"{each.error:.0e}" if np.isfinite(each.error) else ""
+    return key, f"{number(each.value)} {own}".rstrip(), value.rstrip(), percent, error, each.way
 
 
 def _notes(shown: Sequence[Partial], unit: str) -> Iterator[str]:
     """Kinks with both sides, jumps, and where no straight line stands for the result."""
     for each in shown:
-        per = _per(unit, key_and_unit(each.key)[1])
+        below = per(unit, key_and_unit(each.key)[1])
         if each.slope.side == "kink":
-            left, right = (f"{number(side)} {per}".rstrip() for side in (each.slope.left, each.slope.right))
+            left, right = (f"{number(side)} {below}".rstrip() for side in (each.slope.left, each.slope.right))
             yield f"warning: {each.key}: a kink, {left} to smaller values and {right} to larger ones"
         elif each.slope.side == "jump":
             yield f"warning: {each.key}: the result jumps here, so that it has no derivative"
         elif each.slope.side in ("left", "right"):
             yield f"note: {each.key}: there are solutions to one side alone, that of {OTHER[each.slope.side]} values"
+        elif each.slope.side == "none" and each.way == "exact":
+            yield (
+                f"warning: {each.key}: the derivative holds for the least of changes alone: small steps do not follow "
+                "it, as near a dead point or the end of what can be assembled"
+            )
         elif each.slope.side == "none":
             yield (
                 f"warning: {each.key}: differences do not settle (off by {each.slope.error:.1e}): no straight line "
@@ -89,12 +134,20 @@ def _notes(shown: Sequence[Partial], unit: str) -> Iterator[str]:
             )
         elif each.error > POOR:
             yield f"note: {each.key}: the derivative is known to {each.error:.1e} of it alone"
+        if bent(each):
+            step = PERCENT * abs(each.value)
+            sides = [sign * each.slope.value * step + each.slope.curvature * step**2 / 2 for sign in (1, -1)]
+            more, less = (f"{number(side)} {unit}".rstrip() for side in sides)
+            yield (
+                f"warning: {each.key}: no straight line stands for one per cent, of which more changes the result by "
+                f"{more}, less by {less}, as its bend tells"
+            )
 
 
-def _per(unit: str, below: str) -> str:
+def per(unit: str, below: str) -> str:
     """Unit of a derivative.
 
-    >>> _per("N", "mm"), _per("", "kg*m^2"), _per("m", "")
+    >>> per("N", "mm"), per("", "kg*m^2"), per("m", "")
     ('N/mm', '1/(kg*m^2)', 'm')
     """
     if not below:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import reduce
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -146,16 +146,18 @@ def margin(value: float, at_least: float | None, at_most: float | None) -> float
     >>> margin(3.0, 2.0, 4.0)
     0.25
     """
-    return min(_margins(value, at_least, at_most))
+    return min(sides(value, at_least, at_most))
 
 
-def _margins(value: float, at_least: float | None, at_most: float | None) -> list[float]:
-    """What is left to each limit that there is."""
+def sides(value: Any, at_least: float | None, at_most: float | None) -> list[Any]:
+    """What is left to each limit that there is, as a part of it: of one value, or of each of an array."""
     parts = []
     if at_least is not None:
         parts.append((value - at_least) / (abs(at_least) or 1.0))
     if at_most is not None:
         parts.append((at_most - value) / (abs(at_most) or 1.0))
+    if isinstance(value, np.ndarray):
+        return [np.clip(part, -LARGEST, LARGEST) for part in parts]
     return [min(max(part, -LARGEST), LARGEST) for part in parts]
 
 
@@ -173,8 +175,8 @@ def judge(task: FeasibilityTask, found: Mapping[str, tuple[float, str, float | N
         within = (low is None or value >= low) and (high is None or value <= high)
         left = margin(value, low, high)
         verdicts.append(Verdict(constraint.name, constraint.quantity, value, unit, low, high, left, within))
-        sides = map(np.asarray, _margins(value, low, high))
-        functions[constraint.name] = reduce(lambda f, g: conjunction(f, g, task.form, task.m), sides)
+        parts = map(np.asarray, sides(value, low, high))
+        functions[constraint.name] = reduce(lambda f, g: conjunction(f, g, task.form, task.m), parts)
     rule = task.combined
     truths = {verdict.name: verdict.holds for verdict in verdicts}
     return Feasibility(

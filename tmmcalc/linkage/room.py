@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from tmmcalc.linkage.tables.dyad import DyadTable
     from tmmcalc.linkage.tables.loads import LoadTable
     from tmmcalc.linkage.tables.mechanism import MechanismTable
+    from tmmcalc.linkage.tables.paths import PathTable
     from tmmcalc.linkage.tables.springs import SpringTable
     from tmmcalc.linkage.tables.synthesis import LinkSynthesisTable
     from tmmcalc.linkage.tables.unsteady import UnsteadyTable
@@ -51,6 +52,12 @@ class LinkageTables(FeasibilityTables):
         belongs_to=LINKS,
         why="springs join the links of a mechanism",
         named=("spring_names", "name"),
+    )
+    paths: list[PathTable] = table(
+        "Wanted paths of points of the links.",
+        belongs_to=LINKS,
+        why="they are those of points of a mechanism",
+        named=("path_names", "name", "point"),
     )
     drive: DriveTable | None = table(
         "How the drive acts on the crank.", belongs_to=LINKS, why="it drives the crank of a mechanism"
@@ -112,6 +119,14 @@ ROOM = Room(
             studied=True,
         ),
         Stage(
+            "paths",
+            "how far the paths of points are from wanted ones",
+            needs=("kinematics",),
+            wanted="paths",
+            chapter="kinematics",
+            picture=Picture("the paths with the wanted points, and how far each is"),
+        ),
+        Stage(
             "forces",
             "reactions in all pairs and the drive, with friction",
             needs=("kinematics",),
@@ -147,6 +162,7 @@ ROOM = Room(
         Command("dyad", "A dyad with given states of its outer joints."),
         Command("structure", "Mobility, Assur groups, structural formula."),
         Command("kinematics", "Positions, velocities, accelerations, dead centres, strokes."),
+        Command("paths", "How far the path of a point is from a wanted one."),
         Command("forces", "Reactions in the pairs, friction, driving moment."),
         Command("unsteady", "Motion from rest to rest by the time-optimal law."),
     ),

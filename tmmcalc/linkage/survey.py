@@ -101,6 +101,10 @@ def _counted(chain: Chain, links: tuple[int, ...], angles: Real, x: Real, start:
 
 def along_motion(chain: Chain, x: Real, start: float | Real) -> Real:
     """The same crank angles (m,), counted from ``start``, one or (m,), along the motion within one turn."""
-    sense = math.copysign(1.0, chain.mechanism.input.speed)
+    return within_turn(x, start, math.copysign(1.0, chain.mechanism.input.speed))
+
+
+def within_turn(x: Real, start: float | Real, sense: float) -> Real:
+    """The same crank angles (m,) within one turn from ``start`` on, one or (m,), in the ``sense`` of 1 or -1."""
     along = np.mod((x - start) * sense, TURN)
     return start + sense * np.where(along > TURN - SAME, along - TURN, along)

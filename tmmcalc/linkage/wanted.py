@@ -34,6 +34,11 @@ def forces(spec: LinkageTables) -> str | None:
     return "no loads, masses or springs: nothing acts on the links"
 
 
+def paths(spec: LinkageTables) -> str | None:
+    """A path is asked for, and a mechanism has it."""
+    return moves(spec) or ("no [[paths]]: no path is wanted" if not spec.paths else None)
+
+
 def unsteady(spec: LinkageTables) -> str | None:
     """A motion from rest to rest is asked for, and a mechanism makes it."""
     return moves(spec) or ("no [unsteady]: no motion from rest to rest is asked for" if not spec.unsteady else None)

@@ -60,7 +60,7 @@ def asked_of(name: Name, result: Any, table: Table, header: str, there: There) -
     if place is None:
         return _of_rows(name, table, values, unit, _run_of(table))
     if not place.column:
-        some = _labelled(name, table.labels, place)
+        some = labelled(name, table.labels, place)
         if not place.last:
             return _of_one(name, float(values[some[0]]), unit, f"row {table.labels[some[0]]}")
         return _of_rows(name, table, values, unit, _run_of(table), some)
@@ -104,7 +104,7 @@ def _of_rows(
     per, x = over[0], over[1][some]
     if name.of == "integral":
         whole = known.all()
-        found = integral(np.deg2rad(x) if per == "deg" else x, own, _closes(per, x, own)) if whole else nan
+        found = integral(np.deg2rad(x) if per == "deg" else x, own, closes(per, x, own)) if whole else nan
         per = "rad" if per == "deg" else per
         how = "cubics through the rows" if whole else SOME
         return found, per if unit in ("", "-") else f"{unit}*{per}", how
@@ -112,12 +112,16 @@ def _of_rows(
     return float(x[int(WHERE[name.of](own))]) if own.size else nan, per, f"among {len(own)} rows"
 
 
+def run_of(table: Table) -> str | None:
+    """The header of what the rows run over: the first column after the numbers of the rows that runs one way."""
+    own = table.headers[: len(table.headers) - table.further]
+    return next((header for header in own if named(header)[0] != "i" and _one_way(table.column(header))), None)
+
+
 def _run_of(table: Table) -> tuple[str, Values] | None:
-    """What the rows run over, its unit and values: the first column after the numbers of the rows that runs one way."""
-    for header in table.headers[: len(table.headers) - table.further]:
-        if named(header)[0] != "i" and _one_way(values := table.column(header)):
-            return named(header)[1], values
-    return None
+    """Its unit and values."""
+    header = run_of(table)
+    return None if header is None else (named(header)[1], table.column(header))
 
 
 def _one_way(x: Values) -> bool:
@@ -125,8 +129,8 @@ def _one_way(x: Values) -> bool:
     return bool(x[0] != x[-1] and (np.all(steps >= 0) or np.all(steps <= 0)))
 
 
-def _labelled(name: Name, labels: Sequence[str], place: Place) -> Any:
-    """The rows of a label, or from one to another."""
+def labelled(name: Name, labels: Sequence[str], place: Place) -> Any:
+    """The rows of a label, or from one to another; raises `UsageError` for labels that no row has."""
     ends = []
     for label in (place.first, place.last or place.first):
         if label not in labels:
@@ -208,11 +212,11 @@ def _at(
         return float(found.column(header)[int(np.argmin(np.abs(own - at)))]), "computed there"
     if np.isnan(values).any():
         return nan, SOME
-    value, off = between(x, values, at, _closes(unit, x, values))
+    value, off = between(x, values, at, closes(unit, x, values))
     return value, f"cubic through the rows, off by about {off:.1e}"
 
 
-def _closes(unit: str, x: Values, values: Values) -> bool:
+def closes(unit: str, x: Values, values: Values) -> bool:
     """Whether rows go around a turn that closes."""
     ends = abs(values[-1] - values[0]) <= CLOSED * float(np.max(np.abs(values)))
     return bool(ends and _turn(unit, x))

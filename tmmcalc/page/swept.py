@@ -8,8 +8,9 @@ from itertools import takewhile
 from pathlib import Path
 from typing import NamedTuple
 
-from tmmcalc.batch.table import cells_of, is_key, key_and_unit, number_of
+from tmmcalc.batch.table import cells_of, is_key, number_of
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.core.stage import STAGES
 from tmmcalc.page.said import Said, said
 from tmmcalc.report.language import tr_measured

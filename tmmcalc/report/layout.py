@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.report.document import Document, View
 from tmmcalc.report.numbers import column, scientific
 
@@ -32,8 +33,7 @@ def fitted(document: Document, width: int) -> tuple[list[Cells], int]:
     kept: list[Cells] = []
     used = -GAP
     for k, header in enumerate(view.headers):
-        name, _, unit = header.partition("[")
-        cells = Cells(name, unit.removesuffix("]"), *_cells(view, k))
+        cells = Cells(*key_and_unit(header), *_cells(view, k))
         used += GAP + cells.width
         if document.wide and used > width and len(kept) >= 2:
             break

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -32,6 +33,7 @@ SKIPPED = re.compile(
     r"_at_|_at$|error|counters|Simpson|textbook|_off$|steps|residual|evaluations|lumped|lumping|_given$|(^|_)rim_|power_balance|turns$|_dphi_"
     r"|^equilibrium$|^virtual$|^h_(?!T$|t_)|^(S0|r2|l)_least$"
 )
+OF_POINTS = ("paths",)  # rows are those of wanted points, whatever the positions are
 BY_FACTS = ("vibrator", "pendulum", "transient")  # rows of forms without a size, of instants chosen by the steps
 COUNTED = ("structure", "train")  # whole numbers, which have no digits to lose
 FROM_START = re.compile(r"phi$|t$|S_")  # what is counted from position 0
@@ -77,6 +79,8 @@ def difference(stage: str, one: RunResult, two: RunResult, alignment: Alignment 
     bound = in_millimetres(stage, one, two) if alignment.factors.length != 1 else ""
     if bound:
         return Difference(skipped=(f"all ({bound})",))
+    if stage in OF_POINTS:
+        alignment = replace(alignment, label=None)
     tables = None if stage in BY_FACTS else _tables(one.table(stage), two.table(stage), alignment)
     found = tables
     if found is None and alignment.label is None:

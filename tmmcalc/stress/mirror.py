@@ -36,6 +36,8 @@ def mirrored(document: Mapping[str, Any]) -> Document:
         found["loads"] = [_load(load) for load in document["loads"]]
     if "springs" in document:
         found["springs"] = [_spring(spring) for spring in document["springs"]]
+    if "paths" in document:
+        found["paths"] = [_path(path, _turns(document["mechanism"])) for path in document["paths"]]
     if "drive" in document and "pinion" in document["drive"]:
         found["drive"] = {**document["drive"], "pinion": _negative(document["drive"]["pinion"])}
     return found
@@ -47,16 +49,22 @@ def _cam(cam: Mapping[str, Any]) -> Document:
     return {**_with(cam, offset=_negative), "rotation": turned}
 
 
-def _mechanism(mechanism: Mapping[str, Any]) -> Document:
+def _turns(mechanism: Mapping[str, Any]) -> bool:
+    """Whether the input is a crank."""
     driven = mechanism["input"]["joint"]
-    turns = any(j["name"] == driven and j["kind"] == "revolute" for j in mechanism["joints"])
-    found = dict(mechanism)
+    return any(j["name"] == driven and j["kind"] == "revolute" for j in mechanism["joints"])
+
+
+def _mechanism(mechanism: Mapping[str, Any]) -> Document:
+    turns, found = _turns(mechanism), dict(mechanism)
     found["gravity_direction"] = _negative(mechanism.get("gravity_direction", "-90 deg"))
     found["fixed"] = _points(mechanism.get("fixed", {}))
     found["links"] = [_with(link, points=_points, center=_point) for link in mechanism["links"]]
     found["joints"] = [_with(joint, guide=_line, slider=_line) for joint in mechanism["joints"]]
     found["outputs"] = [_with(output, direction=_negative) for output in mechanism.get("outputs", ())]
     if turns:
+        if "speed" not in mechanism["input"]:
+            raise lacking("a crank without a speed turns counter-clockwise, not clockwise")
         found["input"] = _with(mechanism["input"], speed=_negative, acceleration=_negative, start=_start)
     if "assembly" in mechanism:
         at = {"at": _negative} if turns else {}
@@ -93,7 +101,16 @@ def _load(load: Mapping[str, Any]) -> Document:
 
 
 def _spring(spring: Mapping[str, Any]) -> Document:
-    return _with(spring, points=lambda ends: [_point(end) for end in ends], free_angle=_negative)
+    return _with(spring, points=_each(_point), free_angle=_negative)
+
+
+def _path(path: Mapping[str, Any], turns: bool) -> Document:
+    at = {"at": _each(_negative)} if turns else {}
+    return _with(path, through=_each(_point), turn=_negative, shift=_point, **at)
+
+
+def _each(change: Callable[[Any], Any]) -> Callable[[Sequence[Any]], list[Any]]:
+    return lambda values: [change(value) for value in values]
 
 
 class _Variants:

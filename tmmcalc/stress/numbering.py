@@ -57,7 +57,7 @@ def start_angle(scene: Scene) -> Climb:
     """Position 0 anywhere: the same positions under other numbers."""
     document = _even(scene)
     if _counted(document):
-        raise lacking("loads are counted from position 0, and change with it")
+        raise lacking("loads, or paths, are counted from position 0, and change with it")
     result = scene.base.results["kinematics"]
     if not result.turns:
         raise lacking("the input is a driven slider")
@@ -128,4 +128,5 @@ def _even(scene: Scene) -> Document:
 def _counted(document: Document) -> bool:
     loads = document.get("loads", ())
     named = ("between", "polynomial", "table", "indicator")
-    return any(key in load for load in loads for key in named) or "cam" in document
+    timed = any("at" in path for path in document.get("paths", ()))
+    return timed or any(key in load for load in loads for key in named) or "cam" in document

@@ -52,6 +52,12 @@ FURTHER = {
 }
 
 
+def test_constraints_on_paths_ask_for_none() -> None:
+    limit = '\n[[constraints]]\nname = "near"\nstage = "paths"\nvalue = "deviation_max_P"\nat_most = "0.2 mm"\n'
+    result = tmmcalc.run(tmmcalc.parse_spec(text_of("wanted-path") + limit)).results["feasibility"]
+    assert result.feasible
+
+
 @pytest.mark.parametrize("what", FURTHER)
 def test_it_is_asked_for_where_something_depends_on_it(what: str) -> None:
     bare = without_speed(text_of("crank-slider"))

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tmmcalc.batch.table import key_and_unit
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.design.tolerance.balance import Balance
 from tmmcalc.design.tolerance.sampling import QUANTILES, Estimate, Statistics
 from tmmcalc.design.tolerance.sources import Clearance

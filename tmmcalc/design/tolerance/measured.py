@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tmmcalc.batch.table import key_and_unit
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.files import read_file
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.spec.csvtables import Column, cells
 from tmmcalc.spec.phrases import listing, show
 from tmmcalc.spec.units import UnitError, dimension_of

@@ -15,9 +15,9 @@ import numpy as np
 from tmmcalc.batch.choice import heavy
 from tmmcalc.batch.reading import frame_of
 from tmmcalc.batch.sweep import sweep
-from tmmcalc.batch.table import key_and_unit
 from tmmcalc.batch.task import BROKEN, Row, Task
 from tmmcalc.core.errors import UsageError
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.core.records import record
 from tmmcalc.design.keys import scales, varied
 from tmmcalc.design.model import BLOCK, Answers, Model, Told, solver_of

@@ -12,7 +12,7 @@ from tmmcalc.core.plane import cross
 from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.model import FRAME
 from tmmcalc.linkage.notes.group import angle, guide_name, length, plain_name
-from tmmcalc.linkage.notes.paths import NOTHING, Arm, Loop, Slid, Spin
+from tmmcalc.linkage.notes.ways import NOTHING, Arm, Loop, Slid, Spin
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.report.formula.digits import Given
 from tmmcalc.report.language import tr

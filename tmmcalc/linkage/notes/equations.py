@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from tmmcalc.linkage.notes.paths import Arm, Loop, Slid, Way
 from tmmcalc.linkage.notes.told import Told
+from tmmcalc.linkage.notes.ways import Arm, Loop, Slid, Way
 from tmmcalc.report.formula.symbols import canonical
 from tmmcalc.report.formula.syntax import read
 from tmmcalc.report.language import tr

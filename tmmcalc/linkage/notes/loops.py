@@ -22,7 +22,7 @@ from tmmcalc.linkage.loops.closure import Loops, PlacedGroup
 from tmmcalc.linkage.loops.step import LoopStep
 from tmmcalc.linkage.notes import points
 from tmmcalc.linkage.notes.group import along_guide, angle, guide_name, length, plain_name, point_quantities
-from tmmcalc.linkage.notes.paths import (
+from tmmcalc.linkage.notes.ways import (
     NOTHING,
     Arm,
     Loop,

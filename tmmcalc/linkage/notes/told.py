@@ -11,8 +11,8 @@ from tmmcalc.linkage.chain import Chain, Step, chain_of
 from tmmcalc.linkage.loops.step import LoopStep
 from tmmcalc.linkage.notes import driven, loops, points
 from tmmcalc.linkage.notes.group import GroupAt, group_at, pin_quantities, plain_name
-from tmmcalc.linkage.notes.paths import Arm, Loop, loops_of
 from tmmcalc.linkage.notes.shown import rows_shown
+from tmmcalc.linkage.notes.ways import Arm, Loop, loops_of
 from tmmcalc.linkage.pictures.cycle import LinkageMotion, whole_cycle
 from tmmcalc.linkage.pins import find_pins
 from tmmcalc.linkage.results import Kinematics

@@ -30,14 +30,23 @@ MARGIN = 9.0  # free border [mm]
 HEAD = 9.5  # height of the two lines above [mm]
 NUMBER = 1.3  # height of the numbers of positions [mm]
 GREY = "#555555"
+NOTHING: Plane = np.empty(0, complex)
 
 
 def draw_scheme(
-    drawing: Drawing, box: Box, result: Kinematics, cycle: LinkageMotion, positions: Sequence[int]
+    drawing: Drawing,
+    box: Box,
+    result: Kinematics,
+    cycle: LinkageMotion,
+    positions: Sequence[int],
+    beside: Plane = NOTHING,
 ) -> Board:
-    """Draw in a rectangle; the first of ``positions`` has main lines. Returns the board."""
+    """Draw in a rectangle; the first of ``positions`` has main lines. Returns the board.
+
+    ``beside`` the linkage places (n,) have room, on which something is drawn after it.
+    """
     top, larger = complex(box.left, box.top), drawing.letters
-    scheme = _Scheme(drawing, box.inset(0, 0, 0, HEAD * larger), result, cycle, positions)
+    scheme = _Scheme(drawing, box.inset(0, 0, 0, HEAD * larger), result, cycle, positions, beside)
     scheme.paths()
     scheme.others()
     scheme.frame()
@@ -53,7 +62,13 @@ class _Scheme:
     """One scheme while it is drawn."""
 
     def __init__(
-        self, drawing: Drawing, box: Box, result: Kinematics, cycle: LinkageMotion, positions: Sequence[int]
+        self,
+        drawing: Drawing,
+        box: Box,
+        result: Kinematics,
+        cycle: LinkageMotion,
+        positions: Sequence[int],
+        beside: Plane,
     ) -> None:
         self.result, self.cycle, self.positions = result, cycle, positions
         self.mechanism = cycle.chain.mechanism
@@ -62,7 +77,7 @@ class _Scheme:
         self.rough = bodies(self.mechanism, self.pins, cycle, 0.0)
         content = np.concatenate([_content(cycle), _content(self.motion, cycle)])
         self.size = _size(content)
-        self.board = Board(drawing, box, content, MARGIN, scale=length_scale)
+        self.board = Board(drawing, box, np.concatenate([content, beside]), MARGIN, scale=length_scale)
         self.bodies = bodies(self.mechanism, self.pins, cycle, (signs.BLOCK[0] / 2 + 2) * self.board.mu)
         self.middle = complex(np.mean([self.place(b.link, p) for b in self.bodies for p in b.corners]))
 

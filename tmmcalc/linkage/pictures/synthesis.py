@@ -14,6 +14,7 @@ from tmmcalc.linkage.chain import chain_of
 from tmmcalc.linkage.kinematics import solve_kinematics
 from tmmcalc.linkage.model import Mechanism
 from tmmcalc.linkage.pictures.cycle import whole_cycle
+from tmmcalc.linkage.pictures.paths import draw_wanted
 from tmmcalc.linkage.pictures.scheme import draw_scheme
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.synthesis.results import Design, Precision, Synthesis
@@ -96,7 +97,7 @@ def draw_solution(drawing: Drawing, box: Box, mechanism: Mechanism, kind: str, d
     if precision is None:
         _dimensions(board, mechanism, motion, kind, design)
     elif len(precision.points):
-        _wanted(board, precision)
+        draw_wanted(board, precision.points)
 
 
 def _positions(motion: Kinematics, precision: Precision | None) -> list[int]:
@@ -145,16 +146,6 @@ def _dimension_line(board: Board, a: complex, b: complex, text: str, side: compl
     made = Dimension(first, second, first + side * BESIDE, text, 2.2, pen=MEASURE)
     board.drawing.add(made, level=14)
     board.labels.avoid(ends + side * BESIDE, 2.0)
-
-
-def _wanted(board: Board, found: Precision) -> None:
-    """The wanted points as numbered crosses; of poses short lines in the direction of the body."""
-    for k, at in enumerate(found.points.tolist()):
-        size = 1.1 * board.mu
-        for way in (1 + 1j, 1 - 1j):
-            board.line([at - size * way, at + size * way], MARK, level=15)
-        if len(found.points) <= 24:
-            board.labels.put(str(k + 1), board.paper([at]), height=1.9, colour=MARK.colour)
 
 
 def draw_function(drawing: Drawing, box: Box, found: Precision) -> None:

@@ -37,7 +37,7 @@ class Dense(NamedTuple):
 def dense_of(block: Block, variants: Indices) -> Dense:
     """The survey of some variants."""
     start = np.broadcast_to(np.asarray(block.settled.start), block.size)[variants]
-    x = _places(start, positive=bool(block.chain.tree.mechanism.input.speed > 0))
+    x = places_of(start, positive=bool(block.chain.tree.mechanism.input.speed > 0))
     own = block.chain(0)
     kinds = kinds_of(own)
     outputs = default_outputs(own)
@@ -82,7 +82,7 @@ def values_at(block: Block, o: int, variants: Indices, at: Real) -> Real:
     return evaluated(block, variants, at, value)
 
 
-def _places(start: Real, *, positive: bool) -> Real:
+def places_of(start: Real, *, positive: bool) -> Real:
     """Places (V, m) of the survey of one turn of the motion from the ``start`` (V,)."""
     low, high = (start, start + TURN) if positive else (start - TURN, start)
     return np.ascontiguousarray(np.linspace(low, high, STEPS + 1, axis=1)) - TURN / STEPS / 2

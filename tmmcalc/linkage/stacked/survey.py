@@ -36,6 +36,7 @@ class Settled(NamedTuple):
     """What the survey tells of V variants."""
 
     clear: Flags  # (V,)
+    stuck: Flags  # (V,) whose links do not reach somewhere in the turn, beyond doubt
     start: Real | float  # input coordinate of position 0 [rad], (V,) or of all
     centres: Real  # (V, 2) dead centres of the first output, in order from the working stroke; (V, 0): not sought
     reached: Real  # (V, 2) its coordinate there
@@ -57,6 +58,7 @@ def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool
         for at in range(0, count, TOGETHER)
     ]
     clear = np.concatenate([look.clear for look in looks])
+    stuck = np.concatenate([look.stuck for look in looks])
     rates = np.concatenate([look.rates for look in looks], axis=1)
     link_angles = np.concatenate([look.link_angles for look in looks], axis=1) if tracked else None
     largest = np.max(np.abs(rates), axis=2)
@@ -76,6 +78,7 @@ def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool
         clear, start = clear & settled, np.asarray(principal(centres[:, 0])).view(Alike)
     return Settled(
         clear,
+        stuck,
         start,
         centres,
         reached,
@@ -87,9 +90,10 @@ def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool
 
 
 class _Look(NamedTuple):
-    """Samples of some variants: which are clear (v,), rates (F, v, STEPS), angles of the links."""
+    """Samples of some variants: which are clear (v,) or stuck, rates (F, v, STEPS), angles of the links."""
 
     clear: Flags
+    stuck: Flags
     rates: Real
     link_angles: Real
 
@@ -99,14 +103,15 @@ def _look(chain: Rows[Chain], variants: Indices, outputs: int, rubbing: Sequence
     x = np.tile(X, len(variants))
     configuration = own.evaluate(x)
     rates = _rates(own, configuration, outputs, rubbing, x.size).reshape(-1, len(variants), STEPS)
-    clear = np.ones(len(variants), bool)
+    clear, stuck = np.ones(len(variants), bool), np.zeros(len(variants), bool)
     for k in range(len(own.steps)):
-        clear &= _reaches(own, k, configuration, len(variants))
+        reaches, fails = _reaches(own, k, configuration, len(variants))
+        clear, stuck = clear & reaches, stuck | fails
     link_angles: Real = np.zeros((0, len(variants), 0))
     if tracked:
         link_angles = _link_angles(own, configuration, len(variants))
         clear &= np.max(np.abs(np.diff(link_angles, axis=2)), axis=(0, 2)) < SWIFT
-    return _Look(clear, rates, link_angles)
+    return _Look(clear, stuck, rates, link_angles)
 
 
 def _rates(chain: Chain, configuration: Configuration, outputs: int, rubbing: Sequence[str], n: int) -> Real:
@@ -119,8 +124,8 @@ def _rates(chain: Chain, configuration: Configuration, outputs: int, rubbing: Se
     return rows
 
 
-def _reaches(chain: Chain, k: int, configuration: Configuration, count: int) -> Flags:
-    """Variants whose dyad k is far from limit positions and dead points."""
+def _reaches(chain: Chain, k: int, configuration: Configuration, count: int) -> tuple[Flags, Flags]:
+    """Variants whose dyad k is far from limit positions and dead points; and those of which it does not assemble."""
     step, ports = chain.dyad(k), configuration.ports[k]
     margin = np.broadcast_to(step.dyad.margin(*ports), count * STEPS).reshape(count, STEPS)
     with np.errstate(invalid="ignore"):
@@ -130,7 +135,8 @@ def _reaches(chain: Chain, k: int, configuration: Configuration, count: int) -> 
         if step.group.kind == "RPR":
             apart = np.broadcast_to(square(ports[0].r - ports[1].r), count * STEPS).reshape(count, STEPS)
             clear &= np.min(apart, axis=1) > REACH * np.max(apart, axis=1)
-    return np.asarray(clear)
+        fails = least < -MARGIN
+    return np.asarray(clear), np.asarray(fails)
 
 
 def _link_angles(chain: Chain, configuration: Configuration, count: int) -> Real:

@@ -26,6 +26,7 @@ kind = Forces
 columns = "tmmcalc.linkage.forces.columns:columns"
 placed = "tmmcalc.linkage.tables.tasks.placed:with_position"
 dense = "tmmcalc.linkage.tables.tasks.placed:with_positions"
+derivatives = "tmmcalc.linkage.derivatives.told:of_forces"
 words = "tmmcalc.linkage.tables.tasks.words:words_of"
 declares = ("tmmcalc.linkage.columns:PHI", "tmmcalc.linkage.forces.further", "tmmcalc.linkage.forces.terms")
 

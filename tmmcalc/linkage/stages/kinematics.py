@@ -32,6 +32,7 @@ kind = Kinematics
 columns = "tmmcalc.linkage.columns:columns"
 placed = "tmmcalc.linkage.tables.tasks.placed:with_position"
 dense = "tmmcalc.linkage.tables.tasks.placed:with_positions"
+derivatives = "tmmcalc.linkage.derivatives.told:of_kinematics"
 words = "tmmcalc.linkage.tables.tasks.words:words_of"
 declares = ("tmmcalc.linkage.relative", "tmmcalc.linkage.special", "tmmcalc.linkage.further")
 

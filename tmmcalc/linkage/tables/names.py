@@ -1,4 +1,4 @@
-"""Names of loads and springs that a spec leaves without one: what tables, messages and overrides call them."""
+"""Names of loads, springs and paths that a spec leaves without one: what tables, messages and overrides call them."""
 
 from __future__ import annotations
 
@@ -11,10 +11,23 @@ def load_names(names: Sequence[str | None], links: Sequence[object]) -> list[str
     >>> load_names([None, "Q5", None], [5, 3, 5])
     ["Q5'", 'Q5', "Q5''"]
     """
+    return _distinct(names, [f"Q{link}" for link in links])
+
+
+def path_names(names: Sequence[str | None], points: Sequence[object]) -> list[str]:
+    """Paths by their points, with a prime for each name that is taken.
+
+    >>> path_names([None, "line", None], ["P", "P", "P"])
+    ['P', 'line', "P'"]
+    """
+    return _distinct(names, [str(point) for point in points])
+
+
+def _distinct(names: Sequence[str | None], otherwise: Sequence[str]) -> list[str]:
     found: list[str] = []
     own = set(names)
-    for given, link in zip(names, links, strict=True):
-        name = given or f"Q{link}"
+    for given, usual in zip(names, otherwise, strict=True):
+        name = given or usual
         while given is None and (name in own or name in found):
             name += "'"
         found.append(name)

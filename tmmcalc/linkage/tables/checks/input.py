@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TypeGuard
 
-from tmmcalc.linkage.tables.checks.written_linkage import FRAME, WrittenLinkage, written_linkage
+from tmmcalc.linkage.tables.checks.written_linkage import FRAME, WrittenJoint, WrittenLinkage, written_linkage
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, is_integer, subtable, tables
@@ -50,8 +50,15 @@ def check_joint(outline: Outline) -> Iterator[Finding]:
         )
 
 
-# tables beside [mechanism] that read no speed of its input; constraints may be on velocities
-_WITHOUT_SPEED = {"project", "mechanism", "unsteady"}
+_WITHOUT_SPEED = {
+    "project",
+    "mechanism",
+    "unsteady",
+    "paths",
+    "optimize",
+    "tolerances",
+}  # tables that read no speed of the input
+_UNHURRIED = {"structure", "paths"}  # stages whose results no speed changes; constraints on others may be on velocities
 
 
 def check_speed(outline: Outline) -> Iterator[Finding]:
@@ -61,7 +68,10 @@ def check_speed(outline: Outline) -> Iterator[Finding]:
     if not given or "speed" in given:
         return
     loaded = any("mass" in link or "inertia" in link for _, link in tables(table, "links"))
-    if loaded or {*outline.document} - _WITHOUT_SPEED or "acceleration" in given:
+    others = {*outline.document} - _WITHOUT_SPEED
+    if all(constraint.get("stage") in _UNHURRIED for _, constraint in tables(outline.document, "constraints")):
+        others.discard("constraints")
+    if loaded or others or "acceleration" in given:
         yield Finding((*_INPUT, "speed"), "missing key: the input needs its mean speed", 'add speed = "55 rpm"')
 
 
@@ -71,22 +81,33 @@ def check_dimensions(outline: Outline) -> Iterator[Finding]:
     if joint is None or joint.kind not in _COORDINATE:
         return
     for path, value, dimension in _quantities(outline, joint.kind):
-        written = dimension_of(value)
-        if _is_disguised(value, dimension):
-            yield Finding(
-                path,
-                f"{show(value)} without a unit is in radians, more than a full turn",
-                f'write "{value:g} deg"',
-            )
-        # Any other dimension is a fault whatever the joint, and is reported with the tables.
-        if written != dimension and written in _others(dimension):
-            needed, example = DIMENSIONS[dimension].noun, DIMENSIONS[dimension].example
-            yield Finding(
-                path,
-                f'{show(value)} is {DIMENSIONS[written].noun}; the input joint "{joint.name}" is '
-                f"{joint.kind}, so {needed} is needed",
-                f'write {needed}, such as "{example}"',
-            )
+        yield from _check_dimension(joint, path, value, dimension)
+
+
+def check_coordinate(outline: Outline, value: object, path: Path) -> Iterator[Finding]:
+    """An input coordinate in another table has the dimension of the input joint, too."""
+    joint = written_linkage(outline).input_joint
+    if joint is not None and joint.kind in _COORDINATE:
+        yield from _check_dimension(joint, path, value, _COORDINATE[joint.kind])
+
+
+def _check_dimension(joint: WrittenJoint, path: Path, value: object, dimension: str) -> Iterator[Finding]:
+    written = dimension_of(value)
+    if _is_disguised(value, dimension):
+        yield Finding(
+            path,
+            f"{show(value)} without a unit is in radians, more than a full turn",
+            f'write "{value:g} deg"',
+        )
+    # Any other dimension is a fault whatever the joint, and is reported with the tables.
+    if written != dimension and written in _others(dimension):
+        needed, example = DIMENSIONS[dimension].noun, DIMENSIONS[dimension].example
+        yield Finding(
+            path,
+            f'{show(value)} is {DIMENSIONS[written].noun}; the input joint "{joint.name}" is '
+            f"{joint.kind}, so {needed} is needed",
+            f'write {needed}, such as "{example}"',
+        )
 
 
 def _quantities(outline: Outline, kind: str) -> Iterator[tuple[Path, object, str]]:

@@ -20,7 +20,7 @@ def check_outputs(outline: Outline) -> Iterator[Finding]:
         yield from _check_name(output, path, seen)
         yield from _check_choice(output, path)
         if isinstance(output.get("point"), str):
-            yield from _check_point(outline, output["point"], (*path, "point"))
+            yield from check_moving(outline, output["point"], (*path, "point"))
         if is_integer(output.get("link")):
             yield from _check_link(outline, output["link"], (*path, "link"))
         if isinstance(output.get("joint"), str):
@@ -58,7 +58,8 @@ def _check_choice(output: Raw, path: Path) -> Iterator[Finding]:
         )
 
 
-def _check_point(outline: Outline, name: str, path: Path) -> Iterator[Finding]:
+def check_moving(outline: Outline, name: str, path: Path) -> Iterator[Finding]:
+    """A point of this name exists, and moves."""
     linkage = written_linkage(outline)
     if None in linkage.points.values() or not linkage.ids_complete:
         return

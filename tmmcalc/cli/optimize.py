@@ -1,0 +1,96 @@
+"""``tmmcalc optimize``."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from tmmcalc.cli.found import Choose, Force, SpecOut, Target
+from tmmcalc.cli.messages import note_written, say
+from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
+from tmmcalc.cli.output import check_apart, check_picture, show, title
+
+
+def command(
+    spec: SpecFile,
+    spec_out: SpecOut = None,
+    force: Force = False,
+    choose: Choose = None,
+    picture: Annotated[
+        Path | None,
+        typer.Option(
+            "--picture", metavar="FILE", help="The front of designs, by suffix svg, png or pdf.", show_default=False
+        ),
+    ] = None,
+    jobs: Annotated[
+        int | None,
+        typer.Option(
+            "--jobs", "-j", metavar="N", min=1, help="Local processes (default: as many as pay).", show_default=False
+        ),
+    ] = None,
+    scheduler: Annotated[
+        str | None,
+        typer.Option("--scheduler", metavar="ADDRESS", help="Solve on this Dask cluster.", show_default=False),
+    ] = None,
+    fresh: Annotated[bool, typer.Option("--fresh", help="Solve all designs, whatever is stored.")] = False,
+    form: Form = Format.table,
+    quiet: Quiet = False,
+    overrides: Set = None,
+) -> None:
+    """The best design by [optimize] of the spec: variables, results that are to be least or greatest, constraints.
+
+    All designs are solved where these are few; else evolution, then local search, and a second method beside it. What
+    binds the best one is told with what it costs, and how flat it is. Several results give the front of designs of
+    which none is better in all.
+
+    --spec writes the spec with the design in the place of its numbers, of a front that of --choose; beside it stands
+    what is solved, so that a search that was stopped goes on from there.
+
+    Example: tmmcalc optimize my.toml --spec best.toml
+    """
+    target = Target(spec, spec_out, force, choose)
+    target.check()
+    if picture is not None:
+        check_picture(picture, "--picture")
+    check_apart(spec if not force else None, spec_out, picture)
+    from tmmcalc.design.optimize.document import optimum_document
+    from tmmcalc.design.optimize.ready import found_of
+    from tmmcalc.design.optimize.scene import optimize
+    from tmmcalc.project import load_spec
+    from tmmcalc.project.found import settled_text
+    from tmmcalc.report.rows import check_choice
+
+    scene = load_spec(spec, overrides or ())
+    with _progress(quiet) as told:
+        result = optimize(
+            spec, overrides or (), out=spec_out, fresh=fresh, jobs=jobs, scheduler=scheduler, tell=_warn, told=told
+        )
+    check_choice(choose or 1, len(result.designs), "design")
+    settled = settled_text(scene, spec_out, found_of(result, scene, choose)) if spec_out is not None else None
+    heading = title(scene, spec, "optimum")
+    if picture is not None:
+        from tmmcalc.design.optimize.picture import front_drawing
+        from tmmcalc.report.drawing import draw
+
+        draw(picture, lambda: front_drawing(result, heading))
+    show(optimum_document(result, heading, form is Format.table), form)
+    target.write(settled, quiet)
+    if picture is not None and not quiet:
+        note_written(picture)
+
+
+def _warn(text: str) -> None:
+    say(f"warning: {text}", "yellow")
+
+
+def _progress(quiet: bool) -> AbstractContextManager[Callable[[int, str], None]]:
+    if quiet or not sys.stderr.isatty():
+        return nullcontext(lambda solved, words: None)
+    from tmmcalc.cli.progress import told_with
+
+    return told_with("designs")

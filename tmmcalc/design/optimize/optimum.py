@@ -1,0 +1,239 @@
+"""What an optimum is like: what binds it and what that costs, how flat it is."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmmcalc.core.records import record
+from tmmcalc.design.differences import slope, steps
+from tmmcalc.design.optimize.evolution import evolve, population
+from tmmcalc.design.optimize.order import Scores
+from tmmcalc.design.optimize.problem import Limit, Problem
+
+Values = NDArray[np.floating[Any]]
+
+SCALE = 1e-2  # of the box, for steps by which kinks are seen
+BINDS = 1e-6  # of a limit or of the box: nearer is on it
+LEVEL = 0.01  # of the objective: what is worse by no more is as good
+REACH = 1e-6  # of the box: the nearest design that is tried for flatness
+LADDER = 24  # designs to a side, each farther by the same factor
+HALVINGS = 30
+LOOSER = 0.01  # of a limit, by which it is loosened to see what it costs
+NEAR = 0.05  # of the box to each side, within which the optimum is sought again
+SEEKS = 300  # designs a variable for that
+
+
+@record
+class Binding:
+    """A limit that the optimum lies on, of a constraint or of a variable, and what it costs."""
+
+    name: str
+    side: str  # "at least" or "at most"
+    limit: float
+    unit: str
+    cost: float  # change of the objective for a change of the limit, in the units of both; NaN: not known
+    variable: bool
+    again: bool = False  # the cost is what was won when the optimum was sought again with a looser limit, no slope
+
+
+@record
+class Flatness:
+    """Between which values of a variable, the others held, the design stays feasible and within LEVEL of the best."""
+
+    name: str
+    value: float
+    low: float
+    high: float
+
+
+@record
+class Stationarity:
+    """How far the slopes of objective and binding limits are from balancing, relative; NaN where a slope is none."""
+
+    residual: float
+    kinks: int  # slopes that are none
+
+
+def bindings(problem: Problem, place: Values, slopes: Values) -> tuple[tuple[Binding, ...], Stationarity]:
+    """What binds a design (k,) of the unit box: multipliers of its limits.
+
+    ``slopes`` (m, f) are the derivatives of all results there by the variables that take any value, over the unit box;
+    NaN where there is none.
+    """
+    from scipy.optimize import nnls
+
+    results = problem.solve(problem.inside(place[None]))[0]
+    objective = problem.objectives[0]
+    limited = [*_binding_limits(problem, results)]
+    walls = [
+        (k, side)
+        for k in problem.free
+        for side in ("at least", "at most")
+        if (place[k] if side == "at least" else 1 - place[k]) <= BINDS
+    ]
+    gradient = objective.sign * slopes[objective.column]
+    columns = [sign * slopes[each.column] for each, _, sign in limited]
+    inward = np.eye(len(problem.free))
+    columns += [(1.0 if side == "at least" else -1.0) * inward[problem.free.index(k)] for k, side in walls]
+    kinks = int(np.isnan(gradient).sum())
+    costs = np.full(len(columns), np.nan)
+    residual = np.nan
+    size = float(np.linalg.norm(gradient))
+    if np.isfinite(gradient).all() and all(np.isfinite(each).all() for each in columns):
+        balance = np.zeros(0)
+        if columns:
+            matrix = np.array(columns).T
+            scales = np.linalg.norm(matrix, axis=0)
+            scales[scales == 0] = 1.0
+            balance, left = nnls(matrix / scales, gradient)
+            costs = balance / scales
+        else:
+            left = size
+        residual = left / size if size else 0.0
+    found = []
+    for (limit, side, _), cost in zip(limited, costs, strict=False):
+        value = limit.at_least if side == "at least" else limit.at_most
+        assert value is not None
+        again = not np.isfinite(cost)
+        if again:
+            cost = _by_seeking(problem, place, limit, side)
+        change = objective.sign * (cost if side == "at least" else -cost)
+        found.append(Binding(limit.name, side, value, limit.unit, float(change), False, again))
+    for (k, side), cost in zip(walls, costs[len(limited) :], strict=True):
+        variable = problem.variables[k]
+        change = objective.sign * (cost if side == "at least" else -cost) / (variable.high - variable.low)
+        value = variable.low if side == "at least" else variable.high
+        found.append(Binding(variable.name, side, value, variable.unit, float(change), True))
+    return tuple(found), Stationarity(residual, kinks)
+
+
+def _binding_limits(problem: Problem, results: Values) -> list[tuple[Limit, str, float]]:
+    """Limits that results lie on, with the side, and the sign by which what is left of them grows with the result."""
+    found = []
+    for each in problem.rule.limits:
+        value = float(results[each.column])
+        for side, limit, sign in (("at least", each.at_least, 1.0), ("at most", each.at_most, -1.0)):
+            if limit is not None and abs(value - limit) <= BINDS * (abs(limit) or 1.0):
+                found.append((each, side, sign))
+    return found
+
+
+def _by_seeking(problem: Problem, place: Values, limit: Limit, side: str) -> float:
+    """What a unit of a limit costs: by seeking the optimum again, about the one there is, with the limit a bit looser.
+
+    Where the objective has a kink no slopes balance, and this is the way that is left.
+    """
+    value = limit.at_least if side == "at least" else limit.at_most
+    assert value is not None
+    step = LOOSER * (abs(value) or 1.0)
+    low, high = np.maximum(place - NEAR, 0.0), np.minimum(place + NEAR, 1.0)
+    middle = np.divide(place - low, high - low, out=np.full(len(place), 0.5), where=high > low)
+    held = np.isin(np.arange(len(place)), problem.discrete)
+
+    def scores(places: Values) -> Scores:
+        return problem.scores(np.where(held, place, low + places * (high - low)))
+
+    before, rule = float(problem.scores(place[None]).objectives[0, 0]), problem.rule
+    problem.rule = rule.looser(limit.name, side, step)
+    try:
+        rng = np.random.default_rng(0)
+        first = np.concatenate((middle[None], rng.random((population(len(place), SEEKS) - 1, len(place)))))
+        found = evolve(scores, first, SEEKS * len(problem.free), rng)
+    finally:
+        problem.rule = rule
+    return max(0.0, before - float(found.scores.objectives[0, 0])) / step
+
+
+def kinks(problem: Problem, place: Values) -> NDArray[np.bool_]:
+    """Which results (m, f) have a kink or a jump by which free variable, within a small step of a design (k,).
+
+    An optimum often lies on a kink, as where two maxima are equally large, but up to rounding: derivatives are then
+    those of one side, and this is seen by steps alone.
+    """
+    free, moves = problem.free, steps(SCALE)
+    here = problem.solve(problem.inside(place[None]))[0]
+    places = np.tile(place, (len(free) * len(moves), 1))
+    for at, k in enumerate(free):
+        places[at * len(moves) : (at + 1) * len(moves), k] += moves
+    there = problem.beyond(places).reshape(len(free), len(moves), len(here))
+    return np.array(
+        [
+            [slope(SCALE, value, own[:, m]).side in ("kink", "jump", "none") for own in there]
+            for m, value in enumerate(here.tolist())
+        ],
+        dtype=bool,
+    ).reshape(len(here), len(free))
+
+
+def flatness(problem: Problem, place: Values) -> tuple[Flatness, ...]:
+    """How far each variable can go to both sides of a design (k,) of the unit box."""
+    best = float(problem.scores(place[None]).objectives[0, 0])
+    level = best + LEVEL * abs(best)
+    sides = [(k, sign) for k in problem.free for sign in (-1.0, 1.0)]
+    reach = {**_reach(problem, place, level, sides)}
+    found = []
+    for k, variable in enumerate(problem.variables):
+        ends = (
+            [place[k] - reach[k, -1.0], place[k] + reach[k, 1.0]]
+            if k in problem.free
+            else _listed(problem, place, k, level)
+        )
+        low, high = problem.inside(np.array([np.where(np.arange(len(place)) == k, end, place) for end in ends]))[:, k]
+        value = float(problem.inside(place[None])[0, k])
+        found.append(Flatness(variable.name, value, float(low), float(high)))
+    return tuple(found)
+
+
+def _good(problem: Problem, places: Values, level: float) -> NDArray[np.bool_]:
+    scores = problem.scores(places)
+    return np.asarray((scores.violation == 0) & (scores.objectives[:, 0] <= level))
+
+
+def _reach(
+    problem: Problem, place: Values, level: float, sides: Sequence[tuple[int, float]]
+) -> dict[tuple[int, float], float]:
+    """How far one can go (parts of the box): to the first design that is no longer good, halved down to it."""
+    if not sides:
+        return {}
+    room = np.array([place[k] if sign < 0 else 1 - place[k] for k, sign in sides])
+    ladder = np.minimum(np.geomspace(REACH, 1.0, LADDER)[None], room[:, None])
+
+    def good(distances: Values) -> NDArray[np.bool_]:
+        places = np.tile(place, (distances.size, 1))
+        for at, (k, sign) in enumerate(sides):
+            own = slice(at * distances.shape[1], (at + 1) * distances.shape[1])
+            places[own, k] += sign * distances[at]
+        return _good(problem, places, level).reshape(distances.shape)
+
+    held = np.logical_and.accumulate(good(ladder), axis=1)
+    count = held.sum(axis=1)
+    rows = np.arange(len(sides))
+    low = np.where(count > 0, ladder[rows, np.maximum(count - 1, 0)], 0.0)
+    high = ladder[rows, np.minimum(count, LADDER - 1)]
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        held_there = good(middle[:, None])[:, 0]
+        low, high = np.where(held_there, middle, low), np.where(held_there, high, middle)
+        if np.all(high - low <= 1e-6 * high):
+            break
+    return {side: float(distance) for side, distance in zip(sides, low, strict=True)}
+
+
+def _listed(problem: Problem, place: Values, k: int, level: float) -> list[float]:
+    """The farthest listed values about a design that are as good, all between them with it."""
+    count = len(problem.variables[k].among)
+    parts = (np.arange(count) + 0.5) / count
+    places = np.tile(place, (count, 1))
+    places[:, k] = parts
+    good = _good(problem, places, level)
+    at = int(place[k] * count)
+    low = high = min(at, count - 1)
+    while low > 0 and good[low - 1]:
+        low -= 1
+    while high < count - 1 and good[high + 1]:
+        high += 1
+    return [float(parts[low]), float(parts[high])]

@@ -1,0 +1,1 @@
+"""Exact derivatives of the linkage's results with respect to its inputs."""

@@ -1,0 +1,1 @@
+"""How far the path of a point is from a wanted one."""
