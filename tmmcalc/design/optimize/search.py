@@ -269,7 +269,7 @@ def _by_starts(problem: Problem, budget: int, seed: int) -> tuple[Second, Popula
     method = "sequential quadratic programming from random designs"
     if not chosen:
         return Second(method, (np.inf,) * several, 0, starts), Population(drawn[:0], scores[:0])
-    found = polish(problem, drawn[chosen], aims, SHORTER)
+    found = polish(problem, drawn[chosen], aims, int(np.clip(2 * budget // (starts * variables), STEPS, SHORTER)))
     kept = found.scores.violation == 0
     best, hits = [], 0
     for at in range(several):
