@@ -17,7 +17,7 @@ from scipy.optimize import least_squares
 from tmmcalc.design.optimize.scene import optimize
 
 CONFIGS = Path(__file__).parents[3] / "configs"
-LINE = CONFIGS / "optimize-straight-line.toml"
+LINE = CONFIGS / "best-straight-line.toml"
 TIMED = LINE.read_text().split("[[paths]]")[0]
 FIVE = np.array([3 + 3j, 2.759 + 3.363j, 2.372 + 3.663j, 1.890 + 3.862j, 1.355 + 3.943j])
 FIVE_AT = np.array([30.0, 45.0, 60.0, 75.0, 90.0])
@@ -69,7 +69,7 @@ def best_of(count: int, points: Any, at: Any, *, placed: bool) -> Any:
 
 
 def spec(tmp_path: Path, points: Any, at: Any, nominal: Any, most: float, budget: int, *, placed: bool) -> Path:
-    """A spec that seeks lengths in (0.05, ``most``) mm, and where ``placed`` place and turn of the points, and the start."""
+    """A spec that seeks lengths in (0.05, ``most``) mm; where ``placed`` place and turn of the points, and the start."""
     r1, r2, r3, r4, px, py = nominal
     text = TIMED.replace('C = ["68.1 mm", "37.2 mm"]', f'C = ["{r1} mm", "0 mm"]')
     text = text.replace('O = ["49 mm", "5 mm"]', 'O = ["0 mm", "0 mm"]').replace('"27.2 mm"', f'"{r2} mm"')

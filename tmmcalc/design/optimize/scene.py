@@ -38,6 +38,7 @@ from tmmcalc.spec.units import UnitError, dimension_of
 if TYPE_CHECKING:
     from tmmcalc.batch.task import Task
     from tmmcalc.design.tables.optimize import OptimizeTable, VariableTable
+    from tmmcalc.feasibility.judge import FeasibilityTask
     from tmmcalc.project import Spec
     from tmmcalc.spec.variants import Axis
 
@@ -238,17 +239,29 @@ def _prepared(
         if asked is None:
             raise
         raise UsageError(f"{error.where} does not run: {error.message}", where=asked, remedy=error.remedy) from None
-    columns = _columns(model)
     low, high = np.empty(len(keys)), np.empty(len(keys))
     for each in variables:
         low[[*each.keys]], high[[*each.keys]] = each.low, each.high
     near = model.over(range(len(keys)), low, high)
+    objectives, rule = _objectives(model, table), _rule(model, task)
+    return frame, lambda journal: Problem(variables, objectives, rule, near, journal), model.nominal
+
+
+def _objectives(model: Model, table: OptimizeTable) -> list[Objective]:
+    """The results that are sought; raises UsageError where two names mean one."""
+    columns = _columns(model)
     objectives = [_objective(model, columns, name, 1) for name in table.least]
     objectives += [_objective(model, columns, name, -1) for name in table.greatest]
     for one_of, other in combinations(objectives, 2):
         if one_of.column == other.column:
-            rule = f"{one_of.name} and {other.name} are the same result"
-            raise UsageError(rule, where="optimize", remedy="remove one of them")
+            said = f"{one_of.name} and {other.name} are the same result"
+            raise UsageError(said, where="optimize", remedy="remove one of them")
+    return objectives
+
+
+def _rule(model: Model, task: FeasibilityTask) -> Rule:
+    """The constraints on results, in their units, those that are given, and how all are combined."""
+    columns, scene = _columns(model), Scene(model.run.spec, model.run.results)
     given: dict[str, float] = {}
     limited: list[Limit] = []
     for constraint in task.constraints:
@@ -256,11 +269,10 @@ def _prepared(
             value, unit = of_given(constraint)
             given[constraint.name] = float(min(sides(value, *limits(constraint, unit))))
         else:
-            found = one(constraint.asked, model.run.results, Scene(model.run.spec, model.run.results))
-            low_high = limits(constraint, found.unit)
-            limited.append(Limit(constraint.name, columns[found.key], found.unit, *low_high))
-    rule = Rule(tuple(limited), given, task.rule, task.form, task.m)
-    return frame, lambda journal: Problem(variables, objectives, rule, near, journal), model.nominal
+            found = one(constraint.asked, model.run.results, scene)
+            ends = limits(constraint, found.unit)
+            limited.append(Limit(constraint.name, columns[found.key], found.unit, *ends))
+    return Rule(tuple(limited), given, task.rule, task.form, task.m)
 
 
 def _columns(model: Model) -> dict[str, int]:
