@@ -69,7 +69,7 @@ def best_of(count: int, points: Any, at: Any, *, placed: bool) -> Any:
 
 
 def spec(tmp_path: Path, points: Any, at: Any, nominal: Any, most: float, budget: int, *, placed: bool) -> Path:
-    """A spec that seeks lengths in (0.05, ``most``) mm; where ``placed`` place and turn of the points, and the start."""
+    """A spec that seeks lengths in (0.05, ``most``) mm; ``placed``: place and turn of the points, and the start too."""
     r1, r2, r3, r4, px, py = nominal
     text = TIMED.replace('C = ["68.1 mm", "37.2 mm"]', f'C = ["{r1} mm", "0 mm"]')
     text = text.replace('O = ["49 mm", "5 mm"]', 'O = ["0 mm", "0 mm"]').replace('"27.2 mm"', f'"{r2} mm"')
@@ -110,39 +110,33 @@ def nearest_by_formulas(values: Any) -> float:
     return float(sum(np.min(np.abs(places - w)) ** 2 for w in 20 + 1j * np.arange(20.0, 46.0, 5.0)))
 
 
-def test_a_straight_line_is_met_better_than_by_the_rounded_design_a_hundred_times() -> None:
-    found = optimize(LINE, ["optimize.evaluations=1500"], jobs=1)
-    (design,) = found.designs
-    assert design.objectives[0] < found.nominal[0] / 100
-    assert nearest_by_formulas(design.values) == pytest.approx(1e6 * design.objectives[0], rel=1e-3, abs=1e-6)
-    assert design.again < 1e-9
-
-
 @pytest.mark.slow
 def test_a_straight_line_through_six_points_leaves_nothing_to_be_seen() -> None:
     """Nine points can be met, so that the least sum of six is 0; a micrometre or two stay of a finite search."""
-    (design,) = optimize(LINE, ["optimize.evaluations=18000"], jobs=1).designs
+    (design,) = optimize(LINE, jobs=1).designs
     assert 1e6 * design.objectives[0] < 1e-4
+    assert nearest_by_formulas(design.values) == pytest.approx(1e6 * design.objectives[0], rel=1e-3, abs=1e-6)
+    assert design.again < 1e-9
 
 
 @pytest.mark.slow
 def test_five_points_with_timing(tmp_path: Path) -> None:
     best = best_of(300, FIVE, FIVE_AT, placed=False)
     assert best[0] == pytest.approx(7.415751e-7, rel=1e-5)
-    file = spec(tmp_path, FIVE, FIVE_AT, (4, 2, 4, 4, 2, 2), 50, 50_000, placed=False)
+    file = spec(tmp_path, FIVE, FIVE_AT, (4, 2, 4, 4, 2, 2), 50, 12_000, placed=False)
     (design,) = optimize(file, jobs=1).designs
     own = 1e6 * design.objectives[0]
     assert by_formulas(design.values, FIVE, FIVE_AT) == pytest.approx(own, rel=1e-6)
-    assert best[0] * (1 - 1e-6) < own < 1.02 * best[0]
+    assert best[0] * (1 - 1e-6) < own < 1.001 * best[0]
 
 
 @pytest.mark.slow
 def test_a_closed_curve_of_eighteen_points_with_timing(tmp_path: Path) -> None:
-    """Where lengths reach to 50 mm a wide hollow at this wall, 0.0098957, hides the best, 0.0090289."""
+    """Where lengths reach to 50 mm a wide hollow at this wall hides the best."""
     best = best_of(300, CLOSED, CLOSED_AT, placed=True)
     assert best[0] == pytest.approx(0.009028885, rel=1e-6)
     file = spec(tmp_path, CLOSED, CLOSED_AT, (1, 0.4, 1, 1, 0.5, 0.5), 50, 60_000, placed=True)
     (design,) = optimize(file, jobs=1).designs
     own = 1e6 * design.objectives[0]
     assert by_formulas(design.values, CLOSED, CLOSED_AT) == pytest.approx(own, rel=1e-6)
-    assert best[0] * (1 - 1e-6) < own < 0.0099
+    assert best[0] * (1 - 1e-6) < own < 0.01

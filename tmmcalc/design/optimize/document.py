@@ -19,7 +19,7 @@ VARIABLES = ("variable", "value", "at least", "at most", "as good from", "as goo
 LIMITS = ("constraint", "value", "at least", "at most", "limit costs")
 CLOSE = 1e-6  # of the objective: two methods that agree
 WORSE = 10.0  # of the objective: what is told as a part of it
-BALANCED = 1e-3  # of the slope of the objective: what is left over of it
+BALANCED = 1e-6  # of the objective: what slopes may leave over
 REPEATED = 1e-9  # of the objective: what the stages may differ by when the design is solved by itself
 
 
@@ -61,9 +61,9 @@ def _search(result: Optimum) -> Iterator[Fact]:
         told = {"method": second.method, "best": found, "starts": second.starts, "hits": second.hits}
         yield Fact("second method", _confirmed(result), {f"second_{key}": value for key, value in told.items()})
     balance = result.stationarity
-    if balance is not None and np.isfinite(balance.residual) and not all(each.among for each in result.variables):
-        text = f"{'exact ' * result.exact}slopes of objective and limits balance to {balance.residual:.1e}"
-        yield Fact("optimality", text, {"imbalance": balance.residual, "exact": result.exact})
+    if balance is not None and np.isfinite(balance.gain) and not all(each.among for each in result.variables):
+        text = f"what the {'exact ' * result.exact}slopes leave over wins {balance.gain:.0e} of it"
+        yield Fact("optimality", text, {"gain": balance.gain, "exact": result.exact})
     again = max(each.again for each in result.designs)
     yield Fact("solved again", f"by the ordinary stages, the same to {again:.0e}", {"apart": again})
 
@@ -92,8 +92,8 @@ def _notes(result: Optimum) -> Iterator[str]:
     if balance is not None and balance.kinks:
         costs = ": what limits cost is found by seeking again with looser ones" if result.binding else ""
         yield f"note: the objective has a kink at the optimum in {balance.kinks} of its variables{costs}"
-    elif balance is not None and balance.residual > BALANCED and not all(each.among for each in result.variables):
-        yield f"warning: slopes do not balance at the optimum (to {balance.residual:.1e}): it may not be the best yet"
+    elif balance is not None and balance.gain > BALANCED and not all(each.among for each in result.variables):
+        yield f"warning: going on along the slopes wins {balance.gain:.1e} of it: the best is not reached"
     if result.designs and max(each.again for each in result.designs) > REPEATED:
         yield "warning: solved by itself a design differs from what the search saw"
 

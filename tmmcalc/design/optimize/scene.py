@@ -171,14 +171,14 @@ def _slopes(problem: Problem, frame: Task, place: Values) -> tuple[Values, bool]
     held = [frame.axes[key].assignment(value) for key, value in set_to.items() if key not in moved]
     here = [set_to[key] for key in moved]
     there = replace(frame, axes=tuple(frame.axes[key] for key in moved), fixed=(*frame.fixed, *held)).at([here])
-    sizes = [SCALE * (variable.high - variable.low) for variable in free for _ in variable.keys]
+    spans = [problem.variables[k].stretch(float(values[k])) for k in problem.free]
+    sizes = [SCALE * span for variable, span in zip(free, spans, strict=True) for _ in variable.keys]
     gradients = Gradients(there, sizes)
     found = gradients(np.array(here))
     rows = [gradients.names.index(name) for name in problem.model.names]
     ends = np.cumsum([len(variable.keys) for variable in free])[:-1]
     parts = np.split(found.slopes[rows], ends, axis=1)
-    ranges = [variable.high - variable.low for variable in free]
-    slopes = np.array([part.sum(axis=1) * span for part, span in zip(parts, ranges, strict=True)]).T
+    slopes = np.array([part.sum(axis=1) * span for part, span in zip(parts, spans, strict=True)]).T
     return slopes, bool(found.exact[rows].all())
 
 
