@@ -44,7 +44,9 @@ def _best(result: Optimum) -> Iterator[Fact]:
         change = (
             f", {abs(best / was - 1):.1%} {'less' if best < was else 'more'} than now" if was and best != was else ""
         )
-        yield Fact("of the spec as it is", f"{number(was)} {unit}".rstrip() + change, {"now": was})
+        broken = f", which breaks {', '.join(result.broken)}" if result.broken else ""
+        told = f"{number(was)} {unit}".rstrip() + change + broken
+        yield Fact("of the spec as it is", told, {"now": was, "breaks": list(result.broken)})
 
 
 def _search(result: Optimum) -> Iterator[Fact]:

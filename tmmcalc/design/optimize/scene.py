@@ -69,6 +69,7 @@ class Optimum:
     objectives: tuple[Objective, ...]
     limits: tuple[Limit, ...]
     nominal: tuple[float, ...]  # the objectives of the spec as it is, NaN where it has none
+    broken: tuple[str, ...]  # the limits that the spec as it is does not keep
     designs: tuple[Design, ...]  # the best, or the front
     method: str
     complete: bool
@@ -141,6 +142,7 @@ def _found(problem: Problem, frame: Task, table: OptimizeTable, nominal: Values,
         problem.objectives,
         problem.rule.limits,
         tuple(float(problem.model.found[each.column]) for each in problem.objectives),
+        tuple(each.name for each in problem.rule.limits if not problem.rule.kept(each, problem.model.found[None])[0]),
         designs,
         course.method,
         course.complete,
