@@ -17,7 +17,7 @@ from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.records import record
 from tmmcalc.design.optimize.evolution import Population, evolve, population
 from tmmcalc.design.optimize.order import Scores, better, crowding, front_numbers, ranked
-from tmmcalc.design.optimize.polish import SHORTER, Aim, polish
+from tmmcalc.design.optimize.polish import LONGEST, SHORTER, Aim, polish
 from tmmcalc.design.optimize.problem import Problem
 
 Values = NDArray[np.floating[Any]]
@@ -31,7 +31,9 @@ EQUAL = 1e-6  # of the objective: two methods that found the same
 BLOCK = 4096  # designs of a complete search that are asked for at once
 SAME = 1e-4  # of the range of a front: designs that differ by less are one
 TINY = 1e-300
-SEEN, APART, HOLLOWS = 5000, 0.1, 12  # best designs, how far from each other some are (of the box), and how many
+SEEN, APART = 5000, 0.1  # best designs, how far from each other some are (of the box)
+HOLLOWS = 12  # of these that are polished at most
+WORTH = 5000  # designs of evolution that each is worth
 NEAR = 64  # sets of listed values about the best that are tried
 
 
@@ -75,7 +77,7 @@ def search(problem: Problem, nominal: Values, budget: int, seed: int, designs: i
     if several and found.scores.violation.min() == 0:
         best = _polished_front(problem, Population(*_chosen(found, designs)))
     else:
-        best = _polished(problem, _of_hollows(problem, found))
+        best = _polished(problem, _of_hollows(problem, found, budget), budget)
     _check(problem, best.scores)
     tell("second method", best.scores)
     second, other = _second(problem, budget, seed)
@@ -189,19 +191,21 @@ def _broken(problem: Problem) -> NoSolutionError:
     )
 
 
-def _of_hollows(problem: Problem, found: Population) -> Population:
+def _of_hollows(problem: Problem, found: Population, budget: int) -> Population:
     """The best of local searches from the best designs that are far from each other; the best of evolution with them.
 
     What evolution leaves is in one hollow; another one may be deeper. Designs that break constraints are led to keep
     them.
     """
     scores = problem.judged(problem.results)
+    broken = found.scores.violation[0] > 0
+    most = STARTS[0] if broken else int(np.clip(budget // WORTH, 1, HOLLOWS))
     chosen: list[Values] = []
     for number in ranked(scores)[:SEEN].tolist():
         part = problem.parts(problem.values[number])
         if np.isfinite(scores.violation[number]) and all(np.abs(part - other).max() > APART for other in chosen):
             chosen.append(part)
-        if len(chosen) == HOLLOWS:
+        if len(chosen) == most:
             break
     if not chosen:
         return Population(found.places[:1], found.scores[:1])
@@ -232,10 +236,11 @@ def _different(objectives: Values, own: NDArray[np.intp]) -> NDArray[np.intp]:
     return own[np.sort(once)]
 
 
-def _polished(problem: Problem, best: Population) -> Population:
+def _polished(problem: Problem, best: Population, budget: int) -> Population:
     """The best design by local search; listed values are changed to their neighbours while that makes it better."""
     free = np.full(len(problem.objectives), np.inf)
-    found = polish(problem, best.places[:1], [Aim(0, free)])
+    longest = int(np.clip(budget // len(problem.variables), SHORTER, LONGEST))
+    found = polish(problem, best.places[:1], [Aim(0, free)], longest)
     here = Population(found.places, found.scores)
     while problem.discrete:
         starts = _neighbours(problem, here.places[0])
@@ -344,7 +349,7 @@ def _by_scipy(problem: Problem, budget: int, seed: int) -> tuple[Second, Populat
         place = found.x[None]
         here = Population(place, problem.scores(place))
         if len(problem.objectives) == 1 and here.scores.violation[0] == 0:
-            here = _polished(problem, here)
+            here = _polished(problem, here, budget)
         places.append(here.places[0])
         best.append(float(here.scores.objectives[0, at]) if here.scores.violation[0] == 0 else np.inf)
     stack = np.array(places)
