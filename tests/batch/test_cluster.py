@@ -152,3 +152,30 @@ def test_the_command_gives_the_same_table(
         assert not ended.value.code
     assert Path("there.csv").read_bytes() == Path("here.csv").read_bytes()
     assert "wrote there.csv" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_a_search_there_finds_the_same_though_a_worker_is_killed(cluster: Cluster, tmp_path: Path) -> None:
+    from tmmcalc.design.optimize.scene import optimize
+
+    asked = """
+[optimize]
+least = "kinematics.size(omega_3)"
+evaluations = 100
+variables = [{ of = "mechanism.links[id=1].points.A[0]", at_least = "50 mm", at_most = "200 mm" }]
+[[constraints]]
+name = "swing"
+value = "kinematics.range(angle_3)"
+at_least = "42 deg"
+"""
+    file = tmp_path / "four.toml"
+    file.write_text((ROOT / "configs" / "four-bar.toml").read_text() + asked)
+    told: list[str] = []
+
+    def killed(solved: int, words: str) -> None:
+        if solved > 50 and cluster.workers[0].poll() is None:
+            cluster.workers[0].send_signal(signal.SIGKILL)
+
+    there = optimize(file, scheduler=cluster.address, tell=told.append, told=killed)
+    assert cluster.workers[0].wait(10) == -signal.SIGKILL
+    assert there == optimize(file)

@@ -85,7 +85,8 @@ def check(config: str, names: list[str], keys: list[str], part: float) -> None:
             assert other.side in (one.side, "none", "kink"), (key, name)
             if one.side == other.side == "both":
                 rounding = 1e-12 * abs(model.found[m]) / (abs(model.nominal[k]) or 1.0)
-                assert abs(one.value - other.value) <= max(AIM * abs(one.value), rounding) + other.error, (key, name)
+                most = max(AIM * abs(one.value), rounding) + one.error + other.error
+                assert abs(one.value - other.value) <= most, (key, name)
 
 
 @pytest.mark.parametrize(("config", "names", "keys"), QUICK)

@@ -10,6 +10,7 @@ import mpmath as mp
 import pytest
 
 from tmmcalc.design.sensitivity import sensitivity
+from tmmcalc.design.sensitivity_document import sensitivity_document
 
 HERE = Path(__file__).parent
 CONFIGS = HERE.parents[1] / "configs"
@@ -83,3 +84,24 @@ def inertia(speed: Any, second: Any, third: Any, delta: Any) -> Any:
 def test_the_flywheel_of_a_torque_diagram() -> None:
     keys = ["torque.speed", "torque.harmonics.terms[0].sin", "torque.harmonics.terms[1].cos", "flywheel.delta"]
     check(HERE / "torque.toml", "flywheel.J_F", keys, slopes(inertia, [100, -90, 40, "0.05"]))
+
+
+def folded(crank: Any, coupler: Any) -> Any:
+    """Least transmission angle of a four-bar with the frame 700 mm and the rocker 300 mm [deg], the crank inside."""
+    apart = 700 - crank
+    return mp.degrees(mp.acos((coupler**2 + 300**2 - apart**2) / (2 * coupler * 300)))
+
+
+def test_near_a_dead_point_the_derivative_is_right_and_it_is_said_how_far_it_holds() -> None:
+    """The links are 0.1 mm from folding, where the angle goes as a root: no step of a tenth of a per cent is left."""
+    keys = ["mechanism.links[id=1].points.A[0]", "mechanism.links[id=2].points.B[0]"]
+    name, sets = "kinematics.transmission_min_RRR(2,3)[deg]", [f'{keys[1]}="899.9 mm"']
+    found = sensitivity(CONFIGS / "four-bar.toml", [name], keys, sets)
+    for each, truth in zip(found.partials, slopes(folded, [100, "899.9"]), strict=True):
+        assert each.way == "exact"
+        assert each.slope.value == pytest.approx(truth, rel=1e-9)
+        assert abs(each.slope.value - truth) <= 3 * each.slope.error
+        assert each.slope.side == "none"
+    assert {each.key.partition("[mm]")[0] for each in found.reaches} == {*keys}
+    told = sensitivity_document(found, "four-bar").parts[0].notes
+    assert all("holds for the least of changes alone" in note for note in told)

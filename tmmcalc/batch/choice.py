@@ -62,14 +62,17 @@ def solver_of(task: Task, jobs: int | None, scheduler: str | None, tell: Callabl
     return task, local(number, tell)
 
 
-def cluster(scheduler: str, jobs: int | None, tell: Callable[[str], None]) -> Solve:
-    """The workers of a cluster; raises UsageError for ``jobs`` beside it, and where distributed is not installed."""
+def cluster(scheduler: str, jobs: int | None, tell: Callable[[str], None], kept: bool = False) -> Solve:
+    """The workers of a cluster; raises UsageError for ``jobs`` beside it, and where distributed is not installed.
+
+    ``kept``: the connection stays for the next question.
+    """
     if jobs is not None:
         remedy = "leave --jobs or --scheduler out"
         raise UsageError("the cluster has its own processes", where="--jobs", remedy=remedy)
     from tmmcalc.batch.cluster import solve_on
 
-    return partial(solve_on, scheduler, tell=tell)
+    return partial(solve_on, scheduler, tell=tell, kept=kept)
 
 
 def local(jobs: int, tell: Callable[[str], None], kept: bool = False) -> Solve:

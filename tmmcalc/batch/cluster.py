@@ -20,11 +20,14 @@ REACH = 10.0  # seconds within which a scheduler answers
 WITHOUT = 60.0  # seconds that a sweep waits for a worker to come
 
 
-def solve_on(address: str, task: Task, blocks: Iterable[Block], tell: Tell) -> Iterator[list[Row]]:
+_KEPT: dict[str, Client] = {}  # connections that stay open, by their addresses
+
+
+def solve_on(address: str, task: Task, blocks: Iterable[Block], tell: Tell, kept: bool = False) -> Iterator[list[Row]]:
     """Solve blocks by the workers of the scheduler at ``address`` (``tcp://10.0.0.1:8786``), those that come later too.
 
     Raises UsageError if distributed is not installed, if no scheduler answers or no worker comes, and for workers
-    that do not have this program.
+    that do not have this program. ``kept``: the connection stays for who asks again and again.
     """
     try:
         from distributed import KilledWorker
@@ -36,7 +39,7 @@ def solve_on(address: str, task: Task, blocks: Iterable[Block], tell: Tell) -> I
             where="--scheduler",
             remedy=install("dask"),
         ) from None
-    with _client(address) as client:
+    with _kept(address) if kept else _client(address) as client:
         watch = _Watch(client, address)
         workers = Workers(lambda: _executor(client), lambda: _threads(client), (KilledWorker,), watch)
         try:
@@ -57,19 +60,36 @@ def solve_on(address: str, task: Task, blocks: Iterable[Block], tell: Tell) -> I
 
 @contextmanager
 def _client(address: str) -> Iterator[Client]:
+    with _opened(address) as client:
+        yield client
+
+
+def _opened(address: str) -> Client:
     from distributed import Client
 
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # its loss of a connection is told once, by us
     try:
-        client = Client(address, timeout=REACH, set_as_default=False)
+        return Client(address, timeout=REACH, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
         raise UsageError(
             f"no Dask scheduler answers at {address}: {error}",
             where="--scheduler",
             remedy="start one by `dask scheduler`, which prints its address",
         ) from None
-    with client:
+
+
+@contextmanager
+def _kept(address: str) -> Iterator[Client]:
+    """A connection that stays open when the block ends well, until this process ends."""
+    client = _KEPT.pop(address, None)
+    if client is None or client.status != "running":
+        client = _opened(address)
+    try:
         yield client
+    except BaseException:
+        client.close()
+        raise
+    _KEPT[address] = client
 
 
 @contextmanager

@@ -20,6 +20,7 @@ from tmmcalc.core.numerics.alike import numbers, shape_of
 from tmmcalc.core.stage import STAGES
 from tmmcalc.design.differences import FIRST
 from tmmcalc.project import Spec
+from tmmcalc.spec.variants import given
 
 Numbers = NDArray[np.complexfloating[Any, Any]]
 
@@ -61,13 +62,13 @@ class Inputs:
     def __init__(self, frame: Task, stages: Sequence[str]) -> None:
         self._axes, self._stages = frame.axes, tuple(stages)
         self._variants = frame.variants()
-        self._nominal = frame.values(0)
+        self._nominal = [given(axis.key, self._variants.data)[0] for axis in frame.axes]
         self._affine: _Affine | None = None
 
     def spec(self, values: Sequence[float]) -> Spec:
         """The spec with these values of the keys; raises `SpecError` where it is none."""
-        given = zip(self._axes, values, self._nominal, strict=True)
-        return self._variants.spec([axis.assignment(float(value)) for axis, value, own in given if value != own])
+        every = zip(self._axes, values, self._nominal, strict=True)
+        return self._variants.spec([axis.assignment(float(value)) for axis, value, own in every if value != own])
 
     def of(self, spec: Any) -> dict[str, Any]:
         """What each stage reads of a spec."""

@@ -28,13 +28,9 @@ Told = Callable[[int], None]  # places that are done
 Where = Callable[[str], str]  # where a name of a result is asked for, for messages
 
 BLOCK = 256  # places at most that are solved and sent together
-LEAST = 32  # and at least, where they are solved together
-PARTS = 4  # blocks of a few places
+LEAST = 32  # and at least, where they are solved together; blocks at most of others
+PARTS = 4  # blocks of a few places that are solved together
 FEW = 64  # places that are not worth a process
-
-
-def _of(name: str) -> str:
-    return "--of"
 
 
 @record
@@ -58,7 +54,9 @@ class Model:
     for a pattern that names nothing.
     """
 
-    def __init__(self, frame: Task, solver: Solve = solve_here, brief: bool = False, *, where: Where = _of) -> None:
+    def __init__(
+        self, frame: Task, solver: Solve = solve_here, brief: bool = False, *, where: Where = lambda name: "--of"
+    ) -> None:
         self.run: RunResult = run_of(frame, frame.variants().spec())
         error = next(iter(self.run.failures.values()), None)
         scene = Scene(self.run.spec, self.run.results)
@@ -112,7 +110,7 @@ class Model:
         """Rows of numbered places as they come, in any order."""
         every = [Place(number, tuple(values)) for number, values in places]
         # blocks depend on nothing but the number of places, so that values are the same at any number of processes
-        size = min(BLOCK, max(LEAST if self.together else 1, -(-len(every) // PARTS)))
+        size = min(BLOCK, max(LEAST, -(-len(every) // PARTS))) if self.together else max(1, len(every) // LEAST)
         yield from self._solve(self._frame, [every[at : at + size] for at in range(0, len(every), size)])
 
     def answers(self, rows: Sequence[Row]) -> Answers:
@@ -135,7 +133,7 @@ def solver_of(task: Task, count: int, jobs: int | None, scheduler: str | None, t
     Raises UsageError for ``jobs`` beside a ``scheduler``, and where joblib or distributed is not installed.
     """
     if scheduler is not None:
-        return cluster(scheduler, jobs, tell)
+        return cluster(scheduler, jobs, tell, kept=True)
     if jobs is None:
         many = count > FEW * BLOCK or (heavy(task) and count > FEW)
         jobs = cores() if many and available() else 1

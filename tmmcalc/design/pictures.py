@@ -22,7 +22,7 @@ from tmmcalc.report.numbers import number
 MOST = 20  # bars of a result
 CURVED = 6  # keys of a diagram
 PERCENT = 0.01
-ROW, THICK = 8.0, 0.62  # height of the row of a bar [mm], and the part of it that the bar takes
+ROW, TALL, THICK = 8.0, 20.0, 0.62  # least and largest height of the row of a bar [mm], the part that the bar takes
 UNDER, FRAMED = 12.0, 26.0  # room under a frame, and all beside its bars [mm]
 LETTERS = 2.5  # height of the names of keys [mm]
 WIDEST = 0.42  # of the sheet that names of keys may take
@@ -32,25 +32,33 @@ AIR = 1.15  # beyond the longest bar
 def bars(result: Sensitivity) -> Drawing:
     """Bars of every result, to the right where more of a key gives more, of a kink half a bar to each side."""
     charts = [(name, value, _shown(result, name)) for name, value in zip(result.names, result.found, strict=True)]
-    needs = [FRAMED + ROW * max(len(shown), 1) for _, _, shown in charts]
+    counts = [max(len(shown), 1) for _, _, shown in charts]
+    needs = [FRAMED + ROW * count for count in counts]
     drawing, boxes = sheets(1)
     pages, room = [0], boxes[0].height
     for need in needs[1:]:
         used = sum(own for own, page in zip(needs, pages, strict=False) if page == pages[-1])
         pages.append(pages[-1] + (used + need > room))
     drawing, boxes = sheets(pages[-1] + 1)
-    tops = [box.top for box in boxes]
-    for (name, value, shown), need, page in zip(charts, needs, pages, strict=True):
+    tops, rows = [box.top for box in boxes], [_row(room, page, counts, pages) for page in range(len(boxes))]
+    for (name, value, shown), count, page in zip(charts, counts, pages, strict=True):
+        need = FRAMED + rows[page] * count
         box = boxes[page]._replace(top=tops[page], bottom=max(tops[page] - need, boxes[page].bottom))
         tops[page] = box.bottom
         bare, unit = key_and_unit(name)
         title = tr("Sensitivity of {name} = {value}", name=plain(bare), value=tr_measured(number(value), unit))
         under = headed(drawing, box, title)
         if shown:
-            _chart(drawing, under, shown, unit)
+            _chart(drawing, under, shown, unit, rows[page])
         else:
             drawing.add(Words(complex(under.left, under.top), tr("no number matters"), LETTERS, -1 + 1j))
     return drawing
+
+
+def _row(room: float, page: int, counts: Sequence[int], pages: Sequence[int]) -> float:
+    """Height of a row [mm] by which the charts of a sheet fill it."""
+    own = [count for count, at in zip(counts, pages, strict=True) if at == page]
+    return min(TALL, max(ROW, (room - FRAMED * len(own)) / sum(own)))
 
 
 def _shown(result: Sensitivity, name: str) -> list[Partial]:
@@ -70,11 +78,11 @@ def _changes(each: Partial) -> tuple[float, float]:
     return one, other
 
 
-def _chart(drawing: Drawing, box: Box, shown: Sequence[Partial], unit: str) -> None:
+def _chart(drawing: Drawing, box: Box, shown: Sequence[Partial], unit: str, row: float) -> None:
     names = [plain(key_and_unit(each.key)[0]) for each in shown]
     size = LETTERS * min(1.0, WIDEST * box.width / max(width(name, LETTERS) for name in names))
     left = max(width(name, size) for name in names) + 4.0
-    high = min(box.height - UNDER, ROW * len(shown))
+    high = min(box.height - UNDER, row * len(shown))
     frame = Box(box.left + left, box.top - high, box.right - 2.0, box.top)
     most = AIR * max(abs(change) for each in shown for change in _changes(each))
     label = tr("change for 1 % of the key, {unit}", unit=tr_unit(unit)) if unit else tr("change for 1 % of the key")

@@ -85,7 +85,11 @@ def given(key: str, data: dict[str, Any]) -> tuple[float, str]:
     (2.0, 'kW')
     """
     assignment = f"{key}=0"
-    return _quantity(value_at(data, assignment), assignment)
+    value = value_at(data, assignment)
+    number = _number(value)
+    if number is None:
+        raise _refusal(assignment, f"{show(value)} is no number", "name a key that holds one")
+    return number
 
 
 def is_number(value: object) -> bool:
@@ -156,13 +160,22 @@ def _one_unit(units: Sequence[str], assignment: str) -> str:
 
 
 def _quantity(value: object, assignment: str) -> tuple[float, str]:
-    """Number and unit of a value of the spec."""
+    """Number and unit of a value of the spec that is to be multiplied."""
+    number = _number(value)
+    if number is None:
+        rule = f"{show(value)} is no number that could be multiplied"
+        raise _refusal(assignment, rule, "write the values themselves")
+    return number
+
+
+def _number(value: object) -> tuple[float, str] | None:
+    """Number and unit of a value of the spec, None if it is none."""
     match = _read(value) if isinstance(value, str) else None
     if match:
         return float(match.group(1)), match.group(2)
     if isinstance(value, int | float) and not isinstance(value, bool):
         return float(value), ""
-    raise _refusal(assignment, f"{show(value)} is no number that could be multiplied", "write the values themselves")
+    return None
 
 
 def _refusal(assignment: str, message: str, remedy: str) -> UsageError:

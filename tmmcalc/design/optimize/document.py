@@ -18,7 +18,8 @@ from tmmcalc.report.numbers import number
 VARIABLES = ("variable", "value", "at least", "at most", "as good from", "as good to", "limit costs")
 LIMITS = ("constraint", "value", "at least", "at most", "limit costs")
 CLOSE = 1e-6  # of the objective: two methods that agree
-BALANCED = 1e-3  # of the slope of the objective: what is left over of it
+WORSE = 10.0  # of the objective: what is told as a part of it
+BALANCED = 1e-6  # of the objective: what slopes may leave over
 REPEATED = 1e-9  # of the objective: what the stages may differ by when the design is solved by itself
 
 
@@ -43,7 +44,9 @@ def _best(result: Optimum) -> Iterator[Fact]:
         change = (
             f", {abs(best / was - 1):.1%} {'less' if best < was else 'more'} than now" if was and best != was else ""
         )
-        yield Fact("of the spec as it is", f"{number(was)} {unit}".rstrip() + change, {"now": was})
+        broken = f", which breaks {', '.join(result.broken)}" if result.broken else ""
+        told = f"{number(was)} {unit}".rstrip() + change + broken
+        yield Fact("of the spec as it is", told, {"now": was, "breaks": list(result.broken)})
 
 
 def _search(result: Optimum) -> Iterator[Fact]:
@@ -59,10 +62,10 @@ def _search(result: Optimum) -> Iterator[Fact]:
         found = [sign * best if np.isfinite(best) else None for sign, best in zip(signs, second.best, strict=True)]
         told = {"method": second.method, "best": found, "starts": second.starts, "hits": second.hits}
         yield Fact("second method", _confirmed(result), {f"second_{key}": value for key, value in told.items()})
-    if result.stationarity is not None and np.isfinite(result.stationarity.residual) and result.flat:
-        left = result.stationarity.residual
-        text = f"{'exact ' * result.exact}slopes of objective and limits balance to {left:.1e}"
-        yield Fact("optimality", text, {"imbalance": left, "exact": result.exact})
+    balance = result.stationarity
+    if balance is not None and np.isfinite(balance.gain) and not all(each.among for each in result.variables):
+        text = f"what the {'exact ' * result.exact}slopes leave over wins {balance.gain:.0e} of it"
+        yield Fact("optimality", text, {"gain": balance.gain, "exact": result.exact})
     again = max(each.again for each in result.designs)
     yield Fact("solved again", f"by the ordinary stages, the same to {again:.0e}", {"apart": again})
 
@@ -78,7 +81,7 @@ def _confirmed(result: Optimum) -> str:
         if not np.isfinite(best):
             told.append("found nothing that keeps the constraints")
         elif best > own + CLOSE * abs(own):
-            worse = f", {(best - own) / abs(own):.1%} worse" if own else ""
+            worse = f", {(best - own) / abs(own):.1%} worse" if best - own < WORSE * abs(own) else ""
             told.append(f"found {number(objective.sign * best)} {objective.unit}".rstrip() + worse)
         else:
             first = "it is what is told here: the first found less good" if second.better else "the same"
@@ -89,12 +92,10 @@ def _confirmed(result: Optimum) -> str:
 def _notes(result: Optimum) -> Iterator[str]:
     balance = result.stationarity
     if balance is not None and balance.kinks:
-        yield (
-            f"note: the objective has a kink at the optimum in {balance.kinks} of its variables: what limits cost is "
-            "found by seeking again with looser ones"
-        )
-    elif balance is not None and balance.residual > BALANCED and not all(each.among for each in result.variables):
-        yield f"warning: slopes do not balance at the optimum (to {balance.residual:.1e}): it may not be the best yet"
+        costs = ": what limits cost is found by seeking again with looser ones" if result.binding else ""
+        yield f"note: the objective has a kink at the optimum in {balance.kinks} of its variables{costs}"
+    elif balance is not None and balance.gain > BALANCED and not all(each.among for each in result.variables):
+        yield f"warning: going on along the slopes wins {balance.gain:.1e} of it: the best is not reached"
     if result.designs and max(each.again for each in result.designs) > REPEATED:
         yield "warning: solved by itself a design differs from what the search saw"
 

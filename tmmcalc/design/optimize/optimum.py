@@ -22,6 +22,7 @@ LEVEL = 0.01  # of the objective: what is worse by no more is as good
 REACH = 1e-6  # of the box: the nearest design that is tried for flatness
 LADDER = 24  # designs to a side, each farther by the same factor
 HALVINGS = 30
+STRIDES = 1e-9, 1e-1  # of the box: how far is gone on the way that slopes leave over
 LOOSER = 0.01  # of a limit, by which it is loosened to see what it costs
 NEAR = 0.05  # of the box to each side, within which the optimum is sought again
 SEEKS = 300  # designs a variable for that
@@ -52,10 +53,14 @@ class Flatness:
 
 @record
 class Stationarity:
-    """How far the slopes of objective and binding limits are from balancing, relative; NaN where a slope is none."""
+    """What is left of the slopes of the objective beside those of the limits that bind.
 
-    residual: float
-    kinks: int  # slopes that are none
+    ``gain`` is what going along that wins of the objective, as a part of it; NaN where a slope is none. ``kinks`` are
+    the slopes that are none.
+    """
+
+    gain: float
+    kinks: int
 
 
 def bindings(problem: Problem, place: Values, slopes: Values) -> tuple[tuple[Binding, ...], Stationarity]:
@@ -81,19 +86,17 @@ def bindings(problem: Problem, place: Values, slopes: Values) -> tuple[tuple[Bin
     columns += [(1.0 if side == "at least" else -1.0) * inward[problem.free.index(k)] for k, side in walls]
     kinks = int(np.isnan(gradient).sum())
     costs = np.full(len(columns), np.nan)
-    residual = np.nan
-    size = float(np.linalg.norm(gradient))
+    gain = np.nan
     if np.isfinite(gradient).all() and all(np.isfinite(each).all() for each in columns):
-        balance = np.zeros(0)
+        left = gradient
         if columns:
             matrix = np.array(columns).T
             scales = np.linalg.norm(matrix, axis=0)
             scales[scales == 0] = 1.0
-            balance, left = nnls(matrix / scales, gradient)
+            balance, _ = nnls(matrix / scales, gradient)
             costs = balance / scales
-        else:
-            left = size
-        residual = left / size if size else 0.0
+            left = gradient - matrix @ costs
+        gain = _gain(problem, place, left)
     found = []
     for (limit, side, _), cost in zip(limited, costs, strict=False):
         value = limit.at_least if side == "at least" else limit.at_most
@@ -105,10 +108,23 @@ def bindings(problem: Problem, place: Values, slopes: Values) -> tuple[tuple[Bin
         found.append(Binding(limit.name, side, value, limit.unit, float(change), False, again))
     for (k, side), cost in zip(walls, costs[len(limited) :], strict=True):
         variable = problem.variables[k]
-        change = objective.sign * (cost if side == "at least" else -cost) / (variable.high - variable.low)
         value = variable.low if side == "at least" else variable.high
+        change = objective.sign * (cost if side == "at least" else -cost) / variable.stretch(value)
         found.append(Binding(variable.name, side, value, variable.unit, float(change), True))
-    return tuple(found), Stationarity(residual, kinks)
+    return tuple(found), Stationarity(gain, kinks)
+
+
+def _gain(problem: Problem, place: Values, left: Values) -> float:
+    """What the objective wins on the way that slopes (f,) leave over, as a part of it."""
+    size = float(np.linalg.norm(left))
+    best = float(problem.scores(place[None]).objectives[0, 0])
+    if not size or not best:
+        return 0.0
+    places = np.tile(place, (LADDER, 1))
+    places[:, problem.free] -= np.geomspace(STRIDES[0], STRIDES[1], LADDER)[:, None] * left / size
+    scores = problem.scores(places)
+    good = scores.objectives[scores.violation == 0, 0]
+    return max(0.0, best - float(good.min(initial=best))) / abs(best)
 
 
 def _binding_limits(problem: Problem, results: Values) -> list[tuple[Limit, str, float]]:

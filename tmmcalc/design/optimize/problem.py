@@ -6,6 +6,7 @@ solved is numbered as it is asked for, so that a journal of an earlier run answe
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
@@ -25,6 +26,9 @@ from tmmcalc.feasibility.rule import function
 
 Values = NDArray[np.floating[Any]]
 
+BEYOND = 0.1  # of the box, that steps about a design may go beyond it
+DECADES = 100.0  # times its least value the greatest is, from where on a range is wide
+TINY = 1e-300
 START = 1024  # designs that there is room for at the beginning
 TOLERANCE = 1e-9  # of a limit, that counts as kept: what rounding leaves of a design on it
 
@@ -40,8 +44,15 @@ class Variable:
     high: float
     among: tuple[float, ...] = ()  # in rising order; empty: any from low to high
 
+    @property
+    def wide(self) -> bool:
+        """Whether the range goes over decades, in whose logarithm it is then searched evenly."""
+        return not self.among and self.low > 0 and self.high >= DECADES * self.low
+
     def value(self, part: Values) -> Values:
         """Values (n,) at parts (n,) of the range from 0 to 1."""
+        if self.wide:
+            return np.asarray(self.low * (self.high / self.low) ** part)
         if not self.among:
             return np.asarray(self.low + part * (self.high - self.low))
         index = np.minimum((part * len(self.among)).astype(int), len(self.among) - 1)
@@ -49,9 +60,15 @@ class Variable:
 
     def part(self, value: float) -> float:
         """The part of the range at a value; of values that are listed the middle of that of the nearest."""
+        if self.wide:
+            return math.log(max(value, TINY) / self.low) / math.log(self.high / self.low)
         if not self.among:
             return (value - self.low) / (self.high - self.low)
         return (int(np.argmin(np.abs(np.asarray(self.among) - value))) + 0.5) / len(self.among)
+
+    def stretch(self, value: float) -> float:
+        """Change of the value for a change of its part, where it takes any."""
+        return value * math.log(self.high / self.low) if self.wide else self.high - self.low
 
 
 @record
@@ -186,8 +203,8 @@ class Problem:
         return np.array([each.value(part) for each, part in zip(self.variables, parts.T, strict=True)]).T
 
     def beyond(self, places: Values) -> Values:
-        """Results (n, m) at places that may be a step beyond the unit box."""
-        parts = zip(self.variables, places.T, strict=True)
+        """Results (n, m) at places that may be a step beyond the unit box, farther ones taken back to `BEYOND`."""
+        parts = zip(self.variables, np.clip(places, -BEYOND, 1 + BEYOND).T, strict=True)
         return self.solve(np.array([each.value(part) for each, part in parts]).T)
 
     def parts(self, values: Values) -> Values:

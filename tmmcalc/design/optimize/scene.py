@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
+from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -37,6 +38,7 @@ from tmmcalc.spec.units import UnitError, dimension_of
 if TYPE_CHECKING:
     from tmmcalc.batch.task import Task
     from tmmcalc.design.tables.optimize import OptimizeTable, VariableTable
+    from tmmcalc.feasibility.judge import FeasibilityTask
     from tmmcalc.project import Spec
     from tmmcalc.spec.variants import Axis
 
@@ -67,6 +69,7 @@ class Optimum:
     objectives: tuple[Objective, ...]
     limits: tuple[Limit, ...]
     nominal: tuple[float, ...]  # the objectives of the spec as it is, NaN where it has none
+    broken: tuple[str, ...]  # the limits that the spec as it is does not keep
     designs: tuple[Design, ...]  # the best, or the front
     method: str
     complete: bool
@@ -139,6 +142,7 @@ def _found(problem: Problem, frame: Task, table: OptimizeTable, nominal: Values,
         problem.objectives,
         problem.rule.limits,
         tuple(float(problem.model.found[each.column]) for each in problem.objectives),
+        tuple(each.name for each in problem.rule.limits if not problem.rule.kept(each, problem.model.found[None])[0]),
         designs,
         course.method,
         course.complete,
@@ -169,14 +173,14 @@ def _slopes(problem: Problem, frame: Task, place: Values) -> tuple[Values, bool]
     held = [frame.axes[key].assignment(value) for key, value in set_to.items() if key not in moved]
     here = [set_to[key] for key in moved]
     there = replace(frame, axes=tuple(frame.axes[key] for key in moved), fixed=(*frame.fixed, *held)).at([here])
-    sizes = [SCALE * (variable.high - variable.low) for variable in free for _ in variable.keys]
+    spans = [problem.variables[k].stretch(float(values[k])) for k in problem.free]
+    sizes = [SCALE * span for variable, span in zip(free, spans, strict=True) for _ in variable.keys]
     gradients = Gradients(there, sizes)
     found = gradients(np.array(here))
     rows = [gradients.names.index(name) for name in problem.model.names]
     ends = np.cumsum([len(variable.keys) for variable in free])[:-1]
     parts = np.split(found.slopes[rows], ends, axis=1)
-    ranges = [variable.high - variable.low for variable in free]
-    slopes = np.array([part.sum(axis=1) * span for part, span in zip(parts, ranges, strict=True)]).T
+    slopes = np.array([part.sum(axis=1) * span for part, span in zip(parts, spans, strict=True)]).T
     return slopes, bool(found.exact[rows].all())
 
 
@@ -225,20 +229,41 @@ def _prepared(
     names = [*asking]
     frame = frame_of(file, fixed, keys, names)
     variables, at = [], 0
-    for number, variable in enumerate(table.variables, 1):
+    for number, variable in enumerate(table.variables):
         axes = frame.axes[at : at + len(variable.of)]
-        variables.append(_variable(variable, axes, at, frame, f"optimize.variables, {number}"))
+        variables.append(_variable(variable, axes, at, frame, f"optimize.variables[{number}]"))
         at += len(axes)
-    model = Model(
-        frame, solver_of(frame, EACH * len(variables), jobs, scheduler, tell), brief=True, where=asking.__getitem__
-    )
-    columns = _columns(model)
+    solver = solver_of(frame, EACH * len(variables), jobs, scheduler, tell)
+    try:
+        model = Model(frame, solver, brief=True, where=asking.__getitem__)
+    except UsageError as error:
+        asked = next((where for name, where in asking.items() if parse(name).stage == error.where), None)
+        if asked is None:
+            raise
+        raise UsageError(f"{error.where} does not run: {error.message}", where=asked, remedy=error.remedy) from None
     low, high = np.empty(len(keys)), np.empty(len(keys))
     for each in variables:
         low[[*each.keys]], high[[*each.keys]] = each.low, each.high
     near = model.over(range(len(keys)), low, high)
+    objectives, rule = _objectives(model, table), _rule(model, task)
+    return frame, lambda journal: Problem(variables, objectives, rule, near, journal), model.nominal
+
+
+def _objectives(model: Model, table: OptimizeTable) -> list[Objective]:
+    """The results that are sought; raises UsageError where two names mean one."""
+    columns = _columns(model)
     objectives = [_objective(model, columns, name, 1) for name in table.least]
     objectives += [_objective(model, columns, name, -1) for name in table.greatest]
+    for one_of, other in combinations(objectives, 2):
+        if one_of.column == other.column:
+            said = f"{one_of.name} and {other.name} are the same result"
+            raise UsageError(said, where="optimize", remedy="remove one of them")
+    return objectives
+
+
+def _rule(model: Model, task: FeasibilityTask) -> Rule:
+    """The constraints on results, in their units, those that are given, and how all are combined."""
+    columns, scene = _columns(model), Scene(model.run.spec, model.run.results)
     given: dict[str, float] = {}
     limited: list[Limit] = []
     for constraint in task.constraints:
@@ -246,11 +271,10 @@ def _prepared(
             value, unit = of_given(constraint)
             given[constraint.name] = float(min(sides(value, *limits(constraint, unit))))
         else:
-            found = one(constraint.asked, model.run.results, Scene(model.run.spec, model.run.results))
-            low_high = limits(constraint, found.unit)
-            limited.append(Limit(constraint.name, columns[found.key], found.unit, *low_high))
-    rule = Rule(tuple(limited), given, task.rule, task.form, task.m)
-    return frame, lambda journal: Problem(variables, objectives, rule, near, journal), model.nominal
+            found = one(constraint.asked, model.run.results, scene)
+            ends = limits(constraint, found.unit)
+            limited.append(Limit(constraint.name, columns[found.key], found.unit, *ends))
+    return Rule(tuple(limited), given, task.rule, task.form, task.m)
 
 
 def _columns(model: Model) -> dict[str, int]:

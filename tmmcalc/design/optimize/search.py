@@ -63,9 +63,9 @@ def search(problem: Problem, nominal: Values, budget: int, seed: int, designs: i
         found = _complete(problem, sizes, tell)
         _check(problem, found.scores)
         return Course(*_chosen(found, designs), f"all {prod(sizes)} designs", True, None)
-    found = _evolved(problem, nominal, budget, seed, tell)
-    _check(problem, found.scores)
     several = len(problem.objectives) > 1
+    found = _evolved(problem, nominal, budget, seed, 2 * designs if several else 0, tell)
+    _check(problem, found.scores)
     chosen = Population(*_chosen(found, designs))
     tell("polishing", chosen.scores)
     best = _polished_front(problem, chosen) if several else _polished(problem, chosen)
@@ -105,9 +105,9 @@ def _blocks(sizes: Sequence[int]) -> Iterator[Values]:
         yield (np.array(block) + 0.5) / np.array(sizes)
 
 
-def _evolved(problem: Problem, nominal: Values, budget: int, seed: int, tell: Tell) -> Population:
-    """By evolution from designs that are spread evenly, the spec as it is among them."""
-    first = _spread(len(problem.variables), population(len(problem.variables), budget), seed)
+def _evolved(problem: Problem, nominal: Values, budget: int, seed: int, least: int, tell: Tell) -> Population:
+    """By evolution from designs, ``least`` of them, that are spread evenly, the spec as it is among them."""
+    first = _spread(len(problem.variables), max(least, population(len(problem.variables), budget)), seed)
     first[0] = np.clip(problem.parts(nominal), 0.0, 1.0)
     rng = np.random.default_rng(seed)
     return evolve(problem.scores, first, budget, rng, lambda scores: tell("evolution", scores))
@@ -269,7 +269,7 @@ def _by_starts(problem: Problem, budget: int, seed: int) -> tuple[Second, Popula
     method = "sequential quadratic programming from random designs"
     if not chosen:
         return Second(method, (np.inf,) * several, 0, starts), Population(drawn[:0], scores[:0])
-    found = polish(problem, drawn[chosen], aims, SHORTER)
+    found = polish(problem, drawn[chosen], aims, int(np.clip(2 * budget // (starts * variables), STEPS, SHORTER)))
     kept = found.scores.violation == 0
     best, hits = [], 0
     for at in range(several):

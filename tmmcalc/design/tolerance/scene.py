@@ -73,7 +73,7 @@ def tolerate(asked: Asked, told: Told = lambda done: None, warn: Callable[[str],
     frame = frame_of(asked.file, asked.overrides, keys, [*dict.fromkeys([*wanted, *course])])
     _check(frame)
     sources = sources_of(spec.tolerances, variants.data, frame.axes, partial(_pressed, spec))
-    model = Model(frame)
+    model = Model(frame, brief=True)
     many = solver_of(frame, sizes(asked.samples), asked.jobs, asked.scheduler, warn)
     lines = sensitivity(asked.file, wanted, keys, asked.overrides, scheduler=asked.scheduler, tell=warn)
     names = [*lines.names, *(name for name in model.names if name not in lines.names)]

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator
+from math import isfinite
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.naming.rows import in_unit
 from tmmcalc.spec.findings import Finding
-from tmmcalc.spec.outline import Outline, Raw, subtable, tables
+from tmmcalc.spec.outline import Outline, Raw, tables
+from tmmcalc.spec.override import apply
 from tmmcalc.spec.phrases import Path, show
 from tmmcalc.spec.units import UnitError, dimension_of
 from tmmcalc.spec.units import parse as in_si
@@ -19,7 +21,9 @@ RANGE = ("at_least", "at_most")
 
 def check_optimize(outline: Outline) -> Iterator[Finding]:
     """One result at least is sought and none twice; variables are numbers of the spec, none twice."""
-    optimize = subtable(outline.document, "optimize")
+    optimize = outline.document.get("optimize", {})
+    if not isinstance(optimize, dict):
+        return
     sought = [name for sense in SENSES for name in _listed(optimize.get(sense))]
     if not sought:
         rule = "missing key: least or greatest, the result that is sought"
@@ -27,18 +31,24 @@ def check_optimize(outline: Outline) -> Iterator[Finding]:
     for name in {*_listed(optimize.get("least"))} & {*_listed(optimize.get("greatest"))}:
         rule = f"{show(name)} is to be least and greatest"
         yield Finding(("optimize", "greatest"), rule, "remove it from one of them")
-    seen: set[str] = set()
+    seen: dict[Path, str] = {}
     for index, variable in tables(optimize, "variables"):
         path: Path = ("optimize", "variables", index)
         units = []
         for key in filter(None, _listed(variable.get("of"))):
-            if key in seen:
-                yield Finding((*path, "of"), f"{key} is varied twice", "remove it from one of the variables")
-            seen.add(key)
+            if any(wild in key for wild in "*?"):
+                yield Finding((*path, "of"), f"{show(key)} may name several keys", "write each: of = [...]")
+                continue
             try:
                 units.append(given(key, outline.document)[1])
             except UsageError as error:
                 yield Finding((*path, "of"), error.message, error.remedy)
+                continue
+            place = apply(outline.document, [f"{key}=0"])[1][0]
+            if place in seen:
+                also = "" if seen[place] == key else f", as {seen[place]} too"
+                yield Finding((*path, "of"), f"{key} is varied twice{also}", "remove it from one of the variables")
+            seen.setdefault(place, key)
         yield from _check_values(path, variable, units)
 
 
@@ -79,10 +89,12 @@ def _check_values(path: Path, variable: Raw, units: list[str]) -> Iterator[Findi
 
 
 def _numbers(path: Path, values: list[object], units: list[str]) -> Generator[Finding, None, list[float]]:
-    """The values in the unit of the first key; a finding for one that does not fit."""
+    """The values in the unit of the first key; a finding for one that does not fit, none for what is no number."""
     known: list[float] = []
     for value in values:
-        if not isinstance(value, str | int | float) or isinstance(value, bool):
+        if isinstance(value, bool) or not isinstance(value, str | int | float):
+            continue
+        if isinstance(value, float) and not isfinite(value):
             continue
         try:
             known.append(_comparable(value, units[0] if units else ""))
