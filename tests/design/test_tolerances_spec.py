@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 from typer.testing import CliRunner
 
@@ -17,6 +18,7 @@ from tmmcalc.project.loader import Variants, parse_spec
 
 SHAPER = (Path(__file__).parents[2] / "configs" / "shaper.toml").read_text(encoding="utf-8")
 CRANK = 'of = "mechanism.links[id=1].points.A[0]"'
+AGAIN = 'of = "mechanism.links[0].points.A[0]"'  # the same number
 
 
 def sources(tmp_path: Path, *tables: str) -> Sources:
@@ -67,6 +69,19 @@ def test_wildcards_groups_measured_and_clearances(tmp_path: Path) -> None:
     assert guide.along == pytest.approx((0.0, 1.0))
 
 
+def test_a_number_under_two_names_is_one(tmp_path: Path) -> None:
+    """A pin and a dimension move the same coordinate, each by its own change."""
+    found = sources(
+        tmp_path,
+        'of = "mechanism.links[2].points.C[0]"\ntolerance = "0.1 mm"',
+        'joint = "C"\nclearance = "0.2 mm"\ndirection = "0 deg"',
+    )
+    assert found.keys == 2
+    assert found.dimensions[0].key == found.clearances[0].keys[0]
+    moved = found.parts(np.full((1, found.count), 0.5))[0]
+    assert moved.sum(axis=0) == pytest.approx([0.1, 0.0])
+
+
 @pytest.mark.parametrize(
     ("table", "said"),
     [
@@ -89,6 +104,12 @@ def test_wildcards_groups_measured_and_clearances(tmp_path: Path) -> None:
         ('joint = "A"', "missing key: clearance"),
         ('joint = "A"\nclearance = "0.1 mm"\nlink = 4', "no joint of link 4"),
         ('joint = "A3"\nclearance = "0.1 mm"', "named point"),
+        (f'{CRANK}\ntolerance = "h7"\nalike = "mechanism.links[0].points.A[0]"', "the name of a number"),
+        (f'{CRANK}\ntolerance = "h7"\nalike = "clearance of A"', "the name of a clearance"),
+        (
+            'joint = "C"\nclearance = "0.1 mm"\n[[tolerances]]\njoint = "C"\nclearance = "0.1 mm"\nlink = 4',
+            "two clearances",
+        ),
     ],
 )
 def test_a_fault_is_one_message(table: str, said: str) -> None:
@@ -105,6 +126,7 @@ def test_a_fault_is_one_message(table: str, said: str) -> None:
         ((f'{CRANK}\ntolerance = "h19"',), "no grade"),
         (('of = "mechanism.links[id=3].mass"\ntolerance = "h7"',), "is a tolerance of lengths"),
         ((f'{CRANK}\ntolerance = "h7"', f'{CRANK}\ntolerance = "h8"'), "two tolerances"),
+        ((f'{CRANK}\ntolerance = "h7"', f'{AGAIN}\ntolerance = "h8"'), "two tolerances, as mechanism.links.id=1"),
         (('of = "mechanism.joints[name=D0].guide.angle"\ntolerance = "m"',), "shorter side"),
     ],
 )

@@ -11,19 +11,27 @@ from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.outline import Outline, Raw, subtable, tables
 from tmmcalc.spec.phrases import Path, did_you_mean, listing, show
 from tmmcalc.spec.units import dimension_of
+from tmmcalc.spec.variants import given
 
 OF_FILES = ("column", "measured_as")
 OF_DIMENSIONS = ("tolerance", "side", "measured", "measurements", *OF_FILES, "alike", "correlation")
 OF_JOINTS = ("clearance", "direction", "link")
+OF_CLEARANCE = "clearance of "  # and the name of the joint: how one is told
 MEASURED = ("measured", "measurements")  # deviations, and the file of pieces
 
 
 def check_tolerances(outline: Outline) -> Iterator[Finding]:
-    """Each is that of dimensions, or of a joint, and complete."""
+    """Each is that of dimensions, or of a joint that has no other one, and complete."""
+    seen: set[str] = set()
     for index, table in tables(outline.document, "tolerances"):
         path: Path = ("tolerances", index)
         if "joint" in table and "of" not in table:
             yield from _check_joint(path, table, outline)
+            name = table["joint"]
+            if isinstance(name, str) and name in seen:
+                rule = f"{show(name)} has two clearances"
+                yield Finding((*path, "joint"), rule, "remove one of the tables")
+            seen |= {name} if isinstance(name, str) else set()
         elif "of" not in table:
             yield Finding(path, "missing key: of, the dimensions, or joint", 'add of = "...", or joint = "A"')
         else:
@@ -44,9 +52,25 @@ def _check_dimensions(path: Path, table: Raw, outline: Outline) -> Iterator[Find
             except UsageError as error:
                 yield Finding((*path, "of"), error.message, error.remedy)
     yield from _check_width(path, table)
+    yield from _check_group(path, table.get("alike"), outline)
     if table.get("correlation") is not None and not table.get("alike"):
         rule = "correlation without alike: it is that of a group"
         yield Finding((*path, "correlation"), rule, 'add alike = "bores", or remove it')
+
+
+def _check_group(path: Path, group: object, outline: Outline) -> Iterator[Finding]:
+    """A group is told beside dimensions and clearances, and has a name that is none of theirs."""
+    if not isinstance(group, str) or not group:
+        return
+    try:
+        given(group, outline.document)
+        kind = "a number of the spec"
+    except UsageError:
+        if not group.startswith(OF_CLEARANCE):
+            return
+        kind = "a clearance"
+    rule = f"{show(group)} is the name of {kind}: the group would be told as it"
+    yield Finding((*path, "alike"), rule, 'choose another name, such as "bores"')
 
 
 def _check_width(path: Path, table: Raw) -> Iterator[Finding]:
