@@ -119,6 +119,52 @@ def test_a_fault_is_one_message(table: str, said: str) -> None:
     assert said in f"{fault}"
 
 
+GUIDE = 'joint = "D"\nclearance = "0.1 mm"'
+OWN = ('name = "D"\nkind = "revolute"\nlinks = [4, 5]', 'name = "D"\nkind = "revolute"\nlinks = [4, 5]\n')
+
+
+@pytest.mark.parametrize(
+    ("changes", "table", "users", "remedy"),
+    [
+        ([], 'joint = "B"\nclearance = "0.1 mm"', 'guide.through of joint "A3"', "guide.through of joint"),
+        ([], f"{GUIDE}\nlink = 5", "load 'Q5'", 'points = ["D", "D_1"]'),
+        ([], f"{GUIDE}\nlink = 4", "", ""),  # the load and the output are those of the ram, which stays
+        (
+            [('D = ["290 mm", 0]', 'D4 = ["290 mm", 0]'), (OWN[0], OWN[1] + 'points = ["D4", "D"]'),
+             ('point = "D"\ndirection = "0 deg"', 'point = "D4"')],
+            GUIDE, "the output of 'D4'", 'points = ["D4_1", "D"]',
+        ),
+        (
+            [('points = { C = [0, 0]', 'points = { E = ["0.1 m", 0], C = [0, 0]'),
+             ("[motor]", '[[springs]]\nlinks = [0, 4]\npoints = ["O", "C"]\nstiffness = 10\n[motor]')],
+            'joint = "C"\nclearance = "0.1 mm"\nlink = 4', "spring number 1", 'points = ["C", "C_1"]',
+        ),
+        (
+            [("[motor]", '[[mechanism.links]]\nid = 6\npoints = { C = [0, 0], F = ["0.3 m", 0] }\n'
+              '[[mechanism.joints]]\nname = "C6"\nkind = "revolute"\nlinks = [3, 6]\npoint = "C"\n[motor]')],
+            'joint = "C"\nclearance = "0.1 mm"', 'joint "C6"', 'points = ["C_1", "C"]',
+        ),
+    ],
+)  # fmt: skip
+def test_a_pin_that_others_have_too_is_refused(
+    changes: list[tuple[str, str]], table: str, users: str, remedy: str
+) -> None:
+    text = SHAPER
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new, 1)
+    try:
+        parse_spec(f"{text}\n[[tolerances]]\n{table}\n")
+        told = []
+    except SpecError as error:
+        told = [f"{fault}" for fault in error.faults if "tolerances" in f"{fault}"]
+    assert len(told) == bool(users)
+    for fault in told:
+        assert users in fault
+        assert "would move along" in fault
+        assert remedy in fault
+
+
 @pytest.mark.parametrize(
     ("tables", "said"),
     [
