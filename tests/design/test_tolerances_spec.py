@@ -12,8 +12,10 @@ from typer.testing import CliRunner
 from tmmcalc.batch.reading import frame_of
 from tmmcalc.cli.app import app
 from tmmcalc.core.errors import SpecError, UsageError
+from tmmcalc.design.tolerance.linear import ends_of
 from tmmcalc.design.tolerance.sources import Sources
 from tmmcalc.design.tolerance.task import keys_of, sources_of
+from tmmcalc.design.tolerance.worst import Box
 from tmmcalc.project.loader import Variants, parse_spec
 
 SHAPER = (Path(__file__).parents[2] / "configs" / "shaper.toml").read_text(encoding="utf-8")
@@ -21,14 +23,21 @@ CRANK = 'of = "mechanism.links[id=1].points.A[0]"'
 AGAIN = 'of = "mechanism.links[0].points.A[0]"'  # the same number
 
 
-def sources(tmp_path: Path, *tables: str) -> Sources:
+def sources(tmp_path: Path, *tables: str, text: str = SHAPER) -> Sources:
     file = tmp_path / "s.toml"
-    text = SHAPER + "".join(f"\n[[tolerances]]\n{table}\n" for table in tables)
+    text = text + "".join(f"\n[[tolerances]]\n{table}\n" for table in tables)
     file.write_text(text, encoding="utf-8")
     variants = Variants(text, str(file), tmp_path, ())
     spec = variants.spec()
     frame = frame_of(file, (), keys_of(spec.tolerances, variants.data), ["kinematics.stroke_D"])
     return sources_of(spec.tolerances, variants.data, frame.axes)
+
+
+def arms(tmp_path: Path, table: str, which: str = "FG") -> Sources:
+    """Of points of the slotted link at 300 mm to both sides."""
+    text = SHAPER.replace("points = { B = [0, 0], C", 'points = { F = ["300 mm", 0], G = ["-300 mm", 0], B = [0, 0], C')
+    keys = [f"mechanism.links[id=3].points.{point}[0]" for point in which]
+    return sources(tmp_path, f"of = {json.dumps(keys)}\n{table}", text=text)
 
 
 @pytest.mark.parametrize(
@@ -227,3 +236,37 @@ at_least = "657.9 mm"
     assert Path("t.csv").stat().st_mtime_ns == before  # nothing was solved again
     none = CliRunner().invoke(app, ["tolerance", "s.toml", "--of", "kinematics.strok_D"])
     assert isinstance(none.exception, UsageError)
+
+
+@pytest.mark.parametrize("tolerance", ['"h7"', '"1 %"', '"m"', '"js9"'])
+def test_sizes_made_alike_become_larger_together(tmp_path: Path, tolerance: str) -> None:
+    """A lever with two equal arms, one of which points along -x: what makes one longer makes the other one longer."""
+    found = arms(tmp_path, f'tolerance = {tolerance}\nalike = "arms"')
+    one, other = found.dimensions
+    assert (one.sense, other.sense) == (1.0, -1.0)
+    assert (one.low, one.high) == pytest.approx((-other.high, -other.low))
+    moved = found.parts(np.linspace(0.01, 0.99, 9)[:, None])[:, 0, [one.key, other.key]]
+    assert moved[:, 0] == pytest.approx(-moved[:, 1])
+    assert (np.diff(moved[:, 0]) > 0).all()
+    sums, differences = np.zeros((2, found.keys))
+    sums[[one.key, other.key]], differences[[one.key, other.key]] = (1.0, 1.0), (1.0, -1.0)  # of coordinates
+    assert ends_of(found, sums) == pytest.approx((0.0, 0.0), abs=1e-12)
+    assert ends_of(found, differences) == pytest.approx((2 * one.low, 2 * one.high))
+    assert sums @ found.covariances()[0] @ sums == pytest.approx(0.0, abs=1e-12)
+    box = Box(found, np.array([300.0, -300.0]))
+    assert np.abs(box.keys(np.array([[1.0]])))[0] == pytest.approx([300 + one.high] * 2)
+
+
+@pytest.mark.parametrize("sign", ["", "-"])
+def test_measured_sizes_of_a_negative_coordinate(tmp_path: Path, sign: str) -> None:
+    sizes = (299.98, 300.01, 300.05)
+    (tmp_path / "p.csv").write_text("A[mm]\n" + "".join(f"{sign}{each}\n" for each in sizes), encoding="utf-8")
+    files = f'measurements = "{(tmp_path / "p.csv").as_posix()}"'
+    (found,) = arms(tmp_path, files, "G").dimensions
+    assert sorted(found.measured) == pytest.approx([-0.05, -0.01, 0.02])
+    assert found.deviation(np.array([-3.0, 3.0])) == pytest.approx([0.02, -0.05])  # the largest size last
+
+
+def test_deviations_are_of_the_coordinate_as_written(tmp_path: Path) -> None:
+    one, other = arms(tmp_path, 'tolerance = ["0 mm", "0.1 mm"]\nalike = "arms"').dimensions
+    assert (one.low, one.high, one.sense) == (other.low, other.high, other.sense) == (0.0, 0.1, 1.0)

@@ -87,9 +87,16 @@ def _meant(table: ToleranceTable, key: str, document: Raw) -> list[str]:
     from tmmcalc.spec.variants import given
 
     found = chosen(document, [key], "tolerances")
+    sized = _of_size(table) and not WILD.isdisjoint(key)
+    return [each for each in found if not (sized and given(each, document)[0] == 0.0)]
+
+
+def _of_size(table: ToleranceTable) -> bool:
+    """Whether a tolerance is that of a magnitude, and not of the number as it is written."""
     width = table.tolerance
-    sized = isinstance(width, str) and (is_class(width) or bool(class_of(width)) or width.rstrip().endswith("%"))
-    return [each for each in found if not (sized and not WILD.isdisjoint(key) and given(each, document)[0] == 0.0)]
+    if table.measurements is not None:
+        return table.measured_as == "sizes"
+    return isinstance(width, str) and (is_class(width) or bool(class_of(width)) or width.rstrip().endswith("%"))
 
 
 def _dimension(table: ToleranceTable, axis: Axis, at: int, where: str) -> Dimension:
@@ -106,7 +113,8 @@ def _dimension(table: ToleranceTable, axis: Axis, at: int, where: str) -> Dimens
             ends = _ends(table, axis.values[0], unit)
     except UnitError as error:
         raise UsageError(f"{axis.key}: {error.message}", where=where, remedy=error.remedy) from None
-    return Dimension(axis.key, at, *ends, cast(Kind, kind), measured, table.alike, table.correlation)
+    sense = -1.0 if _of_size(table) and axis.values[0] < 0 else 1.0
+    return Dimension(axis.key, at, *ends, cast(Kind, kind), measured, table.alike, table.correlation, sense)
 
 
 def _pieces(table: ToleranceTable, axis: Axis, unit: str, where: str) -> tuple[float, ...]:
@@ -115,8 +123,11 @@ def _pieces(table: ToleranceTable, axis: Axis, unit: str, where: str) -> tuple[f
     if (kind_of(told) if told else None) != (kind_of(unit) if unit else None):
         rule = f"{table.measurements} is in {told or 'bare numbers'}, and this {f'in {unit}' if unit else 'is one'}"
         raise UnitError(rule, "name another column, or write its unit in the header: A[mm]")
-    sizes = [_in(unit, value) for value in values]
-    return tuple(sizes if table.measured_as == "deviations" else [size - axis.values[0] for size in sizes])
+    found, nominal = [_in(unit, value) for value in values], axis.values[0]
+    if table.measured_as == "deviations":
+        return tuple(found)
+    # the size of a coordinate that is negative is its magnitude, unless the file has its sign too
+    return tuple((-size if nominal < 0 < size else size) - nominal for size in found)
 
 
 def _ends(table: ToleranceTable, size: float, unit: str) -> tuple[float, float]:
