@@ -22,7 +22,7 @@ from .conftest import Cli
         (("forces", "--positions", "3"), "--positions cannot be used with the picture of forces"),
         (("forces", "--positions", "3"), "its own flags: --polygons"),
         (("reduction", "--positions", "1", "--polygons", "3"), "--positions and --polygons cannot be used"),
-        (("force",), "pictures: synthesis, kinematics, forces, cam_law, cam_synthesis, reduction"),
+        (("force",), "pictures: synthesis, kinematics, paths, forces, cam_law, cam_synthesis, reduction"),
         (("forces", "--polygons", "3:1"), "'3:1' runs backwards"),
         (("forces", "--polygons", "77"), "no position is called '77'"),
         (("kinematics", "--polygons", "77"), "no position is called '77'"),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -12,6 +12,10 @@ from tmmcalc.cli.messages import note_written, warn
 from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
 from tmmcalc.cli.output import check_apart, check_picture, show, title
 from tmmcalc.cli.progress import seen, told_with
+from tmmcalc.core.errors import UsageError
+
+if TYPE_CHECKING:
+    from tmmcalc.project import Spec
 
 
 def command(
@@ -64,6 +68,7 @@ def command(
     from tmmcalc.report.rows import check_choice
 
     scene = load_spec(spec, overrides or ())
+    _check(scene, choose, picture, fresh and spec_out is None)
     with seen(told_with("designs"), quiet) as told:
         result = optimize(
             spec, overrides or (), out=spec_out, fresh=fresh, jobs=jobs, scheduler=scheduler, tell=warn, told=told
@@ -71,12 +76,25 @@ def command(
     check_choice(choose or 1, len(result.designs), "design")
     settled = settled_text(scene, spec_out, found_of(result, scene, choose)) if spec_out is not None else None
     heading = title(scene, spec, "optimum")
+    show(optimum_document(result, heading, form is Format.table), form)
+    target.write(settled, quiet)
     if picture is not None:
         from tmmcalc.design.optimize.picture import front_drawing
         from tmmcalc.report.drawing import draw
 
         draw(picture, lambda: front_drawing(result, heading))
-    show(optimum_document(result, heading, form is Format.table), form)
-    target.write(settled, quiet)
     if picture is not None and not quiet:
         note_written(picture)
+
+
+def _check(scene: Spec, choose: int | None, picture: Path | None, alone: bool) -> None:
+    """Refuse what would come out after the search: a design or a picture that there cannot be, nothing to be fresh."""
+    table = scene.optimize
+    if alone:
+        raise UsageError("nothing is stored without a file", where="--fresh", remedy="leave it out, or add --spec FILE")
+    if table is None or len(table.least) + len(table.greatest) > 1:
+        return
+    if choose is not None and choose > 1:
+        raise UsageError("one result is sought: there is one design", where="--choose", remedy="leave it out")
+    if picture is not None:
+        raise UsageError("one result is sought: there is no front to draw", where="--picture", remedy="leave it out")

@@ -696,7 +696,7 @@ def test_a_key_in_the_wrong_table_has_a_home(shaper: str, faults_of: Faults) -> 
     assert fault.remedy.endswith(", [cam.spring] or [cam.elastic]")
     (fault,) = faults_of(f"{shaper}\n[weather]\n")
     assert fault.remedy.startswith(
-        "the keys here are: project, mechanism, synthesis, dyad, torque, loads, springs, drive"
+        "the keys here are: project, mechanism, synthesis, dyad, torque, loads, springs, paths, drive"
     )
 
 

@@ -64,7 +64,8 @@ def _search(result: Optimum) -> Iterator[Fact]:
         yield Fact("second method", _confirmed(result), {f"second_{key}": value for key, value in told.items()})
     balance = result.stationarity
     if balance is not None and np.isfinite(balance.gain) and not all(each.among for each in result.variables):
-        text = f"what the {'exact ' * result.exact}slopes leave over wins {balance.gain:.0e} of it"
+        left = "balance" if balance.gain < REPEATED else f"leave over what wins {balance.gain:.0e} of it"
+        text = f"the {'exact ' * result.exact}slopes of objective and limits {left}"
         yield Fact("optimality", text, {"gain": balance.gain, "exact": result.exact})
     again = max(each.again for each in result.designs)
     yield Fact("solved again", f"by the ordinary stages, the same to {again:.0e}", {"apart": again})
@@ -74,7 +75,7 @@ def _confirmed(result: Optimum) -> str:
     """What the second method says."""
     second = result.second
     assert second is not None
-    of_starts = f" from {second.starts} starts" if second.starts else ""
+    of_starts = f" from the best {second.starts} of {second.drawn} random designs" if second.starts else ""
     told = []
     for at, (objective, best) in enumerate(zip(result.objectives, second.best, strict=True)):
         own = min(objective.sign * each.objectives[at] for each in result.designs)
@@ -84,8 +85,8 @@ def _confirmed(result: Optimum) -> str:
             worse = f", {(best - own) / abs(own):.1%} worse" if best - own < WORSE * abs(own) else ""
             told.append(f"found {number(objective.sign * best)} {objective.unit}".rstrip() + worse)
         else:
-            first = "it is what is told here: the first found less good" if second.better else "the same"
-            told.append(f"{first}{f' in {second.hits}' if second.starts else ''}")
+            first = "it is what is told here: the first found less good" if second.better[at] else "the same"
+            told.append(f"{first}{f' in {second.hits[at]}' if second.starts else ''}")
     return f"{second.method}{of_starts}: {'; '.join(told)}"
 
 
@@ -96,8 +97,21 @@ def _notes(result: Optimum) -> Iterator[str]:
         yield f"note: the objective has a kink at the optimum in {balance.kinks} of its variables{costs}"
     elif balance is not None and balance.gain > BALANCED and not all(each.among for each in result.variables):
         yield f"warning: going on along the slopes wins {balance.gain:.1e} of it: the best is not reached"
+    if result.ends:
+        yield f"note: a small step from the optimum has no solution any more, along {', '.join(result.ends)}"
+    if balance is not None and not np.isfinite(balance.gain) and not _agreed(result):
+        yield "warning: not confirmed: slopes do not tell that it is the best, and the second method found another"
     if result.designs and max(each.again for each in result.designs) > REPEATED:
         yield "warning: solved by itself a design differs from what the search saw"
+
+
+def _agreed(result: Optimum) -> bool:
+    """Whether all designs were solved, or the second method found the same as the first."""
+    second = result.second
+    if second is None:
+        return True
+    best = result.objectives[0].sign * result.designs[0].objectives[0]
+    return not any(second.better) and second.best[0] <= best + CLOSE * abs(best)
 
 
 def _variables(result: Optimum, people: bool) -> View:
@@ -157,11 +171,12 @@ def _cost(result: Optimum, binding: Binding | None) -> str:
 
 
 def _front(result: Optimum, title: str) -> Document:
+    best = _ends(result)
     ends = [
-        Fact(_sense(each), f"{number(best)} {each.unit}".rstrip(), {"objective": each.name, "best": best})
-        for each, best in zip(result.objectives, _ends(result), strict=True)
+        Fact(_sense(each), f"{number(own)} {each.unit}".rstrip(), {})
+        for each, own in zip(result.objectives, best, strict=True)
     ]
-    values = {"designs": len(result.designs)}
+    values = {"designs": len(result.designs), "objectives": [each.name for each in result.objectives], "best": best}
     facts = (Fact("front", f"{len(result.designs)} designs of which none is better in all", values), *ends)
     headers = ["i", *(_header(each.name, each.unit) for each in result.objectives)]
     headers += [_header(each.name, each.unit) for each in result.variables]

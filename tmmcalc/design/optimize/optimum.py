@@ -23,6 +23,7 @@ REACH = 1e-6  # of the box: the nearest design that is tried for flatness
 LADDER = 24  # designs to a side, each farther by the same factor
 HALVINGS = 30
 STRIDES = 1e-9, 1e-1  # of the box: how far is gone on the way that slopes leave over
+ALIKE = 0.1  # of a cost, that two steps may tell it differently
 LOOSER = 0.01  # of a limit, by which it is loosened to see what it costs
 NEAR = 0.05  # of the box to each side, within which the optimum is sought again
 SEEKS = 300  # designs a variable for that
@@ -89,22 +90,27 @@ def bindings(problem: Problem, place: Values, slopes: Values) -> tuple[tuple[Bin
     gain = np.nan
     if np.isfinite(gradient).all() and all(np.isfinite(each).all() for each in columns):
         left = gradient
-        if columns:
+        if columns and gradient.size:
             matrix = np.array(columns).T
             scales = np.linalg.norm(matrix, axis=0)
             scales[scales == 0] = 1.0
             balance, _ = nnls(matrix / scales, gradient)
             costs = balance / scales
             left = gradient - matrix @ costs
-        gain = _gain(problem, place, left)
+        gain = _gain(
+            problem,
+            place,
+            left,
+            [(each.column, sign, cost) for (each, _, sign), cost in zip(limited, costs, strict=False)],
+        )
     found = []
-    for (limit, side, _), cost in zip(limited, costs, strict=False):
+    for (limit, side, sign), cost in zip(limited, costs, strict=False):
         value = limit.at_least if side == "at least" else limit.at_most
         assert value is not None
         again = not np.isfinite(cost)
         if again:
-            cost = _by_seeking(problem, place, limit, side)
-        change = objective.sign * (cost if side == "at least" else -cost)
+            cost = _by_seeking(problem, place, limit, side, sign) if problem.free else np.nan
+        change = objective.sign * sign * cost
         found.append(Binding(limit.name, side, value, limit.unit, float(change), False, again))
     for (k, side), cost in zip(walls, costs[len(limited) :], strict=True):
         variable = problem.variables[k]
@@ -114,17 +120,24 @@ def bindings(problem: Problem, place: Values, slopes: Values) -> tuple[tuple[Bin
     return tuple(found), Stationarity(gain, kinks)
 
 
-def _gain(problem: Problem, place: Values, left: Values) -> float:
-    """What the objective wins on the way that slopes (f,) leave over, as a part of it."""
+def _gain(problem: Problem, place: Values, left: Values, limited: Sequence[tuple[int, float, float]]) -> float:
+    """What the objective wins on the way that slopes (f,) leave over, as a part of it; NaN where nothing is to go to.
+
+    What is won beyond limits, column, sign and cost each, does not count. 0 of an objective that is nothing.
+    """
     size = float(np.linalg.norm(left))
     best = float(problem.scores(place[None]).objectives[0, 0])
-    if not size or not best:
+    if not size:
         return 0.0
     places = np.tile(place, (LADDER, 1))
     places[:, problem.free] -= np.geomspace(STRIDES[0], STRIDES[1], LADDER)[:, None] * left / size
-    scores = problem.scores(places)
-    good = scores.objectives[scores.violation == 0, 0]
-    return max(0.0, best - float(good.min(initial=best))) / abs(best)
+    here = problem.solve(problem.inside(place[None]))[0]
+    results = problem.solve(problem.inside(places))
+    there = problem.judged(results).objectives[:, 0]
+    for column, sign, cost in limited:
+        there = there - cost * np.minimum(0.0, sign * (results[:, column] - here[column]))
+    there = there[np.isfinite(there)]
+    return max(0.0, best - float(there.min())) / problem.scale(0, best) if there.size else np.nan
 
 
 def _binding_limits(problem: Problem, results: Values) -> list[tuple[Limit, str, float]]:
@@ -132,20 +145,28 @@ def _binding_limits(problem: Problem, results: Values) -> list[tuple[Limit, str,
     found = []
     for each in problem.rule.limits:
         value = float(results[each.column])
-        for side, limit, sign in (("at least", each.at_least, 1.0), ("at most", each.at_most, -1.0)):
-            if limit is not None and abs(value - limit) <= BINDS * (abs(limit) or 1.0):
-                found.append((each, side, sign))
+        for side, limit in (("at least", each.at_least), ("at most", each.at_most)):
+            near = BINDS * (abs(limit or 0.0) or 1.0)
+            if limit is None or abs(value - limit) > near:
+                continue
+            beside = np.tile(results, (2, 1))
+            beside[:, each.column] = limit - 10 * near, limit + 10 * near
+            below, above = problem.rule.margin(beside) >= 0
+            if below != above:  # else the rule holds, or fails, by other limits
+                found.append((each, side, 1.0 if above else -1.0))
     return found
 
 
-def _by_seeking(problem: Problem, place: Values, limit: Limit, side: str) -> float:
+def _by_seeking(problem: Problem, place: Values, limit: Limit, side: str, sign: float) -> float:
     """What a unit of a limit costs: by seeking the optimum again, about the one there is, with the limit a bit looser.
 
-    Where the objective has a kink no slopes balance, and this is the way that is left.
+    Where the objective has a kink no slopes balance, and this is the way that is left. NaN where half of the step tells
+    another cost.
     """
     value = limit.at_least if side == "at least" else limit.at_most
     assert value is not None
-    step = LOOSER * (abs(value) or 1.0)
+    own = problem.results[:, limit.column]
+    step = LOOSER * (abs(value) or float(np.ptp(own[np.isfinite(own)])) or 1.0)
     low, high = np.maximum(place - NEAR, 0.0), np.minimum(place + NEAR, 1.0)
     middle = np.divide(place - low, high - low, out=np.full(len(place), 0.5), where=high > low)
     held = np.isin(np.arange(len(place)), problem.discrete)
@@ -154,21 +175,25 @@ def _by_seeking(problem: Problem, place: Values, limit: Limit, side: str) -> flo
         return problem.scores(np.where(held, place, low + places * (high - low)))
 
     before, rule = float(problem.scores(place[None]).objectives[0, 0]), problem.rule
-    problem.rule = rule.looser(limit.name, side, step)
-    try:
-        rng = np.random.default_rng(0)
-        first = np.concatenate((middle[None], rng.random((population(len(place), SEEKS) - 1, len(place)))))
-        found = evolve(scores, first, SEEKS * len(problem.free), rng)
-    finally:
-        problem.rule = rule
-    return max(0.0, before - float(found.scores.objectives[0, 0])) / step
+    costs = []
+    for part in (step, step / 2):
+        problem.rule = rule.moved(limit.name, side, -sign * part)
+        try:
+            rng = np.random.default_rng(0)
+            first = np.concatenate((middle[None], rng.random((population(len(place), SEEKS) - 1, len(place)))))
+            found = evolve(scores, first, SEEKS * len(problem.free), rng)
+        finally:
+            problem.rule = rule
+        costs.append(max(0.0, before - float(found.scores.objectives[0, 0])) / part)
+    whole, half = costs
+    return half if abs(whole - half) <= ALIKE * max(costs) else np.nan
 
 
-def kinks(problem: Problem, place: Values) -> NDArray[np.bool_]:
+def kinks(problem: Problem, place: Values) -> tuple[NDArray[np.bool_], tuple[str, ...]]:
     """Which results (m, f) have a kink or a jump by which free variable, within a small step of a design (k,).
 
-    An optimum often lies on a kink, as where two maxima are equally large, but up to rounding: derivatives are then
-    those of one side, and this is seen by steps alone.
+    And the variables of which a small step has no solution. An optimum often lies on a kink, as where two maxima are
+    equally large, but up to rounding: derivatives are then those of one side, and this is seen by steps alone.
     """
     free, moves = problem.free, steps(SCALE)
     here = problem.solve(problem.inside(place[None]))[0]
@@ -176,19 +201,22 @@ def kinks(problem: Problem, place: Values) -> NDArray[np.bool_]:
     for at, k in enumerate(free):
         places[at * len(moves) : (at + 1) * len(moves), k] += moves
     there = problem.beyond(places).reshape(len(free), len(moves), len(here))
-    return np.array(
-        [
-            [slope(SCALE, value, own[:, m]).side in ("kink", "jump", "none") for own in there]
-            for m, value in enumerate(here.tolist())
-        ],
-        dtype=bool,
-    ).reshape(len(here), len(free))
+    broken = [
+        [slope(SCALE, value, own[:, m]).side in ("kink", "jump", "none") for own in there]
+        for m, value in enumerate(here.tolist())
+    ]
+    ends = tuple(
+        problem.variables[k].name
+        for k, own in zip(free, there, strict=True)
+        if not np.isfinite(own[:, problem.objectives[0].column]).all()
+    )
+    return np.array(broken, dtype=bool).reshape(len(here), len(free)), ends
 
 
 def flatness(problem: Problem, place: Values) -> tuple[Flatness, ...]:
     """How far each variable can go to both sides of a design (k,) of the unit box."""
     best = float(problem.scores(place[None]).objectives[0, 0])
-    level = best + LEVEL * abs(best)
+    level = best + LEVEL * problem.scale(0, best)
     sides = [(k, sign) for k in problem.free for sign in (-1.0, 1.0)]
     reach = {**_reach(problem, place, level, sides)}
     found = []

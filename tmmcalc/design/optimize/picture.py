@@ -6,7 +6,6 @@ from itertools import pairwise
 
 import numpy as np
 
-from tmmcalc.core.errors import UsageError
 from tmmcalc.design.optimize.scene import Optimum
 from tmmcalc.report.drawing.diagram import Axis, Diagram
 from tmmcalc.report.drawing.page import headed, sheets
@@ -17,9 +16,7 @@ AIR = 0.06  # beside the outermost design, of the span
 
 
 def front_drawing(result: Optimum, heading: str) -> Drawing:
-    """A sheet for every objective with the next; raises UsageError where there is one objective alone."""
-    if len(result.objectives) < 2:
-        raise UsageError("one result is sought: there is no front to draw", where="--picture", remedy="leave it out")
+    """A sheet for every objective with the next."""
     pairs = [*pairwise(range(len(result.objectives)))]
     drawing, boxes = sheets(len(pairs))
     values = np.array([design.objectives for design in result.designs])

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from tmmcalc.core.records import record
 from tmmcalc.design.optimize.order import Scores, better
-from tmmcalc.design.optimize.problem import TOLERANCE, Problem
+from tmmcalc.design.optimize.problem import INSIDE, Problem
 from tmmcalc.design.optimize.together import Ask, together
 from tmmcalc.feasibility.judge import sides
 
@@ -191,7 +191,7 @@ class _Picture:
         self._slopes = self._ways.T @ np.nan_to_num(slopes)
         self._place, self._value = y.copy(), np.inf if np.isnan(here[0]) else here[0]
         self._margins = np.where(np.isnan(here[1:]), -WALL, here[1:])
-        broken = max(0.0, -float(self._margins.min(initial=0.0)) - TOLERANCE)
+        broken = max(0.0, -float(self._margins.min(initial=0.0)) - INSIDE)
         if np.isfinite(self._value) and (broken, self._value) < (self._broken, self.least):
             self.best, self.least, self._broken = np.clip(x, 0.0, 1.0), float(self._value), broken
 
@@ -200,9 +200,9 @@ class _Picture:
         rule, columns = self._problem.rule, []
         if rule.plain:
             for each in rule.limits:
-                columns += sides(results[:, each.column], each.at_least, each.at_most)
+                columns += [left - INSIDE for left in sides(results[:, each.column], each.at_least, each.at_most)]
         else:
-            columns.append(rule.margin(results))
+            columns.append(rule.margin(results) - INSIDE)
         for number, (objective, cap) in enumerate(zip(self._problem.objectives, self._aim.caps, strict=True)):
             if np.isfinite(cap) and number != self._aim.objective:
                 columns.append((cap - objective.sign * results[:, objective.column]) / (abs(cap) or 1.0))

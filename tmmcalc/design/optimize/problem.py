@@ -7,7 +7,7 @@ solved is numbered as it is asked for, so that a journal of an earlier run answe
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
 from typing import Any
@@ -25,12 +25,15 @@ from tmmcalc.feasibility.logic import Form, conjunction
 from tmmcalc.feasibility.rule import function
 
 Values = NDArray[np.floating[Any]]
+Told = Callable[[int], None]  # designs that are solved
 
 BEYOND = 0.1  # of the box, that steps about a design may go beyond it
 DECADES = 100.0  # times its least value the greatest is, from where on a range is wide
 TINY = 1e-300
+SMALL = 1e-6  # of what designs have of an objective: less is nothing
+BLOCK = 256  # designs that are solved and stored at once
 START = 1024  # designs that there is room for at the beginning
-TOLERANCE = 1e-9  # of a limit, that counts as kept: what rounding leaves of a design on it
+INSIDE = 1e-9  # of a limit: by how much local searches stay off it, so that rounding breaks none
 
 
 @record
@@ -107,12 +110,12 @@ class Rule:
         """Whether all limits have to hold, each by itself."""
         return self.rule in ("", " and ".join((*(each.name for each in self.limits), *self.given)))
 
-    def looser(self, name: str, side: str, by: float) -> Rule:
-        """The same with one side of a limit moved outward."""
+    def moved(self, name: str, side: str, by: float) -> Rule:
+        """The same with one side of a limit moved by so much."""
         moved = []
         for each in self.limits:
             if each.name == name and side == "at least" and each.at_least is not None:
-                each = replace(each, at_least=each.at_least - by)
+                each = replace(each, at_least=each.at_least + by)
             elif each.name == name and side == "at most" and each.at_most is not None:
                 each = replace(each, at_most=each.at_most + by)
             moved.append(each)
@@ -122,11 +125,11 @@ class Rule:
         """Which results (n, m) are within one limit."""
         parts = sides(results[:, limit.column], limit.at_least, limit.at_most)
         with np.errstate(invalid="ignore"):
-            return np.asarray(np.min(parts, axis=0) >= -TOLERANCE)
+            return np.asarray(np.min(parts, axis=0) >= 0)
 
     def violation(self, results: Values) -> Values:
         """How far (n,) results (n, m) are from keeping the rule, as parts of limits; 0 where they keep it."""
-        return np.maximum(0.0, -self.margin(results) - TOLERANCE)
+        return np.maximum(0.0, -self.margin(results))
 
     def margin(self, results: Values) -> Values:
         """The function (n,) of the rule of results (n, m): not negative where they keep it."""
@@ -153,15 +156,12 @@ class Problem:
         self.variables, self.objectives, self.rule, self.model = tuple(variables), tuple(objectives), rule, model
         self._journal = journal
         self._known = {row.point: row for row in journal.rows()} if journal is not None else {}
+        self.told: Told = lambda solved: None  # called as designs are solved
+        self.resumed = 0  # designs that an earlier run had solved
         self._index: dict[bytes, int] = {}
         self._values: Values = np.empty((START, len(self.variables)))
         self._results: Values = np.empty((START, len(model.names)))
         self._reasons: list[str] = []
-
-    @property
-    def resumed(self) -> int:
-        """Designs that an earlier run had solved."""
-        return min(len(self._known), self.solved)
 
     @property
     def solved(self) -> int:
@@ -192,6 +192,12 @@ class Problem:
     def discrete(self) -> list[int]:
         """The variables that take listed values."""
         return [k for k, variable in enumerate(self.variables) if variable.among]
+
+    def scale(self, objective: int, best: float) -> float:
+        """Against what differences of an objective are small: its best value, or a bit of what designs have of it."""
+        own = self.results[:, self.objectives[objective].column]
+        known = np.abs(own[np.isfinite(own)])
+        return max(abs(best), SMALL * float(np.median(known)) if known.size else 0.0) or 1.0
 
     def scores(self, places: Values) -> Scores:
         """Scores of designs (n, k) of the unit box."""
@@ -246,11 +252,21 @@ class Problem:
         return numbers, fresh
 
     def _solved(self, values: Values) -> tuple[Values, tuple[str, ...]]:
-        """New designs, by the journal where it has all of them."""
-        first = self.solved
+        """New designs, some at a time."""
+        rows: list[Row] = []
+        for at in range(0, len(values), BLOCK):
+            rows += self._rows(self.solved + at, values[at : at + BLOCK])
+            self.told(self.solved + len(rows))
+        answers = self.model.answers(rows)
+        return answers.values, answers.reasons
+
+    def _rows(self, first: int, values: Values) -> list[Row]:
+        """Rows of designs with numbers from ``first`` on, by the journal where it has all of them."""
         numbers = range(first, first + len(values))
-        rows: list[Row] = [self._known[number] for number in numbers if number in self._known]
-        if len(rows) < len(values):
+        rows = [self._known[number] for number in numbers if number in self._known]
+        if len(rows) == len(values):
+            self.resumed += len(rows)
+        else:
             rows = []
             keys = np.empty((len(values), len(self.model.keys)))
             for variable, own in zip(self.variables, values.T, strict=True):
@@ -259,8 +275,7 @@ class Problem:
                 rows += some
             if self._journal is not None:
                 self._journal.append(row for row in rows if row.status != BROKEN)
-        answers = self.model.answers(rows)
-        return answers.values, answers.reasons
+        return rows
 
 
 def _room(rows: Values, count: int) -> Values:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
@@ -16,7 +17,7 @@ from tmmcalc.batch.content import key_of
 from tmmcalc.batch.journal import Journal
 from tmmcalc.batch.reading import frame_of
 from tmmcalc.batch.sweep import part
-from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.errors import SpecError, TmmError, UsageError
 from tmmcalc.core.headers import key_and_unit
 from tmmcalc.core.records import record
 from tmmcalc.design.gradient import Gradients
@@ -32,6 +33,7 @@ from tmmcalc.naming.language import parse
 from tmmcalc.naming.rows import in_unit
 from tmmcalc.naming.scene import Scene
 from tmmcalc.naming.told import one
+from tmmcalc.pipeline.hashing import content_hash
 from tmmcalc.project.loader import Variants, read_text
 from tmmcalc.spec.units import UnitError, dimension_of
 
@@ -77,6 +79,7 @@ class Optimum:
     binding: tuple[Binding, ...]
     stationarity: Stationarity | None  # of one objective
     exact: bool  # the slopes that it is told by
+    ends: tuple[str, ...]  # variables of which a small step has no solution
     flat: tuple[Flatness, ...]
     solved: int
     failed: int
@@ -110,7 +113,7 @@ def optimize(
             left = part(out)
             if fresh:
                 left.unlink(missing_ok=True)
-            journal = stack.enter_context(Journal(left, key_of(frame)))
+            journal = stack.enter_context(Journal(left, _key(frame)))
         problem = problem_of(journal)
         result = _found(problem, frame, spec.optimize, nominal, told)
         if journal is not None:
@@ -118,13 +121,24 @@ def optimize(
     return result
 
 
+def _key(frame: Task) -> str:
+    """Hash of what a search depends on: other random numbers or local searches would ask for other designs."""
+    import scipy
+
+    return content_hash((key_of(frame), np.__version__, scipy.__version__))
+
+
 def _found(problem: Problem, frame: Task, table: OptimizeTable, nominal: Values, told: Told) -> Optimum:
-    unit = problem.objectives[0].unit
+    unit, said = problem.objectives[0].unit, ["first designs"]
 
     def tell(words: str, best: Scores) -> None:
-        value = problem.objectives[0].sign * float(best.objectives[0, 0])
-        state = f"best {value:.6g} {unit}".rstrip() if best.violation[0] == 0 else "none keeps the constraints yet"
-        told(problem.solved, f"{words}, {state}")
+        kept = best.objectives[best.violation == 0, 0]
+        value = problem.objectives[0].sign * float(kept.min(initial=np.inf))
+        said.append(
+            f"{words}, best {value:.6g} {unit}".rstrip() if kept.size else f"{words}, none keeps constraints yet"
+        )
+
+    problem.told = lambda solved: told(solved, said[-1])
 
     start = np.array([nominal[each.keys[0]] for each in problem.variables])
     budget = table.evaluations or EACH * len(problem.variables)
@@ -133,9 +147,11 @@ def _found(problem: Problem, frame: Task, table: OptimizeTable, nominal: Values,
     designs = tuple(_design(problem, frame, place) for place in course.places)
     binding: tuple[Binding, ...] = ()
     stationarity, exact = None, False
+    ends: tuple[str, ...] = ()
     if single:
         slopes, exact = _slopes(problem, frame, course.places[0])
-        slopes[kinks(problem, course.places[0])] = np.nan
+        broken, ends = kinks(problem, course.places[0])
+        slopes[broken] = np.nan
         binding, stationarity = bindings(problem, course.places[0], slopes)
     return Optimum(
         problem.variables,
@@ -150,6 +166,7 @@ def _found(problem: Problem, frame: Task, table: OptimizeTable, nominal: Values,
         binding,
         stationarity,
         exact,
+        ends,
         flatness(problem, course.places[0]) if single else (),
         problem.solved,
         sum(map(bool, problem.reasons)),
@@ -185,7 +202,7 @@ def _slopes(problem: Problem, frame: Task, place: Values) -> tuple[Values, bool]
 
 
 def _design(problem: Problem, frame: Task, place: Values) -> Design:
-    """A design solved again by the ordinary stages; raises what it raises there, RuntimeError where it differs."""
+    """A design solved again by the ordinary stages; raises what it raises there."""
     from tmmcalc.batch.points import run_of
 
     values = problem.inside(place[None])[0]
@@ -303,7 +320,9 @@ def _variable(table: VariableTable, axes: Sequence[Axis], at: int, frame: Task, 
         assert table.at_least is not None
         assert table.at_most is not None
         low, high = _in(unit, table.at_least), _in(unit, table.at_most)
-        step = _in(unit, table.step) if table.step is not None else _whole(frame, first, low, high)
+        step = _in(unit, table.step) if table.step is not None else 0.0
+        if not step and _whole(frame, first):
+            step, low = 1.0, float(math.ceil(low))
     except UnitError as error:
         raise UsageError(str(error), where=where, remedy=f"write it in {unit}" if unit else "write numbers") from None
     if not step:
@@ -323,18 +342,14 @@ def _in(unit: str, value: float | str) -> float:
     return in_unit(value, unit)
 
 
-def _whole(frame: Task, axis: Axis, low: float, high: float) -> float:
-    """1 for a key that takes whole numbers alone, else 0."""
-    if not (low == int(low) and high == int(high) and axis.values[0] == int(axis.values[0])):
-        return 0.0
-    variants = frame.variants()
+def _whole(frame: Task, axis: Axis) -> bool:
+    """Whether a key takes whole numbers alone: half of one more is refused."""
+    if axis.values[0] != int(axis.values[0]):
+        return False
     try:
-        variants.spec([axis.assignment(axis.values[0] + 0.5)])
+        frame.variants().spec([axis.assignment(axis.values[0] + 0.5)])
+    except SpecError as error:
+        return any("whole number" in f"{fault.message} {fault.remedy}" for fault in error.faults)
     except TmmError:
-        other = axis.values[0] + (1 if axis.values[0] < high else -1)
-        try:
-            variants.spec([axis.assignment(other)])
-        except TmmError:
-            return 0.0
-        return 1.0
-    return 0.0
+        return False
+    return False

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import product
@@ -22,12 +24,14 @@ Values = NDArray[np.floating[Any]]
 Tell = Callable[[str, Scores], None]  # what is being done, the best so far first
 
 STEPS = 100  # of a local search, by which their number is planned
+_NUMBERS = re.compile(r"\d[\d.e+-]*")
 STARTS = 8, 256  # of local searches, at least and at most
 DRAWN = 16  # random designs for every start
 EQUAL = 1e-6  # of the objective: two methods that found the same
 BLOCK = 4096  # designs of a complete search that are asked for at once
 SAME = 1e-4  # of the range of a front: designs that differ by less are one
 TINY = 1e-300
+SEEN, APART, HOLLOWS = 5000, 0.1, 12  # best designs, how far from each other some are (of the box), and how many
 NEAR = 64  # sets of listed values about the best that are tried
 
 
@@ -37,9 +41,10 @@ class Second:
 
     method: str
     best: tuple[float, ...]  # inf where it found nothing
-    hits: int  # of its local searches that found the best, within EQUAL
-    starts: int  # 0: it is no local search
-    better: bool = False  # than the first
+    hits: tuple[int, ...] = ()  # of its local searches that found the best, within EQUAL
+    starts: int = 0  # the designs that these began from, for each objective; 0: it is no local search
+    drawn: int = 0  # of so many random ones
+    better: tuple[bool, ...] = ()  # than the first
 
 
 @record
@@ -65,20 +70,26 @@ def search(problem: Problem, nominal: Values, budget: int, seed: int, designs: i
         return Course(*_chosen(found, designs), f"all {prod(sizes)} designs", True, None)
     several = len(problem.objectives) > 1
     found = _evolved(problem, nominal, budget, seed, 2 * designs if several else 0, tell)
-    _check(problem, found.scores)
-    chosen = Population(*_chosen(found, designs))
-    tell("polishing", chosen.scores)
-    best = _polished_front(problem, chosen) if several else _polished(problem, chosen)
+    _refuse_constant(problem)
+    tell("polishing", found.scores)
+    if several and found.scores.violation.min() == 0:
+        best = _polished_front(problem, Population(*_chosen(found, designs)))
+    else:
+        best = _polished(problem, _of_hollows(problem, found))
+    _check(problem, best.scores)
     tell("second method", best.scores)
     second, other = _second(problem, budget, seed)
     joined = _joined(best, other)
     kept = Population(*_chosen(joined, designs))
     mine = best.scores.objectives.min(axis=0)
-    ahead = bool((np.array(second.best) < mine - EQUAL * np.abs(mine)).any())
+    ahead = [
+        theirs < own - EQUAL * problem.scale(at, own)
+        for at, (own, theirs) in enumerate(zip(mine, second.best, strict=True))
+    ]
     method = "differential evolution"
     if problem.free:
         method += ", then sequential quadratic programming"
-    return Course(kept.places, kept.scores, method, False, replace(second, better=ahead))
+    return Course(kept.places, kept.scores, method, False, replace(second, better=tuple(map(bool, ahead))))
 
 
 def _complete(problem: Problem, sizes: Sequence[int], tell: Tell) -> Population:
@@ -127,9 +138,11 @@ def _check(problem: Problem, scores: Scores) -> None:
         return
     if not np.isfinite(scores.violation.min()):
         reasons = [reason for reason in problem.reasons if reason]
-        common = max({*reasons}, key=lambda each: (reasons.count(each), each), default="a result has no value")
+        alike = Counter(_NUMBERS.sub("", each) for each in reasons)
+        most, times = alike.most_common(1)[0] if alike else ("", 0)
+        common = next((each for each in reasons if _NUMBERS.sub("", each) == most), "a result has no value")
         raise NoSolutionError(
-            f"none of {problem.solved} designs has a solution; most often, {reasons.count(common)} times: {common}",
+            f"none of {problem.solved} designs has a solution; most often, {times} times: {common}",
             where="optimize.variables",
             value=problem.solved,
             remedy="move the limits of the variables to where the spec as it is has one",
@@ -174,6 +187,27 @@ def _broken(problem: Problem) -> NoSolutionError:
         limit=0.0,
         remedy="loosen what few keep, or widen the limits of the variables",
     )
+
+
+def _of_hollows(problem: Problem, found: Population) -> Population:
+    """The best of local searches from the best designs that are far from each other; the best of evolution with them.
+
+    What evolution leaves is in one hollow; another one may be deeper. Designs that break constraints are led to keep
+    them.
+    """
+    scores = problem.judged(problem.results)
+    chosen: list[Values] = []
+    for number in ranked(scores)[:SEEN].tolist():
+        part = problem.parts(problem.values[number])
+        if np.isfinite(scores.violation[number]) and all(np.abs(part - other).max() > APART for other in chosen):
+            chosen.append(part)
+        if len(chosen) == HOLLOWS:
+            break
+    if not chosen:
+        return Population(found.places[:1], found.scores[:1])
+    ends = polish(problem, np.array(chosen), [Aim(0, np.full(len(problem.objectives), np.inf))] * len(chosen), SHORTER)
+    every = _joined(Population(ends.places, ends.scores), Population(found.places[:1], found.scores[:1]))
+    return Population(every.places[:1], every.scores[:1])
 
 
 def _chosen(found: Population, designs: int) -> tuple[Values, Scores]:
@@ -268,15 +302,16 @@ def _by_starts(problem: Problem, budget: int, seed: int) -> tuple[Second, Popula
         aims += [Aim(at, np.full(several, np.inf))] * len(own)
     method = "sequential quadratic programming from random designs"
     if not chosen:
-        return Second(method, (np.inf,) * several, 0, starts), Population(drawn[:0], scores[:0])
+        return Second(method, (np.inf,) * several, (0,) * several), Population(drawn[:0], scores[:0])
     found = polish(problem, drawn[chosen], aims, int(np.clip(2 * budget // (starts * variables), STEPS, SHORTER)))
     kept = found.scores.violation == 0
-    best, hits = [], 0
+    best, hits = [], []
     for at in range(several):
         own = found.scores.objectives[:, at][kept & np.array([aim.objective == at for aim in aims])]
         best.append(float(own.min()) if own.size else np.inf)
-        hits += int((own <= best[-1] + EQUAL * abs(best[-1])).sum()) if own.size else 0
-    return Second(method, tuple(best), hits, len(chosen)), Population(found.places[kept], found.scores[kept])
+        hits.append(int((own <= best[-1] + EQUAL * problem.scale(at, best[-1])).sum()) if own.size else 0)
+    second = Second(method, tuple(best), tuple(hits), len(chosen) // several, len(drawn))
+    return second, Population(found.places[kept], found.scores[kept])
 
 
 def _by_scipy(problem: Problem, budget: int, seed: int) -> tuple[Second, Population]:
@@ -315,7 +350,7 @@ def _by_scipy(problem: Problem, budget: int, seed: int) -> tuple[Second, Populat
     stack = np.array(places)
     scores = problem.scores(stack)
     kept = scores.violation == 0
-    return Second("scipy's differential evolution", tuple(best), 0, 0), Population(stack[kept], scores[kept])
+    return Second("scipy's differential evolution", tuple(best)), Population(stack[kept], scores[kept])
 
 
 def _joined(one: Population, other: Population) -> Population:

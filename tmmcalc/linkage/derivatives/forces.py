@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from tmmcalc.core.derivatives import Derivative
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.core.plane import Real
 from tmmcalc.core.records import record
 from tmmcalc.linkage.derivatives.along import along_of
@@ -86,20 +87,21 @@ def _columns(found: Equilibrium, result: Forces, shifts: Real, placed: Placing) 
     factor = 180 / math.pi if result.turns else 1.0
     phi = columns(result)[0].header
     yield phi, Derivative(factor * shifts, factor * (placed.error + EPS * np.max(np.abs(shifts), axis=1)))
-    letter, drive = ("M_drive[N*m]", of_moment) if result.turns else ("F_drive[N]", of_force)
+    letter, drive = ("M_drive", of_moment) if result.turns else ("F_drive", of_force)
     speed, dspeed = result.speed, found.given.moved.changes.input.speed
     told[letter] = changes[-1], drive
-    told["P_drive[W]"] = changes[-1] * speed + result.drive * dspeed, drive * abs(speed)
+    told["P_drive"] = changes[-1] * speed + result.drive * dspeed, drive * abs(speed)
     for j, pair in enumerate(result.pairs):
         told |= _pair(found, result, j, pair.joint, of_force, of_moment)
     gear = found.given.scene.loading.drive
     if result.mesh is not None and isinstance(gear, GearDrive):
         mesh, dmesh = found.mesh_of(gear)
         whole = mesh * changes[-1] + dmesh * result.drive
-        told["F_mesh_x[N]"], told["F_mesh_y[N]"] = (whole.real, of_force), (whole.imag, of_force)
+        told["F_mesh_x"], told["F_mesh_y"] = (whole.real, of_force), (whole.imag, of_force)
     for each in columns(result):
-        if each.header in told:
-            yield each.header, Derivative(*told[each.header])
+        name, _ = key_and_unit(each.header)
+        if name in told:
+            yield each.header, Derivative(*told[name])
 
 
 def _pair(
@@ -114,18 +116,18 @@ def _pair(
         whole = found.reaction(j)
         if rub is not None:
             size = (np.conj(force) * whole).real / np.maximum(np.abs(force), 1e-300)
-            told[f"M_fr_{name}[N*m]"] = -rub.dkappa * np.abs(force) - rub.kappa * size, of_moment
+            told[f"M_fr_{name}"] = -rub.dkappa * np.abs(force) - rub.kappa * size, of_moment
     else:
         by_normal, by_couple, own = found.guide(j)
         friction = by_normal * one + by_couple * two + own
         whole = found.reaction(j)
-        told[f"N_{name}[N]"], told[f"M_{name}[N*m]"] = (one, of_force), (two, of_moment)
-        told[f"F_fr_{name}[N]"] = friction + np.zeros_like(one), of_force
+        told[f"N_{name}"], told[f"M_{name}"] = (one, of_force), (two, of_moment)
+        told[f"F_fr_{name}"] = friction + np.zeros_like(one), of_force
         told |= _edges(found, j, name, one, two, of_force)
-    told[f"R_{name}_x[N]"], told[f"R_{name}_y[N]"] = (whole.real, of_force), (whole.imag, of_force)
+    told[f"R_{name}_x"], told[f"R_{name}_y"] = (whole.real, of_force), (whole.imag, of_force)
     size = np.abs(force)
     if np.all(size > 1e-12 * np.max(np.abs(result.reaction))):  # a force that vanishes has no direction to change along
-        told[f"R_{name}[N]"] = (np.conj(force) * whole).real / size, of_force
+        told[f"R_{name}"] = (np.conj(force) * whole).real / size, of_force
     return told
 
 
@@ -140,4 +142,4 @@ def _edges(
     length, dlength = own[0]
     arm = couple / length - found.rows.couple[j] * dlength / length**2
     size = error * (1 + found.reach / length)
-    return {f"N'_{name}[N]": (normal / 2 + arm, size), f"N''_{name}[N]": (normal / 2 - arm, size)}
+    return {f"N'_{name}": (normal / 2 + arm, size), f"N''_{name}": (normal / 2 - arm, size)}
