@@ -82,3 +82,16 @@ def test_what_is_wrong_is_one_error(cli: Cli, spec: Path) -> None:
     spec.write_text(teeth, encoding="utf-8")
     told = cli("tolerance", str(spec), "--of", "kinematics.stroke_D")
     assert told.code == 2
+
+
+def test_results_are_listed_as_for_sensitivities_and_overrides_hold_for_all(cli: Cli, spec: Path) -> None:
+    """Commas within brackets are part of a name, flags add; a title that is overridden is that of the document."""
+    one = ("--samples", "64", "-q", "--set", "mechanism.grid.positions=12", "--set", 'project.title="Mine"')
+    told = cli("tolerance", str(spec), "--of", RESULTS, "--of", "kinematics.max(x_D)@2..5", *one)
+    assert told.code == 0, told.err
+    assert told.out.startswith("Mine")
+    for name in ("kinematics.stroke_D", "forces.max(R_A)", "kinematics.max(x_D)@2..5"):
+        assert name in told.out
+    none = cli("tolerance", str(spec), "--of", "kinematics.stroke_D,", *one)
+    assert none.code == 2
+    assert "--of: a name is missing" in none.err

@@ -117,6 +117,29 @@ def test_a_gradient_at_a_place_is_that_of_the_results_beside_it() -> None:
     assert np.all(found.errors <= 1e-8 * np.abs(found.slopes) + 1e-9)
 
 
+def test_a_gradient_tells_a_fact_that_is_an_extreme_in_two_rows_as_a_kink() -> None:
+    """A slider-crank in line: both extremes of the rod, asin((r + e) / l) and asin((r - e) / l), as far to both sides.
+
+    The pressure angle in the guide is the larger one, the transmission angle its complement: slopes of
+    +-1 / (l cos asin(r/l)). The length of the crank has no kink there.
+    """
+    offset, crank = "mechanism.joints[name=B0].guide.through[1]", "mechanism.links[id=1].points.A[0]"
+    names = ["kinematics.pressure_max_RRP(2,3)", "kinematics.transmission_min_RRP(2,3)", "kinematics.stroke_B"]
+    frame = frame_of(
+        CONFIGS / "crank-slider.toml", (f"{offset}=0", "mechanism.grid.positions=12"), [offset, crank], names
+    )
+    gradients = Gradients(frame)
+    found = gradients(np.array([0.0, 100.0]))
+    per = np.degrees(1 / 0.32 / np.sqrt(1 - (100 / 320) ** 2))  # deg/m
+    for name, sign in (("kinematics.pressure_max", 1), ("kinematics.transmission_min", -1)):
+        row = next(m for m, each in enumerate(gradients.names) if each.startswith(name))
+        assert np.isnan(found.slopes[row, 0])
+        assert (found.right[row, 0], found.left[row, 0]) == pytest.approx((sign * per, -sign * per), rel=1e-8)
+        assert found.slopes[row, 1] == pytest.approx(sign * per / 1e3, rel=1e-12)
+        assert found.exact[row].tolist() == [False, True]
+    assert found.exact[gradients.names.index("kinematics.stroke_B[m]")].all()
+
+
 def test_an_extreme_in_two_rows_is_a_kink_with_both_sides(tmp_path: Path) -> None:
     """A slider-crank without its offset: the connecting rod leans as far to both sides."""
     offset = "mechanism.joints[name=B0].guide.through[1]"

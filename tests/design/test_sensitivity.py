@@ -8,8 +8,11 @@ from pathlib import Path
 import pytest
 
 from tmmcalc.core.errors import UsageError
+from tmmcalc.design.differences import Side, Slope
 from tmmcalc.design.keys import keys_of
+from tmmcalc.design.ladders import Reach
 from tmmcalc.design.sensitivity import Partial, Sensitivity, sensitivity
+from tmmcalc.design.sensitivity_document import sensitivity_document
 from tmmcalc.project.loader import Variants
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -102,3 +105,19 @@ def test_rooms_are_all_alike(config: str, name: str, keys: list[str]) -> None:
     large = [each for each in settled if abs(each.relative) > 1e-6]
     assert large
     assert max(each.error for each in large) < 1e-6
+
+
+def test_what_is_rounding_and_from_where_there_is_no_solution_is_told() -> None:
+    """A derivative that does less than 1e-9 of the largest is none; of a number that is 0 it may be anything."""
+
+    def partial(key: str, value: float, slope: float, side: Side = "both") -> Partial:
+        return Partial("r[N]", f"{key}[mm]", value, Slope(slope, 0.0, side, slope, slope, 0.0), 1.0)
+
+    every = (partial("a", 10.0, 2.0, "right"), partial("b", 10.0, 1e-10), partial("c", 0.0, 1e-10))
+    reaches = (Reach("a[mm]", -0.25, "open"), Reach("b[mm]", -0.1, "open"))
+    found = sensitivity_document(Sensitivity(("r[N]",), (1.0,), every, reaches, (), 9), "t").parts[0]
+    assert found.table is not None
+    assert [*found.table.columns[0]] == ["a", "c"]
+    assert [note for note in found.notes if "no solution" in note] == [
+        "note: a[mm]: to smaller values there is no solution from 0.25 mm on"
+    ]

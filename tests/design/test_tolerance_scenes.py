@@ -189,3 +189,33 @@ def test_a_file_of_pieces_that_does_not_fit(tmp_path: Path, content: str, table:
     (tmp_path / "p.csv").write_text(content, encoding="utf-8")
     with pytest.raises(UsageError, match=said):
         of(tmp_path, f'of = "{CRANK}"\nmeasurements = "p.csv"\n{table}')
+
+
+@pytest.mark.parametrize(
+    ("band", "said"),
+    [
+        ("kinematics.*", "no column over"),
+        ("kinematics.max(angle_3)", "no column over"),
+        ("kinematics.x_D@1@2", "no column over"),
+        ("kinematics.nothing", "no column is called"),
+        ("kinematics.stroke_D", "no column is called"),
+        ("kinematics.x_D[mm]", "no column is called"),
+    ],
+)
+def test_a_band_that_is_no_column_is_told_as_such(tmp_path: Path, band: str, said: str) -> None:
+    file = tmp_path / "s.toml"
+    text = (CONFIGS / "shaper.toml").read_text(encoding="utf-8")
+    file.write_text(f'{text}\n[[tolerances]]\nof = "{CRANK}"\ntolerance = "js9"\n', encoding="utf-8")
+    with pytest.raises(UsageError, match=said) as error:
+        tolerate(Asked(file, of=(STROKE,), band=band))
+    assert error.value.where == "--band"
+    assert "@0" not in f"{error.value}"
+
+
+def test_a_direction_by_force_needs_forces(tmp_path: Path) -> None:
+    lines = (CONFIGS / "shaper.toml").read_text(encoding="utf-8").partition("[[loads]]")[0].splitlines()
+    text = "\n".join(line for line in lines if line.partition(" ")[0] not in ("mass", "inertia", "center", "gravity"))
+    file = tmp_path / "s.toml"
+    file.write_text(f'{text}\n[[tolerances]]\njoint = "C"\nclearance = 1e-5\ndirection = "force"\n', encoding="utf-8")
+    with pytest.raises(UsageError, match="no force is known in C"):
+        tolerate(Asked(file, of=(STROKE,)))

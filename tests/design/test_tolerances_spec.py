@@ -5,28 +5,39 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 from typer.testing import CliRunner
 
 from tmmcalc.batch.reading import frame_of
 from tmmcalc.cli.app import app
 from tmmcalc.core.errors import SpecError, UsageError
+from tmmcalc.design.tolerance.linear import ends_of
 from tmmcalc.design.tolerance.sources import Sources
 from tmmcalc.design.tolerance.task import keys_of, sources_of
+from tmmcalc.design.tolerance.worst import Box
 from tmmcalc.project.loader import Variants, parse_spec
 
 SHAPER = (Path(__file__).parents[2] / "configs" / "shaper.toml").read_text(encoding="utf-8")
 CRANK = 'of = "mechanism.links[id=1].points.A[0]"'
+AGAIN = 'of = "mechanism.links[0].points.A[0]"'  # the same number
 
 
-def sources(tmp_path: Path, *tables: str) -> Sources:
+def sources(tmp_path: Path, *tables: str, text: str = SHAPER) -> Sources:
     file = tmp_path / "s.toml"
-    text = SHAPER + "".join(f"\n[[tolerances]]\n{table}\n" for table in tables)
+    text = text + "".join(f"\n[[tolerances]]\n{table}\n" for table in tables)
     file.write_text(text, encoding="utf-8")
     variants = Variants(text, str(file), tmp_path, ())
     spec = variants.spec()
     frame = frame_of(file, (), keys_of(spec.tolerances, variants.data), ["kinematics.stroke_D"])
     return sources_of(spec.tolerances, variants.data, frame.axes)
+
+
+def arms(tmp_path: Path, table: str, which: str = "FG") -> Sources:
+    """Of points of the slotted link at 300 mm to both sides."""
+    text = SHAPER.replace("points = { B = [0, 0], C", 'points = { F = ["300 mm", 0], G = ["-300 mm", 0], B = [0, 0], C')
+    keys = [f"mechanism.links[id=3].points.{point}[0]" for point in which]
+    return sources(tmp_path, f"of = {json.dumps(keys)}\n{table}", text=text)
 
 
 @pytest.mark.parametrize(
@@ -67,6 +78,19 @@ def test_wildcards_groups_measured_and_clearances(tmp_path: Path) -> None:
     assert guide.along == pytest.approx((0.0, 1.0))
 
 
+def test_a_number_under_two_names_is_one(tmp_path: Path) -> None:
+    """A pin and a dimension move the same coordinate, each by its own change."""
+    found = sources(
+        tmp_path,
+        'of = "mechanism.links[2].points.C[0]"\ntolerance = "0.1 mm"',
+        'joint = "C"\nclearance = "0.2 mm"\ndirection = "0 deg"',
+    )
+    assert found.keys == 2
+    assert found.dimensions[0].key == found.clearances[0].keys[0]
+    moved = found.parts(np.full((1, found.count), 0.5))[0]
+    assert moved.sum(axis=0) == pytest.approx([0.1, 0.0])
+
+
 @pytest.mark.parametrize(
     ("table", "said"),
     [
@@ -89,6 +113,12 @@ def test_wildcards_groups_measured_and_clearances(tmp_path: Path) -> None:
         ('joint = "A"', "missing key: clearance"),
         ('joint = "A"\nclearance = "0.1 mm"\nlink = 4', "no joint of link 4"),
         ('joint = "A3"\nclearance = "0.1 mm"', "named point"),
+        (f'{CRANK}\ntolerance = "h7"\nalike = "mechanism.links[0].points.A[0]"', "the name of a number"),
+        (f'{CRANK}\ntolerance = "h7"\nalike = "clearance of A"', "the name of a clearance"),
+        (
+            'joint = "C"\nclearance = "0.1 mm"\n[[tolerances]]\njoint = "C"\nclearance = "0.1 mm"\nlink = 4',
+            "two clearances",
+        ),
     ],
 )
 def test_a_fault_is_one_message(table: str, said: str) -> None:
@@ -98,6 +128,52 @@ def test_a_fault_is_one_message(table: str, said: str) -> None:
     assert said in f"{fault}"
 
 
+GUIDE = 'joint = "D"\nclearance = "0.1 mm"'
+OWN = ('name = "D"\nkind = "revolute"\nlinks = [4, 5]', 'name = "D"\nkind = "revolute"\nlinks = [4, 5]\n')
+
+
+@pytest.mark.parametrize(
+    ("changes", "table", "users", "remedy"),
+    [
+        ([], 'joint = "B"\nclearance = "0.1 mm"', 'guide.through of joint "A3"', "guide.through of joint"),
+        ([], f"{GUIDE}\nlink = 5", "load 'Q5'", 'points = ["D", "D_1"]'),
+        ([], f"{GUIDE}\nlink = 4", "", ""),  # the load and the output are those of the ram, which stays
+        (
+            [('D = ["290 mm", 0]', 'D4 = ["290 mm", 0]'), (OWN[0], OWN[1] + 'points = ["D4", "D"]'),
+             ('point = "D"\ndirection = "0 deg"', 'point = "D4"')],
+            GUIDE, "the output of 'D4'", 'points = ["D4_1", "D"]',
+        ),
+        (
+            [('points = { C = [0, 0]', 'points = { E = ["0.1 m", 0], C = [0, 0]'),
+             ("[motor]", '[[springs]]\nlinks = [0, 4]\npoints = ["O", "C"]\nstiffness = 10\n[motor]')],
+            'joint = "C"\nclearance = "0.1 mm"\nlink = 4', "spring number 1", 'points = ["C", "C_1"]',
+        ),
+        (
+            [("[motor]", '[[mechanism.links]]\nid = 6\npoints = { C = [0, 0], F = ["0.3 m", 0] }\n'
+              '[[mechanism.joints]]\nname = "C6"\nkind = "revolute"\nlinks = [3, 6]\npoint = "C"\n[motor]')],
+            'joint = "C"\nclearance = "0.1 mm"', 'joint "C6"', 'points = ["C_1", "C"]',
+        ),
+    ],
+)  # fmt: skip
+def test_a_pin_that_others_have_too_is_refused(
+    changes: list[tuple[str, str]], table: str, users: str, remedy: str
+) -> None:
+    text = SHAPER
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new, 1)
+    try:
+        parse_spec(f"{text}\n[[tolerances]]\n{table}\n")
+        told = []
+    except SpecError as error:
+        told = [f"{fault}" for fault in error.faults if "tolerances" in f"{fault}"]
+    assert len(told) == bool(users)
+    for fault in told:
+        assert users in fault
+        assert "would move along" in fault
+        assert remedy in fault
+
+
 @pytest.mark.parametrize(
     ("tables", "said"),
     [
@@ -105,6 +181,7 @@ def test_a_fault_is_one_message(table: str, said: str) -> None:
         ((f'{CRANK}\ntolerance = "h19"',), "no grade"),
         (('of = "mechanism.links[id=3].mass"\ntolerance = "h7"',), "is a tolerance of lengths"),
         ((f'{CRANK}\ntolerance = "h7"', f'{CRANK}\ntolerance = "h8"'), "two tolerances"),
+        ((f'{CRANK}\ntolerance = "h7"', f'{AGAIN}\ntolerance = "h8"'), "two tolerances, as mechanism.links.id=1"),
         (('of = "mechanism.joints[name=D0].guide.angle"\ntolerance = "m"',), "shorter side"),
     ],
 )
@@ -159,3 +236,37 @@ at_least = "657.9 mm"
     assert Path("t.csv").stat().st_mtime_ns == before  # nothing was solved again
     none = CliRunner().invoke(app, ["tolerance", "s.toml", "--of", "kinematics.strok_D"])
     assert isinstance(none.exception, UsageError)
+
+
+@pytest.mark.parametrize("tolerance", ['"h7"', '"1 %"', '"m"', '"js9"'])
+def test_sizes_made_alike_become_larger_together(tmp_path: Path, tolerance: str) -> None:
+    """A lever with two equal arms, one of which points along -x: what makes one longer makes the other one longer."""
+    found = arms(tmp_path, f'tolerance = {tolerance}\nalike = "arms"')
+    one, other = found.dimensions
+    assert (one.sense, other.sense) == (1.0, -1.0)
+    assert (one.low, one.high) == pytest.approx((-other.high, -other.low))
+    moved = found.parts(np.linspace(0.01, 0.99, 9)[:, None])[:, 0, [one.key, other.key]]
+    assert moved[:, 0] == pytest.approx(-moved[:, 1])
+    assert (np.diff(moved[:, 0]) > 0).all()
+    sums, differences = np.zeros((2, found.keys))
+    sums[[one.key, other.key]], differences[[one.key, other.key]] = (1.0, 1.0), (1.0, -1.0)  # of coordinates
+    assert ends_of(found, sums) == pytest.approx((0.0, 0.0), abs=1e-12)
+    assert ends_of(found, differences) == pytest.approx((2 * one.low, 2 * one.high))
+    assert sums @ found.covariances()[0] @ sums == pytest.approx(0.0, abs=1e-12)
+    box = Box(found, np.array([300.0, -300.0]))
+    assert np.abs(box.keys(np.array([[1.0]])))[0] == pytest.approx([300 + one.high] * 2)
+
+
+@pytest.mark.parametrize("sign", ["", "-"])
+def test_measured_sizes_of_a_negative_coordinate(tmp_path: Path, sign: str) -> None:
+    sizes = (299.98, 300.01, 300.05)
+    (tmp_path / "p.csv").write_text("A[mm]\n" + "".join(f"{sign}{each}\n" for each in sizes), encoding="utf-8")
+    files = f'measurements = "{(tmp_path / "p.csv").as_posix()}"'
+    (found,) = arms(tmp_path, files, "G").dimensions
+    assert sorted(found.measured) == pytest.approx([-0.05, -0.01, 0.02])
+    assert found.deviation(np.array([-3.0, 3.0])) == pytest.approx([0.02, -0.05])  # the largest size last
+
+
+def test_deviations_are_of_the_coordinate_as_written(tmp_path: Path) -> None:
+    one, other = arms(tmp_path, 'tolerance = ["0 mm", "0.1 mm"]\nalike = "arms"').dimensions
+    assert (one.low, one.high, one.sense) == (other.low, other.high, other.sense) == (0.0, 0.1, 1.0)

@@ -81,6 +81,11 @@ def say(text: str, colour: str = "") -> None:
         sys.stderr.write(f"{text}\n")
 
 
+def warn(text: str) -> None:
+    """Write what is to be known of a result to standard error."""
+    say(f"warning: {text}", "yellow")
+
+
 def _wrapped(text: str) -> str:
     """Lines that are too long for the window, continued with their own indent and two spaces more."""
     from shutil import get_terminal_size
@@ -131,7 +136,7 @@ def show_news(event: Event) -> None:
 def show_damage(event: Event) -> None:
     """What is said even when all else is quiet: a stored file is not what was written, or another process has it."""
     if event.kind == "damaged":
-        say(f"warning: {event.stage}: {event.message}", "yellow")
+        warn(f"{event.stage}: {event.message}")
     elif event.kind == "waiting":
         say(event.message, "yellow")
 

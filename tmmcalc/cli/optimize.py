@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable
-from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from tmmcalc.cli.found import Choose, Force, SpecOut, Target
-from tmmcalc.cli.messages import note_written, say
+from tmmcalc.cli.messages import note_written, warn
 from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
 from tmmcalc.cli.output import check_apart, check_picture, show, title
+from tmmcalc.cli.progress import seen, told_with
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
@@ -71,9 +69,9 @@ def command(
 
     scene = load_spec(spec, overrides or ())
     _check(scene, choose, picture, fresh and spec_out is None)
-    with _progress(quiet) as told:
+    with seen(told_with("designs"), quiet) as told:
         result = optimize(
-            spec, overrides or (), out=spec_out, fresh=fresh, jobs=jobs, scheduler=scheduler, tell=_warn, told=told
+            spec, overrides or (), out=spec_out, fresh=fresh, jobs=jobs, scheduler=scheduler, tell=warn, told=told
         )
     check_choice(choose or 1, len(result.designs), "design")
     settled = settled_text(scene, spec_out, found_of(result, scene, choose)) if spec_out is not None else None
@@ -100,15 +98,3 @@ def _check(scene: Spec, choose: int | None, picture: Path | None, alone: bool) -
         raise UsageError("one result is sought: there is one design", where="--choose", remedy="leave it out")
     if picture is not None:
         raise UsageError("one result is sought: there is no front to draw", where="--picture", remedy="leave it out")
-
-
-def _warn(text: str) -> None:
-    say(f"warning: {text}", "yellow")
-
-
-def _progress(quiet: bool) -> AbstractContextManager[Callable[[int, str], None]]:
-    if quiet or not sys.stderr.isatty():
-        return nullcontext(lambda solved, words: None)
-    from tmmcalc.cli.progress import told_with
-
-    return told_with("designs")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -13,6 +15,7 @@ from tmmcalc.core.errors import UsageError
 if TYPE_CHECKING:
     from tmmcalc.project import Spec
 
+_COMMA = re.compile(r",(?![^\[(]*[\])])")  # outside of brackets
 LONGEST = 200  # characters of a name of --columns; those of columns have some thirty
 
 
@@ -228,3 +231,15 @@ def patterns_of(columns: str | None) -> list[str]:
             remedy="separate names by commas: --columns 'phi,x_*'",
         )
     return [name for name in names if name]
+
+
+def names_of(given: Sequence[str] | None, flag: str) -> list[str]:
+    """What a flag that may be repeated names, with commas between; those in brackets are part of a name.
+
+    >>> names_of(["forces.max(R_A),motion.delta", "kinematics.stroke_D"], "--of")
+    ['forces.max(R_A)', 'motion.delta', 'kinematics.stroke_D']
+    """
+    found = [part.strip() for each in given or () for part in _COMMA.split(each)]
+    if not all(found):
+        raise UsageError("a name is missing", where=flag, remedy="write names with commas between them")
+    return found

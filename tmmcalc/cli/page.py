@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
-from contextlib import nullcontext
 from dataclasses import replace
 from itertools import repeat
 from pathlib import Path
@@ -16,7 +15,7 @@ from tmmcalc.cli.job import Job
 from tmmcalc.cli.messages import note_written
 from tmmcalc.cli.options import STANDARD_OUTPUT, Fresh, Language, Quiet, Set, Store, language_of
 from tmmcalc.cli.output import check_folders, raise_failures
-from tmmcalc.cli.progress import described
+from tmmcalc.cli.progress import described, seen
 from tmmcalc.core.errors import TmmError, UsageError
 
 if TYPE_CHECKING:
@@ -86,7 +85,7 @@ def command(
     scenes = _read(names, jobs)
     variants: list[Variant] = []
     failures: list[tuple[str, TmmError]] = []
-    with nullcontext(lambda words: None) if quiet or not sys.stderr.isatty() else described() as show:
+    with seen(described(), quiet) as show:
         for called, (name, *_), each, scene in zip(names, wanted, jobs, scenes, strict=True):
             show(f"solving {called}")
             run = each.run(scene, None)

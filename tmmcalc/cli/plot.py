@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -98,13 +97,12 @@ def with_pictures(
 
     Each takes of the ``flags`` those that are its own. One that cannot be drawn is told and stands among the failures.
     """
-    from tmmcalc.cli.progress import described
+    from tmmcalc.cli.progress import described, seen
 
     given = dict.fromkeys((POSITIONS, POLYGONS, CHOOSE, PHASE), None) | dict(flags or {})
     files: list[Path] = []
     failures: dict[str, TmmError] = {}
-    shown = nullcontext(lambda words: None) if quiet or not sys.stderr.isatty() else described()
-    with shown as tell:
+    with seen(described(), quiet) as tell:
         for stage in [name for name in run.outcomes if name in PICTURES]:
             tell(f"drawing {stage}")
             own = {flag: value if flag in PICTURES[stage].flags else None for flag, value in given.items()}

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
 from time import monotonic
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ParamSpec
 
 from tmmcalc.cli.messages import show_news
 from tmmcalc.core.progress import listening
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
     from rich.progress import Progress as Bar
 
     from tmmcalc.pipeline.outcome import Event
+
+Words = ParamSpec("Words")
 
 PATIENCE = 0.5  # seconds before anything is shown: short commands stay quiet and do not load rich
 
@@ -82,6 +85,17 @@ class Progress:
             if self._bar is not None:
                 self._bar.stop()
                 self._bar = None
+
+
+def seen(
+    bar: AbstractContextManager[Callable[Words, None]], quiet: bool
+) -> AbstractContextManager[Callable[Words, None]]:
+    """One of the bars below, or none where all is quiet or no terminal would show it."""
+
+    def unseen(*args: Words.args, **kwargs: Words.kwargs) -> None:
+        """Nobody looks."""
+
+    return nullcontext(unseen) if quiet or not sys.stderr.isatty() else bar
 
 
 @contextmanager

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import re
-import sys
 from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Protocol
 
 import typer
 
-from tmmcalc.cli.messages import note_written, say
-from tmmcalc.cli.options import Form, Format, Language, Quiet, Set, SpecFile, language_of
+from tmmcalc.cli.messages import note_written, warn
+from tmmcalc.cli.options import Form, Format, Language, Quiet, Set, SpecFile, language_of, names_of
 from tmmcalc.cli.output import check_picture, show
+from tmmcalc.cli.progress import growing, seen
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
@@ -22,8 +20,6 @@ if TYPE_CHECKING:
 
 Names = Sequence[str]
 Figure = Callable[[], "Drawing"]
-
-_COMMA = re.compile(r",(?![^\[(]*[\])])")  # outside of brackets
 
 
 class Told(Protocol):
@@ -101,15 +97,15 @@ def command(
 
     Example: tmmcalc sensitivity my.toml --of 'kinematics.stroke_D,forces.max(R_A)' --to 'mechanism.links*'
     """
-    names, columns, keys = _listed(of or (), "--of"), _listed(curve or (), "--curve"), _listed(to or (), "--to")
+    names, columns, keys = names_of(of, "--of"), names_of(curve, "--curve"), names_of(to, "--to")
     if bool(names) == bool(columns):
         what = "nothing is asked for" if not names else "results and columns are two tables"
         raise UsageError(what, where="--of, --curve", remedy="give one of them, e.g. --of kinematics.stroke_D")
     if picture is not None:
         check_picture(picture, "--picture")
     title = f"{spec.stem}: sensitivity"
-    with _progress(quiet) as shown:
-        ways: Any = {"jobs": jobs, "scheduler": scheduler, "tell": _warn, "progress": shown}
+    with seen(growing("variants"), quiet) as shown:
+        ways: Any = {"jobs": jobs, "scheduler": scheduler, "tell": warn, "progress": shown}
         told, figure = (_of_columns if columns else _of_results)(spec, names or columns, keys, overrides or (), ways)
     if picture is not None:
         _draw(picture, figure, spec, overrides or (), language)
@@ -153,23 +149,3 @@ def _draw(file: Path, figure: Figure, spec: Path, fixed: Names, language: str | 
 
     with speaking(language_of(load_spec(spec, fixed), language)):
         draw(file, figure)
-
-
-def _listed(given: list[str] | tuple[str, ...], flag: str) -> list[str]:
-    """What a flag names, with commas between or repeated."""
-    found = [part.strip() for each in given for part in _COMMA.split(each)]
-    if given and not all(found):
-        raise UsageError("a name is missing", where=flag, remedy="write names with commas between them")
-    return found
-
-
-def _warn(text: str) -> None:
-    say(f"warning: {text}", "yellow")
-
-
-def _progress(quiet: bool) -> AbstractContextManager[Callable[[int, int], None]]:
-    if quiet or not sys.stderr.isatty():
-        return nullcontext(lambda done, count: None)
-    from tmmcalc.cli.progress import growing
-
-    return growing("variants")

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator, Sequence
-from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -200,13 +198,13 @@ class _Making:
         self, chosen: Sequence[Sheet], folder: Path, forms: Sequence[str], tile: str | None, quiet: bool
     ) -> list[Path]:
         """Draw sheets and write them in all forms; the files."""
-        from tmmcalc.cli.progress import described
+        from tmmcalc.cli.progress import described, seen
         from tmmcalc.core.atomic import replace_file
         from tmmcalc.core.progress import tell
 
         _make(folder)
         files: list[Path] = []
-        with nullcontext(lambda words: None) if quiet or not sys.stderr.isatty() else described() as show:
+        with seen(described(), quiet) as show:
             for sheet in chosen:
                 words = f"drawing {sheet.file}"
                 show(words)

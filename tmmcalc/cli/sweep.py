@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmmcalc.cli.messages import put, say
+from tmmcalc.cli.messages import put, say, warn
 from tmmcalc.cli.options import STANDARD_OUTPUT, Form, Format, Quiet, SpecFile, Tolerance, patterns_of, stages
 from tmmcalc.cli.output import check_place, check_tolerance, show
+from tmmcalc.cli.progress import counted, seen
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
@@ -161,10 +160,10 @@ def _run(
     from tmmcalc.batch.choice import solver_of
     from tmmcalc.batch.sweep import sweep
 
-    task, solver = solver_of(task, jobs, scheduler, _warn)
+    task, solver = solver_of(task, jobs, scheduler, warn)
     done = 0
     try:
-        with _progress(task.count, quiet) as shown:
+        with seen(counted("points", task.count), quiet) as shown:
 
             def told(finished: int, failed: int) -> None:
                 nonlocal done
@@ -188,18 +187,6 @@ def _kept(out: Path | None, done: int, count: int) -> str:
     return (
         f"{done} of {count} points are kept in {part(out)}; the same command goes on from there, --fresh begins again"
     )
-
-
-def _warn(text: str) -> None:
-    say(f"warning: {text}", "yellow")
-
-
-def _progress(count: int, quiet: bool) -> AbstractContextManager[Callable[[int, int], None]]:
-    if quiet or not sys.stderr.isatty():
-        return nullcontext(lambda done, failed: None)
-    from tmmcalc.cli.progress import counted
-
-    return counted("points", count)
 
 
 def _depend(depfile: Path, out: Path, task: Task, spec: Path, points: Path | None) -> None:

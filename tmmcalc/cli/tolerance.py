@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from tmmcalc.cli.messages import note_written, say
-from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile, patterns_of
+from tmmcalc.cli.messages import note_written, warn
+from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile, names_of
 from tmmcalc.cli.output import check_apart, check_picture, check_place, show, title
+from tmmcalc.cli.progress import counted, seen
 
 
 class Balance(StrEnum):
@@ -27,12 +25,12 @@ class Balance(StrEnum):
 def command(
     spec: SpecFile,
     of: Annotated[
-        str | None,
+        list[str] | None,
         typer.Option(
             "--of",
             metavar="NAMES",
             help="Results by name, with wildcards: 'kinematics.stroke_*,forces.max(R_A)' (default: those of the "
-            "constraints).",
+            "constraints). May be repeated.",
             show_default=False,
         ),
     ] = None,
@@ -114,7 +112,7 @@ def command(
     asked = Asked(
         file=spec,
         overrides=tuple(overrides or ()),
-        of=tuple(patterns_of(of)),
+        of=tuple(names_of(of, "--of")),
         band=band or "",
         samples=samples,
         seed=seed,
@@ -124,9 +122,9 @@ def command(
         fresh=fresh,
         balance={Balance.cost: "cost", Balance.share: "share", Balance.none: None}[balance],
     )
-    with _progress(sizes(samples), quiet) as told:
-        result = tolerate(asked, told, _warn)
-    heading = title(load_spec(spec), spec, "tolerances")
+    heading = title(load_spec(spec, overrides or ()), spec, "tolerances")
+    with seen(counted("samples", sizes(samples)), quiet) as told:
+        result = tolerate(asked, lambda done: told(done, 0), warn)
     show(tolerance_document(result, heading), form)
     if picture is not None:
         from tmmcalc.design.tolerance.picture import tolerance_drawing
@@ -136,18 +134,3 @@ def command(
     for file in (out, picture):
         if file is not None and not quiet:
             note_written(file)
-
-
-def _warn(text: str) -> None:
-    say(f"warning: {text}", "yellow")
-
-
-@contextmanager
-def _progress(count: int, quiet: bool) -> Iterator[Callable[[int], None]]:
-    if quiet or not sys.stderr.isatty():
-        yield lambda done: None
-        return
-    from tmmcalc.cli.progress import counted
-
-    with counted("samples", count) as shown:
-        yield lambda done: shown(done, 0)

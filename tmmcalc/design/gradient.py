@@ -1,12 +1,12 @@
 """Results and their derivatives at any place: what a search asks for at every step.
 
-Where a stage gives derivatives exactly, they cost about as much as the results; the others are found by differences of
-variants that are solved together.
+Where a stage gives derivatives exactly, they are held against the shortest steps to both sides, which show a kink that
+an extreme in two rows has; the others are found by differences over whole ladders. Variants are solved together.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -16,9 +16,10 @@ from tmmcalc.batch.points import run_of
 from tmmcalc.batch.quantities import told
 from tmmcalc.batch.task import Task
 from tmmcalc.core.records import record
-from tmmcalc.design.differences import FIRST, LEVELS, Slope, slope, steps
+from tmmcalc.design.differences import LEVELS, Slope, slope, steps
 from tmmcalc.design.exact import Exact
 from tmmcalc.design.keys import scales
+from tmmcalc.design.ladders import Given, held, of_both
 from tmmcalc.design.model import Model
 from tmmcalc.naming.scene import Scene
 
@@ -68,32 +69,41 @@ class Gradients:
         known = dict(told(run.results, self.names, Scene(run.spec, run.results), [*run.outcomes]))
         found = np.array([known.get(name, np.nan) for name in self.names])
         given = self._exact.at(values, run)
-        exact = np.array([[each is not None for each in own] for own in given]).T
-        left = [k for k, own in enumerate(given) if None in own]
-        ladders = self._by_differences(values, found, left)
-        every = [
-            [each or ladders[k][m] for m, each in enumerate(own)] if k in ladders else own
-            for k, own in enumerate(given)
-        ]
+        settled = self._held(values, found, given)
+        left = [k for k, own in enumerate(settled) if None in own]
+        every = [*settled]
+        for k, there in self._tried(values, left, range(2 * LEVELS)):
+            ladder = [slope(self._sizes[k], float(one), own) for one, own in zip(found, there.T, strict=True)]
+            settled[k] = [of_both(*pair) for pair in zip(given[k], ladder, strict=True)]
+            every[k] = [each or other for each, other in zip(settled[k], ladder, strict=True)]
+        exact = np.array([[each is not None for each in own] for own in settled]).T
         slopes, errors, right, at_left = (
             np.array([[getattr(each, name) for each in own] for own in every]).T
             for name in ("value", "error", "right", "left")
         )
         return Gradient(found, slopes, errors, right, at_left, exact)
 
-    def _by_differences(self, values: Sequence[float], found: Values, keys: Sequence[int]) -> dict[int, list[Slope]]:
-        """Derivatives of all results by some of the keys, from ladders of steps about the place."""
+    def _held(self, values: Sequence[float], found: Values, given: Given) -> list[Sequence[Slope | None]]:
+        """Exact derivatives by key and result, None where there is none or the shortest steps tell otherwise."""
+        settled = [*given]
+        whole = [k for k, own in enumerate(given) if None not in own]
+        for k, (up, down) in self._tried(values, whole, (LEVELS - 1, 2 * LEVELS - 1)):
+            here = zip(given[k], found, up, down, strict=True)
+            settled[k] = [held(each, self._sizes[k], *map(float, own)) for each, *own in here]
+        return settled
+
+    def _tried(
+        self, values: Sequence[float], keys: Sequence[int], rungs: Sequence[int]
+    ) -> Iterator[tuple[int, Values]]:
+        """The results (r, m) at these rungs of the ladders of some of the keys, about the place."""
         if not keys:
-            return {}
+            return
         here = np.array(values)
+        own = np.array([steps(self._sizes[k])[[*rungs]] for k in keys])
         wide = np.zeros(len(values))
-        wide[[*keys]] = FIRST * np.array(self._sizes)[[*keys]]
+        wide[[*keys]] = np.abs(own).max(axis=1)
         part = self.model.over(range(len(values)), here - wide, here + wide, about=values)
-        moves = np.concatenate([np.tile(here, (2 * LEVELS, 1)) for _ in keys])
+        moves = np.tile(here, (len(keys) * len(rungs), 1))
         for at, k in enumerate(keys):
-            moves[at * 2 * LEVELS : (at + 1) * 2 * LEVELS, k] += steps(self._sizes[k])
-        there = part(moves).values.reshape(len(keys), 2 * LEVELS, len(found))
-        return {
-            k: [slope(self._sizes[k], float(one), own) for one, own in zip(found, there[at].T, strict=True)]
-            for at, k in enumerate(keys)
-        }
+            moves[at * len(rungs) : (at + 1) * len(rungs), k] += own[at]
+        yield from zip(keys, part(moves).values.reshape(len(keys), len(rungs), -1), strict=True)

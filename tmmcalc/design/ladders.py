@@ -58,7 +58,8 @@ class Ladders:
         whole = [k for k, own in enumerate(self.given) if None not in own]
         left = [k for k in range(len(self.sizes)) if k not in whole]
         for k, ends in self._tried(whole, self.sizes, ENDS):
-            found = [_held(*pair) for pair in zip(self.given[k], self._ends(k, ends), strict=True)]
+            here = zip(self.given[k], self.model.found, ends[1], ends[3], strict=True)
+            found = [held(given, self.sizes[k], *each) for given, *each in here]
             if None in found:
                 left.append(k)
             else:
@@ -66,16 +67,9 @@ class Ladders:
                 self.exact[k] = [True] * len(found)
         ladders = self._by_differences(sorted(left))
         for k, own in ladders.items():
-            found = [_of_both(*pair) for pair in zip(self.given[k], own, strict=True)]
+            found = [of_both(*pair) for pair in zip(self.given[k], own, strict=True)]
             self.slopes[k] = [each or other for each, other in zip(found, own, strict=True)]
             self.exact[k] = [each is not None for each in found]
-
-    def _ends(self, k: int, ends: Values) -> Iterator[tuple[float, float, float, float]]:
-        """Of every result what its shortest steps tell: both sides, curvature, what rounding leaves of a side."""
-        h = self.sizes[k] * FIRST * 0.5 ** (LEVELS - 1)
-        for here, (_, up, _, down) in zip(self.model.found, ends.T, strict=True):
-            noise = NOISE * max(abs(here), abs(up), abs(down)) / h + FLOOR / self.sizes[k]
-            yield (up - here) / h, (here - down) / h, (up - 2 * here + down) / h**2, noise
 
     def _by_differences(self, left: list[int]) -> dict[int, list[Slope]]:
         """Derivatives by whole ladders, with finer steps of those keys whose errors are too large."""
@@ -92,7 +86,7 @@ class Ladders:
 
     def _poor(self, given: Slope | None, each: Slope) -> bool:
         """Whether finer steps may do better."""
-        if given is not None and _of_both(given, each) is not None:
+        if given is not None and of_both(given, each) is not None:
             return False
         return each.side in ("none", "left", "right") or each.error > AIM * abs(each.value)
 
@@ -123,9 +117,14 @@ class Ladders:
                 self._reaches[side] = Reach(self.model.keys[k], step, reason)
 
 
-def _held(given: Slope | None, ends: tuple[float, float, float, float]) -> Slope | None:
-    """An exact derivative with the curvature, if differences over the shortest steps agree; else None."""
-    right, left, curvature, noise = ends
+def held(given: Slope | None, size: float, here: float, up: float, down: float) -> Slope | None:
+    """An exact derivative with the curvature, if differences over the shortest steps of a key agree; else None.
+
+    ``here``, ``up`` and ``down`` are the result at the place and at these steps to both sides.
+    """
+    h = size * FIRST * 0.5 ** (LEVELS - 1)
+    right, left, curvature = (up - here) / h, (here - down) / h, (up - 2 * here + down) / h**2
+    noise = NOISE * max(abs(here), abs(up), abs(down)) / h + FLOOR / size
     if given is None or not (np.isfinite(right) and np.isfinite(left)):
         return None
     most = AGREES * max(abs(right), abs(left), abs(given.right), abs(given.left)) + noise
@@ -135,7 +134,7 @@ def _held(given: Slope | None, ends: tuple[float, float, float, float]) -> Slope
     return replace(given, curvature=curvature) if abs((right + left) / 2 - given.value) <= most else None
 
 
-def _of_both(given: Slope | None, found: Slope) -> Slope | None:
+def of_both(given: Slope | None, found: Slope) -> Slope | None:
     """An exact derivative with what a ladder of differences adds, unless these tell otherwise."""
     if given is None or found.side == "jump":
         return None

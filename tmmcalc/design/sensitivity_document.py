@@ -8,6 +8,7 @@ import numpy as np
 
 from tmmcalc.core.headers import key_and_unit
 from tmmcalc.design.courses import Course
+from tmmcalc.design.ladders import Reach
 from tmmcalc.design.sensitivity import Partial, Sensitivity
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
@@ -18,10 +19,11 @@ BY_ROW = ("column", "row", "at", "value", "key", "key_value", "derivative", "err
 SHOWN = 5  # ends that are told
 MOST = 6  # keys of which a table for people tells in every row
 LETTERS = "ABCDEF"
+ROUNDING = 1e-9  # of what the largest derivative does: less is none
 POOR = 1e-6  # an error above is told of each
 PERCENT = 0.01  # of a key: the change that the table tells of
 BENT = 0.25  # of the change by the derivative: where one per cent adds more to it, this is told
-OTHER = {"right": "larger", "left": "smaller"}
+OTHER = {"right": "smaller", "left": "larger"}  # than the value: where there is none
 
 
 def sensitivity_document(result: Sensitivity, title: str) -> Document:
@@ -70,8 +72,17 @@ def _course(course: Course) -> Document:
     headers = ["row", *([course.over] if course.over else []), f"value {unit}".rstrip(), *LETTERS[: len(told)]]
     places = [[number(x) for x in course.x]] if course.over else []
     columns = [[*course.labels], *places, [number(value) for value in course.values], *told]
-    notes = ("note: the columns by letters are what one per cent of these keys does, in the unit of the value",)
-    return Document(bare, tuple(facts), notes if told else (), View(tuple(headers), columns), name=bare)
+    notes = ["note: the columns by letters are what one per cent of these keys does, in the unit of the value"] * bool(
+        told
+    )
+    for own in course.partials:
+        at = [label for label, each in zip(course.labels, own, strict=True) if each.slope.side == "jump"]
+        if at:
+            key = key_and_unit(own[0].key)[0]
+            notes.append(
+                f"warning: {key}: the column jumps in {len(at)} rows, the first of them {at[0]}: no derivative"
+            )
+    return Document(bare, tuple(facts), tuple(notes), View(tuple(headers), columns), name=bare)
 
 
 def bent(each: Partial) -> bool:
@@ -88,7 +99,9 @@ def _facts(result: Sensitivity) -> Iterator[Fact]:
 
 def _part(result: Sensitivity, name: str, value: float) -> Document:
     every = result.of(name)
-    shown = [each for each in every if each.acts]
+    does = [abs(each.slope.value * each.value) for each in every]
+    least = ROUNDING * max((each for each in does if np.isfinite(each)), default=0.0)
+    shown = [each for each, own in zip(every, does, strict=True) if each.acts and not 0 < own < least]
     bare, unit = key_and_unit(name)
     facts = [
         Fact("value", f"{number(value)} {unit}".rstrip(), {"value": value}),
@@ -99,7 +112,7 @@ def _part(result: Sensitivity, name: str, value: float) -> Document:
         facts.append(Fact("derivatives", f"off by {max(errors):.0e} of them at most", {"error": max(errors)}))
     rows = [_row(each, unit) for each in shown]
     table = View(HEADERS, [*map(list, zip(*rows, strict=True))]) if rows else None
-    return Document(bare, tuple(facts), tuple(_notes(shown, unit)), table, name=bare)
+    return Document(bare, tuple(facts), tuple(_notes(shown, unit, result.reaches)), table, name=bare)
 
 
 def _row(each: Partial, unit: str) -> tuple[str, ...]:
@@ -111,7 +124,7 @@ def _row(each: Partial, unit: str) -> tuple[str, ...]:
     return key, f"{number(each.value)} {own}".rstrip(), value.rstrip(), percent, error, each.way
 
 
-def _notes(shown: Sequence[Partial], unit: str) -> Iterator[str]:
+def _notes(shown: Sequence[Partial], unit: str, reaches: Sequence[Reach]) -> Iterator[str]:
     """Kinks with both sides, jumps, and where no straight line stands for the result."""
     for each in shown:
         below = per(unit, key_and_unit(each.key)[1])
@@ -121,7 +134,14 @@ def _notes(shown: Sequence[Partial], unit: str) -> Iterator[str]:
         elif each.slope.side == "jump":
             yield f"warning: {each.key}: the result jumps here, so that it has no derivative"
         elif each.slope.side in ("left", "right"):
-            yield f"note: {each.key}: there are solutions to one side alone, that of {OTHER[each.slope.side]} values"
+            ends = [
+                abs(one.step)
+                for one in reaches
+                if one.key == each.key and (one.step < 0) == (each.slope.side == "right")
+            ]
+            own = key_and_unit(each.key)[1]
+            first = f"{number(min(ends), 3)} {own}".rstrip() if ends else "the smallest step"
+            yield f"note: {each.key}: to {OTHER[each.slope.side]} values there is no solution from {first} on"
         elif each.slope.side == "none" and each.way == "exact":
             yield (
                 f"warning: {each.key}: the derivative holds for the least of changes alone: small steps do not follow "

@@ -19,7 +19,7 @@ from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
 
 RULES = {
-    "cost": "least cost, if that of each is as the reciprocal of its tolerance",
+    "cost": "least cost, if all cost the same as they are and each as the reciprocal of its width",
     "share": "equal shares in the variance",
 }
 SHOWN = 5  # reasons, and parts that are told in words
@@ -224,7 +224,10 @@ def _assumptions(result: Tolerated) -> Iterator[str]:
     if pairs:
         yield "clearances are massless links of half of the clearance: contact is never lost"
     if any(pair.pin for pair in pairs):
-        yield "pins rest in any direction, one as likely as another; of the worst case in the worst one"
+        yield (
+            "pins rest in any direction that stays the same at all positions in the axes of their links, one as likely "
+            "as another; of the worst case in the worst one"
+        )
     if any(pair.sides for pair in pairs):
         yield "sliders lean on one or the other side of their guides, each as often; of the worst case on the worse one"
     told = [f"{pair.name.removeprefix('clearance of ')} ({_direction(pair)})" for pair in pairs if not pair.drawn]

@@ -48,7 +48,7 @@ def ends_of(sources: Sources, slope: Values) -> tuple[float, float]:
     low = high = 0.0
     alike: dict[str, list[float]] = {}
     for each in sources.dimensions:
-        ends = [slope[each.key] * each.low, slope[each.key] * each.high]
+        ends = [slope[each.key] * end for end in each.ends]
         if each.alike:
             both = alike.setdefault(each.group, [0.0, 0.0])
             both[0] += ends[0]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -17,7 +17,6 @@ from tmmcalc.batch.reading import frame_of
 from tmmcalc.batch.sweep import sweep
 from tmmcalc.batch.task import BROKEN, Row, Task
 from tmmcalc.core.errors import UsageError
-from tmmcalc.core.headers import key_and_unit
 from tmmcalc.core.records import record
 from tmmcalc.design.keys import scales, varied
 from tmmcalc.design.model import BLOCK, Answers, Model, Told, solver_of
@@ -40,6 +39,7 @@ if TYPE_CHECKING:
     from tmmcalc.project import Spec
 
 MANY = 2**13  # places that are worth starting processes
+BAND = "--band"
 REACH = 1.6  # of half the range of a key: samples lie within, but for one in a million
 
 
@@ -73,7 +73,7 @@ def tolerate(asked: Asked, told: Told = lambda done: None, warn: Callable[[str],
     frame = frame_of(asked.file, asked.overrides, keys, [*dict.fromkeys([*wanted, *course])])
     _check(frame)
     sources = sources_of(spec.tolerances, variants.data, frame.axes, partial(_pressed, spec))
-    model = Model(frame, brief=True)
+    model = _model(frame, asked.band, {*course} - {*wanted})
     many = solver_of(frame, sizes(asked.samples), asked.jobs, asked.scheduler, warn)
     lines = sensitivity(asked.file, wanted, keys, asked.overrides, scheduler=asked.scheduler, tell=warn)
     names = [*lines.names, *(name for name in model.names if name not in lines.names)]
@@ -82,7 +82,7 @@ def tolerate(asked: Asked, told: Told = lambda done: None, warn: Callable[[str],
     near = (model.by(many) if heavy(frame) else model).over(
         range(len(keys)), *(model.nominal + end * REACH * ranges(sources) for end in (-1, 1))
     )
-    bare = {key_and_unit(name)[0]: at for at, name in enumerate(names)}
+    bare = {parse(name).text: at for at, name in enumerate(names)}
 
     every = near.by(many)
 
@@ -102,7 +102,7 @@ def tolerate(asked: Asked, told: Told = lambda done: None, warn: Callable[[str],
         _rule(spec, model, names),
         samples=sizes(asked.samples),
         seed=asked.seed,
-        band=[bare[name] for name in course],
+        band=[bare[parse(name).text] for name in course],
         law=asked.balance,
     )
 
@@ -110,6 +110,9 @@ def tolerate(asked: Asked, told: Told = lambda done: None, warn: Callable[[str],
 def _pressed(spec: Spec, joint: str, link: int) -> complex:
     """The direction of the reaction on a link in its own axes, where the reaction is largest over the motion."""
     found = run(spec, target=("forces",)).results
+    if "forces" not in found:
+        rule = f"no force is known in {joint}: the spec has no loads, masses or springs"
+        raise UsageError(rule, where="tolerances", remedy='write direction = "any", or an angle')
     forces = found["forces"]
     at = next(j for j, pair in enumerate(forces.pairs) if pair.joint == joint)
     size = np.abs(forces.reaction[at])
@@ -149,14 +152,30 @@ def _kept(model: Model, frame: Task, places: Values, asked: Asked, told: Told) -
     return Answers(np.array(columns).T, sheet.reasons)
 
 
+def _model(frame: Task, band: str, course: Collection[str]) -> Model:
+    """The results of the frame; raises UsageError for a band that is no column as such, and not for its rows."""
+    try:
+        return Model(frame, brief=True, where=lambda name: BAND if name in course else "--of")
+    except UsageError as error:
+        if error.where != BAND:
+            raise
+        remedy = error.remedy.replace("@0", "")
+        raise UsageError(f"no column is called {band!r}", where=BAND, remedy=remedy) from None
+
+
 def _band(column: str, spec: Spec) -> list[str]:
     """The names of a column at all positions of a turn."""
     if not column:
         return []
-    if spec.mechanism is None or "." not in column or "@" in column:
+    try:
+        name = parse(column)
+    except UsageError as error:
+        raise UsageError(error.message, where=BAND, remedy=error.remedy) from None
+    if spec.mechanism is None or not name.stage or not name.fact or name.wild:
         remedy = "name a column with its stage, e.g. --band kinematics.S_D"
-        raise UsageError(f"{column!r} is no column over the positions of a mechanism", where="--band", remedy=remedy)
-    return [f"{column}@{at}" for at in range(spec.mechanism.grid.positions)]
+        raise UsageError(f"{column!r} is no column over the positions of a mechanism", where=BAND, remedy=remedy)
+    unit = f"[{name.unit}]" if name.unit else ""
+    return [f"{name.text}@{at}{unit}" for at in range(spec.mechanism.grid.positions)]
 
 
 def _rule(spec: Spec, model: Model, names: Sequence[str]) -> Rule | None:

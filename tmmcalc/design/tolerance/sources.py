@@ -28,7 +28,11 @@ NODES = 96  # of the quadrature over normal scores
 
 @record
 class Dimension:
-    """A key that varies by ``low`` to ``high`` about its nominal value, both in the unit of the key."""
+    """A key that varies by ``low`` to ``high`` about its nominal value, both in the unit of the key.
+
+    A tolerance of a size is that of its magnitude: with a ``sense`` of -1 the value is negative, so that it becomes
+    larger by ``low``, and dimensions made alike become larger together.
+    """
 
     name: str
     key: int  # its column among the keys
@@ -38,6 +42,7 @@ class Dimension:
     measured: tuple[float, ...] = ()  # deviations that were measured, in the unit of the key
     group: str = ""  # made alike with the others of it
     correlation: float = 1.0  # of normal scores within the group
+    sense: float = 1.0  # 1 or -1: which way a larger score goes
 
     @property
     def alike(self) -> bool:
@@ -47,6 +52,7 @@ class Dimension:
     def deviation(self, score: Values) -> Values:
         """Deviations at normal scores (n,), so that scores of N(0, 1) give its distribution."""
         middle, half = (self.low + self.high) / 2, (self.high - self.low) / 2
+        score = self.sense * score
         if self.kind == "normal":
             return middle + half / SIGMAS * score
         from scipy.special import ndtr
@@ -59,6 +65,11 @@ class Dimension:
             return np.asarray(middle - np.sign(0.5 - part) * half * (1 - np.sqrt(2 * tail)))
         ordered = np.sort(np.array(self.measured))
         return np.asarray(ordered[np.minimum((part * len(ordered)).astype(int), len(ordered) - 1)])
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """The deviations at the least and at the largest score."""
+        return (self.low, self.high) if self.sense > 0 else (self.high, self.low)
 
     def scaled(self, factor: float) -> Dimension:
         """The same with deviations that are so many times as large."""
@@ -233,7 +244,7 @@ def covariance(one: Dimension, other: Dimension) -> float:
         return one.sigma**2
     both = math.sqrt(one.correlation * other.correlation)
     if one.kind == other.kind == "normal":
-        return both * one.sigma * other.sigma
+        return both * one.sense * other.sense * one.sigma * other.sigma
     if one.correlation == other.correlation == 1.0:
         part = (np.arange(2**16) + 0.5) / 2**16  # of one score alone, steps of measured ones too
         from scipy.special import ndtri

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from pathlib import Path
+from pathlib import Path as File
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from tmmcalc.core.errors import UsageError
@@ -17,6 +17,8 @@ from tmmcalc.naming.language import WILD
 from tmmcalc.naming.rows import in_unit
 from tmmcalc.spec.dimensions import DIMENSIONS
 from tmmcalc.spec.outline import Raw
+from tmmcalc.spec.override import apply
+from tmmcalc.spec.phrases import Path
 from tmmcalc.spec.units import UnitError, conversion, kind_of, parse
 
 if TYPE_CHECKING:
@@ -28,7 +30,9 @@ Pressed = Callable[[str, int], complex]  # name of a joint, a link of it -> unit
 
 
 def keys_of(tolerances: Sequence[ToleranceTable], document: Raw) -> tuple[str, ...]:
-    """The keys that vary, each once; raises UsageError where nothing does, or a key is none."""
+    """The keys that vary, each number once however it is written; raises UsageError where nothing does, or a key is
+    none.
+    """
     keys: list[str] = []
     for table in tolerances:
         keys += (
@@ -38,7 +42,10 @@ def keys_of(tolerances: Sequence[ToleranceTable], document: Raw) -> tuple[str, .
         )
     if not keys:
         raise UsageError("nothing varies", where="tolerances", remedy='add [[tolerances]] with of = "..." to the spec')
-    return tuple(dict.fromkeys(keys))
+    found: dict[Path, str] = {}
+    for key in keys:
+        found.setdefault(_path(key, document), key)
+    return tuple(found.values())
 
 
 def sources_of(
@@ -49,20 +56,30 @@ def sources_of(
     ``pressed`` tells where forces press joints whose clearance is told to be there. Raises UsageError where a tolerance
     does not fit its size or its unit, or a key has two.
     """
-    place = {axis.key: at for at, axis in enumerate(axes)}
+    at = {_path(axis.key, document): number for number, axis in enumerate(axes)}
+    seen: dict[Path, str] = {}
     dimensions: list[Dimension] = []
     clearances: list[Clearance] = []
     for number, table in enumerate(tolerances, 1):
         where = f"tolerances, {number}"
         if table.joint:
-            clearances.append(_clearance(table, document, axes, place, where, pressed))
+            clearances.append(_clearance(table, document, axes, at, where, pressed))
             continue
         for key in table.of:
             for one in _meant(table, key, document):
-                if any(each.name == one for each in dimensions):
-                    raise UsageError(f"{one} has two tolerances", where=where, remedy="leave it out of one of them")
-                dimensions.append(_dimension(table, axes[place[one]], place[one], where))
+                path = _path(one, document)
+                if path in seen:
+                    also = "" if seen[path] == one else f", as {seen[path]} too"
+                    rule = f"{one} has two tolerances{also}"
+                    raise UsageError(rule, where=where, remedy="leave it out of one of them")
+                seen[path] = one
+                dimensions.append(_dimension(table, axes[at[path]], at[path], where))
     return Sources(len(axes), tuple(dimensions), tuple(clearances))
+
+
+def _path(key: str, document: Raw) -> Path:
+    """Where a key is in the document, whichever way it names elements of lists."""
+    return apply(document, [f"{key}=0"])[1][0]
 
 
 def _meant(table: ToleranceTable, key: str, document: Raw) -> list[str]:
@@ -70,9 +87,16 @@ def _meant(table: ToleranceTable, key: str, document: Raw) -> list[str]:
     from tmmcalc.spec.variants import given
 
     found = chosen(document, [key], "tolerances")
+    sized = _of_size(table) and not WILD.isdisjoint(key)
+    return [each for each in found if not (sized and given(each, document)[0] == 0.0)]
+
+
+def _of_size(table: ToleranceTable) -> bool:
+    """Whether a tolerance is that of a magnitude, and not of the number as it is written."""
     width = table.tolerance
-    sized = isinstance(width, str) and (is_class(width) or bool(class_of(width)) or width.rstrip().endswith("%"))
-    return [each for each in found if not (sized and not WILD.isdisjoint(key) and given(each, document)[0] == 0.0)]
+    if table.measurements is not None:
+        return table.measured_as == "sizes"
+    return isinstance(width, str) and (is_class(width) or bool(class_of(width)) or width.rstrip().endswith("%"))
 
 
 def _dimension(table: ToleranceTable, axis: Axis, at: int, where: str) -> Dimension:
@@ -89,17 +113,21 @@ def _dimension(table: ToleranceTable, axis: Axis, at: int, where: str) -> Dimens
             ends = _ends(table, axis.values[0], unit)
     except UnitError as error:
         raise UsageError(f"{axis.key}: {error.message}", where=where, remedy=error.remedy) from None
-    return Dimension(axis.key, at, *ends, cast(Kind, kind), measured, table.alike, table.correlation)
+    sense = -1.0 if _of_size(table) and axis.values[0] < 0 else 1.0
+    return Dimension(axis.key, at, *ends, cast(Kind, kind), measured, table.alike, table.correlation, sense)
 
 
 def _pieces(table: ToleranceTable, axis: Axis, unit: str, where: str) -> tuple[float, ...]:
     """Deviations of the pieces of a file in the unit of the key."""
-    told, values = column_of(Path(str(table.measurements)), table.column, where)
+    told, values = column_of(File(str(table.measurements)), table.column, where)
     if (kind_of(told) if told else None) != (kind_of(unit) if unit else None):
         rule = f"{table.measurements} is in {told or 'bare numbers'}, and this {f'in {unit}' if unit else 'is one'}"
         raise UnitError(rule, "name another column, or write its unit in the header: A[mm]")
-    sizes = [_in(unit, value) for value in values]
-    return tuple(sizes if table.measured_as == "deviations" else [size - axis.values[0] for size in sizes])
+    found, nominal = [_in(unit, value) for value in values], axis.values[0]
+    if table.measured_as == "deviations":
+        return tuple(found)
+    # the size of a coordinate that is negative is its magnitude, unless the file has its sign too
+    return tuple((-size if nominal < 0 < size else size) - nominal for size in found)
 
 
 def _ends(table: ToleranceTable, size: float, unit: str) -> tuple[float, float]:
@@ -160,14 +188,14 @@ def _clearance(
     table: ToleranceTable,
     document: Raw,
     axes: Sequence[Axis],
-    place: dict[str, int],
+    at: dict[Path, int],
     where: str,
     pressed: Pressed | None,
 ) -> Clearance:
     pin = _pin(table, document)
-    units = [axes[place[key]].unit or axes[place[key]].si for key in pin.keys]
+    x, y = (at[_path(key, document)] for key in pin.keys)
+    units = [axes[one].unit or axes[one].si for one in (x, y)]
     scale = [_scale(unit, METRE, "clearance") for unit in units]
-    x, y = (place[key] for key in pin.keys)
     name = f"clearance of {table.joint}"
     assert table.clearance is not None  # the checks of the table ask for it
     low, high = (end / 2 for end in table.clearance)

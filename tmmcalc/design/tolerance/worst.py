@@ -80,7 +80,8 @@ class Box:
                 found[:, list(each.keys)] += each.shift(places[:, at], radius)
                 continue
             for one in each:
-                found[:, one.key] += one.low + (one.high - one.low) * places[:, at]
+                first, last = one.ends
+                found[:, one.key] += first + (last - first) * places[:, at]
         return found
 
     def kept(self, places: Values) -> Values:
