@@ -84,7 +84,7 @@ def test_whole_numbers_and_a_catalogue_are_searched_completely_where_that_is_sma
     wheel = Variable("z2", (1,), "", 20, 120, tuple(map(float, range(20, 121))))
 
     def ratio(x):
-        return np.array([np.abs(x[:, 1] / x[:, 0] - np.pi), x.sum(axis=1)]).T
+        return np.array([np.abs(x[:, 1] / np.maximum(x[:, 0], 1.0) - np.pi), x.sum(axis=1)]).T
 
     made = problem(ratio, [teeth, wheel], [Limit("sum", 1, "", None, 150.0)])
     course = found(made)
