@@ -69,7 +69,8 @@ def polish(problem: Problem, starts: Values, aims: Sequence[Aim], longest: int =
 def _by(scores: Scores, at: int, aim: Aim) -> Scores:
     """One design as an aim sees it."""
     objectives = scores.objectives[at]
-    over = np.maximum(0.0, objectives - aim.caps - 1e-9 * np.abs(aim.caps))[np.isfinite(aim.caps)]
+    held = np.isfinite(aim.caps)
+    over = np.maximum(0.0, objectives[held] - aim.caps[held] - 1e-9 * np.abs(aim.caps[held])) if held.any() else []
     return Scores(objectives[None, [aim.objective]], np.array([max(scores.violation[at], *over, 0.0)]))
 
 

@@ -209,7 +209,8 @@ def _of_hollows(problem: Problem, found: Population, budget: int) -> Population:
             break
     if not chosen:
         return Population(found.places[:1], found.scores[:1])
-    ends = polish(problem, np.array(chosen), [Aim(0, np.full(len(problem.objectives), np.inf))] * len(chosen), SHORTER)
+    aims = [Aim(0, np.full(len(problem.objectives), np.inf))] * len(chosen)
+    ends = polish(problem, np.array(chosen), aims, _longest(problem, budget))
     every = _joined(Population(ends.places, ends.scores), Population(found.places[:1], found.scores[:1]))
     return Population(every.places[:1], every.scores[:1])
 
@@ -236,11 +237,15 @@ def _different(objectives: Values, own: NDArray[np.intp]) -> NDArray[np.intp]:
     return own[np.sort(once)]
 
 
+def _longest(problem: Problem, budget: int) -> int:
+    """Designs a variable that a local search of the best may ask for."""
+    return int(np.clip(budget // len(problem.variables), SHORTER, LONGEST))
+
+
 def _polished(problem: Problem, best: Population, budget: int) -> Population:
     """The best design by local search; listed values are changed to their neighbours while that makes it better."""
     free = np.full(len(problem.objectives), np.inf)
-    longest = int(np.clip(budget // len(problem.variables), SHORTER, LONGEST))
-    found = polish(problem, best.places[:1], [Aim(0, free)], longest)
+    found = polish(problem, best.places[:1], [Aim(0, free)], _longest(problem, budget))
     here = Population(found.places, found.scores)
     while problem.discrete:
         starts = _neighbours(problem, here.places[0])
