@@ -210,7 +210,7 @@ def _of_hollows(problem: Problem, found: Population, budget: int) -> Population:
     if not chosen:
         return Population(found.places[:1], found.scores[:1])
     aims = [Aim(0, np.full(len(problem.objectives), np.inf))] * len(chosen)
-    ends = polish(problem, np.array(chosen), aims, _longest(problem, budget))
+    ends = polish(problem, np.array(chosen), aims, SHORTER)
     every = _joined(Population(ends.places, ends.scores), Population(found.places[:1], found.scores[:1]))
     return Population(every.places[:1], every.scores[:1])
 
