@@ -42,3 +42,12 @@ class Key:
     student: str  # of the roster; empty without one
     values: Values  # (I,) of the items, in their units
     mistaken: tuple[Values, ...]  # (M, I) by mistake; NaN where it changes nothing or gives no number
+
+
+@record
+class Keybook:
+    """The keys of a class."""
+
+    items: tuple[Item, ...]
+    mistakes: tuple[Told, ...]
+    keys: tuple[Key, ...]
