@@ -7,6 +7,7 @@ depends on the last digits, so that a seed gives the same variants on every mach
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -23,6 +24,7 @@ Values = NDArray[np.floating[Any]]
 Flags = NDArray[np.bool_]
 
 TIE = 1e-9  # of a limit: what is so near to it is at it
+_PLACES = re.compile(r"\{\w+\}")  # for values in the template of a warning
 DEAD = 10.0  # times that errors of lengths may grow in a group (pressure angles up to 84 deg)
 
 
@@ -79,7 +81,8 @@ def near(apart: float) -> Refusal:
 
 def warned(warning: str) -> Refusal:
     """A result has a warning that the assignment has not."""
-    return Refusal(f"no warning but those of the assignment: {warning}", "", "move the ranges away from it")
+    text = _PLACES.sub("..", warning)
+    return Refusal(f"no warning but those of the assignment: {text}", "", "move the ranges away from it")
 
 
 def constrained(name: str) -> Refusal:

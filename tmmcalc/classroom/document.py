@@ -40,8 +40,8 @@ def _notes(made: Made) -> Iterator[str]:
         values = [each.values[at] for each in made.fresh]
         if len(values) > 1 and max(values) - min(values) <= item.tolerance * max(map(abs, values)):
             yield f"note: {item.name} is the same in all variants that were drawn now, within its tolerance"
-    for item, mistake in made.own.unavoided:
-        yield f"note: {item}: in most variants the right answer comes out with a mistake too: {mistake}"
+    for name, mistake in made.own.unavoided:
+        yield f"note: {name}: in most variants the right answer comes out with a mistake too: {mistake}"
 
 
 def _spread(made: Made) -> View | None:
