@@ -9,8 +9,8 @@ import typer
 
 from tmmcalc.cli.found import Choose, Force, SpecOut, Target
 from tmmcalc.cli.messages import note_written, warn
-from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
-from tmmcalc.cli.output import check_apart, check_picture, show, title
+from tmmcalc.cli.options import Form, Format, Jobs, Language, Quiet, Scheduler, Set, SpecFile
+from tmmcalc.cli.output import check_apart, check_picture, draw_in, name, show, title
 from tmmcalc.cli.progress import seen, told_with
 from tmmcalc.core.errors import UsageError
 
@@ -26,22 +26,18 @@ def command(
     picture: Annotated[
         Path | None,
         typer.Option(
-            "--picture", metavar="FILE", help="The front of designs, by suffix svg, png or pdf.", show_default=False
+            "--picture",
+            metavar="FILE",
+            help="The front of designs, by suffix svg, png, pdf or dxf.",
+            show_default=False,
         ),
     ] = None,
-    jobs: Annotated[
-        int | None,
-        typer.Option(
-            "--jobs", "-j", metavar="N", min=1, help="Local processes (default: as many as pay).", show_default=False
-        ),
-    ] = None,
-    scheduler: Annotated[
-        str | None,
-        typer.Option("--scheduler", metavar="ADDRESS", help="Solve on this Dask cluster.", show_default=False),
-    ] = None,
+    jobs: Jobs = None,
+    scheduler: Scheduler = None,
     fresh: Annotated[bool, typer.Option("--fresh", help="Solve all designs, whatever is stored.")] = False,
     form: Form = Format.table,
     quiet: Quiet = False,
+    language: Language = None,
     overrides: Set = None,
 ) -> None:
     """The best design by [optimize] of the spec: variables, results that are to be least or greatest, constraints.
@@ -75,16 +71,14 @@ def command(
         )
     check_choice(choose or 1, len(result.designs), "design")
     settled = settled_text(scene, spec_out, found_of(result, scene, choose)) if spec_out is not None else None
-    heading = title(scene, spec, "optimum")
-    show(optimum_document(result, heading, form is Format.table), form)
+    show(optimum_document(result, title(scene, spec, "optimum"), form is Format.table), form)
     target.write(settled, quiet)
     if picture is not None:
         from tmmcalc.design.optimize.picture import front_drawing
-        from tmmcalc.report.drawing import draw
 
-        draw(picture, lambda: front_drawing(result, heading))
-    if picture is not None and not quiet:
-        note_written(picture)
+        draw_in(language, scene, picture, lambda: front_drawing(result, name(scene, spec)))
+        if not quiet:
+            note_written(picture)
 
 
 def _check(scene: Spec, choose: int | None, picture: Path | None, alone: bool) -> None:

@@ -6,15 +6,18 @@ import math
 
 import numpy as np
 
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.design.tolerance.sampling import QUANTILES
 from tmmcalc.design.tolerance.sources import Values
 from tmmcalc.design.tolerance.study import Tolerated
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.diagram import Axis, Diagram
+from tmmcalc.report.drawing.diagram import Axis, Diagram, named
+from tmmcalc.report.drawing.lettering import plain
 from tmmcalc.report.drawing.page import headed, sheets
 from tmmcalc.report.drawing.pens import CURVES, MIDDLE, THIN, Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.numbers import number
 
 BARS = 40
 MOST = 4  # histograms on a sheet
@@ -24,12 +27,13 @@ LINEAR = Pen("LINEAR", 0.35, colour="#009e73")
 AIR = 0.04  # beside the outermost place, of the span
 
 
-def tolerance_drawing(result: Tolerated, heading: str) -> Drawing:
-    """Sheets of up to four histograms, then one of the band if there is one."""
+def tolerance_drawing(result: Tolerated, name: str) -> Drawing:
+    """Sheets of up to four histograms, then one of the band if there is one; ``name`` is that of the spec."""
     shown = [at for at in range(len(result.worst)) if result.statistics[at] is not None]
     banded = bool(result.band)
     count = max(math.ceil(len(shown) / MOST) + banded, 1)
     drawing, boxes = sheets(count)
+    heading = tr("{name}: tolerances", name=plain(name))
     boxes = [headed(drawing, box, heading) for box in boxes]
     for place, at in enumerate(shown):
         sheet, number = divmod(place, MOST)
@@ -65,9 +69,8 @@ def _histogram(drawing: Drawing, box: Box, result: Tolerated, at: int) -> None:
     if sigma > 0:
         curve = np.exp(-(((x - mean) / sigma) ** 2) / 2) / (sigma * math.sqrt(2 * math.pi))
     top = 1.08 * max(float(density.max()), float(curve.max()))
-    field = Diagram(
-        drawing, box, Axis(result.names[at], low - air, high + air), Axis(tr("density of samples"), 0.0, top)
-    )
+    along, up = Axis(named(result.names[at]), low - air, high + air), Axis(tr("density of samples"), 0.0, top)
+    field = Diagram(drawing, box, along, up)
     for height, left, right in zip(density, edges, edges[1:], strict=False):
         corners = field.paper([complex(left, 0), complex(right, 0), complex(right, height), complex(left, height)])
         drawing.add(Area(corners, FILL, THIN), level=0)
@@ -90,15 +93,20 @@ def _band(drawing: Drawing, box: Box, result: Tolerated) -> None:
     nominal, levels = band(result)
     apart = levels - nominal
     x = np.arange(len(nominal), dtype=float)
-    name, _, unit = result.names[result.band[0]].partition("@")
-    unit = unit.partition("[")[2].rstrip("]")
+    header, unit = key_and_unit(result.names[result.band[0]])
+    name, unit = plain(header.rpartition("@")[0]), tr_unit(unit)
     low, high = float(apart.min()), float(apart.max())
     air = AIR * (high - low) or 1.0
-    label = tr("{name}: apart from nominal, {unit}", name=name, unit=unit) if unit else name
+    apart_from = tr("{name}: apart from nominal", name=name)
+    label = f"{apart_from}, {unit}" if unit else apart_from
     along = Axis(tr("number of the position"), 0.0, max(float(x[-1]), 1.0), whole=True)
     field = Diagram(drawing, box, along, Axis(label, low - air, high + air))
     pens = (WORST, CURVES[0], LINEAR, CURVES[0], WORST)
     for row, pen in zip(apart, pens, strict=True):
         field.curve(x + 1j * row, pen)
-    names = [("0.135 %, 99.865 %", WORST), ("5 %, 95 %", CURVES[0]), (tr("median"), LINEAR)]
-    field.key(names)
+    ends = [f"{_percent(low)}, {_percent(high)}" for low, high in zip(QUANTILES, QUANTILES[:-3:-1], strict=False)]
+    field.key([*zip((*ends, tr("median")), pens, strict=False)])
+
+
+def _percent(part: float) -> str:
+    return f"{number(100 * part)} %"

@@ -8,13 +8,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Field
-from tmmcalc.report.drawing.lettering import extent, minus, width
+from tmmcalc.report.drawing.lettering import extent, minus, plain, width
 from tmmcalc.report.drawing.pens import CURVES, GRID, MIDDLE, THIN, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Arc, Area, Drawing, Words
-from tmmcalc.report.language import tr_number
+from tmmcalc.report.language import tr_number, tr_unit
 from tmmcalc.report.numbers import number
 
 HEIGHT = 2.5  # of the numbers along the axes [mm]
@@ -209,6 +210,16 @@ class Diagram(Field):
         if self.x.has(x):
             at = self.place(complex(x, self.y.low)).real
             self.drawing.line([complex(at, self.box.bottom), complex(at, self.box.top)], pen, level=1)
+
+
+def named(header: str) -> str:
+    """What stands along the axis of a column: the name of its header as it is, and the unit.
+
+    >>> named("kinematics.vS_D[m/s]"), named("train.criteria[0]")
+    ('kinematics.vS_D, m/s', 'train.criteria[0]')
+    """
+    name, unit = key_and_unit(header)
+    return f"{plain(name)}, {tr_unit(unit)}" if unit else plain(name)
 
 
 def sign(drawing: Drawing, at: complex, kind: str, pen: Pen, size: float, *, filled: bool = True) -> Plane:
