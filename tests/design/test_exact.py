@@ -13,10 +13,11 @@ from tmmcalc.batch.reading import frame_of
 from tmmcalc.design.differences import Slope
 from tmmcalc.design.exact import Exact
 from tmmcalc.design.gradient import Gradients
-from tmmcalc.design.keys import chosen, keys_of, scales, varied
 from tmmcalc.design.ladders import Ladders
 from tmmcalc.design.model import Model
 from tmmcalc.design.sensitivity import sensitivity
+from tmmcalc.design.sizes import scales, varied
+from tmmcalc.naming.keys import chosen, keys_of
 from tmmcalc.project.loader import Variants
 
 CONFIGS = Path(__file__).parents[2] / "configs"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Protocol
+from typing import TYPE_CHECKING, Annotated, Protocol
 
 import typer
 
@@ -15,6 +15,7 @@ from tmmcalc.cli.progress import growing, seen
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
+    from tmmcalc.design.sensitivity import Ways
     from tmmcalc.report.document import Document
     from tmmcalc.report.drawing.shapes import Drawing
 
@@ -92,7 +93,7 @@ def command(
         check_picture(picture, "--picture")
     title = f"{spec.stem}: sensitivity"
     with seen(growing("variants"), quiet) as shown:
-        ways: Any = {"jobs": jobs, "scheduler": scheduler, "tell": warn, "progress": shown}
+        ways: Ways = {"jobs": jobs, "scheduler": scheduler, "tell": warn, "progress": shown}
         told, figure = (_of_columns if columns else _of_results)(spec, names or columns, keys, overrides or (), ways)
     if picture is not None:
         from tmmcalc.project import load_spec
@@ -103,7 +104,7 @@ def command(
     show(told(title, people=form is Format.table), form)
 
 
-def _of_results(spec: Path, names: Names, keys: Names, fixed: Names, ways: Any) -> tuple[Told, Figure]:
+def _of_results(spec: Path, names: Names, keys: Names, fixed: Names, ways: Ways) -> tuple[Told, Figure]:
     from tmmcalc.design.sensitivity import sensitivity
     from tmmcalc.design.sensitivity_document import sensitivity_document, tidy_sensitivity
 
@@ -117,7 +118,7 @@ def _of_results(spec: Path, names: Names, keys: Names, fixed: Names, ways: Any) 
     return lambda title, people: (sensitivity_document if people else tidy_sensitivity)(found, title), drawn
 
 
-def _of_columns(spec: Path, columns: Names, keys: Names, fixed: Names, ways: Any) -> tuple[Told, Figure]:
+def _of_columns(spec: Path, columns: Names, keys: Names, fixed: Names, ways: Ways) -> tuple[Told, Figure]:
     from tmmcalc.design.courses import courses
     from tmmcalc.design.sensitivity_document import courses_document, tidy_courses
 

@@ -18,9 +18,9 @@ from tmmcalc.batch.sweep import sweep
 from tmmcalc.batch.task import BROKEN, Row, Task
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
-from tmmcalc.design.keys import scales, varied
 from tmmcalc.design.model import BLOCK, Answers, Model, Told, solver_of
 from tmmcalc.design.sensitivity import sensitivity
+from tmmcalc.design.sizes import scales, varied
 from tmmcalc.design.tolerance.balance import Law
 from tmmcalc.design.tolerance.sampling import sizes
 from tmmcalc.design.tolerance.sources import Values
