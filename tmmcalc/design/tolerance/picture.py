@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from tmmcalc.core.headers import key_and_unit
-from tmmcalc.design.tolerance.sampling import QUANTILES
+from tmmcalc.design.tolerance.sampling import QUANTILES, enough
 from tmmcalc.design.tolerance.sources import Values
 from tmmcalc.design.tolerance.study import Tolerated
 from tmmcalc.report.drawing.box import Box
@@ -17,13 +17,15 @@ from tmmcalc.report.drawing.page import headed, sheets
 from tmmcalc.report.drawing.pens import CURVES, MIDDLE, THIN, Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.numbers import number
+from tmmcalc.report.numbers import percent
 
 BARS = 40
 MOST = 4  # histograms on a sheet
 FILL = "#cfe3f2"
 WORST = Pen("WORST_CASE", 0.35, (2.5, 1.3), "#d55e00")
 LINEAR = Pen("LINEAR", 0.35, colour="#009e73")
+MEDIAN = 0.5
+PENS = dict(zip(QUANTILES, (WORST, CURVES[0], LINEAR, CURVES[0], WORST), strict=True))
 AIR = 0.04  # beside the outermost place, of the span
 
 
@@ -82,31 +84,28 @@ def _histogram(drawing: Drawing, box: Box, result: Tolerated, at: int) -> None:
     field.key([(tr("nominal"), MIDDLE), (tr("linear model"), LINEAR), (tr("worst case"), WORST)])
 
 
-def band(result: Tolerated) -> tuple[Values, Values]:
-    """Nominal values (n,) of the column at its positions, and its quantiles (quantiles, n) there."""
+def band(result: Tolerated) -> dict[float, Values]:
+    """How far the quantiles that there are samples enough for are from the nominal column (n,), at its positions."""
     columns = [*result.band]
-    return result.nominal[columns], np.nanquantile(result.values[:, columns], QUANTILES, axis=0)
+    values = result.values[:, columns]
+    some = QUANTILES[enough(int(np.isfinite(values).sum(axis=0).min()))]
+    apart = np.nanquantile(values, some, axis=0) - result.nominal[columns]
+    return dict(zip(some, apart, strict=True))
 
 
 def _band(drawing: Drawing, box: Box, result: Tolerated) -> None:
-    """How far the column is from its nominal course: between 0.135 % and 99.865 % of the samples, and 5 % and 95 %."""
-    nominal, levels = band(result)
-    apart = levels - nominal
-    x = np.arange(len(nominal), dtype=float)
+    """Quantiles of the samples as far as they are from the nominal course, each beside its counterpart."""
+    apart = band(result)
     header, unit = key_and_unit(result.names[result.band[0]])
-    name, unit = plain(header.rpartition("@")[0]), tr_unit(unit)
-    low, high = float(apart.min()), float(apart.max())
+    name = tr("{name}: apart from nominal", name=plain(header.rpartition("@")[0]))
+    rows = np.array([*apart.values()])
+    low, high = float(rows.min()), float(rows.max())
     air = AIR * (high - low) or 1.0
-    apart_from = tr("{name}: apart from nominal", name=name)
-    label = f"{apart_from}, {unit}" if unit else apart_from
-    along = Axis(tr("number of the position"), 0.0, max(float(x[-1]), 1.0), whole=True)
-    field = Diagram(drawing, box, along, Axis(label, low - air, high + air))
-    pens = (WORST, CURVES[0], LINEAR, CURVES[0], WORST)
-    for row, pen in zip(apart, pens, strict=True):
-        field.curve(x + 1j * row, pen)
-    ends = [f"{_percent(low)}, {_percent(high)}" for low, high in zip(QUANTILES, QUANTILES[:-3:-1], strict=False)]
-    field.key([*zip((*ends, tr("median")), pens, strict=False)])
-
-
-def _percent(part: float) -> str:
-    return f"{number(100 * part)} %"
+    along = Axis(tr("number of the position"), 0.0, max(len(result.band) - 1.0, 1.0), whole=True)
+    upward = Axis(f"{name}, {tr_unit(unit)}" if unit else name, low - air, high + air)
+    field = Diagram(drawing, box, along, upward)
+    for q, row in apart.items():
+        field.curve(np.arange(len(row)) + 1j * row, PENS[q])
+    pairs = [q for q in apart if q < MEDIAN]
+    names = [(f"{percent(q)}, {percent(1 - q)}", PENS[q]) for q in pairs]
+    field.key([*names, (tr("median"), PENS[MEDIAN])])
