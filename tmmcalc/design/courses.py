@@ -14,7 +14,7 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import named
 from tmmcalc.core.records import record
 from tmmcalc.design.sensitivity import Partial, Sensitivity, Ways, sensitivity
-from tmmcalc.naming.keys import chosen, keys_of
+from tmmcalc.naming.keys import chosen
 from tmmcalc.naming.language import like, near, parse
 from tmmcalc.naming.rows import run_of as run_along
 from tmmcalc.naming.table import Table, table_of
@@ -55,7 +55,7 @@ def courses(
     The rest is as for `sensitivity`. Raises UsageError too for a name that is none of a column.
     """
     data = Variants(read_text(file), str(file), file.parent, fixed).data
-    frame = frame_of(file, fixed, (chosen(data, to) if to else keys_of(data))[:1], columns)
+    frame = frame_of(file, fixed, chosen(data, to)[:1], columns)
     run = run_of(frame, frame.variants().spec())
     if run.failures:
         raise next(iter(run.failures.values()))

@@ -17,7 +17,7 @@ from tmmcalc.design.exact import Exact
 from tmmcalc.design.ladders import Ladders, Progress, Reach
 from tmmcalc.design.model import Model, solver_of
 from tmmcalc.design.sizes import scales, varied
-from tmmcalc.naming.keys import chosen, keys_of
+from tmmcalc.naming.keys import chosen
 from tmmcalc.project.loader import Variants, read_text
 
 Way = Literal["exact", "differences"]
@@ -96,7 +96,7 @@ def sensitivity(
     the spec as it is.
     """
     data = Variants(read_text(file), str(file), file.parent, fixed).data
-    keys = chosen(data, to) if to else keys_of(data)
+    keys = chosen(data, to)
     frame = frame_of(file, fixed, keys, of)
     sizes = scales(frame.axes)
     reasons = varied(frame, sizes)
