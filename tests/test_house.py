@@ -29,6 +29,7 @@ FLOORS = (
     "manipulators",
     "extras",
     "design.tables",
+    "classroom.tables",
     "rooms",
     "project",
     "pipeline",
@@ -38,6 +39,7 @@ FLOORS = (
     "design",
     "page",
     "stress",
+    "classroom",
     "api",
     "cli",
 )
@@ -70,9 +72,10 @@ def _imported(file: Path, files: dict[str, Path]) -> Iterator[str]:
 
 
 def package(module: str) -> str:
-    """Its floor; tables of what is asked of a design stand below, where specs are read, and the rest far above."""
-    if f"{module}.".startswith("tmmcalc.design.tables."):
-        return "design.tables"
+    """Its floor; tables of what is asked of a design, of a class stand below, where specs are read, the rest above."""
+    for home in ("design.tables", "classroom.tables"):
+        if f"{module}.".startswith(f"tmmcalc.{home}."):
+            return home
     return module.split(".")[1] if "." in module else ""
 
 

@@ -17,12 +17,13 @@ from tmmcalc.manipulators.room import ROOM as MANIPULATORS
 from tmmcalc.vibration.room import ROOM as VIBRATION
 
 if TYPE_CHECKING:
+    from tmmcalc.classroom.tables.class_ import ClassTable
     from tmmcalc.design.tables.optimize import OptimizeTable
     from tmmcalc.design.tables.tolerances import ToleranceTable
     from tmmcalc.report.tables.note import NoteTable
     from tmmcalc.report.tables.sheets import SheetsTable
 
-__all__ = ["CHAPTERS", "ROOMS", "STAGES", "TABLES", "Asked", "Shared"]
+__all__ = ["CHAPTERS", "ROOMS", "STAGES", "TABLES", "Asked", "Shared", "Taught"]
 
 ROOMS = (LINKAGE, MACHINE, GEARS, CAMS, VIBRATION, MANIPULATORS, EXTRAS, FEASIBILITY)
 
@@ -43,8 +44,19 @@ class Asked:
     optimize: OptimizeTable | None = table("What is sought, and what may be changed for it.")
 
 
+class Taught:
+    """The table of a spec that many get, each with numbers of their own."""
+
+    class_: ClassTable | None = table("What a class is given, and what it is asked.")
+
+
 TABLES |= merged(
-    [*(room.tables for room in ROOMS), entries("tmmcalc.report", Shared), entries("tmmcalc.design", Asked)]
+    [
+        *(room.tables for room in ROOMS),
+        entries("tmmcalc.report", Shared),
+        entries("tmmcalc.design", Asked),
+        entries("tmmcalc.classroom", Taught),
+    ]
 )
 CHAPTERS = {name: title for room in ROOMS for name, title in room.chapters.items()}  # of the note
 STAGES |= merged([room.stages for room in ROOMS])

@@ -34,6 +34,7 @@ class Entry:
     """A table of the root of a spec; ``annotation`` is ``"MotorTable | None"``, or ``"list[LoadTable]"`` of several."""
 
     name: str
+    module: str  # of its class, checks and words: its name, with a ``_`` behind a word of Python
     home: str  # package of the room, or of what belongs to none
     annotation: str
     description: str  # for editors
@@ -100,7 +101,7 @@ def table(
 ) -> Any:
     """Declare a table of the root of a spec, in a class of annotations that `Room` reads; see `Entry`.
 
-    Its checks are by default those of one module of its name.
+    Its checks are by default those of one module of its name. A name that is a word of Python has a ``_`` behind it.
     """
     return _Said(description, subject, describes, belongs_to, why, read_with, checks, files, named, after, gives)
 
@@ -111,10 +112,10 @@ def entries(home: str, tables: type) -> tuple[Entry, ...]:
 
 
 def _entries(home: str, tables: type) -> Iterator[Entry]:
-    for name, annotation in tables.__annotations__.items():
-        said: _Said = getattr(tables, name)
-        checks = (name,) if said.checks is None else said.checks
-        yield Entry(name, home, annotation, **said._replace(checks=checks)._asdict())
+    for module, annotation in tables.__annotations__.items():
+        said: _Said = getattr(tables, module)
+        checks = (module,) if said.checks is None else said.checks
+        yield Entry(module.removesuffix("_"), module, home, annotation, **said._replace(checks=checks)._asdict())
 
 
 @record

@@ -12,7 +12,7 @@ from tmmcalc.naming.language import WILD, like, near
 from tmmcalc.spec.variants import given, is_number
 
 # Tables that say what is made of results, or held against them: no result depends on them.
-NO_DATA = frozenset({"project", "note", "sheets", "constraints", "feasibility", "tolerances", "optimize"})
+NO_DATA = frozenset({"project", "note", "sheets", "constraints", "feasibility", "tolerances", "optimize", "class"})
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _NUMBERED = ("id", "name")  # keys by which elements of lists are told apart
 

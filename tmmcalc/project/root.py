@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import attrgetter
 from pathlib import Path as FilePath
 from types import GenericAlias
 from typing import TYPE_CHECKING
@@ -26,9 +27,11 @@ def _gathered() -> dict[str, object]:
     }
     annotations: dict[str, object] = {"project": ProjectTable}
     for name, entry in TABLES.items():
-        table = deferred(f"{entry.home}.tables.{name}", entry.table)
+        table = deferred(f"{entry.home}.tables.{entry.module}", entry.table)
         annotations[name] = GenericAlias(list, (table,)) if entry.several else table | None
         body[name] = Field(default=[] if entry.several else None, description=entry.description)
+        if entry.module != name:
+            body[entry.module] = property(attrgetter(name))
     for room in ROOMS:
         body |= room.properties
     return {"__annotations__": annotations, **body}
@@ -55,10 +58,10 @@ if TYPE_CHECKING:
     from tmmcalc.cams.room import CamTables
     from tmmcalc.extras.room import ExtraTables
     from tmmcalc.manipulators.room import ManipulatorTables
-    from tmmcalc.rooms import Asked, Shared
+    from tmmcalc.rooms import Asked, Shared, Taught
     from tmmcalc.vibration.room import VibrationTables
 
-    class Spec(CamTables, VibrationTables, ManipulatorTables, ExtraTables, Shared, Asked, Table):
+    class Spec(CamTables, VibrationTables, ManipulatorTables, ExtraTables, Shared, Asked, Taught, Table):
         """The root as type checkers see it."""
 
         project: ProjectTable

@@ -45,7 +45,7 @@ class Words(NamedTuple):
 def words_of(table: object) -> Words:
     """The words of a table of the root; none of what is no table."""
     entry = TABLES.get(table) if isinstance(table, str) else None
-    module = "" if entry is None else f"{entry.home}.tables.words.{entry.name}"
+    module = "" if entry is None else f"{entry.home}.tables.words.{entry.module}"
     if entry is None or find_spec(f"{entry.home}.tables.words") is None or find_spec(module) is None:
         return Words()
     found = vars(import_module(module))

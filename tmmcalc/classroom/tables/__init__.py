@@ -1,0 +1,1 @@
+"""Tables of the spec of what a class is given and asked."""

@@ -1,0 +1,1 @@
+"""Checks of the tables beyond single values, by key."""
