@@ -9,7 +9,6 @@ from tmmcalc.linkage.tables.altered import mechanism_with
 from tmmcalc.spec.altered import bare
 from tmmcalc.spec.quantities import BY_MOTOR, CLOCKWISE
 
-
 OTHER = {BY_MOTOR: CLOCKWISE, CLOCKWISE: BY_MOTOR}
 
 

@@ -1,4 +1,4 @@
-"""The moment of inertia is taken about the origin of the link's axes: I + m s^2 (Steiner's theorem, digest 08, section 3)."""
+"""The moment of inertia is taken about the origin of the axes of the link: I + m s^2 (digest 08, section 3)."""
 
 from __future__ import annotations
 

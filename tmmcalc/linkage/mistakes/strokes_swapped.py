@@ -6,7 +6,6 @@ from copy import deepcopy
 
 from tmmcalc.core.mistake import SOMETIMES, Document, Mistake, Tables
 
-
 OTHER = {"working": "idle", "idle": "working"}
 
 
