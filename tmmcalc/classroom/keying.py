@@ -63,6 +63,7 @@ class _Desk:
         self._bench = Bench(spec, tuple(dict.fromkeys(name.stage for name in names)))
         self._scene = self._bench.scene()
         right = [one(name, self._scene.results, self._scene) for name in names]
+        self._meanings = [told.meaning for told in right]
         self._factors = [_factor(told.unit, item) for told, item in zip(right, items, strict=True)]
         self.values: Values = tuple(factor * told.value for told, factor in zip(right, self._factors, strict=True))
 
@@ -96,13 +97,12 @@ class _Desk:
         return tuple(self._value(item, factor, scene) for item, factor in zip(self._items, self._factors, strict=True))
 
     def _read(self, mistake: Mistake) -> Values:
-        assert mistake.reads is not None
-        return tuple(
-            _read(
-                mistake, Asked(item.result, item.unit, value, factor, partial(self._another, factor), self._bench.spec)
-            )
-            for item, value, factor in zip(self._items, self.values, self._factors, strict=True)
-        )
+        told = zip(self._items, self._meanings, self.values, self._factors, strict=True)
+        return tuple(_read(mistake, self._asked(item, meaning, value, by)) for item, meaning, value, by in told)
+
+    def _asked(self, item: Item, meaning: str, value: float, factor: float) -> Asked:
+        another = partial(self._another, factor)
+        return Asked(item.result, item.unit, meaning, value, factor, another, self._bench.spec)
 
     def _another(self, factor: float, name: str) -> float:
         try:
@@ -121,17 +121,19 @@ class _Desk:
             return math.nan
 
 
-def classes_of(key: Key, items: Sequence[Item]) -> tuple[tuple[int, ...], ...]:
+def classes_of(key: Key, items: Sequence[Item], mistakes: Sequence[Told]) -> tuple[tuple[int, ...], ...]:
     """Mistakes by place that no answer can tell apart: their values agree within tolerance in all items.
 
-    Those of a class stand in the order of the key, the commoner ones first; one that changes nothing is in none.
+    Those of a class stand in the order of the key, the commoner ones first; one that changes nothing is in none. A
+    mistake in one answer looks like another one, never like one in a whole solution.
     """
     found: list[list[int]] = []
     for at, values in enumerate(key.mistaken):
         if not any(map(math.isfinite, values)):
             continue
         for other in found:
-            if _agree(values, key.mistaken[other[0]], key, items):
+            alike = mistakes[at].single == mistakes[other[0]].single
+            if alike and _agree(values, key.mistaken[other[0]], key, items):
                 other.append(at)
                 break
         else:

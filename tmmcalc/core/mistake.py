@@ -32,6 +32,7 @@ class Asked:
 
     name: str  # in the language of results, with its stage
     unit: str  # that is asked for; empty: none
+    meaning: str
     value: float
     scale: float  # of the unit that is asked for against that of the result
     another: Callable[[str], float]  # the value of another name, scaled alike; NaN where it has none

@@ -3,25 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 
 from tmmcalc.core.mistake import Asked
 from tmmcalc.naming.language import parse
 
 WHEEL = re.compile(r"(.*\bwheels\.)([01])(\..+)")
 NUMBERED = re.compile(r"(.*_)([12])")
-
-
-def in_place(name: str, others: Mapping[str, str]) -> str:
-    """The name with another quantity for its last word; empty where there is none for it.
-
-    >>> import tmmcalc.rooms
-    >>> in_place("pair.1.wheels.0.r_b", {"r_b": "r"}), in_place("pair.a", {"r_b": "r"})
-    ('pair.1.wheels.0.r', '')
-    """
-    asked = parse(name)
-    head, dot, word = asked.what.rpartition(".")
-    return asked._replace(what=f"{head}{dot}{others[word]}").text if word in others else ""
 
 
 def other_wheel(name: str) -> str:

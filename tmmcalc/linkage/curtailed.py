@@ -71,7 +71,7 @@ class _Equations:
     def _moved(self, k: int, a: Plane, eps: Real) -> LinkMotion:
         motion = self.motions[k]
         turning = 1j * eps - self._normal(k) * motion.omega**2
-        v, omega = (np.broadcast_to(each, self.shape) for each in (motion.v, motion.omega))
+        v, omega = np.broadcast_to(motion.v, self.shape), np.broadcast_to(motion.omega, self.shape)
         return motion._replace(v=v, a=a, u2=turning * motion.u, omega=omega, eps=eps)
 
     def _normal(self, k: int) -> float:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tmmcalc.cams.readings import in_place
 from tmmcalc.core.mistake import OFTEN, Asked, Mistake
+from tmmcalc.naming.beside import in_place
 
 OTHER = {
     "v": "S1",

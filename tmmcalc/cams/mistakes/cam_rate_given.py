@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tmmcalc.cams.readings import in_place
 from tmmcalc.core.mistake import SOMETIMES, Asked, Mistake
+from tmmcalc.naming.beside import in_place
 
 OTHER = {
     "S1": "v",

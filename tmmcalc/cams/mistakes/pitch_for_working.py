@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tmmcalc.cams.readings import in_place
 from tmmcalc.core.mistake import OFTEN, Asked, Mistake
+from tmmcalc.naming.beside import in_place
 
 OTHER = {"x_w": "x_c", "y_w": "y_c", "R_w": "R_c", "alpha_w": "alpha_c", "r_min": "R0", "rho_w": "rho_c"}
 

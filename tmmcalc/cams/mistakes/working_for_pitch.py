@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tmmcalc.cams.readings import in_place
 from tmmcalc.core.mistake import OFTEN, Asked, Mistake
+from tmmcalc.naming.beside import in_place
 
 OTHER = {"x_c": "x_w", "y_c": "y_w", "R_c": "R_w", "alpha_c": "alpha_w", "R0": "r_min", "rho_c": "rho_w"}
 

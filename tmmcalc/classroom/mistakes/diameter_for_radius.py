@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from math import nan
 
-from tmmcalc.classroom.sizes import is_radius
 from tmmcalc.core.mistake import OFTEN, Asked, Mistake
+
+WORD = re.compile(r"\bradi(?:us|i)\b")
 
 
 def _reads(asked: Asked) -> float:
-    return 2 * asked.value if is_radius(asked.name) else nan
+    return 2 * asked.value if WORD.search(asked.meaning) else nan
 
 
 MISTAKE = Mistake(

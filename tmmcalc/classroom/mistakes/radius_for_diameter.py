@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from math import nan
 
-from tmmcalc.classroom.sizes import is_diameter
 from tmmcalc.core.mistake import OFTEN, Asked, Mistake
+
+WORD = re.compile(r"\bdiameters?\b")
 
 
 def _reads(asked: Asked) -> float:
-    return asked.value / 2 if is_diameter(asked.name) else nan
+    return asked.value / 2 if WORD.search(asked.meaning) else nan
 
 
 MISTAKE = Mistake(

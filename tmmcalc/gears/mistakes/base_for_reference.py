@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tmmcalc.core.mistake import SOMETIMES, Asked, Mistake
-from tmmcalc.gears.readings import in_place
+from tmmcalc.naming.beside import in_place
 
 OTHER = {"r": "r_b", "d": "d_b", "p_t": "p_bt"}
 

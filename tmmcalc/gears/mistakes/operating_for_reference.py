@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tmmcalc.core.mistake import SOMETIMES, Asked, Mistake
-from tmmcalc.gears.readings import in_place
+from tmmcalc.naming.beside import in_place
 
 OTHER = {"r": "r_w", "d": "d_w", "a": "a_w", "alpha_t": "alpha_tw", "p_t": "p_tw", "s_t": "s_tw"}
 

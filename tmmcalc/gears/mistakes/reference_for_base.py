@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tmmcalc.core.mistake import OFTEN, Asked, Mistake
-from tmmcalc.gears.readings import in_place
+from tmmcalc.naming.beside import in_place
 
 OTHER = {"r_b": "r", "d_b": "d", "p_bt": "p_t"}
 

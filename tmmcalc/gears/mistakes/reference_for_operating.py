@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tmmcalc.core.mistake import OFTEN, Asked, Mistake
-from tmmcalc.gears.readings import in_place
+from tmmcalc.naming.beside import in_place
 
 OTHER = {"r_w": "r", "d_w": "d", "a_w": "a", "alpha_tw": "alpha_t", "p_tw": "p_t", "s_tw": "s_t"}
 

@@ -10,7 +10,7 @@ from tmmcalc.core.mistake import SOMETIMES, Mistake
 
 
 def _amiss(solve: Callable[..., Any], task: Any, *given: Any, **upstream: Any) -> Any:
-    plain = tuple(replace(own, strategy="given", shifts=(0.0, 0.0)) for own in task.pairs)
+    plain = tuple(replace(own, strategy="given", refuse=False, shifts=(0.0, 0.0)) for own in task.pairs)
     return solve(replace(task, pairs=plain), *given, **upstream)
 
 

@@ -12,7 +12,7 @@ from tmmcalc.core.mistake import OFTEN, Mistake
 def _amiss(solve: Callable[..., Any], task: Any, *given: Any, **upstream: Any) -> Any:
     found = solve(task, *given, **upstream)
     swapped = tuple(
-        replace(own, strategy="given", shifts=(pair.shifts[1], pair.shifts[0]))
+        replace(own, strategy="given", refuse=False, shifts=(pair.shifts[1], pair.shifts[0]))
         for own, pair in zip(task.pairs, found.pairs, strict=False)
     )
     return solve(replace(task, pairs=swapped), *given, **upstream)

@@ -20,9 +20,9 @@ def _amiss(solve: Callable[..., Any], mechanism: Any, *given: Any, part: str, **
 
 def _groups(spec: Any) -> Sequence[str]:
     """The dyads with two assembly variants; none where a higher group is beside them."""
+    from tmmcalc.linkage.dyads import ONE_ASSEMBLY
     from tmmcalc.linkage.structure import solve_structure
     from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
-    from tmmcalc.linkage.variants import ONE_ASSEMBLY
 
     groups = solve_structure(to_linkage(spec.linkage)).groups
     if not all(group.kind for group in groups):
