@@ -163,7 +163,7 @@ class Chain:
         if self.terms is not None and order and steps is None:
             from tmmcalc.linkage.curtailed import curtailed  # only mistakes need it
 
-            motions, slides = curtailed(self, self.terms, motions, slides, x.shape)
+            motions, slides = curtailed(self.mechanism, self.structure, self.terms, motions, slides, x.shape)
         return Configuration(motions, slides, ports_of, placed_of)
 
     def _input_motion(self, x: Real, slides: Slides, order: int) -> LinkMotion:

@@ -7,7 +7,7 @@ coordinate of every prismatic joint, follow from the closure of all joints at on
     prismatic   eps_s = eps_g,  a(slider) = a(place on the guide) + c 2 i omega_g s' e + s'' e
 
 with the parts n of the normal and c of the Coriolis term (textbook 2.8.1, 2.8.2). With whole terms they are those of
-`Chain.evaluate`, by another way. The crank's own normal acceleration is kept: it is given.
+the groups, by another way. The crank's own normal acceleration is kept: it is given.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tmmcalc.core.plane import LinkMotion, Plane, Real
-from tmmcalc.linkage.chain import Chain
 from tmmcalc.linkage.dyads.base import Motions, Slide, Slides
-from tmmcalc.linkage.model import FRAME, Joint
+from tmmcalc.linkage.model import FRAME, Joint, Mechanism
 from tmmcalc.linkage.results import Terms
+from tmmcalc.linkage.structure import Structure
 
 
 class _Reach(NamedTuple):
@@ -31,25 +31,38 @@ class _Reach(NamedTuple):
 
 
 def curtailed(
-    chain: Chain, terms: Terms, motions: Motions, slides: Slides, shape: tuple[int, ...]
+    mechanism: Mechanism,
+    structure: Structure,
+    terms: Terms,
+    motions: Motions,
+    slides: Slides,
+    shape: tuple[int, ...],
 ) -> tuple[Motions, Slides]:
     """Motions and slides whose first derivatives stay and whose second ones are those of curtailed equations.
 
     Raises `numpy.linalg.LinAlgError` in a dead point.
     """
-    return _Equations(chain, terms, motions, slides, shape).solved()
+    return _Equations(mechanism, structure, terms, motions, slides, shape).solved()
 
 
 class _Equations:
     """The linear equations of all joints for the accelerations at n positions: (n, N, N + 1), real."""
 
-    def __init__(self, chain: Chain, terms: Terms, motions: Motions, slides: Slides, shape: tuple[int, ...]) -> None:
-        self.chain, self.terms, self.motions, self.slides, self.shape = chain, terms, motions, slides, shape
-        driven = chain.structure.driven is not None
-        self.given = {FRAME} if driven else {FRAME, chain.structure.input_link}
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        structure: Structure,
+        terms: Terms,
+        motions: Motions,
+        slides: Slides,
+        shape: tuple[int, ...],
+    ) -> None:
+        self.terms, self.motions, self.slides, self.shape = terms, motions, slides, shape
+        driven = structure.driven is not None
+        self.given = {FRAME} if driven else {FRAME, structure.input_link}
         self.links = [k for k in motions if k not in self.given]
-        own = chain.input_joint.name
-        self.joints = [joint for joint in chain.mechanism.joints if driven or joint.name != own]
+        own = mechanism.input.joint
+        self.joints = [joint for joint in mechanism.joints if driven or joint.name != own]
         self.sliding = [joint.name for joint in self.joints if joint.kind == "prismatic" and joint.name != own]
         self.count = 3 * len(self.links) + len(self.sliding)
         self.rows: list[Any] = []
