@@ -19,7 +19,7 @@ def item(result: str, unit: str, *, either: bool = False, within: float = 0.0, t
 
 def items(*asked: str) -> tuple[Item, ...]:
     """Asked results, each "name unit"."""
-    return tuple(item(*each.partition(" ")[::2]) for each in asked)
+    return tuple(item(*each.rpartition(" ")[::2]) for each in asked)
 
 
 def key(spec: str, asked: tuple[Item, ...], *mistakes: str, sets: tuple[str, ...] = ()) -> Key:

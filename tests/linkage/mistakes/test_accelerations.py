@@ -23,7 +23,7 @@ HEAVY = (
 
 
 def slotted(phi: float, coriolis: float, normal: float) -> tuple[float, float, float]:
-    """Rate and second rate of the slotted link, second rate of the block: a_A = (-n w^2 s + s'' + i(eps s + c 2 w s'))e."""
+    """Rate and second rate of the slotted link, second of the block: a_A = (-n w^2 s + s'' + i(eps s + c 2 w s')) e."""
     q = R * np.exp(1j * phi) + 1j * D
     e, s = q / abs(q), abs(q)
     v, a = 1j * R * np.exp(1j * phi) / e, -R * np.exp(1j * phi) / e
