@@ -55,5 +55,5 @@ def test_titles_tell_mistakes_apart() -> None:
 
 
 def test_a_mistake_of_another_version_is_refused() -> None:
-    with pytest.raises(UsageError, match="no mistake is called 'linkage.no_such'"):
+    with pytest.raises(UsageError, match=r"no mistake is called 'linkage\.no_such'"):
         told_of("linkage.no_such")

@@ -67,11 +67,13 @@ def make_keys(
     journal: Path | None = None,
     *,
     known: Keybook | None = None,
+    fresh: bool = False,
     told: Callable[[int], None] = lambda done: None,
 ) -> Keybook:
     """The keys of the variants; those of a book that is ``known`` are taken if nothing that they are of has changed.
 
-    Mistakes that change nothing in any of them are left out. What is finished is kept in ``journal`` until all is.
+    Mistakes that change nothing in any of them are left out. What is finished is kept in ``journal`` until all is;
+    ``fresh``: nothing is taken of what it holds.
     Raises NoSolutionError for a variant that has no right solution, and what the assignment raises.
     """
     task = Task(read_text(assignment), str(assignment), str(assignment.parent), (), (), solver=SOLVER, block=1)
@@ -85,7 +87,7 @@ def make_keys(
     with ExitStack() as stack:
         kept = stack.enter_context(Journal(journal, made_of)) if journal is not None else None
         orders = [Order(each.number, each.assignments, items, names) for each in variants]
-        for row in kept.rows() if kept is not None else ():
+        for row in kept.rows() if kept is not None and not fresh else ():
             if row.ok and row.point in hashes and row.alone == hashes[row.point]:
                 done.setdefault(row.point, _key(row, len(items), len(names)))
         told(len(done))
