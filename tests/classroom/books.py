@@ -43,13 +43,8 @@ VALUES = (
 def press_class(mistakes: Sequence[Told] = (), mistaken: Sequence[Sequence[float]] = ()) -> Keybook:
     """A class of five with six items; ``mistaken`` are ratios of what each mistake gives to what is right."""
     keys = tuple(
-        Key(
-            k + 1,
-            STUDENTS[k],
-            VALUES[k],
-            tuple(tuple(r * v for r, v in zip(row, VALUES[k], strict=True)) for row in mistaken),
-        )
-        for k in range(5)
+        Key(k + 1, name, right, tuple(tuple(a * b for a, b in zip(ratios, right, strict=True)) for ratios in mistaken))
+        for k, (name, right) in enumerate(zip(STUDENTS, VALUES, strict=True))
     )
     return Keybook(PRESS, tuple(mistakes), keys)
 

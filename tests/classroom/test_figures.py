@@ -39,30 +39,10 @@ def test_a_number_is_read_with_its_figures(text: str) -> None:
     assert (read.value, read.step, read.figures, read.unit) == (Fraction(value), Fraction(step), figures, unit)
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "",
-        "abc",
-        "=1+1",
-        "+A1",
-        "-SUM(A1)",
-        "@x",
-        "12 50",
-        "1,2;3",
-        "1..2",
-        "12/5",
-        "1.5±0.1",
-        "½",
-        "nan",
-        "inf",
-        "1e999",
-        "9" * 100,
-        "1,23,4",
-        "1 - 2",
-        "=cmd|' /C calc'!A0",
-    ],
-)
+NONE = ["", "abc", "=1+1", "+A1", "-SUM(A1)", "@x", "12 50", "1,2;3", "1..2", "12/5", "1.5±0.1", "½", "nan", "inf"]
+
+
+@pytest.mark.parametrize("text", [*NONE, "1e999", "9" * 100, "1,23,4", "1 - 2", "=cmd|' /C calc'!A0"])
 def test_what_is_no_number_is_told(text: str) -> None:
     with pytest.raises(NoNumberError):
         read_number(text)
