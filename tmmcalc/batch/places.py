@@ -19,6 +19,7 @@ from tmmcalc.batch.stacked import UNLIKE
 from tmmcalc.batch.task import UNSOLVED, Row, Task
 
 SOLVER = "tmmcalc.batch.places:solve_places"
+ALIKE = "tmmcalc.batch.places:solve_alike"
 
 
 class Place(NamedTuple):
@@ -33,6 +34,23 @@ def solve_places(task: Task, places: Sequence[Place]) -> list[Row]:
 
     Nothing is raised for a variant: its row says why it failed.
     """
+    found, apart = _together(task, places)
+    rest = [k for k in range(len(places)) if k not in found]
+    if rest:
+        alone = task.at([places[k].values for k in rest])
+        for k, row in zip(rest, solve_alone(alone, range(len(rest))), strict=True):
+            found[k] = replace(row, point=places[k].point, alone=apart.get(k, UNLIKE))
+    return [found[k] for k in range(len(places))]
+
+
+def solve_alike(task: Task, places: Sequence[Place]) -> list[Row]:
+    """Rows of those places that can be solved together, the others are left out."""
+    found, _ = _together(task, places)
+    return [found[k] for k in sorted(found)]
+
+
+def _together(task: Task, places: Sequence[Place]) -> tuple[dict[int, Row], dict[int, str]]:
+    """Rows of places that are solved together, by their order, and why some were not."""
     made, found, apart = prepared(task), dict[int, Row](), dict[int, str]()
     if not isinstance(made, str):
         size = made.block
@@ -43,9 +61,4 @@ def solve_places(task: Task, places: Sequence[Place]) -> list[Row]:
             apart.update((at + k, reason) for k, reason in rows.apart.items())
             if task.brief:
                 found.update((at + k, Row(block[k].point, UNSOLVED, reason)) for k, reason in rows.refused.items())
-    rest = [k for k in range(len(places)) if k not in found]
-    if rest:
-        alone = task.at([places[k].values for k in rest])
-        for k, row in zip(rest, solve_alone(alone, range(len(rest))), strict=True):
-            found[k] = replace(row, point=places[k].point, alone=apart.get(k, UNLIKE))
-    return [found[k] for k in range(len(places))]
+    return found, apart

@@ -4,10 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tmmcalc.core.manifest import Command, Room
+from tmmcalc.core.manifest import Command, Group
 from tmmcalc.rooms import ROOMS
 
 Table = dict[str, tuple[str, str]]  # module and one line of help, by the command's name
+
+
+CLASS = Group(
+    "class",
+    "Classes: variants of one assignment.",
+    "Classes: an assignment for many, a variant for each student.",
+    "tmmcalc class make assignment.toml -n 40 --seed 7 -o class",
+)
+OF_CLASS = (Command("make", "Draw variants of an assignment, each with numbers of its own."),)
 
 
 def _table(commands: tuple[Command, ...], group: str = "") -> Table:
@@ -55,6 +64,7 @@ SECTIONS = {
             Command("stress", "Ladders of extremes: where every stage loses its digits."),
         )
     ),
+    "Teaching": {CLASS.name: ("tmmcalc.cli.classroom", CLASS.help)},
 }
 
 COMMANDS = {name: line for section in SECTIONS.values() for name, line in section.items()}
@@ -66,11 +76,15 @@ def computes(words: Sequence[str]) -> bool:
     return asked and words[0] in COMMANDS and words[0] not in SECTIONS["Specs"]
 
 
-def room_of(group: str) -> Room:
-    """The room whose commands stand under this word."""
-    return next(room for room in ROOMS if room.group is not None and room.group.name == group)
+def group_of(name: str) -> Group:
+    """What stands under this word: commands of a room, or of the class."""
+    rooms = (room.group for room in ROOMS if room.group is not None)
+    return next(group for group in (*rooms, CLASS) if group.name == name)
 
 
-def grouped(group: str) -> Table:
+def grouped(name: str) -> Table:
     """The commands that stand under a word of their own."""
-    return _table(room_of(group).commands, group)
+    if name == CLASS.name:
+        return _table(OF_CLASS, "classroom")
+    room = next(room for room in ROOMS if room.group is not None and room.group.name == name)
+    return _table(room.commands, name)

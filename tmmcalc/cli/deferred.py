@@ -46,11 +46,10 @@ def deferred_group(
 
 
 def deferred_group_of(name: str) -> typer.Typer:
-    """The application of the commands of a room under a word of their own, as its manifest describes it."""
-    from tmmcalc.cli.commands import grouped, room_of
+    """The application of the commands that stand under a word of their own."""
+    from tmmcalc.cli.commands import group_of, grouped
 
-    group = room_of(name).group
-    assert group is not None
+    group = group_of(name)
     return deferred_group({"Commands": grouped(name)}, group.example, group.text, add_completion=False)
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tmmcalc.batch.choice import cluster, heavy, local
 from tmmcalc.batch.executors import Solve, solve_here
 from tmmcalc.batch.local import available, cores
-from tmmcalc.batch.places import SOLVER, Place
+from tmmcalc.batch.places import ALIKE, SOLVER, Place
 from tmmcalc.batch.points import run_of
 from tmmcalc.batch.preparing import prepared
 from tmmcalc.batch.quantities import offered_like, others, told, unknown, unmatched
@@ -106,12 +106,13 @@ class Model:
             told(len(rows))
         return self.answers(rows)
 
-    def rows(self, places: Iterator[tuple[int, Sequence[float]]]) -> Iterator[list[Row]]:
-        """Rows of numbered places as they come, in any order."""
+    def rows(self, places: Iterator[tuple[int, Sequence[float]]], *, alike: bool = False) -> Iterator[list[Row]]:
+        """Rows of numbered places as they come, in any order; ``alike``: of those alone that are solved together."""
         every = [Place(number, tuple(values)) for number, values in places]
         # blocks depend on nothing but the number of places, so that values are the same at any number of processes
         size = min(BLOCK, max(LEAST, -(-len(every) // PARTS))) if self.together else max(1, len(every) // LEAST)
-        yield from self._solve(self._frame, [every[at : at + size] for at in range(0, len(every), size)])
+        frame = replace(self._frame, solver=ALIKE) if alike else self._frame
+        yield from self._solve(frame, [every[at : at + size] for at in range(0, len(every), size)])
 
     def answers(self, rows: Sequence[Row]) -> Answers:
         """The results that rows hold, in the order of their numbers; raises a fault of the program."""

@@ -63,6 +63,20 @@ def may_hold(rule: str, truths: Mapping[str, NDArray[np.bool_]], shape: tuple[in
     >>> may_hold("light and (swift or not loud)", {"light": np.array([True, False])}, (2,)).tolist()
     [True, False]
     """
+    return _open(_tree(rule, ""), {name: (held, ~held) for name, held in truths.items()}, shape)[0]
+
+
+def surely_holds(
+    rule: str, truths: Mapping[str, tuple[NDArray[np.bool_], NDArray[np.bool_]]], shape: tuple[int, ...]
+) -> NDArray[np.bool_]:
+    """Where a rule holds, of constraints that surely hold, that surely do not, or of which neither is sure.
+
+    Those that are not known here at all may yet be what suits.
+
+    >>> sure, not_sure = (np.array([True]), np.array([False])), (np.array([False]), np.array([False]))
+    >>> surely_holds("light and not loud", {"light": sure, "loud": not_sure}, (1,)).tolist()
+    [False]
+    """
     return _open(_tree(rule, ""), truths, shape)[0]
 
 
@@ -102,11 +116,12 @@ def _truth(node: Any, truths: Mapping[str, bool]) -> bool:
     return all(found) if isinstance(node.op, ast.And) else any(found)
 
 
-def _open(node: Any, truths: Mapping[str, NDArray[np.bool_]], shape: tuple[int, ...]) -> tuple[Any, Any]:
-    """Where a node may be true, and where it may be false: both where nothing is known."""
+def _open(
+    node: Any, truths: Mapping[str, tuple[NDArray[np.bool_], NDArray[np.bool_]]], shape: tuple[int, ...]
+) -> tuple[Any, Any]:
+    """Where a node is true, and where it is false, by the same of its names: both where nothing is known."""
     if isinstance(node, ast.Name):
-        known = truths.get(node.id)
-        return (np.ones(shape, bool), np.ones(shape, bool)) if known is None else (known, ~known)
+        return truths.get(node.id, (np.ones(shape, bool), np.ones(shape, bool)))
     if isinstance(node, ast.UnaryOp):
         yes, no = _open(node.operand, truths, shape)
         return no, yes

@@ -139,6 +139,36 @@ def rewritten(text: str, changes: Sequence[Change], tables: str = "") -> str:
     return text
 
 
+def without(text: str, table: str) -> str:
+    """A TOML text from which a table of its root is gone, with the comments that stand in it and right above it.
+
+    Raises UsageError where the text is written in a way that does not let it go.
+    """
+    document = tomllib.loads(text)
+    lines, source = _lines(text), Source(text)
+    begins = [text.count("\n", 0, header.begin) for header in source.headers]
+    gone = set[int]()
+    for header, own in enumerate(source.headers):
+        if own.path[:1] == (table,):
+            end = begins[header + 1] if header + 1 < len(begins) else len(lines)
+            gone |= {*range(_above(lines, begins[header]), end if end == len(lines) else _above(lines, end))}
+    for path, place in source.values.items():
+        if path[0] == table and not place.inline and place.home < 0:
+            gone |= {*range(text.count("\n", 0, place.begin), text.count("\n", 0, place.end) + 1)}
+    made = "".join(line for number, line in enumerate(lines) if number not in gone).rstrip() + _mark(text)
+    if tomllib.loads(made) != {key: value for key, value in document.items() if key != table}:
+        rule = f"[{table}] is written in a way that does not let it go"
+        raise UsageError(rule, remedy="write it under headers of its own, one key a line")
+    return made
+
+
+def _above(lines: Sequence[str], number: int) -> int:
+    """The first of the comments that stand right above a line, or that line."""
+    while number > 0 and lines[number - 1].lstrip().startswith("#"):
+        number -= 1
+    return number
+
+
 def _pruned(value: Any) -> Any:
     """A document without tables and lists that hold nothing: a header without keys says no more than none."""
     if isinstance(value, dict):

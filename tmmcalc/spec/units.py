@@ -109,6 +109,29 @@ def conversion(unit: str, other: str) -> float:
     return parse(f"1 {unit}", dimension) / parse(f"1 {other}", dimension)
 
 
+def exact(value: str | float, unit: str) -> Fraction:
+    """A bare number as it is written, or a quantity in ``unit``: a ratio of integers, the same on every machine.
+
+    Between turns and radians it is that of pi to sixty digits. Raises UnitError for a unit of another kind, for one
+    where ``unit`` is none, and for what is no number.
+
+    >>> exact("7.5 cm", "mm"), exact(0.1, ""), exact("0.3", "m")
+    (Fraction(75, 1), Fraction(1, 10), Fraction(3, 10))
+    """
+    reading = _take_apart(value if isinstance(value, str) else repr(value))
+    if reading is None or max(len(reading.digits), len(reading.exponent)) > LONGEST or abs(int(reading.exponent)) > 250:
+        raise UnitError(f"{show(value)} is no quantity")
+    number = Fraction(f"{reading.sign}{reading.digits.rstrip('.') or '0'}e{reading.exponent}")
+    if not reading.unit:
+        return number
+    dimension = _DIMENSION_OF.get(reading.unit)
+    if dimension is None or _DIMENSION_OF.get(unit) != dimension:
+        raise UnitError(f"{show(value)} is no number in {unit or 'no unit'}")
+    own, other = (UNITS[dimension][each] for each in (reading.unit, unit))
+    number *= Fraction(own.num * other.den, own.den * other.num)
+    return number * Fraction(_PI_NUM, _PI_DEN) ** (own.pi - other.pi)
+
+
 def written(value: float, unit: str) -> str:
     """Return the shortest string of a number and this unit that is read as exactly ``value`` [SI].
 

@@ -63,13 +63,14 @@ class DrawnTable(Table):
     )
     at_most: Limit | None = Field(default=None, description="The greatest value, likewise.")
     step: Limit | None = Field(
-        default=None, description='What its values are multiples of, counted from 0: `"5 mm"`, `"0.01 m"`, `1`.'
+        default=None,
+        description='What its values are multiples of, from 0 on: `"5 mm"`, `"0.01 m"`, `1`; needed beside limits.',
     )
     among: Values | None = Field(default=None, description='Or the values that there are: `["2 mm", "2.5 mm"]`.')
     times: Keys | None = Field(
         default=None,
-        description="The key whose value `at_least` and `at_most` multiply: with 3, 4 and a step of 5 mm a value is "
-        "three to four times that one, to 5 mm.",
+        description="The key whose value `at_least` and `at_most` multiply, given or drawn before: with 3, 4 and a step "
+        "of 5 mm a value is three to four times that one, to 5 mm.",
     )
 
 
@@ -107,7 +108,8 @@ class ClassTable(Table):
     drawn: list[DrawnTable] = Field(min_length=1, max_length=60, description="What each variant has its own of.")
     asked: list[AskedTable] = Field(min_length=1, max_length=60, description="What is asked.")
     roster: str | None = Field(
-        default=None, description="File with a name or number a line, beside the spec; without it `-n` says how many."
+        default=None,
+        description="File with the name or number of a student a line, beside the spec; without it `-n` says how many.",
     )
     margin: Share = Field(
         default=Fraction(1, 50),
@@ -115,11 +117,13 @@ class ClassTable(Table):
     )
     apart: Share = Field(
         default=Fraction(1, 20),
-        description="Least distance of two variants, as a part of the range of the drawn number that differs most.",
+        description="Least distance of two variants: the part of its range by which a drawn number differs, in the "
+        "mean of all.",
     )
     spread: Spread = Field(
         default=Fraction(10),
-        description="Greatest ratio of an asked result among variants, of magnitudes: none is much the harder.",
+        description="Greatest ratio of an asked result among variants, of magnitudes: each is within its root of that "
+        "of the assignment itself.",
     )
     tolerance: Tolerance = Field(default=Fraction(1, 100), description="Within it an answer is right.")
     plans: Tolerance = Field(default=Fraction(3, 100), description="Accuracy of plans: right, but by a drawing.")

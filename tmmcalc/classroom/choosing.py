@@ -1,0 +1,235 @@
+"""The choice of variants: candidates in their order, each taken that keeps all demands and is far from those before.
+
+Nothing depends on how many are wanted: the first forty of fifty are those that forty would have been.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from itertools import chain, combinations
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmmcalc.batch.task import BROKEN
+from tmmcalc.classroom import demands
+from tmmcalc.classroom.demands import TIE, Refusal
+from tmmcalc.classroom.draws import Candidate, assignments, candidate, number_of_all, spans
+from tmmcalc.core.errors import NoSolutionError
+from tmmcalc.core.records import record
+
+if TYPE_CHECKING:
+    from tmmcalc.batch.journal import Journal
+    from tmmcalc.batch.task import Row
+    from tmmcalc.classroom.judging import Judge
+
+Values = NDArray[np.floating[Any]]
+Pair = tuple[str, str]  # an item, and a mistake that gives the right answer of it
+Clashes = Callable[[tuple[str, ...]], Sequence[Pair]]  # of a variant by its assignments
+Told = Callable[[int, str], None]  # variants that are chosen; what is being done
+
+LOT = 256  # candidates whose linkage and forces are judged at once
+MOST = 50_000  # candidates without a variant among them, after which there are hardly any more
+DEAR = 400  # the same of those of which all stages were solved
+PROBED = 8  # good candidates, by which is found what cannot be avoided: what clashes in more than half
+TOLD = 4  # demands that an error tells
+
+
+@record
+class Chosen:
+    """A variant: its candidate, the overrides that make it, the values of the items in the units of results."""
+
+    candidate: Candidate
+    assignments: tuple[str, ...]
+    values: tuple[float, ...]
+
+
+@record
+class Choice:
+    """What was chosen, and what was not."""
+
+    chosen: tuple[Chosen, ...]
+    tried: int  # candidates up to the last that was chosen, from the first of all on
+    refused: dict[str, int]  # by demand, of those that were tried now
+    unavoided: tuple[Pair, ...]  # mistakes that give the right answer in most variants
+    least: float  # distance of two variants, as `apart` counts it; NaN of a single one
+
+
+class _Judged(NamedTuple):
+    """A candidate and what is known of it, before it is compared with those that are chosen."""
+
+    candidate: Candidate
+    refusal: Refusal | None  # by what it is, or by linkage and forces
+    row: Row | None = None  # of all stages; None: they were not solved, as it is refused or near to another one
+
+
+class Chooser:
+    """The choice for a judge; ``taken`` are given out already, ``tried`` are the candidates up to the last of them."""
+
+    def __init__(
+        self,
+        judge: Judge,
+        seed: int,
+        *,
+        taken: Sequence[Candidate] = (),
+        tried: int = 0,
+        clashes: Clashes | None = None,
+        unavoided: Sequence[Pair] | None = None,
+        journal: Journal | None = None,
+        told: Told = lambda done, words: None,
+    ) -> None:
+        self._judge, self._seed, self._first = judge, seed, tried
+        self._clashes, self._unavoided = clashes, None if unavoided is None else tuple(unavoided)
+        self._journal, self._told = journal, told
+        self._known = {row.point: row for row in journal.rows()} if journal is not None else {}
+        self._spans = np.array([float(high - low) or 1.0 for low, high in spans(judge.drawn)])
+        self._apart = float(judge.table.apart)
+        self._places: list[Values] = [self._place(each) for each in taken]
+        self._seen = {candidate(judge.drawn, seed, number).values for number in range(tried)}
+
+    def choose(self, wanted: int) -> Choice:
+        """So many further variants.
+
+        Raises NoSolutionError where there are hardly so many, with the demand that most candidates do not keep.
+        """
+        chosen: list[Chosen] = []
+        refused, refusals = Counter[str](), dict[str, Refusal]()
+        tried, since, dear = self._first, 0, 0
+        for each in self._probed() if wanted else ():
+            refusal, values = self._decided(each)
+            if refusal is None:
+                own = each.candidate
+                chosen.append(Chosen(own, assignments(self._judge.drawn, own.values), values))
+                self._places.append(self._place(own))
+                tried, since, dear = own.number + 1, 0, 0
+                self._told(len(chosen), f"of {tried} candidates")
+                if len(chosen) == wanted:
+                    break
+                continue
+            refused[refusal.demand] += 1
+            refusals.setdefault(refusal.demand, refusal)
+            since, dear = since + 1, dear + (each.row is not None and not self._is_near(each.candidate))
+            if since > MOST or dear > DEAR:
+                break
+        if len(chosen) < wanted:
+            raise _scarce(len(chosen), wanted, refused, refusals)
+        return Choice(tuple(chosen), tried, dict(refused.most_common()), self._unavoided or (), self._least())
+
+    def _probed(self) -> Iterator[_Judged]:
+        """All candidates, judged; what clashes cannot be avoided is found by the first good ones before."""
+        every = self._judged()
+        if self._clashes is None or self._unavoided is not None:
+            yield from every
+            return
+        first: list[_Judged] = []
+        pairs: list[set[Pair]] = []
+        for each in every:
+            first.append(each)
+            if each.row is not None and self._judge.verdict(each.row).refusal is None:
+                pairs.append({*self._clashes(assignments(self._judge.drawn, each.candidate.values))})
+            if len(pairs) == PROBED:
+                break
+        counts = Counter(pair for own in pairs for pair in own)
+        self._unavoided = tuple(sorted(pair for pair, count in counts.items() if count > len(pairs) / 2))
+        yield from chain(first, every)
+
+    def _decided(self, each: _Judged) -> tuple[Refusal | None, tuple[float, ...]]:
+        """Why a candidate is refused, or the values of its items. What costs least is asked first."""
+        if each.candidate.missing:
+            return each.refusal, ()
+        if self._is_near(each.candidate):
+            return demands.near(self._apart), ()
+        if each.refusal is not None:
+            return each.refusal, ()
+        assert each.row is not None
+        verdict = self._judge.verdict(each.row)
+        if verdict.refusal is not None or self._clashes is None:
+            return verdict.refusal, verdict.values
+        pairs = self._clashes(assignments(self._judge.drawn, each.candidate.values))
+        clash = next((pair for pair in pairs if pair not in (self._unavoided or ())), None)
+        return (None if clash is None else demands.clashing(*clash)), verdict.values
+
+    def _judged(self) -> Iterator[_Judged]:
+        """Candidates in their order; of those that linkage and forces leave all stages are solved, some at a time."""
+        width = 1 if self._judge.processes == 1 else 2 * self._judge.processes
+        most = number_of_all(self._judge.drawn)
+        first = self._first
+        while most is None or len(self._seen) < most:
+            lot = [self._drawn(number) for number in range(first, first + LOT)]
+            first += LOT
+            cheap = self._judge.at_once([each.candidate for each in lot if each.refusal is None])
+            ready: list[_Judged] = []
+            waiting: list[Candidate] = []
+            for each in lot:
+                own = self._cheaply(each, cheap)
+                ready.append(own)
+                if own.refusal is None and not self._is_near(own.candidate):
+                    waiting.append(own.candidate)
+                if len(waiting) == width or each is lot[-1]:
+                    rows = self._rows(waiting)
+                    yield from (one._replace(row=rows.get(one.candidate.number)) for one in ready)
+                    ready, waiting = [], []
+
+    def _drawn(self, number: int) -> _Judged:
+        """What is drawn under a number, refused where that is no candidate, or the same as one before."""
+        own = candidate(self._judge.drawn, self._seed, number)
+        if own.missing:
+            return _Judged(own, demands.missing(own.missing))
+        if own.values in self._seen:
+            return _Judged(own, demands.again())
+        self._seen.add(own.values)
+        return _Judged(own, None)
+
+    def _cheaply(self, each: _Judged, cheap: dict[int, Refusal | None]) -> _Judged:
+        """With what linkage and forces say; one that could not be solved with the others is solved now."""
+        own = each.candidate
+        if each.refusal is not None or self._is_near(own):
+            return each
+        if own.number not in cheap:
+            cheap = self._judge.at_once([own], alike=False)
+        return each._replace(refusal=cheap[own.number])
+
+    def _rows(self, candidates: Sequence[Candidate]) -> dict[int, Row]:
+        """All stages of some candidates, by the journal where it has them."""
+        found = {each.number: self._known[each.number] for each in candidates if each.number in self._known}
+        for row in self._judge.whole([each for each in candidates if each.number not in found]):
+            found[row.point] = row
+            if self._journal is not None and row.status != BROKEN:
+                self._journal.append([row])
+        return found
+
+    def _place(self, each: Candidate) -> Values:
+        """A candidate in the box of all values, as parts of their ranges."""
+        return np.array([float(value) for value in each.values]) / self._spans
+
+    def _is_near(self, each: Candidate) -> bool:
+        """Whether a candidate is nearer to one that is chosen than variants may be."""
+        if not self._places:
+            return False
+        off = np.mean(np.abs(np.array(self._places) - self._place(each)), axis=1)
+        return bool(off.min() < self._apart * (1 - TIE))
+
+    def _least(self) -> float:
+        """The least distance of two variants, the mean over the drawn numbers of parts of their ranges."""
+        pairs = combinations(self._places, 2)
+        return min((float(np.mean(np.abs(one - other))) for one, other in pairs), default=math.nan)
+
+
+def _scarce(found: int, wanted: int, refused: Counter[str], refusals: dict[str, Refusal]) -> NoSolutionError:
+    """The error of too few variants: which demands remove how many, and what may be done for the first of them."""
+    tried = found + refused.total()
+    told = [f"{count} by {demand}" for demand, count in refused.most_common(TOLD)]
+    more = f", {len(refused) - TOLD} further demands" if len(refused) > TOLD else ""
+    most = refusals[refused.most_common(1)[0][0]] if refused else None
+    example = f" (such as: {most.reason})" if most is not None and most.reason else ""
+    return NoSolutionError(
+        f"{found} of {wanted} variants keep all demands; of {tried} candidates are refused "
+        f"{', '.join(told) or 'none'}{more}{example}",
+        where="class",
+        value=found,
+        limit=wanted,
+        remedy=most.remedy if most is not None else "widen the ranges, or draw more numbers",
+    )
