@@ -53,3 +53,4 @@ class Keybook:
     items: tuple[Item, ...]
     mistakes: tuple[Told, ...]
     keys: tuple[Key, ...]
+    made_of: tuple[str, ...] = ()  # hash of what each key was made of; empty: not told
