@@ -24,7 +24,7 @@ from tmmcalc.linkage.structure import Group, Structure
 
 if TYPE_CHECKING:
     from tmmcalc.linkage.loops.step import LoopStep
-    from tmmcalc.linkage.results import Branch, Kinematics
+    from tmmcalc.linkage.results import Branch, Kinematics, Terms
 
 
 _STILL = Rates(*(np.zeros(()) for _ in range(4)))
@@ -86,6 +86,7 @@ class Chain:
     mechanism: Mechanism
     structure: Structure
     steps: tuple[Step | LoopStep, ...]
+    terms: Terms | None = None  # None: accelerations have all their terms
 
     @cached_property
     def input_joint(self) -> Joint:
@@ -159,6 +160,10 @@ class Chain:
                 ports, placed = step.advance(motions, slides, x, order, method)
                 ports_of.append(ports)
                 placed_of.append(placed)
+        if self.terms is not None and order and steps is None:
+            from tmmcalc.linkage.curtailed import curtailed  # only mistakes need it
+
+            motions, slides = curtailed(self.mechanism, self.structure, self.terms, motions, slides, x.shape)
         return Configuration(motions, slides, ports_of, placed_of)
 
     def _input_motion(self, x: Real, slides: Slides, order: int) -> LinkMotion:
@@ -243,4 +248,5 @@ def _on_branch(mechanism: Mechanism, group: Group, variant: int, branch: Branch)
 
 def chain_of(mechanism: Mechanism, kinematics: Kinematics) -> Chain:
     """The chain that a kinematics result was found with."""
-    return compile_chain(mechanism, kinematics.structure, kinematics.variants, kinematics.branches)
+    chain = compile_chain(mechanism, kinematics.structure, kinematics.variants, kinematics.branches)
+    return chain if kinematics.terms is None else replace(chain, terms=kinematics.terms)

@@ -36,7 +36,7 @@ from tmmcalc.linkage.model import Mechanism, Output
 from tmmcalc.linkage.outputs import default_outputs, output_named, summarise
 from tmmcalc.linkage.placing import placed
 from tmmcalc.linkage.quality import assess, check_regular, grade
-from tmmcalc.linkage.results import Domain, Grade, GroupQuality, Kinematics, Method, MethodName, Trace
+from tmmcalc.linkage.results import Domain, Grade, GroupQuality, Kinematics, Method, MethodName, Terms, Trace
 from tmmcalc.linkage.sizes import size_grades
 from tmmcalc.linkage.structure import Structure, solve_structure
 from tmmcalc.linkage.survey import Survey, survey
@@ -52,10 +52,12 @@ def solve_kinematics(
     method: MethodName = "closed",
     step: float | None = None,
     decimals: int | None = None,
+    terms: Terms | None = None,
 ) -> Kinematics:
     """Positions, velocities, accelerations and transfer functions of a mechanism of any class.
 
-    ``method``, ``step`` and ``decimals`` are those of `Method`; 0 means the default step and no rounding.
+    ``method``, ``step`` and ``decimals`` are those of `Method`; 0 means the default step and no rounding. ``terms``
+    are those that accelerations are made of, None: all.
     Raises `StructureError`, `AssemblyError`, `SingularityError`, `NoSolutionError` (exit code 3) with the
     group, the lengths and the input coordinate at fault.
     """
@@ -68,6 +70,7 @@ def solve_kinematics(
         raise AssemblyError(
             error.message + odd, where=error.where, value=error.value, limit=error.limit, remedy=error.remedy
         ) from None
+    chain = chain if terms is None else replace(chain, terms=terms)
     signs = {each.group.name: each.variant for each in chain.steps}
     branches = chain.branches
     sketched_at = start if mechanism.assembly.at is None else mechanism.assembly.at
@@ -115,6 +118,7 @@ def solve_kinematics(
         method=how,
         error=estimate(chain, x, evaluate, weakest_of(qualities), None if centres is None else start),
         counters={"positions": len(x), "survey_positions": len(dense.x), "groups": len(chain.steps)},
+        terms=terms,
     )
 
 

@@ -109,6 +109,9 @@ class Loading:
     springs: tuple[Spring, ...] = ()
     pairs: tuple[Pair, ...] = ()
     drive: Coupling | GearDrive = Coupling()
+    # anything else is a mistake made on purpose
+    friction_sense: Literal["against", "along"] = "against"  # of the relative motion, in which friction acts
+    inertia: Literal["counted", "left out"] = "counted"  # loads of inertia, in the reactions
 
     @property
     def heavy(self) -> tuple[Body, ...]:

@@ -237,6 +237,14 @@ class Trace:
 
 
 @record
+class Terms:
+    """How much of two terms the equations of accelerations have, of the whole: less is a mistake made on purpose."""
+
+    coriolis: float = 1.0  # of 2 omega x v along the guides that turn
+    normal: float = 1.0  # of omega^2 r about the base points of the links, the input link apart
+
+
+@record
 class Kinematics:
     """Result of the kinematics stage for n positions and O outputs.
 
@@ -272,6 +280,7 @@ class Kinematics:
     method: Method
     error: ErrorEstimate = quantity("error", "estimated errors")
     counters: dict[str, int]
+    terms: Terms | None = None  # None: whole
 
     def in_time(self, rate: np.ndarray, rate2: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Velocity and acceleration from first and second transfer function: v = S' w, a = S'' w^2 + S' eps."""

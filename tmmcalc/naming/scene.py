@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
+from types import MappingProxyType
 from typing import Any
 
 from tmmcalc.core.columns import Column
@@ -40,11 +41,14 @@ class Whole(Mapping[str, Any]):
 class Scene:
     """A spec with the results of its stages, of which names may ask more than stands in these.
 
-    Without a spec (None) there is no more than what stages know of their own computation.
+    Without a spec (None) there is no more than what stages know of their own computation. ``instead`` are the functions
+    by which stages were solved, where these are not their own.
     """
 
-    def __init__(self, spec: Any, results: Mapping[str, Any]) -> None:
-        self.spec, self.results = spec, results
+    def __init__(
+        self, spec: Any, results: Mapping[str, Any], instead: Mapping[str, Callable[..., Any]] = MappingProxyType({})
+    ) -> None:
+        self.spec, self.results, self.instead = spec, results, instead
         self._further: dict[str, Sequence[Column]] = {}
         self._details: dict[str, Mapping[str, Any]] = {}
         self._beside: dict[Place, dict[str, Scene]] = {}
@@ -79,8 +83,9 @@ class Scene:
                     spec = own.part("placed")(self.spec, place.first)
                 except (UnitError, UsageError):
                     continue  # told where the rows are known; or there is no mechanism
-                results[name] = own.solve(*arguments(own.inputs(spec)), **own.given(results), **own.settings)
-                found[name] = Scene(spec, dict(results))
+                solve = self.instead.get(name, own.solve)
+                results[name] = solve(*arguments(own.inputs(spec)), **own.given(results), **own.settings)
+                found[name] = Scene(spec, dict(results), self.instead)
             results[name] = found[name].results[name]
             if name == stage:
                 break

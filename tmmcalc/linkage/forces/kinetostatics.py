@@ -147,13 +147,14 @@ class Statics(NamedTuple):
     def sense(self, joint: Joint, configuration: Configuration, side: Real | float) -> Real:
         """Sense (n,) of the sliding of the higher-numbered link in a joint: -1, 0, 1."""
         travel, scale = self.scene.travel, REST * self.scales[joint.name]
+        against = 1.0 if self.scene.loading.friction_sense == "against" else -1.0
         rate, rate2 = sliding(joint, configuration)
         rest = np.abs(rate) <= scale
         if not np.any(rest):
-            return np.sign(rate) * travel.sense
+            return np.sign(rate) * (travel.sense * against)
         acceleration = rate2 * travel.speed**2 + rate * travel.acceleration
         moves = np.abs(acceleration) > scale * travel.speed**2  # more than rounding, so that it has a sign
-        return np.sign(np.where(rest, side * np.where(moves, acceleration, 0.0), rate * travel.sense))
+        return against * np.sign(np.where(rest, side * np.where(moves, acceleration, 0.0), rate * travel.sense))
 
     def equilibrium(
         self, plan: Plan, place: Place, side: Real | float, pole: complex, carried: dict[int, Wrench]
@@ -247,7 +248,7 @@ def compile_statics(scene: Scene, with_inertia: bool = True, scales: dict[str, A
     """
     keep_pages()
     chain, travel, loading = scene.chain, scene.travel, scene.loading
-    heavy = loading.heavy if with_inertia else ()
+    heavy = loading.heavy if with_inertia and loading.inertia == "counted" else ()
     dynamic = [inertia(heavy, travel.speed, travel.acceleration)] if heavy else []
     pairs = {pair.joint: pair for pair in loading.pairs}
     plans = tuple(plan_of(chain.mechanism, group, pairs) for group in reversed(chain.structure.groups))

@@ -44,15 +44,16 @@ def inputs(spec: MachineTables) -> Given:
 
 def solve(*given: *Given, tried: bool = True, **upstream: Any) -> Flywheel:
     """All methods, and the wheel itself."""
-    return solve_flywheel(_machine(given, upstream), tried=tried)
+    return solve_flywheel(machine_of(given, upstream), tried=tried)
 
 
 def of_search(given: Given, upstream: Mapping[str, Any], comparison: Comparison) -> Flywheel:
     """The same from the methods beside what a search found, none of them tried under the motor."""
-    return flywheel_of(_machine(given, upstream), comparison)
+    return flywheel_of(machine_of(given, upstream), comparison)
 
 
-def _machine(given: Given, upstream: Mapping[str, Any]) -> Machine:
+def machine_of(given: Given, upstream: Mapping[str, Any]) -> Machine:
+    """The machine without a flywheel, and what is asked of one."""
     from tmmcalc.machine.stages.shaft import equal_steps, motor_ratio, sense, shaft_ratio
 
     task, machine = given[0], asked(given, upstream)

@@ -1,0 +1,28 @@
+"""The rate per second is given for the transfer function of the follower (digest 08)."""
+
+from __future__ import annotations
+
+from tmmcalc.core.mistake import SOMETIMES, Asked, Mistake
+from tmmcalc.naming.beside import in_place
+
+OTHER = {
+    "S1": "v",
+    "S2": "a",
+    "S3": "jerk",
+    "S1_max": "velocity_max",
+    "S1_min": "velocity_min",
+    "S2_max": "acceleration_max",
+    "S2_min": "acceleration_min",
+}
+
+
+def _reads(asked: Asked) -> float:
+    return asked.another(in_place(asked.name, OTHER))
+
+
+MISTAKE = Mistake(
+    "the rate per second is given in place of that per radian of the cam",
+    "By what has the transfer function been multiplied? It does not depend on the speed of the cam.",
+    SOMETIMES,
+    reads=_reads,
+)

@@ -1,0 +1,219 @@
+"""The key of a variant: what is right of each asked result, and what comes out with each known mistake."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+from tmmcalc.classroom.bench import Bench
+from tmmcalc.classroom.known import known
+from tmmcalc.classroom.model import Item, Key, Told, Values
+from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.mistake import Asked, Mistake
+from tmmcalc.core.notes import Phrase
+from tmmcalc.core.plan import plan
+from tmmcalc.naming.language import parse
+from tmmcalc.naming.scene import Scene
+from tmmcalc.naming.told import one
+from tmmcalc.pipeline.settling import outlook
+from tmmcalc.project import Spec
+from tmmcalc.project.loader import with_tables
+from tmmcalc.rooms import STAGES
+from tmmcalc.spec.units import conversion
+
+SAME = 1e-9  # relative difference below which nothing has changed
+NOTHING = 1e-13  # value that stands for zero in the units of results
+BETWEEN = ":"  # name of a mistake and of the part in which it is made
+
+
+def mistakes_of(spec: Spec) -> tuple[Told, ...]:
+    """The mistakes that can be made in a scene, the commoner ones first."""
+    running = plan(outlook(spec, None, STAGES), None, STAGES).running
+    return tuple(
+        told_of(f"{name}{BETWEEN}{part}" if part else name)
+        for name, mistake in known().items()
+        for part in _parts(mistake, spec, running)
+    )
+
+
+def told_of(name: str) -> Told:
+    """How a mistake of this name is told; raises `UsageError` if there is none."""
+    mistake, part = _named(name)
+    title = Phrase("{mistake}: {part}", mistake=mistake.title, part=part) if part else mistake.title
+    return Told(name, title, mistake.hint, mistake.single)
+
+
+def key_of(number: int, student: str, spec: Spec, items: Sequence[Item], mistakes: Sequence[Told]) -> Key:
+    """The key of a variant; values of mistakes are NaN where nothing changes or nothing comes out.
+
+    Raises what a stage of the right solution raises, `UsageError` for an item that the scene does not tell.
+    """
+    desk = _Desk(spec, items)
+    return Key(number, student, desk.values, tuple(desk.mistaken(told.name) for told in mistakes))
+
+
+class _Desk:
+    """A variant on which mistakes are made one after the other."""
+
+    def __init__(self, spec: Spec, items: Sequence[Item]) -> None:
+        self._items = items
+        names = [parse(item.result) for item in items]
+        self._bench = Bench(spec, tuple(dict.fromkeys(name.stage for name in names)))
+        self._scene = self._bench.scene()
+        right = [one(name, self._scene.results, self._scene) for name in names]
+        self._meanings = [told.meaning for told in right]
+        self._factors = [_factor(told.unit, item) for told, item in zip(right, items, strict=True)]
+        self.values: Values = tuple(factor * told.value for told, factor in zip(right, self._factors, strict=True))
+
+    def mistaken(self, name: str) -> Values:
+        """What of the items comes out with a mistake (I,)."""
+        mistake, part = _named(name)
+        found = self._read(mistake) if mistake.reads is not None else self._solved(mistake, part)
+        return tuple(
+            math.nan if not math.isfinite(wrong) or _same(wrong, right, item) else wrong
+            for wrong, right, item in zip(found, self.values, self._items, strict=True)
+        )
+
+    def _solved(self, mistake: Mistake, part: str) -> Values:
+        none = (math.nan,) * len(self._items)
+        try:
+            spec, amiss = self._bench.spec, mistake.stages
+            if mistake.tables is not None:
+                tables = mistake.tables(_document(spec), part)
+                if not tables:
+                    return none
+                spec = with_tables(spec, tables)
+            else:
+                if not mistake.applies(spec):
+                    return none
+                amiss = {stage: partial(wrong, part=part) for stage, wrong in amiss.items()} if part else amiss
+            scene = self._bench.scene(spec, amiss)
+        except TmmError:
+            return none
+        if self._bench.unchanged(scene):
+            return none
+        return tuple(self._value(item, factor, scene) for item, factor in zip(self._items, self._factors, strict=True))
+
+    def _read(self, mistake: Mistake) -> Values:
+        told = zip(self._items, self._meanings, self.values, self._factors, strict=True)
+        return tuple(_read(mistake, self._asked(item, meaning, value, by)) for item, meaning, value, by in told)
+
+    def _asked(self, item: Item, meaning: str, value: float, factor: float) -> Asked:
+        another = partial(self._another, factor)
+        return Asked(item.result, item.unit, meaning, value, factor, another, self._bench.spec)
+
+    def _another(self, factor: float, name: str) -> float:
+        try:
+            return factor * one(parse(name), self._scene.results, self._scene).value
+        except TmmError:
+            return math.nan
+
+    @staticmethod
+    def _value(item: Item, factor: float, scene: Scene) -> float:
+        name = parse(item.result)
+        if name.stage not in scene.results:
+            return math.nan
+        try:
+            return factor * one(name, scene.results, scene).value
+        except Exception:  # a column by choice may stand on what the mistake has broken
+            return math.nan
+
+
+def classes_of(key: Key, items: Sequence[Item], mistakes: Sequence[Told]) -> tuple[tuple[int, ...], ...]:
+    """Mistakes by place that no answer can tell apart: their values agree within tolerance in all items.
+
+    Those of a class stand in the order of the key, the commoner ones first; one that changes nothing is in none. A
+    mistake in one answer looks like another one, never like one in a whole solution.
+    """
+    found: list[list[int]] = []
+    for at, values in enumerate(key.mistaken):
+        if not any(map(math.isfinite, values)):
+            continue
+        for other in found:
+            alike = mistakes[at].single == mistakes[other[0]].single
+            if alike and _agree(values, key.mistaken[other[0]], key, items):
+                other.append(at)
+                break
+        else:
+            found.append([at])
+    return tuple(map(tuple, found))
+
+
+def clashes(key: Key, items: Sequence[Item]) -> tuple[tuple[int, int], ...]:
+    """Mistakes and items by place, where a mistake changes the value but stays within tolerance of the right one."""
+    return tuple(
+        (at, k)
+        for at, values in enumerate(key.mistaken)
+        for k, (wrong, right, item) in enumerate(zip(values, key.values, items, strict=True))
+        if math.isfinite(wrong) and is_right(wrong, right, item)
+    )
+
+
+def is_right(value: float, right: float, item: Item) -> bool:
+    """Whether a value counts as right; where the sense is left open that of the other sense does too."""
+    allowed = max(item.tolerance * abs(right), item.within)
+    return abs(value - right) <= allowed or (item.either_sense and abs(value + right) <= allowed)
+
+
+def _agree(one: Values, other: Values, key: Key, items: Sequence[Item]) -> bool:
+    """Whether two mistakes give the same answers; what one does not change is right."""
+    for a, b, right, item in zip(one, other, key.values, items, strict=True):
+        first, second = (right if math.isnan(each) else each for each in (a, b))
+        if abs(first - second) > max(item.tolerance * max(abs(first), abs(second)), item.within):
+            return False
+    return True
+
+
+def _parts(mistake: Mistake, spec: Spec, running: Sequence[str]) -> Iterator[str]:
+    """In what of a scene a mistake can be made: the empty word stands for the whole; nothing where it cannot."""
+    if mistake.reads is not None:
+        yield ""
+        return
+    if mistake.stages and (mistake.stages.keys().isdisjoint(running) or not mistake.applies(spec)):
+        return
+    for part in mistake.parts(spec):
+        if mistake.tables is None or mistake.tables(_document(spec), part):
+            yield part
+
+
+def _named(name: str) -> tuple[Mistake, str]:
+    own, _, part = name.partition(BETWEEN)
+    if own not in known():
+        raise UsageError(f"no mistake is called {own!r}", remedy="make the keys again with this version")
+    return known()[own], part
+
+
+def _document(spec: Spec) -> Mapping[str, Any]:
+    written = spec._written
+    if written is None:
+        raise UsageError("the spec was not read from a text", remedy="take load_spec or parse_spec")
+    return written.document
+
+
+def _read(mistake: Mistake, asked: Asked) -> float:
+    assert mistake.reads is not None
+    try:
+        return mistake.reads(asked)
+    except (ArithmeticError, TmmError):
+        return math.nan
+
+
+def _factor(unit: str, item: Item) -> float:
+    """What a value in the unit of the result is multiplied by for that of the item."""
+    if unit == item.unit:
+        return 1.0
+    try:
+        return conversion(unit, item.unit)
+    except (KeyError, ValueError):
+        raise UsageError(
+            f"{item.result} is in {unit or 'no unit'} and cannot be asked in {item.unit or 'none'}",
+            where=f"[[class.asked]] {item.name}",
+            remedy="ask in a unit of the same kind",
+        ) from None
+
+
+def _same(wrong: float, right: float, item: Item) -> bool:
+    allowed = max(SAME * max(abs(wrong), abs(right)), NOTHING)
+    return abs(wrong - right) <= allowed or (item.either_sense and abs(wrong + right) <= allowed)

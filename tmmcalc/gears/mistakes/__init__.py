@@ -1,0 +1,1 @@
+"""Mistakes of the room, a module each: see `tmmcalc.core.mistake`."""
