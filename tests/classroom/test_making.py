@@ -15,8 +15,11 @@ import pytest
 from tmmcalc.batch.table import row_of
 from tmmcalc.classroom import choosing, judging
 from tmmcalc.classroom.choosing import Chooser
+from tmmcalc.classroom.clashing import clashes_of
 from tmmcalc.classroom.draws import Candidate, candidate
+from tmmcalc.classroom.items import items_of
 from tmmcalc.classroom.judging import Judge
+from tmmcalc.classroom.keying import clashes, key_of, mistakes_of
 from tmmcalc.classroom.making import Made, make_class
 from tmmcalc.classroom.state import read_class
 from tmmcalc.core.errors import NoSolutionError, UsageError
@@ -330,18 +333,36 @@ def test_a_small_assignment_is_drawn_out(tmp_path: Path) -> None:
 def test_a_mistake_that_gives_the_right_answer_removes_a_variant_or_is_told() -> None:
     """One clashes for one crank of nine, one always: the first is avoided, the second is told."""
 
-    def clashes(candidates: Sequence[Candidate]) -> dict[int, list[tuple[str, str]]]:
+    def pairs(candidates: Sequence[Candidate]) -> dict[int, list[tuple[str, str]]]:
         return {
             each.number: [("K", "always"), *([("H", "now and then")] if each.values[0] == 220 else [])]
             for each in candidates
         }
 
     judge = Judge(SHAPER, 1)
-    choice = Chooser(judge, 7, clashes=clashes).choose(20)
+    choice = Chooser(judge, 7, clashes=pairs).choose(20)
     assert choice.unavoided == (("K", "always"),)
     cranks = {int(each.assignments[0].partition('="')[2].removesuffix(' mm"')) for each in choice.chosen}
     assert 220 not in cranks
     assert choice.refused["H: no mistake that gives the right answer"] > 0
+
+
+@pytest.mark.slow
+def test_known_mistakes_are_found_side_by_side(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The same at one process and two; by keys made afresh no variant has a clash that is not told."""
+    monkeypatch.setattr(choosing, "PROBED", 4)
+    one, two = (make_class(SHAPER, tmp_path / f"{n}", 4, 7, jobs=n, clashes=clashes_of) for n in (1, 2))
+    assert (one.own, one.refused) == (two.own, two.refused)
+    assert one.own.unavoided
+    spec = load_spec(SHAPER)
+    mistakes = mistakes_of(spec)
+    for each in one.own.variants:
+        key = key_of(each.number, "", load_spec(SHAPER, each.assignments), items_of(spec), mistakes)
+        found = {(one.items[item].name, mistakes[at].name) for at, item in clashes(key, one.items)}
+        assert found <= {*one.own.unavoided}
+    assert read_class(tmp_path / "1") == one.own
+    later = make_class(SHAPER, tmp_path / "1", 5, jobs=1, clashes=clashes_of)
+    assert later.own.unavoided == one.own.unavoided
 
 
 @pytest.mark.parametrize(
