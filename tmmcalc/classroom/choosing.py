@@ -92,6 +92,7 @@ class Chooser:
         self._known_pairs: dict[int, Sequence[Pair]] = {
             row.point: _pairs_in(row.reason) for row in rows if row.alone == CLASHES
         }
+        self._done = 0
         self._spans = np.array([float(high - low) or 1.0 for low, high in spans(judge.drawn)])
         self._apart = float(judge.table.apart)
         self._places: list[Values] = [self._place(each) for each in taken]
@@ -112,7 +113,7 @@ class Chooser:
                 chosen.append(Chosen(own, assignments(self._judge.drawn, own.values), values))
                 self._places.append(self._place(own))
                 tried, since, dear = own.number + 1, 0, 0
-                self._told(len(chosen), f"of {tried} candidates")
+                self._done = len(chosen)
                 if len(chosen) == wanted:
                     break
                 continue
@@ -177,6 +178,7 @@ class Chooser:
                 if len(waiting) == width or each is lot[-1]:
                     rows = self._rows(waiting)
                     pairs = self._pairs(waiting, rows)
+                    self._told(self._done, f"of {own.candidate.number + 1} candidates")
                     for one in ready:
                         number = one.candidate.number
                         yield one._replace(row=rows.get(number), pairs=pairs.get(number, ()))

@@ -116,7 +116,7 @@ class Judge:
     def at_once(self, candidates: Sequence[Candidate], *, alike: bool = True) -> dict[int, Refusal | None]:
         """Why candidates are refused by their linkage and forces alone, None where they are not, by their numbers.
 
-        ``alike``: of those alone that can be solved together, which are nearly all and cost next to nothing.
+        ``alike``: of those alone that can be solved together, which cost next to nothing; of some linkages none can.
         """
         if self._cheap is None or not candidates:
             return {each.number: None for each in candidates}
@@ -177,7 +177,7 @@ class Judge:
     def _cheap(self) -> tuple[Model, dict[int, int], Limits] | None:
         """Results of linkage and forces as a function of the keys, the columns of items there, and the limits on them.
 
-        None where nothing of them is asked, or where many cannot be solved together.
+        None where nothing of them is asked.
         """
         cheap = [key for key in self._columns if parse(key).stage in CHEAP]
         if not cheap:
@@ -188,8 +188,6 @@ class Judge:
         ends = [span for span, each in zip(spans(self.drawn), self.drawn, strict=True) for _ in each.axes]
         low, high = (np.array([float(end[side]) for end in ends]) for side in (0, 1))
         near = model.over(range(len(low)), low, high, model.nominal.tolist())
-        if not near.together:
-            return None
         places = {self._columns.index(name): at for at, name in enumerate(near.names)}
         asked = {item: places[column] for item, column in enumerate(self._asked) if column in places}
         return near, asked, self.limits.among(places)
