@@ -10,7 +10,7 @@ import pytest
 from mistakes import CONFIGS, item, items, key
 
 from tmmcalc.classroom.bench import Bench
-from tmmcalc.classroom.keying import clashes, classes_of, key_of, mistakes_of, told_of
+from tmmcalc.classroom.keying import clashes, clashing, classes_of, key_of, mistakes_of, told_of
 from tmmcalc.classroom.model import Key
 from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
 from tmmcalc.naming.language import parse
