@@ -69,7 +69,7 @@ class Judge:
     def __init__(self, file: Path, jobs: int | None = None, tell: Callable[[str], None] = lambda said: None) -> None:
         variants = Variants(read_text(file), str(file), file.parent)
         self.spec: Spec = variants.spec()
-        if self.spec.class_ is None:
+        if self.spec.class_ is None or not self.spec.class_.drawn:
             raise UsageError("nothing is drawn", where=str(file), remedy="add [class] with what is drawn and asked")
         self.table: ClassTable = self.spec.class_
         task = to_feasibility(self.spec)
@@ -95,12 +95,12 @@ class Judge:
             Spread.of(item.name, each.value, float(self.table.spread), _in_unit(item.within, item.unit, each.unit))
             for item, each in zip(self.items, self.asked, strict=True)
         )
-        self._frame = replace(frame, patterns=(*self._columns, GROWTH), targets=(), solver=SOLVER)
+        self.frame = replace(frame, patterns=(*self._columns, GROWTH), targets=(), solver=SOLVER)
         grown = max(_growths(self.run), default=0.0)
         self._growth = DEAD if grown <= DEAD else ROOM * grown
         self._known = {*_warnings(self.run)}
-        self.processes = jobs or (cores() if heavy(self._frame) and available() else 1)
-        self._solve: Solve = local(self.processes, tell, kept=True)
+        self.processes = jobs or (cores() if heavy(self.frame) and available() else 1)
+        self.solver: Solve = local(self.processes, tell, kept=True)
 
     @property
     def factors(self) -> tuple[float, ...]:
@@ -143,7 +143,7 @@ class Judge:
     def whole(self, candidates: Sequence[Candidate]) -> Iterator[Row]:
         """Rows of all stages of candidates, in any order."""
         places = [[Place(each.number, tuple(self.keyed(each)))] for each in candidates]
-        for some in self._solve(self._frame, places):
+        for some in self.solver(self.frame, places):
             yield from some
 
     def verdict(self, row: Row) -> Verdict:
@@ -184,7 +184,7 @@ class Judge:
             return None
         wanted = {parse(name).stage for name in cheap}
         targets = tuple(name for name in STAGES if name in wanted)
-        model = Model(replace(self._frame, patterns=tuple(cheap), targets=targets), brief=True)
+        model = Model(replace(self.frame, patterns=tuple(cheap), targets=targets), brief=True)
         ends = [span for span, each in zip(spans(self.drawn), self.drawn, strict=True) for _ in each.axes]
         low, high = (np.array([float(end[side]) for end in ends]) for side in (0, 1))
         near = model.over(range(len(low)), low, high, model.nominal.tolist())

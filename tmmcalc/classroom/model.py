@@ -22,6 +22,7 @@ class Item:
     digits: int  # significant ones, which are asked for
     after: tuple[int, ...]  # items by place, from which it is computed
     either_sense: bool  # its sign is left open
+    powers: Values = ()  # with which it follows each of `after`; 0, or none: not told
 
 
 @record
@@ -32,6 +33,7 @@ class Told:
     title: str
     hint: str
     single: bool  # it is made in one answer; else in a whole solution, whose answers all show it
+    common: float = 1.0  # how often it is made beside others
 
 
 @record

@@ -94,8 +94,17 @@ def _unit(word: str) -> str:
 
 def _alike(word: str) -> str:
     """The Latin word that looks the same, such as mm; empty where a letter has no Latin twin."""
-    latin = word.translate(_ALIKE)
+    latin = alike(word)
     return latin if latin.isascii() else ""
+
+
+def alike(text: str) -> str:
+    """The text with a Latin letter for each Cyrillic one that cannot be told from it by eye.
+
+    >>> alike("\u0421\u0410")
+    'CA'
+    """
+    return text.translate(_ALIKE)
 
 
 def latin_key(key: str) -> str:
@@ -104,7 +113,7 @@ def latin_key(key: str) -> str:
     >>> latin_key("\u043cass"), latin_key("маса"), latin_key("шатун")
     ('mass', 'mass', 'шатун')
     """
-    latin = key.translate(_ALIKE)
+    latin = alike(key)
     mixed = latin.isascii() and any(sign.isascii() and sign.isalpha() for sign in key)
     return _KEYS.get(key.casefold(), latin if mixed else key)
 

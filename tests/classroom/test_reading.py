@@ -1,0 +1,216 @@
+"""What students hand in: every kind of file and table, by name, number, position and unit."""
+
+from __future__ import annotations
+
+import math
+import os
+from pathlib import Path
+
+import pytest
+from xlsxwriter.workbook import Workbook
+
+from classroom.books import STUDENTS, VALUES, press_class
+from tmmcalc.classroom.answers.handed import HandIn, Pile
+from tmmcalc.classroom.answers.reading import read_answers
+
+BOOK = press_class()
+FIRST = VALUES[0]
+
+
+def read(place: Path, step: float = 0.0) -> Pile:
+    return read_answers(place, BOOK.items, BOOK.keys, step)
+
+
+def only(place: Path, step: float = 0.0) -> HandIn:
+    pile = read(place, step)
+    assert pile.refused == ()
+    (found,) = pile.hand_ins
+    return found
+
+
+def values(found: HandIn) -> tuple[float, ...]:
+    return tuple(answer.value for answer in found.answers)
+
+
+def written(folder: Path, name: str, text: str, encoding: str = "utf-8") -> Path:
+    file = folder / name
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_bytes(text.encode(encoding))
+    return file
+
+
+PAIRS = "H;120,5;мм\nω2;3,25;с⁻¹\nK;1,213\nR_A@3;4512;Н\nforces.R_A@7;6,03\nv_D;−812;mm/s\n"
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be"])
+def test_pairs_in_any_encoding(tmp_path: Path, encoding: str) -> None:
+    found = only(written(tmp_path, "01.csv", PAIRS, encoding))
+    assert found.number == 1
+    assert values(found) == pytest.approx(FIRST, rel=1e-12)
+
+
+def test_cp1251(tmp_path: Path) -> None:
+    text = "хід;120,5;мм\nкоефіцієнт K;1,213;\nреакція R_A@3;4512;Н\n"
+    found = only(written(tmp_path, "Коваль.csv", text, "cp1251"))
+    assert (found.number, values(found)[0], values(found)[2], values(found)[3]) == (2, 120.5, 1.213, 4.512)
+
+
+@pytest.mark.parametrize("delimiter", [",", ";", "\t", "|"])
+def test_any_delimiter(tmp_path: Path, delimiter: str) -> None:
+    rows = [("H", "120.5", "mm"), ("omega_2", "3.25", "rad/s"), ("K", "1.213", ""), ("v_D", "-0.812", "m/s")]
+    found = only(written(tmp_path, "1.csv", "\n".join(map(delimiter.join, rows))))
+    assert values(found)[:3] == FIRST[:3]
+
+
+def test_lines_of_a_text(tmp_path: Path) -> None:
+    found = only(written(tmp_path, "1.txt", "H = 120,5 мм\nK: 1,213\nomega_2 = 31,04 об/хв\n"))
+    assert values(found)[:3] == pytest.approx((120.5, 31.04 * math.pi / 30, 1.213))
+
+
+def test_a_quoted_decimal_comma(tmp_path: Path) -> None:
+    found = only(written(tmp_path, "1.csv", 'H,"120,5",mm\nK,"1,213",\n'))
+    assert values(found)[0] == 120.5
+
+
+@pytest.mark.parametrize(
+    "head", ["студент;H, мм;ω2 [1/с];K", "student;stroke h (mm);OMEGA_2;k", "№;H;ω 2;К\n;мм;рад/с;-", "Прізвище;H;ω2;K"]
+)
+def test_one_table_for_the_class(tmp_path: Path, head: str) -> None:
+    rows = [f"{name};{v[0]};{v[1]};{v[2]}".replace(".", ",") for name, v in zip(STUDENTS, VALUES, strict=True)]
+    pile = read(written(tmp_path, "class.csv", "\n".join([head, *rows])))
+    assert pile.refused == ()
+    assert [(each.number, *values(each)[:3]) for each in pile.hand_ins] == [
+        (k + 1, *v[:3]) for k, v in enumerate(VALUES)
+    ]
+
+
+def test_a_column_a_student(tmp_path: Path) -> None:
+    text = "величина;Бондар Іван;Коваль Олена;№ 3\nH, мм;120,5;131,2;118,4\nK;1,213;;1,188\n"
+    pile = read(written(tmp_path, "class.csv", text))
+    assert [(each.number, each.answers[0].value, each.answers[2].text) for each in pile.hand_ins] == [
+        (1, 120.5, "1,213"),
+        (2, 131.2, ""),
+        (3, 118.4, "1,188"),
+    ]
+
+
+def test_the_long_form(tmp_path: Path) -> None:
+    text = "варіант;величина;значення;одиниця\n1;H;12,05;см\n;K;1,213;\n2;хід;131,2;мм\n2;K;abc;\n"
+    pile = read(written(tmp_path, "all.csv", text))
+    first, second = pile.hand_ins
+    assert values(first)[0] == 120.5
+    assert values(first)[2] == 1.213
+    assert values(second)[0] == 131.2
+    assert (second.answers[2].text, second.answers[2].fault) == ("abc", "no number")
+
+
+@pytest.mark.parametrize(
+    "name", ["5.csv", "05-x.csv", "variant5.csv", "Варіант 5.csv", "шевчук.csv", "Олег Шевчук_лаб2.csv"]
+)
+def test_the_name_of_a_file_says_whose_it_is(tmp_path: Path, name: str) -> None:
+    assert only(written(tmp_path, name, "H;1\nK;2\n")).number == 5
+
+
+@pytest.mark.parametrize("name", ["Шевчук Олег_123456_assignsubmission_file_/answers.csv", "2026-01-02/Шевчук.csv"])
+def test_a_folder_says_whose_it_is_by_name(tmp_path: Path, name: str) -> None:
+    written(tmp_path, name, "H;1\nK;2\n")
+    assert only(tmp_path).number == 5
+
+
+@pytest.mark.parametrize("row", ["student;Шевчук Олег", "варіант;5", "Варіант: 5", "Студент Шевчук"])
+@pytest.mark.parametrize("table", ["H;1\nK;2\n", "H;K\n1;2\n"])
+def test_a_row_says_whose_it_is(tmp_path: Path, row: str, table: str) -> None:
+    found = only(written(tmp_path, "answers.csv", f"{row}\n{table}"))
+    assert (found.number, *values(found)[::2][:2]) == (5, 1.0, 2.0)
+
+
+def test_positions_by_number(tmp_path: Path) -> None:
+    rows = [f"{n};{n * 30};{100 + n};{0.1 * n:.2f}" for n in range(12)]
+    found = only(written(tmp_path, "1.csv", "положення;φ, °;R_A, Н;omega_2, рад/с\n" + "\n".join(rows)))
+    assert (found.answers[3].value, found.answers[4].value, found.answers[1].value) == (0.103, 0.107, 0.3)
+
+
+def test_positions_by_angle(tmp_path: Path) -> None:
+    rows = [f"{20 + n * 30};{100 + n};{0.1 * n:.2f}" for n in range(12)]
+    text = "φ;R_A;omega_2\n°;Н;рад/с\n" + "\n".join(rows)
+    found = only(written(tmp_path, "1.csv", text), step=30.0)
+    assert (found.answers[3].value, found.answers[4].value, found.answers[1].value) == (0.103, 0.107, 0.3)
+
+
+def test_a_place_by_its_angle(tmp_path: Path) -> None:
+    found = only(written(tmp_path, "1.csv", "phi[rad];vS_D[m/s]\n0;1\n0,785398;−0,812\n1,5708;3\n"))
+    assert found.answers[5].value == -0.812
+
+
+def test_toml(tmp_path: Path) -> None:
+    text = 'student = "Коваль"\n"ω2" = 2.880\n[answers]\nH = "131,2 мм"\nK = {value = 1.301, unit = ""}\n'
+    found = only(written(tmp_path, "answers.toml", text))
+    assert (found.number, *values(found)[:3]) == (2, 131.2, 2.88, 1.301)
+    assert found.answers[1].figures == 4  # as it is written
+
+
+def test_toml_of_a_class(tmp_path: Path) -> None:
+    pile = read(written(tmp_path, "all.toml", '[1]\nH = 1\n["Коваль Олена"]\nkinematics.stroke_D = 2\n'))
+    assert [(each.number, each.answers[0].value) for each in pile.hand_ins] == [(1, 1.0), (2, 2.0)]
+
+
+def book(file: Path, *sheets: list[list[object]]) -> Path:
+    made = Workbook(file)
+    for rows in sheets:
+        sheet = made.add_worksheet()
+        for k, row in enumerate(rows):
+            for j, cell in enumerate(row):
+                if isinstance(cell, tuple):
+                    sheet.write_formula(k, j, *cell)
+                elif isinstance(cell, str):
+                    sheet.write_string(k, j, cell)
+                else:
+                    sheet.write(k, j, cell)
+    made.close()
+    return file
+
+
+def test_a_workbook(tmp_path: Path) -> None:
+    file = book(
+        tmp_path / "1.xlsx",
+        [["notes of mine"], [1, 2]],
+        [["H", 0.1 + 0.2, "м"], ["K", ("=1+1", None, 1.25)], ["omega_2", "3,25", "1/с"], ["v_D", ("=2+2", None, "")]],
+    )
+    found = only(file)
+    assert (found.answers[0].value, found.answers[0].figures) == (300.0, 1)
+    assert found.answers[2].value == 1.25
+    assert found.answers[1].value == 3.25
+    assert found.answers[5].fault == "a formula; write the number"
+
+
+def test_a_workbook_of_openpyxl(tmp_path: Path) -> None:
+    import datetime
+
+    import openpyxl
+
+    made = openpyxl.Workbook()
+    sheet = made.active
+    for row in (["student", "H [mm]", "K"], ["Коваль", 131.2, "=1+1"], [1, 120.5, datetime.date(2026, 5, 11)]):
+        sheet.append(row)
+    made.save(tmp_path / "x.xlsx")
+    first, second = read(tmp_path / "x.xlsx").hand_ins
+    assert (first.number, first.answers[0].value, first.answers[2].fault[:9]) == (2, 131.2, "a formula")
+    assert (second.number, second.answers[0].value, second.answers[2].text) == (1, 120.5, "a date")
+
+
+def test_the_later_of_two_comes_last(tmp_path: Path) -> None:
+    for folder, name, at in (("2", "1.csv", 10), ("1", "1.csv", 20), ("1", "01.csv", 30)):
+        os.utime(written(tmp_path, f"{folder}/{name}", f"H;{at}\nK;2\n"), (at, at))
+    assert [each.answers[0].value for each in read(tmp_path).hand_ins] == [20.0, 30.0, 10.0]
+    by_date = tmp_path / "by date"
+    for folder, at in (("01.06.2026", 10), ("2026-05-30", 20)):
+        os.utime(written(by_date, f"{folder}/1.csv", f"H;{at}\nK;2\n"), (at, at))
+    assert [each.answers[0].value for each in read(by_date).hand_ins] == [20.0, 10.0]
+
+
+def test_an_item_that_stands_twice(tmp_path: Path) -> None:
+    found = only(written(tmp_path, "1.csv", "H;1\nK;2\nхід;3\nsize;7\n"))
+    assert found.answers[0].value == 3.0
+    assert len(found.remarks) == 2
+    assert "twice" in found.remarks[0]
+    assert "'size'" in found.remarks[1]

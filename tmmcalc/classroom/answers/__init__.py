@@ -1,0 +1,1 @@
+"""What students hand in, whatever it is: files, tables in them, numbers in these."""

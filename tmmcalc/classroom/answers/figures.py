@@ -1,0 +1,84 @@
+"""A number as a person writes it, with the figures that stand there.
+
+``1 250,5``, ``1.2e3``, ``1,2·10³`` and ``−0,05 рад/с`` are numbers. A decimal comma is one wherever a single comma
+stands. Figures are counted on the text: as a binary float 0.1667·10⁴ would have 1666 before its point.
+"""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+
+from tmmcalc.core.records import record
+
+LONGEST = 60  # characters of a number with its unit
+LARGEST = 60  # of an exponent of ten
+
+_SPACE = "[ \\t\\u00a0\\u2000-\\u200a\\u202f\\u205f]"
+_MINUS = re.compile("[\\u2212\\u2010-\\u2015\\ufe63\\uff0d]")
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
+_MANTISSA = rf"(?P<whole>\d{{1,3}}(?:{_SPACE}\d{{3}})+|\d*)(?P<rest>(?:[.,]\d+)*[.,]?)"
+_TIMES = rf"{_SPACE}*[·⋅∙•*×xXхХ]{_SPACE}*10{_SPACE}*"
+_POWER = r"(?:(?:\^|\*\*)\s*[({]?(?P<plain>[+-]?\d{1,4})[)}]?|(?P<raised>[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,4}))"
+_NUMBER = re.compile(
+    rf"(?P<sign>[+-]?){_SPACE}*(?:{_MANTISSA}(?:[eEеЕ](?P<e>[+-]?\d{{1,4}})|{_TIMES}{_POWER})?){_SPACE}*(?P<unit>.*)",
+    re.DOTALL,
+)
+_UNIT = re.compile(r"[^\W\d_]|[°º%\[(]|1\s*/\s*[^\W\d_]")
+
+
+@record
+class Written:
+    """A number as it is written."""
+
+    value: Fraction
+    step: Fraction  # one of its last figure
+    figures: int  # significant ones; zeros at the end count
+    unit: str  # what stands behind it
+
+
+class NoNumberError(ValueError):
+    """What stands there is no number; the text says what it is."""
+
+
+def read_number(text: str) -> Written:
+    """Take a cell apart; raise `NoNumberError` for what is no number.
+
+    >>> read_number("1,20·10³ мм")
+    Written(value=Fraction(1200, 1), step=Fraction(10, 1), figures=3, unit='мм')
+    """
+    bare = _MINUS.sub("-", text.strip().strip("\u00a0\u202f").lstrip("≈~").strip())
+    if bare.startswith(("=", "@")) or re.match(r"[+-][A-Za-z(]", bare):
+        raise NoNumberError("a formula; write the number")
+    if len(bare) > LONGEST:
+        raise NoNumberError("a long text")
+    match = _NUMBER.fullmatch(bare)
+    if match is None or not (match["whole"] + match["rest"]).strip(".,"):
+        raise NoNumberError("no number")
+    if match["unit"] and not _UNIT.match(match["unit"]):
+        raise NoNumberError("more than one number" if re.search(r"\d", match["unit"]) else "no number")
+    return _made(match)
+
+
+def _made(match: re.Match[str]) -> Written:
+    whole, part = _split(re.sub(r"\s", "", match["whole"]), match["rest"])
+    power = int(match["e"] or match["plain"] or (match["raised"] or "0").translate(_RAISED))
+    if abs(power) > LARGEST:
+        raise NoNumberError("a number beyond all measure")
+    scale = Fraction(10) ** (power - len(part))
+    value = int(whole + part or "0") * scale
+    figures = len((whole + part).lstrip("0"))
+    return Written(-value if match["sign"] == "-" else value, scale, figures, match["unit"].strip())
+
+
+def _split(whole: str, rest: str) -> tuple[str, str]:
+    """The digits before and behind the decimal sign: the last sign, but for one that parts thousands."""
+    parts = re.split(r"[.,]", rest)[1:]
+    signs = re.findall(r"[.,]", rest)
+    if len(signs) < 2:
+        return whole, parts[0] if parts else ""
+    same = len({*signs}) == 1
+    groups = parts if same else parts[:-1]
+    if len({*signs[:-1]}) > 1 or not (0 < len(whole) <= 3) or any(len(group) != 3 for group in groups):
+        raise NoNumberError("more than one decimal sign")
+    return whole + "".join(groups), "" if same else parts[-1]

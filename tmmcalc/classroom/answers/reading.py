@@ -1,0 +1,224 @@
+"""Files and folders of answers: each file is read or refused with one message, and the rest goes on.
+
+Of two files of a student the later counts: the one in the later folder, by the date or the number in its name, and in
+one folder the one that was written later.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from tmmcalc.classroom.answers.grids import Grid, grid_of, text_of
+from tmmcalc.classroom.answers.handed import HandIn, Pile, Refused, hand_in
+from tmmcalc.classroom.answers.layouts import Entry, Table, entries_of
+from tmmcalc.classroom.answers.limits import BYTES, DEEPEST, FILES, UnreadableError
+from tmmcalc.classroom.answers.naming import Names, Roster
+from tmmcalc.classroom.answers.pairs import entries_of_toml
+from tmmcalc.classroom.answers.workbooks import sheets_of_workbook
+from tmmcalc.classroom.model import Item, Key
+from tmmcalc.core.files import NoFileError, read_file
+from tmmcalc.core.records import record
+from tmmcalc.spec.phrases import show
+
+SHOWN = 5  # names that a message lists
+_ZIP = b"PK\x03\x04"
+_KINDS = (
+    (b"%PDF", "is a PDF"),
+    (b"\x89PNG", "is a picture"),
+    (b"\xff\xd8\xff", "is a picture"),
+    (b"GIF8", "is a picture"),
+    (b"RIFF", "is a picture or a film"),
+    (b"\xd0\xcf\x11\xe0", "is a workbook of an old kind (xls), or locked"),
+    (b"Rar!", "is an archive"),
+    (b"7z\xbc\xaf", "is an archive"),
+    (b"\x1f\x8b", "is an archive"),
+    (b"\x7fELF", "is a program"),
+    (b"MZ\x90", "is a program"),
+    (b"{\\rtf", "is a text document"),
+)
+_REMEDY = "hand in a table as CSV, xlsx or TOML"
+_DATE = re.compile(r"(\d{4})[-_.](\d{1,2})[-_.](\d{1,2})|(\d{1,2})[-_.](\d{1,2})[-_.](\d{4})")
+_UNSEEN = ("__macosx", "thumbs.db", "desktop.ini")
+
+
+@record
+class _File:
+    path: Path
+    source: str  # its path within the folder of answers
+    order: tuple[tuple[int, ...], float, str]
+
+
+def read_answers(place: Path, items: Sequence[Item], keys: Sequence[Key], step: float = 0.0) -> Pile:
+    """What stands in a file, or in all files of a folder.
+
+    ``step`` is the angle [deg] between positions, by which a table over angles is read; 0: not known.
+    """
+    names, roster = Names(items), Roster(keys)
+    hand_ins, refused = list[HandIn](), list[Refused]()
+    for each in _files(place):
+        if isinstance(each, Refused):
+            refused.append(each)
+            continue
+        try:
+            tables = tables_of(each.path, names, roster, step)
+            found, faults = _by_student(each.source, tables, items, roster)
+        except UnreadableError as fault:
+            refused.append(Refused(each.source, fault.message, fault.remedy))
+            continue
+        hand_ins += found
+        refused += faults
+    return Pile(tuple(hand_ins), tuple(refused))
+
+
+def read_own(file: Path, items: Sequence[Item], step: float = 0.0) -> HandIn:
+    """The answers of the one student whose file it is; raises `UnreadableError`."""
+    tables = tables_of(file, Names(items), Roster(()), step)
+    return hand_in(1, file.name, [entry for table in tables for entry in table.entries], items)
+
+
+def tables_of(file: Path, names: Names, roster: Roster, step: float) -> list[Table]:
+    """What the tables of a file tell; raises `UnreadableError` where none tells anything."""
+    content = _content(file)
+    if content.startswith(_ZIP):
+        grids = sheets_of_workbook(content)
+        if not grids:
+            raise UnreadableError("is an empty workbook", _REMEDY)
+        return _of_sheets(grids, names, roster, step)
+    kind = next((kind for start, kind in _KINDS if content.startswith(start)), None)
+    if kind is not None:
+        raise UnreadableError(kind, _REMEDY)
+    text = text_of(content)
+    if file.suffix.lower() == ".toml":
+        return [entries_of_toml(text, names, roster)]
+    return [entries_of(grid_of(text), names, roster, step)]
+
+
+def _of_sheets(grids: Sequence[Grid], names: Names, roster: Roster, step: float) -> list[Table]:
+    """The sheets that name results; raises the fault of the first where none does."""
+    found, faults = list[Table](), list[UnreadableError]()
+    for grid in grids:
+        try:
+            found.append(entries_of(grid, names, roster, step))
+        except UnreadableError as fault:
+            faults.append(fault)
+    if not found:
+        raise faults[0]
+    return found
+
+
+def _content(file: Path) -> bytes:
+    try:
+        content = read_file(file, BYTES)
+    except NoFileError as error:
+        raise UnreadableError(f"is {error.kind}, not a file", _REMEDY) from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or "it cannot be opened"
+        raise UnreadableError(f"cannot be read: {reason}") from None
+    if len(content) > BYTES:
+        raise UnreadableError(f"is larger than {BYTES // 10**6} MB", "hand in the table alone")
+    return content
+
+
+def _files(place: Path) -> Iterator[_File | Refused]:
+    """The files of a place in the order of time, and what is there besides."""
+    if not place.is_dir():
+        yield _File(place, place.name, ((), 0.0, place.name))
+        return
+    found, others = list[_File](), list[Refused]()
+    for each in _within(place, (), others):
+        if len(found) == FILES:
+            others.append(Refused(each.source, f"is one of more than {FILES} files; it and all after it are left out"))
+            break
+        found.append(each)
+    yield from others
+    yield from sorted(found, key=lambda each: each.order)
+
+
+def _within(folder: Path, above: tuple[str, ...], others: list[Refused]) -> Iterator[_File]:
+    try:
+        entries = sorted(os.scandir(folder), key=lambda each: each.name)
+    except OSError as error:
+        others.append(Refused("/".join(above) or folder.name, f"cannot be read: {error.strerror}"))
+        return
+    for each in entries:
+        parts = (*above, each.name)
+        source = "/".join(parts)
+        if each.name.startswith((".", "~$")) or each.name.casefold() in _UNSEEN:
+            continue
+        if each.is_symlink():
+            others.append(Refused(source, "is a link, which is not followed", "put the file itself there"))
+        elif each.is_dir(follow_symlinks=False):
+            if len(parts) > DEEPEST:
+                others.append(Refused(source, f"is a folder more than {DEEPEST} deep", "put its files further up"))
+            else:
+                yield from _within(Path(each.path), parts, others)
+        else:
+            time = each.stat(follow_symlinks=False).st_mtime
+            yield _File(Path(each.path), source, (tuple(n for part in above for n in _turn(part)), time, source))
+
+
+def _turn(folder: str) -> tuple[int, ...]:
+    """What a folder says of the time: its date, or the number that it is; nothing where it says neither.
+
+    >>> _turn("2026-05-12"), _turn("12.05.2026"), _turn("2 again"), _turn("Bondar_123_file")
+    ((2026, 5, 12), (2026, 5, 12), (2,), ())
+    """
+    if match := _DATE.search(folder):
+        year, month, day, *_ = match.groups() if match[1] else reversed(match.groups())
+        return int(year), int(month), int(day)
+    numbered = re.match(r"\d{1,4}(?!\d)", folder)
+    return (int(numbered[0]),) if numbered else ()
+
+
+def _by_student(
+    source: str, tables: Sequence[Table], items: Sequence[Item], roster: Roster
+) -> tuple[list[HandIn], list[Refused]]:
+    """The answers of a file by student; raises `UnreadableError` where it says nowhere whose it is."""
+    own = _owner(source, tables, roster) if any(not e.student for table in tables for e in table.entries) else None
+    unknown = dict[str, str]()
+    found = dict[int, list[Entry]]()
+    for entry in (entry for table in tables for entry in table.entries):
+        number = roster.student(entry.student) if entry.student else own
+        if number is None:
+            unknown.setdefault(entry.student, entry.where)
+        else:
+            found.setdefault(number, []).append(entry)
+    faults = []
+    if unknown:
+        some = ", ".join(f"{show(name)} ({where})" for name, where in list(unknown.items())[:SHOWN])
+        more = f" and {len(unknown) - SHOWN} more" if len(unknown) > SHOWN else ""
+        faults.append(
+            Refused(source, f"names nobody of the roster, or several: {some}{more}", "write the number of the variant")
+        )
+    strange = [name for table in tables for name in table.unknown]
+    remarks = _strange(strange) if len(found) == 1 else ()
+    made = [hand_in(number, source, entries, items) for number, entries in found.items()]
+    return [HandIn(each.number, each.source, each.answers, each.remarks + remarks) for each in made], faults
+
+
+def _strange(names: Sequence[str]) -> tuple[str, ...]:
+    if not names:
+        return ()
+    more = f" and {len(names) - SHOWN} more" if len(names) > SHOWN else ""
+    return (f"not asked: {', '.join(map(show, names[:SHOWN]))}{more}",)
+
+
+def _owner(source: str, tables: Sequence[Table], roster: Roster) -> int:
+    """Whose file it is, by its name and by what stands in it, which must not gainsay each other."""
+    *folders, name = source.split("/")
+    by_name = roster.of_file([*folders, name.rpartition(".")[0] or name])
+    said = {table.student for table in tables if table.student}
+    inside = {number for text in said if (number := roster.student(text)) is not None}
+    if len(inside) > 1 or (inside and by_name is not None and by_name not in inside):
+        told = ", ".join(map(show, sorted(said)))
+        raise UnreadableError(f"is named after another student than stands in it: {told}", "rename it, or mend the row")
+    if inside:
+        return inside.pop()
+    if by_name is None:
+        raise UnreadableError(
+            "does not say whose it is", "name it by the number of the variant or the student, or add a row student"
+        )
+    return by_name

@@ -1,0 +1,230 @@
+"""The marks as tables: one for the grade book, all of them for the teacher; and the sheet of a student.
+
+The sheet of a student tells what he wrote, what it is and a hint, and no number of the key.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from tmmcalc.classroom.explaining import Explanation
+from tmmcalc.classroom.marking import Marked, Marks
+from tmmcalc.classroom.model import Key, Keybook, Told
+from tmmcalc.classroom.statistics import Statistics
+from tmmcalc.classroom.verdicts import Standing, distance
+from tmmcalc.core.printable import printable
+from tmmcalc.report.worksheets import Worksheet
+
+FIGURES = 5  # of numbers that people compare
+_FORMULAS = ("=", "+", "-", "@", "\t", "\r")
+_NONE = "nothing was handed in"
+
+
+def grades(marks: Marks) -> Worksheet:
+    """A row a student: points, and of each item its points and what the answer is."""
+    items = [item.name for item in marks.items]
+    headers = [
+        "variant",
+        "student",
+        "points",
+        "of",
+        "file",
+        *(f"{name}{end}" for name in items for end in ("", ": is")),
+    ]
+    rows = [_graded(marks, each) for each in marks.counting]
+    rows += [[key.number, key.student, 0, _tidy(marks.most), _NONE] + [None, None] * len(items) for key in marks.absent]
+    return _sheet("marks", headers, sorted(rows, key=lambda row: row[0]))
+
+
+def _graded(marks: Marks, each: Marked) -> list[Any]:
+    of_items = (cell for got, what in zip(each.points, each.standings, strict=True) for cell in (_tidy(got), str(what)))
+    return [each.number, each.student, _tidy(each.total), _tidy(marks.most), each.source, *of_items]
+
+
+def teachers(marks: Marks, book: Keybook, statistics: Statistics) -> list[Worksheet]:
+    """All that is known: marks, answers beside the key, explanations, statistics, what could not be read."""
+    keys = {key.number: key for key in book.keys}
+    return [
+        grades(marks),
+        _answers(marks, keys),
+        _explanations(marks),
+        _items(marks, statistics),
+        _made(marks, statistics),
+        _remarks(marks, statistics, keys),
+    ]
+
+
+def _answers(marks: Marks, keys: dict[int, Key]) -> Worksheet:
+    headers = ["variant", "student", "file", "counts", "item", "unit", "answer", "right", "off", "is", "points", "why"]
+    rows = [
+        [
+            *(each.number, each.student, each.source, "yes" if each.counts else "no", item.name, item.unit),
+            each.answers[k].text,
+            _round(keys[each.number].values[k]),
+            _off(each, marks, keys[each.number], k),
+            str(each.standings[k]),
+            _tidy(each.points[k]),
+            each.answers[k].fault or "; ".join(told(x, marks.mistakes) for x in each.explanations if k in x.items),
+        ]
+        for each in marks.marked
+        for k, item in enumerate(marks.items)
+    ]
+    return _sheet("answers", headers, rows)
+
+
+def _off(each: Marked, marks: Marks, key: Key, k: int) -> str:
+    """By what part of the right value an answer is off."""
+    right, value = key.values[k], each.answers[k].value
+    if not right or not math.isfinite(right) or not math.isfinite(value):
+        return ""
+    part = 100 * distance(value, marks.items[k], right) / abs(right)
+    return f"{part:.2g} %"
+
+
+def _explanations(marks: Marks) -> Worksheet:
+    headers = ["variant", "student", "file", "mistake", "items", "against it", "off by", "odds"]
+    rows = [
+        [
+            *(each.number, each.student, each.source, told(x, marks.mistakes)),
+            ", ".join(marks.items[k].name for k in x.items),
+            ", ".join(marks.items[k].name for k in x.against),
+            f"{100 * x.deviation:.2g} %",
+            f"{x.odds:.1e}",
+        ]
+        for each in marks.marked
+        for x in each.explanations
+    ]
+    return _sheet("mistakes", headers, rows)
+
+
+def told(explanation: Explanation, mistakes: Sequence[Told]) -> str:
+    """The mistakes of an explanation, which give equal numbers."""
+    return " or ".join(dict.fromkeys(mistakes[m].title for m in explanation.mistakes))
+
+
+def _items(marks: Marks, statistics: Statistics) -> Worksheet:
+    standings = list(Standing)
+    headers = ["item", "share of points", *map(str, standings)]
+    rows = [
+        [marks.items[went.item].name, _round(went.share), *(went.counts.get(each, 0) for each in standings)]
+        for went in statistics.items
+    ]
+    return _sheet("items", headers, rows)
+
+
+def _made(marks: Marks, statistics: Statistics) -> Worksheet:
+    rows = [
+        [" or ".join(marks.mistakes[m].title for m in made.mistakes), len(made.numbers), _listed(made.numbers)]
+        for made in statistics.made
+    ]
+    return _sheet("common mistakes", ["mistake", "students", "variants"], rows)
+
+
+def _remarks(marks: Marks, statistics: Statistics, keys: dict[int, Key]) -> Worksheet:
+    rows = [
+        ["file", each.source, f"{each.message}{f'; {each.remedy}' if each.remedy else ''}"] for each in marks.refused
+    ]
+    for each in marks.marked:
+        rows += [["answers", _who(each.number, keys), f"{each.source}: {remark}"] for remark in each.remarks]
+        if not each.counts:
+            said = f"{each.source}: {_tidy(each.total)} points; a later one counts"
+            rows.append(["earlier hand-in", _who(each.number, keys), said])
+    for equal in statistics.equal:
+        who = ", ".join(_who(number, keys) for number in equal.numbers)
+        name = marks.items[equal.item].name
+        rows.append(["equal numbers", who, f"{name}: {equal.text} stands in each, where other numbers are right"])
+    return _sheet("remarks", ["of", "what", "remark"], rows)
+
+
+def _who(number: int, keys: dict[int, Key]) -> str:
+    return f"{number} {keys[number].student}".strip()
+
+
+def _listed(numbers: Sequence[int]) -> str:
+    return ", ".join(map(str, numbers))
+
+
+def students_sheet(marks: Marks, each: Marked) -> str:
+    """The sheet of a student as Markdown: his answers, what they are, hints; no number of the key."""
+    lines = [
+        f"# {_md(f'Variant {each.number} {each.student}'.strip())}",
+        "",
+        f"Points: {_tidy(each.total)} of {_tidy(marks.most)}",
+        "",
+        "| Asked | Unit | Answer | It is | Points |",
+        "|-|-|-|-|-|",
+    ]
+    for item, answer, what, got in zip(marks.items, each.answers, each.standings, each.points, strict=True):
+        cells = (item.name, item.unit, answer.text, str(what), f"{_tidy(got)} of {_tidy(item.weight)}")
+        lines.append(f"| {' | '.join(map(_md, cells))} |")
+    lines += ["", *(f"- {_md(line)}" for line in hints_of(marks.items, marks.mistakes, each))]
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def hints_of(items: Sequence[Any], mistakes: Sequence[Told], each: Marked) -> Iterator[str]:
+    """What a student is told of his answers, without a number of the key."""
+    for k, answer in enumerate(each.answers):
+        if answer.fault:
+            yield f"{items[k].name}: {answer.fault}"
+    for explanation in each.explanations:
+        names = ", ".join(items[k].name for k in explanation.items)
+        hints = dict.fromkeys(mistakes[m].hint for m in explanation.mistakes)
+        yield f"{names}: {' Or: '.join(hints)}"
+    yield from each.remarks
+
+
+def _md(text: str) -> str:
+    """A text in a cell of Markdown, where it marks up nothing."""
+    shown = printable(text).replace("\n", " ")
+    for sign in "\\`*_[]<>|#":
+        shown = shown.replace(sign, f"\\{sign}")
+    return shown
+
+
+def as_csv(sheet: Worksheet) -> str:
+    """A table as CSV; a text that a spreadsheet would take for a formula begins with an apostrophe."""
+    buffer = io.StringIO()
+    writer = csv.writer(buffer, lineterminator="\n")
+    writer.writerow([_harmless(header) for header in sheet.headers])
+    writer.writerows([_harmless(cell) for cell in row] for row in zip(*sheet.columns, strict=True))
+    return buffer.getvalue()
+
+
+def _harmless(cell: Any) -> Any:
+    if not isinstance(cell, str):
+        return cell
+    shown = printable(cell).replace("\n", " ")
+    return f"'{shown}" if shown.lstrip().startswith(_FORMULAS) or cell.startswith(_FORMULAS) else shown
+
+
+def as_markdown(sheets: Sequence[Worksheet], title: str) -> str:
+    """Tables under headings."""
+    lines = [f"# {_md(title)}"]
+    for sheet in sheets:
+        lines += ["", f"## {_md(sheet.name)}", ""]
+        if not sheet.rows:
+            lines.append("None.")
+            continue
+        lines += [f"| {' | '.join(map(_md, sheet.headers))} |", "|-" * len(sheet.headers) + "|"]
+        rows = zip(*sheet.columns, strict=True)
+        lines += [f"| {' | '.join(_md('' if cell is None else str(cell)) for cell in row)} |" for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def _sheet(name: str, headers: Sequence[str], rows: Sequence[Sequence[Any]]) -> Worksheet:
+    columns = [list(column) for column in zip(*rows, strict=True)] or [[] for _ in headers]
+    return Worksheet(name, list(headers), columns)
+
+
+def _tidy(points: float) -> float | int:
+    """Points as they are told: 3 for 3.0, 0.8 for sums of rounded parts."""
+    rounded = round(points, 6)
+    return int(rounded) if rounded == int(rounded) else rounded
+
+
+def _round(value: float) -> float | None:
+    return float(f"{value:.{FIGURES}g}") if math.isfinite(value) else None
