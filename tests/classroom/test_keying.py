@@ -10,14 +10,13 @@ import pytest
 from mistakes import CONFIGS, item, items, key
 
 from tmmcalc.classroom.bench import Bench
-from tmmcalc.classroom.keying import clashes, clashing, classes_of, key_of, mistakes_of, told_of
+from tmmcalc.classroom.keying import clashes, classes_of, key_of, mistakes_of, told_of
 from tmmcalc.classroom.model import Key
 from tmmcalc.core.errors import NoSolutionError, TmmError, UsageError
 from tmmcalc.naming.language import parse
 from tmmcalc.naming.told import one
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
-from tmmcalc.project.loader import Variants
 
 TEN = items(
     *("kinematics.stroke_D mm", "kinematics.vS_D@5 m/s", "kinematics.aS_D@5 m/s^2", "kinematics.omega_3@5 rad/s"),
@@ -133,13 +132,3 @@ def test_the_key_of_a_course_project() -> None:
     assert len(telling) > 45
     assert {"linkage.friction_reversed", "machine.links_left_out", "classroom.position_after"} <= telling
     assert len(classes_of(found, TEN, told)) > 40
-
-
-def test_clashes_of_a_variant_by_name() -> None:
-    """The couples of inertia change the drive of the shaper by less than its tolerance."""
-    file = CONFIGS / "shaper.toml"
-    asked = items("forces.M_drive@3 N*m", "kinematics.aS_D@3 m/s^2")
-    pairs = clashing(Variants(file.read_text(), str(file), file.parent), asked)
-    found = pairs(('mechanism.input.speed="50 rpm"',))
-    assert ("forces.M_drive@3", "linkage.inertia_couples_left_out") in found
-    assert all(name != "kinematics.aS_D@3" for name, _ in found)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -19,7 +19,7 @@ from tmmcalc.naming.scene import Scene
 from tmmcalc.naming.told import one, told
 from tmmcalc.pipeline.settling import outlook
 from tmmcalc.project import Spec
-from tmmcalc.project.loader import Variants, with_tables
+from tmmcalc.project.loader import with_tables
 from tmmcalc.rooms import STAGES
 from tmmcalc.spec.units import conversion
 
@@ -149,17 +149,6 @@ def clashes(key: Key, items: Sequence[Item]) -> tuple[tuple[int, int], ...]:
         for k, (wrong, right, item) in enumerate(zip(values, key.values, items, strict=True))
         if math.isfinite(wrong) and is_right(wrong, right, item)
     )
-
-
-def clashing(variants: Variants, items: Sequence[Item]) -> Callable[[Sequence[str]], tuple[tuple[str, str], ...]]:
-    """A function of the overrides that make a variant: names of items, and of mistakes that give their right answer."""
-    mistakes = mistakes_of(variants.spec())
-
-    def pairs(assignments: Sequence[str]) -> tuple[tuple[str, str], ...]:
-        found = clashes(key_of(0, "", variants.spec(assignments), items, mistakes), items)
-        return tuple((items[k].name, mistakes[at].name) for at, k in found)
-
-    return pairs
 
 
 def is_right(value: float, right: float, item: Item) -> bool:
