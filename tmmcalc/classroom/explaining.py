@@ -70,7 +70,7 @@ def explain(
         return ()
     table = _Table(items, told, key, answers, standings, carried)
     found = list[Explanation]()
-    while len(found) < MOST and table.open.any():
+    while len(found) < MOST and (table.open.any() or not found):  # all may be carried on from one mistake
         best = max((table.whole(), table.single()), key=lambda each: each.explanation.odds if each else 0.0)
         if best is None or best.explanation.odds < table.level:
             break
