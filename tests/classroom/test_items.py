@@ -11,6 +11,7 @@ from tmmcalc.classroom.items import items_of
 from tmmcalc.classroom.making import make_class
 from tmmcalc.classroom.model import Item
 from tmmcalc.core.errors import UsageError
+from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
 from tmmcalc.project.loader import parse_spec
 
@@ -42,7 +43,9 @@ plans = "4 %"
     assert first == Item(
         "w", ("omega",), "kinematics.omega_3@1", "rpm", 0.02, pytest.approx(0.954929658551372), 0.04, 2, 3, (), True
     )
-    assert second == Item("kinematics.eps_3@1", (), "kinematics.eps_3@1", "rad/s^2", 0.01, 0.0, 0.04, 1, 4, (0,), False)
+    assert second == Item(
+        "kinematics.eps_3@1", (), "kinematics.eps_3@1", "rad/s^2", 0.01, 0.0, 0.04, 1, 4, (0,), False, (0.0,)
+    )
 
 
 @pytest.mark.parametrize(
@@ -83,3 +86,21 @@ def test_a_cam_by_measured_points(tmp_path: Path) -> None:
 
 def _stroke(assignments: tuple[str, ...]) -> float:
     return float(assignments[0].partition('="')[2].removesuffix(' mm"')) / 1000
+
+
+def test_a_linkage_of_class_three(tmp_path: Path) -> None:
+    """Many of it cannot be solved together, and it is judged all the same, near to its dead points too."""
+    text = (CONFIGS / "class-three.toml").read_text(encoding="utf-8")
+    drawn = (
+        '[[class.drawn]]\nof = "mechanism.links[id=1].points.A[0]"\nat_least = "40 mm"\nat_most = "90 mm"\n'
+        'step = "5 mm"\n[[class.drawn]]\nof = "mechanism.links[id=3].mass"\namong = [1, 2, 3, 4]\n'
+    )
+    asked = '[[class.asked]]\nresult = "kinematics.omega_3@3"\n[[class.asked]]\nresult = "forces.R_A@3"\n'
+    file = tmp_path / "three.toml"
+    file.write_text(f"{text}\n[class]\nspread = 100\n{drawn}{asked}", encoding="utf-8")
+    made = make_class(file, tmp_path / "class", 5, 2, jobs=1)
+    assert len({each.assignments for each in made.own.variants}) == 5
+    for each in made.own.variants:
+        found = run(load_spec(tmp_path / "class" / "variants" / f"{each.stem}.toml"))
+        quality = found.results["kinematics"].qualities[0]
+        assert quality.amplification <= 10.0

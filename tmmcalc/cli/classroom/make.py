@@ -49,6 +49,13 @@ def command(
             "--jobs", "-j", metavar="N", min=1, help="Local processes (default: as many as pay).", show_default=False
         ),
     ] = None,
+    skip: Annotated[
+        bool,
+        typer.Option(
+            "--skip-mistakes",
+            help="Do not look for known mistakes that give a right answer, which takes most of the time.",
+        ),
+    ] = False,
     fresh: Annotated[bool, typer.Option("--fresh", help="Draw all variants anew, whatever is given out.")] = False,
     form: Form = Format.table,
     quiet: Quiet = False,
@@ -56,7 +63,8 @@ def command(
     """Draw variants of an assignment by [class] of the spec: each solved, round, and unlike the others.
 
     Every variant assembles, turns fully, has a result in all stages and no warning that the assignment itself has not,
-    keeps [[constraints]] by a margin, and is apart from all others. The folder gets class.toml (who has what),
+    keeps [[constraints]] by a margin, and is apart from all others; no known mistake gives its right answers, but those
+    that are told. The folder gets class.toml (who has what),
     class.csv (the numbers of all), and a spec each in variants/. Asked again with more students or a larger N it draws
     what is missing; what is given out stays as it is.
 
@@ -67,12 +75,14 @@ def command(
             raise UsageError(f"{out} is {kind}", where="-o", remedy="name a folder")
     elif out.exists():
         raise UsageError(f"{out} is a file", where="-o", remedy="name a folder")
+    from tmmcalc.classroom.clashing import clashes_of
     from tmmcalc.classroom.document import class_document
     from tmmcalc.classroom.making import make_class
     from tmmcalc.project import load_spec
 
     with seen(told_with("variants"), quiet) as told:
-        made = make_class(spec, out, count, seed, fresh=fresh, jobs=jobs, tell=warn, told=told)
+        clashes = None if skip else clashes_of
+        made = make_class(spec, out, count, seed, fresh=fresh, jobs=jobs, clashes=clashes, tell=warn, told=told)
     show(class_document(made, title(load_spec(spec), spec, "class")), form)
     if not quiet:
         for file in made.files[-2:]:
