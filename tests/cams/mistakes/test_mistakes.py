@@ -109,7 +109,7 @@ def test_friction_of_the_guide() -> None:
 
 
 def test_a_cam_on_the_crank_turns_against_it() -> None:
-    """Without `rotation` it turns with the crank, counter-clockwise here: turned back its offset is on the other side."""
+    """Without `rotation` it turns with the crank: turned back its offset is on the other side."""
     asked = "cam_profile.x_c[phi=30 deg] mm", "cam_profile.y_c[phi=30 deg] mm"
     own = right("course-project", *asked)
     assert right("course-project", *asked, sets=('cam.rotation="counter-clockwise"',)) == own

@@ -108,7 +108,7 @@ def test_speed_against_the_carrier() -> None:
 
 
 def test_shifts_of_the_meshes_of_a_train() -> None:
-    """The first mesh of the course project: its reference distance is that of the operation where shifts are left out."""
+    """The first mesh of the course project runs at its reference distance where shifts are left out."""
     asked = "pair.1-2.a mm", "pair.1-2.a_w mm", "pair.1-2.wheels.0.x ", "pair.1-2.wheels.1.x "
     a, operating, first, second = right("course-project", *asked)
     assert first != second
