@@ -272,7 +272,7 @@ def near_to_limits(file: Path, count: int, seed: int) -> tuple[Path, np.ndarray]
         (("paths.deviation_sum_P",), ('paths[0].at=["0 deg","60 deg","100 deg","180 deg","181 deg","240 deg"]',), 1e-8),
         (("kinematics.max(x_P)", "kinematics.size(a_P)", "kinematics.max(y_P)"), (), 1e-3),
         (("kinematics.mean(angle_3)", "kinematics.last(omega_2)"), (), 0.1),
-        (("kinematics.transmission_min_*", "kinematics.stroke_*"), (), 0.1),
+        (("kinematics.transmission_min_RRR(2,3)", "kinematics.stroke_*"), (), 0.1),
     ],
 )
 def test_variants_near_to_a_limit_position(

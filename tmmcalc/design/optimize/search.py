@@ -17,23 +17,23 @@ from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.records import record
 from tmmcalc.design.optimize.evolution import Population, evolve, population
 from tmmcalc.design.optimize.order import Scores, better, crowding, front_numbers, ranked
-from tmmcalc.design.optimize.polish import LONGEST, SHORTER, Aim, polish
+from tmmcalc.design.optimize.polish import LONGEST, SHORTER, Aim, Locals, polish
 from tmmcalc.design.optimize.problem import Problem
 
 Values = NDArray[np.floating[Any]]
 Tell = Callable[[str, Scores], None]  # what is being done, the best so far first
 
-STEPS = 100  # of a local search, by which their number is planned
 _NUMBERS = re.compile(r"\d[\d.e+-]*")
 STARTS = 8, 256  # of local searches, at least and at most
-DRAWN = 16  # random designs for every start
+WAVE = 16  # of these at most that are begun together
+BRIEF = 100  # designs a variable that each may ask for at least
+DRAWN = 16, 0.25  # random designs: so many for the least number of starts, or this part of what may be solved
 EQUAL = 1e-6  # of the objective: two methods that found the same
 BLOCK = 4096  # designs of a complete search that are asked for at once
 SAME = 1e-4  # of the range of a front: designs that differ by less are one
 TINY = 1e-300
-SEEN, APART = 5000, 0.1  # best designs, how far from each other some are (of the box)
-HOLLOWS = 12  # of these that are polished at most
-WORTH = 5000  # designs of evolution that each is worth
+APART = 0.1  # of the box: how far from each other designs in two hollows are
+AGREED = 4  # searches, if they are half of all, that end as good as the best: it needs no more of them
 NEAR = 64  # sets of listed values about the best that are tried
 
 
@@ -194,25 +194,70 @@ def _broken(problem: Problem) -> NoSolutionError:
 def _of_hollows(problem: Problem, found: Population, budget: int) -> Population:
     """The best of local searches from the best designs that are far from each other; the best of evolution with them.
 
-    What evolution leaves is in one hollow; another one may be deeper. Designs that break constraints are led to keep
-    them.
+    What evolution leaves is in one hollow; another one may be deeper, and how good a design is tells little of how deep
+    its hollow goes. So each search goes on to its end, and there are as many as ``budget`` designs are enough for.
+    Designs that break constraints are led to keep them.
     """
     scores = problem.judged(problem.results)
-    broken = found.scores.violation[0] > 0
-    most = STARTS[0] if broken else int(np.clip(budget // WORTH, 1, HOLLOWS))
-    chosen: list[Values] = []
-    for number in ranked(scores)[:SEEN].tolist():
-        part = problem.parts(problem.values[number])
-        if np.isfinite(scores.violation[number]) and all(np.abs(part - other).max() > APART for other in chosen):
-            chosen.append(part)
-        if len(chosen) == most:
-            break
-    if not chosen:
-        return Population(found.places[:1], found.scores[:1])
-    aims = [Aim(0, np.full(len(problem.objectives), np.inf))] * len(chosen)
-    ends = polish(problem, np.array(chosen), aims, SHORTER)
+    order = ranked(scores)
+    places = problem.parts(problem.values[order[np.isfinite(scores.violation[order])]])
+    longest, left = _longest(problem, budget), budget
+    if found.scores.violation[0] > 0:
+        longest, left = SHORTER, STARTS[0] * SHORTER * len(problem.variables)
+    starts = _apart(places, STARTS[1])
+    ends = _searched(problem, starts, [_free(problem, 0)] * len(starts), longest, left)
     every = _joined(Population(ends.places, ends.scores), Population(found.places[:1], found.scores[:1]))
     return Population(every.places[:1], every.scores[:1])
+
+
+def _free(problem: Problem, objective: int) -> Aim:
+    """One objective, whatever the others are."""
+    return Aim(objective, np.full(len(problem.objectives), np.inf))
+
+
+def _apart(places: Values, most: int) -> Values:
+    """Of designs (n, k), the best first, those that are far from all before."""
+    chosen: list[Values] = []
+    while len(places) and len(chosen) < most:
+        chosen.append(places[0])
+        places = places[np.abs(places - places[0]).max(axis=1) > APART]
+    return np.array(chosen).reshape(len(chosen), places.shape[1])
+
+
+def _searched(
+    problem: Problem, starts: Values, aims: Sequence[Aim], longest: int, budget: int, least: int = 1
+) -> Locals:
+    """Where local searches end from the first of designs (n, k), as many as ``budget`` designs are enough for.
+
+    They are begun together, ``least`` of them or more; none are where half of those before agree on the best.
+    """
+    last, most = problem.solved + budget, longest * len(problem.variables)
+    ends = Locals(starts[:0], Scores(np.empty((0, len(problem.objectives))), np.empty(0)))
+    while (done := len(ends.places)) < len(starts):
+        if done and (problem.solved >= last or _agreed(problem, ends, aims)):
+            break
+        some = slice(done, done + int(np.clip((last - problem.solved) // most, least, WAVE)))
+        more = polish(problem, starts[some], aims[some], longest)
+        ends = Locals(np.concatenate((ends.places, more.places)), ends.scores.with_more(more.scores))
+    return ends
+
+
+def _agreed(problem: Problem, ends: Locals, aims: Sequence[Aim]) -> bool:
+    """Whether of every objective enough searches have ended as good as the best of them."""
+    best, hits = _hits(problem, ends, aims)
+    most = len(ends.places) / (2 * len(best))
+    return all(count >= max(AGREED, most) for count in hits)
+
+
+def _hits(problem: Problem, ends: Locals, aims: Sequence[Aim]) -> tuple[tuple[float, ...], tuple[int, ...]]:
+    """Of each objective the best that searches with their aims have found, inf for nothing, and how many found it."""
+    best, hits = [], []
+    for at in range(len(problem.objectives)):
+        own = np.array([aim.objective == at for aim in aims[: len(ends.places)]], bool) & (ends.scores.violation == 0)
+        values = ends.scores.objectives[own, at]
+        best.append(float(values.min(initial=np.inf)))
+        hits.append(int((values <= best[-1] + EQUAL * problem.scale(at, best[-1])).sum()) if values.size else 0)
+    return tuple(best), tuple(hits)
 
 
 def _chosen(found: Population, designs: int) -> tuple[Values, Scores]:
@@ -244,14 +289,13 @@ def _longest(problem: Problem, budget: int) -> int:
 
 def _polished(problem: Problem, best: Population, budget: int) -> Population:
     """The best design by local search; listed values are changed to their neighbours while that makes it better."""
-    free = np.full(len(problem.objectives), np.inf)
-    found = polish(problem, best.places[:1], [Aim(0, free)], _longest(problem, budget))
+    found = polish(problem, best.places[:1], [_free(problem, 0)], _longest(problem, budget))
     here = Population(found.places, found.scores)
     while problem.discrete:
         starts = _neighbours(problem, here.places[0])
         if not len(starts):
             return here
-        found = polish(problem, starts, [Aim(0, free)] * len(starts))
+        found = polish(problem, starts, [_free(problem, 0)] * len(starts))
         at = int(ranked(found.scores)[0])
         if not better(found.scores[[at]], here.scores)[0]:
             return here
@@ -282,7 +326,7 @@ def _polished_front(problem: Problem, front: Population) -> Population:
     aims = []
     for number in range(count):
         if number in ends:
-            aims.append(Aim(ends[number], np.full(several, np.inf)))
+            aims.append(_free(problem, ends[number]))
         else:
             caps = front.scores.objectives[number].copy()
             caps[0] = np.inf
@@ -299,28 +343,25 @@ def _second(problem: Problem, budget: int, seed: int) -> tuple[Second, Populatio
 
 
 def _by_starts(problem: Problem, budget: int, seed: int) -> tuple[Second, Population]:
-    """Local searches from the best of many random designs, in turns for each objective."""
+    """Local searches from the best of many random designs that are far from each other, in turns for each objective."""
     variables, several = len(problem.variables), len(problem.objectives)
-    starts = int(np.clip(budget // (STEPS * (2 * variables + 1)), *STARTS))
-    drawn = _spread(variables, DRAWN * starts, seed + 1)
+    drawn = _spread(variables, max(STARTS[0] * DRAWN[0], int(budget * DRAWN[1])), seed + 1)
     scores = problem.scores(drawn)
-    aims, chosen = [], []
+    chosen: list[tuple[int, int, Values]] = []
     for at in range(several):
-        order = ranked(Scores(scores.objectives[:, [at]], scores.violation))[: -(-starts // several)]
-        own = order[np.isfinite(scores.violation[order])]
-        chosen += own.tolist()
-        aims += [Aim(at, np.full(several, np.inf))] * len(own)
+        order = ranked(Scores(scores.objectives[:, [at]], scores.violation))
+        own = _apart(drawn[order[np.isfinite(scores.violation[order])]], STARTS[1] // several)
+        chosen += [(rank, at, place) for rank, place in enumerate(own)]
+    chosen.sort(key=lambda each: each[:2])
     method = "sequential quadratic programming from random designs"
     if not chosen:
         return Second(method, (np.inf,) * several, (0,) * several), Population(drawn[:0], scores[:0])
-    found = polish(problem, drawn[chosen], aims, int(np.clip(2 * budget // (starts * variables), STEPS, SHORTER)))
+    aims = [_free(problem, at) for _, at, _ in chosen]
+    longest = int(np.clip(budget // (STARTS[0] * variables), BRIEF, LONGEST))
+    found = _searched(problem, np.array([place for *_, place in chosen]), aims, longest, budget, STARTS[0])
+    best, hits = _hits(problem, found, aims)
     kept = found.scores.violation == 0
-    best, hits = [], []
-    for at in range(several):
-        own = found.scores.objectives[:, at][kept & np.array([aim.objective == at for aim in aims])]
-        best.append(float(own.min()) if own.size else np.inf)
-        hits.append(int((own <= best[-1] + EQUAL * problem.scale(at, best[-1])).sum()) if own.size else 0)
-    second = Second(method, tuple(best), tuple(hits), len(chosen) // several, len(drawn))
+    second = Second(method, best, hits, -(-len(found.places) // several), len(drawn))
     return second, Population(found.places[kept], found.scores[kept])
 
 
