@@ -112,7 +112,7 @@ def _look(
 ) -> _Look:
     own = chain(np.repeat(variants, STEPS))
     x = np.tile(X, len(variants))
-    configuration = own.evaluate(x)
+    configuration = own.evaluate(x, order=2 if outputs or rubbing else 0)
     with np.errstate(invalid="ignore"):  # of those that do not assemble
         rates = _rates(own, configuration, outputs, rubbing, x.size).reshape(-1, len(variants), STEPS)
     clear, stuck = np.ones(len(variants), bool), np.zeros(len(variants), bool)
