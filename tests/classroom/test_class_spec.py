@@ -27,6 +27,11 @@ def asked(*rest: str) -> str:
 FAULTS = {
     "no key": (one(RANGE, '"mechanism.links[id=7].mass"'), "has no element with id = 7", "there are: 1, 2, 3"),
     "no number": (one(RANGE, '"mechanism.input.joint"'), "'O' is no number", "name a key that holds one"),
+    "no number, with values": (
+        one('among = ["extreme", "30 deg"]', '"mechanism.input.joint"'),
+        "'O' is no number",
+        "name a key that holds one",
+    ),
     "several keys": (one(RANGE, '"mechanism.links*"'), "may name several keys", "write each: of = [...]"),
     "drawn twice": (MORE + MORE, f"{CRANK} is drawn twice", "remove it from one of the tables"),
     "drawn twice, written otherwise": (

@@ -29,6 +29,11 @@ FAULTS = {
     "an unknown key": (of(sought=f"{SOUGHT}\nsedd = 3"), "unknown key 'sedd'", 'did you mean "seed"?'),
     "an unknown key of a variable": (of(f"{VARIABLE}\nsteps = 3"), "unknown key 'steps'", 'did you mean "step"?'),
     "a wrong unit": (other("120 mm", "120 kg"), "'120 kg' is no number in mm", "write it in mm"),
+    "values of what is no number": (
+        of('of = "mechanism.input.joint"\namong = ["extreme", "30 deg"]'),
+        "'O' is no number",
+        "name a key that holds one",
+    ),
     "a wrong unit of steps": (of(f'{VARIABLE}\nstep = "5 s"'), "'5 s' is no number in mm", "write it in mm"),
     "limits the wrong way round": (
         other("40 mm", "140 mm"),

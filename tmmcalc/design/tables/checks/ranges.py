@@ -92,17 +92,24 @@ def check_values(path: Path, table: Raw, units: list[str], how: str, whose: str)
 
 
 def numbers_in(path: Path, values: list[object], units: list[str]) -> Generator[Finding, None, list[float]]:
-    """The values in the unit of the first key; a finding for one that does not fit, none for what is no number."""
+    """The values in the unit of the first key; a finding for one that does not fit, none for what is no number.
+
+    Where no key has a unit, as none holds a number, there is nothing that they could be compared in: none is known.
+    """
     known: list[float] = []
+    if not units:
+        return known
     for value in values:
         if isinstance(value, bool) or not isinstance(value, str | int | float):
             continue
         if isinstance(value, float) and not isfinite(value):
             continue
         try:
-            known.append(_comparable(value, units[0] if units else ""))
+            known.append(_comparable(value, units[0]))
         except UnitError as error:
-            yield Finding(path, str(error), f"write it in {units[0]}")
+            yield Finding(
+                path, str(error), f"write it in {units[0]}" if units[0] else "write numbers, as the spec does"
+            )
     return known
 
 
