@@ -89,11 +89,55 @@ def test_planetary_ratio_without_the_one() -> None:
     suns = "criteria.chosen(z_1) ", "criteria.chosen(z_3) "
     sun, ring = right(train, *suns)
     assert right(train, "criteria.ratio ") == pytest.approx([1 + ring / sun])
-    for mistake in ("chosen_ratio_without_one", "carrier_at_rest"):
-        assert wrong(train, f"gears.{mistake}", "criteria.ratio ") == pytest.approx([ring / sun])
+    assert wrong(train, "gears.chosen_ratio_without_one", "criteria.ratio ") == pytest.approx([ring / sun])
     sun, ring = wrong(train, "gears.ratio_without_one", *suns)
     assert ring / sun == pytest.approx(7.29, abs=0.1)
     assert wrong(train, "gears.chosen_ratio_inverted", "criteria.ratio ") == pytest.approx([1 / 7.2])
+
+
+@pytest.mark.parametrize(("layout", "ratio", "sign"), [("AI", 31.29, -1), ("AA", -20, 1), ("II", -3, 1)])
+def test_the_ratio_with_the_carrier_at_rest(layout: str, ratio: float, sign: int) -> None:
+    """By Willis i_13^H = sign z_2 z_3/(z_1 z_2'), a minus for each external mesh; without the 1 there is no sign."""
+    train, sets = "gears-double-planets", (f'train.layout="{layout}"', f"train.ratio={ratio}")
+    first, second, third, fourth = right(train, *(f"criteria.chosen(z_{k}) " for k in ("1", "2", "2'", "3")), sets=sets)
+    teeth = second * fourth / (first * third)
+    assert right(train, "criteria.ratio ", sets=sets) == pytest.approx([1 - sign * teeth])
+    assert wrong(train, "gears.carrier_at_rest", "criteria.ratio ", sets=sets) == pytest.approx([sign * teeth])
+    assert wrong(train, "gears.chosen_ratio_without_one", "criteria.ratio ", sets=sets) == pytest.approx([teeth])
+
+
+def test_a_train_without_a_carrier_has_none_at_rest() -> None:
+    asked, sets = items("criteria.ratio "), ('train.layout="coaxial"', "train.ratio=10")
+    assert math.isnan(key("gears-double-planets", asked, "gears.carrier_at_rest", sets=sets).mistaken[0][0])
+
+
+SINGLE = """
+[gearing]
+speeds = { s = "1000 rpm", r = "0 rpm" }
+output = "H"
+[[gearing.members]]
+name = "p"
+carrier = "H"
+[[gearing.meshes]]
+first = "s"
+first_teeth = 18
+second = "p"
+second_teeth = 48
+[[gearing.meshes]]
+first = "p"
+first_teeth = 48
+second = "r"
+second_teeth = 114
+internal = true
+"""
+
+
+def test_the_carrier_of_a_network_at_rest() -> None:
+    """Sun 18, ring 114 held: i_sH = 1 + 114/18, and -114/18 with the carrier at rest; the inverse has no such reading."""
+    asked = items("gearing.i_s_H ", "gearing.i_H_s ")
+    assert key(SINGLE, asked).values == pytest.approx([1 + 114 / 18, 18 / (18 + 114)])
+    found = key(SINGLE, asked, "gears.carrier_at_rest").mistaken[0]
+    assert found == pytest.approx([-114 / 18, math.nan], nan_ok=True)
 
 
 def test_speed_against_the_carrier() -> None:
