@@ -10,7 +10,7 @@ import pytest
 
 from tmmcalc.batch.reading import frame_of
 from tmmcalc.classroom.draws import Drawn, Stream, assignments, candidate, drawn_of, number_of_all, spans
-from tmmcalc.core.errors import UsageError
+from tmmcalc.core.errors import SpecError
 from tmmcalc.project import load_spec
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -21,9 +21,8 @@ def drawn(file: Path) -> tuple[Drawn, ...]:
     """What an assignment draws."""
     spec = load_spec(file)
     assert spec.class_ is not None
-    assert spec._written is not None
     keys = [key for table in spec.class_.drawn for key in table.of]
-    return drawn_of(spec.class_.drawn, frame_of(file, (), keys, []).axes, spec._written.document)
+    return drawn_of(spec, frame_of(file, (), keys, []).axes)
 
 
 def test_words_are_those_of_splitmix64() -> None:
@@ -246,5 +245,5 @@ at_least = 1
 at_most = 1.001
 step = "7 mm"
 """
-    with pytest.raises(UsageError, match="has no value between its limits"):
+    with pytest.raises(SpecError, match="has no value between its limits"):
         of(tmp_path, text)

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from tmmcalc.classroom.items import items_of
+from tmmcalc.classroom.items import asked_now, items_of
 from tmmcalc.classroom.making import make_class
 from tmmcalc.classroom.model import Item
-from tmmcalc.core.errors import UsageError
+from tmmcalc.core.errors import SpecError, UsageError
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
 from tmmcalc.project.loader import parse_spec
@@ -56,8 +56,33 @@ plans = "4 %"
     ],
 )
 def test_units_of_another_kind(rest: str, message: str) -> None:
-    with pytest.raises(UsageError, match=message):
+    with pytest.raises(SpecError, match=message):
         items_of(parse_spec(f"{MECHANISM}{rest}\n{DRAWN}"))
+
+
+def test_all_faults_of_what_is_asked_are_told_at_once_with_their_lines() -> None:
+    more = "".join(f"[[class.asked]]\nresult = {each}\n" for each in ('"kinematics.omega_9@1"', '"kinematics.eps_3@1"'))
+    text = f'{MECHANISM}unit = "mm"\n{more}within = "2 kg"\n'
+    lines = text.splitlines()
+    with pytest.raises(SpecError) as raised:
+        items_of(parse_spec(text, "my.toml"))
+    found = [(each.path, each.line) for each in raised.value.faults]
+    assert found == [
+        ("class.asked[0].unit", lines.index('unit = "mm"') + 1),
+        ("class.asked[1].result", lines.index('result = "kinematics.omega_9@1"') + 1),
+        ("class.asked[2].within", lines.index('within = "2 kg"') + 1),
+    ]
+    assert str(raised.value).startswith("my.toml: 3 faults")
+
+
+def test_all_results_that_the_keys_have_not_are_told_at_once() -> None:
+    more = '[[class.asked]]\nresult = "kinematics.eps_3@1"\n'
+    keys = items_of(parse_spec(f"{MECHANISM}{more}"))
+    now = parse_spec(f"{MECHANISM}{more}".replace("omega_3", "omega_2").replace("eps_3@1", "eps_3@2"))
+    with pytest.raises(SpecError) as raised:
+        asked_now(now, keys)
+    assert [each.path for each in raised.value.faults] == ["class.asked[0].result", "class.asked[1].result"]
+    assert all("class keys" in each.remedy for each in raised.value.faults)
 
 
 def test_nothing_is_asked() -> None:

@@ -22,7 +22,7 @@ from tmmcalc.classroom.judging import Judge
 from tmmcalc.classroom.keying import clashes, key_of, mistakes_of
 from tmmcalc.classroom.making import Made, make_class
 from tmmcalc.classroom.state import read_class
-from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.core.errors import NoSolutionError, SpecError, UsageError
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
 
@@ -278,8 +278,31 @@ def test_who_comes_later_gets_a_new_variant_and_who_leaves_keeps_it(tmp_path: Pa
 def test_a_roster_that_is_none(tmp_path: Path, text: str, message: str) -> None:
     (tmp_path / "roster.txt").write_text(text, encoding="utf-8")
     file = written(tmp_path, ("[class]\n", '[class]\nroster = "roster.txt"\n'))
-    with pytest.raises(UsageError, match=message):
+    with pytest.raises(SpecError, match=message):
         make_class(file, tmp_path / "class", jobs=1)
+    assert not (tmp_path / "class").exists()
+
+
+def test_faults_of_roster_and_assignment_are_told_at_once(tmp_path: Path) -> None:
+    (tmp_path / "roster.txt").write_text("A\n" + "B" * 81 + "\nC\x1b[31m\n", encoding="utf-8")
+    changes = (
+        ("[class]\n", '[class]\nroster = "roster.txt"\n'),
+        (
+            'at_least = "5 kN"\nat_most = "9 kN"\nstep = "500 N"',
+            'at_least = "5 kN"\nat_most = "9 kN"\nstep = "0.001 N"',
+        ),
+        ("kinematics.K_D", "kinematics.K_E"),
+    )
+    with pytest.raises(SpecError) as raised:
+        make_class(written(tmp_path, *changes), tmp_path / "class", jobs=1)
+    assert [each.path for each in raised.value.faults] == [
+        "class.roster",
+        "class.roster",
+        "class.drawn[5]",
+        "class.asked[1].result",
+    ]
+    assert [f"roster.txt:{line}: the name" in str(raised.value) for line in (1, 2, 3)] == [False, True, True]
+    assert all(each.line is not None for each in raised.value.faults)
     assert not (tmp_path / "class").exists()
 
 

@@ -55,7 +55,7 @@ def test_later_more(cli: Cli, shaper: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "message", "remedy"),
     [
-        (("my.toml", "-n", "3"), "nothing is drawn", "add [class]"),
+        (("my.toml", "-n", "3"), "my.toml: the spec has no [class]", "add [class]"),
         (("shaper.toml",), "how many variants?", "add -n 40, or roster to [class]"),
         (("shaper.toml", "-n", "3", "-o", "my.toml"), "my.toml is a file", "name a folder"),
         (("none.toml", "-n", "3"), "there is no file none.toml", "check the name"),
@@ -73,7 +73,7 @@ def test_an_asked_result_that_there_is_not(cli: Cli, shaper: Path) -> None:
     shaper.write_text(shaper.read_text(encoding="utf-8").replace("kinematics.K_D", "kinematics.K_E"), encoding="utf-8")
     code, _, err = cli("class", "make", "shaper.toml", "-n", "3")
     assert code == 2
-    assert "class.asked[1]: kinematics tells no 'K_E'" in err
+    assert "class.asked[1].result: kinematics tells no 'K_E'" in err
     assert "did you mean K_D" in err
 
 

@@ -49,6 +49,16 @@ def test_all_variants_for_programs_and_one_that_is_asked_for(made: Cli) -> None:
     assert json.loads(out)["variants"] == 1
 
 
+def test_an_assignment_that_has_lost_its_class(made: Cli) -> None:
+    file = Path("assignment.toml")
+    file.write_text(file.read_text(encoding="utf-8").partition("\n[class]")[0], encoding="utf-8")
+    for words in (("keys", "class"), ("mark", "class", "answers")):
+        code, _, err = made("class", *words)
+        assert code == 2
+        assert "the spec has no [class]" in err
+        assert "add [class] with [[class.asked]]" in err
+
+
 def test_keys_are_not_made_twice(made: Cli, monkeypatch: pytest.MonkeyPatch) -> None:
     made("class", "keys", "class", "-j", "1", "-q")
     first, stamp = KEYS.read_bytes(), KEYS.stat().st_mtime_ns

@@ -11,15 +11,19 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from tmmcalc.core.errors import UsageError
+from tmmcalc.classroom.items import class_of
 from tmmcalc.core.records import record
 from tmmcalc.design.tables.checks.ranges import place_of
+from tmmcalc.project.loader import refused
+from tmmcalc.spec.findings import Finding
 from tmmcalc.spec.units import UnitError, exact
 from tmmcalc.spec.variants import given
 
 if TYPE_CHECKING:
     from tmmcalc.classroom.tables.class_ import DrawnTable
+    from tmmcalc.project import Spec
     from tmmcalc.spec.outline import Raw
+    from tmmcalc.spec.phrases import Path
     from tmmcalc.spec.variants import Axis
 
 MASK = 2**64 - 1
@@ -113,28 +117,32 @@ class Drawn:
         return None if isinstance(self.base, int) else self._steps(*self.limits(()))[1]
 
 
-def drawn_of(tables: Sequence[DrawnTable], axes: Sequence[Axis], document: Raw) -> tuple[Drawn, ...]:
-    """What ``[[class.drawn]]`` asks for; ``axes`` are those of all its keys, in their order.
+def drawn_of(spec: Spec, axes: Sequence[Axis]) -> tuple[Drawn, ...]:
+    """What ``[[class.drawn]]`` of a spec asks for; ``axes`` are those of all its keys, in their order.
 
-    Raises UsageError for limits in another unit, for a number without a value, and for too many values.
+    Raises SpecError with all limits in another unit, numbers without a value, and those with too many.
     """
-    found: list[Drawn] = []
-    at = 0
+    found, faults, at = list[Drawn](), list[Finding](), 0
+    written, tables = spec._written, class_of(spec).drawn
+    assert written is not None
     for number, table in enumerate(tables):
         own = tuple(axes[at : at + len(table.of)])
         at += len(own)
+        path: Path = ("class", "drawn", number)
         try:
-            each = _drawn(table, own, found, document)
+            found.append(_drawn(table, own, found, written.document))
         except UnitError as error:
             unit = own[0].unit or own[0].si
-            remedy = f"write it in {unit}" if unit else "write numbers"
-            raise UsageError(str(error), where=f"class.drawn[{number}]", remedy=remedy) from None
-        count = each.count
+            faults.append(Finding(path, str(error), f"write it in {unit}" if unit else "write numbers"))
+            found.append(Drawn(own, unit, Fraction(1), Fraction(1), Fraction(1)))  # in its place, for those after it
+            continue
+        count = found[-1].count
         if count is not None and not 0 < count <= MOST:
-            rule = f"{each.key} has {'no value' if count <= 0 else f'more than {MOST} values'} between its limits"
+            rule = f"{found[-1].key} has {'no value' if count <= 0 else f'more than {MOST} values'} between its limits"
             remedy = "write a smaller step, or wider limits" if count <= 0 else "write a larger step"
-            raise UsageError(rule, where=f"class.drawn[{number}]", value=count, limit=MOST, remedy=remedy)
-        found.append(each)
+            faults.append(Finding(path, rule, remedy))
+    if faults:
+        raise refused(spec, faults)
     return tuple(found)
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from tmmcalc.classroom.answers.limits import UnreadableError
 from tmmcalc.classroom.answers.reading import read_answers, read_own
-from tmmcalc.classroom.items import asked_now, items_of
+from tmmcalc.classroom.items import asked_now, class_of, items_of
 from tmmcalc.classroom.keybook import FILE as KEYS
 from tmmcalc.classroom.keybook import read_keybook
 from tmmcalc.classroom.keying import key_of, mistakes_of
@@ -33,17 +33,16 @@ def graded(place: Path, answers: Path, keys: Path | None = None) -> tuple[Marks,
     own = read_class(place) if place.is_dir() else None
     file = place if own is None else own.file(place)
     spec = load_spec(file)
+    table = class_of(spec)
     if own is not None and digest_of(spec) != own.digest:
         rule = "the assignment is not that of the class: only names, tolerances and weights may change"
         raise UsageError(rule, where=str(file), remedy="undo the change, or make the class afresh")
-    if spec.class_ is None:
-        raise UsageError("nothing is asked", where=str(file), remedy="add [class] with [[class.asked]] to the spec")
     book = read_keybook(_keys(place, keys))
-    book = replace(book, items=asked_now(spec.class_, book.items))
+    book = replace(book, items=asked_now(spec, book.items))
     if not answers.exists():
         raise UsageError(f"there is no {answers}", where="ANSWERS", remedy="name a folder of answers, or a file")
     pile = read_answers(answers, book.items, book.keys, between(spec))
-    return mark(book, pile, rules_of(spec.class_)), book
+    return mark(book, pile, rules_of(table)), book
 
 
 def _keys(place: Path, keys: Path | None) -> Path:

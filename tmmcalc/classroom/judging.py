@@ -23,7 +23,9 @@ from tmmcalc.batch.task import BROKEN, INVALID, OK, Row, Task, verdict
 from tmmcalc.classroom import demands
 from tmmcalc.classroom.demands import DEAD, TIE, Limits, Refusal, Spread, limits_of
 from tmmcalc.classroom.draws import Candidate, Drawn, drawn_of, spans
-from tmmcalc.classroom.items import items_of
+from tmmcalc.classroom.faults import Faults
+from tmmcalc.classroom.items import class_of, items_of
+from tmmcalc.classroom.rounding import Floors
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.records import record
 from tmmcalc.design.model import Model
@@ -69,18 +71,20 @@ class Judge:
     def __init__(self, file: Path, jobs: int | None = None, tell: Callable[[str], None] = lambda said: None) -> None:
         variants = Variants(read_text(file), str(file), file.parent)
         self.spec: Spec = variants.spec()
-        if self.spec.class_ is None or not self.spec.class_.drawn:
-            raise UsageError("nothing is drawn", where=str(file), remedy="add [class] with what is drawn and asked")
-        self.table: ClassTable = self.spec.class_
+        self.table: ClassTable = drawing(self.spec)
         task = to_feasibility(self.spec)
         limited = {each.name: each for each in task.constraints if each.given is None}
         names = [*(each.result for each in self.table.asked), *(each.asked.text for each in limited.values())]
         keys = [key for each in self.table.drawn for key in each.of]
         frame = frame_of(file, (), keys, names)
-        self.drawn: tuple[Drawn, ...] = drawn_of(self.table.drawn, frame.axes, variants.data)
+        faults = Faults(self.spec)
+        with faults.gathered():
+            self.drawn: tuple[Drawn, ...] = drawn_of(self.spec, frame.axes)
         self.run: RunResult = run(self.spec)
         scene = Scene(self.run.spec, self.run.results)
-        self.items: tuple[Item, ...] = items_of(self.spec, self.run)
+        with faults.gathered():
+            self.items: tuple[Item, ...] = items_of(self.spec, self.run)
+        faults.tell()
         found = [one(parse(each.result), self.run.results, scene) for each in self.table.asked]
         self.asked: tuple[Told, ...] = tuple(found)
         found += [_of_constraint(each.asked.text, place(each), self.run, scene) for each in limited.values()]
@@ -91,9 +95,10 @@ class Judge:
         pairs = zip(limited, rest, found[len(self.asked) :], strict=True)
         columns = {name: (column, told.value, told.unit) for name, column, told in pairs}
         self.limits: Limits = limits_of(task, columns, float(self.table.margin))
+        floors = Floors(self.run.results)
         self.spreads = tuple(
-            Spread.of(item.name, each.value, float(self.table.spread), _in_unit(item.within, item.unit, each.unit))
-            for item, each in zip(self.items, self.asked, strict=True)
+            Spread.of(item.name, floors.settled(each), float(self.table.spread), item.within / by)
+            for item, each, by in zip(self.items, self.asked, self.factors, strict=True)
         )
         self.frame = replace(frame, patterns=(*self._columns, GROWTH), targets=(), solver=SOLVER)
         grown = max(_growths(self.run), default=0.0)
@@ -106,7 +111,7 @@ class Judge:
     def factors(self) -> tuple[float, ...]:
         """What values of the items in the units of results are multiplied by for their own units."""
         pairs = zip(self.items, self.asked, strict=True)
-        return tuple(_in_unit(1.0, each.unit, item.unit) for item, each in pairs)
+        return tuple(conversion(each.unit, item.unit) for item, each in pairs)
 
     def keyed(self, each: Candidate) -> list[float]:
         """Values of all keys of a candidate, in the units in which the spec writes them."""
@@ -193,8 +198,15 @@ class Judge:
         return near, asked, self.limits.among(places)
 
 
-def _in_unit(value: float, unit: str, other: str) -> float:
-    return value if unit == other else value * conversion(unit, other)
+def drawing(spec: Spec) -> ClassTable:
+    """The table ``[class]`` of an assignment in which something is drawn; raises UsageError for another spec."""
+    table = class_of(spec)
+    if not table.drawn:
+        where = spec._written.file if spec._written is not None else ""
+        raise UsageError(
+            "nothing is drawn", where=where, remedy="add [[class.drawn]]: what each variant has its own of"
+        )
+    return table
 
 
 def _of_constraint(name: str, where: str, of: RunResult, scene: Scene) -> Told:
@@ -222,7 +234,9 @@ def _whole(task: Task, variants: Variants, point: int, overrides: Sequence[str])
     try:
         result = run(variants.spec(overrides), on_start=at.append)
         scene = Scene(result.spec, result.results)
-        found = {each.key: each.value for each in told(result.results, [*map(parse, task.patterns)], scene)}
+        names = [*map(parse, task.patterns)]
+        floors = Floors(result.results)
+        found = {each.key: floors.settled(each) for each in told(result.results, names, scene)}
         found = {key: value for key, value in found.items() if np.isfinite(value)}
         return Row(point, OK, json.dumps(_warnings(result)), tuple(found), array("d", found.values()))
     except TmmError as error:

@@ -10,6 +10,7 @@ from typing import Any
 from tmmcalc.classroom.bench import Bench
 from tmmcalc.classroom.known import known
 from tmmcalc.classroom.model import Item, Key, Told, Values
+from tmmcalc.classroom.rounding import Floors, settled
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.mistake import SELDOM, Asked, Mistake
 from tmmcalc.core.notes import Phrase
@@ -65,7 +66,10 @@ class _Desk:
         right = [one(name, self._scene.results, self._scene) for name in self._names]
         self._meanings = [each.meaning for each in right]
         self._factors = [_factor(each.unit, item) for each, item in zip(right, items, strict=True)]
-        self.values: Values = tuple(factor * each.value for each, factor in zip(right, self._factors, strict=True))
+        floors = Floors(self._scene.results)
+        pairs = [*zip(right, self._factors, strict=True)]
+        self.values: Values = tuple(factor * floors.settled(each) for each, factor in pairs)
+        self._floors = [abs(factor) * floors.of(each) for each, factor in pairs]
 
     def mistaken(self, name: str) -> Values:
         """What of the items comes out with a mistake (I,)."""
@@ -73,7 +77,7 @@ class _Desk:
         found = self._read(mistake) if mistake.reads is not None else self._solved(mistake, part)
         return tuple(
             math.nan if not math.isfinite(wrong) or _same(wrong, right, item) else wrong
-            for wrong, right, item in zip(found, self.values, self._items, strict=True)
+            for wrong, right, item in zip(map(settled, found, self._floors), self.values, self._items, strict=True)
         )
 
     def _solved(self, mistake: Mistake, part: str) -> Values:

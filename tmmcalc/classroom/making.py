@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 from tmmcalc.batch.journal import Journal
 from tmmcalc.classroom.choosing import Chooser, Chosen, Clashes
 from tmmcalc.classroom.draws import candidate
-from tmmcalc.classroom.judging import Judge
+from tmmcalc.classroom.faults import Faults
+from tmmcalc.classroom.judging import Judge, drawing
 from tmmcalc.classroom.roster import MOST, newcomers, roster_of
 from tmmcalc.classroom.state import (
     DECIDES,
@@ -26,7 +27,7 @@ from tmmcalc.classroom.state import (
     write_class,
 )
 from tmmcalc.core.atomic import blamed_on, replace_file
-from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.core.errors import SpecError, TmmError, UsageError
 from tmmcalc.core.records import record
 from tmmcalc.pipeline.hashing import content_hash
 from tmmcalc.project.found import settled_text
@@ -74,9 +75,7 @@ def make_class(
     of the assignment as it is, and NoSolutionError where there are not so many variants; then nothing is written.
     """
     spec = load_spec(file)
-    if spec.class_ is None or not spec.class_.drawn:
-        raise UsageError("nothing is drawn", where=str(file), remedy="add [class] with what is drawn and asked")
-    roster = roster_of(file.parent / spec.class_.roster) if spec.class_.roster is not None else ()
+    roster = _students(file, spec, drawing(spec).roster)
     if count is None and not roster:
         raise UsageError("how many variants?", where="-n", remedy="add -n 40, or roster to [class]")
     digest = digest_of(spec)
@@ -89,6 +88,21 @@ def make_class(
     if len(own.variants) + wanted > MOST:
         raise UsageError(f"more than {MOST} variants", where="-n", limit=MOST, remedy="make several classes")
     return _made(file, folder, spec, own, wanted, students, jobs, clashes, tell, told)
+
+
+def _students(file: Path, spec: Spec, roster: str | None) -> tuple[str, ...]:
+    """The students of the roster beside an assignment; of a wrong one all faults, with those of the assignment."""
+    if roster is None:
+        return ()
+    try:
+        return roster_of(file.parent / roster)
+    except SpecError as error:
+        faults = Faults(spec)
+        faults.add(error, ("class", "roster"))
+        with faults.gathered():
+            Judge(file, 1)
+        faults.tell()
+        raise
 
 
 def _check_same(before: Class, digest: str, seed: int | None, folder: Path) -> None:

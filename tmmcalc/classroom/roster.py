@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
-from tmmcalc.core.errors import UsageError
+from tmmcalc.core.errors import Fault, SpecError
 from tmmcalc.core.printable import hidden
 from tmmcalc.project.loader import read_text
 
@@ -15,28 +15,30 @@ MOST = 1000  # students of a class
 MOST_BYTES = 200_000
 LONGEST = 80  # characters of a name
 IN_FILES = 40  # of those in the name of a file
+REMEDY = "write a name or a number a line"
 APOSTROPHES = "'’ʼ`´"
 
 
 def roster_of(path: Path) -> tuple[str, ...]:
     """The students that a file names, one a line; lines without a name count for nothing.
 
-    Raises UsageError for what is no such file, for a name that cannot be one, and for too many.
+    Raises UsageError for what is no such file, SpecError with all lines that are no names, or for too many.
     """
-    names = []
+    names, faults = list[str](), list[Fault]()
     for number, line in enumerate(read_text(path, MOST_BYTES).splitlines(), 1):
         name = " ".join(unicodedata.normalize("NFC", line).split())
         if not name:
             continue
         if len(name) > LONGEST or hidden(name):
             what = f"is longer than {LONGEST} characters" if len(name) > LONGEST else "has hidden characters"
-            raise UsageError(f"the name {what}", where=f"{path}:{number}", remedy="write a name or a number a line")
+            faults.append(Fault("", number, f"the name {what}", REMEDY))
         names.append(name)
     if not names:
-        raise UsageError("no student is named", where=str(path), remedy="write a name or a number a line")
+        faults.append(Fault("", None, "no student is named", REMEDY))
     if len(names) > MOST:
-        rule = f"{len(names)} students are more than {MOST}"
-        raise UsageError(rule, where=str(path), value=len(names), limit=MOST, remedy="make several classes")
+        faults.append(Fault("", None, f"{len(names)} students are more than {MOST}", "make several classes"))
+    if faults:
+        raise SpecError(str(path), faults)
     return tuple(names)
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from tmmcalc._version import __version__
 from tmmcalc.batch.content import files_of
+from tmmcalc.classroom.items import class_of
 from tmmcalc.classroom.roster import stem
 from tmmcalc.core.atomic import replace_file
 from tmmcalc.core.errors import SpecError, UsageError
@@ -63,10 +64,13 @@ class Class:
 
 
 def digest_of(spec: Spec) -> str:
-    """Hash of all that decides the variants of an assignment: not of titles, tolerances and weights."""
+    """Hash of all that decides the variants of an assignment: not of titles, tolerances and weights.
+
+    Raises UsageError for a spec without ``[class]``.
+    """
     written = spec._written
     assert written is not None
-    asked = [each.result for each in spec.class_.asked] if spec.class_ is not None else []
+    asked = [each.result for each in class_of(spec).asked]
     data = {key: value for key, value in written.document.items() if key not in (*TITLES, "class")}
     own = {key: written.document["class"].get(key) for key in DECIDES}
     files = [(name, read_file(written.folder / name)) for name in files_of(data, written.folder)]

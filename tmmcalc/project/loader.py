@@ -193,6 +193,15 @@ def _followed(spec: Spec, data: dict[str, Any]) -> Spec:
     return at(followed(at))
 
 
+def refused(spec: Spec, findings: Sequence[Finding]) -> SpecError:
+    """The error of faults that no check of the tables alone can see, each with its place in the text of the spec."""
+    written = spec._written
+    if written is None:
+        raise UsageError("the spec was not read from a text", remedy="take load_spec or parse_spec")
+    places = _Places(written.text, written.file, list(written.changed))
+    return SpecError(written.file, [_fault(finding, written.document, places) for finding in findings])
+
+
 def with_tables(spec: Spec, tables: dict[str, Any]) -> Spec:
     """Return the checked spec with further tables; raises as ``load_spec`` does."""
     written = spec._written

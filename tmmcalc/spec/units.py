@@ -105,6 +105,8 @@ def conversion(unit: str, other: str) -> float:
     >>> conversion("m", "mm"), conversion("Pa", "MPa")
     (1000.0, 1e-06)
     """
+    if unit == other:
+        return 1.0
     dimension = _DIMENSION_OF[unit]
     return parse(f"1 {unit}", dimension) / parse(f"1 {other}", dimension)
 

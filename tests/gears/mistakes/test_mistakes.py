@@ -133,7 +133,7 @@ internal = true
 
 
 def test_the_carrier_of_a_network_at_rest() -> None:
-    """Sun 18, ring 114 held: i_sH = 1 + 114/18, and -114/18 with the carrier at rest; the inverse has no such reading."""
+    """Sun 18, ring 114 held: i_sH = 1 + 114/18, and -114/18 with the carrier at rest; its inverse has none."""
     asked = items("gearing.i_s_H ", "gearing.i_H_s ")
     assert key(SINGLE, asked).values == pytest.approx([1 + 114 / 18, 18 / (18 + 114)])
     found = key(SINGLE, asked, "gears.carrier_at_rest").mistaken[0]

@@ -107,9 +107,7 @@ def numbers_in(path: Path, values: list[object], units: list[str]) -> Generator[
         try:
             known.append(_comparable(value, units[0]))
         except UnitError as error:
-            yield Finding(
-                path, str(error), f"write it in {units[0]}" if units[0] else "write numbers, as the spec does"
-            )
+            yield Finding(path, str(error), f"write it in {units[0]}" if units[0] else "write a number without a unit")
     return known
 
 
