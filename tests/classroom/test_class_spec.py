@@ -114,6 +114,21 @@ FAULTS = {
         "computed from itself",
         "what comes before it",
     ),
+    "a power of nothing": (
+        asked('omega_2@1"\nname = "a"', 'omega_3@2"\nname = "b"\nafter = ["a^0"]'),
+        "'a^0': with the power 0",
+        'write "a", or another power',
+    ),
+    "plans that are more accurate": (
+        asked('omega_2@1"\nplans = "0.5 %"'),
+        "plans within 0.5 % are more accurate than answers that are right, 1 %",
+        "make plans larger",
+    ),
+    "a tolerance above that of plans": (
+        asked('omega_2@1"\ntolerance = 0.04'),
+        "plans within 3 % are more accurate than answers that are right, 4 %",
+        "or tolerance smaller",
+    ),
     "a long name": (asked(f'omega_2@1"\nname = "{"w" * 81}"'), "longer than 80 characters", "write a shorter one"),
     "a name of two lines": (asked('omega_2@1"\nname = "w\\nw"'), "holds a line break", "write it on one line"),
     "a tolerance of all": (asked('omega_2@1"\ntolerance = 1'), "1 is out of range", "write a number"),

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from tmmcalc.classroom.judging import Judge
 
 Values = NDArray[np.floating[Any]]
-Pair = tuple[str, str]  # an item, and a mistake that gives the right answer of it
+Pair = tuple[str, str]  # an item, and a mistake that gives the right answer of it, by their names
 Clashes = Callable[[Sequence[Candidate]], Mapping[int, Sequence[Pair]]]  # of candidates by their numbers
 Told = Callable[[int, str], None]  # variants that are chosen; what is being done
 
@@ -117,8 +117,9 @@ class Chooser:
                 if len(chosen) == wanted:
                     break
                 continue
-            refused[refusal.demand] += 1
-            refusals.setdefault(refusal.demand, refusal)
+            if refusal != demands.again():  # it is no further candidate
+                refused[refusal.demand] += 1
+                refusals.setdefault(refusal.demand, refusal)
             since, dear = since + 1, dear + (each.row is not None and not self._is_near(each.candidate))
             if since > MOST or dear > DEAR:
                 break
@@ -247,14 +248,16 @@ def _pairs_in(text: str) -> list[Pair]:
 
 def _scarce(found: int, wanted: int, refused: Counter[str], refusals: dict[str, Refusal]) -> NoSolutionError:
     """The error of too few variants: which demands remove how many, and what may be done for the first of them."""
-    tried = found + refused.total()
+    removed = refused.total()
     told = [f"{count} by {demand}" for demand, count in refused.most_common(TOLD)]
+    if len(told) == 1:
+        told = [f"by {demand}" for demand in refused]
     more = f", {len(refused) - TOLD} further demands" if len(refused) > TOLD else ""
     most = refusals[refused.most_common(1)[0][0]] if refused else None
     example = f" (such as: {most.reason})" if most is not None and most.reason else ""
     return NoSolutionError(
-        f"{found} of {wanted} variants keep all demands; of {tried} candidates are refused "
-        f"{', '.join(told) or 'none'}{more}{example}",
+        f"{found} of {wanted} variants keep all demands; of {found + removed} candidates {removed} are refused"
+        f"{': ' if len(told) > 1 else ' '}{', '.join(told)}{more}{example}".rstrip(),
         where="class",
         value=found,
         limit=wanted,

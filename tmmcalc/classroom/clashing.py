@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from tmmcalc.batch.task import BROKEN, OK, Row, Task, verdict
+from tmmcalc.classroom.choosing import Clashes, Pair
 from tmmcalc.classroom.draws import Candidate, assignments
 from tmmcalc.classroom.judging import Judge
 from tmmcalc.classroom.keying import clashes, key_of, mistakes_of, told_of
 from tmmcalc.classroom.keymaking import Order
 
 SOLVER = "tmmcalc.classroom.clashing:solve_clashes"
-Pair = tuple[str, str]  # an item, and a mistake that gives the right answer of it, by their names
-Clashes = Callable[[Sequence[Candidate]], Mapping[int, Sequence[Pair]]]
 
 
 def clashes_of(judge: Judge) -> Clashes:

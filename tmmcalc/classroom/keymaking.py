@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 from tmmcalc._version import __version__
 from tmmcalc.batch.content import files_of
@@ -17,28 +17,17 @@ from tmmcalc.batch.journal import Journal
 from tmmcalc.batch.task import Row, Task, verdict
 from tmmcalc.classroom.keying import key_of, mistakes_of, told_of
 from tmmcalc.classroom.model import Item, Key, Keybook
+from tmmcalc.classroom.state import Variant
 from tmmcalc.core.errors import NoSolutionError
 from tmmcalc.core.files import read_file
 from tmmcalc.pipeline.hashing import content_hash
 from tmmcalc.project.loader import Variants, read_text
 
 SOLVER = "tmmcalc.classroom.keymaking:solve_keys"
-
-
-class Given(Protocol):
-    """A variant that is given out."""
-
-    @property
-    def number(self) -> int:
-        """From 1."""
-
-    @property
-    def student(self) -> str:
-        """Of the roster; empty without one."""
-
-    @property
-    def assignments(self) -> tuple[str, ...]:
-        """The overrides that make it."""
+LOST = (
+    "class make draws none like it: undo what was changed in class.toml, "
+    "or make the class afresh: tmmcalc class make --fresh"
+)
 
 
 class Order(NamedTuple):
@@ -61,7 +50,7 @@ def solve_keys(task: Task, orders: Sequence[Order]) -> list[Row]:
 
 def make_keys(
     assignment: Path,
-    variants: Sequence[Given],
+    variants: Sequence[Variant],
     items: tuple[Item, ...],
     solver: Solve,
     journal: Path | None = None,
@@ -94,7 +83,7 @@ def make_keys(
         for rows in solver(task, [[order] for order in orders if order.point not in done]):
             for row in rows:
                 if not row.ok:
-                    raise NoSolutionError(row.reason, where=f"variant {row.point}", remedy="draw this variant again")
+                    raise NoSolutionError(row.reason, where=f"variant {row.point}", remedy=LOST)
                 done[row.point] = _key(row, len(items), len(names))
             if kept is not None:
                 kept.append(replace(row, alone=hashes[row.point]) for row in rows)

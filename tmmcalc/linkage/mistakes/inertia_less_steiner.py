@@ -16,7 +16,10 @@ def _tables(document: Document, part: str) -> Tables:
             mass, center = bare(link.get("mass")), link.get("center")
             if mass and link.get("inertia") and isinstance(center, list):
                 x, y = (bare(each) or 0.0 for each in center)
-                link["inertia"] = max((bare(link["inertia"]) or 0.0) - mass * (x * x + y * y), 0.0)
+                left = (bare(link["inertia"]) or 0.0) - mass * (x * x + y * y)
+                if left < 0:  # whoever finds that sees that it is wrong
+                    return False
+                link["inertia"] = left
                 found = True
         return found
 

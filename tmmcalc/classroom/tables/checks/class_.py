@@ -113,9 +113,40 @@ def check_asked(outline: Outline) -> Iterator[Finding]:
                 yield Finding(("class", "asked", index, "after"), f"no asked result is called {show(name)}", guess)
             else:
                 before.setdefault(index, []).append(at)
+            own, power = followed(name)
+            if own != name and not power:
+                rule = f"{show(name)}: with the power 0 it does not follow it"
+                yield Finding(("class", "asked", index, "after"), rule, f'write "{own}", or another power')
     for index in _in_circles(before):
         rule = "it is computed from itself, by what after says"
         yield Finding(("class", "asked", index, "after"), rule, "name only what comes before it")
+
+
+def check_plans(outline: Outline) -> Iterator[Finding]:
+    """Plans are less accurate than answers that are right: else no answer is within them alone."""
+    own = outline.document.get("class", {})
+    if not isinstance(own, dict):
+        return
+    for path, table in (((), own), *((("asked", index), table) for index, table in tables(own, "asked"))):
+        given = {key: table.get(key, own.get(key)) for key in ("tolerance", "plans")}
+        if not table.keys() & given.keys():
+            continue
+        tolerance, plans = (_part(given[key], default) for key, default in (("tolerance", 0.01), ("plans", 0.03)))
+        if tolerance is not None and plans is not None and plans < tolerance:
+            key = "plans" if "plans" in table else "tolerance"
+            rule = f"plans within {100 * plans:g} % are more accurate than answers that are right, {100 * tolerance:g} %"
+            yield Finding(("class", *path, key), rule, "make plans larger, or tolerance smaller")
+
+
+def _part(value: object, default: float) -> float | None:
+    """A part as it is written, 0.01 or "1 %"; None of what is none, whose own fault is told."""
+    if value is None:
+        return default
+    text = str(value).strip()
+    try:
+        return float(text.removesuffix("%")) / (100 if text.endswith("%") else 1)
+    except ValueError:
+        return None
 
 
 def _names(every: Sequence[tuple[int, Raw]]) -> dict[int, list[tuple[str, str]]]:
@@ -140,4 +171,4 @@ def _in_circles(before: Mapping[int, Sequence[int]]) -> Iterator[int]:
             yield start
 
 
-CHECKS: tuple[Callable[[Outline], Iterator[Finding]], ...] = (check_drawn, check_asked)
+CHECKS: tuple[Callable[[Outline], Iterator[Finding]], ...] = (check_drawn, check_asked, check_plans)
