@@ -121,12 +121,12 @@ FAULTS = {
     ),
     "plans that are more accurate": (
         asked('omega_2@1"\nplans = "0.5 %"'),
-        "plans within 0.5 % are more accurate than answers that are right, 1 %",
+        "plans within 0.5 % are more accurate than right answers, within 1 %",
         "make plans larger",
     ),
     "a tolerance above that of plans": (
         asked('omega_2@1"\ntolerance = 0.04'),
-        "plans within 3 % are more accurate than answers that are right, 4 %",
+        "plans within 3 % are more accurate than right answers, within 4 %",
         "or tolerance smaller",
     ),
     "a long name": (asked(f'omega_2@1"\nname = "{"w" * 81}"'), "longer than 80 characters", "write a shorter one"),

@@ -6,6 +6,7 @@ import csv
 import itertools
 import math
 import re
+import shutil
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,7 @@ from tmmcalc.batch.table import row_of
 from tmmcalc.classroom import choosing, judging
 from tmmcalc.classroom.choosing import Chooser
 from tmmcalc.classroom.clashing import clashes_of
+from tmmcalc.classroom.document import class_document
 from tmmcalc.classroom.draws import Candidate, candidate
 from tmmcalc.classroom.items import items_of
 from tmmcalc.classroom.judging import Judge
@@ -81,7 +83,8 @@ def test_the_spec_of_a_variant_is_the_text_of_the_assignment_with_its_numbers(tw
     folder, made = twelve
     before = SHAPER.read_text(encoding="utf-8").partition("\n[class]")[0].rstrip().splitlines()
     own = made.own.variants[0]
-    text = (folder / "variants" / "01.toml").read_text(encoding="utf-8")
+    head, _, text = (folder / "variants" / "01.toml").read_text(encoding="utf-8").partition("\n")
+    assert head == "# Variant 1"
     after = re.split(r"\n\[+class", text)[0].rstrip().splitlines()
     differing = [(one, other) for one, other in zip(before, after, strict=True) if one != other]
     assert 1 <= len(differing) <= len(own.assignments)
@@ -264,6 +267,77 @@ def test_who_comes_later_gets_a_new_variant_and_who_leaves_keeps_it(tmp_path: Pa
     assert all(contents(folder)[f"variants/{name}"] == before[f"variants/{name}"] for name in names)
     assert make_class(file, folder, 7, jobs=1).own.variants[5:] == read_class(folder).variants[5:]
     assert [each.student for each in read_class(folder).variants[5:]] == ["", ""]
+
+
+def test_a_roster_names_the_variants_that_have_no_name_first(tmp_path: Path) -> None:
+    file, folder = written(tmp_path), tmp_path / "class"
+    before = make_class(file, folder, 2, 7, jobs=1).own.variants
+    (tmp_path / "roster.txt").write_text("Ada\n=HYPERLINK(0)\nOlha\n", encoding="utf-8")
+    made = make_class(written(tmp_path, ("[class]\n", '[class]\nroster = "roster.txt"\n')), folder, jobs=1)
+    assert [each.student for each in made.own.variants] == ["Ada", "=HYPERLINK(0)", "Olha"]
+    assert [each.assignments for each in made.own.variants[:2]] == [each.assignments for each in before]
+    files = sorted((folder / "variants").iterdir())
+    assert [path.name for path in files] == ["01-Ada.toml", "02-HYPERLINK_0.toml", "03-Olha.toml"]
+    assert files[0].read_text(encoding="utf-8").startswith("# Variant 1, Ada\n")
+    with (folder / "class.csv").open(encoding="utf-8", newline="") as lines:
+        assert [row[1] for row in csv.reader(lines)] == ["student", "Ada", "'=HYPERLINK(0)", "Olha"]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (r"(points\.A\[0\]=\\?\")\d+", r"\g<1>7", "variant 1 has other numbers than those drawn"),
+        (r"candidate = \d+", "candidate = 9999", "drawn as candidate 9999"),
+        (r"tried = \d+", "tried = 0", "of 0 that were tried"),
+        (
+            r"digest = (.*)",
+            r'digest = \g<1>\nunavoided = [["H", "linkage.no_such"]]',
+            "no mistake is called 'linkage.no_such'",
+        ),
+    ],
+)
+def test_a_state_that_was_edited_is_refused_and_nothing_is_written(
+    twelve: tuple[Path, Made], tmp_path: Path, old: str, new: str, message: str
+) -> None:
+    folder = tmp_path / "class"
+    shutil.copytree(twelve[0], folder)
+    state = folder / "class.toml"
+    text = state.read_text(encoding="utf-8")
+    edited, count = re.subn(old, new, text, count=1)
+    assert count == 1
+    state.write_text(edited, encoding="utf-8")
+    before = contents(folder)
+    with pytest.raises(SpecError, match=re.escape(message)):
+        make_class(SHAPER, folder, 13, jobs=1)
+    assert contents(folder) == before
+
+
+def test_what_is_given_and_numbers_in_comments_are_told(tmp_path: Path) -> None:
+    more = '[[class.asked]]\nresult = "kinematics.size(omega_1)"\nunit = "rpm"\nname = "n"\n'
+    comment = ("[project]", "# The crank is 200 mm long; 1200 mm, 620.5 mm and 620 mmm are other numbers.\n[project]")
+    made = make_class(written(tmp_path, comment, more=more), tmp_path / "class", 3, 7, jobs=1)
+    assert made.given == (("n", "mechanism.input.speed"),)
+    assert made.stale == ("200 mm",)
+    notes = " ".join(class_document(made, "").notes)
+    assert "n is what is given by mechanism.input.speed in all variants" in notes
+    assert "a comment of the assignment says 200 mm" in notes
+
+
+def test_repeats_are_no_candidates(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of six values the spread refuses all but that of the assignment, however often each is drawn again."""
+    text, _, rest = SHAPER.read_text(encoding="utf-8").partition("[[class.drawn]]")
+    asked = rest[rest.index("[[class.asked]]") :]
+    speed = '[[class.drawn]]\nof = "mechanism.input.speed"\namong = [{}]\n'.format(
+        ", ".join(f'"{n} rpm"' for n in (40, 45, 50, 55, 60, 65))
+    )
+    file = tmp_path / "assignment.toml"
+    file.write_text(f"{text.replace('[class]', '[class]' + chr(10) + 'spread = 1.01')}{speed}{asked}", encoding="utf-8")
+    with pytest.raises(NoSolutionError) as raised:
+        make_class(file, tmp_path / "class", 3, 7, jobs=1)
+    message = raised.value.message
+    assert "1 of 3 variants keep all demands; of 6 candidates 5 are refused" in message
+    assert "drawn before" not in message
+    assert "within the spread" in message
 
 
 @pytest.mark.parametrize(

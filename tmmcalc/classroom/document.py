@@ -45,6 +45,16 @@ def _notes(made: Made) -> Iterator[str]:
         if len(values) > 1 and max(values) - min(values) <= item.tolerance * max(map(abs, values)):
             yield f"note: {item.name} is the same in all variants that were drawn now, within its tolerance"
 
+    if made.own.unavoided:
+        yield (
+            "note: some asked results are right with a mistake in many variants: make their tolerance smaller, "
+            "or ask other results"
+        )
+    for name, key in made.given:
+        yield f"note: {name} is what is given by {key} in all variants: nothing has to be worked out for it"
+    for said in made.stale:
+        yield f"note: a comment of the assignment says {said}, which is drawn: specs of variants say it too"
+
 
 def _spread(made: Made) -> View | None:
     """A row for each asked result of the variants that were drawn now."""

@@ -18,6 +18,7 @@ from tmmcalc._version import __version__
 from tmmcalc.classroom.keying import told_of
 from tmmcalc.classroom.model import Item, Key, Keybook, Values
 from tmmcalc.core.atomic import blamed_on, replace_file
+from tmmcalc.core.cells import harmless
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.files import read_file
 from tmmcalc.core.records import names_of
@@ -27,7 +28,6 @@ MOST_BYTES = 100_000_000
 HEAD = "# Keys of a class, written by tmmcalc class keys. For the teacher alone.\n"
 DIGEST = b"\n# SHA-256 of the lines above: "
 HEADERS = ("variant", "student", "name", "result", "value", "unit", "tolerance", "also right")
-FORMULA = ("=", "+", "-", "@")  # what cells that are worked out begin with
 AGAIN = "make the keys again: tmmcalc class keys --fresh"
 
 
@@ -100,15 +100,16 @@ def rows_of(book: Keybook) -> Iterator[tuple[Any, ...]]:
     """The rows of `HEADERS`."""
     for key in book.keys:
         for item, value in zip(book.items, key.values, strict=True):
-            allowed = significant(max(item.tolerance * abs(value), item.within), 2)
-            shown = significant(value, item.digits)
-            also = significant(-value, item.digits) if item.either_sense and value else ""
-            yield key.number, _text(key.student), _text(item.name), item.result, shown, item.unit, allowed, also
+            name, student = harmless(item.name), harmless(key.student)
+            shown, allowed, also = right_of(value, item)
+            yield key.number, student, name, item.result, shown, item.unit, allowed, also
 
 
-def _text(name: str) -> str:
-    """A name as a cell, which no spreadsheet takes for a formula."""
-    return f"'{name}" if name.startswith(FORMULA) else name
+def right_of(value: float, item: Item) -> tuple[str, str, str]:
+    """What is right of an item with the digits that are asked for, within how much, and what else is."""
+    allowed = significant(max(item.tolerance * abs(value), item.within), 2)
+    also = significant(-value, item.digits) if item.either_sense and value else ""
+    return significant(value, item.digits), allowed, also
 
 
 def significant(value: float, digits: int) -> str:

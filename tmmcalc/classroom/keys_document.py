@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
-from tmmcalc.classroom.keybook import HEADERS, rows_of, significant
+from tmmcalc.classroom.keybook import right_of, significant
 from tmmcalc.classroom.keying import clashes, classes_of
 from tmmcalc.classroom.model import Item, Keybook
 from tmmcalc.report.document import Document, Fact, View
@@ -14,23 +14,43 @@ from tmmcalc.report.language import tr_name
 
 
 def keys_document(book: Keybook, title: str) -> Document:
-    """The document of some variants: asked results with what counts as right, then the mistakes."""
-    rows = [*rows_of(book)]
-    right = Document(
-        "asked results",
-        table=View(HEADERS, [*map(list, zip(*rows, strict=True))] or [[] for _ in HEADERS]),
-        wide=True,
-    )
+    """The document of some variants: asked results with what counts as right, which they are, then the mistakes."""
+    names = View(("name", "result"), [[each.name for each in book.items], [each.result for each in book.items]])
+    mistakes = Document("mistakes", table=_mistakes(book), wide=True, more="keys.toml and --format json have all")
     return Document(
         title,
         (
-            Fact("variants", str(len(book.keys)), {"variants": len(book.keys)}),
+            Fact("variants", _variants(book), {"variants": len(book.keys)}),
             Fact("asked results", str(len(book.items)), {"items": len(book.items)}),
             Fact("known mistakes", str(len(book.mistakes)), {"mistakes": len(book.mistakes)}),
             _right_too(book),
         ),
-        parts=(right, Document("mistakes", table=_mistakes(book), wide=True)),
+        tuple(_hidden(book)),
+        parts=(Document("right", table=_right(book)), Document("asked results", table=names), mistakes),
     )
+
+
+def _variants(book: Keybook) -> str:
+    """How many there are; of one its number and its student."""
+    if len(book.keys) != 1:
+        return str(len(book.keys))
+    return f"1: number {book.keys[0].number}{f', {book.keys[0].student}' if book.keys[0].student else ''}"
+
+
+def _right(book: Keybook) -> View:
+    """A row for every variant and asked result; no column is cut, so that none is lost."""
+    headers = ("variant", "name", "value", "unit", "tolerance", "also right")
+    rows = [
+        (key.number, item.name, value, item.unit, allowed, also)
+        for key in book.keys
+        for item, own in zip(book.items, key.values, strict=True)
+        for value, allowed, also in (right_of(own, item),)
+    ]
+    columns = dict(zip(headers, map(list, zip(*rows, strict=True)), strict=True)) if rows else {}
+    left_out = {"variant"} if len(book.keys) == 1 else set[str]()
+    left_out |= {"also right"} - {header for header, cells in columns.items() if any(cells)}
+    kept = [header for header in headers if header not in left_out]
+    return View(kept, [columns.get(header, []) for header in kept])
 
 
 def _mistakes(book: Keybook) -> View:
@@ -55,10 +75,22 @@ def _mistakes(book: Keybook) -> View:
 
 def _right_too(book: Keybook) -> Fact:
     """In how many answers a mistake cannot be seen, as the right one comes out."""
-    pairs = {(key.number, k) for key in book.keys for _, k in clashes(key, book.items)}
-    names = [item.name for k, item in enumerate(book.items) if any(k == each for _, each in pairs)]
-    many = f"{len(pairs)} answers, of {', '.join(names)}" if pairs else "no answer"
-    return Fact("right with a mistake", many, {"right_too": len(pairs)})
+    count = len({(key.number, k) for key in book.keys for _, k in clashes(key, book.items)})
+    text = f"{count} {'answer' if count == 1 else 'answers'}" if count else "no answer"
+    return Fact("right with a mistake", text, {"right_too": count})
+
+
+def _hidden(book: Keybook) -> Iterator[str]:
+    """A note for each asked result that is right with some mistake: with which, in how many variants, what to do."""
+    found: dict[int, dict[str, set[int]]] = {}
+    for key in book.keys:
+        for at, k in clashes(key, book.items):
+            found.setdefault(k, {}).setdefault(book.mistakes[at].name, set()).add(key.number)
+    for k, mistakes in sorted(found.items()):
+        count = len(set[int]().union(*mistakes.values()))
+        where = f" in {count} of {len(book.keys)} variants" if len(book.keys) > 1 else ""
+        rule = f"{book.items[k].name} is right{where} with a mistake too ({', '.join(mistakes)})"
+        yield f"note: {rule}: make its tolerance smaller, or ask another result"
 
 
 def of_variants(book: Keybook, numbers: Sequence[int]) -> Keybook:

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from io import StringIO
+from math import isclose
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmmcalc.batch.journal import Journal
 from tmmcalc.classroom.choosing import Chooser, Chosen, Clashes
-from tmmcalc.classroom.draws import candidate
+from tmmcalc.classroom.draws import assignments, candidate
 from tmmcalc.classroom.faults import Faults
 from tmmcalc.classroom.judging import Judge, drawing
+from tmmcalc.classroom.keying import BETWEEN, SAME
+from tmmcalc.classroom.known import known
 from tmmcalc.classroom.roster import MOST, newcomers, roster_of
 from tmmcalc.classroom.state import (
     DECIDES,
@@ -27,14 +31,17 @@ from tmmcalc.classroom.state import (
     write_class,
 )
 from tmmcalc.core.atomic import blamed_on, replace_file
-from tmmcalc.core.errors import SpecError, TmmError, UsageError
+from tmmcalc.core.cells import harmless
+from tmmcalc.core.errors import Fault, SpecError, TmmError, UsageError
+from tmmcalc.core.printable import printable
 from tmmcalc.core.records import record
 from tmmcalc.pipeline.hashing import content_hash
 from tmmcalc.project.found import settled_text
 from tmmcalc.project.loader import load_spec, parse_spec
 from tmmcalc.spec.override import apply, split
 from tmmcalc.spec.rewrite import Change, Found, value_at, without
-from tmmcalc.spec.variants import Axis
+from tmmcalc.spec.units import conversion, kind_of
+from tmmcalc.spec.variants import Axis, given
 
 if TYPE_CHECKING:
     from tmmcalc.classroom.choosing import Told
@@ -55,6 +62,8 @@ class Made:
     refused: dict[str, int]  # candidates that were tried now, by the demand that they do not keep
     least: float  # distance of two variants; NaN of a single one, and where none was drawn
     files: tuple[Path, ...]  # that were written
+    given: tuple[tuple[str, str], ...] = ()  # items that are a drawn number itself, and the key of it
+    stale: tuple[str, ...] = ()  # drawn numbers of the assignment that its comments tell
 
 
 def make_class(
@@ -84,6 +93,7 @@ def make_class(
         _check_same(before, digest, seed, folder)
     own = before or Class(place_in(file, folder), digest, 1 if seed is None else seed, 0, ())
     students = newcomers(roster, [each.student for each in own.variants if each.student])
+    own, students = _named(own, students)
     wanted = max(len(students), (count or 0) - len(own.variants))
     if len(own.variants) + wanted > MOST:
         raise UsageError(f"more than {MOST} variants", where="-n", limit=MOST, remedy="make several classes")
@@ -103,6 +113,13 @@ def _students(file: Path, spec: Spec, roster: str | None) -> tuple[str, ...]:
             Judge(file, 1)
         faults.tell()
         raise
+
+
+def _named(own: Class, students: Sequence[str]) -> tuple[Class, tuple[str, ...]]:
+    """The class whose variants without a name have the first of the students, and the students that are left."""
+    left = [*students]
+    variants = tuple(each if each.student or not left else replace(each, student=left.pop(0)) for each in own.variants)
+    return replace(own, variants=variants), tuple(left)
 
 
 def _check_same(before: Class, digest: str, seed: int | None, folder: Path) -> None:
@@ -131,6 +148,7 @@ def _made(
     told: Told,
 ) -> Made:
     judge = Judge(file, jobs, tell)
+    _check_state(own, judge, str(folder / FILE))
     there = folder.is_dir()
     with blamed_on(folder, "made"):
         folder.mkdir(parents=True, exist_ok=True)
@@ -165,7 +183,68 @@ def _made(
         if not there and not any(folder.iterdir()):
             folder.rmdir()
         raise
-    return Made(done, choice.chosen, judge.items, judge.factors, choice.refused, choice.least, files)
+    return Made(
+        done,
+        choice.chosen,
+        judge.items,
+        judge.factors,
+        choice.refused,
+        choice.least,
+        files,
+        tuple(_given(choice.chosen, judge)),
+        tuple(_stale(judge)),
+    )
+
+
+def _check_state(own: Class, judge: Judge, where: str) -> None:
+    """Refuse a state that was edited: numbers that no draw gives, mistakes that nobody knows; all of them at once."""
+    faults = []
+    for each in own.variants:
+        drawn = candidate(judge.drawn, own.seed, each.candidate)
+        if drawn.missing or assignments(judge.drawn, drawn.values) != each.assignments:
+            faults.append(f"variant {each.number} has other numbers than those drawn as candidate {each.candidate}")
+        elif each.candidate >= own.tried:
+            faults.append(f"variant {each.number} is candidate {each.candidate}, of {own.tried} that were tried")
+    for _, mistake in own.unavoided or ():
+        if mistake.partition(BETWEEN)[0] not in known():
+            faults.append(f"no mistake is called {mistake!r}")
+    if faults:
+        remedy = "take it from a copy, or make the class afresh: --fresh"
+        raise SpecError(where, [Fault("", None, fault, remedy) for fault in faults])
+
+
+def _given(chosen: Sequence[Chosen], judge: Judge) -> Iterator[tuple[str, str]]:
+    """Items whose value is a drawn number in all variants, with the key of it: nothing is worked out for them."""
+    for at, (item, found) in enumerate(zip(judge.items, judge.asked, strict=True)):
+        for place, drawn in enumerate(judge.drawn):
+            unit = drawn.unit or found.unit
+            if unit != found.unit and (kind_of(unit) is None or kind_of(unit) != kind_of(found.unit)):
+                continue
+            by = conversion(unit, found.unit)
+            pairs = [(each.values[at], by * float(each.candidate.values[place])) for each in chosen]
+            if len({value for value, _ in pairs}) > 1 and all(isclose(*pair, rel_tol=SAME) for pair in pairs):
+                yield item.name, drawn.key
+
+
+def _stale(judge: Judge) -> Iterator[str]:
+    """Numbers that are drawn and stand with their unit in a comment of the assignment, which all variants keep."""
+    written = judge.spec._written
+    assert written is not None
+    comments = " ".join(map(comment_of, written.text.partition("\n[class]")[0].splitlines()))
+    for axis in (axis for drawn in judge.drawn for axis in drawn.axes):
+        number, unit = given(axis.key, written.document)
+        told = f"{Axis.number(number)} {unit}"
+        if unit and re.search(rf"(?<![\w.,]){re.escape(told)}(?!\w)", comments):
+            yield told
+
+
+def comment_of(line: str) -> str:
+    """The comment of a line of TOML.
+
+    >>> comment_of('speed = "5 #" # of the crank'), comment_of("speed = 5")
+    ('of the crank', '')
+    """
+    return re.sub(r"\"[^\"]*\"|'[^']*'", "", line).partition("#")[2].strip()
 
 
 def _written(file: Path, folder: Path, spec: Spec, own: Class, judge: Judge, first: int) -> tuple[Path, ...]:
@@ -180,11 +259,20 @@ def _written(file: Path, folder: Path, spec: Spec, own: Class, judge: Judge, fir
     for each in own.variants:
         target = folder / VARIANTS / f"{each.stem}.toml"
         if each.number > first or not target.is_file():
-            texts[target] = variant_text(bare, each.assignments, target)
+            texts[target] = f"{_head(each)}\n{variant_text(bare, each.assignments, target)}"
     texts[folder / TABLE] = _table(own, [axis for drawn in judge.drawn for axis in drawn.axes])
     _remove_others(folder, own)
     files = [path for path, text in texts.items() if replace_file(path, text.encode())]
     return (*files, *([folder / FILE] if write_class(own, folder) else []))
+
+
+def _head(each: Variant) -> str:
+    """The first line of the spec of a variant, which says whose it is.
+
+    >>> _head(Variant(7, "Ada", (), 0)), _head(Variant(7, "", (), 0))
+    ('# Variant 7, Ada', '# Variant 7')
+    """
+    return f"# Variant {each.number}{f', {printable(each.student)}' if each.student else ''}"
 
 
 def _asked(table: Mapping[str, Any]) -> str:
@@ -222,5 +310,5 @@ def _table(own: Class, axes: Sequence[Axis]) -> str:
     writer.writerow(["number", "student", *(axis.name for axis in axes)])
     for each in own.variants:
         values = [split(assignment)[1].strip('"').split(" ")[0] for assignment in each.assignments]
-        writer.writerow([f"{each.number:02d}", each.student, *values])
+        writer.writerow([f"{each.number:02d}", harmless(each.student), *values])
     return text.getvalue()

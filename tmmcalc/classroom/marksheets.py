@@ -16,11 +16,11 @@ from tmmcalc.classroom.marking import Marked, Marks
 from tmmcalc.classroom.model import Key, Keybook, Told
 from tmmcalc.classroom.statistics import Statistics
 from tmmcalc.classroom.verdicts import Standing, distance
+from tmmcalc.core.cells import harmless
 from tmmcalc.core.printable import printable
 from tmmcalc.report.worksheets import Worksheet
 
 FIGURES = 5  # of numbers that people compare
-_FORMULAS = ("=", "+", "-", "@", "\t", "\r")
 _NONE = "nothing was handed in"
 
 
@@ -189,16 +189,9 @@ def as_csv(sheet: Worksheet) -> str:
     """A table as CSV; a text that a spreadsheet would take for a formula begins with an apostrophe."""
     buffer = io.StringIO()
     writer = csv.writer(buffer, lineterminator="\n")
-    writer.writerow([_harmless(header) for header in sheet.headers])
-    writer.writerows([_harmless(cell) for cell in row] for row in zip(*sheet.columns, strict=True))
+    writer.writerow([harmless(header) for header in sheet.headers])
+    writer.writerows([harmless(cell) for cell in row] for row in zip(*sheet.columns, strict=True))
     return buffer.getvalue()
-
-
-def _harmless(cell: Any) -> Any:
-    if not isinstance(cell, str):
-        return cell
-    shown = printable(cell).replace("\n", " ")
-    return f"'{shown}" if shown.lstrip().startswith(_FORMULAS) or cell.startswith(_FORMULAS) else shown
 
 
 def as_markdown(sheets: Sequence[Worksheet], title: str) -> str:

@@ -134,7 +134,7 @@ def check_plans(outline: Outline) -> Iterator[Finding]:
         tolerance, plans = (_part(given[key], default) for key, default in (("tolerance", 0.01), ("plans", 0.03)))
         if tolerance is not None and plans is not None and plans < tolerance:
             key = "plans" if "plans" in table else "tolerance"
-            rule = f"plans within {100 * plans:g} % are more accurate than answers that are right, {100 * tolerance:g} %"
+            rule = f"plans within {100 * plans:g} % are more accurate than right answers, within {100 * tolerance:g} %"
             yield Finding(("class", *path, key), rule, "make plans larger, or tolerance smaller")
 
 
