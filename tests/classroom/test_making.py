@@ -331,7 +331,10 @@ def test_repeats_are_no_candidates(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         ", ".join(f'"{n} rpm"' for n in (40, 45, 50, 55, 60, 65))
     )
     file = tmp_path / "assignment.toml"
-    file.write_text(f"{text.replace('[class]', '[class]' + chr(10) + 'spread = 1.01')}{speed}{asked}", encoding="utf-8")
+    file.write_text(
+        f"{text.replace(chr(10) + '[class]', chr(10) + '[class]' + chr(10) + 'spread = 1.01')}{speed}{asked}",
+        encoding="utf-8",
+    )
     with pytest.raises(NoSolutionError) as raised:
         make_class(file, tmp_path / "class", 3, 7, jobs=1)
     message = raised.value.message

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tmmcalc.classroom.keybook import read_keybook
+from tmmcalc.classroom.keybook import read_keybook, significant
 
 from .conftest import CONFIGS, Cli
 
@@ -47,6 +47,28 @@ def test_all_variants_for_programs_and_one_that_is_asked_for(made: Cli) -> None:
     code, out, _ = made("class", "keys", "class", "--variant", "2", "--format", "json")
     assert code == 0
     assert json.loads(out)["variants"] == 1
+
+
+def test_printed_keys_lose_no_column(cli: Cli, folder: Path) -> None:
+    """At 80 characters, with a long name: value, unit and tolerance are there, and what each name is."""
+    text = (CONFIGS / "class-shaper.toml").read_text(encoding="utf-8")
+    name = "angular velocity of the slotted link in position 4"
+    Path("assignment.toml").write_text(
+        text.replace('name = "omega_3"', f'name = "{name}"\neither_sense = true').replace(
+            'after = ["omega_3"]', f'after = ["{name}"]'
+        ),
+        encoding="utf-8",
+    )
+    assert cli("class", "make", "assignment.toml", "-n", "1", "-q", "--skip-mistakes")[0] == 0
+    _, out, _ = cli("class", "keys", "class", "-j", "1")
+    book = read_keybook(Path("class/keys"))
+    value = significant(book.keys[0].values[2], 4)
+    right = next(line for line in out.splitlines() if value in line)
+    assert "rad/s" in right
+    assert significant(0.01 * abs(book.keys[0].values[2]), 2) in right
+    assert significant(-book.keys[0].values[2], 4) in right
+    assert "kinematics.omega_3@4" in out
+    assert "more columns: keys.toml and --format json have all" in out
 
 
 def test_an_assignment_that_has_lost_its_class(made: Cli) -> None:

@@ -147,7 +147,7 @@ class Chooser:
 
     def _decided(self, each: _Judged) -> tuple[Refusal | None, tuple[float, ...]]:
         """Why a candidate is refused, or the values of its items. What costs least is asked first."""
-        if each.candidate.missing:
+        if each.candidate.missing or each.refusal == demands.again():
             return each.refusal, ()
         if self._is_near(each.candidate):
             return demands.near(self._apart), ()
