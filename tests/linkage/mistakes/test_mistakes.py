@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 from mistakes import items, key, right, wrong
 
+from tmmcalc.classroom.known import known
 from tmmcalc.linkage.readings import analogue, in_time
 
 R, L, N, G = 0.1, 0.32, 120.0, 9.81  # crank, rod [m]; speed [rpm]
@@ -228,3 +230,17 @@ def test_angles_of_the_strokes_are_swapped() -> None:
 def test_names_that_have_no_such_reading() -> None:
     for name in ("forces.R_A@2", "kinematics.S_D@2", "kinematics.stroke_D", "power.eta"):
         assert analogue(name) == in_time(name) == ""
+
+
+def test_no_moment_of_inertia_is_below_nothing() -> None:
+    """0.1 kg*m^2 less 12 kg of 0.12 m squared is below 0: nobody goes on with that, and nobody with 0."""
+    link = {"id": 1, "mass": 12, "inertia": "0.1 kg*m^2", "center": ["120 mm", 0]}
+    less = told_tables("linkage.inertia_less_steiner")
+    assert less({"mechanism": {"links": [link]}}, "") == {}
+    heavier = less({"mechanism": {"links": [{**link, "inertia": 0.2}]}}, "")
+    assert heavier["mechanism"]["links"][0]["inertia"] == pytest.approx(0.2 - 12 * 0.12**2)
+
+
+def told_tables(name: str) -> Any:
+    """What a mistake makes of the tables of a document."""
+    return known()[name].tables

@@ -2,22 +2,13 @@
 
 from __future__ import annotations
 
+from tmmcalc.cams.readings import PER_RADIAN
 from tmmcalc.core.mistake import OFTEN, Asked, Mistake
 from tmmcalc.naming.beside import in_place
 
-OTHER = {
-    "v": "S1",
-    "a": "S2",
-    "jerk": "S3",
-    "velocity_max": "S1_max",
-    "velocity_min": "S1_min",
-    "acceleration_max": "S2_max",
-    "acceleration_min": "S2_min",
-}
-
 
 def _reads(asked: Asked) -> float:
-    return asked.another(in_place(asked.name, OTHER))
+    return asked.another(in_place(asked.name, PER_RADIAN))
 
 
 MISTAKE = Mistake(

@@ -2,22 +2,13 @@
 
 from __future__ import annotations
 
+from tmmcalc.cams.readings import IN_TIME
 from tmmcalc.core.mistake import SOMETIMES, Asked, Mistake
 from tmmcalc.naming.beside import in_place
 
-OTHER = {
-    "S1": "v",
-    "S2": "a",
-    "S3": "jerk",
-    "S1_max": "velocity_max",
-    "S1_min": "velocity_min",
-    "S2_max": "acceleration_max",
-    "S2_min": "acceleration_min",
-}
-
 
 def _reads(asked: Asked) -> float:
-    return asked.another(in_place(asked.name, OTHER))
+    return asked.another(in_place(asked.name, IN_TIME))
 
 
 MISTAKE = Mistake(

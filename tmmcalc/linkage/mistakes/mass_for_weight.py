@@ -2,22 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from tmmcalc.core.mistake import SOMETIMES, Document, Mistake, Tables
-from tmmcalc.linkage.tables.altered import mechanism_with
-from tmmcalc.spec.altered import bare
+from tmmcalc.linkage.tables.altered import with_gravity
 
 
 def _tables(document: Document, part: str) -> Tables:
-    def changed(mechanism: dict[str, Any]) -> bool:
-        g = bare(mechanism.get("gravity", 9.81))
-        if not g or not any(link.get("mass") for link in mechanism["links"]):
-            return False
-        mechanism["gravity"] = 1.0
-        return True
-
-    return mechanism_with(document, changed)
+    return with_gravity(document, 1.0)
 
 
 MISTAKE = Mistake(

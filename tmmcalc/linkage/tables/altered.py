@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from copy import deepcopy
 from typing import Any
 
-from tmmcalc.spec.altered import changed
+from tmmcalc.spec.altered import bare, changed
 
 Change = Callable[[float], float]
 
@@ -29,3 +29,33 @@ def with_each(document: Mapping[str, Any], several: str, key: str, change: Chang
         return bool(having)
 
     return mechanism_with(document, every)
+
+
+def with_gravity(document: Mapping[str, Any], gravity: float) -> dict[str, Any]:
+    """The same with another gravity [m/s^2]; {} where nothing has a weight."""
+
+    def other(mechanism: dict[str, Any]) -> bool:
+        if not bare(mechanism.get("gravity", 9.81)) or not any(link.get("mass") for link in mechanism["links"]):
+            return False
+        mechanism["gravity"] = gravity
+        return True
+
+    return mechanism_with(document, other)
+
+
+def with_steiner(document: Mapping[str, Any], sign: int) -> dict[str, Any]:
+    """The same with moments of inertia I + m s^2, or I - m s^2 by the ``sign``; {} where one would be below 0."""
+
+    def shifted(mechanism: dict[str, Any]) -> bool:
+        found = False
+        for link in mechanism["links"]:
+            mass, inertia, center = bare(link.get("mass")), bare(link.get("inertia")), link.get("center")
+            if mass and inertia and isinstance(center, list):
+                x, y = (bare(each) or 0.0 for each in center)
+                link["inertia"] = inertia + sign * mass * (x * x + y * y)
+                if link["inertia"] < 0:  # whoever finds that sees that it is wrong
+                    return False
+                found = True
+        return found
+
+    return mechanism_with(document, shifted)
