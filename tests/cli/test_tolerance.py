@@ -95,3 +95,17 @@ def test_results_are_listed_as_for_sensitivities_and_overrides_hold_for_all(cli:
     none = cli("tolerance", str(spec), "--of", "kinematics.stroke_D,", *one)
     assert none.code == 2
     assert "--of: a name is missing" in none.err
+
+
+def test_pictures_speak_the_language_that_is_asked_for(cli: Cli, spec: Path, tmp_path: Path) -> None:
+    """Words, units and decimal signs of histograms and of the band."""
+    asked = ("--of", "kinematics.stroke_D", "--band", "kinematics.S_D", "--samples", "2048", "-q", "--balance", "none")
+    fixed = ("--set", "mechanism.grid.positions=12", "--language", "uk")
+    picture = tmp_path / "uk.svg"
+    told = cli("tolerance", str(spec), *asked, *fixed, "--picture", str(picture))
+    assert told.code == 0, told.err
+    drawn = picture.read_text(encoding="utf-8")
+    words = ("Shaper: допуски", "kinematics.stroke_D, м", "густина вибірки", "номінал", "найгірший випадок")
+    for said in (*words, "0,135 %, 99,865 %", "5 %, 95 %", "медіана", "kinematics.S_D: відхилення від номіналу, м"):
+        assert said in drawn
+    assert "0.135" not in drawn

@@ -13,10 +13,11 @@ from tmmcalc.batch.reading import frame_of
 from tmmcalc.design.differences import Slope
 from tmmcalc.design.exact import Exact
 from tmmcalc.design.gradient import Gradients
-from tmmcalc.design.keys import chosen, keys_of, scales, varied
 from tmmcalc.design.ladders import Ladders
 from tmmcalc.design.model import Model
 from tmmcalc.design.sensitivity import sensitivity
+from tmmcalc.design.sizes import scales, varied
+from tmmcalc.naming.keys import chosen
 from tmmcalc.project.loader import Variants
 
 CONFIGS = Path(__file__).parents[2] / "configs"
@@ -61,7 +62,7 @@ def both_ways(
     """The model of keys of a spec (none: of all), its exact derivatives, and those by differences alone."""
     file = CONFIGS / f"{config}.toml" if "." not in config else Path(__file__).parent / config
     data = Variants(file.read_text(encoding="utf-8"), str(file), CONFIGS).data
-    frame = frame_of(file, (), chosen(data, keys) if keys else keys_of(data), names)
+    frame = frame_of(file, (), chosen(data, keys), names)
     sizes, reasons = scales(frame.axes), varied(frame, scales(frame.axes))
     kept = [k for k, reason in enumerate(reasons) if not reason]
     frame, sizes = replace(frame, axes=tuple(frame.axes[k] for k in kept)), [sizes[k] for k in kept]

@@ -9,10 +9,10 @@ import pytest
 
 from tmmcalc.core.errors import UsageError
 from tmmcalc.design.differences import Side, Slope
-from tmmcalc.design.keys import keys_of
 from tmmcalc.design.ladders import Reach
 from tmmcalc.design.sensitivity import Partial, Sensitivity, sensitivity
 from tmmcalc.design.sensitivity_document import sensitivity_document
+from tmmcalc.naming.keys import keys_of
 from tmmcalc.project.loader import Variants
 
 CONFIGS = Path(__file__).parents[2] / "configs"

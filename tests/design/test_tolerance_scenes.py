@@ -49,6 +49,28 @@ def test_a_result_that_is_linear_is_so_in_every_sample(tmp_path: Path) -> None:
         assert estimate.value == pytest.approx(found.nominal[0] + q * sigma, abs=0.1 * sigma)
 
 
+@pytest.mark.parametrize(("samples", "enough"), [(1024, False), (2048, True)])
+def test_what_samples_tell_has_its_interval_and_outer_quantiles_need_enough(
+    tmp_path: Path, samples: int, enough: bool
+) -> None:
+    """Of 1024 samples 1.4 are expected beyond 99.865 %, of 2048 nearly three."""
+    found = of(tmp_path, *(f'of = "{key}"\ntolerance = "0.6 mm"' for key in (SLOTTED, CRANK)), samples=samples)
+    document = tolerance_document(found, "t")
+    assert document.table is not None
+    (part,) = (each for each in document.parts if each.name == "intervals")
+    assert part.table is not None
+    names, told, *numbers = part.table.columns
+    assert {*names} == {found.names[0]}
+    outer = ["0.135 %", "99.865 %"] if enough else []
+    assert sorted(told) == sorted(["mean", "sigma", "5 %", "50 %", "95 %", *outer])
+    assert [*document.table.headers[-len(outer) :]] == outer if enough else "99.865 %" not in document.table.headers
+    for value, low, high in zip(*(map(float, column) for column in numbers), strict=True):
+        assert low <= value <= high
+        assert low < high
+    assert any("99.865 %" in note and "left out" in note for note in document.notes) is not enough
+    assert any(note.startswith("normal: 3 sigma") for note in document.notes)
+
+
 def test_small_tolerances_are_linear(tmp_path: Path) -> None:
     """H = 2 l_3 l_1 / l_0: what sampled and linear sigmas differ by falls with the square of the tolerances."""
     off = []

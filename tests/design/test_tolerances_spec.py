@@ -14,7 +14,7 @@ from tmmcalc.cli.app import app
 from tmmcalc.core.errors import SpecError, UsageError
 from tmmcalc.design.tolerance.linear import ends_of
 from tmmcalc.design.tolerance.sources import Sources
-from tmmcalc.design.tolerance.task import keys_of, sources_of
+from tmmcalc.design.tolerance.task import sources_of, varying
 from tmmcalc.design.tolerance.worst import Box
 from tmmcalc.project.loader import Variants, parse_spec
 
@@ -29,7 +29,7 @@ def sources(tmp_path: Path, *tables: str, text: str = SHAPER) -> Sources:
     file.write_text(text, encoding="utf-8")
     variants = Variants(text, str(file), tmp_path, ())
     spec = variants.spec()
-    frame = frame_of(file, (), keys_of(spec.tolerances, variants.data), ["kinematics.stroke_D"])
+    frame = frame_of(file, (), varying(spec.tolerances, variants.data), ["kinematics.stroke_D"])
     return sources_of(spec.tolerances, variants.data, frame.axes)
 
 

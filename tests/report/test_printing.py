@@ -95,6 +95,22 @@ def test_a_last_column_of_text_is_wrapped() -> None:
     assert text[5].startswith("           ")
 
 
+def test_no_column_is_narrower_than_its_longest_word() -> None:
+    """Texts too wide for the page: columns stay in line, and the words that there are stay whole."""
+    long = "mechanism.links[id=3].points.C[0]"
+    view = View(
+        ["what varies", "by", "told"], [[long, "all of " * 5 + "it"], ["b" * 25, "b"], ["word " * 9 + "w" * 30] * 2]
+    )
+    text = list(lines(Document("t", table=view)))
+    rule = next(line for line in text if line.startswith("---"))
+    first, second, third = (len(dashes) for dashes in rule.split())
+    assert (first, second, third) == (len(long), 25, 30)
+    for line in text[text.index(rule) + 1 :]:
+        assert line[first : first + 2].strip() == ""
+        assert line[first + second + 2 : first + second + 4].strip() == ""
+    assert " ".join(text).split().count(long) == 1
+
+
 def test_terminal_shows_the_same_facts_and_numbers(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     monkeypatch.setenv("TERM", "dumb")

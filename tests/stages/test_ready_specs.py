@@ -145,7 +145,7 @@ def test_way_of_the_crank_in_the_emergency_stop() -> None:
     assert stop.brake_work[-1] == pytest.approx(-60 * turned_by, rel=1e-8)
 
 
-@each("balance", "in-line-engine", "rotor")
+@each("balance", "in-line-engine", "rotor", "best-counterweights", "best-four-bar")  # with weights of their own
 def test_best_counterweight(name: str) -> None:
     """Minus the first harmonic of the shaking force, over omega^2, in the axes of the crank."""
     found = project(name)

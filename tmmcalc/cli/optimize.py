@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -9,12 +10,13 @@ import typer
 
 from tmmcalc.cli.found import Choose, Force, SpecOut, Target
 from tmmcalc.cli.messages import note_written, warn
-from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile
-from tmmcalc.cli.output import check_apart, check_picture, show, title
+from tmmcalc.cli.options import Form, Format, Jobs, Language, Quiet, Scheduler, Set, SpecFile
+from tmmcalc.cli.output import check_apart, check_picture, draw_in, name, show, title
 from tmmcalc.cli.progress import seen, told_with
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
+    from tmmcalc.design.optimize.scene import Optimum
     from tmmcalc.project import Spec
 
 
@@ -26,22 +28,18 @@ def command(
     picture: Annotated[
         Path | None,
         typer.Option(
-            "--picture", metavar="FILE", help="The front of designs, by suffix svg, png or pdf.", show_default=False
+            "--picture",
+            metavar="FILE",
+            help="The front of designs, by suffix svg, png, pdf or dxf.",
+            show_default=False,
         ),
     ] = None,
-    jobs: Annotated[
-        int | None,
-        typer.Option(
-            "--jobs", "-j", metavar="N", min=1, help="Local processes (default: as many as pay).", show_default=False
-        ),
-    ] = None,
-    scheduler: Annotated[
-        str | None,
-        typer.Option("--scheduler", metavar="ADDRESS", help="Solve on this Dask cluster.", show_default=False),
-    ] = None,
+    jobs: Jobs = None,
+    scheduler: Scheduler = None,
     fresh: Annotated[bool, typer.Option("--fresh", help="Solve all designs, whatever is stored.")] = False,
     form: Form = Format.table,
     quiet: Quiet = False,
+    language: Language = None,
     overrides: Set = None,
 ) -> None:
     """The best design by [optimize] of the spec: variables, results that are to be least or greatest, constraints.
@@ -61,30 +59,41 @@ def command(
         check_picture(picture, "--picture")
     check_apart(spec if not force else None, spec_out, picture)
     from tmmcalc.design.optimize.document import optimum_document
-    from tmmcalc.design.optimize.ready import found_of
-    from tmmcalc.design.optimize.scene import optimize
+    from tmmcalc.design.optimize.scene import found_of, optimize
     from tmmcalc.project import load_spec
     from tmmcalc.project.found import settled_text
     from tmmcalc.report.rows import check_choice
 
     scene = load_spec(spec, overrides or ())
     _check(scene, choose, picture, fresh and spec_out is None)
-    with seen(told_with("designs"), quiet) as told:
-        result = optimize(
-            spec, overrides or (), out=spec_out, fresh=fresh, jobs=jobs, scheduler=scheduler, tell=warn, told=told
-        )
-    check_choice(choose or 1, len(result.designs), "design")
-    settled = settled_text(scene, spec_out, found_of(result, scene, choose)) if spec_out is not None else None
-    heading = title(scene, spec, "optimum")
-    show(optimum_document(result, heading, form is Format.table), form)
-    target.write(settled, quiet)
-    if picture is not None:
-        from tmmcalc.design.optimize.picture import front_drawing
-        from tmmcalc.report.drawing import draw
+    with ExitStack() as shown:
+        told = shown.enter_context(seen(told_with("designs"), quiet))
 
-        draw(picture, lambda: front_drawing(result, heading))
-    if picture is not None and not quiet:
-        note_written(picture)
+        def use(result: Optimum) -> None:
+            """Print it, write the spec, draw; before that the progress is taken away."""
+            shown.close()
+            check_choice(choose or 1, len(result.designs), "design")
+            settled = settled_text(scene, spec_out, found_of(result, scene, choose)) if spec_out is not None else None
+            show(optimum_document(result, title(scene, spec, "optimum"), form is Format.table), form)
+            target.write(settled, quiet)
+            if picture is not None:
+                from tmmcalc.design.optimize.picture import front_drawing
+
+                draw_in(language, scene, picture, lambda: front_drawing(result, name(scene, spec)))
+                if not quiet:
+                    note_written(picture)
+
+        optimize(
+            spec,
+            overrides or (),
+            out=spec_out,
+            fresh=fresh,
+            jobs=jobs,
+            scheduler=scheduler,
+            tell=warn,
+            told=told,
+            use=use,
+        )
 
 
 def _check(scene: Spec, choose: int | None, picture: Path | None, alone: bool) -> None:

@@ -129,6 +129,16 @@ Skip = Annotated[
         autocompletion=stages,
     ),
 ]
+Jobs = Annotated[
+    int | None,
+    typer.Option(
+        "--jobs", "-j", metavar="N", min=1, help="Local processes (default: as many as pay).", show_default=False
+    ),
+]
+Scheduler = Annotated[
+    str | None,
+    typer.Option("--scheduler", metavar="ADDRESS", help="Solve on this Dask cluster.", show_default=False),
+]
 Positions = Annotated[
     str | None,
     typer.Option("--positions", metavar="LIST", help="Positions to show: '0,6,18' or '0:24:2'.", show_default=False),

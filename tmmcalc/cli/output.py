@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import sys
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tmmcalc.cli.messages import counted, put_bytes, say, show_error, whoever_reads
-from tmmcalc.cli.options import Format, check_named
+from tmmcalc.cli.options import Format, check_named, language_of
 from tmmcalc.core.errors import LimitError, TmmError, UsageError
 from tmmcalc.core.files import other_kind
 from tmmcalc.core.printable import printable
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
     from tmmcalc.project import Spec
     from tmmcalc.report.document import Document
+    from tmmcalc.report.drawing.shapes import Drawing
 
 
 def raise_failures(failures: Mapping[str, TmmError]) -> None:
@@ -66,9 +67,23 @@ def table_file(run: RunResult, stage: str) -> str:
     return next((str(file) for file in run.files if file.name == f"{stage}.csv"), "")
 
 
+def name(spec: Spec, file: Path) -> str:
+    """What documents and pictures call a spec: its title, or that of its file."""
+    return printable(spec.project.title or file.stem)
+
+
 def title(spec: Spec, file: Path, what: str) -> str:
     """Heading of a document."""
-    return printable(f"{spec.project.title or file.stem}: {what}")
+    return f"{name(spec, file)}: {what}"
+
+
+def draw_in(language: str | None, scene: Spec, file: Path, figure: Callable[[], Drawing]) -> None:
+    """Write a picture in the language of the flag, or of the spec."""
+    from tmmcalc.report.drawing import draw
+    from tmmcalc.report.language import speaking
+
+    with speaking(language_of(scene, language)):
+        draw(file, figure)
 
 
 def deliver(document: Document, form: Format, out: Path | None) -> None:

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Protocol
+from typing import TYPE_CHECKING, Annotated, Protocol
 
 import typer
 
 from tmmcalc.cli.messages import note_written, warn
-from tmmcalc.cli.options import Form, Format, Language, Quiet, Set, SpecFile, language_of, names_of
-from tmmcalc.cli.output import check_picture, show
+from tmmcalc.cli.options import Form, Format, Jobs, Language, Quiet, Scheduler, Set, SpecFile, names_of
+from tmmcalc.cli.output import check_picture, draw_in, show
 from tmmcalc.cli.progress import growing, seen
 from tmmcalc.core.errors import UsageError
 
 if TYPE_CHECKING:
+    from tmmcalc.design.sensitivity import Ways
     from tmmcalc.report.document import Document
     from tmmcalc.report.drawing.shapes import Drawing
 
@@ -69,21 +70,8 @@ def command(
             show_default=False,
         ),
     ] = None,
-    jobs: Annotated[
-        int | None,
-        typer.Option(
-            "--jobs",
-            "-j",
-            metavar="N",
-            min=1,
-            help="Local processes (default: one, or all cores where that pays).",
-            show_default=False,
-        ),
-    ] = None,
-    scheduler: Annotated[
-        str | None,
-        typer.Option("--scheduler", metavar="ADDRESS", help="Solve on this Dask cluster.", show_default=False),
-    ] = None,
+    jobs: Jobs = None,
+    scheduler: Scheduler = None,
     form: Form = Format.table,
     quiet: Quiet = False,
     language: Language = None,
@@ -105,16 +93,18 @@ def command(
         check_picture(picture, "--picture")
     title = f"{spec.stem}: sensitivity"
     with seen(growing("variants"), quiet) as shown:
-        ways: Any = {"jobs": jobs, "scheduler": scheduler, "tell": warn, "progress": shown}
+        ways: Ways = {"jobs": jobs, "scheduler": scheduler, "tell": warn, "progress": shown}
         told, figure = (_of_columns if columns else _of_results)(spec, names or columns, keys, overrides or (), ways)
     if picture is not None:
-        _draw(picture, figure, spec, overrides or (), language)
+        from tmmcalc.project import load_spec
+
+        draw_in(language, load_spec(spec, overrides or ()), picture, figure)
         if not quiet:
             note_written(picture)
     show(told(title, people=form is Format.table), form)
 
 
-def _of_results(spec: Path, names: Names, keys: Names, fixed: Names, ways: Any) -> tuple[Told, Figure]:
+def _of_results(spec: Path, names: Names, keys: Names, fixed: Names, ways: Ways) -> tuple[Told, Figure]:
     from tmmcalc.design.sensitivity import sensitivity
     from tmmcalc.design.sensitivity_document import sensitivity_document, tidy_sensitivity
 
@@ -128,7 +118,7 @@ def _of_results(spec: Path, names: Names, keys: Names, fixed: Names, ways: Any) 
     return lambda title, people: (sensitivity_document if people else tidy_sensitivity)(found, title), drawn
 
 
-def _of_columns(spec: Path, columns: Names, keys: Names, fixed: Names, ways: Any) -> tuple[Told, Figure]:
+def _of_columns(spec: Path, columns: Names, keys: Names, fixed: Names, ways: Ways) -> tuple[Told, Figure]:
     from tmmcalc.design.courses import courses
     from tmmcalc.design.sensitivity_document import courses_document, tidy_courses
 
@@ -140,12 +130,3 @@ def _of_columns(spec: Path, columns: Names, keys: Names, fixed: Names, ways: Any
         return curves(every)
 
     return lambda title, people: (courses_document if people else tidy_courses)(every, found, title), drawn
-
-
-def _draw(file: Path, figure: Figure, spec: Path, fixed: Names, language: str | None) -> None:
-    from tmmcalc.project.loader import load_spec
-    from tmmcalc.report.drawing import draw
-    from tmmcalc.report.language import speaking
-
-    with speaking(language_of(load_spec(spec, fixed), language)):
-        draw(file, figure)

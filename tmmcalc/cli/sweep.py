@@ -9,7 +9,18 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmmcalc.cli.messages import put, say, warn
-from tmmcalc.cli.options import STANDARD_OUTPUT, Form, Format, Quiet, SpecFile, Tolerance, patterns_of, stages
+from tmmcalc.cli.options import (
+    STANDARD_OUTPUT,
+    Form,
+    Format,
+    Jobs,
+    Quiet,
+    Scheduler,
+    SpecFile,
+    Tolerance,
+    patterns_of,
+    stages,
+)
 from tmmcalc.cli.output import check_place, check_tolerance, show
 from tmmcalc.cli.progress import counted, seen
 from tmmcalc.core.errors import UsageError
@@ -68,21 +79,8 @@ def command(
             show_default=False,
         ),
     ] = None,
-    jobs: Annotated[
-        int | None,
-        typer.Option(
-            "--jobs",
-            "-j",
-            metavar="N",
-            min=1,
-            help="Local processes (default: one, or all cores where stages are long).",
-            show_default=False,
-        ),
-    ] = None,
-    scheduler: Annotated[
-        str | None,
-        typer.Option("--scheduler", metavar="ADDRESS", help="Solve on this Dask cluster.", show_default=False),
-    ] = None,
+    jobs: Jobs = None,
+    scheduler: Scheduler = None,
     limit: Annotated[
         int | None,
         typer.Option(

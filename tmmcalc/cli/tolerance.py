@@ -9,8 +9,8 @@ from typing import Annotated
 import typer
 
 from tmmcalc.cli.messages import note_written, warn
-from tmmcalc.cli.options import Form, Format, Quiet, Set, SpecFile, names_of
-from tmmcalc.cli.output import check_apart, check_picture, check_place, show, title
+from tmmcalc.cli.options import Form, Format, Jobs, Language, Quiet, Scheduler, Set, SpecFile, names_of
+from tmmcalc.cli.output import check_apart, check_picture, check_place, draw_in, name, show, title
 from tmmcalc.cli.progress import counted, seen
 
 
@@ -52,7 +52,10 @@ def command(
     picture: Annotated[
         Path | None,
         typer.Option(
-            "--picture", metavar="FILE", help="Histograms and the band, by suffix svg, png or pdf.", show_default=False
+            "--picture",
+            metavar="FILE",
+            help="Histograms and the band, by suffix svg, png, pdf or dxf.",
+            show_default=False,
         ),
     ] = None,
     out: Annotated[
@@ -65,16 +68,8 @@ def command(
             show_default=False,
         ),
     ] = None,
-    jobs: Annotated[
-        int | None,
-        typer.Option(
-            "--jobs", "-j", metavar="N", min=1, help="Local processes (default: as many as pay).", show_default=False
-        ),
-    ] = None,
-    scheduler: Annotated[
-        str | None,
-        typer.Option("--scheduler", metavar="ADDRESS", help="Solve on this Dask cluster.", show_default=False),
-    ] = None,
+    jobs: Jobs = None,
+    scheduler: Scheduler = None,
     balance: Annotated[
         Balance,
         typer.Option(
@@ -86,6 +81,7 @@ def command(
     fresh: Annotated[bool, typer.Option("--fresh", help="Solve all samples, whatever is stored.")] = False,
     form: Form = Format.table,
     quiet: Quiet = False,
+    language: Language = None,
     overrides: Set = None,
 ) -> None:
     """What the tolerances of the spec do to results: worst case, statistics, yield, shares of each dimension.
@@ -122,15 +118,14 @@ def command(
         fresh=fresh,
         balance={Balance.cost: "cost", Balance.share: "share", Balance.none: None}[balance],
     )
-    heading = title(load_spec(spec, overrides or ()), spec, "tolerances")
+    scene = load_spec(spec, overrides or ())
     with seen(counted("samples", sizes(samples)), quiet) as told:
         result = tolerate(asked, lambda done: told(done, 0), warn)
-    show(tolerance_document(result, heading), form)
+    show(tolerance_document(result, title(scene, spec, "tolerances")), form)
     if picture is not None:
         from tmmcalc.design.tolerance.picture import tolerance_drawing
-        from tmmcalc.report.drawing import draw
 
-        draw(picture, lambda: tolerance_drawing(result, heading))
+        draw_in(language, scene, picture, lambda: tolerance_drawing(result, name(scene, spec)))
     for file in (out, picture):
         if file is not None and not quiet:
             note_written(file)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Unpack
 
 import numpy as np
 
@@ -12,9 +13,8 @@ from tmmcalc.batch.reading import frame_of
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.facts import named
 from tmmcalc.core.records import record
-from tmmcalc.design.keys import chosen, keys_of
-from tmmcalc.design.ladders import Progress
-from tmmcalc.design.sensitivity import Partial, Sensitivity, sensitivity
+from tmmcalc.design.sensitivity import Partial, Sensitivity, Ways, sensitivity
+from tmmcalc.naming.keys import chosen
 from tmmcalc.naming.language import like, near, parse
 from tmmcalc.naming.rows import run_of as run_along
 from tmmcalc.naming.table import Table, table_of
@@ -48,25 +48,21 @@ def courses(
     columns: Sequence[str],
     to: Sequence[str] = (),
     fixed: Sequence[str] = (),
-    *,
-    jobs: int | None = None,
-    scheduler: str | None = None,
-    tell: Callable[[str], None] = lambda said: None,
-    progress: Progress = lambda done, count: None,
+    **ways: Unpack[Ways],
 ) -> tuple[list[Course], Sensitivity]:
     """Derivatives of columns (names with wildcards, without a place) in all rows, and all of them by name.
 
     The rest is as for `sensitivity`. Raises UsageError too for a name that is none of a column.
     """
     data = Variants(read_text(file), str(file), file.parent, fixed).data
-    frame = frame_of(file, fixed, (chosen(data, to) if to else keys_of(data))[:1], columns)
+    frame = frame_of(file, fixed, chosen(data, to)[:1], columns)
     run = run_of(frame, frame.variants().spec())
     if run.failures:
         raise next(iter(run.failures.values()))
     tables = {stage: table for stage, result in run.results.items() if (table := table_of(stage, result)) is not None}
     asked = list(dict.fromkeys(each for pattern in columns for each in _columns(pattern, tables)))
     names = [f"{stage}.{named(header)[0]}@{label}" for stage, header in asked for label in tables[stage].labels]
-    told = sensitivity(file, names, to, fixed, jobs=jobs, scheduler=scheduler, tell=tell, progress=progress)
+    told = sensitivity(file, names, to, fixed, **ways)
     return [_course(stage, header, tables[stage], told) for stage, header in asked], told
 
 

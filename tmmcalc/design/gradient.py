@@ -18,9 +18,9 @@ from tmmcalc.batch.task import Task
 from tmmcalc.core.records import record
 from tmmcalc.design.differences import LEVELS, Slope, slope, steps
 from tmmcalc.design.exact import Exact
-from tmmcalc.design.keys import scales
 from tmmcalc.design.ladders import Given, held, of_both
 from tmmcalc.design.model import Model
+from tmmcalc.design.sizes import scales
 from tmmcalc.naming.scene import Scene
 
 Values = NDArray[np.floating[Any]]

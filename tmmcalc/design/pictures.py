@@ -10,7 +10,7 @@ from tmmcalc.core.headers import key_and_unit
 from tmmcalc.design.courses import Course
 from tmmcalc.design.sensitivity import Partial, Sensitivity
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.diagram import Axis, Diagram
+from tmmcalc.report.drawing.diagram import Axis, Diagram, named
 from tmmcalc.report.drawing.lettering import plain, width
 from tmmcalc.report.drawing.page import headed, sheets
 from tmmcalc.report.drawing.panels import Panel, panels
@@ -115,9 +115,8 @@ def curves(every: Sequence[Course]) -> Drawing:
         if told:
             label = tr("change for 1 % of the key, {unit}", unit=said) if unit else tr("change for 1 % of the key")
             rows.append(Panel(label, told))
-        over, per = key_and_unit(course.over)
-        name = f"{plain(over)}, {tr_unit(per)}" if per else plain(over) or tr("row")
         x = np.array(course.x)
-        ends = Axis(name, float(np.min(x)), float(np.max(x)), degrees=per == "deg")
+        turns = key_and_unit(course.over)[1] == "deg"
+        ends = Axis(named(course.over) or tr("row"), float(np.min(x)), float(np.max(x)), degrees=turns)
         panels(drawing, under, x, ends, rows, (1.0, 1.6)[: len(rows)])
     return drawing

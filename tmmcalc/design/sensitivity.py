@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Literal
+from typing import Literal, TypedDict
 
 import numpy as np
 
@@ -14,12 +14,22 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
 from tmmcalc.design.differences import LEVELS, Slope
 from tmmcalc.design.exact import Exact
-from tmmcalc.design.keys import chosen, keys_of, scales, varied
 from tmmcalc.design.ladders import Ladders, Progress, Reach
 from tmmcalc.design.model import Model, solver_of
+from tmmcalc.design.sizes import scales, varied
+from tmmcalc.naming.keys import chosen
 from tmmcalc.project.loader import Variants, read_text
 
 Way = Literal["exact", "differences"]
+
+
+class Ways(TypedDict, total=False):
+    """Who solves the variants of `sensitivity`, and who is told."""
+
+    jobs: int | None  # processes; None: as many as pay
+    scheduler: str | None  # address of a cluster
+    tell: Callable[[str], None]  # what there is to be said
+    progress: Progress
 
 
 @record
@@ -86,7 +96,7 @@ def sensitivity(
     the spec as it is.
     """
     data = Variants(read_text(file), str(file), file.parent, fixed).data
-    keys = chosen(data, to) if to else keys_of(data)
+    keys = chosen(data, to)
     frame = frame_of(file, fixed, keys, of)
     sizes = scales(frame.axes)
     reasons = varied(frame, sizes)

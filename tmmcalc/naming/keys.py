@@ -29,8 +29,10 @@ def keys_of(data: dict[str, Any]) -> list[str]:
 def chosen(data: dict[str, Any], patterns: Sequence[str], where: str = "--to") -> list[str]:
     """The keys that patterns name, each once; those with wildcards ``*`` and ``?`` among all numbers of a document.
 
-    Raises UsageError for a pattern that names none.
+    Without patterns these are all its numbers. Raises UsageError for a pattern that names none.
     """
+    if not patterns:
+        return keys_of(data)
     found: dict[str, None] = {}
     for pattern in patterns:
         if WILD.isdisjoint(pattern):

@@ -24,6 +24,15 @@ def number(value: float, digits: int = 7, peak: float = 0.0) -> str:
     return tr_number(_unsigned_zero(f"{_cleaned(value, peak):.{digits}g}"))
 
 
+def percent(part: float, digits: int = 5) -> str:
+    """A part of a whole in per cent.
+
+    >>> percent(0.00135), percent(1.0)
+    ('0.135 %', '100 %')
+    """
+    return f"{number(100 * part, digits)} %"
+
+
 def angle(degrees: float) -> str:
     """An angle in degrees, five decimals at most.
 

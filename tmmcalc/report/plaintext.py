@@ -68,15 +68,23 @@ def _table(columns: list[Cells]) -> Iterator[str]:
 
 
 def _widths(columns: list[Cells]) -> list[int]:
-    """Widths that fit the page: a last column of texts gives way first, then the widest text before it."""
+    """Widths that fit the page: a last column of texts gives way first, then the widest text before it.
+
+    None is narrower than its longest word, which is never broken.
+    """
     widths = [c.width for c in columns]
     if not columns[-1].text:
         return widths
     last, *others = (k for k in reversed(range(len(columns))) if columns[k].text)
     for k in (last, *sorted(others, key=lambda k: -widths[k])):
         over = sum(widths) + GAP * (len(widths) - 1) - WIDTH
-        widths[k] = min(widths[k], max(widths[k] - over, NARROWEST))
+        widths[k] = min(widths[k], max(widths[k] - over, NARROWEST, _longest(columns[k])))
     return widths
+
+
+def _longest(column: Cells) -> int:
+    """Characters of the longest word of a column."""
+    return max(len(word) for text in (column.name, column.unit, *column.cells) for word in text.split() or [""])
 
 
 def _cell(text: str, left: bool, width: int) -> str:

@@ -137,6 +137,18 @@ class Number(Reader):
         return f"write a number, such as {self.example}"
 
 
+class Bound(Number):
+    """A number in the unit of its quantity; a text, which has a unit of its own, is read with the quantity."""
+
+    def read(self, value: object) -> Any:
+        """Return the number, or the text; raise UnitError with the fault in plain words."""
+        return value if isinstance(value, str) else super().read(value)
+
+    def describe(self) -> dict[str, Any]:
+        """Return the JSON Schema: a number or a text."""
+        return {"anyOf": [{"type": "number"}, {"type": "string"}], "description": f"{self.noun.capitalize()}."}
+
+
 class PolarForm:
     """A point may also be a table ``{ length, angle }``: its distance from the origin and its direction."""
 
@@ -219,6 +231,7 @@ Friction = Annotated[float, Number("a coefficient of friction", "0.1", at_least=
 Force = Annotated[float, Quantity("force")]
 Moment = Annotated[float, Quantity("moment")]
 
+Limit = Annotated[float | str, Bound("a limit", '350, or "350 mm"')]  # of a quantity that is known elsewhere
 Grade = Annotated[float, QualityGrade()]
 
 # Lists of fixed length, not tuples: tuples become prefixItems, which common TOML editors do not follow.

@@ -93,6 +93,21 @@ def test_a_run_that_was_killed_goes_on_and_ends_as_one_that_was_not(tmp_path: Pa
     assert not journal.exists()
 
 
+def test_what_is_solved_is_kept_until_the_result_was_used(tmp_path: Path) -> None:
+    file, out = spec(tmp_path, SWIFTEST), tmp_path / "best.toml"
+
+    def fails(result: Optimum) -> None:
+        raise OSError("no room is left")
+
+    with pytest.raises(OSError, match="no room"):
+        optimize(file, out=out, use=fails)
+    used: list[Optimum] = []
+    again = optimize(file, out=out, use=used.append)
+    assert again.resumed == again.solved > 50
+    assert used == [again]
+    assert not part(out).exists()
+
+
 def test_a_catalogue_and_whole_numbers_are_solved_completely(tmp_path: Path) -> None:
     asked = f"""
 [optimize]

@@ -72,9 +72,9 @@ def test_a_small_share_of_the_box_is_found_as_large_as_it_is():
     """The share of a spread that keeps a ball is the ball's: pi/6 of a cube in three dimensions."""
     made = problem(lambda x: np.array([x[:, 0], np.linalg.norm(x, axis=1)]).T, [(-1.0, 1.0)] * 3,
                    [Limit("ball", 1, "", None, 1.0)])  # fmt: skip
-    from tmmcalc.design.optimize.search import _spread
+    from tmmcalc.design.optimize.evolution import spread
 
-    scores = made.scores(_spread(3, 2**14, 5))
+    scores = made.scores(spread(3, 2**14, 5))
     assert (scores.violation == 0).mean() == pytest.approx(np.pi / 6, abs=2e-3)
 
 

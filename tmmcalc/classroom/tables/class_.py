@@ -6,9 +6,9 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from tmmcalc.design.tables.key import Keys, Result
-from tmmcalc.feasibility.tables.constraints import Bound, Limit
 from tmmcalc.spec.choices import Exact, Listed, OneOrMore, Whole
 from tmmcalc.spec.phrases import show
+from tmmcalc.spec.quantities import Bound, Limit
 from tmmcalc.spec.reader import Reader
 from tmmcalc.spec.table import Table
 from tmmcalc.spec.units import UnitError

@@ -178,8 +178,8 @@ def _front(result: Optimum, title: str) -> Document:
     ]
     values = {"designs": len(result.designs), "objectives": [each.name for each in result.objectives], "best": best}
     facts = (Fact("front", f"{len(result.designs)} designs of which none is better in all", values), *ends)
-    headers = ["i", *(_header(each.name, each.unit) for each in result.objectives)]
-    headers += [_header(each.name, each.unit) for each in result.variables]
+    headers = ["i", *(header(each.name, each.unit) for each in result.objectives)]
+    headers += [header(each.name, each.unit) for each in result.variables]
     rows = [(at, *each.objectives, *each.values) for at, each in enumerate(result.designs, 1)]
     table = View(headers, [*map(list, zip(*rows, strict=True))])
     return Document(title, (*facts, *_search(result)), (*_notes(result),), table)
@@ -193,7 +193,8 @@ def _ends(result: Optimum) -> list[float]:
     ]
 
 
-def _header(name: str, unit: str) -> str:
+def header(name: str, unit: str) -> str:
+    """The header of a column of a result or a variable."""
     bare, own = key_and_unit(name)
     return f"{bare}[{unit or own}]" if unit or own else bare
 

@@ -38,6 +38,12 @@ class Population:
     places: Values
     scores: Scores
 
+    def with_more(self, other: Population) -> Population:
+        """Both, the best first."""
+        scores = self.scores.with_more(other.scores)
+        order = ranked(scores)
+        return Population(np.concatenate((self.places, other.places))[order], scores[order])
+
 
 def evolve(
     evaluate: Evaluate,
@@ -91,6 +97,14 @@ def evolve(
 def population(variables: int, budget: int) -> int:
     """Designs of the first population."""
     return int(min(LARGEST * variables, CROWD, max(LEAST + 1, budget // 10)))
+
+
+def spread(variables: int, count: int, seed: int) -> Values:
+    """Designs (count, variables) that fill the unit box evenly: scrambled points of Sobol."""
+    from scipy.stats import qmc
+
+    sequence = qmc.Sobol(variables, seed=seed)
+    return np.asarray(sequence.random_base2(int(np.ceil(np.log2(max(count, 2)))))[:count])
 
 
 def _settled(places: Values, scores: Scores) -> bool:

@@ -5,8 +5,8 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from tmmcalc.design.tables.key import Keys, Results
-from tmmcalc.feasibility.tables.constraints import Bound, Limit
 from tmmcalc.spec.choices import Listed, Whole
+from tmmcalc.spec.quantities import Bound, Limit
 from tmmcalc.spec.table import Table
 
 Values = Annotated[list[Any], Listed(Bound("a value", '"2.5 mm"'), '["2 mm", "2.5 mm", "3 mm"]')]

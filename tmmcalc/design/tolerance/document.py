@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
 from tmmcalc.core.headers import key_and_unit
 from tmmcalc.design.tolerance.balance import Balance
-from tmmcalc.design.tolerance.sampling import QUANTILES, Estimate, Statistics
-from tmmcalc.design.tolerance.sources import Clearance
+from tmmcalc.design.tolerance.sampling import OUTER, QUANTILES, Estimate, Statistics
+from tmmcalc.design.tolerance.sources import SIGMAS, Clearance
 from tmmcalc.design.tolerance.study import Tolerated
 from tmmcalc.design.tolerance.worst import MOST_LOST, Worst
 from tmmcalc.design.tolerance.yields import MOST
 from tmmcalc.report.document import Document, Fact, View
-from tmmcalc.report.numbers import number
+from tmmcalc.report.numbers import number, percent
 
 RULES = {
     "cost": "least cost, if all cost the same as they are and each as the reciprocal of its width",
@@ -25,21 +25,21 @@ RULES = {
 SHOWN = 5  # reasons, and parts that are told in words
 OFF = 0.1  # of sigma: by more the linear model is said to be off
 NO_SHARE = 5e-4  # of the variance: less is shown as 0
-HEADERS = (
-    "result", "nominal", "worst least", "worst largest", "mean", "sigma", "linear sigma", "0.135 %", "99.865 %",
-)  # fmt: skip
+DIGITS, MOST_DIGITS = 7, 15  # of a value with its interval
+ENDS = QUANTILES[0], QUANTILES[-1]
+HEADERS = "result", "nominal", "worst least", "worst largest", "mean", "sigma", "linear sigma"
+INTERVALS = "result", "of samples", "value", "from", "to"
 
 
 def tolerance_document(result: Tolerated, title: str) -> Document:
-    """Yield, refusals, a row a result, then the shares; a result of many columns has its part."""
+    """Yield, refusals, a row a result; then the intervals of what the samples tell, the shares, balanced tolerances."""
     notes = (*_notes(result), *_assumptions(result))
     facts = (_samples(result), *_refusals(result), *_yield(result), *_widths(result))
     shown = range(len(result.worst))
-    rows = [_row(result, at) for at in shown]
-    table = View(HEADERS, [list(column) for column in zip(*rows, strict=True)])
+    table = _table((*HEADERS, *_outer(result)), [_row(result, at) for at in shown])
     values = {result.names[at]: _values(result, at) for at in shown}
-    told = Fact("results", f"{len(rows)}, with {len(result.sources.names)} parts that vary", values)
-    parts = [_shares(result)]
+    told = Fact("results", f"{len(shown)}, with {len(result.sources.names)} parts that vary", values)
+    parts = [*_intervals(result), _shares(result)]
     if result.balance is not None:
         parts.append(_balance(result.balance, result.sources.names))
     return Document(title, (*facts, told), notes, table, parts=tuple(parts))
@@ -64,10 +64,10 @@ def _yield(result: Tolerated) -> Iterator[Fact]:
         yield Fact("yield", "not known: the spec has no [[constraints]]", {})
         return
     good = result.good
-    text = f"{_percent(good.value)} ({_percent(good.low)} to {_percent(good.high)} at 95 %)"
+    text = f"{percent(good.value)} ({percent(good.low)} to {percent(good.high)} at 95 %)"
     yield Fact("yield", text, {"yield": _plain(good)})
     for name, count in result.failing.items():
-        text = f"{count} samples beyond its limits, {_percent(count / result.samples)}"
+        text = f"{count} samples beyond its limits, {percent(count / result.samples)}"
         yield Fact(f"{name} fails", text, {f"failing_{name}": count})
 
 
@@ -81,15 +81,15 @@ def _widths(result: Tolerated) -> Iterator[Fact]:
         "loss": found.loss,
         "parts": [{"name": each.name, "widening": each.factor, "gain_at_half": each.gain} for each in found.parts],
     }
-    yield Fact("yield of the linear model", _percent(found.linear_yield), values)
+    yield Fact("yield of the linear model", percent(found.linear_yield), values)
     useful = [each for each in found.parts if each.gain > 0][:SHOWN]
     if useful:
-        text = "; ".join(f"{each.name}: half of it gains {_percent(each.gain)}" for each in useful)
+        text = "; ".join(f"{each.name}: half of it gains {percent(each.gain)}" for each in useful)
         yield Fact("to narrow first", text, {})
     wide = sorted((each for each in found.parts if each.factor > 1.0), key=lambda each: -each.factor)[:SHOWN]
     if wide:
         text = "; ".join(f"{each.name} {_times(each.factor)}" for each in wide)
-        yield Fact(f"may be widened, each alone, at {_percent(found.loss)} of yield", text, {})
+        yield Fact(f"may be widened, each alone, at {percent(found.loss)} of yield", text, {})
     if len(found.together) > 1:
         text = f"{', '.join(found.together)} {_times(found.common)}"
         told = {"together": list(found.together), "together_widening": found.common}
@@ -100,15 +100,15 @@ def _balance(found: Balance, names: tuple[str, ...]) -> Document:
     """All tolerances at once, at equal yield: factors of their widths, the widest first."""
     factors = dict(sorted(zip(names, found.factors.tolist(), strict=True), key=lambda each: -each[1]))
     good, before = found.after, found.before
-    ends = f"{_percent(good.low)} to {_percent(good.high)} at 95 %"
+    ends = f"{percent(good.low)} to {percent(good.high)} at 95 %"
     facts = (
         Fact("rule", RULES[found.law], {"rule": found.law, "factors": factors}),
         Fact(
             "yield",
-            f"{_percent(good.value)} ({ends}), {_percent(before.value)} before, by {found.samples} samples",
+            f"{percent(good.value)} ({ends}), {percent(before.value)} before, by {found.samples} samples",
             {"yield": _plain(good), "yield_before": _plain(before), "samples": found.samples},
         ),
-        Fact("cost", f"{_percent(found.cost)} of before", {"cost": found.cost}),
+        Fact("cost", f"{percent(found.cost)} of before", {"cost": found.cost}),
     )
     columns: list[list[Any]] = [[*factors], [number(factor, 3) for factor in factors.values()]]
     return Document("balanced at equal yield", facts, (), View(["varies", "times as wide"], columns), name="balance")
@@ -121,13 +121,22 @@ def _times(factor: float) -> str:
 def _row(result: Tolerated, at: int) -> tuple[Any, ...]:
     worst, told = result.worst[at], result.statistics[at]
     line = result.linear
-    blank = ("", "", "", "")
-    quantiles = () if told is None else (told.quantiles[0].value, told.quantiles[-1].value)
-    own = blank if told is None else map(number, (told.mean.value, told.sigma.value, *quantiles))
-    mean, sigma, low, high = own
+    mean, sigma = ("", "") if told is None else map(number, (told.mean.value, told.sigma.value))
+    quantiles = {} if told is None else told.told
+    outer = [number(quantiles[end].value) if end in quantiles else "" for end in _outer(result).values()]
     ends = ("", "") if worst.how == "none" else map(number, (worst.least, worst.largest))
     straight = number(line.sigma[at]) if np.isfinite(line.sigma[at]) else ""
-    return result.names[at], number(result.nominal[at]), *ends, mean, sigma, straight, low, high
+    return result.names[at], number(result.nominal[at]), *ends, mean, sigma, straight, *outer
+
+
+def _outer(result: Tolerated) -> dict[str, float]:
+    """The outermost quantiles, by what they are called, if there are samples enough for them of any result."""
+    told = any(each is not None and each.count >= OUTER for each in result.statistics)
+    return {percent(end): end for end in ENDS} if told else {}
+
+
+def _table(headers: Sequence[str], rows: Sequence[tuple[Any, ...]]) -> View:
+    return View(headers, [list(column) for column in zip(*rows, strict=True)])
 
 
 def _values(result: Tolerated, at: int) -> dict[str, Any]:
@@ -157,7 +166,7 @@ def _worst(worst: Worst, keys: tuple[str, ...]) -> dict[str, Any]:
 
 def _moments(told: Statistics | None) -> dict[str, Any]:
     assert told is not None
-    quantiles = {f"quantile_{q:g}": _plain(each) for q, each in zip(QUANTILES, told.quantiles, strict=True)}
+    quantiles = {f"quantile_{q:g}": _plain(each) for q, each in told.told.items()}
     return {
         "samples": told.count,
         "mean": _plain(told.mean),
@@ -196,6 +205,10 @@ def _notes(result: Tolerated) -> Iterator[str]:
     if any(each is None for each in result.statistics):
         names = [name for name, each in zip(result.names, result.statistics, strict=True) if each is None]
         yield f"warning: too few samples have {', '.join(names)} for statistics"
+    few = [name for name, each in zip(result.names, result.statistics, strict=False) if each and each.count < OUTER]
+    if few:
+        ends = " and ".join(map(percent, ENDS))
+        yield f"note: {ends} of {', '.join(few)} are left out: of fewer than {OUTER} samples not two lie beyond each"
 
 
 def _bends(result: Tolerated) -> Iterator[str]:
@@ -221,6 +234,13 @@ def _bends(result: Tolerated) -> Iterator[str]:
 
 def _assumptions(result: Tolerated) -> Iterator[str]:
     pairs = result.sources.clearances
+    radii = [pair.radius for pair in pairs if pair.varies]
+    if any(each.kind == "normal" for each in (*result.sources.dimensions, *radii)):
+        beyond = percent(math.erfc(SIGMAS / math.sqrt(2)), 2)
+        yield (
+            f"normal: {SIGMAS:g} sigma from the middle of a tolerance to its ends, so that {beyond} of dimensions are "
+            "made beyond these; the worst case does not count them"
+        )
     if pairs:
         yield "clearances are massless links of half of the clearance: contact is never lost"
     if any(pair.pin for pair in pairs):
@@ -240,6 +260,25 @@ def _direction(pair: Clearance) -> str:
     return f"{number(math.degrees(math.atan2(pair.along[1], pair.along[0])), 5)} deg"
 
 
+def _intervals(result: Tolerated) -> Iterator[Document]:
+    """A row a number that the samples tell of a result, with its interval."""
+    rows = []
+    for name, told in zip(result.names, result.statistics, strict=False):
+        if told is None:
+            continue
+        every = {"mean": told.mean, "sigma": told.sigma} | {percent(q): each for q, each in told.told.items()}
+        rows += [(name, of, *_written(each)) for of, each in every.items()]
+    if rows:
+        yield Document("intervals of 95 %", (), (), _table(INTERVALS, rows), name="intervals")
+
+
+def _written(found: Estimate) -> list[str]:
+    """A value and the ends of its interval, with as many digits as tell these apart."""
+    size, wide = max(abs(found.low), abs(found.high)), found.high - found.low
+    digits = math.ceil(math.log10(size / wide)) + 2 if size and wide else DIGITS
+    return [number(each, min(max(digits, DIGITS), MOST_DIGITS)) for each in (found.value, found.low, found.high)]
+
+
 def _shares(result: Tolerated) -> Document:
     """Per cent of the variance by the linear model, a row a part, a column a result; the most important first."""
     shares = result.linear.shares[: len(result.worst)]
@@ -252,7 +291,3 @@ def _shares(result: Tolerated) -> Document:
 
 def _share(part: float) -> float:
     return round(100 * part, 2) if part >= NO_SHARE / 10 else 0.0
-
-
-def _percent(part: float) -> str:
-    return f"{number(100 * part, 5)} %"

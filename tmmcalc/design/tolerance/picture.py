@@ -6,30 +6,36 @@ import math
 
 import numpy as np
 
-from tmmcalc.design.tolerance.sampling import QUANTILES
+from tmmcalc.core.headers import key_and_unit
+from tmmcalc.design.tolerance.sampling import QUANTILES, enough
 from tmmcalc.design.tolerance.sources import Values
 from tmmcalc.design.tolerance.study import Tolerated
 from tmmcalc.report.drawing.box import Box
-from tmmcalc.report.drawing.diagram import Axis, Diagram
+from tmmcalc.report.drawing.diagram import Axis, Diagram, named
+from tmmcalc.report.drawing.lettering import plain
 from tmmcalc.report.drawing.page import headed, sheets
 from tmmcalc.report.drawing.pens import CURVES, MIDDLE, THIN, Pen
 from tmmcalc.report.drawing.shapes import Area, Drawing
-from tmmcalc.report.language import tr
+from tmmcalc.report.language import tr, tr_unit
+from tmmcalc.report.numbers import percent
 
 BARS = 40
 MOST = 4  # histograms on a sheet
 FILL = "#cfe3f2"
 WORST = Pen("WORST_CASE", 0.35, (2.5, 1.3), "#d55e00")
 LINEAR = Pen("LINEAR", 0.35, colour="#009e73")
+MEDIAN = 0.5
+PENS = dict(zip(QUANTILES, (WORST, CURVES[0], LINEAR, CURVES[0], WORST), strict=True))
 AIR = 0.04  # beside the outermost place, of the span
 
 
-def tolerance_drawing(result: Tolerated, heading: str) -> Drawing:
-    """Sheets of up to four histograms, then one of the band if there is one."""
+def tolerance_drawing(result: Tolerated, name: str) -> Drawing:
+    """Sheets of up to four histograms, then one of the band if there is one; ``name`` is that of the spec."""
     shown = [at for at in range(len(result.worst)) if result.statistics[at] is not None]
     banded = bool(result.band)
     count = max(math.ceil(len(shown) / MOST) + banded, 1)
     drawing, boxes = sheets(count)
+    heading = tr("{name}: tolerances", name=plain(name))
     boxes = [headed(drawing, box, heading) for box in boxes]
     for place, at in enumerate(shown):
         sheet, number = divmod(place, MOST)
@@ -65,9 +71,8 @@ def _histogram(drawing: Drawing, box: Box, result: Tolerated, at: int) -> None:
     if sigma > 0:
         curve = np.exp(-(((x - mean) / sigma) ** 2) / 2) / (sigma * math.sqrt(2 * math.pi))
     top = 1.08 * max(float(density.max()), float(curve.max()))
-    field = Diagram(
-        drawing, box, Axis(result.names[at], low - air, high + air), Axis(tr("density of samples"), 0.0, top)
-    )
+    along, up = Axis(named(result.names[at]), low - air, high + air), Axis(tr("density of samples"), 0.0, top)
+    field = Diagram(drawing, box, along, up)
     for height, left, right in zip(density, edges, edges[1:], strict=False):
         corners = field.paper([complex(left, 0), complex(right, 0), complex(right, height), complex(left, height)])
         drawing.add(Area(corners, FILL, THIN), level=0)
@@ -79,26 +84,28 @@ def _histogram(drawing: Drawing, box: Box, result: Tolerated, at: int) -> None:
     field.key([(tr("nominal"), MIDDLE), (tr("linear model"), LINEAR), (tr("worst case"), WORST)])
 
 
-def band(result: Tolerated) -> tuple[Values, Values]:
-    """Nominal values (n,) of the column at its positions, and its quantiles (quantiles, n) there."""
+def band(result: Tolerated) -> dict[float, Values]:
+    """How far the quantiles that there are samples enough for are from the nominal column (n,), at its positions."""
     columns = [*result.band]
-    return result.nominal[columns], np.nanquantile(result.values[:, columns], QUANTILES, axis=0)
+    values = result.values[:, columns]
+    some = QUANTILES[enough(int(np.isfinite(values).sum(axis=0).min()))]
+    apart = np.nanquantile(values, some, axis=0) - result.nominal[columns]
+    return dict(zip(some, apart, strict=True))
 
 
 def _band(drawing: Drawing, box: Box, result: Tolerated) -> None:
-    """How far the column is from its nominal course: between 0.135 % and 99.865 % of the samples, and 5 % and 95 %."""
-    nominal, levels = band(result)
-    apart = levels - nominal
-    x = np.arange(len(nominal), dtype=float)
-    name, _, unit = result.names[result.band[0]].partition("@")
-    unit = unit.partition("[")[2].rstrip("]")
-    low, high = float(apart.min()), float(apart.max())
+    """Quantiles of the samples as far as they are from the nominal course, each beside its counterpart."""
+    apart = band(result)
+    header, unit = key_and_unit(result.names[result.band[0]])
+    name = tr("{name}: apart from nominal", name=plain(header.rpartition("@")[0]))
+    rows = np.array([*apart.values()])
+    low, high = float(rows.min()), float(rows.max())
     air = AIR * (high - low) or 1.0
-    label = tr("{name}: apart from nominal, {unit}", name=name, unit=unit) if unit else name
-    along = Axis(tr("number of the position"), 0.0, max(float(x[-1]), 1.0), whole=True)
-    field = Diagram(drawing, box, along, Axis(label, low - air, high + air))
-    pens = (WORST, CURVES[0], LINEAR, CURVES[0], WORST)
-    for row, pen in zip(apart, pens, strict=True):
-        field.curve(x + 1j * row, pen)
-    names = [("0.135 %, 99.865 %", WORST), ("5 %, 95 %", CURVES[0]), (tr("median"), LINEAR)]
-    field.key(names)
+    along = Axis(tr("number of the position"), 0.0, max(len(result.band) - 1.0, 1.0), whole=True)
+    upward = Axis(f"{name}, {tr_unit(unit)}" if unit else name, low - air, high + air)
+    field = Diagram(drawing, box, along, upward)
+    for q, row in apart.items():
+        field.curve(np.arange(len(row)) + 1j * row, PENS[q])
+    pairs = [q for q in apart if q < MEDIAN]
+    names = [(f"{percent(q)}, {percent(1 - q)}", PENS[q]) for q in pairs]
+    field.key([*names, (tr("median"), PENS[MEDIAN])])

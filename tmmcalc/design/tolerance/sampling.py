@@ -20,7 +20,8 @@ from tmmcalc.design.tolerance.sources import Sources, Values
 REPLICATES = 16
 STUDENT = 2.131449545559323  # 0.975 of Student's distribution with 15 degrees of freedom
 NORMAL = 1.959963984540054  # 0.975 of the normal one
-QUANTILES = (0.00135, 0.05, 0.5, 0.95, 0.99865)
+QUANTILES: tuple[float, ...] = (0.00135, 0.05, 0.5, 0.95, 0.99865)
+OUTER = 1500  # samples from which on the outermost of these are told: two lie beyond each
 NOISE = 1e-9  # of what is compared
 FEW = 5 * REPLICATES  # samples of the rarer kind below which a share has Wilson's interval
 
@@ -45,6 +46,21 @@ class Statistics:
     quantiles: tuple[Estimate, ...]  # at QUANTILES
     least: float
     largest: float
+
+    @property
+    def told(self) -> dict[float, Estimate]:
+        """The quantiles that there are samples enough for."""
+        some = enough(self.count)
+        return dict(zip(QUANTILES[some], self.quantiles[some], strict=True))
+
+
+def enough(count: int) -> slice:
+    """Which of `QUANTILES` so many samples tell.
+
+    >>> QUANTILES[enough(1024)]
+    (0.05, 0.5, 0.95)
+    """
+    return slice(None) if count >= OUTER else slice(1, -1)
 
 
 def sizes(samples: int) -> int:

@@ -18,14 +18,14 @@ from tmmcalc.batch.sweep import sweep
 from tmmcalc.batch.task import BROKEN, Row, Task
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.records import record
-from tmmcalc.design.keys import scales, varied
 from tmmcalc.design.model import BLOCK, Answers, Model, Told, solver_of
 from tmmcalc.design.sensitivity import sensitivity
+from tmmcalc.design.sizes import scales, varied
 from tmmcalc.design.tolerance.balance import Law
 from tmmcalc.design.tolerance.sampling import sizes
 from tmmcalc.design.tolerance.sources import Values
 from tmmcalc.design.tolerance.study import Tolerated, ranges, study
-from tmmcalc.design.tolerance.task import keys_of, sources_of
+from tmmcalc.design.tolerance.task import sources_of, varying
 from tmmcalc.design.tolerance.yields import Rule
 from tmmcalc.feasibility.quantities import limits, of_given
 from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
@@ -69,7 +69,7 @@ def tolerate(asked: Asked, told: Told = lambda done: None, warn: Callable[[str],
     if not wanted:
         raise UsageError("no result is asked for", where="--of", remedy="name results, or add [[constraints]]")
     course = _band(asked.band, spec)
-    keys = keys_of(spec.tolerances, variants.data)
+    keys = varying(spec.tolerances, variants.data)
     frame = frame_of(asked.file, asked.overrides, keys, [*dict.fromkeys([*wanted, *course])])
     _check(frame)
     sources = sources_of(spec.tolerances, variants.data, frame.axes, partial(_pressed, spec))

@@ -29,7 +29,7 @@ METRE, RADIAN = "m", "rad"
 Pressed = Callable[[str, int], complex]  # name of a joint, a link of it -> unit vector in the axes of the link
 
 
-def keys_of(tolerances: Sequence[ToleranceTable], document: Raw) -> tuple[str, ...]:
+def varying(tolerances: Sequence[ToleranceTable], document: Raw) -> tuple[str, ...]:
     """The keys that vary, each number once however it is written; raises UsageError where nothing does, or a key is
     none.
     """
@@ -51,7 +51,7 @@ def keys_of(tolerances: Sequence[ToleranceTable], document: Raw) -> tuple[str, .
 def sources_of(
     tolerances: Sequence[ToleranceTable], document: Raw, axes: Sequence[Axis], pressed: Pressed | None = None
 ) -> Sources:
-    """All that varies; the axes are those of `keys_of`, each with its nominal value and unit.
+    """All that varies; the axes are those of `varying`, each with its nominal value and unit.
 
     ``pressed`` tells where forces press joints whose clearance is told to be there. Raises UsageError where a tolerance
     does not fit its size or its unit, or a key has two.

@@ -10,7 +10,7 @@ from tmmcalc.core.errors import UsageError
 from tmmcalc.naming.language import ANY, OF, ROWS, is_name, parse
 from tmmcalc.spec.choices import Known
 from tmmcalc.spec.phrases import show
-from tmmcalc.spec.quantities import Number
+from tmmcalc.spec.quantities import Bound, Limit, Number
 from tmmcalc.spec.reader import Reader
 from tmmcalc.spec.table import Table
 from tmmcalc.spec.units import UnitError
@@ -35,23 +35,10 @@ class RuleName(Reader):
         return {"type": "string", "pattern": f"^{self.PATTERN}$", "description": "Name of a constraint."}
 
 
-class Bound(Number):
-    """A number in the unit of its quantity; a text, which has a unit of its own, is read with the quantity."""
-
-    def read(self, value: object) -> Any:
-        """Return the number, or the text; raise UnitError with the fault in plain words."""
-        return value if isinstance(value, str) else super().read(value)
-
-    def describe(self) -> dict[str, Any]:
-        """Return the JSON Schema: a number or a text."""
-        return {"anyOf": [{"type": "number"}, {"type": "string"}], "description": f"{self.noun.capitalize()}."}
-
-
 ConstraintName = Annotated[str, RuleName()]
 What = Annotated[str, Known("what of a column", tuple(of for of in OF if of != "chosen"))]
 Value = Annotated[float | str, Bound("a value", '0.35, or "35 deg"')]
 Function = Annotated[float, Number("a signed value", "0.3")]
-Limit = Annotated[float | str, Bound("a limit", '350, or "350 mm"')]
 
 
 class ConstraintTable(Table):

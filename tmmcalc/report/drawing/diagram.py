@@ -8,19 +8,21 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmmcalc.core.headers import key_and_unit
 from tmmcalc.core.plane import Plane, Real
 from tmmcalc.report.drawing.box import Box
 from tmmcalc.report.drawing.field import Field
-from tmmcalc.report.drawing.lettering import extent, minus, width
+from tmmcalc.report.drawing.lettering import extent, minus, plain, width
 from tmmcalc.report.drawing.pens import CURVES, GRID, MIDDLE, THIN, WHITE, Pen
 from tmmcalc.report.drawing.shapes import Arc, Area, Drawing, Words
-from tmmcalc.report.language import tr_number
+from tmmcalc.report.language import tr_number, tr_unit
 from tmmcalc.report.numbers import number
 
 HEIGHT = 2.5  # of the numbers along the axes [mm]
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
 DEGREES = (5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0, 360.0)
 NAMED = 3.5  # from a frame over the numbers of its ordinate to the name of it, but for their width [mm]
+TOUCHING = 1.5  # numbers of an abscissa are not nearer [mm]
 ROOM = 8.0  # least distance of ticks along y, with numbers on each [mm]
 SAMPLE = 9.0  # length of a line in the key [mm]
 ROW = 4.2  # height of a row of it
@@ -102,7 +104,7 @@ class Diagram(Field):
 
     def _grid(self, numbered: bool, lettered: bool) -> None:
         box, draw, larger = self.box, self.drawing, self.drawing.letters
-        along = ticks(self.x, max(2, int(box.width / 12 / larger)))
+        along = across(self.x, box.width, larger)
         up = upward(self.y, box.height, larger)
         height = HEIGHT * larger
         for value in along:
@@ -211,6 +213,16 @@ class Diagram(Field):
             self.drawing.line([complex(at, self.box.bottom), complex(at, self.box.top)], pen, level=1)
 
 
+def named(header: str) -> str:
+    """What stands along the axis of a column: the name of its header as it is, and the unit.
+
+    >>> named("kinematics.vS_D[m/s]"), named("train.criteria[0]")
+    ('kinematics.vS_D, m/s', 'train.criteria[0]')
+    """
+    name, unit = key_and_unit(header)
+    return f"{plain(name)}, {tr_unit(unit)}" if unit else plain(name)
+
+
 def sign(drawing: Drawing, at: complex, kind: str, pen: Pen, size: float, *, filled: bool = True) -> Plane:
     """A sign at a place on paper; its corners."""
     corners = at + size / 2 * SIGNS[kind]
@@ -264,6 +276,18 @@ def _widest(values: Sequence[float], height: float) -> float:
 def upward(axis: Axis, high: float, larger: float = 1.0) -> list[float]:
     """The ticks of an ordinate in a frame ``high`` mm high."""
     return ticks(axis, max(2, int(high / ROOM / larger)), FEWEST, int(high / (CLOSEST * HEIGHT) / larger) + 1)
+
+
+def across(axis: Axis, wide: float, larger: float = 1.0) -> list[float]:
+    """The ticks of an abscissa in a frame ``wide`` mm wide: so few that their numbers do not touch."""
+    most = max(2, int(wide / 12 / larger))
+    span = abs(float(np.subtract(*axis.along(np.array([axis.low, axis.high])))))
+    while len(found := ticks(axis, most)) > 2 and most > 2:
+        apart = wide / span * float(np.diff(axis.along(np.array(found))).min())
+        if _widest(found, HEIGHT * larger) + TOUCHING <= apart:
+            break
+        most -= 1
+    return found
 
 
 def ticks(axis: Axis, most: int, fewest: int = 2, utmost: int = 6) -> list[float]:

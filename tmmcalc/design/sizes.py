@@ -1,4 +1,4 @@
-"""The numbers of a spec by their keys (`tmmcalc.naming.keys`), and how large a change of each is an ordinary one."""
+"""How large the numbers of a spec are, against which steps of each are small, and which of them take any step."""
 
 from __future__ import annotations
 
@@ -6,12 +6,9 @@ from collections.abc import Sequence
 
 from tmmcalc.batch.task import Task
 from tmmcalc.core.errors import SpecError, TmmError
-from tmmcalc.naming.keys import chosen, keys_of
 from tmmcalc.spec.units import dimension_of
 from tmmcalc.spec.units import parse as in_si
 from tmmcalc.spec.variants import Axis
-
-__all__ = ["chosen", "keys_of", "scales", "varied"]
 
 SMALL = 1e-3  # of the largest of its kind: a number that is smaller is changed as if it were that large
 NOTHING = 0.1  # of the largest of its kind: as if it were that large a number that is 0 is changed

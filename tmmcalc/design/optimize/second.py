@@ -1,0 +1,106 @@
+"""A second method with as many designs, by its own random numbers: whether it finds the same."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmmcalc.core.records import record
+from tmmcalc.design.optimize.evolution import Population, population, spread
+from tmmcalc.design.optimize.order import Scores, ranked
+from tmmcalc.design.optimize.polish import SHORTER, Aim, polish
+from tmmcalc.design.optimize.problem import Problem
+from tmmcalc.design.optimize.refined import polished
+
+Values = NDArray[np.floating[Any]]
+
+STEPS = 100  # of a local search, by which their number is planned
+STARTS = 8, 256  # of local searches, at least and at most
+DRAWN = 16  # random designs for every start
+EQUAL = 1e-6  # of the objective: two methods that found the same
+
+
+@record
+class Second:
+    """What a second method found, of each objective by itself."""
+
+    method: str
+    best: tuple[float, ...]  # inf where it found nothing
+    hits: tuple[int, ...] = ()  # of its local searches that found the best, within EQUAL
+    starts: int = 0  # the designs that these began from, for each objective; 0: it is no local search
+    drawn: int = 0  # of so many random ones
+    better: tuple[bool, ...] = ()  # than the first
+
+
+def second_method(problem: Problem, budget: int, seed: int) -> tuple[Second, Population]:
+    """Another method with as many designs, on its own random numbers."""
+    if problem.discrete:
+        return _by_scipy(problem, budget, seed)
+    return _by_starts(problem, budget, seed)
+
+
+def _by_starts(problem: Problem, budget: int, seed: int) -> tuple[Second, Population]:
+    """Local searches from the best of many random designs, in turns for each objective."""
+    variables, several = len(problem.variables), len(problem.objectives)
+    starts = int(np.clip(budget // (STEPS * (2 * variables + 1)), *STARTS))
+    drawn = spread(variables, DRAWN * starts, seed + 1)
+    scores = problem.scores(drawn)
+    aims, chosen = [], []
+    for at in range(several):
+        order = ranked(Scores(scores.objectives[:, [at]], scores.violation))[: -(-starts // several)]
+        own = order[np.isfinite(scores.violation[order])]
+        chosen += own.tolist()
+        aims += [Aim(at, np.full(several, np.inf))] * len(own)
+    method = "sequential quadratic programming from random designs"
+    if not chosen:
+        return Second(method, (np.inf,) * several, (0,) * several), Population(drawn[:0], scores[:0])
+    found = polish(problem, drawn[chosen], aims, int(np.clip(2 * budget // (starts * variables), STEPS, SHORTER)))
+    kept = found.scores.violation == 0
+    best, hits = [], []
+    for at in range(several):
+        own = found.scores.objectives[:, at][kept & np.array([aim.objective == at for aim in aims])]
+        best.append(float(own.min()) if own.size else np.inf)
+        hits.append(int((own <= best[-1] + EQUAL * problem.scale(at, best[-1])).sum()) if own.size else 0)
+    second = Second(method, tuple(best), tuple(hits), len(chosen) // several, len(drawn))
+    return second, Population(found.places[kept], found.scores[kept])
+
+
+def _by_scipy(problem: Problem, budget: int, seed: int) -> tuple[Second, Population]:
+    """Of each objective by itself scipy's differential evolution, polished."""
+    from scipy.optimize import differential_evolution
+
+    size = max(5, population(len(problem.variables), budget) // len(problem.variables))
+    places, best = [], []
+    for at in range(len(problem.objectives)):
+
+        def cost(x: Values, at: int = at) -> Values:
+            scores = problem.scores(np.atleast_2d(x.T))
+            own, broken = scores.objectives[:, at], scores.violation
+            worst = np.max(np.abs(own[np.isfinite(own)]), initial=1.0)
+            penalty = np.where(np.isfinite(broken), broken, 1e6)
+            return np.where(broken > 0, worst * (10 + penalty), own)
+
+        found = differential_evolution(
+            cost,
+            [(0.0, 1.0)] * len(problem.variables),
+            vectorized=True,
+            updating="deferred",
+            polish=False,
+            seed=seed + 1 + at,
+            popsize=size,
+            maxiter=max(1, budget // (size * len(problem.variables)) - 1),
+            tol=0.0,
+            atol=0.0 if problem.free else 1e-12,
+        )
+        place = found.x[None]
+        here = Population(place, problem.scores(place))
+        if len(problem.objectives) == 1 and here.scores.violation[0] == 0:
+            here = polished(problem, here, budget)
+        places.append(here.places[0])
+        best.append(float(here.scores.objectives[0, at]) if here.scores.violation[0] == 0 else np.inf)
+    stack = np.array(places)
+    scores = problem.scores(stack)
+    kept = scores.violation == 0
+    return Second("scipy's differential evolution", tuple(best)), Population(stack[kept], scores[kept])
