@@ -112,4 +112,6 @@ def _compiled(task: Task, base: RunResult, inputs: Inputs, columns: dict[str, As
 
 def _of_strokes(columns: dict[str, Asked]) -> bool:
     """Whether facts of strokes are among what is asked for."""
-    return any(each.stage == "kinematics" and not each.of for each in columns.values())
+    from tmmcalc.linkage.stacked.tables import STROKES
+
+    return any(each.stage == "kinematics" and not each.of and each.column in STROKES for each in columns.values())

@@ -26,6 +26,7 @@ Flags = NDArray[np.bool_]
 
 BLOCK = 256  # variants
 STAGES = ("kinematics", "paths", "forces", "motion")  # whose columns blocks tell
+ANGLES = ("transmission_min_", "pressure_max_")  # facts of groups
 CHECKS = {"equilibrium", "virtual"}  # columns of forces that no block tells
 
 
@@ -42,6 +43,7 @@ def asked(name: str, base: RunResult) -> Asked | None:
     """What a name asks for; None for what is no column, and none of the few facts."""
     from tmmcalc.batch.stacked_machine import COLUMNS
     from tmmcalc.linkage.paths.deviations import names_of
+    from tmmcalc.linkage.stacked.summaries import transmissions
     from tmmcalc.linkage.stacked.tables import STROKES
     from tmmcalc.machine.stacked.figures import FIGURES
 
@@ -62,6 +64,8 @@ def asked(name: str, base: RunResult) -> Asked | None:
         return Asked(stage, "", fact)
     kind, _, output = fact.partition("_")
     kinematics = base.results["kinematics"]
+    if stage == "kinematics" and fact in transmissions(kinematics.qualities):
+        return Asked(stage, "", fact)
     first = kinematics.outputs[0] if kinematics.outputs else None
     return Asked(stage, "", kind) if stage == "kinematics" and kind in STROKES and output == first else None
 
@@ -75,6 +79,7 @@ class Columns:
     def __init__(self, inputs: Inputs, same: Same, base: RunResult, asked: dict[str, Asked]) -> None:
         self._inputs, self._same, self._base = inputs, same, base
         self._names, self._asked = tuple(asked), tuple(asked.values())
+        self._transmits = any(each.stage == "kinematics" and each.column.startswith(ANGLES) for each in self._asked)
         self._tracked = any(each.column.startswith(("angle_", "S_")) for each in self._asked)
 
     def rows(self, points: Sequence[int], given: Values) -> Together[Row]:
@@ -111,9 +116,12 @@ class Columns:
 
     def _kinematics(self, block: Block, some: Any, values: Values) -> None:
         from tmmcalc.linkage.columns import columns
+        from tmmcalc.linkage.stacked.summaries import transmissions_of
         from tmmcalc.linkage.stacked.tables import kinematics_of
 
         self._write("kinematics", columns(kinematics_of(block, some)), some, values)
+        if self._transmits:
+            self._facts("kinematics", transmissions_of(block, some), some, values)
 
     def _paths(self, block: Block, asked: tuple[WantedPath, ...], values: Values, clear: Flags) -> None:
         from tmmcalc.linkage.paths.columns import path_columns
@@ -159,5 +167,5 @@ class Columns:
     def _facts(self, stage: str, found: dict[str, Values], some: Any, values: Values) -> None:
         """Write what is asked of facts (v,) of some variants."""
         for k, asked in enumerate(self._asked):
-            if asked.stage == stage and not asked.of:
+            if asked.stage == stage and not asked.of and asked.column in found:
                 values[some, k] = found[asked.column]

@@ -69,8 +69,8 @@ class DrawnTable(Table):
     among: Values | None = Field(default=None, description='Or the values that there are: `["2 mm", "2.5 mm"]`.')
     times: Keys | None = Field(
         default=None,
-        description="The key whose value `at_least` and `at_most` multiply, given or drawn before: with 3, 4 and a step "
-        "of 5 mm a value is three to four times that one, to 5 mm.",
+        description="The key whose value `at_least` and `at_most` multiply, given or drawn before: with 3, 4 and a "
+        "step of 5 mm a value is three to four times that one, to 5 mm.",
     )
 
 

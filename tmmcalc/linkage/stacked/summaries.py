@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Real
 from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.outputs import (
@@ -19,7 +20,7 @@ from tmmcalc.linkage.outputs import (
 )
 from tmmcalc.linkage.quality import assessed
 from tmmcalc.linkage.results import GroupQuality, OutputSummary
-from tmmcalc.linkage.stacked.dense import Dense, evaluated, values_at
+from tmmcalc.linkage.stacked.dense import Dense, dense_of, evaluated, values_at
 from tmmcalc.linkage.stacked.scene import Block
 from tmmcalc.linkage.survey import Evaluate, along_motion, three_turns
 from tmmcalc.linkage.trace import continuous
@@ -29,6 +30,21 @@ def qualities_of(block: Block, dense: Dense) -> list[tuple[GroupQuality, ...]]:
     """Quality of all groups of every variant of a survey."""
     evaluate = _evaluate(block, dense)
     return assessed(block.chain(0), evaluate, dense.measures, dense.x, dense.squares, dense.start, full=True)
+
+
+def transmissions_of(block: Block, variants: Indices) -> dict[str, Real]:
+    """Transmission and pressure angles [deg] (v,) of all groups of some variants, by their names in the summary."""
+    found: dict[str, Real] = {}
+    for own in zip(*qualities_of(block, dense_of(block, variants)), strict=True):
+        angles = np.degrees([np.nan if each.transmission is None else each.transmission for each in own])
+        names = transmissions((own[0],))
+        found |= dict(zip(names, (angles, 90.0 - angles), strict=True))
+    return found
+
+
+def transmissions(qualities: Sequence[GroupQuality]) -> tuple[str, ...]:
+    """The names of transmission and pressure angles of groups."""
+    return tuple(f"{kind}_{each.group}" for each in qualities for kind in ("transmission_min", "pressure_max"))
 
 
 def summaries_of(block: Block, dense: Dense) -> list[tuple[OutputSummary, ...]]:
