@@ -15,10 +15,17 @@ def _amiss(solve: Callable[..., Any], mechanism: Any, *given: Any, **upstream: A
     return solve(replace(mechanism, input=replace(mechanism.input, start=start)), *given, **upstream)
 
 
+def _counted_from_one(spec: Any) -> bool:
+    """Whether position 0 is an extreme position."""
+    from tmmcalc.linkage.tables.tasks.mechanism import to_linkage
+
+    return spec.mechanism is not None and to_linkage(spec.linkage).input.start is None
+
+
 MISTAKE = Mistake(
     "positions are counted from the other extreme position",
     "From which of the two extreme positions does the task count?",
     OFTEN,
     stages={"kinematics": _amiss},
-    applies=lambda spec: spec.mechanism is not None and spec.mechanism.input.start is None,
+    applies=_counted_from_one,
 )
