@@ -3,18 +3,28 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from io import StringIO
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from tmmcalc.batch.journal import Journal
 from tmmcalc.classroom.choosing import Chooser, Chosen, Clashes
 from tmmcalc.classroom.draws import candidate
 from tmmcalc.classroom.judging import Judge
 from tmmcalc.classroom.roster import MOST, newcomers, roster_of
-from tmmcalc.classroom.state import FILE, VARIANTS, Class, Variant, digest_of, place_in, read_class, write_class
+from tmmcalc.classroom.state import (
+    DECIDES,
+    FILE,
+    VARIANTS,
+    Class,
+    Variant,
+    digest_of,
+    place_in,
+    read_class,
+    write_class,
+)
 from tmmcalc.core.atomic import blamed_on, replace_file
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.records import record
@@ -64,7 +74,7 @@ def make_class(
     of the assignment as it is, and NoSolutionError where there are not so many variants; then nothing is written.
     """
     spec = load_spec(file)
-    if spec.class_ is None:
+    if spec.class_ is None or not spec.class_.drawn:
         raise UsageError("nothing is drawn", where=str(file), remedy="add [class] with what is drawn and asked")
     roster = roster_of(file.parent / spec.class_.roster) if spec.class_.roster is not None else ()
     if count is None and not roster:
@@ -148,7 +158,7 @@ def _written(file: Path, folder: Path, spec: Spec, own: Class, judge: Judge, fir
     """Write the folder: specs of new variants and of those whose file is not there, the table, at last the state."""
     written = spec._written
     assert written is not None
-    text = without(written.text, "class")
+    text = without(written.text, "class") + _asked(written.document["class"])
     bare = parse_spec(text, str(file), (), file.parent)
     texts = {}
     with blamed_on(folder / VARIANTS, "made"):
@@ -161,6 +171,14 @@ def _written(file: Path, folder: Path, spec: Spec, own: Class, judge: Judge, fir
     _remove_others(folder, own)
     files = [path for path, text in texts.items() if replace_file(path, text.encode())]
     return (*files, *([folder / FILE] if write_class(own, folder) else []))
+
+
+def _asked(table: Mapping[str, Any]) -> str:
+    """What of ``[class]`` the spec of a variant keeps: what is asked, by which a student looks at his own answers."""
+    import tomli_w
+
+    kept = {key: value for key, value in table.items() if key not in ("roster", *DECIDES)}
+    return f"\n\n{tomli_w.dumps({'class': kept})}"
 
 
 def _remove_others(folder: Path, own: Class) -> None:

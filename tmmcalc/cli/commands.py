@@ -16,7 +16,11 @@ CLASS = Group(
     "Classes: an assignment for many, a variant for each student.",
     "tmmcalc class make assignment.toml -n 40 --seed 7 -o class",
 )
-OF_CLASS = (Command("make", "Draw variants of an assignment, each with numbers of its own."),)
+OF_CLASS = (
+    Command("make", "Draw variants of an assignment, each with numbers of its own."),
+    Command("mark", "Mark what students hand in, and say why answers are wrong."),
+    Command("hints", "For a student: which of the own answers are right, with hints."),
+)
 
 
 def _table(commands: tuple[Command, ...], group: str = "") -> Table:

@@ -1,5 +1,6 @@
 """``[class]``: what every student gets of an assignment, and what is asked of each."""
 
+import re
 from fractions import Fraction
 from typing import Annotated, Any
 
@@ -34,6 +35,16 @@ class Words(Reader):
     def describe(self) -> dict[str, Any]:
         """Return the JSON Schema of a text."""
         return {"type": "string", "description": f"{self.noun.capitalize()}."}
+
+
+def followed(text: str) -> tuple[str, float]:
+    """The name of a result that another follows, and its power; 0 where none is told.
+
+    >>> followed("omega_3^2"), followed("v_D ^ -1")
+    (('omega_3', 2.0), ('v_D', -1.0))
+    """
+    match = re.fullmatch(r"(.+?)\s*\^\s*([+-]?\d+(?:\.\d+)?)", text)
+    return (match[1], float(match[2])) if match else (text, 0.0)
 
 
 def _part(noun: str, example: str) -> Exact:
@@ -94,7 +105,7 @@ class AskedTable(Table):
     after: Other = Field(
         default=[],
         description="Names of asked results that it is computed from: one that is wrong there and carried on rightly "
-        "counts.",
+        'counts. With a power, `"omega_3^2"`, it follows it by this one; without it 1, 2 and -1 are tried.',
     )
     either_sense: bool = Field(default=False, description="Whether the assignment leaves its sign open.")
 
@@ -105,7 +116,9 @@ class ClassTable(Table):
     Variants keep all `[[constraints]]` by the rule of `[feasibility]`, with `margin`.
     """
 
-    drawn: list[DrawnTable] = Field(min_length=1, max_length=60, description="What each variant has its own of.")
+    drawn: list[DrawnTable] = Field(
+        default=[], max_length=60, description="What each variant has its own of; the spec of a variant has none."
+    )
     asked: list[AskedTable] = Field(min_length=1, max_length=60, description="What is asked.")
     roster: str | None = Field(
         default=None,

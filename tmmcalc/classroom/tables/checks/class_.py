@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
+from tmmcalc.classroom.tables.class_ import followed
 from tmmcalc.core.errors import UsageError
 from tmmcalc.design.tables.checks.ranges import RANGE, check_keys, check_values, listed, numbers_in, place_of
 from tmmcalc.spec.findings import Finding
@@ -105,7 +106,7 @@ def check_asked(outline: Outline) -> Iterator[Finding]:
     before: dict[int, list[int]] = {}
     for index, table in every:
         for name in listed(table.get("after")):
-            at = known.get(name.casefold(), -1)
+            at = known.get(followed(name)[0].casefold(), -1)
             if at < 0:
                 own_name = [each[0][1] for each in names.values() if each]
                 guess = f"{did_you_mean(name, own_name)} asked are: {listing(own_name)}".strip()

@@ -1,0 +1,85 @@
+"""A class marked from its files: keys, the present tolerances of its assignment, what was handed in."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tmmcalc.classroom.answers.limits import UnreadableError
+from tmmcalc.classroom.answers.reading import read_answers, read_own
+from tmmcalc.classroom.items import asked_now, items_of
+from tmmcalc.classroom.keybook import FILE as KEYS
+from tmmcalc.classroom.keybook import read_keybook
+from tmmcalc.classroom.keying import key_of, mistakes_of
+from tmmcalc.classroom.marking import Marked, Marks, Rules, mark, mark_one
+from tmmcalc.classroom.model import Keybook
+from tmmcalc.classroom.state import read_class
+from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.project.loader import load_spec
+
+if TYPE_CHECKING:
+    from tmmcalc.classroom.tables.class_ import ClassTable
+    from tmmcalc.project import Spec
+
+FOLDER = "keys"  # where keys stand if nothing else is said: beside the class, or in this folder
+
+
+def graded(place: Path, answers: Path, keys: Path | None = None) -> tuple[Marks, Keybook]:
+    """The marks of a class, by its folder or its assignment, and the keys with the tolerances that count now.
+
+    Raises UsageError where there are no keys, or those of something else, and where there is nothing to mark.
+    """
+    file = read_class(place).file(place) if place.is_dir() else place
+    spec = load_spec(file)
+    if spec.class_ is None:
+        raise UsageError("nothing is asked", where=str(file), remedy="add [class] with [[class.asked]] to the spec")
+    book = read_keybook(_keys(place, keys))
+    book = replace(book, items=asked_now(spec.class_, book.items))
+    if not answers.exists():
+        raise UsageError(f"there is no {answers}", where="ANSWERS", remedy="name a folder of answers, or a file")
+    pile = read_answers(answers, book.items, book.keys, between(spec))
+    return mark(book, pile, rules_of(spec.class_)), book
+
+
+def _keys(place: Path, keys: Path | None) -> Path:
+    if keys is not None:
+        return keys
+    home = place if place.is_dir() else place.parent
+    there = [home / FOLDER, home.parent / FOLDER, Path(FOLDER)]
+    return next((folder for folder in there if (folder / KEYS).is_file()), there[-1])
+
+
+def own_marks(file: Path, answers: Path) -> tuple[Marked, Keybook]:
+    """How the answers of a student stand by the spec of his variant, and its keys.
+
+    Raises UsageError for answers that cannot be read; what a stage says of its numbers is not told.
+    """
+    spec = load_spec(file)
+    if spec.class_ is None:
+        raise UsageError("nothing is asked", where=str(file), remedy="take the spec of the variant as it was given out")
+    try:
+        items = items_of(spec)
+        mistakes = mistakes_of(spec)
+        key = key_of(1, "", spec, items, mistakes)
+    except TmmError:
+        rule = "its results cannot be computed"
+        raise UsageError(rule, where=str(file), remedy=f"take it as it was given out; tmmcalc check {file}") from None
+    book = Keybook(items, mistakes, (key,))
+    try:
+        handed = read_own(answers, items, between(spec))
+    except UnreadableError as fault:
+        raise UsageError(fault.message, where=str(answers), remedy=fault.remedy) from None
+    return mark_one(book, key, handed, rules_of(spec.class_)), book
+
+
+def rules_of(table: ClassTable) -> Rules:
+    """What is worth how much."""
+    return Rules(float(table.for_plans), float(table.for_carried))
+
+
+def between(spec: Spec) -> float:
+    """The angle [deg] between positions, by which a table over angles is read; 0 where they are no equal parts."""
+    grid = spec.mechanism.grid if spec.mechanism is not None else None
+    plain = grid is not None and not (grid.working or grid.span or grid.extra or grid.extremes)
+    return 360.0 / grid.positions if grid is not None and plain else 0.0

@@ -1,0 +1,69 @@
+"""What ``class mark`` and ``class hints`` print."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from tmmcalc.classroom.marking import Marked, Marks
+from tmmcalc.classroom.marksheets import grades, hints_of
+from tmmcalc.classroom.model import Keybook
+from tmmcalc.classroom.statistics import Statistics
+from tmmcalc.classroom.verdicts import Standing
+from tmmcalc.core.notes import Phrase
+from tmmcalc.report.document import Document, Fact, View
+from tmmcalc.report.language import tr_name
+from tmmcalc.report.numbers import number
+
+SHOWN = 5  # mistakes that are told
+
+
+def marks_document(marks: Marks, statistics: Statistics) -> Document:
+    """The marks of a class and what they have in common; no number of the key."""
+    mean = None if math.isnan(statistics.mean) else statistics.mean
+    facts = (
+        Fact("handed in", str(statistics.students), {"students": statistics.students}),
+        Fact("nothing from", str(len(marks.absent)), {"absent": len(marks.absent)}),
+        Fact("not read", str(len(marks.refused)), {"refused": len(marks.refused)}),
+        Fact("mean", "" if mean is None else f"{number(mean, 4)} of {number(marks.most)} points", {"mean": mean}),
+    )
+    sheet = grades(marks)
+    items = Document("asked results", table=_items(marks, statistics))
+    given = View(sheet.headers[:4], sheet.columns[:4])
+    return Document("marks", facts, tuple(_notes(marks, statistics)), given, parts=(items,))
+
+
+def _items(marks: Marks, statistics: Statistics) -> View:
+    names = [marks.items[went.item].name for went in statistics.items]
+    shares = [None if math.isnan(went.share) else round(100 * went.share, 1) for went in statistics.items]
+    right = [went.counts.get(Standing.right, 0) for went in statistics.items]
+    wrong = [went.counts.get(Standing.wrong, 0) for went in statistics.items]
+    return View(["item", "points[%]", "right", "wrong"], [names, shares, right, wrong])
+
+
+def _notes(marks: Marks, statistics: Statistics) -> Iterator[Phrase]:
+    for made in statistics.made[:SHOWN]:
+        titles = " / ".join(dict.fromkeys(tr_name(marks.mistakes[m].title) for m in made.mistakes))
+        yield Phrase("note: {mistake}: variants {variants}", mistake=titles, variants=_listed(made.numbers))
+    for equal in statistics.equal[:SHOWN]:
+        yield Phrase(
+            "note: {item}: {answer} stands in variants {variants}, where other numbers are right",
+            item=marks.items[equal.item].name,
+            answer=equal.text,
+            variants=_listed(equal.numbers),
+        )
+
+
+def _listed(numbers: tuple[int, ...]) -> str:
+    return ", ".join(map(str, numbers))
+
+
+def hints_document(marked: Marked, book: Keybook) -> Document:
+    """How the answers of a student stand, and hints; no number but his own."""
+    rows = [
+        (item.name, item.unit, answer.text, str(standing))
+        for item, answer, standing in zip(book.items, marked.answers, marked.standings, strict=True)
+    ]
+    headers = ["asked", "unit", "answer", "it is"]
+    notes = tuple(f"hint: {line}" for line in hints_of(book.items, book.mistakes, marked))
+    return Document("hints", notes=notes, table=View(headers, [*map(list, zip(*rows, strict=True))]))
