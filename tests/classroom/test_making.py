@@ -1,0 +1,369 @@
+"""Classes made in their folders: what every variant keeps, who has which, what stays when more are drawn."""
+
+from __future__ import annotations
+
+import csv
+import itertools
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tmmcalc.batch.table import row_of
+from tmmcalc.classroom import choosing, judging
+from tmmcalc.classroom.choosing import Chooser
+from tmmcalc.classroom.draws import candidate
+from tmmcalc.classroom.judging import Judge
+from tmmcalc.classroom.making import Made, make_class
+from tmmcalc.classroom.state import read_class
+from tmmcalc.core.errors import NoSolutionError, UsageError
+from tmmcalc.pipeline.runner import run
+from tmmcalc.project import load_spec
+
+CONFIGS = Path(__file__).parents[2] / "configs"
+SHAPER = CONFIGS / "class-shaper.toml"
+PRESS = CONFIGS / "class-press.toml"
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def written(tmp_path: Path, *changes: tuple[str, str], more: str = "", of: Path = SHAPER) -> Path:
+    """The shaper's assignment in a folder of its own, with some of its text changed."""
+    text = of.read_text(encoding="utf-8")
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    file = tmp_path / "assignment.toml"
+    file.write_text(f"{text}\n{more}", encoding="utf-8")
+    return file
+
+
+@pytest.fixture(scope="module")
+def twelve(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Made]:
+    folder = tmp_path_factory.mktemp("twelve") / "class"
+    return folder, make_class(SHAPER, folder, 12, 7, jobs=1)
+
+
+def test_every_variant_is_an_ordinary_spec_that_keeps_all_demands(twelve: tuple[Path, Made]) -> None:
+    """Solved from its file, by the stages alone: constraints by their margin, turns, no warnings of its own."""
+    folder, _ = twelve
+    own = _warnings(run(load_spec(SHAPER)))
+    files = sorted((folder / "variants").iterdir())
+    assert [file.name for file in files] == [f"{number:02d}.toml" for number in range(1, 13)]
+    for file in files:
+        spec = load_spec(file)
+        assert spec.class_ is None
+        found = run(spec)
+        assert not found.failures
+        kinematics = found.results["kinematics"]
+        assert kinematics.turns
+        transmission = math.degrees(kinematics.qualities[1].transmission)
+        assert transmission >= 80 * 1.02 * (1 - 1e-9)
+        assert found.results["feasibility"].feasible
+        assert {*_warnings(found)} <= {*own}
+
+
+def _warnings(found: Any) -> list[str]:
+    return judging._warnings(found)
+
+
+def test_the_spec_of_a_variant_is_the_text_of_the_assignment_with_its_numbers(twelve: tuple[Path, Made]) -> None:
+    folder, made = twelve
+    before = SHAPER.read_text(encoding="utf-8").partition("\n[class]")[0].rstrip().splitlines()
+    own = made.own.variants[0]
+    after = (folder / "variants" / "01.toml").read_text(encoding="utf-8").rstrip().splitlines()
+    differing = [(one, other) for one, other in zip(before, after, strict=True) if one != other]
+    assert 1 <= len(differing) <= len(own.assignments)
+    for one, other in differing:
+        assert one.partition("#")[2].strip() == other.partition("#")[2].strip()
+    assert not any("class" in line and "asked" in line for line in after)
+
+
+def test_variants_are_apart_and_their_results_within_the_spread(twelve: tuple[Path, Made]) -> None:
+    """By the table of the class, and by the results of the assignment, with plain arithmetic."""
+    folder, made = twelve
+    with (folder / "class.csv").open(encoding="utf-8", newline="") as file:
+        rows = [*csv.reader(file)]
+    assert rows[0] == [
+        "number",
+        "student",
+        "mechanism.links[id=1].points.A[0][mm]",
+        "mechanism.fixed.O[1][mm]",
+        "mechanism.links[id=3].points.C[0][mm]",
+        "mechanism.input.speed[rpm]",
+        "mechanism.links[id=5].mass[kg]",
+        "loads[name=Q5].force[N]",
+    ]
+    values = [[float(each) for each in row[2:]] for row in rows[1:]]
+    spans = [80, 440, 100, 25, 60, 4000]
+    apart = [
+        sum(abs(a - b) / span for a, b, span in zip(one, other, spans, strict=True)) / len(spans)
+        for one, other in itertools.combinations(values, 2)
+    ]
+    assert min(apart) >= 0.05
+    assert made.least == pytest.approx(min(apart), rel=1e-12)
+    found = run(load_spec(SHAPER)).results["kinematics"]
+    stroke = found.summaries[0].stroke
+    for each in made.fresh:
+        assert stroke / math.sqrt(10) <= each.values[0] <= stroke * math.sqrt(10)
+
+
+def test_the_table_makes_the_variants_too(twelve: tuple[Path, Made]) -> None:
+    """`--set @class.csv:07` gives the numbers of the spec of the seventh."""
+    folder, made = twelve
+    overrides = row_of(folder / "class.csv", "07")
+    assert len(overrides) == len(made.own.variants[6].assignments)
+    one = load_spec(SHAPER, overrides).model_copy(update={"class_": None})
+    assert one.linkage == load_spec(folder / "variants" / "07.toml").linkage
+
+
+def test_processes_change_nothing(twelve: tuple[Path, Made], tmp_path: Path) -> None:
+    folder, _ = twelve
+    other = make_class(SHAPER, tmp_path / "class", 12, 7, jobs=2)
+    now, before = contents(tmp_path / "class"), contents(folder)
+    for place in (now, before):
+        place["class.toml"] = place["class.toml"].partition(b"digest")[2]  # the way to the assignment differs
+    assert now == before
+    assert other.refused == twelve[1].refused
+
+
+def test_what_many_are_judged_by_is_what_each_is_judged_by() -> None:
+    """The linkage and forces of sixty at once refuse those that all stages of each refuse, by the same demand."""
+    judge = Judge(SHAPER, 1)
+    every = [one for number in range(60) if not (one := candidate(judge.drawn, 5, number)).missing]
+    together = judge.at_once(every)
+    assert len(together) == len(every)
+    alone = {row.point: judge.verdict(row).refusal for row in judge.whole(every)}
+    assert {number: each and each.demand for number, each in together.items()} == {
+        number: each and each.demand for number, each in alone.items()
+    }
+    assert 5 <= sum(each is None for each in alone.values()) <= 55
+
+
+def test_more_are_drawn_later_and_those_given_out_stay(twelve: tuple[Path, Made], tmp_path: Path) -> None:
+    folder = tmp_path / "class"
+    make_class(SHAPER, folder, 8, 7, jobs=1)
+    before = contents(folder)
+    times = {path.name: path.stat().st_mtime_ns for path in (folder / "variants").iterdir()}
+    made = make_class(SHAPER, folder, 12, jobs=1)
+    after = contents(folder)
+    assert len(made.fresh) == 4
+    for name, data in before.items():
+        if name.startswith("variants"):
+            assert after[name] == data
+            assert (folder / name).stat().st_mtime_ns == times[Path(name).name]
+    assert {name: data for name, data in after.items() if "class.toml" not in name} == {
+        name: data for name, data in contents(twelve[0]).items() if "class.toml" not in name
+    }
+    assert read_class(folder).variants == twelve[1].own.variants
+
+
+def test_nothing_is_drawn_where_there_are_enough(tmp_path: Path) -> None:
+    folder = tmp_path / "class"
+    make_class(SHAPER, folder, 3, 7, jobs=1)
+    before = contents(folder)
+    made = make_class(SHAPER, folder, 2, jobs=1)
+    assert (made.fresh, made.files, contents(folder)) == ((), (), before)
+
+
+def test_a_lost_file_is_written_again(twelve: tuple[Path, Made], tmp_path: Path) -> None:
+    folder = tmp_path / "class"
+    make_class(SHAPER, folder, 3, 7, jobs=1)
+    before = contents(folder)
+    (folder / "variants" / "02.toml").unlink()
+    make_class(SHAPER, folder, 3, jobs=1)
+    assert contents(folder) == before
+
+
+class StopError(Exception):
+    """What stops a run in the midst."""
+
+
+def test_a_run_that_was_stopped_goes_on(
+    twelve: tuple[Path, Made], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder, solved = tmp_path / "class", list[int]()
+    whole = Judge.whole
+
+    def counted(self: Judge, candidates: Any) -> Any:
+        solved.extend(each.number for each in candidates)
+        return whole(self, candidates)
+
+    def stop(done: int, words: str) -> None:
+        if done == 7:
+            raise StopError
+
+    monkeypatch.setattr(Judge, "whole", counted)
+    with pytest.raises(StopError):
+        make_class(SHAPER, folder, 12, 7, jobs=1, told=stop)
+    assert [path.name for path in folder.iterdir()] == [".class.toml.part"]
+    first = {*solved}
+    solved.clear()
+    made = make_class(SHAPER, folder, 12, 7, jobs=1)
+    assert not first & {*solved}
+    assert made.refused == twelve[1].refused
+    assert [each.values for each in made.fresh] == [each.values for each in twelve[1].fresh]
+    assert {name: data for name, data in contents(folder).items() if "class.toml" not in name} == {
+        name: data for name, data in contents(twelve[0]).items() if "class.toml" not in name
+    }
+
+
+def test_a_changed_assignment_is_refused_unless_fresh(tmp_path: Path) -> None:
+    file, folder = written(tmp_path), tmp_path / "class"
+    make_class(file, folder, 3, 7, jobs=1)
+    before = contents(folder)
+    written(
+        tmp_path,
+        ('title = "Shaper: an assignment"', 'title = "Another title"'),
+        ("[class]\n", "[class]\nplans = 0.05\n"),
+    )
+    make_class(file, folder, 3, jobs=1)
+    assert contents(folder) == before
+    written(tmp_path, ("mass = 55", "mass = 56"))
+    with pytest.raises(UsageError, match="not that of the 3 variants"):
+        make_class(file, folder, 4, jobs=1)
+    with pytest.raises(UsageError, match="was drawn with seed 7"):
+        make_class(written(tmp_path), folder, 4, 8, jobs=1)
+    assert contents(folder) == before
+    made = make_class(written(tmp_path, ("mass = 55", "mass = 56")), folder, 2, 8, fresh=True, jobs=1)
+    assert made.own.seed == 8
+    assert sorted(path.name for path in (folder / "variants").iterdir()) == ["01.toml", "02.toml"]
+
+
+def test_who_comes_later_gets_a_new_variant_and_who_leaves_keeps_it(tmp_path: Path) -> None:
+    roster = tmp_path / "roster.txt"
+    roster.write_text("Шевченко Тарас\n\nIvanenko\n  Шевченко   Тарас \n", encoding="utf-8")
+    file, folder = written(tmp_path, ("[class]\n", '[class]\nroster = "roster.txt"\n')), tmp_path / "class"
+    make_class(file, folder, jobs=1)
+    own = read_class(folder).variants
+    assert [(each.number, each.student) for each in own] == [
+        (1, "Шевченко Тарас"),
+        (2, "Ivanenko"),
+        (3, "Шевченко Тарас"),
+    ]
+    names = ["01-Шевченко_Тарас.toml", "02-Ivanenko.toml", "03-Шевченко_Тарас.toml"]
+    assert sorted(path.name for path in (folder / "variants").iterdir()) == names
+    before = contents(folder)
+    roster.write_text("../../x\nШевченко Тарас\nШевченко Тарас\n=1+1\n", encoding="utf-8")
+    made = make_class(file, folder, jobs=1)
+    assert made.own.variants[:3] == own
+    assert [each.student for each in made.own.variants[3:]] == ["../../x", "=1+1"]
+    after = sorted(path.name for path in (folder / "variants").iterdir())
+    assert after == [*names, "04-x.toml", "05-1_1.toml"]
+    assert all(contents(folder)[f"variants/{name}"] == before[f"variants/{name}"] for name in names)
+    assert make_class(file, folder, 7, jobs=1).own.variants[5:] == read_class(folder).variants[5:]
+    assert [each.student for each in read_class(folder).variants[5:]] == ["", ""]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("\n \n", "no student is named"),
+        ("A\n" + "B" * 81, "longer than 80 characters"),
+        ("A\nB\x1b[31m\n", "hidden characters"),
+        ("\n".join(map(str, range(1001))), "1001 students are more than 1000"),
+    ],
+)
+def test_a_roster_that_is_none(tmp_path: Path, text: str, message: str) -> None:
+    (tmp_path / "roster.txt").write_text(text, encoding="utf-8")
+    file = written(tmp_path, ("[class]\n", '[class]\nroster = "roster.txt"\n'))
+    with pytest.raises(UsageError, match=message):
+        make_class(file, tmp_path / "class", jobs=1)
+    assert not (tmp_path / "class").exists()
+
+
+LOOSE = ('at_least = "80 deg"', 'at_least = "20 deg"')
+IMPOSSIBLE = {
+    "a constraint": ([('at_least = "80 deg"', 'at_least = "89.5 deg"')], "constraint transmits", "loosen it"),
+    "the spread": ([LOOSE, ("[class]\n", "[class]\nspread = 1.0001\n")], "within the spread", "make spread larger"),
+    "the distance": ([LOOSE, ("[class]\n", "[class]\napart = 0.6\n")], "a distance of 60 %", "make apart smaller"),
+}
+
+
+@pytest.mark.parametrize("name", IMPOSSIBLE)
+def test_too_few_are_told_by_the_demand_that_removes_most(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    monkeypatch.setattr(choosing, "MOST", 600)
+    monkeypatch.setattr(choosing, "DEAR", 30)
+    changes, demand, remedy = IMPOSSIBLE[name]
+    with pytest.raises(NoSolutionError) as raised:
+        make_class(written(tmp_path, *changes), tmp_path / "class", 40, 7, jobs=1)
+    assert demand in raised.value.message.partition("are refused")[2].partition(",")[0]
+    assert remedy in raised.value.remedy
+    assert not (tmp_path / "class").exists()
+
+
+def test_a_linkage_that_never_turns_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A connecting rod drawn shorter than the way that the end of the slotted link is off the line of the ram."""
+    monkeypatch.setattr(choosing, "MOST", 300)
+    asked = '[[class.asked]]\nresult = "kinematics.stroke_D"'
+    drawn = '[[class.drawn]]\nof = "mechanism.links[id=4].points.D[0]"\namong = ["10 mm", "12 mm"]\n'
+    file = written(tmp_path, (asked, f"{drawn}\n{asked}"))
+    with pytest.raises(NoSolutionError, match="by links that assemble and turn"):
+        make_class(file, tmp_path / "class", 5, 7, jobs=1)
+
+
+def test_a_small_assignment_is_drawn_out(tmp_path: Path) -> None:
+    """Of three values there are no four variants: it ends when all are tried."""
+    text = SHAPER.read_text(encoding="utf-8")
+    first, rest = text.partition("[[class.drawn]]")[0], text[text.index("[[class.asked]]") :]
+    one = '[[class.drawn]]\nof = "mechanism.links[id=5].mass"\namong = [180, 190, 200]\n\n'
+    file = tmp_path / "assignment.toml"
+    file.write_text(first + one + rest, encoding="utf-8")
+    made = make_class(file, tmp_path / "class", 3, 7, jobs=1)
+    assert sorted(each.assignments for each in made.own.variants) == [
+        (f"mechanism.links[id=5].mass={mass}",) for mass in (180, 190, 200)
+    ]
+    with pytest.raises(NoSolutionError, match="0 of 1 variants"):
+        make_class(file, tmp_path / "class", 4, jobs=1)
+
+
+def test_a_mistake_that_gives_the_right_answer_removes_a_variant_or_is_told() -> None:
+    """One clashes for every second crank, one always: the first is avoided, the second is told."""
+
+    def clashes(assignments: tuple[str, ...]) -> list[tuple[str, str]]:
+        crank = int(assignments[0].partition('="')[2].removesuffix(' mm"'))
+        return [("K", "always"), *([("H", "now and then")] if crank % 20 == 0 and crank != 200 else [])]
+
+    judge = Judge(SHAPER, 1)
+    choice = Chooser(judge, 7, clashes=clashes).choose(10)
+    assert choice.unavoided == (("K", "always"),)
+    cranks = {int(each.assignments[0].partition('="')[2].removesuffix(' mm"')) for each in choice.chosen}
+    assert cranks <= {170, 190, 200, 210, 230}
+    assert choice.refused["H: no mistake that gives the right answer"] > 0
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("[class]\n", "it is no class"),
+        ('[class]\nassignment = "a"\ndigest = "b"\nseed = 1\ntried = "x"\n', "it is no class"),
+        (
+            '[class]\nassignment = "a"\ndigest = "b"\nseed = 1\ntried = 1\n'
+            '[[variants]]\nnumber = 2\nstudent = ""\ncandidate = 0\nset = []\n',
+            "not numbered from 1",
+        ),
+        ("[class\n", "it is no class"),
+    ],
+)
+def test_a_damaged_state_is_told(tmp_path: Path, text: str, message: str) -> None:
+    (tmp_path / "class.toml").write_text(text, encoding="utf-8")
+    with pytest.raises(UsageError, match=message):
+        make_class(SHAPER, tmp_path, 3, 7, jobs=1)
+    assert (tmp_path / "class.toml").read_text(encoding="utf-8") == text
+
+
+@pytest.mark.slow
+def test_the_press_has_forty_variants_with_all_stages(tmp_path: Path) -> None:
+    """Each with motor, gear set, flywheel and a cam without undercut, and unlike all others."""
+    made = make_class(PRESS, tmp_path / "class", 40, 7)
+    assert len(made.own.variants) == 40
+    for file in sorted((tmp_path / "class" / "variants").iterdir())[::8]:
+        found = run(load_spec(file))
+        assert not found.failures
+        assert {"train", "flywheel", "cam_profile"} <= {*found.results}
+        assert judging._warnings(found) == []
