@@ -27,6 +27,7 @@ MOST_BYTES = 100_000_000
 HEAD = "# Keys of a class, written by tmmcalc class keys. For the teacher alone.\n"
 DIGEST = b"\n# SHA-256 of the lines above: "
 HEADERS = ("variant", "student", "name", "result", "value", "unit", "tolerance", "also right")
+FORMULA = ("=", "+", "-", "@")  # what cells that are worked out begin with
 AGAIN = "make the keys again: tmmcalc class keys --fresh"
 
 
@@ -102,7 +103,12 @@ def rows_of(book: Keybook) -> Iterator[tuple[Any, ...]]:
             allowed = significant(max(item.tolerance * abs(value), item.within), 2)
             shown = significant(value, item.digits)
             also = significant(-value, item.digits) if item.either_sense and value else ""
-            yield key.number, key.student, item.name, item.result, shown, item.unit, allowed, also
+            yield key.number, _text(key.student), _text(item.name), item.result, shown, item.unit, allowed, also
+
+
+def _text(name: str) -> str:
+    """A name as a cell, which no spreadsheet takes for a formula."""
+    return f"'{name}" if name.startswith(FORMULA) else name
 
 
 def significant(value: float, digits: int) -> str:

@@ -23,7 +23,6 @@ from tmmcalc.pipeline.hashing import content_hash
 from tmmcalc.project.loader import Variants, read_text
 
 SOLVER = "tmmcalc.classroom.keymaking:solve_keys"
-NAMES = ("value",)  # of the numbers of a row, for the journal
 
 
 class Given(Protocol):
@@ -52,7 +51,10 @@ class Order(NamedTuple):
 
 
 def solve_keys(task: Task, orders: Sequence[Order]) -> list[Row]:
-    """The keys as rows of numbers: right values, then those of each mistake; a variant without one says why."""
+    """The keys as rows of numbers, right values, then those of each mistake, by their places; those that there are.
+
+    The row of a variant without a solution says why.
+    """
     variants = task.variants()
     return [_row(variants, order) for order in orders]
 
@@ -65,11 +67,13 @@ def make_keys(
     journal: Path | None = None,
     *,
     known: Keybook | None = None,
+    fresh: bool = False,
     told: Callable[[int], None] = lambda done: None,
 ) -> Keybook:
     """The keys of the variants; those of a book that is ``known`` are taken if nothing that they are of has changed.
 
-    Mistakes that change nothing in any of them are left out. What is finished is kept in ``journal`` until all is.
+    Mistakes that change nothing in any of them are left out. What is finished is kept in ``journal`` until all is;
+    ``fresh``: nothing is taken of what it holds.
     Raises NoSolutionError for a variant that has no right solution, and what the assignment raises.
     """
     task = Task(read_text(assignment), str(assignment), str(assignment.parent), (), (), solver=SOLVER, block=1)
@@ -83,15 +87,15 @@ def make_keys(
     with ExitStack() as stack:
         kept = stack.enter_context(Journal(journal, made_of)) if journal is not None else None
         orders = [Order(each.number, each.assignments, items, names) for each in variants]
-        for row in kept.rows() if kept is not None else ():
+        for row in kept.rows() if kept is not None and not fresh else ():
             if row.ok and row.point in hashes and row.alone == hashes[row.point]:
-                done.setdefault(row.point, _key(row, len(items)))
+                done.setdefault(row.point, _key(row, len(items), len(names)))
         told(len(done))
         for rows in solver(task, [[order] for order in orders if order.point not in done]):
             for row in rows:
                 if not row.ok:
                     raise NoSolutionError(row.reason, where=f"variant {row.point}", remedy="draw this variant again")
-                done[row.point] = _key(row, len(items))
+                done[row.point] = _key(row, len(items), len(names))
             if kept is not None:
                 kept.append(replace(row, alone=hashes[row.point]) for row in rows)
             told(len(done))
@@ -108,11 +112,14 @@ def _row(variants: Variants, order: Order) -> Row:
     except Exception as error:  # one variant that breaks the program must not end the others
         return Row(order.point, *verdict(error))
     flat = [value for values in (key.values, *key.mistaken) for value in values]
-    return Row(order.point, *verdict(None), NAMES, array("d", flat))
+    there = {str(at): value for at, value in enumerate(flat) if math.isfinite(value)}
+    return Row(order.point, *verdict(None), tuple(there), array("d", there.values()))
 
 
-def _key(row: Row, count: int) -> Key:
-    values, *mistaken = (tuple(row.values[at : at + count]) for at in range(0, len(row.values), count))
+def _key(row: Row, items: int, mistakes: int) -> Key:
+    there = dict(zip(map(int, row.names), row.values, strict=True))
+    flat = [there.get(at, math.nan) for at in range(items * (1 + mistakes))]
+    values, *mistaken = (tuple(flat[at : at + items]) for at in range(0, len(flat), items))
     return Key(row.point, "", values, tuple(mistaken))
 
 

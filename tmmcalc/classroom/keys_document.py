@@ -35,8 +35,9 @@ def keys_document(book: Keybook, title: str) -> Document:
 
 
 def _mistakes(book: Keybook) -> View:
-    """A row for every variant and mistake: what comes out in each item, with the class of what looks alike."""
-    headers = ["variant", "mistake", "what", "alike", *(_header(item) for item in book.items)]
+    """A row for every variant and mistake: what comes out in each item, with the first mistake that looks alike."""
+    several = len(book.keys) > 1
+    headers = [*("variant",) * several, "mistake", *map(_header, book.items), "alike", "what"]
     rows: list[list[Any]] = []
     for key in book.keys:
         alike = {at: each[0] for each in classes_of(key, book.items, book.mistakes) for at in each}
@@ -44,7 +45,7 @@ def _mistakes(book: Keybook) -> View:
             if at in alike:
                 like = "" if alike[at] == at else book.mistakes[alike[at]].name
                 cells = [_cell(value, item) for value, item in zip(values, book.items, strict=True)]
-                rows.append([key.number, told.name, tr_name(told.title), like, *cells])
+                rows.append([*(key.number,) * several, told.name, *cells, like, tr_name(told.title)])
     return View(headers, [*map(list, zip(*rows, strict=True))] or [[] for _ in headers])
 
 

@@ -7,7 +7,6 @@ import io
 from collections.abc import Sequence
 
 from tmmcalc.classroom.model import Item
-from tmmcalc.core.printable import harmless
 from tmmcalc.report.language import tr
 
 
@@ -16,5 +15,5 @@ def blank(items: Sequence[Item]) -> bytes:
     text = io.StringIO()
     table = csv.writer(text, delimiter=";", lineterminator="\n")
     table.writerow((tr("Quantity"), tr("Value"), tr("Unit")))
-    table.writerows((harmless(item.name), "", item.unit) for item in items)
+    table.writerows((item.name, "", item.unit) for item in items)
     return text.getvalue().encode("utf-8-sig")

@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from tmmcalc.batch.choice import local
 from tmmcalc.batch.local import available, cores
+from tmmcalc.batch.reading import frame_of
 from tmmcalc.batch.task import Row, Task, verdict
+from tmmcalc.classroom.draws import Drawn, drawn_of, spans
 from tmmcalc.classroom.model import Item
-from tmmcalc.classroom.papers.tasksheet import Own, given_of, mark_of, meanings_of, task_sheet
+from tmmcalc.classroom.papers.tasksheet import Mark, Own, given_of, mark_of, meanings_of, task_sheet
 from tmmcalc.core.atomic import blamed_on, replace_file
 from tmmcalc.core.errors import NoSolutionError, TmmError
 from tmmcalc.core.stage import resolve
 from tmmcalc.naming.language import parse
 from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.forms import formed
-from tmmcalc.note.made import frame_of, note_of, told_in
+from tmmcalc.note.made import frame_of as frame_of_note
+from tmmcalc.note.made import note_of, told_in
 from tmmcalc.pipeline.chapters import task_of
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project.loader import Variants, read_text
@@ -27,12 +31,13 @@ from tmmcalc.report.printing import printing
 from tmmcalc.spec.override import split
 
 if TYPE_CHECKING:
-    from tmmcalc.classroom.state import Class, Variant
     from tmmcalc.pipeline.outcome import RunResult
     from tmmcalc.project import Spec
 
 SOLVER = "tmmcalc.classroom.papers.making:solve_papers"
 FEW = 4  # papers that are not worth a process
+
+Data = dict[Mark, Datum]
 
 
 class Order(NamedTuple):
@@ -111,7 +116,9 @@ def sheet_bytes(scene: Scene, order: Order) -> bytes:
         given = given_of(blocks, order.own, {key: value.strip('"') for key, value in values.items()})
         meanings = meanings_of(order.items, scene.run)
         title = scene.spec.project.title
-        written = Assembler().written(task_sheet(title, named(order.point, order.student), given, order.items, meanings))
+        written = Assembler().written(
+            task_sheet(title, named(order.point, order.student), given, order.items, meanings)
+        )
     return formed(written, Path(order.target).suffix[1:], title)
 
 
@@ -120,7 +127,7 @@ def note_bytes(scene: Scene, order: Order) -> bytes:
     titles = told_in(scene.spec.note.chapters if scene.spec.note is not None else ())
     whole = scene._replace(run=run(scene.spec))
     note = note_of(whole.spec, whole.run, titles, whole.folder)
-    return formed(note, Path(order.target).suffix[1:], scene.spec.project.title, frame_of(scene.spec))
+    return formed(note, Path(order.target).suffix[1:], scene.spec.project.title, frame_of_note(scene.spec))
 
 
 def named(number: int, student: str) -> str:
@@ -129,35 +136,46 @@ def named(number: int, student: str) -> str:
     return f"{said}. {tr('Student')}: {student}" if student else said
 
 
-def traced(assignment: Path, made: Class, items: Sequence[Item], language: str) -> tuple[Own, tuple[int, ...]]:
-    """What of the task is drawn, found by a change of one drawn number at a time; and the numbers that it does not tell.
+def traced(assignment: Path, items: Sequence[Item], language: str) -> tuple[Own, tuple[int, ...]]:
+    """What of the task is drawn, found by one other number at a time; and the numbers that it does not tell.
 
-    What other numbers of the class are is taken for the change; one that is the same in all variants is nobody's own.
+    These are places of the assignments that make a variant.
     """
     variants = Variants(read_text(assignment), str(assignment), assignment.parent)
-    own, further = set[tuple[str, tuple[str, ...]]](), list[int]()
+    spec = variants.spec()
+    table = spec.class_
+    assert table is not None
+    keys = [key for each in table.drawn for key in each.of]
+    drawn = drawn_of(table.drawn, frame_of(assignment, (), keys, ()).axes, variants.data)
+    own, further, place = set[tuple[str, tuple[str, ...]]](), list[int](), 0
     with speaking(language):
-        spec = variants.spec()
         base = _scene(variants, spec, items)
-        first = _data(base, base.run)
-        for at, others in enumerate(zip(*(each.assignments for each in made.variants), strict=True)):
-            changes = [data for each in dict.fromkeys(others) if (data := _changed(variants, each, base, items)) != first]
-            differing = {key for data in changes[:1] for key in {*data, *first} if data.get(key) != first.get(key)}
+        first = _data(spec, base.run)
+        for each, ends in zip(drawn, spans(drawn), strict=True):
+            differing = _differing(variants, each, ends, base, first, items)
             own |= differing
-            if not differing:
-                further.append(at)
+            further += [] if differing else [place]
+            place += len(each.axes)
     return frozenset(own), tuple(further)
 
 
-def _changed(variants: Variants, assignment: str, base: Scene, items: Sequence[Item]) -> dict[object, Datum]:
-    """The task with one other number; where that has no solution, what the results of the base let it tell."""
-    spec = variants.spec((assignment,))
-    try:
-        scene = _scene(variants, spec, items)
-    except TmmError:
-        scene = base._replace(spec=spec)
-    return _data(scene, scene.run)
+def _differing(
+    variants: Variants, drawn: Drawn, ends: Sequence[Fraction], base: Scene, first: Data, items: Sequence[Item]
+) -> set[Mark]:
+    """What of the task differs with another value of a number: of the spec alone, else of what is found with it too."""
+    for solved in (False, True):
+        for end in ends:
+            changed = variants.spec([axis.assignment(float(end)) for axis in drawn.axes])
+            try:
+                data = _data(changed, _scene(variants, changed, items).run if solved else base.run)
+            except TmmError:
+                continue
+            if found := {mark for mark in {*data, *first} if data.get(mark) != first.get(mark)}:
+                return found
+    return set()
 
 
-def _data(scene: Scene, found: RunResult) -> Mapping[object, Datum]:
-    return {}
+def _data(spec: Spec, found: RunResult) -> Data:
+    with found.believed():
+        blocks = task_of(spec, found.results)
+    return {mark_of(block): block for block in blocks if isinstance(block, Datum)}

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
 
 BLANK = "\u00a0" * 22  # room for an answer
-Own = frozenset[tuple[str, tuple[str, ...]]]  # data by what they are and how they are called
+Mark = tuple[str, tuple[str, ...]]  # what a datum is, and how it is called
+Own = frozenset[Mark]
 
 
 @record
@@ -41,7 +42,7 @@ def given_of(blocks: Sequence[Block], own: Own, further: Mapping[str, str]) -> G
     )
 
 
-def mark_of(datum: Datum) -> tuple[str, tuple[str, ...]]:
+def mark_of(datum: Datum) -> Mark:
     """By what a datum is known in another variant."""
     return datum.what, datum.keys
 
@@ -100,7 +101,9 @@ def tolerance_of(item: Item) -> str:
     part = f"{tr_number(number(100 * item.tolerance, 3))} %"
     if not item.within:
         return part
-    return tr("{part} or {within}", part=part, within=f"{tr_number(number(item.within, 3))} {tr_unit(item.unit)}".strip())
+    return tr(
+        "{part} or {within}", part=part, within=f"{tr_number(number(item.within, 3))} {tr_unit(item.unit)}".strip()
+    )
 
 
 def _rules(items: Sequence[Item]) -> Iterator[str]:

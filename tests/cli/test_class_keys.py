@@ -1,0 +1,96 @@
+"""``tmmcalc class keys``: files of the keys, what is printed, what is made again, and one message a fault."""
+
+from __future__ import annotations
+
+import csv
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tmmcalc.classroom.keybook import read_keybook
+
+from .conftest import CONFIGS, Cli
+
+KEYS = Path("class/keys/keys.toml")
+
+
+@pytest.fixture
+def made(cli: Cli) -> Cli:
+    """A class of two in the folder ``class``."""
+    shutil.copy(CONFIGS / "class-shaper.toml", "assignment.toml")
+    assert cli("class", "make", "assignment.toml", "-n", "2", "--seed", "7", "-o", "class", "-q")[0] == 0
+    return cli
+
+
+def test_files_and_what_is_printed(made: Cli) -> None:
+    code, out, err = made("class", "keys", "class", "-j", "1")
+    assert (code, err) == (0, "wrote class/keys/keys.toml\nwrote class/keys/keys.csv\n")
+    book = read_keybook(Path("class/keys"))
+    assert [key.number for key in book.keys] == [1, 2]
+    with Path("class/keys/keys.csv").open(encoding="utf-8-sig", newline="") as lines:
+        rows = [*csv.DictReader(lines)]
+    assert len(rows) == 2 * len(book.items)
+    for row, value in zip(rows, [value for key in book.keys for value in key.values], strict=True):
+        assert float(row["value"]) == pytest.approx(value, rel=1e-3)
+    assert "linkage.coriolis_left_out" in out
+    assert rows[0]["value"] in out
+    assert {path.name for path in Path("class/keys").iterdir()} == {"keys.toml", "keys.csv"}
+
+
+def test_all_variants_for_programs_and_one_that_is_asked_for(made: Cli) -> None:
+    code, out, _ = made("class", "keys", "class", "-j", "1", "--format", "json")
+    whole = json.loads(out)
+    assert code == 0
+    assert whole["variants"] == 2
+    code, out, _ = made("class", "keys", "class", "--variant", "2", "--format", "json")
+    assert code == 0
+    assert json.loads(out)["variants"] == 1
+
+
+def test_keys_are_not_made_twice(made: Cli, monkeypatch: pytest.MonkeyPatch) -> None:
+    made("class", "keys", "class", "-j", "1", "-q")
+    first, stamp = KEYS.read_bytes(), KEYS.stat().st_mtime_ns
+    with monkeypatch.context() as patched:
+        patched.setattr("tmmcalc.classroom.keymaking.key_of", None)
+        assert made("class", "keys", "class", "-j", "1", "-q")[0] == 0
+    assert (KEYS.read_bytes(), KEYS.stat().st_mtime_ns) == (first, stamp)
+    assert made("class", "keys", "class", "-j", "1", "-q", "--fresh")[0] == 0
+    assert KEYS.read_bytes() == first
+
+
+def test_more_variants_leave_the_keys_of_the_others(made: Cli) -> None:
+    made("class", "keys", "class", "-j", "1", "-q")
+    before = read_keybook(Path("class/keys"))
+    made("class", "make", "assignment.toml", "-n", "3", "-o", "class", "-q")
+    assert made("class", "keys", "class", "-j", "1", "-q")[0] == 0
+    after = read_keybook(Path("class/keys"))
+    assert [key.values for key in after.keys[:2]] == [key.values for key in before.keys]
+    assert len(after.keys) == 3
+
+
+def test_damaged_keys_are_one_message(made: Cli) -> None:
+    made("class", "keys", "class", "-j", "1", "-q")
+    KEYS.write_bytes(KEYS.read_bytes().replace(b"values", b"valves", 1))
+    code, out, err = made("class", "keys", "class", "-j", "1")
+    assert (code, out) == (2, "")
+    assert "class/keys/keys.toml is damaged or was edited" in err
+    assert "--fresh" in err
+    assert made("class", "keys", "class", "-j", "1", "-q", "--fresh")[0] == 0
+    read_keybook(Path("class/keys"))
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("nowhere",), "there is no class in nowhere"),
+        (("class", "--variant", "3"), "there is no variant 3"),
+        (("class", "-o", "assignment.toml"), "assignment.toml is a file"),
+    ],
+)
+def test_a_fault_is_one_message(made: Cli, words: tuple[str, ...], said: str) -> None:
+    code, out, err = made("class", "keys", *words)
+    assert (code, out) == (2, "")
+    assert said in err
+    assert not KEYS.exists()
