@@ -18,7 +18,7 @@ CLASS = Group(
 )
 OF_CLASS = (
     Command("make", "Draw variants of an assignment, each with numbers of its own."),
-    Command("keys", "What is right of each variant, and what comes out with each known mistake."),
+    Command("keys", "What is right of each variant, and what comes out with known mistakes."),
     Command("mark", "Mark what students hand in, and say why answers are wrong."),
     Command("hints", "For a student: which of the own answers are right, with hints."),
 )

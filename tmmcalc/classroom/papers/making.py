@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -17,7 +17,6 @@ from tmmcalc.classroom.papers.tasksheet import Mark, Own, given_of, mark_of, mea
 from tmmcalc.core.atomic import blamed_on, replace_file
 from tmmcalc.core.errors import NoSolutionError, TmmError
 from tmmcalc.core.stage import resolve
-from tmmcalc.naming.language import parse
 from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.forms import formed
 from tmmcalc.note.made import frame_of as frame_of_note
@@ -97,15 +96,14 @@ def _row(variants: Variants, order: Order) -> Row:
         make: Callable[[Scene, Order], bytes] = resolve(order.maker)
         units = spec.note.units if spec.note is not None else ()
         with speaking(order.language), printing(units):
-            replace_file(Path(order.target), make(_scene(variants, spec, order.items), order))
+            replace_file(Path(order.target), make(_scene(variants, spec), order))
     except Exception as error:  # one variant that breaks the program must not end the others
         return Row(order.point, *verdict(error))
     return Row(order.point, *verdict(None))
 
 
-def _scene(variants: Variants, spec: Spec, items: Iterable[Item]) -> Scene:
-    stages = tuple(dict.fromkeys(parse(item.result).stage for item in items))
-    return Scene(spec, run(spec, target=stages or None), variants.folder)
+def _scene(variants: Variants, spec: Spec) -> Scene:
+    return Scene(spec, run(spec), variants.folder)
 
 
 def sheet_bytes(scene: Scene, order: Order) -> bytes:
@@ -125,8 +123,7 @@ def sheet_bytes(scene: Scene, order: Order) -> bytes:
 def note_bytes(scene: Scene, order: Order) -> bytes:
     """The worked solution of a variant: its note."""
     titles = told_in(scene.spec.note.chapters if scene.spec.note is not None else ())
-    whole = scene._replace(run=run(scene.spec))
-    note = note_of(whole.spec, whole.run, titles, whole.folder)
+    note = note_of(scene.spec, scene.run, titles, scene.folder)
     return formed(note, Path(order.target).suffix[1:], scene.spec.project.title, frame_of_note(scene.spec))
 
 
@@ -136,7 +133,7 @@ def named(number: int, student: str) -> str:
     return f"{said}. {tr('Student')}: {student}" if student else said
 
 
-def traced(assignment: Path, items: Sequence[Item], language: str) -> tuple[Own, tuple[int, ...]]:
+def traced(assignment: Path, language: str) -> tuple[Own, tuple[int, ...]]:
     """What of the task is drawn, found by one other number at a time; and the numbers that it does not tell.
 
     These are places of the assignments that make a variant.
@@ -149,25 +146,23 @@ def traced(assignment: Path, items: Sequence[Item], language: str) -> tuple[Own,
     drawn = drawn_of(table.drawn, frame_of(assignment, (), keys, ()).axes, variants.data)
     own, further, place = set[tuple[str, tuple[str, ...]]](), list[int](), 0
     with speaking(language):
-        base = _scene(variants, spec, items)
+        base = _scene(variants, spec)
         first = _data(spec, base.run)
         for each, ends in zip(drawn, spans(drawn), strict=True):
-            differing = _differing(variants, each, ends, base, first, items)
+            differing = _differing(variants, each, ends, base, first)
             own |= differing
             further += [] if differing else [place]
             place += len(each.axes)
     return frozenset(own), tuple(further)
 
 
-def _differing(
-    variants: Variants, drawn: Drawn, ends: Sequence[Fraction], base: Scene, first: Data, items: Sequence[Item]
-) -> set[Mark]:
+def _differing(variants: Variants, drawn: Drawn, ends: Sequence[Fraction], base: Scene, first: Data) -> set[Mark]:
     """What of the task differs with another value of a number: of the spec alone, else of what is found with it too."""
     for solved in (False, True):
         for end in ends:
             changed = variants.spec([axis.assignment(float(end)) for axis in drawn.axes])
             try:
-                data = _data(changed, _scene(variants, changed, items).run if solved else base.run)
+                data = _data(changed, _scene(variants, changed).run if solved else base.run)
             except TmmError:
                 continue
             if found := {mark for mark in {*data, *first} if data.get(mark) != first.get(mark)}:

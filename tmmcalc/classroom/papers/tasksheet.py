@@ -18,7 +18,7 @@ from tmmcalc.report.numbers import number
 if TYPE_CHECKING:
     from tmmcalc.pipeline.outcome import RunResult
 
-BLANK = "\u00a0" * 22  # room for an answer
+BLANK = "\u00a0" * 36  # room for an answer
 Mark = tuple[str, tuple[str, ...]]  # what a datum is, and how it is called
 Own = frozenset[Mark]
 
@@ -60,7 +60,7 @@ def meanings_of(items: Sequence[Item], run: RunResult) -> tuple[str, ...]:
 
 def _placed(place: Place) -> str:
     if not place.column:
-        return tr("in position {label}", label=place.first)
+        return tr("in position {label}", label=place.first).replace(f" {place.first}", f"\u00a0{place.first}")
     value = tr_number(place.first).replace(" deg", "°").replace("*", "·")
     return tr("at {what} = {value}", what=f"${place.column}$", value=value)
 

@@ -1,0 +1,70 @@
+"""Task sheets of a class, and empty tables for its answers."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tmmcalc.classroom.papers.blank import blank
+from tmmcalc.classroom.papers.making import Order, make_papers, traced
+from tmmcalc.core.atomic import blamed_on, replace_file
+from tmmcalc.note.forms import FORMS
+from tmmcalc.report.language import speaking
+
+if TYPE_CHECKING:
+    from tmmcalc.classroom.model import Item
+    from tmmcalc.classroom.state import Class
+
+SHEETS, ANSWERS = "sheets", "answers"
+MAKER = "tmmcalc.classroom.papers.making:sheet_bytes"
+PAPER = re.compile(rf"\d{{2,}}(-.*)?\.({'|'.join(FORMS)})")
+
+
+def write_sheets(
+    folder: Path,
+    made: Class,
+    items: Sequence[Item],
+    form: str,
+    language: str,
+    *,
+    jobs: int | None = None,
+    tell: Callable[[str], None] = lambda said: None,
+    told: Callable[[int], None] = lambda done: None,
+) -> tuple[Path, Path]:
+    """A task sheet for each variant, and an empty table of answers where there is none yet; their folders.
+
+    Sheets of variants that the class has no more are removed. Raises NoSolutionError for a variant that has none.
+    """
+    assignment = made.file(folder)
+    own, further = traced(assignment, language)
+    sheets, answers = folder / SHEETS, folder / ANSWERS
+    orders = [
+        Order(
+            each.number,
+            each.student,
+            each.assignments,
+            tuple(items),
+            str(sheets / f"{each.stem}.{form}"),
+            language,
+            MAKER,
+            own,
+            further,
+        )
+        for each in made.variants
+    ]
+    make_papers(assignment, orders, jobs=jobs, tell=tell, told=told)
+    stems = {each.stem for each in made.variants}
+    for file in sheets.iterdir():
+        if PAPER.fullmatch(file.name) and file.stem not in stems:
+            file.unlink()
+    with blamed_on(answers, "made"):
+        answers.mkdir(exist_ok=True)
+    with speaking(language):
+        table = blank(items)
+    for stem in stems:
+        file = answers / f"{stem}.csv"
+        if not file.exists():  # what a student has handed in stays
+            replace_file(file, table)
+    return sheets, answers
