@@ -17,6 +17,7 @@ from tmmcalc.classroom.model import Key, Keybook, Told
 from tmmcalc.classroom.statistics import Statistics
 from tmmcalc.classroom.verdicts import Standing, distance
 from tmmcalc.core.printable import printable
+from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.worksheets import Worksheet
 
 FIGURES = 5  # of numbers that people compare
@@ -172,8 +173,8 @@ def hints_of(items: Sequence[Any], mistakes: Sequence[Told], each: Marked) -> It
             yield f"{items[k].name}: {answer.fault}"
     for explanation in each.explanations:
         names = ", ".join(items[k].name for k in explanation.items)
-        hints = dict.fromkeys(mistakes[m].hint for m in explanation.mistakes)
-        yield f"{names}: {' Or: '.join(hints)}"
+        hints = dict.fromkeys(tr_name(mistakes[m].hint) for m in explanation.mistakes)
+        yield f"{names}: {tr(' Or: ').join(hints)}"
     yield from each.remarks
 
 

@@ -10,7 +10,7 @@ import typer
 
 from tmmcalc.cli.job import Job
 from tmmcalc.cli.messages import note_written
-from tmmcalc.cli.options import Fresh, Language, Quiet, Set, SpecFile, Store, language_of
+from tmmcalc.cli.options import Fresh, Language, Quiet, Set, SpecFile, Store, spoken_in
 from tmmcalc.report.drawing.order import POSITIONS
 
 STDOUT = Path("-")
@@ -78,7 +78,7 @@ def command(
     scene = job.spec()
     said = scene.note or NoteTable()
     titles = told_in(only.split(",") if only is not None else said.chapters)
-    with speaking(language or said.language or language_of(scene, None)), printing(said.units):
+    with speaking(spoken_in(scene, language)), printing(said.units):
         run = job.run(scene, stages_of([*titles]))
         note = note_of(scene, run, titles, spec.parent, positions=positions, depth=depth, alone=only is not None)
         written = formed(note, form, scene.project.title, frame_of(scene))

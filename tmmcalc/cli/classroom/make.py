@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmmcalc.cli.messages import note_written, warn
-from tmmcalc.cli.options import Form, Format, Language, Quiet, SpecFile, language_of
+from tmmcalc.cli.options import Form, Format, Language, Quiet, SpecFile, spoken_in
 from tmmcalc.cli.output import show, title
 from tmmcalc.cli.progress import counted, seen, told_with
 from tmmcalc.core.errors import UsageError
@@ -100,7 +100,7 @@ def _sheets(
     """Task sheets and empty tables of answers; their folders."""
     from tmmcalc.classroom.papers.sheets import write_sheets
 
-    spoken = language or (scene.note.language if scene.note is not None else None) or language_of(scene, None)
+    spoken = spoken_in(scene, language)
     with seen(counted("sheets", len(made.own.variants)), quiet) as told:
         return write_sheets(
             folder, made.own, made.items, form, spoken, jobs=jobs, tell=warn, told=lambda done: told(done, 0)
