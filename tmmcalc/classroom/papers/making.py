@@ -52,6 +52,12 @@ class Order(NamedTuple):
     own: Own = frozenset()  # data that variants differ in
     further: tuple[int, ...] = ()  # drawn numbers by place that the data do not tell
 
+    @property
+    def untold(self) -> dict[str, str]:
+        """Keys and values of these numbers."""
+        values = (split(self.assignments[at]) for at in self.further)
+        return {key: value.strip('"') for key, value in values}
+
 
 class Scene(NamedTuple):
     """A variant that was run."""
@@ -108,10 +114,9 @@ def _scene(variants: Variants, spec: Spec) -> Scene:
 
 def sheet_bytes(scene: Scene, order: Order) -> bytes:
     """The task sheet of a variant in the form of its file."""
-    values = dict(split(each) for each in (order.assignments[at] for at in order.further))
     with scene.run.believed():
         blocks = task_of(scene.run.spec, scene.run.results)
-        given = given_of(blocks, order.own, {key: value.strip('"') for key, value in values.items()})
+        given = given_of(blocks, order.own, order.untold)
         meanings = meanings_of(order.items, scene.run)
         title = scene.spec.project.title
         written = Assembler().written(
@@ -133,7 +138,7 @@ def named(number: int, student: str) -> str:
     return f"{said}. {tr('Student')}: {student}" if student else said
 
 
-def traced(assignment: Path, language: str) -> tuple[Own, tuple[int, ...]]:
+def traced(assignment: Path) -> tuple[Own, tuple[int, ...]]:
     """What of the task is drawn, found by one other number at a time; and the numbers that it does not tell.
 
     These are places of the assignments that make a variant.
@@ -145,14 +150,13 @@ def traced(assignment: Path, language: str) -> tuple[Own, tuple[int, ...]]:
     keys = [key for each in table.drawn for key in each.of]
     drawn = drawn_of(table.drawn, frame_of(assignment, (), keys, ()).axes, variants.data)
     own, further, place = set[tuple[str, tuple[str, ...]]](), list[int](), 0
-    with speaking(language):
-        base = _scene(variants, spec)
-        first = _data(spec, base.run)
-        for each, ends in zip(drawn, spans(drawn), strict=True):
-            differing = _differing(variants, each, ends, base, first)
-            own |= differing
-            further += [] if differing else [place]
-            place += len(each.axes)
+    base = _scene(variants, spec)
+    first = _data(spec, base.run)
+    for each, ends in zip(drawn, spans(drawn), strict=True):
+        differing = _differing(variants, each, ends, base, first)
+        own |= differing
+        further += [] if differing else [place]
+        place += len(each.axes)
     return frozenset(own), tuple(further)
 
 

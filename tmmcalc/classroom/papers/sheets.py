@@ -1,4 +1,4 @@
-"""Task sheets of a class, and empty tables for its answers."""
+"""Task sheets of a class with empty tables for its answers, and its worked solutions."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tmmcalc.classroom.papers.blank import blank
 from tmmcalc.classroom.papers.making import Order, make_papers, traced
 from tmmcalc.core.atomic import blamed_on, replace_file
 from tmmcalc.note.forms import FORMS
-from tmmcalc.report.language import speaking
+from tmmcalc.report.language import spoken
 
 if TYPE_CHECKING:
     from tmmcalc.classroom.model import Item
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 SHEETS, ANSWERS = "sheets", "answers"
 MAKER = "tmmcalc.classroom.papers.making:sheet_bytes"
+NOTES = "tmmcalc.classroom.papers.making:note_bytes"
 PAPER = re.compile(rf"\d{{2,}}(-.*)?\.({'|'.join(FORMS)})")
 
 
@@ -27,7 +28,6 @@ def write_sheets(
     made: Class,
     items: Sequence[Item],
     form: str,
-    language: str,
     *,
     jobs: int | None = None,
     tell: Callable[[str], None] = lambda said: None,
@@ -35,10 +35,10 @@ def write_sheets(
 ) -> tuple[Path, Path]:
     """A task sheet for each variant, and an empty table of answers where there is none yet; their folders.
 
-    Sheets of variants that the class has no more are removed. Raises NoSolutionError for a variant that has none.
+    They are in the language in force. Sheets of variants that the class has no more are removed. Raises NoSolutionError for a variant that has none.
     """
     assignment = made.file(folder)
-    own, further = traced(assignment, language)
+    own, further = traced(assignment)
     sheets, answers = folder / SHEETS, folder / ANSWERS
     orders = [
         Order(
@@ -47,7 +47,7 @@ def write_sheets(
             each.assignments,
             tuple(items),
             str(sheets / f"{each.stem}.{form}"),
-            language,
+            spoken(),
             MAKER,
             own,
             further,
@@ -61,10 +61,27 @@ def write_sheets(
             file.unlink()
     with blamed_on(answers, "made"):
         answers.mkdir(exist_ok=True)
-    with speaking(language):
-        table = blank(items)
+    table = blank(items)
     for stem in stems:
         file = answers / f"{stem}.csv"
         if not file.exists():  # what a student has handed in stays
             replace_file(file, table)
     return sheets, answers
+
+
+def write_notes(
+    folder: Path,
+    made: Class,
+    place: Path,
+    form: str,
+    *,
+    jobs: int | None = None,
+    tell: Callable[[str], None] = lambda said: None,
+    told: Callable[[int], None] = lambda done: None,
+) -> None:
+    """The worked solution of each variant, for the teacher, in the language in force."""
+    orders = [
+        Order(each.number, each.student, each.assignments, (), str(place / f"{each.stem}.{form}"), spoken(), NOTES)
+        for each in made.variants
+    ]
+    make_papers(made.file(folder), orders, jobs=jobs, tell=tell, told=told)

@@ -13,6 +13,7 @@ from tmmcalc.cli.output import show, title
 from tmmcalc.cli.progress import counted, seen, told_with
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.files import other_kind
+from tmmcalc.report.language import speaking
 
 if TYPE_CHECKING:
     from tmmcalc.classroom.making import Made
@@ -100,8 +101,5 @@ def _sheets(
     """Task sheets and empty tables of answers; their folders."""
     from tmmcalc.classroom.papers.sheets import write_sheets
 
-    spoken = spoken_in(scene, language)
-    with seen(counted("sheets", len(made.own.variants)), quiet) as told:
-        return write_sheets(
-            folder, made.own, made.items, form, spoken, jobs=jobs, tell=warn, told=lambda done: told(done, 0)
-        )
+    with speaking(spoken_in(scene, language)), seen(counted("sheets", len(made.own.variants)), quiet) as told:
+        return write_sheets(folder, made.own, made.items, form, jobs=jobs, tell=warn, told=lambda done: told(done, 0))
