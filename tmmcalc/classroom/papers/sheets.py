@@ -35,7 +35,8 @@ def write_sheets(
 ) -> tuple[Path, Path]:
     """A task sheet for each variant, and an empty table of answers where there is none yet; their folders.
 
-    They are in the language in force. Sheets of variants that the class has no more are removed. Raises NoSolutionError for a variant that has none.
+    They are in the language in force. Sheets of variants that the class has no more are removed. Raises NoSolutionError
+    for a variant that has none.
     """
     assignment = made.file(folder)
     own, further = traced(assignment)

@@ -50,11 +50,11 @@ def command(
         ),
     ] = None,
     page: Annotated[
-        Path | None,
+        str | None,
         typer.Option(
             "--page",
-            metavar="FILE",
-            help="All right values on a page for the teacher: pdf, docx, html, typ or txt.",
+            metavar="FORM",
+            help="All right values on a page beside the keys: pdf, docx, html, typ or txt.",
             show_default=False,
         ),
     ] = None,
@@ -121,7 +121,7 @@ def command(
     scene = load_spec(own.file(folder))
     with speaking(spoken_in(scene, language)):
         if page is not None:
-            files += _page(page, book, scene)
+            files += _page(place / f"keys.{page}", book, scene)
         if notes is not None:
             files += _notes(own, folder, place, notes, jobs, quiet)
         if moodle is not None or moodle_dataset is not None:
@@ -135,16 +135,16 @@ def command(
             note_written(written)
 
 
-def _check_files(page: Path | None, notes: str | None, *questions: Path | None) -> None:
+def _check_files(page: str | None, notes: str | None, *questions: Path | None) -> None:
     """Refuse files that cannot be written, before the keys are made."""
     from tmmcalc.note.forms import check_form
 
-    for file, flag in zip((page, *questions), ("--page", "--moodle", "--moodle-dataset"), strict=True):
+    for file, flag in zip(questions, ("--moodle", "--moodle-dataset"), strict=True):
         if file is not None:
             check_place(file, flag)
-    check_apart(page, *questions)
+    check_apart(*questions)
     if page is not None:
-        check_form(page.suffix[1:].lower(), "a page of keys", "--page")
+        check_form(page, "a page of keys", "--page")
     if notes is not None:
         check_form(notes, "a note", "--notes")
 
@@ -155,7 +155,7 @@ def _page(file: Path, book: Keybook, scene: Spec) -> tuple[Path, ...]:
     from tmmcalc.note.forms import formed
 
     name = scene.project.title
-    replace_file(file, formed(overview(book, name), file.suffix[1:].lower(), name))
+    replace_file(file, formed(overview(book, name), file.suffix[1:], name))
     return (file,)
 
 
