@@ -28,7 +28,7 @@ def gradebook(marks: Marks, title: str) -> Worksheet:
     Who handed in nothing has no grade: the grade book leaves it as it is.
     """
     rows: list[tuple[int, str, float | None, str]] = [
-        (each.number, each.student, round(each.total, 6), "\n".join(_feedback(marks, each))) for each in marks.counting
+        (each.number, each.student, round(each.total, 6), "; ".join(_feedback(marks, each))) for each in marks.counting
     ]
     rows += [(key.number, key.student, None, tr("Nothing was handed in.")) for key in marks.absent]
     rows.sort(key=lambda row: row[0])

@@ -104,7 +104,7 @@ def _explanations(marks: Marks) -> Worksheet:
 
 def told(explanation: Explanation, mistakes: Sequence[Told]) -> str:
     """The mistakes of an explanation, which give equal numbers."""
-    return " or ".join(dict.fromkeys(mistakes[m].title for m in explanation.mistakes))
+    return tr(" or ").join(dict.fromkeys(tr_name(mistakes[m].title) for m in explanation.mistakes))
 
 
 def _items(marks: Marks, statistics: Statistics) -> Worksheet:
@@ -119,7 +119,7 @@ def _items(marks: Marks, statistics: Statistics) -> Worksheet:
 
 def _made(marks: Marks, statistics: Statistics) -> Worksheet:
     rows = [
-        [" or ".join(marks.mistakes[m].title for m in made.mistakes), len(made.numbers), _listed(made.numbers)]
+        [tr(" or ").join(tr_name(marks.mistakes[m].title) for m in made.mistakes), len(made.numbers), _listed(made.numbers)]
         for made in statistics.made
     ]
     return _sheet("common mistakes", ["mistake", "students", "variants"], rows)

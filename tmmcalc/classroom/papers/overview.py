@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from tmmcalc.classroom.model import Item, Key, Keybook
     from tmmcalc.note.tree import Written
 
+JOINER = "\u2060"  # before a name: the head of a column begins with a capital where it begins with a word
 ACROSS = 12  # columns of values beside those of the variant
 
 
@@ -50,7 +51,8 @@ def _judged(item: Item) -> tuple[str, ...]:
 
 
 def _headed(item: Item) -> str:
-    return f"{said_in(item.name)}, {tr_unit(item.unit)}" if item.unit else said_in(item.name)
+    name = f"{JOINER}{said_in(item.name)}"
+    return f"{name}, {tr_unit(item.unit)}" if item.unit else name
 
 
 def _row(key: Key, items: Sequence[Item], at: int, *, named: bool) -> tuple[str, ...]:
