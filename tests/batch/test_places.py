@@ -11,9 +11,11 @@ import pytest
 from numpy.typing import NDArray
 
 from tmmcalc.batch.choice import local
-from tmmcalc.batch.places import SOLVER, Place, solve_places
+from tmmcalc.batch.places import SOLVER, Place, solve_alike, solve_places
 from tmmcalc.batch.points import solve_points
+from tmmcalc.batch.preparing import prepared
 from tmmcalc.batch.reading import frame_of
+from tmmcalc.batch.stacked_columns import Columns
 from tmmcalc.batch.task import Row, Task
 from tmmcalc.core.errors import UsageError
 
@@ -109,3 +111,23 @@ def test_places_about_one_point_alone_are_solved_as_they_are() -> None:
     (row,) = solve_places(point, [Place(0, (210.0, 180.0))])
     (alone,) = solve_points(point.at([(210.0, 180.0)]), range(1))
     assert list(row.values) == pytest.approx(list(alone.values), rel=1e-10)
+
+
+def test_transmission_angles_of_many_are_those_of_each(frame: Task) -> None:
+    """Found at once, between positions too; a place that is not like the others is left out where it is not asked."""
+    angles = tuple(
+        f"kinematics.{kind}_{group}[deg]"
+        for group in ("RPR(2,3)", "RRP(4,5)")
+        for kind in ("transmission_min", "pressure_max")
+    )
+    task = replace(frame, patterns=angles, targets=("kinematics",))
+    assert isinstance(prepared(task), Columns)
+    asked = [*places(40), Place(99, (900.0, 190.0))]
+    rows = solve_alike(task, asked)
+    assert [row.point for row in rows] == [place.point for place in asked[:-1]]
+    alone = solve_points(task.at([place.values for place in asked[:-1]]), range(40))
+    for one, other in zip(rows, alone, strict=True):
+        own = dict(zip(other.names, other.values, strict=True))
+        assert {*one.names} == {*angles}
+        assert list(one.values) == pytest.approx([own[name] for name in one.names], rel=1e-9, abs=1e-9)
+    assert len({row.values[one.names.index(angles[2])] for row in rows}) == 40

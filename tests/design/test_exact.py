@@ -42,7 +42,13 @@ SCENES = [
     ("crank-slider", ["kinematics.stroke_B", "kinematics.aS_B_min", "kinematics.integral(vS_B)"], 1.0),
     ("class-three", ["kinematics.max(omega_3)", "kinematics.first(eps_3)", "kinematics.size(eps_3)"], 1.0),
     ("press", ["forces.min(M_drive)", "kinematics.last(S_B)"], 0.9),
-    ("scissor-lift", ["kinematics.max(vS_P)", "forces.max(F_drive)"], 0.9),
+]
+LARGE = [  # of which each variant takes long: some keys
+    (
+        "scissor-lift",
+        ["kinematics.max(vS_P)", "forces.max(F_drive)"],
+        ["mechanism.fixed.O[0]", "mechanism.links[id=1].points.A[0]", "mechanism.input.speed"],
+    ),
 ]
 
 SPRUNG = ["forces.max(M_drive)", "forces.rms(R_A)", "forces.R_B@5", "forces.M_drive_max", "forces.R_C_max"]
@@ -99,6 +105,12 @@ def test_exact_derivatives_are_those_of_differences(config: str, names: list[str
 @pytest.mark.parametrize(("config", "names", "part"), SCENES)
 def test_of_every_key(config: str, names: list[str], part: float) -> None:
     check(config, names, [], part)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("config", "names", "keys"), LARGE)
+def test_of_some_keys(config: str, names: list[str], keys: list[str]) -> None:
+    check(config, names, keys, 0.9)
 
 
 def test_a_gradient_at_a_place_is_that_of_the_results_beside_it() -> None:

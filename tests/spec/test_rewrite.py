@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from properties import examples
 
 from tmmcalc.core.errors import UsageError
-from tmmcalc.spec.rewrite import Change, changed, rewritten, toml
+from tmmcalc.spec.rewrite import Change, changed, rewritten, toml, without
 from tmmcalc.spec.source import Source
 from tmmcalc.spec.units import parse, written
 
@@ -160,3 +160,19 @@ def test_any_keys_of_ready_specs(name: str, end: str) -> None:
         assert made.count("\n") == made.count(end)
         comments = [line for line in text.split(end) if line.startswith("#")]
         assert [line for line in made.split(end) if line in comments] == comments
+
+
+@pytest.mark.parametrize(
+    ("text", "left"),
+    [
+        ("# of all\na = 1\n\n# of the class\n[class]\nx = 1  # one\n\n[b]\ny = 2\n", "# of all\na = 1\n\n[b]\ny = 2\n"),
+        ("[b]\ny = 2\n\n[class]\nx = 1\n# its own\n\n[[class.drawn]]\nof = 'a'\n", "[b]\ny = 2\n"),
+        ("[[class.drawn]]\nz = [\n  1,\n]\n\n# of b\n[b]\ny = 2\n[class.more]\nw = 1\n", "# of b\n[b]\ny = 2\n"),
+        ("class.x = 1\nb = 2\nclass.y = [\n 1,\n]\n", "b = 2\n"),
+        ("b = 2\r\n[class]\r\nx = 1\r\n", "b = 2\r\n"),
+        ("class = { x = 1 }\n[classes]\nx = 1\n", "[classes]\nx = 1\n"),
+        ("b = 2\n", "b = 2\n"),
+    ],
+)
+def test_a_table_goes_with_its_comments(text: str, left: str) -> None:
+    assert without(text, "class") == left

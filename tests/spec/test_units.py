@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from tmmcalc.spec.dimensions import DIMENSIONS, UNITS
 from tmmcalc.spec.quantities import Quantity
-from tmmcalc.spec.units import UnitError, dimension_of, parse
+from tmmcalc.spec.units import UnitError, dimension_of, exact, parse
 
 ALL_UNITS = [(dimension, unit) for dimension, units in UNITS.items() for unit in units]
 PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899")
@@ -145,3 +145,34 @@ def test_schema_pattern_takes_every_unit(unit: tuple[str, str]) -> None:
         assert re.search(pattern, text), text
         parse(text, dimension)
     assert not re.search(pattern, f"1,5 {name}")
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "found"),
+    [
+        ("7.5 cm", "mm", Fraction(75)),
+        ("0.1 m", "mm", Fraction(100)),
+        (0.1, "", Fraction(1, 10)),
+        ("1e-3 MPa", "Pa", Fraction(1000)),
+        ("−5", "mm", Fraction(-5)),
+        ("30 deg", "deg", Fraction(30)),
+        (1e22, "N", Fraction(10**22)),
+    ],
+)
+def test_exact_numbers(value: str | float, unit: str, found: Fraction) -> None:
+    assert exact(value, unit) == found
+
+
+def test_exact_turns() -> None:
+    """60 rpm are 2 pi rad/s, by sixty digits of pi; and back."""
+    there = exact("60 rpm", "rad/s")
+    assert float(there) == 2 * math.pi
+    assert exact("1 rad/s", "rpm") * there == 60
+
+
+@pytest.mark.parametrize(
+    ("value", "unit"), [("3 kg", "mm"), ("3 mm", ""), ("far", "mm"), (f"1{'0' * 500}", ""), ("", "")]
+)
+def test_what_is_no_exact_number(value: str, unit: str) -> None:
+    with pytest.raises(UnitError):
+        exact(value, unit)

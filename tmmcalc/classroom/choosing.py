@@ -5,16 +5,17 @@ Nothing depends on how many are wanted: the first forty of fifty are those that 
 
 from __future__ import annotations
 
+import json
 import math
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import chain, combinations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmmcalc.batch.task import BROKEN
+from tmmcalc.batch.task import BROKEN, OK, Row
 from tmmcalc.classroom import demands
 from tmmcalc.classroom.demands import TIE, Refusal
 from tmmcalc.classroom.draws import Candidate, assignments, candidate, number_of_all, spans
@@ -23,18 +24,19 @@ from tmmcalc.core.records import record
 
 if TYPE_CHECKING:
     from tmmcalc.batch.journal import Journal
-    from tmmcalc.batch.task import Row
     from tmmcalc.classroom.judging import Judge
 
 Values = NDArray[np.floating[Any]]
 Pair = tuple[str, str]  # an item, and a mistake that gives the right answer of it
-Clashes = Callable[[tuple[str, ...]], Sequence[Pair]]  # of a variant by its assignments
+Clashes = Callable[[Sequence[Candidate]], Mapping[int, Sequence[Pair]]]  # of candidates by their numbers
 Told = Callable[[int, str], None]  # variants that are chosen; what is being done
 
 LOT = 256  # candidates whose linkage and forces are judged at once
 MOST = 50_000  # candidates without a variant among them, after which there are hardly any more
 DEAR = 400  # the same of those of which all stages were solved
-PROBED = 8  # good candidates, by which is found what cannot be avoided: what clashes in more than half
+PROBED = 16  # good candidates of which all mistakes are made before one is chosen
+OFTEN = 1 / 4  # of them: a mistake that gives the right answer in so many is not avoided, but told
+CLASHES = "clashes"  # mark of a row that holds the pairs of a candidate
 TOLD = 4  # demands that an error tells
 
 
@@ -54,7 +56,7 @@ class Choice:
     chosen: tuple[Chosen, ...]
     tried: int  # candidates up to the last that was chosen, from the first of all on
     refused: dict[str, int]  # by demand, of those that were tried now
-    unavoided: tuple[Pair, ...]  # mistakes that give the right answer in most variants
+    unavoided: tuple[Pair, ...] | None  # mistakes that give the right answer in many; None: they were not looked for
     least: float  # distance of two variants, as `apart` counts it; NaN of a single one
 
 
@@ -64,6 +66,7 @@ class _Judged(NamedTuple):
     candidate: Candidate
     refusal: Refusal | None  # by what it is, or by linkage and forces
     row: Row | None = None  # of all stages; None: they were not solved, as it is refused or near to another one
+    pairs: Sequence[Pair] = ()  # mistakes that give a right answer, of one that is good
 
 
 class Chooser:
@@ -84,7 +87,12 @@ class Chooser:
         self._judge, self._seed, self._first = judge, seed, tried
         self._clashes, self._unavoided = clashes, None if unavoided is None else tuple(unavoided)
         self._journal, self._told = journal, told
-        self._known = {row.point: row for row in journal.rows()} if journal is not None else {}
+        rows = [*journal.rows()] if journal is not None else []
+        self._known = {row.point: row for row in rows if row.alone != CLASHES}
+        self._known_pairs: dict[int, Sequence[Pair]] = {
+            row.point: _pairs_in(row.reason) for row in rows if row.alone == CLASHES
+        }
+        self._done = 0
         self._spans = np.array([float(high - low) or 1.0 for low, high in spans(judge.drawn)])
         self._apart = float(judge.table.apart)
         self._places: list[Values] = [self._place(each) for each in taken]
@@ -105,7 +113,7 @@ class Chooser:
                 chosen.append(Chosen(own, assignments(self._judge.drawn, own.values), values))
                 self._places.append(self._place(own))
                 tried, since, dear = own.number + 1, 0, 0
-                self._told(len(chosen), f"of {tried} candidates")
+                self._done = len(chosen)
                 if len(chosen) == wanted:
                     break
                 continue
@@ -116,24 +124,24 @@ class Chooser:
                 break
         if len(chosen) < wanted:
             raise _scarce(len(chosen), wanted, refused, refusals)
-        return Choice(tuple(chosen), tried, dict(refused.most_common()), self._unavoided or (), self._least())
+        return Choice(tuple(chosen), tried, dict(refused.most_common()), self._unavoided, self._least())
 
     def _probed(self) -> Iterator[_Judged]:
-        """All candidates, judged; what clashes cannot be avoided is found by the first good ones before."""
+        """All candidates, judged; which clashes are not avoided is found by the first good ones before."""
         every = self._judged()
         if self._clashes is None or self._unavoided is not None:
             yield from every
             return
         first: list[_Judged] = []
-        pairs: list[set[Pair]] = []
+        good: list[_Judged] = []
         for each in every:
             first.append(each)
             if each.row is not None and self._judge.verdict(each.row).refusal is None:
-                pairs.append({*self._clashes(assignments(self._judge.drawn, each.candidate.values))})
-            if len(pairs) == PROBED:
+                good.append(each)
+            if len(good) == PROBED:
                 break
-        counts = Counter(pair for own in pairs for pair in own)
-        self._unavoided = tuple(sorted(pair for pair, count in counts.items() if count > len(pairs) / 2))
+        counts = Counter(pair for each in good for pair in {*each.pairs})
+        self._unavoided = tuple(sorted(pair for pair, count in counts.items() if count >= OFTEN * len(good)))
         yield from chain(first, every)
 
     def _decided(self, each: _Judged) -> tuple[Refusal | None, tuple[float, ...]]:
@@ -148,8 +156,7 @@ class Chooser:
         verdict = self._judge.verdict(each.row)
         if verdict.refusal is not None or self._clashes is None:
             return verdict.refusal, verdict.values
-        pairs = self._clashes(assignments(self._judge.drawn, each.candidate.values))
-        clash = next((pair for pair in pairs if pair not in (self._unavoided or ())), None)
+        clash = next((pair for pair in each.pairs if pair not in (self._unavoided or ())), None)
         return (None if clash is None else demands.clashing(*clash)), verdict.values
 
     def _judged(self) -> Iterator[_Judged]:
@@ -170,7 +177,11 @@ class Chooser:
                     waiting.append(own.candidate)
                 if len(waiting) == width or each is lot[-1]:
                     rows = self._rows(waiting)
-                    yield from (one._replace(row=rows.get(one.candidate.number)) for one in ready)
+                    pairs = self._pairs(waiting, rows)
+                    self._told(self._done, f"of {own.candidate.number + 1} candidates")
+                    for one in ready:
+                        number = one.candidate.number
+                        yield one._replace(row=rows.get(number), pairs=pairs.get(number, ()))
                     ready, waiting = [], []
 
     def _drawn(self, number: int) -> _Judged:
@@ -201,6 +212,18 @@ class Chooser:
                 self._journal.append([row])
         return found
 
+    def _pairs(self, candidates: Sequence[Candidate], rows: Mapping[int, Row]) -> dict[int, Sequence[Pair]]:
+        """Mistakes that give a right answer, of those candidates that are good; by the journal where it has them."""
+        if self._clashes is None:
+            return {}
+        good = [each for each in candidates if self._judge.verdict(rows[each.number]).refusal is None]
+        fresh = [each for each in good if each.number not in self._known_pairs]
+        for number, pairs in (self._clashes(fresh) if fresh else {}).items():
+            self._known_pairs[number] = pairs
+            if self._journal is not None:
+                self._journal.append([Row(number, OK, json.dumps([*pairs]), alone=CLASHES)])
+        return {each.number: self._known_pairs[each.number] for each in good}
+
     def _place(self, each: Candidate) -> Values:
         """A candidate in the box of all values, as parts of their ranges."""
         return np.array([float(value) for value in each.values]) / self._spans
@@ -216,6 +239,10 @@ class Chooser:
         """The least distance of two variants, the mean over the drawn numbers of parts of their ranges."""
         pairs = combinations(self._places, 2)
         return min((float(np.mean(np.abs(one - other))) for one, other in pairs), default=math.nan)
+
+
+def _pairs_in(text: str) -> list[Pair]:
+    return [(item, mistake) for item, mistake in json.loads(text)]
 
 
 def _scarce(found: int, wanted: int, refused: Counter[str], refusals: dict[str, Refusal]) -> NoSolutionError:

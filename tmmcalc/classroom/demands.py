@@ -132,12 +132,15 @@ class Limits:
         return found
 
     def broken(self, values: Values) -> list[str]:
-        """The constraint that each of some results (n, m) does not keep, of several the first; empty: none."""
+        """The constraint that each of some results (n, m) does not keep, of several the first; empty: none.
+
+        It is the rule itself where all hold and the rule excludes one.
+        """
         truths = self.truths(values)
         kept = surely_holds(self.rule, truths, (len(values),)) if self.rule else np.ones(len(values), bool)
         first = []
         for k in range(len(values)):
-            own = next((name for name, (holds, _) in truths.items() if not holds[k]), "")
+            own = next((name for name, (holds, _) in truths.items() if not holds[k]), self.rule)
             first.append("" if kept[k] else own)
         return first
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from tmmcalc.classroom.keying import told_of
 from tmmcalc.classroom.making import Made
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.numbers import number
@@ -40,8 +41,9 @@ def _notes(made: Made) -> Iterator[str]:
         values = [each.values[at] for each in made.fresh]
         if len(values) > 1 and max(values) - min(values) <= item.tolerance * max(map(abs, values)):
             yield f"note: {item.name} is the same in all variants that were drawn now, within its tolerance"
-    for name, mistake in made.own.unavoided:
-        yield f"note: {name}: in most variants the right answer comes out with a mistake too: {mistake}"
+    for name in dict.fromkeys(item for item, _ in made.own.unavoided or ()):
+        titles = [told_of(mistake).title for item, mistake in made.own.unavoided or () if item == name]
+        yield f"note: {name}: in many variants a mistake gives the right answer within tolerance: {'; '.join(titles)}"
 
 
 def _spread(made: Made) -> View | None:

@@ -69,7 +69,7 @@ class Judge:
     def __init__(self, file: Path, jobs: int | None = None, tell: Callable[[str], None] = lambda said: None) -> None:
         variants = Variants(read_text(file), str(file), file.parent)
         self.spec: Spec = variants.spec()
-        if self.spec.class_ is None:
+        if self.spec.class_ is None or not self.spec.class_.drawn:
             raise UsageError("nothing is drawn", where=str(file), remedy="add [class] with what is drawn and asked")
         self.table: ClassTable = self.spec.class_
         task = to_feasibility(self.spec)
@@ -95,12 +95,12 @@ class Judge:
             Spread.of(item.name, each.value, float(self.table.spread), _in_unit(item.within, item.unit, each.unit))
             for item, each in zip(self.items, self.asked, strict=True)
         )
-        self._frame = replace(frame, patterns=(*self._columns, GROWTH), targets=(), solver=SOLVER)
+        self.frame = replace(frame, patterns=(*self._columns, GROWTH), targets=(), solver=SOLVER)
         grown = max(_growths(self.run), default=0.0)
         self._growth = DEAD if grown <= DEAD else ROOM * grown
         self._known = {*_warnings(self.run)}
-        self.processes = jobs or (cores() if heavy(self._frame) and available() else 1)
-        self._solve: Solve = local(self.processes, tell, kept=True)
+        self.processes = jobs or (cores() if heavy(self.frame) and available() else 1)
+        self.solver: Solve = local(self.processes, tell, kept=True)
 
     @property
     def factors(self) -> tuple[float, ...]:
@@ -116,7 +116,7 @@ class Judge:
     def at_once(self, candidates: Sequence[Candidate], *, alike: bool = True) -> dict[int, Refusal | None]:
         """Why candidates are refused by their linkage and forces alone, None where they are not, by their numbers.
 
-        ``alike``: of those alone that can be solved together, which are nearly all and cost next to nothing.
+        ``alike``: of those alone that can be solved together, which cost next to nothing; of some linkages none can.
         """
         if self._cheap is None or not candidates:
             return {each.number: None for each in candidates}
@@ -143,7 +143,7 @@ class Judge:
     def whole(self, candidates: Sequence[Candidate]) -> Iterator[Row]:
         """Rows of all stages of candidates, in any order."""
         places = [[Place(each.number, tuple(self.keyed(each)))] for each in candidates]
-        for some in self._solve(self._frame, places):
+        for some in self.solver(self.frame, places):
             yield from some
 
     def verdict(self, row: Row) -> Verdict:
@@ -177,19 +177,17 @@ class Judge:
     def _cheap(self) -> tuple[Model, dict[int, int], Limits] | None:
         """Results of linkage and forces as a function of the keys, the columns of items there, and the limits on them.
 
-        None where nothing of them is asked, or where many cannot be solved together.
+        None where nothing of them is asked.
         """
         cheap = [key for key in self._columns if parse(key).stage in CHEAP]
         if not cheap:
             return None
         wanted = {parse(name).stage for name in cheap}
         targets = tuple(name for name in STAGES if name in wanted)
-        model = Model(replace(self._frame, patterns=tuple(cheap), targets=targets), brief=True)
+        model = Model(replace(self.frame, patterns=tuple(cheap), targets=targets), brief=True)
         ends = [span for span, each in zip(spans(self.drawn), self.drawn, strict=True) for _ in each.axes]
         low, high = (np.array([float(end[side]) for end in ends]) for side in (0, 1))
         near = model.over(range(len(low)), low, high, model.nominal.tolist())
-        if not near.together:
-            return None
         places = {self._columns.index(name): at for at, name in enumerate(near.names)}
         asked = {item: places[column] for item, column in enumerate(self._asked) if column in places}
         return near, asked, self.limits.among(places)

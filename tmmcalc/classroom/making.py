@@ -129,7 +129,7 @@ def _made(
                 taken=[candidate(judge.drawn, own.seed, each.candidate) for each in own.variants],
                 tried=own.tried,
                 clashes=None if clashes is None else clashes(judge),
-                unavoided=own.unavoided if own.variants else None,
+                unavoided=own.unavoided,
                 journal=journal,
                 told=told,
             )

@@ -54,7 +54,8 @@ class Class:
     seed: int
     tried: int  # candidates up to the last variant
     variants: tuple[Variant, ...]
-    unavoided: tuple[tuple[str, str], ...] = ()  # items and mistakes that give the right answer of most variants
+    unavoided: tuple[tuple[str, str], ...] | None = None
+    """Items and mistakes that give the right answer of many variants; None: they were not looked for."""
 
     def file(self, folder: Path) -> Path:
         """The assignment of a class in this folder."""
@@ -81,7 +82,8 @@ def read_class(folder: Path) -> Class:
         data = read_toml(read_text(path, MOST_BYTES), str(path))
         own = data["class"]
         variants = tuple(_variant(each) for each in data.get("variants", []))
-        pairs = tuple((_text(item), _text(mistake)) for item, mistake in own.get("unavoided", []))
+        pairs = own.get("unavoided")
+        pairs = None if pairs is None else tuple((_text(item), _text(mistake)) for item, mistake in pairs)
         made = Class(
             _text(own["assignment"]), _text(own["digest"]), _whole(own["seed"]), _whole(own["tried"]), variants, pairs
         )
@@ -102,8 +104,9 @@ def write_class(made: Class, folder: Path) -> bool:
         "[class]",
         f"version = {toml(__version__)}",
         *(f"{key} = {toml(getattr(made, key))}" for key in ("assignment", "digest", "seed", "tried")),
-        f"unavoided = {toml(made.unavoided)}",
     ]
+    if made.unavoided is not None:
+        lines += ["unavoided = [", *(f"    {toml(pair)}," for pair in made.unavoided), "]"]
     for each in made.variants:
         own = ("number", "student", "candidate")
         lines += ["", "[[variants]]", *(f"{key} = {toml(getattr(each, key))}" for key in own), "set = ["]

@@ -60,6 +60,13 @@ def command(
     ] = "pdf",
     no_sheets: Annotated[bool, typer.Option("--no-sheets", help="No task sheets and no tables for answers.")] = False,
     language: Language = None,
+    skip: Annotated[
+        bool,
+        typer.Option(
+            "--skip-mistakes",
+            help="Do not look for known mistakes that give a right answer, which takes most of the time.",
+        ),
+    ] = False,
     fresh: Annotated[bool, typer.Option("--fresh", help="Draw all variants anew, whatever is given out.")] = False,
     form: Form = Format.table,
     quiet: Quiet = False,
@@ -67,9 +74,10 @@ def command(
     """Draw variants of an assignment by [class] of the spec: each solved, round, and unlike the others.
 
     Every variant assembles, turns fully, has a result in all stages and no warning that the assignment itself has not,
-    keeps [[constraints]] by a margin, and is apart from all others. The folder gets class.toml (who has what),
-    class.csv (the numbers of all), a spec each in variants/, a task sheet each in sheets/, and in answers/ an empty
-    table each. Asked again with more students or a larger N it draws what is missing; what is given out stays as it is.
+    keeps [[constraints]] by a margin, and is apart from all others; no known mistake gives its right answers, but those
+    that are told. The folder gets class.toml (who has what), class.csv (the numbers of all), a spec each in variants/,
+    a task sheet each in sheets/, and in answers/ an empty table each. Asked again with more students or a larger N it
+    draws what is missing; what is given out stays as it is.
 
     Example: tmmcalc class make assignment.toml -n 40 --seed 7 -o class
     """
@@ -78,6 +86,7 @@ def command(
             raise UsageError(f"{out} is {kind}", where="-o", remedy="name a folder")
     elif out.exists():
         raise UsageError(f"{out} is a file", where="-o", remedy="name a folder")
+    from tmmcalc.classroom.clashing import clashes_of
     from tmmcalc.classroom.document import class_document
     from tmmcalc.classroom.making import make_class
     from tmmcalc.project import load_spec
@@ -87,7 +96,8 @@ def command(
 
         check_form(sheets, "a task sheet", "--sheets")
     with seen(told_with("variants"), quiet) as told:
-        made = make_class(spec, out, count, seed, fresh=fresh, jobs=jobs, tell=warn, told=told)
+        clashes = None if skip else clashes_of
+        made = make_class(spec, out, count, seed, fresh=fresh, jobs=jobs, clashes=clashes, tell=warn, told=told)
     scene = load_spec(spec)
     folders = () if no_sheets else _sheets(scene, out, made, sheets, language, jobs, quiet)
     show(class_document(made, title(scene, spec, "class")), form)
