@@ -81,6 +81,17 @@ def test_damaged_keys_are_one_message(made: Cli) -> None:
     read_keybook(Path("class/keys"))
 
 
+def test_another_assignment_is_refused_other_tolerances_are_taken(made: Cli) -> None:
+    text = Path("assignment.toml").read_text()
+    Path("assignment.toml").write_text(text.replace('tolerance = "0.5 %"', 'tolerance = "3 %"', 1))
+    assert made("class", "keys", "class", "-j", "1", "-q")[0] == 0
+    assert {item.name: item.tolerance for item in read_keybook(Path("class/keys")).items}["K"] == 0.03
+    Path("assignment.toml").write_text(text.replace('gravity = "9.81 m/s^2"', 'gravity = "9.80 m/s^2"'))
+    code, out, err = made("class", "keys", "class", "-j", "1")
+    assert (code, out) == (2, "")
+    assert "the assignment is not that of the 2 variants in class" in err
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

@@ -14,9 +14,9 @@ from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.mistake import Asked, Mistake
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plan import plan
-from tmmcalc.naming.language import parse
+from tmmcalc.naming.language import Name, parse
 from tmmcalc.naming.scene import Scene
-from tmmcalc.naming.told import one
+from tmmcalc.naming.told import one, told
 from tmmcalc.pipeline.settling import outlook
 from tmmcalc.project import Spec
 from tmmcalc.project.loader import with_tables
@@ -51,7 +51,7 @@ def key_of(number: int, student: str, spec: Spec, items: Sequence[Item], mistake
     Raises what a stage of the right solution raises, `UsageError` for an item that the scene does not tell.
     """
     desk = _Desk(spec, items)
-    return Key(number, student, desk.values, tuple(desk.mistaken(told.name) for told in mistakes))
+    return Key(number, student, desk.values, tuple(desk.mistaken(each.name) for each in mistakes))
 
 
 class _Desk:
@@ -59,13 +59,13 @@ class _Desk:
 
     def __init__(self, spec: Spec, items: Sequence[Item]) -> None:
         self._items = items
-        names = [parse(item.result) for item in items]
-        self._bench = Bench(spec, tuple(dict.fromkeys(name.stage for name in names)))
+        self._names = [parse(item.result) for item in items]
+        self._bench = Bench(spec, tuple(dict.fromkeys(name.stage for name in self._names)))
         self._scene = self._bench.scene()
-        right = [one(name, self._scene.results, self._scene) for name in names]
-        self._meanings = [told.meaning for told in right]
-        self._factors = [_factor(told.unit, item) for told, item in zip(right, items, strict=True)]
-        self.values: Values = tuple(factor * told.value for told, factor in zip(right, self._factors, strict=True))
+        right = [one(name, self._scene.results, self._scene) for name in self._names]
+        self._meanings = [each.meaning for each in right]
+        self._factors = [_factor(each.unit, item) for each, item in zip(right, items, strict=True)]
+        self.values: Values = tuple(factor * each.value for each, factor in zip(right, self._factors, strict=True))
 
     def mistaken(self, name: str) -> Values:
         """What of the items comes out with a mistake (I,)."""
@@ -94,11 +94,12 @@ class _Desk:
             return none
         if self._bench.unchanged(scene):
             return none
-        return tuple(self._value(item, factor, scene) for item, factor in zip(self._items, self._factors, strict=True))
+        found = self._told(scene)
+        return tuple(by * found.get(name.text, math.nan) for name, by in zip(self._names, self._factors, strict=True))
 
     def _read(self, mistake: Mistake) -> Values:
-        told = zip(self._items, self._meanings, self.values, self._factors, strict=True)
-        return tuple(_read(mistake, self._asked(item, meaning, value, by)) for item, meaning, value, by in told)
+        every = zip(self._items, self._meanings, self.values, self._factors, strict=True)
+        return tuple(_read(mistake, self._asked(item, meaning, value, by)) for item, meaning, value, by in every)
 
     def _asked(self, item: Item, meaning: str, value: float, factor: float) -> Asked:
         another = partial(self._another, factor)
@@ -110,15 +111,14 @@ class _Desk:
         except TmmError:
             return math.nan
 
-    @staticmethod
-    def _value(item: Item, factor: float, scene: Scene) -> float:
-        name = parse(item.result)
-        if name.stage not in scene.results:
-            return math.nan
+    def _told(self, scene: Scene) -> dict[str, float]:
+        """Values of the items that a scene tells, in the units of results, by their names."""
+        names = [name for name in self._names if name.stage in scene.results]
+        stages = tuple(dict.fromkeys(name.stage for name in names))
         try:
-            return factor * one(name, scene.results, scene).value
-        except Exception:  # a column by choice may stand on what the mistake has broken
-            return math.nan
+            return {f"{each.stage}.{each.quantity}": each.value for each in told(scene.results, names, scene, stages)}
+        except Exception:  # one by one those are found that a mistake has not broken
+            return {name.text: value for name in names if (value := _one(name, scene)) is not None}
 
 
 def classes_of(key: Key, items: Sequence[Item], mistakes: Sequence[Told]) -> tuple[tuple[int, ...], ...]:
@@ -198,6 +198,13 @@ def _read(mistake: Mistake, asked: Asked) -> float:
         return mistake.reads(asked)
     except (ArithmeticError, TmmError):
         return math.nan
+
+
+def _one(name: Name, scene: Scene) -> float | None:
+    try:
+        return one(name, scene.results, scene).value
+    except Exception:  # a column by choice may stand on what the mistake has broken
+        return None
 
 
 def _factor(unit: str, item: Item) -> float:

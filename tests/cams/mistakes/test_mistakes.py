@@ -106,3 +106,13 @@ def test_friction_of_the_guide() -> None:
     friction = "cam_forces.W_friction J"
     assert right("cam-translating", friction)[0] > 0
     assert wrong("cam-translating", "cams.cam_friction_left_out", friction) == [0.0]
+
+
+def test_a_cam_on_the_crank_turns_against_it() -> None:
+    """Without `rotation` it turns with the crank: turned back its offset is on the other side."""
+    asked = "cam_profile.x_c[phi=30 deg] mm", "cam_profile.y_c[phi=30 deg] mm"
+    own = right("course-project", *asked)
+    assert right("course-project", *asked, sets=('cam.rotation="counter-clockwise"',)) == own
+    turned = right("course-project", *asked, sets=('cam.rotation="clockwise"',))
+    assert wrong("course-project", "cams.cam_turned_back", *asked) == pytest.approx(turned)
+    assert turned != pytest.approx(own)

@@ -105,3 +105,13 @@ def test_speed_against_the_carrier() -> None:
     assert against == pytest.approx(own - carrier)
     assert wrong(train, "gears.relative_speed", "gearing.omega@planet rad/s") == pytest.approx([own - carrier])
     assert planet != own
+
+
+def test_shifts_of_the_meshes_of_a_train() -> None:
+    """The first mesh of the course project runs at its reference distance where shifts are left out."""
+    asked = "pair.1-2.a mm", "pair.1-2.a_w mm", "pair.1-2.wheels.0.x ", "pair.1-2.wheels.1.x "
+    a, operating, first, second = right("course-project", *asked)
+    assert first != second
+    assert wrong("course-project", "gears.shifts_swapped", *asked[2:]) == pytest.approx([second, first])
+    assert wrong("course-project", "gears.shifts_left_out", *asked) == pytest.approx([a, a, 0, 0])
+    assert operating >= a

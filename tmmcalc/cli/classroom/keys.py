@@ -205,12 +205,20 @@ def _made(own: Class, folder: Path, place: Path, jobs: int | None, fresh: bool, 
     from tmmcalc.classroom.items import items_of
     from tmmcalc.classroom.keybook import FILE, read_keybook
     from tmmcalc.classroom.keymaking import make_keys
+    from tmmcalc.classroom.state import digest_of
     from tmmcalc.core.atomic import blamed_on
     from tmmcalc.project import load_spec
 
     file = own.file(folder)
+    spec = load_spec(file)
+    if digest_of(spec) != own.digest:
+        raise UsageError(
+            f"the assignment is not that of the {len(own.variants)} variants in {folder}",
+            where=str(file),
+            remedy="undo the change, or make the class afresh: tmmcalc class make --fresh",
+        )
     known = read_keybook(place) if (place / FILE).is_file() and not fresh else None
-    items, count = items_of(load_spec(file)), len(own.variants)
+    items, count = items_of(spec), len(own.variants)
     with blamed_on(place, "made"):
         place.mkdir(parents=True, exist_ok=True)
     processes = jobs or (min(cores(), count) if available() and count > 1 else 1)

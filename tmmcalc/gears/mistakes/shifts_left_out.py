@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 from tmmcalc.core.mistake import SOMETIMES, Mistake
 
 
-def _amiss(solve: Callable[..., Any], task: Any, *given: Any, **upstream: Any) -> Any:
-    plain = tuple(replace(own, strategy="given", refuse=False, shifts=(0.0, 0.0)) for own in task.pairs)
-    return solve(replace(task, pairs=plain), *given, **upstream)
+def _amiss(solve: Callable[..., Any], *given: Any, **upstream: Any) -> Any:
+    from tmmcalc.gears.meshing.reshifted import with_shifts
+
+    found = solve(*given, **upstream)
+    return with_shifts(found, [(0.0, 0.0)] * len(found.pairs))
 
 
 MISTAKE = Mistake(
@@ -19,5 +20,4 @@ MISTAKE = Mistake(
     "Are these wheels cut with shifts?",
     SOMETIMES,
     stages={"pair": _amiss},
-    applies=lambda spec: spec.pair is not None and not spec.pair.of_train,
 )
