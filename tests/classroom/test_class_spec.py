@@ -112,7 +112,6 @@ FAULTS = {
     "a long name": (asked(f'omega_2@1"\nname = "{"w" * 81}"'), "longer than 80 characters", "write a shorter one"),
     "a name of two lines": (asked('omega_2@1"\nname = "w\\nw"'), "holds a line break", "write it on one line"),
     "a tolerance of all": (asked('omega_2@1"\ntolerance = 1'), "1 is out of range", "write a number"),
-    "nothing drawn": ("", "missing key: each student gets numbers of his own", "add [[class.drawn]]"),
 }
 
 

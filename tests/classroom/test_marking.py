@@ -91,6 +91,16 @@ def test_what_is_wrong_besides_is_not_carried_on() -> None:
     assert chained("11.0", "2.500", "25.00", "75.00", "187.5", "3.3").standings[5] == "wrong"  # it follows nothing
 
 
+def test_of_a_value_by_plans_a_power_has_to_be_told() -> None:
+    found = chained("10.28", "2.570", "26.42", "75.00", "187.5", "3.000")  # 2.8 % off, then by 1 and by 2
+    assert found.standings[:3] == ("right by plans", "right by plans", "wrong")
+    told = item("a", unit="m/s^2", after=(0,), powers=(2.0,))
+    key, texts = Key(1, "", (10.0, 25.0), ()), ("10.28", "26.42")
+    answers = tuple(answer(text, of) for text, of in zip(texts, (CHAIN[0], told), strict=True))
+    (found,) = mark(Keybook((CHAIN[0], told), (), (key,)), Pile((HandIn(1, "", answers),), ()), RULES).marked
+    assert found.standings == ("right by plans", "carried on")
+
+
 @pytest.mark.parametrize(("omega", "v", "a"), [("1", "0.25", "0.25"), ("100", "25.0", "2500"), ("-10", "-2.5", "25")])
 def test_an_implausible_value_carries_nothing(omega: str, v: str, a: str) -> None:
     found = chained(omega, v, a, "75.00", "187.5", "3.000")

@@ -205,3 +205,12 @@ def test_hints_of_what_cannot_be_read(cli: Cli, spec: Path, folder: Path) -> Non
     done = cli("class", "hints", "assignment.toml", "a.csv")
     assert done.code == 2
     assert "is a picture" in done.err
+
+
+def test_a_spec_in_which_something_is_asked_and_nothing_drawn_makes_no_class(
+    cli: Cli, spec: Path, folder: Path
+) -> None:
+    done = cli("class", "make", "assignment.toml", "-n", "3")
+    assert done.code == 2
+    assert "nothing is drawn" in done.err
+    assert not (folder / "class").exists()

@@ -2,7 +2,8 @@
 
 Where an item follows an earlier one by a power, as a velocity its angular one, an acceleration the square of it, a
 power the force, its own wrong value carries on by the same power. The powers are those of the item; where it tells
-none, 1, 2 and -1 are tried. Of several wrong ones before it each may have been carried on or not. What follows by a sum
+none, 1, 2 and -1 are tried, but not of a value that is right by plans: some power meets whatever is so near. Of several
+wrong ones before it each may have been carried on or not. What follows by a sum
 or otherwise is found where a known mistake explains both answers.
 
 The student's own value has to be plausible, so that a trivial one is no way to make the rest right: of the right sign
@@ -45,10 +46,16 @@ def _fitting(
     k: int, items: Sequence[Item], right: Values, answers: Sequence[Answer], standings: Sequence[Standing]
 ) -> Iterator[float]:
     """The values of an item that follow from wrong ones before it, as far as the answer is one of them."""
-    before = [j for j in items[k].after if standings[j] in OFF and right[j] and answers[j].value][:MOST]
+    powers = dict(zip(items[k].after, items[k].powers, strict=False))
+    before = [
+        j
+        for j in items[k].after
+        if (standings[j] is Standing.wrong or (standings[j] is Standing.plans and powers.get(j)))
+        and right[j]
+        and answers[j].value
+    ][:MOST]
     if not before or not right[k]:
         return
-    powers = dict(zip(items[k].after, items[k].powers, strict=False))
     options = [(0.0, *((powers[j],) if powers.get(j) else TRIED)) for j in before]
     for chosen in product(*options):
         if not any(chosen):

@@ -24,7 +24,7 @@ from tmmcalc.classroom.model import Item, Key, Told
 from tmmcalc.classroom.verdicts import Standing
 from tmmcalc.core.records import record
 
-LEAST = 4.0  # odds that count where one or two answers are wrong
+LEAST = (4.0, 8.0)  # odds that count where one or two answers are wrong: of who computes, of who works by plans
 MOST = 4  # mistakes of one student
 SHOWN = 0.8  # of the answers that a mistake of a whole solution changes are as it predicts
 MISREAD = 0.15  # of these are misread besides
@@ -70,7 +70,7 @@ def explain(
         return ()
     table = _Table(items, told, key, answers, standings, carried)
     found = list[Explanation]()
-    while len(found) < MOST and table.open.any():
+    while len(found) < MOST and (table.open.any() or not found):  # all may be carried on from one mistake
         best = max((table.whole(), table.single()), key=lambda each: each.explanation.odds if each else 0.0)
         if best is None or best.explanation.odds < table.level:
             break
@@ -113,7 +113,6 @@ class _Table:
         state = [standings[int(k)] for k in self.places]
         self.wrong = np.array([each is Standing.wrong for each in state])
         self.fine = np.array([each is Standing.right for each in state])
-        self.open = self.wrong & np.isnan(self.carried)  # still to be explained
         self.predicted = np.where(np.isnan(self.carried), self.right, self.carried)
         self.usual = self.predicted
         self.left = self.common > 0  # mistakes that are not told yet
@@ -122,11 +121,14 @@ class _Table:
         self.ratios = mistaken[self.sole] / self.right
         self.base = self._base()
         self.weights = self._weights()
+        # still to be explained: neither carried on, nor off as it happens to somebody who works by plans
+        poor = np.einsum("w,wi->i", self.weights, self.as_right) > self.nothing
+        self.open = self.wrong & np.isnan(self.carried) & ~poor
 
     @property
     def level(self) -> float:
         """The least odds that count."""
-        return max(LEAST, float(self.open.sum()) ** 2)
+        return max(float(self.weights @ LEAST), float(self.open.sum()) ** 2)
 
     def _base(self) -> Array:
         """Densities of the answers (W, I) before anything is explained."""

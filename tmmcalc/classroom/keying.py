@@ -11,7 +11,7 @@ from tmmcalc.classroom.bench import Bench
 from tmmcalc.classroom.known import known
 from tmmcalc.classroom.model import Item, Key, Told, Values
 from tmmcalc.core.errors import TmmError, UsageError
-from tmmcalc.core.mistake import Asked, Mistake
+from tmmcalc.core.mistake import SELDOM, Asked, Mistake
 from tmmcalc.core.notes import Phrase
 from tmmcalc.core.plan import plan
 from tmmcalc.naming.language import Name, parse
@@ -42,7 +42,7 @@ def told_of(name: str) -> Told:
     """How a mistake of this name is told; raises `UsageError` if there is none."""
     mistake, part = _named(name)
     title = Phrase("{mistake}: {part}", mistake=mistake.title, part=part) if part else mistake.title
-    return Told(name, title, mistake.hint, mistake.single)
+    return Told(name, title, mistake.hint, mistake.single, 2.0 ** (SELDOM - mistake.common))
 
 
 def key_of(number: int, student: str, spec: Spec, items: Sequence[Item], mistakes: Sequence[Told]) -> Key:

@@ -104,7 +104,11 @@ def _explanations(marks: Marks) -> Worksheet:
 
 def told(explanation: Explanation, mistakes: Sequence[Told]) -> str:
     """The mistakes of an explanation, which give equal numbers."""
-    return tr(" or ").join(dict.fromkeys(tr_name(mistakes[m].title) for m in explanation.mistakes))
+    return _titles(explanation.mistakes, mistakes)
+
+
+def _titles(numbers: Sequence[int], mistakes: Sequence[Told]) -> str:
+    return tr(" or ").join(dict.fromkeys(tr_name(mistakes[m].title) for m in numbers))
 
 
 def _items(marks: Marks, statistics: Statistics) -> Worksheet:
@@ -119,7 +123,11 @@ def _items(marks: Marks, statistics: Statistics) -> Worksheet:
 
 def _made(marks: Marks, statistics: Statistics) -> Worksheet:
     rows = [
-        [tr(" or ").join(tr_name(marks.mistakes[m].title) for m in made.mistakes), len(made.numbers), _listed(made.numbers)]
+        [
+            tr(" or ").join(tr_name(marks.mistakes[m].title) for m in made.mistakes),
+            len(made.numbers),
+            _listed(made.numbers),
+        ]
         for made in statistics.made
     ]
     return _sheet("common mistakes", ["mistake", "students", "variants"], rows)

@@ -1,7 +1,6 @@
 """Words for faults in ``[class]``: what a missing key is for, what to write in its lists and tables."""
 
 MISSING = {
-    "drawn": ("each student gets numbers of his own", "add [[class.drawn]]"),
     "drawn.of": ("what is drawn is a number of the spec", 'add of = "mechanism.links[id=1].points.A[0]"'),
     "asked": ("something has to be asked", "add [[class.asked]]"),
     "asked.result": ("what is asked is a result", 'add result = "kinematics.stroke_D"'),
