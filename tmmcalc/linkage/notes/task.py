@@ -56,7 +56,7 @@ def _motion(order: Order, result: Kinematics) -> Iterator[Datum]:
     even = [label for label in result.labels if label.isdigit()]  # without those between, as 7'
     yield Datum(tr("number of equal steps of the cycle"), ("n",), (float(len(even) - 1),))
     if table.input.start == EXTREME:
-        yield Datum(tr("position 0"), text=tr("dead centre before the working stroke"))
+        yield Datum(tr("beginning of the count, position 0"), text=tr("dead centre before the working stroke"))
     elif result.turns:
         yield Datum(tr("position 0: angle of the crank from axis $x$"), (), (math.degrees(table.input.start),), "deg")
     for output in table.outputs:
