@@ -13,7 +13,6 @@ from tmmcalc.batch import points, stacked
 from tmmcalc.batch.choice import chosen
 from tmmcalc.batch.reading import task_of
 from tmmcalc.batch.stacked import SOLVER
-from tmmcalc.batch.stacked_columns import Columns
 from tmmcalc.batch.stacked_inputs import Inputs
 from tmmcalc.batch.task import Row, Task
 
@@ -33,6 +32,7 @@ MOTION = (
 )
 NOISE = 1e-3  # of the largest number with the same unit: what is smaller is measured against that
 SAME = 1e-11
+LINE = CONFIGS / "best-straight-line.toml"
 
 
 def differences(task: Task, which: range) -> tuple[int, float]:
@@ -63,7 +63,7 @@ def kind(name: str) -> tuple[str, str]:
 
 def solved_together(task: Task) -> dict[int, Row]:
     made = stacked.prepared(task)
-    assert isinstance(made, Columns), made
+    assert not isinstance(made, str), made
     return made.rows(range(task.count), np.array([task.values(point) for point in range(task.count)])).found
 
 
@@ -240,3 +240,63 @@ def test_variants_with_friction_where_the_first_has_none() -> None:
     task = task_of(SHAPER, [FEW, f"{key}=0:0.15:16"], None, (), ("forces.max(R_A)",))
     _, difference = differences(task, range(0, 16, 5))
     assert difference < SAME
+
+
+def near_to_limits(file: Path, count: int, seed: int) -> tuple[Path, np.ndarray]:
+    """Four-bars whose coupler and rocker come near to their limit positions or miss them by a bit.
+
+    And the least squared sines (n,) of their angles over the turn, by the distances of the pins in closed form.
+    """
+    rng = np.random.default_rng(seed)
+    r1, r2, r3 = np.exp(rng.uniform(np.log(8.0), np.log(50.0), (3, 20 * count)))
+    off = rng.choice([-1.0, 1.0], r1.size) * 10 ** rng.uniform(-11.0, -1.0, r1.size)
+    pins = np.array([r1 + r2, np.abs(r1 - r2)])
+    stretched, folded = (1 + off) * pins[0] - r3, r3 + rng.choice([-1.0, 1.0], r1.size) * (1 - off) * pins[1]
+    r4 = np.where(rng.random(r1.size) < 0.5, stretched, folded)
+    sines = (((r3 + r4) ** 2 - pins**2) * (pins**2 - (r3 - r4) ** 2) / (2 * r3 * r4) ** 2).min(axis=0)
+    fits = np.flatnonzero((r4 > 5) & (r4 < 60) & (np.abs(sines) < 0.1))[:count]
+    r1, r2, r3, r4 = (row[fits] for row in (r1, r2, r3, r4))
+    keys = ("fixed.C[0]", "links[id=1].points.A[0]", "links[id=2].points.B[0]", "links[id=3].points.B[0]")
+    with file.open("w") as stream:
+        writer = csv.writer(stream)
+        writer.writerow([f"mechanism.{key}[mm]" for key in keys])
+        writer.writerows([[repr(float(v)) for v in row] for row in zip(49.0 + r1, r2, r3, r4, strict=True)])
+    return file, sines[fits]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("columns", "sets", "least", "within"),
+    [
+        (("paths.deviation_sum_P", "paths.deviation_max_P"), (), 1e-8, 1e-12),
+        (
+            ("paths.deviation_sum_P",),
+            ('paths[0].at=["0 deg","60 deg","100 deg","180 deg","181 deg","240 deg"]',),
+            1e-8,
+            1e-12,
+        ),
+        (("kinematics.max(x_P)", "kinematics.size(a_P)", "kinematics.max(y_P)"), (), 1e-3, 1e-12),
+        (("kinematics.mean(angle_3)", "kinematics.last(omega_2)"), (), 0.1, 1e-12),
+        (("kinematics.transmission_min_RRR(2,3)", "kinematics.stroke_*"), (), 0.1, SAME),
+    ],
+)
+def test_variants_near_to_a_limit_position(
+    tmp_path: Path, columns: tuple[str, ...], sets: tuple[str, ...], least: float, within: float
+) -> None:
+    """They are solved together from a squared sine of ``least`` on, and nothing is solved that does not turn."""
+    file, sines = near_to_limits(tmp_path / "points.csv", 600, len(columns) + len(sets))
+    assert np.count_nonzero(sines > 0) > 150
+    assert np.count_nonzero(sines < 0) > 150
+    task = task_of(LINE, ['mechanism.fixed.C[1]="5 mm"', FEW, *sets], file, (), columns)
+    rows = points.solve_points(task, range(task.count))
+    sure = np.abs(sines) > 1e-9
+    assert [row.ok for row, each in zip(rows, sure, strict=True) if each] == (sines[sure] > 0).tolist()
+    _, difference = compared(task, range(task.count), rows)
+    assert difference < within
+    alone = np.array([bool(row.alone) for row in stacked.solve_points(task, range(task.count))])
+    assert not alone[sines > 1.01 * least].any()
+    made = stacked.prepared(task)
+    assert not isinstance(made, str)
+    refused = made.rows(range(task.count), np.array([task.values(point) for point in range(task.count)])).refused
+    assert {*refused} >= {*np.flatnonzero(sines < -1e-8).tolist()}
+    assert not {*refused} & {k for k, row in enumerate(rows) if row.ok}

@@ -3,8 +3,8 @@
 Keybooks are made at random: six to twelve items, twenty to forty mistakes that change some of them, by a few per cent
 or by much, and misreadings of single answers. What is asserted here on some
 hundred tables was measured on thousands: of mistakes planted to three digits 99 % are named first, of tables of numbers
-that come of nothing 0.4 % are explained; with noise of 2 %, as by plans, 79 % and 0.3 %: the rest have too few wrong
-answers to tell.
+that come of nothing less than 0.6 % are explained; with noise of 2 %, as by plans, 80 % and 0.9 %: the rest have too
+few wrong answers to tell.
 """
 
 from __future__ import annotations

@@ -43,7 +43,9 @@ plans = "4 %"
     assert first == Item(
         "w", ("omega",), "kinematics.omega_3@1", "rpm", 0.02, pytest.approx(0.954929658551372), 0.04, 2, 3, (), True
     )
-    assert second == Item("kinematics.eps_3@1", (), "kinematics.eps_3@1", "rad/s^2", 0.01, 0.0, 0.04, 1, 4, (0,), False)
+    assert second == Item(
+        "kinematics.eps_3@1", (), "kinematics.eps_3@1", "rad/s^2", 0.01, 0.0, 0.04, 1, 4, (0,), False, (0.0,)
+    )
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""What students get tells no answer: every file is opened, its text and what is said of it are searched for right values.
+"""What students get tells no answer: every file is opened, and its text and what is said of it are searched.
 
 A value is looked for by its first four digits, whatever the unit and the sign; one that begins as a given number does
 cannot be told from it and is left out.
@@ -10,7 +10,7 @@ import math
 import re
 import zipfile
 from collections.abc import Iterator
-from io import BytesIO
+from io import BytesIO, StringIO
 from pathlib import Path
 from shutil import copytree
 from xml.etree import ElementTree
@@ -31,12 +31,15 @@ from tmmcalc.classroom.papers.overview import overview
 from tmmcalc.classroom.papers.results import student_results
 from tmmcalc.classroom.papers.sheets import write_sheets
 from tmmcalc.classroom.statistics import statistics_of
+from tmmcalc.note.assembled import drawn
 from tmmcalc.note.forms import FORMS, formed
-from tmmcalc.pipeline.picturing import figure_of
+from tmmcalc.pipeline.chapters import task_of
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project import load_spec
+from tmmcalc.report.document import Document
 from tmmcalc.report.drawing import written
-from tmmcalc.report.render import as_table
+from tmmcalc.report.manuscript import Figure
+from tmmcalc.report.render import render
 from tmmcalc.report.worksheets import Worksheet
 
 DIGITS = 4
@@ -97,6 +100,12 @@ def words_of(file: Path) -> str:
             return data.decode("utf-8-sig")
 
 
+def printed(document: Document) -> str:
+    stream = StringIO()
+    render(document, "table", stream)
+    return stream.getvalue()
+
+
 @pytest.fixture(scope="module")
 def given(school: School) -> set[str]:
     """Beginnings of what is given: of the assignment, and of the numbers of all variants."""
@@ -116,9 +125,9 @@ def files(school: School, tmp_path_factory: pytest.TempPathFactory) -> list[Path
         write_sheets(folder, school.made, school.items, form, jobs=1)
     for each in school.made.variants:
         spec = load_spec(folder / "variants" / f"{each.stem}.toml")
+        (scheme,) = (block for block in task_of(spec, run(spec).results) if isinstance(block, Figure))
         for suffix in ("svg", "png"):
-            picture = place / f"{each.stem}.{suffix}"
-            picture.write_bytes(written(suffix, figure_of("structure", spec, run(spec, target="structure").results)()))
+            (place / f"{each.stem}.{suffix}").write_bytes(written(suffix, drawn(scheme)))
     (place / "keys").mkdir(exist_ok=True)
     wrong = hand_in(school, place / "wrong", 1.37)
     marks, _, _ = graded(folder, wrong, folder / "keys")
@@ -132,9 +141,9 @@ def files(school: School, tmp_path_factory: pytest.TempPathFactory) -> list[Path
             )
         stem = school.made.variants[marked.number - 1].stem
         hints = hints_document(*own_marks(folder / "variants" / f"{stem}.toml", wrong / f"{stem}.csv"))
-        (place / f"hints-{marked.number}.txt").write_text(as_table(hints), encoding="utf-8")
+        (place / f"hints-{marked.number}.txt").write_text(printed(hints), encoding="utf-8")
     (place / "gradebook.csv").write_text(as_csv(gradebook(marks, "Shaper")), encoding="utf-8")
-    (place / "printed.txt").write_text(as_table(marks_document(marks, statistics_of(marks))), encoding="utf-8")
+    (place / "printed.txt").write_text(printed(marks_document(marks, statistics_of(marks))), encoding="utf-8")
     kept = {folder / "keys", place / "wrong", place / "keys"}
     return [each for each in sorted(place.rglob("*")) if each.is_file() and not {*each.parents} & kept]
 

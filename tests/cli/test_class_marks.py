@@ -16,6 +16,7 @@ from tmmcalc.classroom.items import items_of
 from tmmcalc.classroom.keybook import write_keybook
 from tmmcalc.classroom.keying import key_of
 from tmmcalc.classroom.model import Key, Keybook
+from tmmcalc.classroom.state import Class, Variant, digest_of, write_class
 from tmmcalc.project import load_spec
 
 ASKED = """
@@ -214,3 +215,20 @@ def test_a_spec_in_which_something_is_asked_and_nothing_drawn_makes_no_class(
     assert done.code == 2
     assert "nothing is drawn" in done.err
     assert not (folder / "class").exists()
+
+
+def test_a_class_by_its_folder_is_that_of_its_assignment(cli: Cli, spec: Path, folder: Path) -> None:
+    """Tolerances may change after it was made; what decides its numbers may not."""
+    keys_of(spec)
+    (folder / "class").mkdir()
+    students = tuple(Variant(k + 1, name, (), k) for k, name in enumerate(STUDENTS))
+    write_class(Class("../assignment.toml", digest_of(load_spec(spec)), 1, 3, students), folder / "class")
+    handed(folder / "answers" / "1.csv", "104,0", "-3,21", "0,456", "-6,54")
+    for old, new, points in (("", "", "4"), ('"1 %"', '"5 %"', "5")):
+        spec.write_text(spec.read_text(encoding="utf-8").replace(old, new), encoding="utf-8")
+        assert cli("class", "mark", "class", "answers", "-o", "marks.csv").code == 0
+        assert rows((folder / "marks.csv").read_text(encoding="utf-8"))[0]["points"] == points
+    spec.write_text(spec.read_text(encoding="utf-8").replace("200 mm", "210 mm"), encoding="utf-8")
+    done = cli("class", "mark", "class", "answers", "-o", "marks.csv")
+    assert done.code == 2
+    assert "the assignment is not that of the class" in done.err

@@ -247,6 +247,7 @@ def test_late_tables_are_those_of_the_root() -> None:
         "note",
         "tolerances",
         "optimize",
+        "class",
     }
     assert {*Spec.model_fields} - root == {*LATE} | further
     assert root < {*Spec.model_fields}

@@ -98,9 +98,9 @@ class Columns:
         from tmmcalc.linkage.stacked.tables import strokes_of
 
         mechanism, loading, machine, paths = tree
-        block = block_of(self._same, count, mechanism, loading, self._tracked)
-        values, clear = np.zeros((count, len(self._names))), block.settled.clear.copy()
         targets = {each.stage for each in self._asked}
+        block = block_of(self._same, count, mechanism, loading, self._tracked, placed=targets == {"paths"})
+        values, clear = np.zeros((count, len(self._names))), block.settled.clear.copy()
         if machine is not None:
             self._motion(block, machine, values, clear)
         self._facts("kinematics", strokes_of(block) if block.settled.reached.size else {}, slice(None), values)
@@ -127,11 +127,12 @@ class Columns:
         from tmmcalc.linkage.paths.columns import path_columns
         from tmmcalc.linkage.stacked.paths import paths_of
 
-        some = np.flatnonzero(clear)
-        if some.size:
-            found, facts = paths_of(block, some, asked, self._base.results["paths"])
-            self._write("paths", path_columns(found), some, values)
-            self._facts("paths", facts, some, values)
+        swift = block.settled.swift
+        for some in (np.flatnonzero(clear & ~swift), np.flatnonzero(clear & swift)):  # these have more samples
+            if some.size:
+                found, facts = paths_of(block, some, asked, self._base.results["paths"])
+                self._write("paths", path_columns(found), some, values)
+                self._facts("paths", facts, some, values)
 
     def _forces(self, block: Block, some: Any, values: Values, between: bool) -> Flags:
         from tmmcalc.linkage.forces.columns import columns

@@ -14,7 +14,7 @@ from tmmcalc.classroom.keybook import read_keybook
 from tmmcalc.classroom.keying import key_of, mistakes_of
 from tmmcalc.classroom.marking import Marked, Marks, Rules, mark, mark_one
 from tmmcalc.classroom.model import Keybook
-from tmmcalc.classroom.state import read_class
+from tmmcalc.classroom.state import digest_of, read_class
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.project.loader import load_spec
 
@@ -30,8 +30,12 @@ def graded(place: Path, answers: Path, keys: Path | None = None) -> tuple[Marks,
 
     Raises UsageError where there are no keys, or those of something else, and where there is nothing to mark.
     """
-    file = read_class(place).file(place) if place.is_dir() else place
+    own = read_class(place) if place.is_dir() else None
+    file = place if own is None else own.file(place)
     spec = load_spec(file)
+    if own is not None and digest_of(spec) != own.digest:
+        rule = "the assignment is not that of the class: only names, tolerances and weights may change"
+        raise UsageError(rule, where=str(file), remedy="undo the change, or make the class afresh")
     if spec.class_ is None:
         raise UsageError("nothing is asked", where=str(file), remedy="add [class] with [[class.asked]] to the spec")
     book = read_keybook(_keys(place, keys))

@@ -83,7 +83,7 @@ def _judged(
         asked.digits or table.digits,
         tuple(after),
         asked.either_sense,
-        tuple(after.values()) if any(after.values()) else (),
+        tuple(after.values()),
     )
 
 

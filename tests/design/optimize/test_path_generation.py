@@ -111,11 +111,11 @@ def nearest_by_formulas(values: Any) -> float:
 
 
 @pytest.mark.slow
-def test_a_straight_line_is_met_better_than_by_the_rounded_design() -> None:
-    """Nine points can be met, so that the least sum of six is 0: a short search comes a tenth of the way there."""
-    found = optimize(LINE, ["optimize.evaluations=400"], jobs=1)
+def test_a_straight_line_is_met_far_better_than_by_the_rounded_design() -> None:
+    """Nine points can be met, so that the least sum of six is 0: the search of the spec comes near to that."""
+    found = optimize(LINE, jobs=1)
     (design,) = found.designs
-    assert design.objectives[0] < found.nominal[0] / 3
+    assert design.objectives[0] < found.nominal[0] / 50
     assert nearest_by_formulas(design.values) == pytest.approx(1e6 * design.objectives[0], rel=1e-3, abs=1e-6)
     assert design.again < 1e-9
 
@@ -128,16 +128,16 @@ def test_five_points_with_timing(tmp_path: Path) -> None:
     (design,) = optimize(file, jobs=1).designs
     own = 1e6 * design.objectives[0]
     assert by_formulas(design.values, FIVE, FIVE_AT) == pytest.approx(own, rel=1e-6)
-    assert best[0] * (1 - 1e-6) < own < 1.001 * best[0]
+    assert best[0] * (1 - 1e-6) < own < 1.0001 * best[0]
 
 
 @pytest.mark.slow
 def test_a_closed_curve_of_eighteen_points_with_timing(tmp_path: Path) -> None:
-    """Where lengths reach to 50 mm wide hollows hide the best, 0.0090289: a search of this length ends in one."""
+    """Where lengths reach to 50 mm wide hollows hide the best; of local searches one of twenty ends in it."""
     best = best_of(300, CLOSED, CLOSED_AT, placed=True)
     assert best[0] == pytest.approx(0.009028885, rel=1e-6)
-    file = spec(tmp_path, CLOSED, CLOSED_AT, (1, 0.4, 1, 1, 0.5, 0.5), 50, 60_000, placed=True)
+    file = spec(tmp_path, CLOSED, CLOSED_AT, (1, 0.4, 1, 1, 0.5, 0.5), 50, 200_000, placed=True)
     (design,) = optimize(file, jobs=1).designs
     own = 1e6 * design.objectives[0]
     assert by_formulas(design.values, CLOSED, CLOSED_AT) == pytest.approx(own, rel=1e-6)
-    assert best[0] * (1 - 1e-6) < own < 0.0124
+    assert own == pytest.approx(best[0], rel=1e-6)

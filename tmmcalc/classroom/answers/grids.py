@@ -54,7 +54,9 @@ def grid_of(text: str) -> Grid:
     if len(lines) > ROWS:
         raise UnreadableError(f"has {len(lines)} lines, more than {ROWS}", "hand in the table alone")
     filled = [line for line in lines if line.strip()]
-    if (named := re.fullmatch(r"\s*sep=(.)\s*", filled[0])) is not None:  # what a spreadsheet puts there
+    if not filled:
+        raise UnreadableError("is empty")
+    if (named := re.fullmatch(r"\s*sep=([,;|\t])\s*", filled[0])) is not None:  # what a spreadsheet puts there
         return _parted("\n".join(filled[1:]), named[1])
     delimiter = _delimiter(filled)
     if delimiter is None:

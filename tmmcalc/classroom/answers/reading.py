@@ -23,6 +23,7 @@ from tmmcalc.core.files import NoFileError, read_file
 from tmmcalc.core.records import record
 from tmmcalc.spec.phrases import show
 
+UNFORESEEN = "is like nothing that was foreseen"
 SHOWN = 5  # names that a message lists
 _ZIP = b"PK\x03\x04"
 _KINDS = (
@@ -67,6 +68,9 @@ def read_answers(place: Path, items: Sequence[Item], keys: Sequence[Key], step: 
             found, faults = _by_student(each.source, tables, items, roster)
         except UnreadableError as fault:
             refused.append(Refused(each.source, fault.message, fault.remedy))
+            continue
+        except Exception as error:  # one file that breaks the program must not end the others
+            refused.append(Refused(each.source, f"{UNFORESEEN} ({type(error).__name__})", _REMEDY))
             continue
         hand_ins += found
         refused += faults
@@ -177,6 +181,8 @@ def _by_student(
     source: str, tables: Sequence[Table], items: Sequence[Item], roster: Roster
 ) -> tuple[list[HandIn], list[Refused]]:
     """The answers of a file by student; raises `UnreadableError` where it says nowhere whose it is."""
+    if not any(table.entries for table in tables):
+        raise UnreadableError("names results, and no answer to them", "write each answer beside or under its name")
     own = _owner(source, tables, roster) if any(not e.student for table in tables for e in table.entries) else None
     unknown = dict[str, str]()
     found = dict[int, list[Entry]]()

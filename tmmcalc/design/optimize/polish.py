@@ -22,7 +22,7 @@ from tmmcalc.feasibility.judge import sides
 
 Values = NDArray[np.floating[Any]]
 
-STEP = 1e-5  # of the box, to both sides
+STEP, FINER = 1e-5, 1e-6  # of the box, to both sides; and where longer ones gain nothing any more
 PRECISION = 1e-13  # of the objective, at which a search stops
 BEND = 1e-4  # of the box: steps by which bends are measured
 WIDE = 0.25  # of the box: how far a coordinate reaches at most, in which the objective does not bend
@@ -87,9 +87,10 @@ def _search(problem: Problem, start: Values, aim: Aim, longest: int, ask: Ask) -
     with suppress(_SpentError):
         known, idle = picture.value(np.zeros(len(free))), 0
         for _ in range(AGAIN):
-            if not np.isfinite(known) or idle == 2:
+            if not np.isfinite(known) or idle == 3:
                 break
-            picture.begin(straight=idle == 0)  # where that gains nothing, along the variables as they are
+            # where that gains nothing, by shorter steps, then along the variables as they are
+            picture.begin(straight=idle < 2, finer=idle > 0)
             minimize(
                 picture.scaled,
                 np.zeros(len(free)),
@@ -117,7 +118,7 @@ class _Picture:
         self._free = problem.free
         self._place = np.full(len(self._free), np.nan)
         self._ways: Values = np.eye(len(self._free))
-        self._origin, self._scale = start[self._free], 1.0
+        self._origin, self._scale, self._step = start[self._free], 1.0, STEP
         self.best, self.least, self._broken, self._left = start[self._free], np.inf, np.inf, longest * len(self._free)
 
     def value(self, y: Values) -> float:
@@ -125,8 +126,12 @@ class _Picture:
         self._look(y)
         return float(self._value)
 
-    def begin(self, *, straight: bool) -> None:
-        """Go on from the best place; ``straight``: with coordinates along which the objective bends alike there."""
+    def begin(self, *, straight: bool, finer: bool) -> None:
+        """Go on from the best place; ``straight``: with coordinates along which the objective bends alike there.
+
+        ``finer``: with the slopes of shorter steps from now on.
+        """
+        self._step = FINER if finer else self._step
         self._origin, self._scale = self.best, abs(self.least) or 1.0
         self._ways = self._straightened() if straight else np.eye(len(self._free))
         self._place = np.full(len(self._free), np.nan)
@@ -183,12 +188,12 @@ class _Picture:
         if np.array_equal(y, self._place):
             return
         count = len(y)
-        x, steps = self._origin + self._ways @ y, STEP * np.eye(count)
+        x, steps = self._origin + self._ways @ y, self._step * np.eye(count)
         every = self._asked(x + np.concatenate((np.zeros((1, count)), steps, -steps)))
         here, up, down = every[0], every[1 : count + 1], every[count + 1 :]
-        slopes = (up - down) / (2 * STEP)
-        slopes = np.where(np.isnan(slopes), (up - here) / STEP, slopes)
-        slopes = np.where(np.isnan(slopes), (here - down) / STEP, slopes)
+        slopes = (up - down) / (2 * self._step)
+        slopes = np.where(np.isnan(slopes), (up - here) / self._step, slopes)
+        slopes = np.where(np.isnan(slopes), (here - down) / self._step, slopes)
         self._slopes = self._ways.T @ np.nan_to_num(slopes)
         self._place, self._value = y.copy(), np.inf if np.isnan(here[0]) else here[0]
         self._margins = np.where(np.isnan(here[1:]), -WALL, here[1:])

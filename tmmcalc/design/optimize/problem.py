@@ -33,6 +33,7 @@ TINY = 1e-300
 SMALL = 1e-6  # of what designs have of an objective: less is nothing
 BLOCK = 256  # designs that are solved and stored at once
 START = 1024  # designs that there is room for at the beginning
+FIRST = 1024  # designs before a search has come near to an optimum
 INSIDE = 1e-9  # of a limit: by how much local searches stay off it, so that rounding breaks none
 
 
@@ -61,13 +62,14 @@ class Variable:
         index = np.minimum((part * len(self.among)).astype(int), len(self.among) - 1)
         return np.asarray(self.among)[np.maximum(index, 0)]
 
-    def part(self, value: float) -> float:
-        """The part of the range at a value; of values that are listed the middle of that of the nearest."""
+    def part(self, value: Values) -> Values:
+        """The parts of the range at values (n,); of values that are listed the middle of that of the nearest."""
         if self.wide:
-            return math.log(max(value, TINY) / self.low) / math.log(self.high / self.low)
+            return np.asarray(np.log(np.maximum(value, TINY) / self.low) / math.log(self.high / self.low))
         if not self.among:
-            return (value - self.low) / (self.high - self.low)
-        return (int(np.argmin(np.abs(np.asarray(self.among) - value))) + 0.5) / len(self.among)
+            return np.asarray((value - self.low) / (self.high - self.low))
+        nearest = np.argmin(np.abs(np.asarray(self.among) - np.asarray(value)[..., None]), axis=-1)
+        return np.asarray((nearest + 0.5) / len(self.among))
 
     def stretch(self, value: float) -> float:
         """Change of the value for a change of its part, where it takes any."""
@@ -194,8 +196,8 @@ class Problem:
         return [k for k, variable in enumerate(self.variables) if variable.among]
 
     def scale(self, objective: int, best: float) -> float:
-        """Against what differences of an objective are small: its best value, or a bit of what designs have of it."""
-        own = self.results[:, self.objectives[objective].column]
+        """Against what differences of an objective are small: its best value, or a bit of what first designs have."""
+        own = self.results[:FIRST, self.objectives[objective].column]
         known = np.abs(own[np.isfinite(own)])
         return max(abs(best), SMALL * float(np.median(known)) if known.size else 0.0) or 1.0
 
@@ -214,8 +216,8 @@ class Problem:
         return self.solve(np.array([each.value(part) for each, part in parts]).T)
 
     def parts(self, values: Values) -> Values:
-        """Places (v,) of the unit box of values (v,)."""
-        return np.array([each.part(value) for each, value in zip(self.variables, values.tolist(), strict=True)])
+        """Places (..., v) of the unit box of values (..., v)."""
+        return np.stack([each.part(values[..., k]) for k, each in enumerate(self.variables)], axis=-1)
 
     def judged(self, results: Values) -> Scores:
         """Scores of results (n, m)."""

@@ -11,49 +11,41 @@ from tmmcalc.design.optimize.evolution import Population
 from tmmcalc.design.optimize.order import better, ranked
 from tmmcalc.design.optimize.polish import LONGEST, SHORTER, Aim, polish
 from tmmcalc.design.optimize.problem import Problem
+from tmmcalc.design.optimize.starts import LEAST, MOST, apart, free, searched
 
 Values = NDArray[np.floating[Any]]
 
-LEAST, HOLLOWS = 8, 12  # hollows that are polished where designs break constraints, and at most
-WORTH = 5000  # designs of evolution that each is worth
-SEEN, APART = 5000, 0.1  # best designs, how far from each other some are (of the box)
 NEAR = 64  # sets of listed values about the best that are tried
 
 
 def of_hollows(problem: Problem, found: Population, budget: int) -> Population:
     """The best of local searches from the best designs that are far from each other; the best of evolution with them.
 
-    What evolution leaves is in one hollow; another one may be deeper. Designs that break constraints are led to keep
-    them.
+    What evolution leaves is in one hollow; another one may be deeper, and how good a design is tells little of how deep
+    its hollow goes. So each search goes on to its end, and there are as many as ``budget`` designs are enough for.
+    Designs that break constraints are led to keep them.
     """
     scores = problem.judged(problem.results)
-    broken = found.scores.violation[0] > 0
-    most = LEAST if broken else int(np.clip(budget // WORTH, 1, HOLLOWS))
-    chosen: list[Values] = []
-    for number in ranked(scores)[:SEEN].tolist():
-        part = problem.parts(problem.values[number])
-        if np.isfinite(scores.violation[number]) and all(np.abs(part - other).max() > APART for other in chosen):
-            chosen.append(part)
-        if len(chosen) == most:
-            break
-    if not chosen:
-        return Population(found.places[:1], found.scores[:1])
-    aims = [Aim(0, np.full(len(problem.objectives), np.inf))] * len(chosen)
-    ends = polish(problem, np.array(chosen), aims, SHORTER)
+    order = ranked(scores)
+    places = problem.parts(problem.values[order[np.isfinite(scores.violation[order])]])
+    longest, left = _longest(problem, budget), budget
+    if found.scores.violation[0] > 0:
+        longest, left = SHORTER, LEAST * SHORTER * len(problem.variables)
+    starts = apart(places, MOST)
+    ends = searched(problem, starts, [free(problem, 0)] * len(starts), longest, left)
     every = Population(ends.places, ends.scores).with_more(Population(found.places[:1], found.scores[:1]))
     return Population(every.places[:1], every.scores[:1])
 
 
 def polished(problem: Problem, best: Population, budget: int) -> Population:
     """The best design by local search; listed values are changed to their neighbours while that makes it better."""
-    free = np.full(len(problem.objectives), np.inf)
-    found = polish(problem, best.places[:1], [Aim(0, free)], _longest(problem, budget))
+    found = polish(problem, best.places[:1], [free(problem, 0)], _longest(problem, budget))
     here = Population(found.places, found.scores)
     while problem.discrete:
         starts = _neighbours(problem, here.places[0])
         if not len(starts):
             return here
-        found = polish(problem, starts, [Aim(0, free)] * len(starts))
+        found = polish(problem, starts, [free(problem, 0)] * len(starts))
         at = int(ranked(found.scores)[0])
         if not better(found.scores[[at]], here.scores)[0]:
             return here
@@ -68,7 +60,7 @@ def polished_front(problem: Problem, front: Population) -> Population:
     aims = []
     for number in range(count):
         if number in ends:
-            aims.append(Aim(ends[number], np.full(several, np.inf)))
+            aims.append(free(problem, ends[number]))
         else:
             caps = front.scores.objectives[number].copy()
             caps[0] = np.inf

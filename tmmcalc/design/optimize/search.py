@@ -17,7 +17,8 @@ from tmmcalc.design.optimize.order import Scores, crowding, front_numbers, ranke
 from tmmcalc.design.optimize.problem import Problem
 from tmmcalc.design.optimize.refined import of_hollows, polished, polished_front
 from tmmcalc.design.optimize.refusal import check, refuse_constant
-from tmmcalc.design.optimize.second import EQUAL, Second, second_method
+from tmmcalc.design.optimize.second import Second, second_method
+from tmmcalc.design.optimize.starts import EQUAL
 
 Values = NDArray[np.floating[Any]]
 Tell = Callable[[str, Scores], None]  # what is being done, the best so far first

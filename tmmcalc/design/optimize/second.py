@@ -10,16 +10,15 @@ from numpy.typing import NDArray
 from tmmcalc.core.records import record
 from tmmcalc.design.optimize.evolution import Population, population, spread
 from tmmcalc.design.optimize.order import Scores, ranked
-from tmmcalc.design.optimize.polish import SHORTER, Aim, polish
+from tmmcalc.design.optimize.polish import LONGEST
 from tmmcalc.design.optimize.problem import Problem
 from tmmcalc.design.optimize.refined import polished
+from tmmcalc.design.optimize.starts import LEAST, MOST, apart, free, hits, searched
 
 Values = NDArray[np.floating[Any]]
 
-STEPS = 100  # of a local search, by which their number is planned
-STARTS = 8, 256  # of local searches, at least and at most
-DRAWN = 16  # random designs for every start
-EQUAL = 1e-6  # of the objective: two methods that found the same
+BRIEF = 100  # designs a variable that each local search may ask for at least
+DRAWN = 16, 0.25  # random designs: so many for the least number of starts, or this part of what may be solved
 
 
 @record
@@ -42,28 +41,25 @@ def second_method(problem: Problem, budget: int, seed: int) -> tuple[Second, Pop
 
 
 def _by_starts(problem: Problem, budget: int, seed: int) -> tuple[Second, Population]:
-    """Local searches from the best of many random designs, in turns for each objective."""
+    """Local searches from the best of many random designs that are far from each other, in turns for each objective."""
     variables, several = len(problem.variables), len(problem.objectives)
-    starts = int(np.clip(budget // (STEPS * (2 * variables + 1)), *STARTS))
-    drawn = spread(variables, DRAWN * starts, seed + 1)
+    drawn = spread(variables, max(LEAST * DRAWN[0], int(budget * DRAWN[1])), seed + 1)
     scores = problem.scores(drawn)
-    aims, chosen = [], []
+    chosen: list[tuple[int, int, Values]] = []
     for at in range(several):
-        order = ranked(Scores(scores.objectives[:, [at]], scores.violation))[: -(-starts // several)]
-        own = order[np.isfinite(scores.violation[order])]
-        chosen += own.tolist()
-        aims += [Aim(at, np.full(several, np.inf))] * len(own)
+        order = ranked(Scores(scores.objectives[:, [at]], scores.violation))
+        own = apart(drawn[order[np.isfinite(scores.violation[order])]], MOST // several)
+        chosen += [(rank, at, place) for rank, place in enumerate(own)]
+    chosen.sort(key=lambda each: each[:2])
     method = "sequential quadratic programming from random designs"
     if not chosen:
         return Second(method, (np.inf,) * several, (0,) * several), Population(drawn[:0], scores[:0])
-    found = polish(problem, drawn[chosen], aims, int(np.clip(2 * budget // (starts * variables), STEPS, SHORTER)))
+    aims = [free(problem, at) for _, at, _ in chosen]
+    longest = int(np.clip(budget // (LEAST * variables), BRIEF, LONGEST))
+    found = searched(problem, np.array([place for *_, place in chosen]), aims, longest, budget, LEAST)
+    best, agreeing = hits(problem, found, aims)
     kept = found.scores.violation == 0
-    best, hits = [], []
-    for at in range(several):
-        own = found.scores.objectives[:, at][kept & np.array([aim.objective == at for aim in aims])]
-        best.append(float(own.min()) if own.size else np.inf)
-        hits.append(int((own <= best[-1] + EQUAL * problem.scale(at, best[-1])).sum()) if own.size else 0)
-    second = Second(method, tuple(best), tuple(hits), len(chosen) // several, len(drawn))
+    second = Second(method, best, agreeing, -(-len(found.places) // several), len(drawn))
     return second, Population(found.places[kept], found.scores[kept])
 
 

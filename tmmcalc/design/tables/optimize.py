@@ -46,7 +46,7 @@ class OptimizeTable(Table):
     seed: Seed = Field(default=1, description="Of the search: the same seed finds the same.")
     evaluations: Count | None = Field(
         default=None,
-        description="Designs that the evolution may solve (default: 2000 a variable); the second method takes about "
-        "as many.",
+        description="Designs that the evolution may solve (default: 2000 a variable); local searches after it, and the "
+        "second method, take up to as many each.",
     )
     designs: Designs = Field(default=25, description="Designs of the front that are told.")

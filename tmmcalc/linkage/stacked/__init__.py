@@ -2,14 +2,15 @@
 
 scene.py      the variants of a block, with all that is the same for them, and their constants at any rows
 settle.py     the survey of all of them: which are far from any trouble, position 0, where rubbing pairs turn back
+closer.py     a closer look at those that come near to a limit position: whether they pass it
 zeros.py      zeros of periodic functions of many variants at once
 dense.py      the survey that extremes of kinematics are refined from
 summaries.py  strokes and extremes of outputs, transmission of dyads
 tables.py     results of kinematics and forces, whose rows are those of all variants
 reactions.py  the largest reactions between the positions
 
-A variant that comes near to a limit position, a dead point, self-locking, or a rest between two turning points is not
-decided here: it is told apart (``clear``), to be solved alone.
+A variant that comes so near to a limit position or a dead point that digits are lost, to self-locking, or to a rest
+between two turning points is not decided here: it is told apart (``clear``), to be solved alone.
 
 One linkage by itself is a stack of one, wherever a computation has the same steps: the chain, the dyads, the statics,
 extremes of outputs (`outputs.extremes_of`) and transmission (`quality.assessed`), the panels of reactions

@@ -11,6 +11,7 @@ from tmmcalc.core.numerics.alike import rows_of
 from tmmcalc.core.numerics.extended import CHAIN, WIDER
 from tmmcalc.core.numerics.roots import Indices
 from tmmcalc.core.plane import Real
+from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.lastdigit import in_full
 from tmmcalc.linkage.paths.deviations import Range, Reached, deviations, reached, told_by
 from tmmcalc.linkage.paths.results import PathError, Paths
@@ -19,7 +20,7 @@ from tmmcalc.linkage.paths.task import WantedPath
 from tmmcalc.linkage.results import Kinematics
 from tmmcalc.linkage.stacked.dense import evaluated, places_of
 from tmmcalc.linkage.stacked.scene import Block
-from tmmcalc.linkage.survey import Evaluate, Quantity
+from tmmcalc.linkage.survey import Evaluate, Quantity, survey
 
 Asked = tuple[WantedPath, ...]
 
@@ -49,9 +50,22 @@ def _reached(block: Block, variants: Indices, asked: Asked) -> tuple[Range, Aske
     """Where the paths of some variants are looked at, their own wanted points, and what is found."""
     start = np.broadcast_to(np.asarray(block.settled.start), block.size)[variants]
     positive = bool(block.chain.tree.mechanism.input.speed > 0)
-    over = Range(places_of(start, positive=positive), start, 1.0 if positive else -1.0, closed=True)
+    x = places_of(start, positive=positive)
+    if block.settled.swift[variants].any() and not all(path.at for path in asked):
+        x = _denser(block, variants, start, positive=positive)
+    over = Range(x, start, 1.0 if positive else -1.0, closed=True)
     own, evaluate = rows_of(asked, variants), _evaluate(block, variants)
     return over, own, [reached(evaluate, over, path) for path in own]
+
+
+def _denser(block: Block, variants: Indices, start: Real, *, positive: bool) -> Real:
+    """Places (v, m) of the survey of each by itself, denser where a link turns swiftly; the last stands in for more."""
+    every = []
+    for v, at in zip(variants.tolist(), start.tolist(), strict=True):
+        low, high = (at, at + TURN) if positive else (at - TURN, at)
+        every.append(survey(block.chain(v), low, high, at).x)
+    most = max(map(len, every))
+    return np.array([np.pad(x, (0, most - len(x)), mode="edge") for x in every])
 
 
 def _evaluate(block: Block, variants: Indices, *, wide: bool = False) -> Evaluate:

@@ -116,12 +116,18 @@ class Block(NamedTuple):
 
 
 def block_of(
-    same: Same, count: int, mechanism: Mechanism, loading: Loading | None, tracked: bool, told: bool = False
+    same: Same,
+    count: int,
+    mechanism: Mechanism,
+    loading: Loading | None,
+    tracked: bool,
+    told: bool = False,
+    placed: bool = False,
 ) -> Block:
     """The variants of a block from their stacked constants; ``tracked``: the turns of links are asked for.
 
-    ``told``: so is all that the summary of kinematics tells.
+    ``told``: so is all that the summary of kinematics tells. ``placed``: nothing is but where points are.
     """
     kinematics = same.kinematics
     chain = Rows(compile_chain(mechanism, kinematics.structure, kinematics.variants))
-    return Block(same, count, Rows(loading), chain, settle(chain, count, same.rubbing, tracked, told))
+    return Block(same, count, Rows(loading), chain, settle(chain, count, same.rubbing, tracked, told, placed))

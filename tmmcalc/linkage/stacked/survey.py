@@ -1,7 +1,8 @@
 """The survey of many variants: which of them are far from any trouble, their position 0, where rubbing pairs turn.
 
 A variant is clear if every dyad assembles and transmits at all samples of a turn by more than its margin changes from
-one sample to the next, and if its first output and its rubbing pairs turn as often as those of the other variants.
+one sample to the next, or after a closer look (`closer`), and if its first output and its rubbing pairs turn as often
+as those of the other variants.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from tmmcalc.linkage.assembly import TURN
 from tmmcalc.linkage.chain import Chain, Configuration
 from tmmcalc.linkage.forces.wrench import sliding
 from tmmcalc.linkage.outputs import EQUAL, coordinate_of, default_outputs
+from tmmcalc.linkage.stacked.closer import REACH, closer
 from tmmcalc.linkage.stacked.zeros import Flags, Zeros, zeros
 from tmmcalc.linkage.trace import principal, unwrapped
 
@@ -26,8 +28,8 @@ ROWS = 4096  # that are computed together: their temporaries stay in cache
 STEPS = 180
 TOGETHER = ROWS // STEPS  # variants whose surveys are evaluated together
 MARGIN = 0.02  # squared sine above which a dyad is nowhere near to a limit position
-REACH = 1e-3  # the same of the pivots of an RPR dyad, against their largest distance
 SWIFT = 1.0  # a link that turns more in one step [rad] is looked at alone
+SLOW = 0.125  # near to a limit position: the same where signs of rates are sampled, in half a step
 STEP = TURN / STEPS
 X = STEP * np.arange(STEPS) - math.pi - STEP / 2
 
@@ -37,6 +39,7 @@ class Settled(NamedTuple):
 
     clear: Flags  # (V,)
     stuck: Flags  # (V,) whose links do not reach somewhere in the turn, beyond doubt
+    swift: Flags  # (V,) some link turns so swiftly somewhere that one variant alone is sampled more densely there
     start: Real | float  # input coordinate of position 0 [rad], (V,) or of all
     centres: Real  # (V, 2) dead centres of the first output, in order from the working stroke; (V, 0): not sought
     reached: Real  # (V, 2) its coordinate there
@@ -46,19 +49,23 @@ class Settled(NamedTuple):
     link_angles: Real | None  # (L, V, STEPS + 1) continuous angles of the links over the survey [rad]
 
 
-def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool, told: bool = False) -> Settled:
+def settle(
+    chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool, told: bool = False, placed: bool = False
+) -> Settled:
     """Survey ``count`` variants; ``rubbing`` are the joints whose reversals are asked for.
 
-    ``told``: the dead centres of all outputs are asked for, and not only those that make position 0.
+    ``told``: the dead centres of all outputs are asked for, and not only those that make position 0. ``placed``: of
+    points where they are is asked for, and nothing else.
     """
     asked = chain.tree.mechanism.input.start is None
     outputs = len(default_outputs(chain.tree)) if told else int(asked)
     looks = [
-        _look(chain, np.arange(at, min(at + TOGETHER, count)), outputs, rubbing, tracked)
+        _look(chain, np.arange(at, min(at + TOGETHER, count)), outputs, rubbing, tracked, placed)
         for at in range(0, count, TOGETHER)
     ]
     clear = np.concatenate([look.clear for look in looks])
     stuck = np.concatenate([look.stuck for look in looks])
+    swift = np.concatenate([look.swift for look in looks])
     rates = np.concatenate([look.rates for look in looks], axis=1)
     link_angles = np.concatenate([look.link_angles for look in looks], axis=1) if tracked else None
     largest = np.max(np.abs(rates), axis=2)
@@ -79,6 +86,7 @@ def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool
     return Settled(
         clear,
         stuck,
+        swift,
         start,
         centres,
         reached,
@@ -90,28 +98,40 @@ def settle(chain: Rows[Chain], count: int, rubbing: Sequence[str], tracked: bool
 
 
 class _Look(NamedTuple):
-    """Samples of some variants: which are clear (v,) or stuck, rates (F, v, STEPS), angles of the links."""
+    """Samples of some variants: which are clear (v,), stuck or swift, rates (F, v, STEPS), angles of the links."""
 
     clear: Flags
     stuck: Flags
+    swift: Flags
     rates: Real
     link_angles: Real
 
 
-def _look(chain: Rows[Chain], variants: Indices, outputs: int, rubbing: Sequence[str], tracked: bool) -> _Look:
+def _look(
+    chain: Rows[Chain], variants: Indices, outputs: int, rubbing: Sequence[str], tracked: bool, placed: bool
+) -> _Look:
     own = chain(np.repeat(variants, STEPS))
     x = np.tile(X, len(variants))
-    configuration = own.evaluate(x)
-    rates = _rates(own, configuration, outputs, rubbing, x.size).reshape(-1, len(variants), STEPS)
+    configuration = own.evaluate(x, order=2 if outputs or rubbing else 0)
+    with np.errstate(invalid="ignore"):  # of those that do not assemble
+        rates = _rates(own, configuration, outputs, rubbing, x.size).reshape(-1, len(variants), STEPS)
     clear, stuck = np.ones(len(variants), bool), np.zeros(len(variants), bool)
     for k in range(len(own.steps)):
         reaches, fails = _reaches(own, k, configuration, len(variants))
         clear, stuck = clear & reaches, stuck | fails
+    swift = np.zeros(len(variants), bool)
+    doubt = np.flatnonzero(~clear & ~stuck)
+    if doubt.size:
+        seen = closer(chain, variants[doubt], placed)
+        most = SLOW if len(rates) else SWIFT / 2  # in half a step, wherever it begins
+        swift[doubt] = seen.turns > most
+        clear[doubt] = seen.passes & (seen.before < SWIFT / 2) & ~(swift[doubt] & (tracked or len(rates) > 0))
+        stuck[doubt] = seen.fails
     link_angles: Real = np.zeros((0, len(variants), 0))
     if tracked:
         link_angles = _link_angles(own, configuration, len(variants))
         clear &= np.max(np.abs(np.diff(link_angles, axis=2)), axis=(0, 2)) < SWIFT
-    return _Look(clear, stuck, rates, link_angles)
+    return _Look(clear, stuck, swift, rates, link_angles)
 
 
 def _rates(chain: Chain, configuration: Configuration, outputs: int, rubbing: Sequence[str], n: int) -> Real:
