@@ -102,7 +102,8 @@ def command(
     folders = () if no_sheets else _sheets(scene, out, made, sheets, language, jobs, quiet)
     show(class_document(made, title(scene, spec, "class")), form)
     if not quiet:
-        note_written(*made.files[-2:], *folders)
+        for each in (*made.files[-2:], *folders):
+            note_written(each)
 
 
 def _sheets(
