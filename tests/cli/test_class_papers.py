@@ -142,3 +142,11 @@ def test_sheets_of_results_of_another_form_are_refused(made: Cli) -> None:
     assert (told.code, "--sheet-form: a sheet has no form 'odt'" in told.err) == (2, True)
     told = made("class", "mark", "class", "class/answers", "--gradebook", "g.pdf")
     assert (told.code, "--gradebook" in told.err) == (2, True)
+
+
+def test_a_class_of_which_nothing_is_handed_in_is_marked(made: Cli) -> None:
+    assert made("class", "keys", "class", "-q", "-j", "1").code == 0
+    told = made("class", "mark", "class", "class/answers", "-o", "marks.csv")
+    assert told.code == 0
+    assert "nothing from  3" in told.out
+    assert Path("marks.csv").read_text(encoding="utf-8-sig").count("nothing was handed in") == 3
