@@ -282,3 +282,20 @@ def test_questions_speak_ukrainian(school: School) -> None:
         told = scenes_of(school.folder, school.made, school.items, jobs=1)
         ((path, _), *_) = read(quiz(questions_of(school.book, told, TITLE, "shaper", Rules())))
     assert path.endswith("Варіант 01")
+
+
+def test_data_that_are_no_numbers_in_every_variant_are_told_in_words(school: School, scenes: list[Told]) -> None:
+    """A text that is the same stands there; one that differs, or is not in all variants, is on the task sheet."""
+    texts = [("kind", "", "A"), ("kind", "", "A"), ("kind", "", "A")], [("law", "", "B"), ("law", "", "C"), None]
+    changed = [
+        scene._replace(
+            own=[*scene.own, *([*row] for row in rows if row)],
+            numbers=[*scene.numbers, *([] for row in rows if row)],
+            units=[*scene.units, *("" for row in rows if row)],
+        )
+        for scene, rows in zip(scenes, zip(*texts, strict=True), strict=True)
+    ]
+    ((_, questions),) = read(quiz(dataset_questions_of(school.book, changed, TITLE, "shaper", Rules())))
+    said = text_of(questions[0], "questiontext")
+    assert "<td>kind</td><td></td><td>A</td>" in said
+    assert "<td>law</td><td></td><td>see the task sheet</td>" in said

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from classroom.school import STUDENTS, School, hand_in
+from classroom.school import SHAPER, STUDENTS, School, hand_in
 from tmmcalc.classroom.answers.reading import read_answers
 from tmmcalc.classroom.papers.making import traced
 from tmmcalc.classroom.papers.overview import overview
@@ -68,6 +68,15 @@ def test_what_is_drawn_is_found_and_nothing_else(school: School) -> None:
     assert further == ()
     assert {"l_{OA}", "l_{BC}", "n_1"} <= names
     assert not {"g", "m_3", "l_{CD}", "n"} & names
+
+
+def test_the_task_of_the_press_tells_all_that_is_drawn() -> None:
+    """Of what is solved too: phases of the cam, of which the last follows from the others; the rest is common."""
+    own, further = traced(SHAPER.with_name("class-press.toml"))
+    names = {name for _, keys in own for name in keys}
+    assert further == ()
+    assert names >= {"l_{OA}", "l_{AB}", "l_{CB}", "l_{BD}", "n_1", "m_5", "k", "delta_0", "h", "phi_y", "phi_b"}
+    assert not names & {"phi_c", "phi_d", "m_1", "J_1", "P_N"}
 
 
 def test_a_pdf_is_whole_pages_of_a4_without_an_empty_one(folder: Path) -> None:

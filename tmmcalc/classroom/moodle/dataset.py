@@ -33,7 +33,8 @@ def dataset_questions_of(book: Keybook, scenes: Sequence[Told], title: str, name
         rule = f"a question of Moodle has {MOST} sets of data at most, the class has {len(book.keys)} variants"
         raise UsageError(rule, where="--moodle-dataset", value=len(book.keys), limit=MOST, remedy="take --moodle")
     columns: Columns = {"v": [float(key.number) for key in book.keys]}
-    rows = [_row(columns, scenes, at) for at in range(len(scenes[0].own))]
+    told = dict.fromkeys((what, names) for scene in scenes for what, names, _ in scene.own)
+    rows = [_row(columns, scenes, mark, number) for number, mark in enumerate(told, 1)]
     text = f"<p>{tr('Variant {number}', number='{v}')}</p>"
     if scenes[0].scheme:
         text += f'<p><img src="@@PLUGINFILE@@/{SCHEME}" alt="{markup(tr("Scheme of the mechanism"))}"></p>'
@@ -63,17 +64,20 @@ def dataset_questions_of(book: Keybook, scenes: Sequence[Told], title: str, name
         )
 
 
-def _row(columns: Columns, scenes: Sequence[Told], at: int) -> list[str]:
+def _row(columns: Columns, scenes: Sequence[Told], mark: tuple[str, str], number: int) -> list[str]:
     """A row of data as HTML, with names in place of what differs; what they stand for is added to the columns."""
-    what, names, value = scenes[0].own[at]
-    numbers = [scene.numbers[at] for scene in scenes]
-    if not numbers[0] or len({*map(len, numbers)}) > 1:
-        same = all(scene.own[at][2] == value for scene in scenes)
-        return [markup(what), markup(names), markup(value if same else tr("see the task sheet"))]
-    own = [f"d{at + 1}{chr(ord('a') + k) if len(numbers[0]) > 1 else ''}" for k in range(len(numbers[0]))]
-    columns |= {name: [*map(float, column)] for name, column in zip(own, zip(*numbers, strict=True), strict=True)}
+    places = [[k for k, row in enumerate(scene.own) if (row[0], row[1]) == mark][:1] for scene in scenes]
+    head = [*map(markup, mark)]
+    sizes = {len(scene.numbers[at[0]]) if at else 0 for scene, at in zip(scenes, places, strict=True)}
+    if sizes == {0} or len(sizes) > 1:
+        texts = {scene.own[at[0]][2] if at else "" for scene, at in zip(scenes, places, strict=True)}
+        return [*head, markup(texts.pop() if len(texts) == 1 else tr("see the task sheet"))]
+    (count,) = sizes
+    own = [f"d{number}{chr(ord('a') + k) if count > 1 else ''}" for k in range(count)]
+    values = [scene.numbers[at] for scene, (at,) in zip(scenes, places, strict=True)]
+    columns |= {name: [*column] for name, column in zip(own, zip(*values, strict=True), strict=True)}
     shown = "; ".join(f"{{{name}}}" for name in own)
-    return [markup(what), markup(names), f"{shown} {markup(scenes[0].units[at])}".strip()]
+    return [*head, f"{shown} {markup(scenes[0].units[places[0][0]])}".strip()]
 
 
 def _combined() -> Iterator[str]:

@@ -21,6 +21,7 @@ from tmmcalc.note.assembled import Assembler
 from tmmcalc.note.forms import formed
 from tmmcalc.note.made import frame_of as frame_of_note
 from tmmcalc.note.made import note_of, told_in
+from tmmcalc.note.task import row_of
 from tmmcalc.pipeline.chapters import task_of
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project.loader import Variants, read_text
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
 SOLVER = "tmmcalc.classroom.papers.making:solve_papers"
 FEW = 4  # papers that are not worth a process
 
-Data = dict[Mark, Datum]
+Data = dict[Mark, tuple[str, str, str]]  # as they are printed: the last digits of a number are nobody's own
 
 
 class Order(NamedTuple):
@@ -177,4 +178,4 @@ def _differing(variants: Variants, drawn: Drawn, ends: Sequence[Fraction], base:
 def _data(spec: Spec, found: RunResult) -> Data:
     with found.believed():
         blocks = task_of(spec, found.results)
-    return {mark_of(block): block for block in blocks if isinstance(block, Datum)}
+    return {mark_of(block): row_of(block) for block in blocks if isinstance(block, Datum)}

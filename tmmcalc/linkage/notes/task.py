@@ -147,6 +147,8 @@ def _load(table: object, name: str) -> Iterator[Datum]:
         if coefficients is not None:
             said = tr("given load {name}; $theta$ – angle of the crank from its beginning, rad", name=called)
             yield Datum(said, (force_key(name),), text=f"${_polynomial(coefficients)}$ {tr_unit(unit)}")
+    if "factor" in getattr(table, "model_fields_set", ()):
+        yield Datum(tr("factor of load {name}", name=called), ("k",), (getattr(table, "factor", 1.0),))
     between = getattr(table, "between", None)
     if between is not None:
         said = tr("where load {name} begins and ends, by the angle of the crank from the first position", name=called)
