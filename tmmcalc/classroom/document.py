@@ -12,10 +12,13 @@ from tmmcalc.report.numbers import number
 
 
 def class_document(made: Made, title: str) -> Document:
-    """What was drawn now, with a row for each asked result; and the candidates that were refused, by demand."""
-    spread = _spread(made)
-    parts = (Document("refused", table=_refused(made)),) if made.refused else ()
-    return Document(title, tuple(_facts(made)), tuple(_notes(made)), spread, parts=parts)
+    """What was drawn now, with a row for each asked result; the candidates that were refused, by demand.
+
+    And the mistakes that cannot be seen in some answers of many variants, as the right ones come out with them.
+    """
+    refused = (Document("refused", table=_refused(made)),) if made.refused else ()
+    unseen = (Document("right with a mistake in many variants", table=_unseen(made)),) if made.own.unavoided else ()
+    return Document(title, tuple(_facts(made)), tuple(_notes(made)), _spread(made), parts=(*refused, *unseen))
 
 
 def _facts(made: Made) -> Iterator[Fact]:
@@ -41,9 +44,6 @@ def _notes(made: Made) -> Iterator[str]:
         values = [each.values[at] for each in made.fresh]
         if len(values) > 1 and max(values) - min(values) <= item.tolerance * max(map(abs, values)):
             yield f"note: {item.name} is the same in all variants that were drawn now, within its tolerance"
-    for name in dict.fromkeys(item for item, _ in made.own.unavoided or ()):
-        titles = [told_of(mistake).title for item, mistake in made.own.unavoided or () if item == name]
-        yield f"note: {name}: in many variants a mistake gives the right answer within tolerance: {'; '.join(titles)}"
 
 
 def _spread(made: Made) -> View | None:
@@ -62,3 +62,14 @@ def _spread(made: Made) -> View | None:
 
 def _refused(made: Made) -> View:
     return View(("candidates", "refused by"), [[*made.refused.values()], [*made.refused]])
+
+
+def _unseen(made: Made) -> View:
+    """A row for each mistake: the asked results that are right with it, within tolerance."""
+    found: dict[str, list[str]] = {}
+    for item, mistake in made.own.unavoided or ():
+        found.setdefault(mistake, []).append(item)
+    return View(
+        ("mistake", "right"),
+        [[told_of(mistake).title for mistake in found], [", ".join(items) for items in found.values()]],
+    )

@@ -9,7 +9,6 @@ from typing import Any
 from tmmcalc.classroom.keybook import HEADERS, rows_of, significant
 from tmmcalc.classroom.keying import clashes, classes_of
 from tmmcalc.classroom.model import Item, Keybook
-from tmmcalc.core.notes import Phrase
 from tmmcalc.report.document import Document, Fact, View
 from tmmcalc.report.language import tr_name
 
@@ -28,42 +27,38 @@ def keys_document(book: Keybook, title: str) -> Document:
             Fact("variants", str(len(book.keys)), {"variants": len(book.keys)}),
             Fact("asked results", str(len(book.items)), {"items": len(book.items)}),
             Fact("known mistakes", str(len(book.mistakes)), {"mistakes": len(book.mistakes)}),
+            _right_too(book),
         ),
-        tuple(_notes(book)),
         parts=(right, Document("mistakes", table=_mistakes(book), wide=True)),
     )
 
 
 def _mistakes(book: Keybook) -> View:
-    """A row for every variant and mistake: what comes out in each item, with the first mistake that looks alike."""
+    """A row for every variant and mistake: what comes out in each item, and where that is right within tolerance.
+
+    Beside it stands the first mistake that looks alike.
+    """
     several = len(book.keys) > 1
-    headers = [*("variant",) * several, "mistake", *map(_header, book.items), "alike", "what"]
+    headers = [*("variant",) * several, "mistake", *map(_header, book.items), "right too", "alike", "what"]
     rows: list[list[Any]] = []
     for key in book.keys:
+        hidden = clashes(key, book.items)
         alike = {at: each[0] for each in classes_of(key, book.items, book.mistakes) for at in each}
         for at, (told, values) in enumerate(zip(book.mistakes, key.mistaken, strict=True)):
             if at in alike:
                 like = "" if alike[at] == at else book.mistakes[alike[at]].name
+                right = ", ".join(book.items[k].name for one, k in hidden if one == at)
                 cells = [_cell(value, item) for value, item in zip(values, book.items, strict=True)]
-                rows.append([*(key.number,) * several, told.name, *cells, like, tr_name(told.title)])
+                rows.append([*(key.number,) * several, told.name, *cells, right, like, tr_name(told.title)])
     return View(headers, [*map(list, zip(*rows, strict=True))] or [[] for _ in headers])
 
 
-def _notes(book: Keybook) -> list[Phrase]:
-    """Items in which a mistake gives the right answer, by how many variants it does."""
-    found: dict[tuple[int, int], list[int]] = {}
-    for key in book.keys:
-        for pair in clashes(key, book.items):
-            found.setdefault(pair, []).append(key.number)
-    return [
-        Phrase(
-            "note: {item} is right within tolerance though {mistake}: variants {variants}",
-            item=book.items[k].name,
-            mistake=book.mistakes[at].title,
-            variants=tuple(map(str, numbers)),
-        )
-        for (at, k), numbers in found.items()
-    ]
+def _right_too(book: Keybook) -> Fact:
+    """In how many answers a mistake cannot be seen, as the right one comes out."""
+    pairs = {(key.number, k) for key in book.keys for _, k in clashes(key, book.items)}
+    names = [item.name for k, item in enumerate(book.items) if any(k == each for _, each in pairs)]
+    many = f"{len(pairs)} answers, of {', '.join(names)}" if pairs else "no answer"
+    return Fact("right with a mistake", many, {"right_too": len(pairs)})
 
 
 def of_variants(book: Keybook, numbers: Sequence[int]) -> Keybook:
