@@ -32,7 +32,13 @@ def test_a_class_is_made_and_told(cli: Cli, shaper: Path) -> None:
     assert told["tried"] == 5 + sum(refused["candidates"])
     assert refused["refused by"][0] == "constraint transmits"
     assert told["columns"]["asked"][:2] == ["H", "K"]
-    assert sorted(path.name for path in Path("own").iterdir()) == ["class.csv", "class.toml", "variants"]
+    assert sorted(path.name for path in Path("own").iterdir()) == [
+        "answers",
+        "class.csv",
+        "class.toml",
+        "sheets",
+        "variants",
+    ]
     assert "wrote own/class.toml" in err
     data = tomllib.loads(Path("own/class.toml").read_text(encoding="utf-8"))
     assert data["class"]["assignment"] == "../shaper.toml"
@@ -98,6 +104,7 @@ def test_a_killed_command_goes_on_where_it_was(shaper: Path, folder: Path) -> No
         "tmmcalc",
         "class",
         "make",
+        "--no-sheets",
         "shaper.toml",
         "-n",
         "30",

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 FOLDER = "keys"  # where keys stand if nothing else is said: beside the class, or in this folder
 
 
-def graded(place: Path, answers: Path, keys: Path | None = None) -> tuple[Marks, Keybook]:
-    """The marks of a class, by its folder or its assignment, and the keys with the tolerances that count now.
+def graded(place: Path, answers: Path, keys: Path | None = None) -> tuple[Marks, Keybook, Spec]:
+    """The marks of a class, by its folder or its assignment; keys with the tolerances that count now; the assignment.
 
     Raises UsageError where there are no keys, or those of something else, and where there is nothing to mark.
     """
@@ -42,7 +42,7 @@ def graded(place: Path, answers: Path, keys: Path | None = None) -> tuple[Marks,
     if not answers.exists():
         raise UsageError(f"there is no {answers}", where="ANSWERS", remedy="name a folder of answers, or a file")
     pile = read_answers(answers, book.items, book.keys, between(spec))
-    return mark(book, pile, rules_of(table)), book
+    return mark(book, pile, rules_of(table)), book, spec
 
 
 def _keys(place: Path, keys: Path | None) -> Path:

@@ -35,7 +35,7 @@ def marks_document(marks: Marks, statistics: Statistics) -> Document:
 
 def _items(marks: Marks, statistics: Statistics) -> View:
     names = [marks.items[went.item].name for went in statistics.items]
-    shares = [None if math.isnan(went.share) else round(100 * went.share, 1) for went in statistics.items]
+    shares = ["" if math.isnan(went.share) else round(100 * went.share, 1) for went in statistics.items]
     right = [went.counts.get(Standing.right, 0) for went in statistics.items]
     wrong = [went.counts.get(Standing.wrong, 0) for went in statistics.items]
     return View(["item", "points[%]", "right", "wrong"], [names, shares, right, wrong])

@@ -18,6 +18,7 @@ from tmmcalc.classroom.statistics import Statistics
 from tmmcalc.classroom.verdicts import Standing, distance
 from tmmcalc.core.cells import harmless
 from tmmcalc.core.printable import printable
+from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.worksheets import Worksheet
 
 FIGURES = 5  # of numbers that people compare
@@ -103,7 +104,11 @@ def _explanations(marks: Marks) -> Worksheet:
 
 def told(explanation: Explanation, mistakes: Sequence[Told]) -> str:
     """The mistakes of an explanation, which give equal numbers."""
-    return " or ".join(dict.fromkeys(mistakes[m].title for m in explanation.mistakes))
+    return _titles(explanation.mistakes, mistakes)
+
+
+def _titles(numbers: Sequence[int], mistakes: Sequence[Told]) -> str:
+    return tr(" or ").join(dict.fromkeys(tr_name(mistakes[m].title) for m in numbers))
 
 
 def _items(marks: Marks, statistics: Statistics) -> Worksheet:
@@ -118,7 +123,11 @@ def _items(marks: Marks, statistics: Statistics) -> Worksheet:
 
 def _made(marks: Marks, statistics: Statistics) -> Worksheet:
     rows = [
-        [" or ".join(marks.mistakes[m].title for m in made.mistakes), len(made.numbers), _listed(made.numbers)]
+        [
+            tr(" or ").join(tr_name(marks.mistakes[m].title) for m in made.mistakes),
+            len(made.numbers),
+            _listed(made.numbers),
+        ]
         for made in statistics.made
     ]
     return _sheet("common mistakes", ["mistake", "students", "variants"], rows)
@@ -172,8 +181,8 @@ def hints_of(items: Sequence[Any], mistakes: Sequence[Told], each: Marked) -> It
             yield f"{items[k].name}: {answer.fault}"
     for explanation in each.explanations:
         names = ", ".join(items[k].name for k in explanation.items)
-        hints = dict.fromkeys(mistakes[m].hint for m in explanation.mistakes)
-        yield f"{names}: {' Or: '.join(hints)}"
+        hints = dict.fromkeys(tr_name(mistakes[m].hint) for m in explanation.mistakes)
+        yield f"{names}: {tr(' Or: ').join(hints)}"
     yield from each.remarks
 
 

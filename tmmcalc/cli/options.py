@@ -161,6 +161,11 @@ def language_of(scene: Spec, language: str | None) -> str:
     return language or (scene.sheets.language if scene.sheets is not None else "en")
 
 
+def spoken_in(scene: Spec, language: str | None) -> str:
+    """The language of what is written for people: that of the flag, of [note], or of what is drawn."""
+    return language or (scene.note.language if scene.note is not None else None) or language_of(scene, None)
+
+
 Language = Annotated[
     str | None,
     typer.Option(

@@ -19,17 +19,17 @@ FORMS = {  # and the packages that each needs, with their extra
 }
 
 
-def check_form(form: str) -> None:
-    """Raise `UsageError` for a form that there is not, and for a missing package."""
+def check_form(form: str, what: str = "a note", where: str = "-o") -> None:
+    """Raise `UsageError` for a form that there is not, and for a missing package; ``where`` it is asked for."""
     if form not in FORMS:
-        raise UsageError(f"a note has no form {form!r}", where="-o", remedy=f"forms: {', '.join(FORMS)}")
+        raise UsageError(f"{what} has no form {form!r}", where=where, remedy=f"forms: {', '.join(FORMS)}")
     packages, extra = FORMS[form]
     missing = [package for package in packages if find_spec(package) is None]
     if missing:
         from tmmcalc.core.installation import install
 
-        said = f"a note as {form} needs {missing[0]}, which is not installed"
-        raise UsageError(said, where="-o", remedy=f"{install(extra)}; html and txt need nothing")
+        said = f"{what} as {form} needs {missing[0]}, which is not installed"
+        raise UsageError(said, where=where, remedy=f"{install(extra)}; html and txt need nothing")
 
 
 def formed(note: Sequence[Written], form: str, title: str, frame: TextTitles | None = None) -> bytes:

@@ -29,13 +29,14 @@ def _blocks(given: Sequence[Block], sought: Sequence[str]) -> Iterator[Block]:
     if data:
         yield Paragraph(tr("The given data are listed in table {tab:given}."))
         head = (tr("Quantity"), tr("Designation"), tr("Value"))
-        yield Table(tr("Given data"), head, tuple(map(_row, data)), "given")
+        yield Table(tr("Given data"), head, tuple(map(row_of, data)), "given")
     if sought:
         yield Paragraph(tr("To be found:"))
         yield points(sought)
 
 
-def _row(datum: Datum) -> tuple[str, str, str]:
+def row_of(datum: Datum) -> tuple[str, str, str]:
+    """What is given, its names, its value with its unit."""
     unit, factor = printed_as(datum.unit)
     sign = shown_unit(unit)
     each = sign if unit == "deg" else ""  # every angle has its own

@@ -83,7 +83,9 @@ def source(blocks: Iterable[Written], language: str, title: str, frame: TextTitl
     head = HEAD.replace("LANGUAGE", language).replace("PLAIN", f"{PLAIN:g}").replace("TITLE", quoted(title))
     found = [head]
     for group, place in placed(blocks):
-        if isinstance(group[0], Contents) and frame is not None:
+        if len(found) == 1 and isinstance(group[0], Title):
+            found.append(_title(group[0]))  # on the first page
+        elif isinstance(group[0], Contents) and frame is not None:
             opened, others = _framed(frame, first=True), _framed(frame, first=False)
             found += [opened, _block(group[0]), "#pagebreak(weak: true)", others]
         else:
@@ -155,11 +157,10 @@ def _block(block: Written) -> str:
         case Contents(title, entries):
             outline = f"#outline(title: [{escaped(title)}], depth: 2, indent: 5mm)"
             return f"#[{CLOSE}{outline}]" if ONE_PAGE[0] < entries <= ONE_PAGE[1] else outline
-        case Title(number, text, level):
-            numbered = f"{escaped(number)} {set_text(text)}".strip()
+        case Title(number, _, level):
             before = "#place.flush()\n" if level == 1 else ""  # what floats stands with its chapter
             before += "#pagebreak(weak: true)\n" if level == 1 and not number[:1].isdigit() else ""
-            return f"{before}{'=' * level} {numbered}"
+            return before + _title(block)
         case Text() if leads(block):
             return f"#leading[{set_text(block)}]"
         case Text():
@@ -172,6 +173,11 @@ def _block(block: Written) -> str:
             return "\n".join(f"- {set_text(item)}" for item in items) + "\n"
         case Source(text):
             return f'#columns({_columns(text)}, gutter: 5mm)[#raw(block: true, "{quoted(text)}")]'
+
+
+def _title(title: Title) -> str:
+    numbered = f"{escaped(title.number)} {set_text(title.text)}".strip()
+    return f"{'=' * title.level} {numbered}"
 
 
 def _columns(text: str) -> int:

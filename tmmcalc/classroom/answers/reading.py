@@ -72,7 +72,7 @@ def read_answers(place: Path, items: Sequence[Item], keys: Sequence[Key], step: 
         except Exception as error:  # one file that breaks the program must not end the others
             refused.append(Refused(each.source, f"{UNFORESEEN} ({type(error).__name__})", _REMEDY))
             continue
-        hand_ins += found
+        hand_ins += (each for each in found if any(answer.text for answer in each.answers))  # not an empty table
         refused += faults
     return Pile(tuple(hand_ins), tuple(refused))
 

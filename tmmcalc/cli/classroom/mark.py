@@ -9,16 +9,20 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmmcalc.cli.messages import note_written, warn
-from tmmcalc.cli.options import Form, Format, Quiet, available
+from tmmcalc.cli.options import Form, Format, Language, Quiet, available, spoken_in
 from tmmcalc.cli.output import check_apart, check_place, show
 from tmmcalc.core.errors import UsageError
 from tmmcalc.core.files import other_kind
+from tmmcalc.report.language import speaking, tr
 
 if TYPE_CHECKING:
-    from tmmcalc.classroom.marking import Marks
+    from tmmcalc.classroom.marking import Marked, Marks
+    from tmmcalc.classroom.model import Keybook
+    from tmmcalc.classroom.statistics import Statistics
     from tmmcalc.report.worksheets import Worksheet
 
-FORMS = (".csv", ".xlsx", ".md")
+TABLES = (".csv", ".xlsx", ".md")
+PRINTED = (".pdf", ".docx", ".html", ".typ", ".txt")
 
 
 def command(
@@ -39,7 +43,7 @@ def command(
         typer.Option(
             "--full",
             metavar="FILE",
-            help="All for the teacher, with the key: xlsx or md; of csv the answers alone.",
+            help="All for the teacher, with the key: xlsx, md, pdf, docx, html; of csv the answers alone.",
             show_default=False,
         ),
     ] = None,
@@ -52,6 +56,20 @@ def command(
             show_default=False,
         ),
     ] = None,
+    sheet_form: Annotated[
+        str,
+        typer.Option("--sheet-form", metavar="FORM", help="Form of these sheets: md, pdf, docx, html, typ or txt."),
+    ] = "md",
+    gradebook: Annotated[
+        Path | None,
+        typer.Option(
+            "--gradebook",
+            metavar="FILE",
+            help="Who, grade and feedback, as grade books of courses take it: csv or xlsx.",
+            show_default=False,
+        ),
+    ] = None,
+    language: Language = None,
     keys: Annotated[
         Path | None,
         typer.Option(
@@ -70,41 +88,70 @@ def command(
 
     Example: tmmcalc class mark class answers -o marks.csv --full marks.xlsx
     """
-    for file, flag in ((out, "-o"), (full, "--full")):
-        if file is not None:
-            _check(file, flag)
-    check_apart(out, full)
-    if sheets is not None and (sheets.is_file() or other_kind(sheets) not in ("", "a folder")):
-        raise UsageError(f"{sheets} is no folder", where="--sheets", remedy="name a folder, which is made")
+    _check(out, "-o", TABLES)
+    _check(full, "--full", (*TABLES, *PRINTED))
+    _check(gradebook, "--gradebook", TABLES[:2])
+    check_apart(out, full, gradebook)
+    if sheets is not None:
+        if sheets.is_file() or other_kind(sheets) not in ("", "a folder"):
+            raise UsageError(f"{sheets} is no folder", where="--sheets", remedy="name a folder, which is made")
+        if sheet_form != "md":
+            from tmmcalc.note.forms import check_form
+
+            check_form(sheet_form, "a sheet", "--sheet-form")
     from tmmcalc.classroom.grading import graded
     from tmmcalc.classroom.marksdocument import marks_document
-    from tmmcalc.classroom.marksheets import grades, teachers
+    from tmmcalc.classroom.marksheets import grades
     from tmmcalc.classroom.statistics import statistics_of
 
-    marks, book = graded(place, answers, keys)
+    marks, book, scene = graded(place, answers, keys)
     statistics = statistics_of(marks)
-    if out is not None:
-        _write(out, [grades(marks)], "marks")
-    if full is not None:
-        tables = teachers(marks, book, statistics)
-        _write(full, tables[1:2] if full.suffix.lower() == ".csv" else tables, "marks, with the key")
-    if sheets is not None:
-        _write_sheets(sheets, marks)
+    with speaking(spoken_in(scene, language)):
+        if out is not None:
+            _write(out, [grades(marks)], "marks")
+        if full is not None:
+            _write_full(full, marks, book, statistics)
+        if gradebook is not None:
+            from tmmcalc.classroom.gradebook import gradebook as gradebook_of
+
+            _write(gradebook, [gradebook_of(marks, scene.project.title or "tmmcalc")], "grades")
+        if sheets is not None:
+            _write_sheets(sheets, marks, sheet_form)
     show(marks_document(marks, statistics), form)
     for refused in marks.refused:
         warn(f"{refused.source} {refused.message}" + (f"\n  -> {refused.remedy}" if refused.remedy else ""))
     if not quiet:
-        note_written(*(file for file in (out, full) if file is not None))
-        if sheets is not None:
-            note_written(sheets)
+        note_written(*(file for file in (out, full, gradebook, sheets) if file is not None))
 
 
-def _check(file: Path, flag: str) -> None:
+def _check(file: Path | None, flag: str, forms: Sequence[str]) -> None:
+    if file is None:
+        return
     check_place(file, flag)
-    if file.suffix.lower() not in FORMS:
-        raise UsageError(f"{file} is no table of marks", where=flag, remedy=f"end its name in {', '.join(FORMS)}")
-    if file.suffix.lower() == ".xlsx":
+    suffix = file.suffix.lower()
+    if suffix not in forms:
+        raise UsageError(f"{file} is no table of marks", where=flag, remedy=f"end its name in {', '.join(forms)}")
+    if suffix == ".xlsx":
         available(Format.xlsx)
+    elif suffix in PRINTED:
+        from tmmcalc.note.forms import check_form
+
+        check_form(suffix[1:], "a sheet", flag)
+
+
+def _write_full(file: Path, marks: Marks, book: Keybook, statistics: Statistics) -> None:
+    from tmmcalc.classroom.marksheets import teachers
+    from tmmcalc.core.atomic import replace_file
+
+    tables, suffix = teachers(marks, book, statistics), file.suffix.lower()
+    if suffix in PRINTED:
+        from tmmcalc.classroom.papers.results import teacher_results
+        from tmmcalc.note.forms import formed
+
+        title = tr("Marks")
+        replace_file(file, formed(teacher_results(tables, title), suffix[1:], title))
+        return
+    _write(file, tables[1:2] if suffix == ".csv" else tables, "marks, with the key")
 
 
 def _write(file: Path, tables: Sequence[Worksheet], title: str) -> None:
@@ -121,12 +168,24 @@ def _write(file: Path, tables: Sequence[Worksheet], title: str) -> None:
         replace_file(file, as_csv(tables[0]).encode("utf-8-sig"))  # as spreadsheets need it
 
 
-def _write_sheets(folder: Path, marks: Marks) -> None:
-    from tmmcalc.classroom.marksheets import students_sheet
+def _write_sheets(folder: Path, marks: Marks, form: str) -> None:
     from tmmcalc.classroom.roster import stem
     from tmmcalc.core.atomic import blamed_on, replace_file
 
     with blamed_on(folder, "made"):
         folder.mkdir(parents=True, exist_ok=True)
     for each in marks.counting:
-        replace_file(folder / f"{stem(each.number, each.student)}.md", students_sheet(marks, each).encode())
+        replace_file(folder / f"{stem(each.number, each.student)}.{form}", _sheet(marks, each, form))
+
+
+def _sheet(marks: Marks, each: Marked, form: str) -> bytes:
+    if form == "md":
+        from tmmcalc.classroom.marksheets import students_sheet
+
+        return students_sheet(marks, each).encode()
+    from tmmcalc.classroom.papers.making import named
+    from tmmcalc.classroom.papers.results import student_results
+    from tmmcalc.note.forms import formed
+
+    who = named(each.number, each.student)
+    return formed(student_results(marks, each, who), form, who)

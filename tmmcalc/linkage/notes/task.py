@@ -24,6 +24,7 @@ from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.manuscript import Block, Datum, Figure
 from tmmcalc.report.telling import numeral
 
+EXTREME = "extreme"  # a beginning that is found
 SIZE = (150.0, 95.0)  # of the scheme [mm]
 NEAR = 1e-9  # [m] within which points are one
 SIDES = 3  # pins of a link up to which all distances are given
@@ -38,19 +39,30 @@ def blocks(order: Order) -> Iterator[Block]:
     row = rows_shown(order, chain, result)[0]
     draw = partial(draw_scheme, result=result, cycle=whole_cycle(chain, result), positions=[row])
     yield Figure(tr("Scheme of the mechanism"), draw, SIZE, "task_scheme")
-    yield from _motion(result)
+    yield from _motion(order, result)
     yield from _metric(mechanism)
     if {"forces", "reduction", "balance"} & set(order.results):
         yield from _loading(order, mechanism, to_loading(order.spec))
 
 
-def _motion(result: Kinematics) -> Iterator[Datum]:
-    """The speed of the input, the positions."""
+def _motion(order: Order, result: Kinematics) -> Iterator[Datum]:
+    """The motion of the input, the positions, in which sense outputs are counted."""
+    table = order.spec.linkage
     if result.turns:
         name = f"n_{result.structure.input_link}"
         yield Datum(tr("speed of the crank"), (name,), (abs(result.speed) * 30 / math.pi,), "rpm")
+        sense = tr("counter-clockwise") if result.speed > 0 else tr("clockwise")
+        yield Datum(tr("sense in which the crank turns"), text=sense)
     even = [label for label in result.labels if label.isdigit()]  # without those between, as 7'
     yield Datum(tr("number of equal steps of the cycle"), ("n",), (float(len(even) - 1),))
+    if table.input.start == EXTREME:
+        yield Datum(tr("beginning of the count, position 0"), text=tr("dead centre before the working stroke"))
+    elif result.turns:
+        yield Datum(tr("position 0: angle of the crank from axis $x$"), (), (math.degrees(table.input.start),), "deg")
+    for output in table.outputs:
+        if output.point is not None:
+            said = tr("direction of the coordinate of point {point}, from axis $x$", point=output.point)
+            yield Datum(said, (), (math.degrees(output.direction),), "deg")
 
 
 def _metric(mechanism: Mechanism) -> Iterator[Datum]:
@@ -135,6 +147,8 @@ def _load(table: object, name: str) -> Iterator[Datum]:
         if coefficients is not None:
             said = tr("given load {name}; $theta$ – angle of the crank from its beginning, rad", name=called)
             yield Datum(said, (force_key(name),), text=f"${_polynomial(coefficients)}$ {tr_unit(unit)}")
+    if "factor" in getattr(table, "model_fields_set", ()):
+        yield Datum(tr("factor of load {name}", name=called), ("k",), (getattr(table, "factor", 1.0),))
     between = getattr(table, "between", None)
     if between is not None:
         said = tr("where load {name} begins and ends, by the angle of the crank from the first position", name=called)

@@ -1,0 +1,1 @@
+"""What is printed for a class: task sheets, solutions, the page of keys, sheets of results."""

@@ -1,0 +1,120 @@
+"""The task sheet of a student: the scheme, his own data, those that all have, what is asked; no number of the key."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from tmmcalc.classroom.model import Item
+from tmmcalc.core.records import record
+from tmmcalc.naming.language import Place, parse
+from tmmcalc.naming.scene import Scene
+from tmmcalc.naming.told import one
+from tmmcalc.note.task import row_of
+from tmmcalc.report.language import tr, tr_name, tr_number, tr_unit
+from tmmcalc.report.manuscript import Block, Chapter, Datum, Figure, Listing, Paragraph, Table
+from tmmcalc.report.numbers import number
+
+if TYPE_CHECKING:
+    from tmmcalc.pipeline.outcome import RunResult
+
+BLANK = "\u00a0" * 36  # room for an answer
+Mark = tuple[str, tuple[str, ...]]  # what a datum is, and how it is called
+Own = frozenset[Mark]
+
+
+@record
+class Given:
+    """What a variant is given."""
+
+    scheme: tuple[Figure, ...]
+    own: tuple[Datum, ...]  # that variants differ in
+    common: tuple[Datum, ...]
+
+
+def given_of(blocks: Sequence[Block], own: Own, further: Mapping[str, str]) -> Given:
+    """The task of a run, parted by what is drawn; ``further`` are drawn keys that it does not tell, with values."""
+    data = [block for block in blocks if isinstance(block, Datum)]
+    return Given(
+        tuple(block for block in blocks if isinstance(block, Figure)),
+        (*(each for each in data if mark_of(each) in own), *(Datum(key, text=value) for key, value in further.items())),
+        tuple(each for each in data if mark_of(each) not in own),
+    )
+
+
+def mark_of(datum: Datum) -> Mark:
+    """By what a datum is known in another variant."""
+    return datum.what, datum.keys
+
+
+def meanings_of(items: Sequence[Item], run: RunResult) -> tuple[str, ...]:
+    """What each asked result is, in words of the language in force."""
+    scene = Scene(run.spec, run.results)
+    found = []
+    for item in items:
+        name = parse(item.result)
+        said = tr_name(one(name, run.results, scene).meaning)
+        found.append(f"{said}, {_placed(name.place)}" if name.place is not None and not name.of else said)
+    return tuple(found)
+
+
+def _placed(place: Place) -> str:
+    if not place.column:
+        return tr("in position {label}", label=place.first).replace(f" {place.first}", f"\u00a0{place.first}")
+    value = tr_number(place.first).replace(" deg", "°").replace("*", "·")
+    return tr("at {what} = {value}", what=f"${place.column}$", value=value)
+
+
+def task_sheet(title: str, who: str, given: Given, items: Sequence[Item], meanings: Sequence[str]) -> list[Chapter]:
+    """The sheet, in the language in force."""
+    said = tr("Task: {title}", title=said_in(title)) if title else tr("Task")
+    return [Chapter("sheet", said, tuple(_blocks(who, given, items, meanings)), number="")]
+
+
+def _blocks(who: str, given: Given, items: Sequence[Item], meanings: Sequence[str]) -> Iterator[Block]:
+    yield Paragraph(said_in(who))
+    if given.scheme:
+        figure = f"{{fig:{given.scheme[0].key}}}"
+        yield Paragraph(tr("The scheme is shown in figure {figure}, in one of its positions.", figure=figure))
+        yield from given.scheme
+    head = (tr("Quantity"), tr("Designation"), tr("Value"))
+    if given.own:
+        yield Paragraph(tr("Table {tab:own} has the data of this variant alone."))
+        yield Table(tr("Data of this variant alone"), head, tuple(map(row_of, given.own)), "own")
+    if given.common:
+        yield Paragraph(tr("Table {tab:common} has the data that are the same in all variants."))
+        yield Table(tr("Data of all variants"), head, tuple(map(row_of, given.common)), "common")
+    yield Paragraph(tr("Table {tab:asked} says what is to be found."))
+    columns = (tr("Name"), tr("What it is"), tr("Unit"), tr("Digits"), tr("Tolerance"), tr("Answer"))
+    rows = tuple(_asked(item, meaning) for item, meaning in zip(items, meanings, strict=True))
+    yield Table(tr("Asked results"), columns, rows, "asked")
+    yield Listing(tuple(_rules(items)))
+
+
+def _asked(item: Item, meaning: str) -> tuple[str, ...]:
+    sign = tr("; its sign is left open") if item.either_sense else ""
+    return said_in(item.name), meaning + sign, tr_unit(item.unit) or "–", str(item.digits), tolerance_of(item), BLANK
+
+
+def tolerance_of(item: Item) -> str:
+    """By how much an answer may be off: relative, or absolute where that is more."""
+    part = f"{tr_number(number(100 * item.tolerance, 3))} %"
+    if not item.within:
+        return part
+    return tr(
+        "{part} or {within}", part=part, within=f"{tr_number(number(item.within, 3))} {tr_unit(item.unit)}".strip()
+    )
+
+
+def _rules(items: Sequence[Item]) -> Iterator[str]:
+    places = [place for item in items if (place := parse(item.result).place) is not None]
+    if any(not place.column for place in places):
+        yield tr("Positions are counted from 0 on, by equal steps in the sense of the motion.")
+    yield tr("Angles, angular quantities and moments are positive counter-clockwise.")
+    yield tr("“Digits” are the significant ones that an answer has; it is right within its tolerance.")
+    yield tr("Answers are handed in as a table under the names of the first column, with their units.")
+
+
+def said_in(text: str) -> str:
+    """A text that somebody has written, where it marks up nothing."""
+    return text.translate({ord("$"): None, ord("{"): "(", ord("}"): ")"})
