@@ -149,7 +149,7 @@ def traced(assignment: Path) -> tuple[Own, tuple[int, ...]]:
     table = spec.class_
     assert table is not None
     keys = [key for each in table.drawn for key in each.of]
-    drawn = drawn_of(table.drawn, frame_of(assignment, (), keys, ()).axes, variants.data)
+    drawn = drawn_of(spec, frame_of(assignment, (), keys, ()).axes)
     own, further, place = set[tuple[str, tuple[str, ...]]](), list[int](), 0
     base = _scene(variants, spec)
     first = _data(spec, base.run)
