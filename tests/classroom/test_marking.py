@@ -26,6 +26,7 @@ def answer(text: str, of: Item) -> Answer:
 
 
 X = item("x")  # 1 %, by plans 3 %, four figures
+ZEROS = ("0", "0.0", "0,00", "-0", "0e9", "0e1", "0·10^60")
 VERDICTS = [
     ("100.0", X, 100.0, "right"),
     ("101.0", X, 100.0, "right"),  # at the tolerance
@@ -43,8 +44,11 @@ VERDICTS = [
     ("0,1667·10^4", item("x", tolerance=1e-6), 1667.6, "right by plans"),
     ("0.3", item("x", within=0.5), 0.0, "right"),
     ("0.6", item("x", within=0.5), 0.0, "wrong"),
-    ("0.00", X, 0.0, "right"),
-    ("0.00", X, 0.004, "right"),
+    *((zero, X, 0.0, "right") for zero in ZEROS),
+    *((zero, X, 0.004, "wrong") for zero in ZEROS),
+    *((zero, item("x", unit="m"), 0.004, "wrong") for zero in ("0e9", "0e9 мм")),
+    ("0e9", item("x", within=0.5), 0.4, "right"),
+    ("0e9", item("x", within=0.5), 0.6, "wrong"),
     ("350°", item("x", unit="deg", within=1.0), -10.0, "right"),
     ("-0,1745 рад", item("x", unit="deg", within=1.0), 350.0, "right"),
     ("100 мм", item("x", unit="m"), 0.1, "right"),
@@ -52,7 +56,6 @@ VERDICTS = [
     ("", X, 1.0, "missing"),
     ("-", X, 1.0, "missing"),
     ("about ten", X, 1.0, "unreadable"),
-    ("1", X, math.nan, "not asked"),
 ]
 
 

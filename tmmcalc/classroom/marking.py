@@ -124,7 +124,7 @@ def _carried_on(
 
 def _points(item: Item, standing: Standing, rules: Rules) -> float:
     part = {Standing.right: 1.0, Standing.plans: rules.for_plans, Standing.carried: rules.for_carried}
-    return item.weight * part.get(standing, 1.0 if standing is Standing.unasked else 0.0)
+    return item.weight * part.get(standing, 0.0)
 
 
 def _is_few(item: Item, answer: Answer) -> bool:
