@@ -13,6 +13,7 @@ from tmmcalc.classroom.answers.handed import Answer, HandIn, Pile, Refused, answ
 from tmmcalc.classroom.answers.layouts import Entry
 from tmmcalc.classroom.answers.reading import read_answers
 from tmmcalc.classroom.marking import Marked, Rules, mark
+from tmmcalc.classroom.marksdocument import marks_document
 from tmmcalc.classroom.marksheets import as_csv, as_markdown, grades, students_sheet, teachers
 from tmmcalc.classroom.model import Item, Key, Keybook, Told
 from tmmcalc.classroom.statistics import statistics_of
@@ -156,6 +157,28 @@ def test_statistics() -> None:
     assert found.items[0].share == pytest.approx(1 / 3)
     assert [(each.mistakes, each.numbers) for each in found.made] == [((0,), (1, 2))]
     assert [(each.item, each.numbers) for each in found.equal] == [(1, (2, 3))]
+
+
+def test_answers_of_another_variant_are_told() -> None:
+    """Two wrong ones or more that are right there to the last figure; nothing is concluded."""
+    own, other = VALUES[2], VALUES[3]
+    copied = handed(3, "142.7", "2.654", f"{own[2]}")
+    near = handed(4, "118", f"{VALUES[2][1] * 1.004:.4g}", "9.87")  # right there by tolerance alone, and too coarse
+    marks = mark(press_class(), Pile((copied, near, handed(5, "142.7")), ()), RULES)
+    found = statistics_of(marks)
+    assert [(each.number, each.other, each.items) for each in found.foreign] == [(3, 4, (0, 1))]
+    full = as_markdown(teachers(marks, press_class(), found), "all")
+    assert "stroke H, omega\\_2: wrong here, right in variant 4 Шевченко Ірина" in full
+    notes = marks_document(marks, found).notes
+    assert "note: variant 3: of its wrong answers 2 are right in variant 4" in notes
+    assert other[0] == 142.7
+
+
+def test_percents_stand_still() -> None:
+    far = ("120.50001", "3.40", "2.436", "9e9", "-6.03")
+    marks = mark(press_class(), Pile((handed(1, *far),), ()), RULES)
+    sheet = teachers(marks, press_class(), statistics_of(marks))[1]
+    assert list(sheet.columns[sheet.headers.index("off")]) == ["0 %", "4.6 %", "101 %", "> 1000 %", "200 %", ""]
 
 
 def test_the_table_of_marks_holds_no_formula() -> None:

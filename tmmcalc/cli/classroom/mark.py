@@ -73,7 +73,7 @@ def command(
     for file, flag in ((out, "-o"), (full, "--full")):
         if file is not None:
             _check(file, flag)
-    check_apart(out, full)
+    check_apart(out, full, sheets, where="-o, --full, --sheets")
     if sheets is not None and (sheets.is_file() or other_kind(sheets) not in ("", "a folder")):
         raise UsageError(f"{sheets} is no folder", where="--sheets", remedy="name a folder, which is made")
     from tmmcalc.classroom.grading import graded
@@ -82,6 +82,8 @@ def command(
     from tmmcalc.classroom.statistics import statistics_of
 
     marks, book = graded(place, answers, keys)
+    for refused in marks.refused:
+        warn(f"{refused.source} {refused.message}" + (f"\n  -> {refused.remedy}" if refused.remedy else ""))
     statistics = statistics_of(marks)
     if out is not None:
         _write(out, [grades(marks)], "marks")
@@ -91,8 +93,6 @@ def command(
     if sheets is not None:
         _write_sheets(sheets, marks)
     show(marks_document(marks, statistics), form)
-    for refused in marks.refused:
-        warn(f"{refused.source} {refused.message}" + (f"\n  -> {refused.remedy}" if refused.remedy else ""))
     if not quiet:
         note_written(*(file for file in (out, full) if file is not None))
         if sheets is not None:
