@@ -1,12 +1,13 @@
 """Which known mistakes explain the wrong answers of a student.
 
-A mistake is weighed by what it predicts: the likelihood of the answers with it, over that without, times how common it
-is. Without it a wrong answer comes of nothing known by half, else of poor accuracy or of a misreading. Where answers are
-drawn of just that the mean of the odds, summed over all mistakes, is 1 at most, so by Markov's inequality they are above
-a level in one table of so many, however many mistakes are tried. Where they come of nothing known alone it is more, by
-1.8 for each wrong answer at most, so the inequality bounds little, and the levels stand on what is measured: chance
-meets a prediction of several answers by pairs, so the least that counts grows with the square of how many are wrong, and
-random tables of one wrong answer or of many are explained in less than 1 % (`tests/classroom/test_explaining.py`).
+A mistake is weighed by what it predicts: the likelihood of the answers with it, over that without, times how common
+it is. Without it a wrong answer comes of nothing known by half, else of poor accuracy or of a misreading. Where
+answers are drawn of just that the mean of the odds, summed over all mistakes, is 1 at most, so by Markov's inequality
+they are above a level in one table of so many, however many mistakes are tried. Where they come of nothing known
+alone it is more, by 1.8 for each wrong answer at most, so the inequality bounds little, and the levels stand on what
+is measured: chance meets a prediction of several answers by pairs, so the least that counts grows with the square of
+how many are wrong, and random tables of one wrong answer or of many are explained in less than 1 %
+(`tests/classroom/test_explaining.py`).
 
 A mistake of a whole solution speaks against itself where an answer is not what it predicts; a misreading is made in one
 answer, or in several. The best explanation is taken, and what it leaves open is explained by the next one.
