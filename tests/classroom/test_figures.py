@@ -69,6 +69,19 @@ RATIOS = [
     ("градусів", "deg", 1.0),
     ("Н·м", "N*m", 1.0),
     ("Нм", "N*m", 1.0),
+    ("H", "N", 1.0),  # Latin letters for Cyrillic ones, wholly or in part
+    ("kH", "N", 1000.0),
+    ("к\u0048", "N", 1000.0),
+    ("k\u041d", "N", 1000.0),
+    ("MH", "kN", 1000.0),
+    ("H*м", "N*m", 1.0),
+    ("H·m", "kN*m", 1e-3),
+    ("кH м", "N*m", 1000.0),
+    ("кBт", "W", 1000.0),
+    ("\u0441m", "mm", 10.0),
+    ("об/xв", "rpm", 1.0),
+    ("pад/c", "rad/s", 1.0),
+    ("H/мм²", "MPa", 1.0),
     ("Н.м", "N*m", 1.0),
     ("кН м", "N*m", 1000.0),
     ("Nm", "kN*m", 1e-3),
@@ -90,7 +103,8 @@ def test_a_unit_of_any_spelling_counts(written: str, asked: str, ratio: float) -
 
 
 @pytest.mark.parametrize(
-    ("written", "asked"), [("Н", "mm"), ("xyz", "mm"), ("мм", ""), ("x" * 500, "mm"), ("Н·м", "N")]
+    ("written", "asked"),
+    [("Н", "mm"), ("xyz", "mm"), ("мм", ""), ("x" * 500, "mm"), ("Н·м", "N"), ("H", "mm"), ("H", "")],
 )
 def test_a_unit_of_something_else_is_told(written: str, asked: str) -> None:
     with pytest.raises(UnitOfAnswerError):

@@ -9,9 +9,11 @@ from pathlib import Path
 import pytest
 from xlsxwriter.workbook import Workbook
 
-from classroom.books import STUDENTS, VALUES, press_class
+from classroom.books import STUDENTS, VALUES, item, press_class
 from tmmcalc.classroom.answers.handed import HandIn, Pile
+from tmmcalc.classroom.answers.naming import Names
 from tmmcalc.classroom.answers.reading import read_answers
+from tmmcalc.classroom.model import Key
 
 BOOK = press_class()
 FIRST = VALUES[0]
@@ -109,6 +111,61 @@ def test_the_long_form(tmp_path: Path) -> None:
 )
 def test_the_name_of_a_file_says_whose_it_is(tmp_path: Path, name: str) -> None:
     assert only(written(tmp_path, name, "H;1\nK;2\n")).number == 5
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["Ковалеко Олена КМ-3 лаб.csv", "3 Шевчук_лаб.csv", "лаб 3.csv", "3-Ковль.csv", "№3 Олена.csv", "1.5.csv", "в.csv"],
+)
+def test_a_number_of_something_else_is_nobody(tmp_path: Path, name: str) -> None:
+    """Of a group, of a task, beside a misspelled name: it is not taken for that of a variant."""
+    pile = read(written(tmp_path, name, "H;1\nK;2\n"))
+    if "Шевчук" in name:
+        assert [each.number for each in pile.hand_ins] == [5]
+    else:
+        assert pile.hand_ins == ()
+        assert [each.message for each in pile.refused] == ["does not say whose it is"]
+
+
+@pytest.mark.parametrize(
+    "name", ["КМ-3 вар 5.csv", "5 лаб 3.csv", "lab3_v5.csv", "№ 05, лаб 3.csv", "Шевчук Олег/3.csv"]
+)
+def test_a_number_of_a_variant_among_others(tmp_path: Path, name: str) -> None:
+    written(tmp_path, name, "H;1\nK;2\n")
+    assert only(tmp_path).number == 5
+
+
+def test_without_names_a_number_is_of_the_variant(tmp_path: Path) -> None:
+    keys = [Key(k + 1, "", values, ()) for k, values in enumerate(VALUES)]
+    written(tmp_path, "КМ лаб 5.csv", "H;1\nK;2\n")
+    assert [each.number for each in read_answers(tmp_path, BOOK.items, keys).hand_ins] == [5]
+
+
+def test_empty_rows_are_no_hand_in(tmp_path: Path) -> None:
+    names = [f"{name};;" for name in STUDENTS[1:]]
+    wide = written(tmp_path, "wide.csv", "\n".join(["студент;H;K", f"{STUDENTS[0]};120,5;", *names]))
+    turned = written(tmp_path, "turned.csv", "величина;№ 1;№ 2;№ 3\nH;120,5;;-\nK;;;\n")
+    for file in (wide, turned):
+        assert only(file).number == 1
+
+
+@pytest.mark.parametrize("line", ["stroke H;240", "H;240;мм", "хід\t240", "H = 240 мм"])
+def test_one_line(tmp_path: Path, line: str) -> None:
+    assert only(written(tmp_path, "1.csv", line)).answers[0].value == 240.0
+
+
+GREEK = {
+    "epsilon_3": ("ε3", "ε_3", "eps_3", "eps3", "ϵ₃", "епсилон 3", "Epsilon3"),
+    "ω_2": ("omega_2", "Ω2", "омега2", "ω₂", "omega 2"),
+    "alpha": ("α", "альфа", "Alpha"),
+    "фі": ("φ", "ϕ", "phi", "fi", "Фи"),
+}
+
+
+@pytest.mark.parametrize("name", GREEK)
+def test_greek_letters_by_any_name(name: str) -> None:
+    names = Names([item(name), item("x")])
+    assert [names.item(text) for text in (name, *GREEK[name])] == [0] * (1 + len(GREEK[name]))
 
 
 @pytest.mark.parametrize("name", ["Шевчук Олег_123456_assignsubmission_file_/answers.csv", "2026-01-02/Шевчук.csv"])

@@ -89,7 +89,7 @@ def test_marks_of_a_class(cli: Cli, spec: Path, folder: Path) -> None:
     assert [(row["student"], row["points"], row["of"]) for row in found] == [
         ("Бондар Іван", "5", "5"),
         ("Коваль Олена", "2.6", "5"),
-        ("Мельник Петро", "0", "5"),
+        ("Мельник Петро", "", "5"),
     ]
     assert [found[1][f"{name}: is"] for name in ("H", "omega_3", "v_D", "a_D")] == [
         "right",
@@ -160,7 +160,8 @@ def test_keys_of_something_else(cli: Cli, spec: Path, folder: Path, change: tupl
         (["assignment.toml", "nowhere"], "there is no nowhere"),
         (["my.toml", "answers"], "nothing is asked"),
         (["assignment.toml", "answers", "-o", "marks.doc"], "no table of marks"),
-        (["assignment.toml", "answers", "-o", "a.csv", "--full", "a.csv"], "written twice"),
+        (["assignment.toml", "answers", "-o", "a.csv", "--full", "a.csv"], "-o, --full, --sheets: a.csv would be"),
+        (["assignment.toml", "answers", "-o", "a.csv", "--sheets", "a.csv"], "-o, --full, --sheets: a.csv would be"),
         (["assignment.toml", "answers", "--keys", "nowhere"], "there are no keys"),
         (["assignment.toml", "answers", "--sheets", "my.toml"], "no folder"),
     ],
@@ -171,6 +172,29 @@ def test_faults_of_the_words(cli: Cli, spec: Path, folder: Path, words: list[str
     done = cli("class", "mark", *words)
     assert done.code == 2
     assert message in done.err
+    assert not (folder / "a.csv").exists()
+
+
+@pytest.mark.parametrize("content", [None, b"\x89PNG"])
+@pytest.mark.parametrize("form", ["table", "json", "csv", "toml"])
+def test_nothing_that_could_be_marked(cli: Cli, spec: Path, folder: Path, content: bytes | None, form: str) -> None:
+    keys_of(spec)
+    (folder / "answers").mkdir()
+    if content is not None:
+        (folder / "answers" / "1\n2.csv").write_bytes(content)
+    done = cli("class", "mark", "assignment.toml", "answers", "-o", "marks.csv", "--full", "all.md", "-f", form)
+    assert done.code == 0
+    assert ("1\\n2.csv is a picture" in " ".join(done.err.split())) == (content is not None)
+    assert [row["points"] for row in rows((folder / "marks.csv").read_text(encoding="utf-8"))] == [""] * 3
+
+
+def test_hints_tell_of_strange_names_and_of_one_student(cli: Cli, spec: Path, folder: Path) -> None:
+    (folder / "a.csv").write_text("H;100\nsize;7\n", encoding="utf-8")
+    assert "not asked: 'size'" in cli("class", "hints", "assignment.toml", "a.csv").out
+    (folder / "a.csv").write_text("student;H\nКоваль;100\nБондар;110\n", encoding="utf-8")
+    done = cli("class", "hints", "assignment.toml", "a.csv")
+    assert done.code == 2
+    assert "tells of 2 students: 'Коваль', 'Бондар'" in done.err
 
 
 def test_hints_tell_no_number(cli: Cli, spec: Path, folder: Path) -> None:

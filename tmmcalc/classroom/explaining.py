@@ -1,11 +1,13 @@
 """Which known mistakes explain the wrong answers of a student.
 
-A mistake is weighed by what it predicts: the likelihood of the answers with it, over that without, times how common it
-is. Where the answers come of nothing known the mean of this, summed over all mistakes, is 1. So with ten wrong answers
-it is above 100 in one table of a hundred at most, however many mistakes are tried: that is Markov's inequality, which
-asks no more of chance than the density of such numbers (`tmmcalc.classroom.likelihood`). Chance meets a prediction of
-several answers by pairs, so the least that counts grows with the square of how many are wrong. That fewer wrong ones
-are safe with less is measured: `tests/classroom/test_explaining.py`.
+A mistake is weighed by what it predicts: the likelihood of the answers with it, over that without, times how common
+it is. Without it a wrong answer comes of nothing known by half, else of poor accuracy or of a misreading. Where
+answers are drawn of just that the mean of the odds, summed over all mistakes, is 1 at most, so by Markov's inequality
+they are above a level in one table of so many, however many mistakes are tried. Where they come of nothing known
+alone it is more, by 1.8 for each wrong answer at most, so the inequality bounds little, and the levels stand on what
+is measured: chance meets a prediction of several answers by pairs, so the least that counts grows with the square of
+how many are wrong, and random tables of one wrong answer or of many are explained in less than 1 %
+(`tests/classroom/test_explaining.py`).
 
 A mistake of a whole solution speaks against itself where an answer is not what it predicts; a misreading is made in one
 answer, or in several. The best explanation is taken, and what it leaves open is explained by the next one.
@@ -24,7 +26,7 @@ from tmmcalc.classroom.model import Item, Key, Told
 from tmmcalc.classroom.verdicts import Standing
 from tmmcalc.core.records import record
 
-LEAST = (4.0, 8.0)  # odds that count where one or two answers are wrong: of who computes, of who works by plans
+LEAST = (6.0, 8.0)  # odds that count where one or two answers are wrong: of who computes, of who works by plans
 MOST = 4  # mistakes of one student
 SHOWN = 0.8  # of the answers that a mistake of a whole solution changes are as it predicts
 MISREAD = 0.15  # of these are misread besides
@@ -93,13 +95,15 @@ class _Table:
     ) -> None:
         open_sense = np.array([item.either_sense for item in items])
         values, halves = answers
-        values, right, mistaken = (
+        values, right, mistaken, carried = (
             np.where(open_sense, np.abs(each), each)
-            for each in (values, np.array(key.values), np.array(key.mistaken, dtype=float))
+            for each in (values, np.array(key.values), np.array(key.mistaken, dtype=float), carried)
         )
         used = np.isfinite(values) & np.isfinite(right) & (values != 0) & (right != 0)
         self.places = np.flatnonzero(used)
-        self.tolerance = np.array([item.tolerance for item in items])[used]
+        self.tolerance, self.within = (
+            np.array(each)[used] for each in ([item.tolerance for item in items], [item.within for item in items])
+        )
         self.right, self.carried = right[used], carried[used]
         self.written = Written(values[used], halves[used])
         self.ways = (COMPUTED, drawn(max(item.plans for item in items)))
@@ -107,14 +111,13 @@ class _Table:
         mistaken[np.abs(mistaken - self.right) <= 1e-9 * np.abs(self.right)] = np.nan
         self.mistaken = mistaken
         self.sole = np.array([each.single for each in told])
-        self.common = np.array([each.common for each in told]) / 2
+        self.common = np.array([each.common for each in told])
         for kind in (self.sole, ~self.sole):  # both kinds share what is likely
             self.common[kind] /= max(2 * self.common[kind].sum(), 1e-300)
         state = [standings[int(k)] for k in self.places]
         self.wrong = np.array([each is Standing.wrong for each in state])
         self.fine = np.array([each is Standing.right for each in state])
-        self.predicted = np.where(np.isnan(self.carried), self.right, self.carried)
-        self.usual = self.predicted
+        self.predicted = self.usual = self.right
         self.left = self.common > 0  # mistakes that are not told yet
         self.nothing = anything(self.written, self.right)
         self.as_right = computed(self.written, self.right, self.ways)
@@ -135,9 +138,9 @@ class _Table:
         misread = self._misread(self.right)
         wrong = _WRONG[0] * self.nothing + _WRONG[1] * self.as_right + _WRONG[2] * misread
         near = 0.5 * self.as_right + 0.5 * wrong
-        base = np.where(self.fine, 0.98 * self.as_right + 0.02 * self.nothing, np.where(self.wrong, wrong, near))
         carried = 0.5 * computed(self.written, self.carried, self.ways) + 0.5 * self.nothing
-        return np.where(self.wrong & np.isfinite(self.carried), carried, base)
+        wrong = np.where(np.isfinite(self.carried), carried, wrong)
+        return np.where(self.fine, 0.98 * self.as_right + 0.02 * self.nothing, np.where(self.wrong, wrong, near))
 
     def _misread(self, predicted: Array) -> Array:
         """Densities (W, ..., I) where the value is misread once more."""
@@ -161,7 +164,7 @@ class _Table:
         predicted = self.mistaken[kind]
         changed = np.isfinite(predicted)
         # near enough to the right value to be right says nothing
-        changed &= ~(self.fine & (np.abs(predicted - self.right) <= self.tolerance * np.abs(self.right)))
+        changed &= ~(self.fine & self._near(predicted, self.right))
         both = predicted * self.predicted / self.right  # on top of what is explained already
         shown = self._shown(predicted)
         base = np.maximum(self.base, 1e-300)[:, None, :]
@@ -170,9 +173,14 @@ class _Table:
         ratios = np.where(changed, SHOWN * shown / base + (1 - SHOWN), 1.0)
         odds = self._odds(ratios, kind)
         best = int(np.argmax(odds))
-        fits = changed[best] & (np.einsum("w,wi->i", self.weights, ratios[:, best]) > 1.0)
         value = np.where(taken & (self._off(both[best]) < self._off(predicted[best])), both[best], predicted[best])
+        likelier = np.einsum("w,wi->i", self.weights, ratios[:, best]) > 1.0
+        fits = changed[best] & (likelier | self._near(self.written.values, value, self.written.halves))
         return self._found(kind, best, odds, fits & self.wrong, changed[best] & ~fits, value)
+
+    def _near(self, value: Array, other: Array, rounded: Array | float = 0.0) -> _Flags:
+        """Whether values, rounded by so much, are others within what is allowed there."""
+        return np.abs(value - other) - rounded <= np.maximum(self.tolerance * np.abs(other), self.within)
 
     def _shown(self, predicted: Array) -> Array:
         direct = computed(self.written, predicted, self.ways)
@@ -214,7 +222,7 @@ class _Table:
         own = self.mistaken[kind[best]]
         told = np.where(np.isfinite(own) & (fits | ~self.sole[kind[best]]), own, self.right)
         mine = np.where(np.isfinite(self.mistaken), self.mistaken, self.right)
-        near = np.abs(mine - told) <= self.tolerance * np.abs(told)
+        near = self._near(mine, told)
         spared = self.wrong if self.sole[kind[best]] else np.zeros_like(self.wrong)
         anywhere = ~fits & (self.sole[:, None] | spared)
         alike = (near | anywhere).all(axis=1) & self.left

@@ -19,7 +19,6 @@ from tmmcalc.report.worksheets import Worksheet
 
 EMAIL = re.compile(r"\S+@\S+\.\S+")
 NUMBER = re.compile(r"[\w-]*\d[\w-]*")
-GOOD = (Standing.right, Standing.unasked)
 
 
 def gradebook(marks: Marks, title: str) -> Worksheet:
@@ -54,7 +53,7 @@ def _feedback(marks: Marks, each: Marked) -> list[str]:
     told = [
         f"{item.name}: {standing_said(standing)}"
         for item, standing in zip(marks.items, each.standings, strict=True)
-        if standing not in GOOD
+        if standing is not Standing.right
     ]
     return [printable(line) for line in (*told, *hints_of(marks.items, marks.mistakes, each))] or [
         tr("All answers are right.")

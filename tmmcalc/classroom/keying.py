@@ -11,6 +11,7 @@ from tmmcalc.classroom.bench import Bench
 from tmmcalc.classroom.known import known
 from tmmcalc.classroom.model import Item, Key, Told, Values
 from tmmcalc.classroom.rounding import Floors, settled
+from tmmcalc.classroom.verdicts import is_within
 from tmmcalc.core.errors import TmmError, UsageError
 from tmmcalc.core.mistake import SELDOM, Asked, Mistake
 from tmmcalc.core.notes import Phrase
@@ -151,14 +152,8 @@ def clashes(key: Key, items: Sequence[Item]) -> tuple[tuple[int, int], ...]:
         (at, k)
         for at, values in enumerate(key.mistaken)
         for k, (wrong, right, item) in enumerate(zip(values, key.values, items, strict=True))
-        if math.isfinite(wrong) and is_right(wrong, right, item)
+        if math.isfinite(wrong) and is_within(wrong, right, item, item.tolerance)
     )
-
-
-def is_right(value: float, right: float, item: Item) -> bool:
-    """Whether a value counts as right; where the sense is left open that of the other sense does too."""
-    allowed = max(item.tolerance * abs(right), item.within)
-    return abs(value - right) <= allowed or (item.either_sense and abs(value + right) <= allowed)
 
 
 def _agree(one: Values, other: Values, key: Key, items: Sequence[Item]) -> bool:

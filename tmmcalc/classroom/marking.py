@@ -49,6 +49,7 @@ class Marks:
 
     items: tuple[Item, ...]
     mistakes: tuple[Told, ...]
+    keys: tuple[Key, ...]
     marked: tuple[Marked, ...]  # by student, of one student in the order of time
     absent: tuple[Key, ...]  # who handed in nothing
     refused: tuple[Refused, ...]
@@ -71,6 +72,7 @@ def mark(book: Keybook, pile: Pile, rules: Rules) -> Marks:
     return Marks(
         book.items,
         book.mistakes,
+        book.keys,
         tuple(sorted(marked, key=lambda each: each.number)),
         tuple(key for key in book.keys if key.number not in last),
         pile.refused,
@@ -124,7 +126,7 @@ def _carried_on(
 
 def _points(item: Item, standing: Standing, rules: Rules) -> float:
     part = {Standing.right: 1.0, Standing.plans: rules.for_plans, Standing.carried: rules.for_carried}
-    return item.weight * part.get(standing, 1.0 if standing is Standing.unasked else 0.0)
+    return item.weight * part.get(standing, 0.0)
 
 
 def _is_few(item: Item, answer: Answer) -> bool:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from tmmcalc.classroom.marking import Marked, Marks
-from tmmcalc.classroom.marksheets import grades, hints_of
+from tmmcalc.classroom.marksheets import grades, hints_of, listed
 from tmmcalc.classroom.model import Keybook
 from tmmcalc.classroom.statistics import Statistics
 from tmmcalc.classroom.verdicts import Standing
@@ -29,7 +29,7 @@ def marks_document(marks: Marks, statistics: Statistics) -> Document:
     )
     sheet = grades(marks)
     items = Document("asked results", table=_items(marks, statistics))
-    given = View(sheet.headers[:4], sheet.columns[:4])
+    given = View(sheet.headers[:4], [["" if cell is None else cell for cell in column] for column in sheet.columns[:4]])
     return Document("marks", facts, tuple(_notes(marks, statistics)), given, parts=(items,))
 
 
@@ -44,18 +44,21 @@ def _items(marks: Marks, statistics: Statistics) -> View:
 def _notes(marks: Marks, statistics: Statistics) -> Iterator[Phrase]:
     for made in statistics.made[:SHOWN]:
         titles = " / ".join(dict.fromkeys(tr_name(marks.mistakes[m].title) for m in made.mistakes))
-        yield Phrase("note: {mistake}: variants {variants}", mistake=titles, variants=_listed(made.numbers))
+        yield Phrase("note: {mistake}: variants {variants}", mistake=titles, variants=listed(made.numbers))
     for equal in statistics.equal[:SHOWN]:
         yield Phrase(
             "note: {item}: {answer} stands in variants {variants}, where other numbers are right",
             item=marks.items[equal.item].name,
             answer=equal.text,
-            variants=_listed(equal.numbers),
+            variants=listed(equal.numbers),
         )
-
-
-def _listed(numbers: tuple[int, ...]) -> str:
-    return ", ".join(map(str, numbers))
+    for foreign in statistics.foreign[:SHOWN]:
+        yield Phrase(
+            "note: variant {number}: of its wrong answers {count} are right in variant {other}",
+            number=foreign.number,
+            count=len(foreign.items),
+            other=foreign.other,
+        )
 
 
 def hints_document(marked: Marked, book: Keybook) -> Document:

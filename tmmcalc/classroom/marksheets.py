@@ -22,6 +22,7 @@ from tmmcalc.report.language import tr, tr_name
 from tmmcalc.report.worksheets import Worksheet
 
 FIGURES = 5  # of numbers that people compare
+MOST_OFF = 10.0  # part of a value; beyond it how far an answer is off says nothing
 _NONE = "nothing was handed in"
 
 
@@ -37,7 +38,9 @@ def grades(marks: Marks) -> Worksheet:
         *(f"{name}{end}" for name in items for end in ("", ": is")),
     ]
     rows = [_graded(marks, each) for each in marks.counting]
-    rows += [[key.number, key.student, 0, _tidy(marks.most), _NONE] + [None, None] * len(items) for key in marks.absent]
+    rows += [
+        [key.number, key.student, None, _tidy(marks.most), _NONE] + [None, None] * len(items) for key in marks.absent
+    ]
     return _sheet("marks", headers, sorted(rows, key=lambda row: row[0]))
 
 
@@ -82,8 +85,7 @@ def _off(each: Marked, marks: Marks, key: Key, k: int) -> str:
     right, value = key.values[k], each.answers[k].value
     if not right or not math.isfinite(right) or not math.isfinite(value):
         return ""
-    part = 100 * distance(value, marks.items[k], right) / abs(right)
-    return f"{part:.2g} %"
+    return _percent(distance(value, marks.items[k], right) / abs(right))
 
 
 def _explanations(marks: Marks) -> Worksheet:
@@ -93,13 +95,25 @@ def _explanations(marks: Marks) -> Worksheet:
             *(each.number, each.student, each.source, told(x, marks.mistakes)),
             ", ".join(marks.items[k].name for k in x.items),
             ", ".join(marks.items[k].name for k in x.against),
-            f"{100 * x.deviation:.2g} %",
+            _percent(x.deviation),
             f"{x.odds:.1e}",
         ]
         for each in marks.marked
         for x in each.explanations
     ]
     return _sheet("mistakes", headers, rows)
+
+
+def _percent(part: float) -> str:
+    """A part of something in per cent, to two figures that stand still: 0 where it is nothing, no more than a thousand.
+
+    >>> _percent(1e-9), _percent(0.0123), _percent(1.004), _percent(3e7)
+    ('0 %', '1.2 %', '100 %', '> 1000 %')
+    """
+    if part > MOST_OFF:
+        return f"> {100 * MOST_OFF:.0f} %"
+    shown = f"{100 * part:.0f}" if part >= 0.0995 else f"{100 * part:.1f}"
+    return f"{'0' if shown == '0.0' else shown} %"
 
 
 def told(explanation: Explanation, mistakes: Sequence[Told]) -> str:
@@ -123,12 +137,7 @@ def _items(marks: Marks, statistics: Statistics) -> Worksheet:
 
 def _made(marks: Marks, statistics: Statistics) -> Worksheet:
     rows = [
-        [
-            tr(" or ").join(tr_name(marks.mistakes[m].title) for m in made.mistakes),
-            len(made.numbers),
-            _listed(made.numbers),
-        ]
-        for made in statistics.made
+        [_titles(made.mistakes, marks.mistakes), len(made.numbers), listed(made.numbers)] for made in statistics.made
     ]
     return _sheet("common mistakes", ["mistake", "students", "variants"], rows)
 
@@ -146,6 +155,10 @@ def _remarks(marks: Marks, statistics: Statistics, keys: dict[int, Key]) -> Work
         who = ", ".join(_who(number, keys) for number in equal.numbers)
         name = marks.items[equal.item].name
         rows.append(["equal numbers", who, f"{name}: {equal.text} stands in each, where other numbers are right"])
+    for foreign in statistics.foreign:
+        names = ", ".join(marks.items[k].name for k in foreign.items)
+        said = f"{names}: wrong here, right in variant {_who(foreign.other, keys)}"
+        rows.append(["answers of another variant", _who(foreign.number, keys), said])
     return _sheet("remarks", ["of", "what", "remark"], rows)
 
 
@@ -153,7 +166,8 @@ def _who(number: int, keys: dict[int, Key]) -> str:
     return f"{number} {keys[number].student}".strip()
 
 
-def _listed(numbers: Sequence[int]) -> str:
+def listed(numbers: Sequence[int]) -> str:
+    """Numbers of variants in a row."""
     return ", ".join(map(str, numbers))
 
 

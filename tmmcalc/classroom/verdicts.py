@@ -2,7 +2,7 @@
 
 A number that is written to so many figures is an interval: it is right where the interval meets the tolerance. It is so
 for as many figures as are asked for and for one less; fewer figures count as these followed by zeros, so that a rough
-number is no way to be right.
+number is no way to be right. A zero has no figures: it is 0, however it is written.
 """
 
 from __future__ import annotations
@@ -27,21 +27,26 @@ class Standing(StrEnum):
     wrong = "wrong"
     unreadable = "unreadable"
     missing = "missing"
-    unasked = "not asked"  # the variant has no such result
 
 
 def standing_of(answer: Answer, item: Item, right: float) -> Standing:
     """What an answer is beside the right value, in the unit of the item; what was carried on is not known here."""
-    if not math.isfinite(right):
-        return Standing.unasked
     if math.isnan(answer.value):
         return Standing.unreadable if answer.text else Standing.missing
-    within = max(item.tolerance * abs(right), item.within)
-    off = distance(answer.value, item, right) - rounding(answer, item)
-    if off <= within + SLACK * abs(right):
+    rounded = rounding(answer, item)
+    if is_within(answer.value, right, item, item.tolerance, rounded):
         return Standing.right
-    by_plans = max(item.plans * abs(right), item.within)
-    return Standing.plans if off <= by_plans + SLACK * abs(right) else Standing.wrong
+    return Standing.plans if is_within(answer.value, right, item, item.plans, rounded) else Standing.wrong
+
+
+def is_within(value: float, right: float, item: Item, part: float, rounded: float = 0.0) -> bool:
+    """Whether a value, rounded by so much, is within a part of the right one, or within what the item allows."""
+    return distance(value, item, right) - rounded <= allowed(right, item, part) + SLACK * abs(right)
+
+
+def allowed(right: float, item: Item, part: float) -> float:
+    """How far from the right value is within a part of it: the larger of that and of what the item allows."""
+    return max(part * abs(right), item.within)
 
 
 def distance(value: float, item: Item, right: float) -> float:
@@ -53,7 +58,7 @@ def distance(value: float, item: Item, right: float) -> float:
 def rounding(answer: Answer, item: Item) -> float:
     """By how much the value may have been rounded, in the unit of the item."""
     if not answer.value:
-        return answer.step / 2
+        return 0.0
     figures = max(LEAST_FIGURES, item.digits - 1)
     most = 10.0 ** (math.floor(math.log10(abs(answer.value))) - figures + 1)
     return min(answer.step, most) / 2

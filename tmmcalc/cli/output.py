@@ -40,12 +40,12 @@ def check_place(file: Path, where: str) -> None:
         raise UsageError(f"there is no folder {file.parent}", where=where, remedy="make it first, or choose another")
 
 
-def check_apart(*files: Path | None) -> None:
+def check_apart(*files: Path | None, where: str = "-o, --plot") -> None:
     """Raise UsageError if two of the files to be written are the same one, so that the later would take its place."""
     told = [file for file in files if file is not None]
     for k, file in enumerate(told):
         if file.resolve() in {other.resolve() for other in told[:k]}:
-            raise UsageError(f"{file} would be written twice", where="-o, --plot", remedy="name two files")
+            raise UsageError(f"{file} would be written twice", where=where, remedy="name two files")
 
 
 def check_picture(file: Path, where: str) -> None:

@@ -65,7 +65,7 @@ def entries_of(grid: Grid, names: Names, roster: Roster, step: float) -> Table:
     if over is not None and over[1] >= count:
         return _of_positions(rows[over[0] :], rows[: over[0]], names, step)
     in_first = sum(names.headed(row[0])[0] is not None for _, row in rows)
-    if in_first > count or (in_first == count == 1 and best and _is_value(rows[best], names)):
+    if in_first > count or (in_first == count == 1 and _is_value(rows[best], names)):
         return _of_items_below(rows, names, roster)
     if count:
         return _of_wide(rows[best:], rows[:best], names, roster)

@@ -42,6 +42,9 @@ _WORDS = {
 }
 
 
+_TWINS = str.maketrans("aceikmopxyABCEHIKMOPTX", "асеікморхуАВСЕНІКМОРТХ")
+
+
 class UnitOfAnswerError(ValueError):
     """A unit that is not known, or of another dimension; the text says so."""
 
@@ -92,10 +95,11 @@ def _spellings(text: str) -> Iterator[str]:
     for each in (dotted, powered):
         words = re.sub(r"[^\W\d_]+", lambda found: _WORDS.get(found[0], found[0]), each)
         joined = re.sub(r"(?<=[^\W\d_])\s+(?=[^\W\d_])", "·", words)
-        latin = latin_units(joined)
-        if unit := unit_of(f"1 {latin}"):
-            yield unit
-        yield from (unit for unit in _FOLDED.get(re.sub(r"\s", "", latin).casefold(), ()))
+        # Latin letters for Cyrillic ones that look the same come last: H of a keyboard is newton, as is the one of kH
+        for latin in (latin_units(joined), latin_units(joined.translate(_TWINS))):
+            if unit := unit_of(f"1 {latin}"):
+                yield unit
+            yield from (unit for unit in _FOLDED.get(re.sub(r"\s", "", latin).casefold(), ()))
 
 
 def _folded() -> dict[str, tuple[str, ...]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from difflib import get_close_matches
 
 from tmmcalc.classroom.model import Item, Key
 from tmmcalc.core.records import record
@@ -34,22 +35,48 @@ _GREEK = {
     "ψ": "psi",
     "ω": "omega",
 }
+_SPELLED = {
+    "eps": "epsilon",
+    "fi": "phi",
+    "альфа": "alpha",
+    "бета": "beta",
+    "гама": "gamma",
+    "гамма": "gamma",
+    "дельта": "delta",
+    "епсилон": "epsilon",
+    "епсілон": "epsilon",
+    "эпсилон": "epsilon",
+    "ета": "eta",
+    "лямбда": "lambda",
+    "мю": "mu",
+    "омега": "omega",
+    "псі": "psi",
+    "сигма": "sigma",
+    "тау": "tau",
+    "тета": "theta",
+    "фи": "phi",
+    "фі": "phi",
+}
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹", "01234567890123456789")
 _UNIT = re.compile(r"(?P<name>.+?)\s*(?:\[(?P<a>[^\[\]]*)\]|\((?P<b>[^()]*)\)|,\s*(?P<c>[^,;()]+))\s*", re.DOTALL)
 _PLACE = re.compile(
     r"(?P<what>.+?)\s*(?:@\s*(?P<label>\d+'*)|\[\s*phi\s*=\s*(?P<angle>[-+\d.]+)\s*(?P<unit>deg|rad)?\s*\])"
 )
-_DATE = re.compile(r"\d{4}[-_.]\d{1,2}[-_.]\d{1,2}|\d{1,2}[-_.]\d{1,2}[-_.]\d{4}")
+DATE = re.compile(r"(\d{4})[-_.](\d{1,2})[-_.](\d{1,2})|(\d{1,2})[-_.](\d{1,2})[-_.](\d{4})")
+_LEADING = re.compile(r"[\W_]*(\d{1,6})(?![.,]?\d)")
+_AFTER_A_WORD = re.compile(r"(?:(?<![^\W\d_])(?:variant|var|v|варіант|вар|в)|№|#)[\s._:№-]*(\d{1,6})(?!\d)")
+NEARLY = 0.8  # likeness of a misspelled name to the name
 SHORTEST = 3  # letters of a name by which a student is found in the name of a file
 
 
 def folded(text: str) -> str:
     """A name as it is compared.
 
-    >>> folded("ω₂ "), folded("\u0420 max") == folded("p MAX")
-    ('omega2', True)
+    >>> folded("ω₂ "), folded("Омега 2"), folded("eps_3"), folded("\u0420 max") == folded("p MAX")
+    ('omega2', 'omega2', 'epsilon_3', True)
     """
-    spelled = "".join(_GREEK.get(sign, sign) for sign in text.casefold().translate(_LOWERED))
+    letters = "".join(_GREEK.get(sign, sign) for sign in text.casefold().translate(_LOWERED))
+    spelled = re.sub(r"[^\W\d_]+", lambda word: _SPELLED.get(word[0], word[0]), letters)
     return re.sub(r"\s+", "", alike(spelled)).casefold()
 
 
@@ -152,10 +179,29 @@ class Roster:
         """The number of the variant of whom a text names, "5", "№ 5", "variant 5", or by name; None: nobody."""
         if (named := self._names.get(folded(text))) is not None:
             return named
-        if named := self.named(text):
+        if (named := self.named(text)) is not None:
             return named
+        return self._numbered(text)
+
+    def _numbered(self, text: str) -> int | None:
+        """The number of a variant in a text that names nobody.
+
+        Where the roster has names it leads, or stands behind a word for it: any other may be of a group or a task. It
+        does not count beside the name of another student, or one that is nearly so.
+        """
         numbers = {int(found) for found in re.findall(r"(?<!\d)\d{1,6}(?!\d)", text)} & self._numbers
-        return numbers.pop() if len(numbers) == 1 else None
+        words = _words(text)
+        if said := {int(found) for found in _AFTER_A_WORD.findall(text.casefold())}:
+            numbers &= said
+        elif self._words and words and numbers:
+            leading = _LEADING.match(text)
+            numbers &= {int(leading[1])} if leading else set()
+        if len(numbers) != 1:
+            return None
+        (number,) = numbers
+        others = {word for other, own in self._words.items() if other != number for word in own}
+        others -= self._words.get(number, frozenset())
+        return None if any(get_close_matches(word, others, 1, NEARLY) for word in words) else number
 
     def named(self, text: str) -> int | None:
         """The student whose name stands in a text among other words; None: none or more than one."""
@@ -172,13 +218,12 @@ class Roster:
     def of_file(self, parts: Sequence[str]) -> int | None:
         """The student of a file by the names of its folders and its own, without its suffix, the last of ``parts``.
 
-        Numbers of folders say which time it was handed in, so a folder tells the student by name alone.
+        Names go before numbers. Numbers of folders say which time it was handed in, so a folder tells the student by
+        name alone.
         """
-        stem = _DATE.sub(" ", parts[-1])
-        if (found := self.student(stem)) is not None:
-            return found
-        named = [self.named(part) for part in reversed(parts[:-1])]
-        return next((number for number in named if number is not None), None)
+        stem = DATE.sub(" ", parts[-1])
+        named = [self.named(part) for part in (stem, *reversed(parts[:-1]))]
+        return next((number for number in named if number is not None), self.student(stem))
 
 
 def _words(text: str) -> frozenset[str]:

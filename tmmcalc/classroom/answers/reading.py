@@ -15,11 +15,12 @@ from tmmcalc.classroom.answers.grids import Grid, grid_of, text_of
 from tmmcalc.classroom.answers.handed import HandIn, Pile, Refused, hand_in
 from tmmcalc.classroom.answers.layouts import Entry, Table, entries_of
 from tmmcalc.classroom.answers.limits import BYTES, DEEPEST, FILES, UnreadableError
-from tmmcalc.classroom.answers.naming import Names, Roster
+from tmmcalc.classroom.answers.naming import DATE, Names, Roster
 from tmmcalc.classroom.answers.pairs import entries_of_toml
 from tmmcalc.classroom.answers.workbooks import sheets_of_workbook
 from tmmcalc.classroom.model import Item, Key
 from tmmcalc.core.files import NoFileError, read_file
+from tmmcalc.core.printable import printable
 from tmmcalc.core.records import record
 from tmmcalc.spec.phrases import show
 
@@ -41,7 +42,6 @@ _KINDS = (
     (b"{\\rtf", "is a text document"),
 )
 _REMEDY = "hand in a table as CSV, xlsx or TOML"
-_DATE = re.compile(r"(\d{4})[-_.](\d{1,2})[-_.](\d{1,2})|(\d{1,2})[-_.](\d{1,2})[-_.](\d{4})")
 _UNSEEN = ("__macosx", "thumbs.db", "desktop.ini")
 
 
@@ -80,7 +80,12 @@ def read_answers(place: Path, items: Sequence[Item], keys: Sequence[Key], step: 
 def read_own(file: Path, items: Sequence[Item], step: float = 0.0) -> HandIn:
     """The answers of the one student whose file it is; raises `UnreadableError`."""
     tables = tables_of(file, Names(items), Roster(()), step)
-    return hand_in(1, file.name, [entry for table in tables for entry in table.entries], items)
+    entries = [entry for table in tables for entry in table.entries]
+    students = list(dict.fromkeys(entry.student for entry in entries if entry.student))
+    if len(students) > 1:
+        some = ", ".join(map(show, students[:SHOWN]))
+        raise UnreadableError(f"tells of {len(students)} students: {some}", "leave your own answers alone in it")
+    return _with_strange(hand_in(1, _one_line(file.name), entries, items), tables)
 
 
 def tables_of(file: Path, names: Names, roster: Roster, step: float) -> list[Table]:
@@ -129,7 +134,7 @@ def _content(file: Path) -> bytes:
 def _files(place: Path) -> Iterator[_File | Refused]:
     """The files of a place in the order of time, and what is there besides."""
     if not place.is_dir():
-        yield _File(place, place.name, ((), 0.0, place.name))
+        yield _File(place, _one_line(place.name), ((), 0.0, place.name))
         return
     found, others = list[_File](), list[Refused]()
     for each in _within(place, (), others):
@@ -149,7 +154,7 @@ def _within(folder: Path, above: tuple[str, ...], others: list[Refused]) -> Iter
         return
     for each in entries:
         parts = (*above, each.name)
-        source = "/".join(parts)
+        source = _one_line("/".join(parts))
         if each.name.startswith((".", "~$")) or each.name.casefold() in _UNSEEN:
             continue
         if each.is_symlink():
@@ -164,13 +169,18 @@ def _within(folder: Path, above: tuple[str, ...], others: list[Refused]) -> Iter
             yield _File(Path(each.path), source, (tuple(n for part in above for n in _turn(part)), time, source))
 
 
+def _one_line(name: str) -> str:
+    """The name of a file as messages and tables show it."""
+    return printable(name).replace("\n", "\\n")
+
+
 def _turn(folder: str) -> tuple[int, ...]:
     """What a folder says of the time: its date, or the number that it is; nothing where it says neither.
 
     >>> _turn("2026-05-12"), _turn("12.05.2026"), _turn("2 again"), _turn("Bondar_123_file")
     ((2026, 5, 12), (2026, 5, 12), (2,), ())
     """
-    if match := _DATE.search(folder):
+    if match := DATE.search(folder):
         year, month, day, *_ = match.groups() if match[1] else reversed(match.groups())
         return int(year), int(month), int(day)
     numbered = re.match(r"\d{1,4}(?!\d)", folder)
@@ -199,17 +209,18 @@ def _by_student(
         faults.append(
             Refused(source, f"names nobody of the roster, or several: {some}{more}", "write the number of the variant")
         )
-    strange = [name for table in tables for name in table.unknown]
-    remarks = _strange(strange) if len(found) == 1 else ()
     made = [hand_in(number, source, entries, items) for number, entries in found.items()]
-    return [HandIn(each.number, each.source, each.answers, each.remarks + remarks) for each in made], faults
+    return [_with_strange(made[0], tables)] if len(made) == 1 else made, faults
 
 
-def _strange(names: Sequence[str]) -> tuple[str, ...]:
+def _with_strange(found: HandIn, tables: Sequence[Table]) -> HandIn:
+    """A hand-in with a remark on the names in its tables that nobody has asked for."""
+    names = [name for table in tables for name in table.unknown]
     if not names:
-        return ()
+        return found
     more = f" and {len(names) - SHOWN} more" if len(names) > SHOWN else ""
-    return (f"not asked: {', '.join(map(show, names[:SHOWN]))}{more}",)
+    remark = f"not asked: {', '.join(map(show, names[:SHOWN]))}{more}"
+    return HandIn(found.number, found.source, found.answers, (*found.remarks, remark))
 
 
 def _owner(source: str, tables: Sequence[Table], roster: Roster) -> int:

@@ -131,7 +131,6 @@ def standing_said(standing: Standing) -> str:
         Standing.wrong: tr("wrong answer"),
         Standing.unreadable: tr("unreadable"),
         Standing.missing: tr("missing"),
-        Standing.unasked: tr("not asked"),
     }[standing]
 
 

@@ -105,7 +105,7 @@ class AskedTable(Table):
     after: Other = Field(
         default=[],
         description="Names of asked results that it is computed from: one that is wrong there and carried on rightly "
-        'counts. With a power, `"omega_3^2"`, it follows it by this one; without it 1, 2 and -1 are tried.',
+        'counts. With a power, `"omega_3^2"`, it follows it by this one; without it by 1.',
     )
     either_sense: bool = Field(default=False, description="Whether the assignment leaves its sign open.")
 

@@ -91,7 +91,7 @@ def command(
     _check(out, "-o", TABLES)
     _check(full, "--full", (*TABLES, *PRINTED))
     _check(gradebook, "--gradebook", TABLES[:2])
-    check_apart(out, full, gradebook)
+    check_apart(out, full, gradebook, sheets, where="-o, --full, --gradebook, --sheets")
     if sheets is not None:
         if sheets.is_file() or other_kind(sheets) not in ("", "a folder"):
             raise UsageError(f"{sheets} is no folder", where="--sheets", remedy="name a folder, which is made")
@@ -105,6 +105,8 @@ def command(
     from tmmcalc.classroom.statistics import statistics_of
 
     marks, book, scene = graded(place, answers, keys)
+    for refused in marks.refused:
+        warn(f"{refused.source} {refused.message}" + (f"\n  -> {refused.remedy}" if refused.remedy else ""))
     statistics = statistics_of(marks)
     with speaking(spoken_in(scene, language)):
         if out is not None:
@@ -118,8 +120,6 @@ def command(
         if sheets is not None:
             _write_sheets(sheets, marks, sheet_form)
     show(marks_document(marks, statistics), form)
-    for refused in marks.refused:
-        warn(f"{refused.source} {refused.message}" + (f"\n  -> {refused.remedy}" if refused.remedy else ""))
     if not quiet:
         note_written(*(file for file in (out, full, gradebook, sheets) if file is not None))
 
