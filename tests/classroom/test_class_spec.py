@@ -125,7 +125,7 @@ FAULTS = {
         "make plans larger",
     ),
     "a tolerance above that of plans": (
-        asked('omega_2@1"\ntolerance = 0.04'),
+        asked('omega_2@1"\nplans = 0.03\ntolerance = 0.04'),
         "plans within 3 % are more accurate than right answers, within 4 %",
         "or tolerance smaller",
     ),

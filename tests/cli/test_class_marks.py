@@ -160,8 +160,14 @@ def test_keys_of_something_else(cli: Cli, spec: Path, folder: Path, change: tupl
         (["assignment.toml", "nowhere"], "there is no nowhere"),
         (["my.toml", "answers"], "nothing is asked"),
         (["assignment.toml", "answers", "-o", "marks.doc"], "no table of marks"),
-        (["assignment.toml", "answers", "-o", "a.csv", "--full", "a.csv"], "-o, --full, --sheets: a.csv would be"),
-        (["assignment.toml", "answers", "-o", "a.csv", "--sheets", "a.csv"], "-o, --full, --sheets: a.csv would be"),
+        (
+            ["assignment.toml", "answers", "-o", "a.csv", "--full", "a.csv"],
+            "-o, --full, --gradebook, --sheets: a.csv would be",
+        ),
+        (
+            ["assignment.toml", "answers", "-o", "a.csv", "--sheets", "a.csv"],
+            "-o, --full, --gradebook, --sheets: a.csv would be",
+        ),
         (["assignment.toml", "answers", "--keys", "nowhere"], "there are no keys"),
         (["assignment.toml", "answers", "--sheets", "my.toml"], "no folder"),
     ],

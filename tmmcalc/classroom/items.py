@@ -105,15 +105,16 @@ def _judged(
     result: str, unit: str, within: float, asked: AskedTable, table: ClassTable, places: Mapping[str, int]
 ) -> Item:
     """An item of this result, with names and tolerances as they stand in the spec."""
+    tolerance, plans = float(asked.tolerance or table.tolerance), float(asked.plans or table.plans)
     after = dict(sorted((places[name.casefold()], power) for name, power in map(followed, asked.after)))
     return Item(
         asked.name or asked.result,
         tuple(asked.also),
         result,
         unit,
-        float(asked.tolerance or table.tolerance),
+        tolerance,
         within,
-        float(asked.plans or table.plans),
+        max(plans, tolerance),
         float(asked.weight),
         asked.digits or table.digits,
         tuple(after),

@@ -139,7 +139,9 @@ class ClassTable(Table):
         "of the assignment itself.",
     )
     tolerance: Tolerance = Field(default=Fraction(1, 100), description="Within it an answer is right.")
-    plans: Tolerance = Field(default=Fraction(3, 100), description="Accuracy of plans: right, but by a drawing.")
+    plans: Tolerance = Field(
+        default=Fraction(3, 100), description="Accuracy of plans: right, but by a drawing; no less than `tolerance`."
+    )
     for_plans: Share = Field(
         default=Fraction(1, 2), description="Part of the points for an answer within the accuracy of plans."
     )

@@ -123,25 +123,23 @@ def check_asked(outline: Outline) -> Iterator[Finding]:
 
 
 def check_plans(outline: Outline) -> Iterator[Finding]:
-    """Plans are less accurate than answers that are right: else no answer is within them alone."""
+    """Plans of which an accuracy is given are less accurate than right answers: else no answer is within them alone."""
     own = outline.document.get("class", {})
     if not isinstance(own, dict):
         return
     for path, table in (((), own), *((("asked", index), table) for index, table in tables(own, "asked"))):
         given = {key: table.get(key, own.get(key)) for key in ("tolerance", "plans")}
-        if not table.keys() & given.keys():
+        if given["plans"] is None or not table.keys() & given.keys():
             continue
-        tolerance, plans = (_part(given[key], default) for key, default in (("tolerance", 0.01), ("plans", 0.03)))
+        tolerance, plans = 0.01 if given["tolerance"] is None else _part(given["tolerance"]), _part(given["plans"])
         if tolerance is not None and plans is not None and plans < tolerance:
             key = "plans" if "plans" in table else "tolerance"
             rule = f"plans within {100 * plans:g} % are more accurate than right answers, within {100 * tolerance:g} %"
             yield Finding(("class", *path, key), rule, "make plans larger, or tolerance smaller")
 
 
-def _part(value: object, default: float) -> float | None:
+def _part(value: object) -> float | None:
     """A part as it is written, 0.01 or "1 %"; None of what is none, whose own fault is told."""
-    if value is None:
-        return default
     text = str(value).strip()
     try:
         return float(text.removesuffix("%")) / (100 if text.endswith("%") else 1)
