@@ -16,6 +16,7 @@ import pytest
 from sparing import sparing
 
 from tmmcalc.core.plan import plan
+from tmmcalc.feasibility.tables.tasks.feasibility import to_feasibility
 from tmmcalc.gears.wanted import NO_KEPT
 from tmmcalc.linkage.stages.forces import GEAR, INERTIA
 from tmmcalc.linkage.stages.kinematics import EXTRA, LOOPS
@@ -159,8 +160,13 @@ def faults(name: str, seen: Mapping[str, Any]) -> list[str]:
 
 
 def imports(spec: Spec, running: tuple[str, ...], seen: Mapping[str, Any]) -> list[str]:
-    """Modules of stages that do not run, of tables that the spec has not, and of what stands outside the rooms."""
+    """Modules of stages that do not run, of tables that the spec has not, and of what stands outside the rooms.
+
+    A constraint on a fact reads the documents, where facts are told.
+    """
     modules = {name.removeprefix("tmmcalc.") for name in seen["modules"]}
+    if any(each.given is None and each.asked.fact for each in to_feasibility(spec).constraints):
+        modules = {name for name in modules if placed(name)[0] != "report" and placed(name)[1] != "facts"}
     judged = "feasibility" in running  # designs are judged by the stages of their own specs
     stages = {stage.home.removeprefix("tmmcalc.") for name, stage in STAGES.items() if name not in running}
     return [
