@@ -17,8 +17,11 @@ from tmmcalc.batch.stacked_machine import MACHINE
 from tmmcalc.batch.stacked_results import Results
 from tmmcalc.batch.task import Task, verdict
 from tmmcalc.core.errors import TmmError, UsageError
+from tmmcalc.naming.language import Name, parse
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from tmmcalc.pipeline.outcome import RunResult
 
 TRIED = 16  # points over the sweep, one of which has to have a solution
@@ -90,8 +93,22 @@ def _columns(task: Task, base: RunResult) -> dict[str, Asked]:
     if not (task.patterns and task.targets) or not COLUMNS.issuperset(base.outcomes):
         return {}
     names = [name for name, _ in told(base.results, task.patterns)]
+    if _told_by_others(task.patterns, names, base):
+        return {}
     found = {name: each for name in names if (each := asked(name, base)) is not None}
     return found if len(found) == len(names) else {}
+
+
+def _told_by_others(patterns: Sequence[str], names: Sequence[str], base: RunResult) -> bool:
+    """Whether wildcards ask for strokes that the base has not, as its output goes round, and others may have."""
+    from tmmcalc.linkage.stacked.tables import STROKES
+
+    found = {parse(name).what for name in names}
+    strokes = (
+        Name("kinematics", "", f"{kind}_{out}") for kind in STROKES for out in base.results["kinematics"].outputs
+    )
+    asked_for = [name._replace(unit=None) for name in map(parse, patterns) if name.fact and name.wild]
+    return any(each.what not in found and any(name.fits(each) for name in asked_for) for each in strokes)
 
 
 def _compiled(task: Task, base: RunResult, inputs: Inputs, columns: dict[str, Asked]) -> Columns | Results | str:
