@@ -104,6 +104,7 @@ def test_empty_tables_are_read_and_those_that_are_filled_stay(folder: Path, scho
     pile = read_answers(folder / "answers", school.items, school.book.keys)
     assert not pile.refused
     assert pile.hand_ins == ()  # an empty table is none
+    assert pile.empty
     for file in (folder / "answers").glob("*.csv"):
         file.write_text(file.read_text(encoding="utf-8").replace(";;", ";1,5;"), encoding="utf-8")
     pile = read_answers(folder / "answers", school.items, school.book.keys)

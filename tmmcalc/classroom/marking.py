@@ -53,6 +53,7 @@ class Marks:
     marked: tuple[Marked, ...]  # by student, of one student in the order of time
     absent: tuple[Key, ...]  # who handed in nothing
     refused: tuple[Refused, ...]
+    empty: tuple[str, ...]  # files without an answer
     most: float  # points that there are
 
     @property
@@ -76,6 +77,7 @@ def mark(book: Keybook, pile: Pile, rules: Rules) -> Marks:
         tuple(sorted(marked, key=lambda each: each.number)),
         tuple(key for key in book.keys if key.number not in last),
         pile.refused,
+        pile.empty,
         math.fsum(item.weight for item in book.items),
     )
 

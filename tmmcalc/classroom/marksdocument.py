@@ -25,6 +25,7 @@ def marks_document(marks: Marks, statistics: Statistics) -> Document:
         Fact("handed in", str(statistics.students), {"students": statistics.students}),
         Fact("nothing from", str(len(marks.absent)), {"absent": len(marks.absent)}),
         Fact("not read", str(len(marks.refused)), {"refused": len(marks.refused)}),
+        Fact("empty tables", str(len(marks.empty)), {"empty": len(marks.empty)}),
         Fact("mean", "" if mean is None else f"{number(mean, 4)} of {number(marks.most)} points", {"mean": mean}),
     )
     sheet = grades(marks)

@@ -51,6 +51,7 @@ class Pile:
 
     hand_ins: tuple[HandIn, ...]
     refused: tuple[Refused, ...]
+    empty: tuple[str, ...] = ()  # files that ask for results and answer none, as tables do that were given out
 
 
 def hand_in(number: int, source: str, entries: Sequence[Entry], items: Sequence[Item]) -> HandIn:

@@ -58,7 +58,7 @@ def read_answers(place: Path, items: Sequence[Item], keys: Sequence[Key], step: 
     ``step`` is the angle [deg] between positions, by which a table over angles is read; 0: not known.
     """
     names, roster = Names(items), Roster(keys)
-    hand_ins, refused = list[HandIn](), list[Refused]()
+    hand_ins, refused, empty = list[HandIn](), list[Refused](), list[str]()
     for each in _files(place):
         if isinstance(each, Refused):
             refused.append(each)
@@ -72,9 +72,12 @@ def read_answers(place: Path, items: Sequence[Item], keys: Sequence[Key], step: 
         except Exception as error:  # one file that breaks the program must not end the others
             refused.append(Refused(each.source, f"{UNFORESEEN} ({type(error).__name__})", _REMEDY))
             continue
-        hand_ins += (each for each in found if any(answer.text for answer in each.answers))  # not an empty table
+        answered = [each for each in found if any(answer.text for answer in each.answers)]
+        if not answered and not faults:
+            empty.append(each.source)
+        hand_ins += answered
         refused += faults
-    return Pile(tuple(hand_ins), tuple(refused))
+    return Pile(tuple(hand_ins), tuple(refused), tuple(empty))
 
 
 def read_own(file: Path, items: Sequence[Item], step: float = 0.0) -> HandIn:
