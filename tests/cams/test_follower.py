@@ -66,7 +66,7 @@ def test_the_envelope_of_the_flat_face():
 
 
 def test_curvature_of_an_offset_stem_in_closed_form():
-    """(5.35) with the digest's closed form for an offset."""
+    """(5.35) with the closed form for an offset."""
     follower, program = FOLLOWERS[1], turn("sine", "shun")
     y, y1, y2, _ = program.at(PHI)
     s, e = follower.start + y, follower.offset

@@ -82,7 +82,7 @@ def test_of_equal_accelerations_the_rising_one_counts(name):
     assert LAWS[name].at(np.array([found.acceleration_at]))[2, 0] == pytest.approx(found.acceleration, rel=1e-9)
 
 
-# max(s's'') and its k as in the digest of table 5.1
+# max(s's'') and its k as in table 5.1
 POWERS = {
     "sine": (3 * sqrt(3) * pi / 2, 1 / 3),
     "cosine": (pi**3 / 8, 0.25),

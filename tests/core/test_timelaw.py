@@ -86,7 +86,7 @@ def test_travel_and_duration_settle_the_speed(travel: float, acceleration: float
     assert law.duration == pytest.approx(duration, rel=1e-12)
     assert motion(law, np.array([law.duration]))[0, 0] == pytest.approx(travel, rel=1e-12)
     assert law.ramp_travel * 2 + law.uniform_travel == pytest.approx(abs(travel), rel=1e-11)
-    # (2.65) solved for v_p by the formula of the digest
+    # (2.65) solved for v_p in closed form
     root = acceleration * (duration - math.sqrt(duration**2 - 4 * abs(travel) / acceleration)) / 2
     assert law.speed == pytest.approx(root, rel=1e-9)
 

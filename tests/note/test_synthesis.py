@@ -1,4 +1,4 @@
-"""The note on the synthesis of linkages beside the digest's worked examples, and what each way of asking tells."""
+"""The note on the synthesis of linkages beside worked examples, and what each way of asking tells."""
 
 from __future__ import annotations
 
@@ -245,8 +245,8 @@ def test_every_kind_that_a_spec_may_ask_is_told() -> None:
     assert set(KINDS) <= specs
 
 
-def test_the_slider_crank_of_the_digest() -> None:
-    """Example 1 of digest 06, B2, recomputed."""
+def test_the_slider_crank_of_a_worked_example() -> None:
+    """Recomputed from its given numbers."""
     found = worked("synth-slider-crank")
     for name, value in (
         ("λ", 0.25783),
@@ -265,8 +265,8 @@ def test_the_slider_crank_of_the_digest() -> None:
         assert found[name] == pytest.approx(value, rel=3e-5), name
 
 
-def test_the_slotted_links_of_the_digest(tmp_path: Path) -> None:
-    """Example 2 of digest 06, B3, where the end of the swing counts, and the case in which the middle does; B4."""
+def test_the_slotted_links_of_worked_examples(tmp_path: Path) -> None:
+    """One where the end of the swing counts, and the case in which the middle does."""
     for found, values in (
         (worked("synth-slotted-link"), {"n_1": 150, "ψ": 30, "R": 0.54092, "r": 0.11186, "L": 0.43221, "l": 0.44638}),
         (

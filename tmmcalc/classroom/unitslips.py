@@ -30,12 +30,12 @@ def lengths_swapped(unit: str) -> float:
     >>> lengths_swapped("m/s"), lengths_swapped("mm"), lengths_swapped("kg*m^2"), lengths_swapped("m/m")
     (1000.0, 0.001, 1000000.0, nan)
     """
-    found = LENGTH.findall(unit)
+    found = [*LENGTH.finditer(unit)]
     if len(found) != 1:
         return nan
-    length, power = found[0]
-    over = -1 if "/" in unit[: LENGTH.search(unit).start()] else 1  # type: ignore[union-attr]
-    return float(1000.0 ** ((1 if length == "m" else -1) * int(power or 1) * over))
+    length, power = found[0].groups("1")
+    over = -1 if "/" in unit[: found[0].start()] else 1
+    return float(1000.0 ** ((1 if length == "m" else -1) * int(power) * over))
 
 
 def prefixes_swapped(unit: str) -> float:

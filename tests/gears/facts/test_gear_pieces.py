@@ -151,7 +151,7 @@ WHEELS = [(name, place) for name in ("spur", "undercut", "large", "ring", "helic
 class TestPoints:
     @pytest.mark.parametrize(("name", "place"), WHEELS)
     def test_they_lie_on_the_exact_outline(self, name: str, place: int) -> None:
-        """On paper, but where the circle of the textbook stands for the ellipse of a helical rack (digest 04, 1)."""
+        """On paper, but where the circle of the textbook stands for the ellipse of a helical rack."""
         drawing, board, member = points(name, place)
         half = half_tooth(member)
         outline = np.concatenate([*runs_of(member, half).values()])

@@ -1,4 +1,4 @@
-"""The transfer function of the follower is given for its velocity or acceleration (digest 08)."""
+"""The transfer function of the follower is given for its velocity or acceleration."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Friction of the follower in its guide is left out (digest 08)."""
+"""Friction of the follower in its guide is left out."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The transfer function of the follower is per degree in place of per radian (digest 08)."""
+"""The transfer function of the follower is per degree in place of per radian."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The rate per second is given for the transfer function of the follower (digest 08)."""
+"""The rate per second is given for the transfer function of the follower."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The number of revolutions a minute of the cam is taken for radians a second (digest 08)."""
+"""The number of revolutions a minute of the cam is taken for radians a second."""
 
 from __future__ import annotations
 

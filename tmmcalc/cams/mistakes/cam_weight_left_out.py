@@ -1,4 +1,4 @@
-"""The weight of the follower is left out (digest 08)."""
+"""The weight of the follower is left out."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The diameter of the roller is taken for its radius (digest 08)."""
+"""The diameter of the roller is taken for its radius."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Degrees are given for radians, or radians for degrees (digest 08)."""
+"""Degrees are given for radians, or radians for degrees."""
 
 from __future__ import annotations
 

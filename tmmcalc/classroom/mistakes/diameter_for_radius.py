@@ -1,4 +1,4 @@
-"""The diameter is given for the radius (digest 08)."""
+"""The diameter is given for the radius."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A ratio is inverted (digest 08)."""
+"""A ratio is inverted."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A force is given in kilograms-force in place of newtons: the weight is not multiplied by g (digest 08)."""
+"""A force is given in kilograms-force in place of newtons: the weight is not multiplied by g."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Millimetres are given for metres, or metres for millimetres (digest 08)."""
+"""Millimetres are given for metres, or metres for millimetres."""
 
 from __future__ import annotations
 

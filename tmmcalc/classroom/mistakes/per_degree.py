@@ -1,4 +1,4 @@
-"""A derivative is given per degree of the angle in place of per radian (digest 08)."""
+"""A derivative is given per degree of the angle in place of per radian."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The value of the position before is given (digest 08: the neighbour position n - 1)."""
+"""The value of the position before is given (the neighbour position n - 1)."""
 
 from __future__ import annotations
 

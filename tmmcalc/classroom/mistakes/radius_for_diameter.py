@@ -1,4 +1,4 @@
-"""The radius is given for the diameter (digest 08)."""
+"""The radius is given for the diameter."""
 
 from __future__ import annotations
 

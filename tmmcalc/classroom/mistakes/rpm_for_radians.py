@@ -1,4 +1,4 @@
-"""Revolutions a minute are given for radians a second, or the other way (digest 08)."""
+"""Revolutions a minute are given for radians a second, or the other way."""
 
 from __future__ import annotations
 

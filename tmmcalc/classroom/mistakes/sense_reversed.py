@@ -1,4 +1,4 @@
-"""The sense of one value is reversed (digest 08, section 3)."""
+"""The sense of one value is reversed."""
 
 from tmmcalc.core.mistake import OFTEN, Asked, Mistake
 

@@ -9,14 +9,14 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, NamedTuple
 
-from tmmcalc.classroom.papers.making import Order, Scene, make_papers, traced
+from tmmcalc.classroom.papers.making import Order, Scene, make_papers, order_of, traced
 from tmmcalc.classroom.papers.tasksheet import given_of, meanings_of, said_in
 from tmmcalc.note.assembled import drawn, inline
 from tmmcalc.note.task import row_of
 from tmmcalc.note.tree import plain_text
 from tmmcalc.pipeline.chapters import task_of
 from tmmcalc.report.drawing.svg import svg
-from tmmcalc.report.language import spoken, tr, tr_unit
+from tmmcalc.report.language import tr, tr_unit
 from tmmcalc.report.printing import printed_as
 
 if TYPE_CHECKING:
@@ -53,18 +53,7 @@ def scenes_of(
     own, further = traced(assignment)
     with TemporaryDirectory() as place:
         orders = [
-            Order(
-                each.number,
-                each.student,
-                each.assignments,
-                tuple(items),
-                str(Path(place) / f"{each.number}.json"),
-                spoken(),
-                MAKER,
-                own,
-                further,
-            )
-            for each in made.variants
+            order_of(each, items, Path(place) / f"{each.number}.json", MAKER, own, further) for each in made.variants
         ]
         make_papers(assignment, orders, jobs=jobs, tell=tell, told=told)
         return [Told(*json.loads(Path(order.target).read_bytes())) for order in orders]

@@ -25,12 +25,13 @@ from tmmcalc.note.task import row_of
 from tmmcalc.pipeline.chapters import task_of
 from tmmcalc.pipeline.runner import run
 from tmmcalc.project.loader import Variants, read_text
-from tmmcalc.report.language import speaking, tr
+from tmmcalc.report.language import speaking, spoken, tr
 from tmmcalc.report.manuscript import Datum
 from tmmcalc.report.printing import printing
 from tmmcalc.spec.override import split
 
 if TYPE_CHECKING:
+    from tmmcalc.classroom.state import Variant
     from tmmcalc.pipeline.outcome import RunResult
     from tmmcalc.project import Spec
 
@@ -58,6 +59,28 @@ class Order(NamedTuple):
         """Keys and values of these numbers."""
         values = (split(self.assignments[at]) for at in self.further)
         return {key: value.strip('"') for key, value in values}
+
+
+def order_of(
+    variant: Variant,
+    items: Sequence[Item],
+    target: Path,
+    maker: str,
+    own: Own = frozenset(),
+    further: tuple[int, ...] = (),
+) -> Order:
+    """The paper of a variant of a class, in the language in force."""
+    return Order(
+        variant.number,
+        variant.student,
+        variant.assignments,
+        tuple(items),
+        str(target),
+        spoken(),
+        maker,
+        own,
+        further,
+    )
 
 
 class Scene(NamedTuple):
@@ -92,7 +115,9 @@ def make_papers(
     for rows in local(processes, tell)(task, [[order] for order in orders]):
         for row in rows:
             if not row.ok:
-                raise NoSolutionError(row.reason, where=f"variant {row.point}", remedy="draw this variant again")
+                raise NoSolutionError(
+                    row.reason, where=f"variant {row.point}", remedy="make the class anew: class make --fresh"
+                )
         done += len(rows)
         told(done)
 

@@ -8,10 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tmmcalc.classroom.papers.blank import blank
-from tmmcalc.classroom.papers.making import Order, make_papers, traced
+from tmmcalc.classroom.papers.making import make_papers, order_of, traced
 from tmmcalc.core.atomic import blamed_on, replace_file
 from tmmcalc.note.forms import FORMS
-from tmmcalc.report.language import spoken
 
 if TYPE_CHECKING:
     from tmmcalc.classroom.model import Item
@@ -41,20 +40,7 @@ def write_sheets(
     assignment = made.file(folder)
     own, further = traced(assignment)
     sheets, answers = folder / SHEETS, folder / ANSWERS
-    orders = [
-        Order(
-            each.number,
-            each.student,
-            each.assignments,
-            tuple(items),
-            str(sheets / f"{each.stem}.{form}"),
-            spoken(),
-            MAKER,
-            own,
-            further,
-        )
-        for each in made.variants
-    ]
+    orders = [order_of(each, items, sheets / f"{each.stem}.{form}", MAKER, own, further) for each in made.variants]
     make_papers(assignment, orders, jobs=jobs, tell=tell, told=told)
     stems = {each.stem for each in made.variants}
     for file in sheets.iterdir():
@@ -81,8 +67,5 @@ def write_notes(
     told: Callable[[int], None] = lambda done: None,
 ) -> None:
     """The worked solution of each variant, for the teacher, in the language in force."""
-    orders = [
-        Order(each.number, each.student, each.assignments, (), str(place / f"{each.stem}.{form}"), spoken(), NOTES)
-        for each in made.variants
-    ]
+    orders = [order_of(each, (), place / f"{each.stem}.{form}", NOTES) for each in made.variants]
     make_papers(made.file(folder), orders, jobs=jobs, tell=tell, told=told)

@@ -1,4 +1,4 @@
-"""The base circle is taken for the reference circle (digest 08)."""
+"""The base circle is taken for the reference circle."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The ratio of the chosen train is inverted (digest 08)."""
+"""The ratio of the chosen train is inverted."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The ratio of the chosen planetary train is worked out without the 1 (digest 08; textbook 4.19)."""
+"""The ratio of the chosen planetary train is worked out without the 1 (textbook 4.19)."""
 
 from __future__ import annotations
 

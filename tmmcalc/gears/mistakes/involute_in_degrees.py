@@ -1,4 +1,4 @@
-"""The involute function has its angle in degrees: inv alpha = tan alpha - alpha (digest 08)."""
+"""The involute function has its angle in degrees: inv alpha = tan alpha - alpha."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The module is doubled: the radius is m z in place of m z/2 (digest 08)."""
+"""The module is doubled: the radius is m z in place of m z/2."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The ratio of a planetary train is that of its teeth, without the 1 (digest 08; textbook 4.19)."""
+"""The ratio of a planetary train is that of its teeth, without the 1 (textbook 4.19)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The reference circle is taken for the base circle (digest 08: pitch for base)."""
+"""The reference circle is taken for the base circle (pitch for base)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The profile shifts of the two wheels are swapped (digest 08)."""
+"""The profile shifts of the two wheels are swapped."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The transfer function is given for the velocity or the acceleration, not multiplied by omega_1 (digest 08)."""
+"""The transfer function is given for the velocity or the acceleration, not multiplied by omega_1."""
 
 from __future__ import annotations
 

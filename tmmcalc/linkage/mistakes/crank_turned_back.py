@@ -1,4 +1,4 @@
-"""The crank is turned the other way (digest 08, section 3)."""
+"""The crank is turned the other way."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Friction in the pairs is left out (digest 08, section 3)."""
+"""Friction in the pairs is left out."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Friction acts in the wrong sense: it helps (digest 08, section 3)."""
+"""Friction acts in the wrong sense: it helps."""
 
 from __future__ import annotations
 

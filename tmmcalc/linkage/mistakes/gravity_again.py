@@ -1,4 +1,4 @@
-"""What is a weight already is multiplied by g (digest 08: g twice)."""
+"""What is a weight already is multiplied by g (g twice)."""
 
 from __future__ import annotations
 

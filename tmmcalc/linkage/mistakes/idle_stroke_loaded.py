@@ -1,4 +1,4 @@
-"""The useful resistance acts on the idle stroke too (digest 08, section 3)."""
+"""The useful resistance acts on the idle stroke too."""
 
 from __future__ import annotations
 

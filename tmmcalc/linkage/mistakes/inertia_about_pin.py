@@ -1,4 +1,4 @@
-"""The moment of inertia is taken about the origin of the axes of the link: I + m s^2 (digest 08, section 3)."""
+"""The moment of inertia is taken about the origin of the axes of the link: I + m s^2."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Positions are counted from the other extreme position (digest 08, section 3)."""
+"""Positions are counted from the other extreme position."""
 
 from __future__ import annotations
 

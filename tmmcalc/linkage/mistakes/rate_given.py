@@ -1,4 +1,4 @@
-"""The velocity or the acceleration is given, per second, in place of the transfer function (digest 08)."""
+"""The velocity or the acceleration is given, per second, in place of the transfer function."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Weights are left out of the forces (digest 08, section 3)."""
+"""Weights are left out of the forces."""
 
 from __future__ import annotations
 

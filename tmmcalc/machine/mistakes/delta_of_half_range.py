@@ -1,4 +1,4 @@
-"""The unevenness is taken as that of half the range: (omega_max - omega_mean)/omega_mean (digest 08)."""
+"""The unevenness is taken as that of half the range: (omega_max - omega_mean)/omega_mean."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The unevenness that is read off is that of half the range (digest 08)."""
+"""The unevenness that is read off is that of half the range."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The inertia of the flywheel is not brought to its own shaft (digest 08)."""
+"""The inertia of the flywheel is not brought to its own shaft."""
 
 from __future__ import annotations
 

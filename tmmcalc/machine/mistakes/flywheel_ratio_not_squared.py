@@ -1,4 +1,4 @@
-"""The inertia of the flywheel is brought to its own shaft by u and not by u^2 (digest 08)."""
+"""The inertia of the flywheel is brought to its own shaft by u and not by u^2."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The work of half a cycle is taken for that of a whole one (digest 08)."""
+"""The work of half a cycle is taken for that of a whole one."""
 
 from __future__ import annotations
 

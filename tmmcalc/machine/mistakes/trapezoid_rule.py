@@ -1,4 +1,4 @@
-"""Works are summed up by the trapezoid rule in place of Simpson's (digest 08; textbook 3.38)."""
+"""Works are summed up by the trapezoid rule in place of Simpson's (textbook 3.38)."""
 
 from __future__ import annotations
 
