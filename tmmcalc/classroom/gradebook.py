@@ -11,8 +11,8 @@ from collections.abc import Sequence
 
 from tmmcalc.classroom.marking import Marked, Marks
 from tmmcalc.classroom.marksheets import hints_of
-from tmmcalc.classroom.papers.results import standing_said
 from tmmcalc.classroom.verdicts import Standing
+from tmmcalc.classroom.wording import standing_said
 from tmmcalc.core.printable import printable
 from tmmcalc.report.language import tr
 from tmmcalc.report.worksheets import Worksheet

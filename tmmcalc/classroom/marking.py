@@ -12,6 +12,7 @@ from tmmcalc.classroom.carrying import OFF, carried_values, plausible
 from tmmcalc.classroom.explaining import Explanation, explain
 from tmmcalc.classroom.model import Item, Key, Keybook, Told, Values
 from tmmcalc.classroom.verdicts import Standing, rounding, standing_of
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 
 
@@ -136,5 +137,5 @@ def _is_few(item: Item, answer: Answer) -> bool:
 
 
 def _few(item: Item, answer: Answer) -> str:
-    figures = "figure" if answer.figures == 1 else "figures"
-    return f"{item.name}: {answer.figures} {figures}, {item.digits} are asked"
+    told, asked = answer.figures, item.digits
+    return Phrase("{item}: {told} of the {asked} figures that are asked", item=item.name, told=told, asked=asked)

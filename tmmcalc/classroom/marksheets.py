@@ -16,9 +16,11 @@ from tmmcalc.classroom.marking import Marked, Marks
 from tmmcalc.classroom.model import Key, Keybook, Told
 from tmmcalc.classroom.statistics import Statistics
 from tmmcalc.classroom.verdicts import Standing, distance
+from tmmcalc.classroom.wording import cell_of, header_of, standing_said, title_of
 from tmmcalc.core.cells import harmless
 from tmmcalc.core.printable import printable
-from tmmcalc.report.language import tr, tr_name
+from tmmcalc.report.language import tr, tr_name, tr_unit
+from tmmcalc.report.numbers import number
 from tmmcalc.report.worksheets import Worksheet
 
 FIGURES = 5  # of numbers that people compare
@@ -72,12 +74,18 @@ def _answers(marks: Marks, keys: dict[int, Key]) -> Worksheet:
             _off(each, marks, keys[each.number], k),
             str(each.standings[k]),
             _tidy(each.points[k]),
-            each.answers[k].fault or "; ".join(told(x, marks.mistakes) for x in each.explanations if k in x.items),
+            _why(each, k, marks.mistakes),
         ]
         for each in marks.marked
         for k, item in enumerate(marks.items)
     ]
     return _sheet("answers", headers, rows)
+
+
+def _why(each: Marked, k: int, mistakes: Sequence[Told]) -> str:
+    """Why an answer is no number, or what explains it."""
+    fault = each.answers[k].fault
+    return tr_name(fault) if fault else "; ".join(told(x, mistakes) for x in each.explanations if k in x.items)
 
 
 def _off(each: Marked, marks: Marks, key: Key, k: int) -> str:
@@ -96,7 +104,7 @@ def _explanations(marks: Marks) -> Worksheet:
             ", ".join(marks.items[k].name for k in x.items),
             ", ".join(marks.items[k].name for k in x.against),
             _percent(x.deviation),
-            f"{x.odds:.1e}",
+            float(f"{x.odds:.1e}"),
         ]
         for each in marks.marked
         for x in each.explanations
@@ -144,21 +152,25 @@ def _made(marks: Marks, statistics: Statistics) -> Worksheet:
 
 def _remarks(marks: Marks, statistics: Statistics, keys: dict[int, Key]) -> Worksheet:
     rows = [
-        ["file", each.source, f"{each.message}{f'; {each.remedy}' if each.remedy else ''}"] for each in marks.refused
+        [tr("file"), each.source, f"{each.message}{f'; {each.remedy}' if each.remedy else ''}"]
+        for each in marks.refused
     ]
     for each in marks.marked:
-        rows += [["answers", _who(each.number, keys), f"{each.source}: {remark}"] for remark in each.remarks]
+        rows += [
+            [tr("answers"), _who(each.number, keys), f"{each.source}: {tr_name(remark)}"] for remark in each.remarks
+        ]
         if not each.counts:
-            said = f"{each.source}: {_tidy(each.total)} points; a later one counts"
-            rows.append(["earlier hand-in", _who(each.number, keys), said])
+            said = tr("{file}: {points} points; a later one counts", file=each.source, points=number(each.total))
+            rows.append([tr("earlier hand-in"), _who(each.number, keys), said])
     for equal in statistics.equal:
         who = ", ".join(_who(number, keys) for number in equal.numbers)
         name = marks.items[equal.item].name
-        rows.append(["equal numbers", who, f"{name}: {equal.text} stands in each, where other numbers are right"])
+        said = tr("{name}: {answer} stands in each, where other numbers are right", name=name, answer=equal.text)
+        rows.append([tr("equal numbers"), who, said])
     for foreign in statistics.foreign:
         names = ", ".join(marks.items[k].name for k in foreign.items)
-        said = f"{names}: wrong here, right in variant {_who(foreign.other, keys)}"
-        rows.append(["answers of another variant", _who(foreign.number, keys), said])
+        said = tr("{names}: wrong here, right in variant {other}", names=names, other=_who(foreign.other, keys))
+        rows.append([tr("answers of another variant"), _who(foreign.number, keys), said])
     return _sheet("remarks", ["of", "what", "remark"], rows)
 
 
@@ -174,15 +186,16 @@ def listed(numbers: Sequence[int]) -> str:
 def students_sheet(marks: Marks, each: Marked) -> str:
     """The sheet of a student as Markdown: his answers, what they are, hints; no number of the key."""
     lines = [
-        f"# {_md(f'Variant {each.number} {each.student}'.strip())}",
+        f"# {_md(' '.join((tr('Variant {number}', number=each.number), each.student)).strip())}",
         "",
-        f"Points: {_tidy(each.total)} of {_tidy(marks.most)}",
+        tr("Points: {points} of {most}.", points=number(each.total), most=number(marks.most)),
         "",
-        "| Asked | Unit | Answer | It is | Points |",
+        f"| {tr('Name')} | {tr('Unit')} | {tr('Answer')} | {tr('It is')} | {tr('Points for it')} |",
         "|-|-|-|-|-|",
     ]
     for item, answer, what, got in zip(marks.items, each.answers, each.standings, each.points, strict=True):
-        cells = (item.name, item.unit, answer.text, str(what), f"{_tidy(got)} of {_tidy(item.weight)}")
+        points = tr("{points} of {most}", points=number(got), most=number(item.weight))
+        cells = (item.name, tr_unit(item.unit), answer.text, standing_said(what), points)
         lines.append(f"| {' | '.join(map(_md, cells))} |")
     lines += ["", *(f"- {_md(line)}" for line in hints_of(marks.items, marks.mistakes, each))]
     return "\n".join(lines).rstrip() + "\n"
@@ -192,12 +205,12 @@ def hints_of(items: Sequence[Any], mistakes: Sequence[Told], each: Marked) -> It
     """What a student is told of his answers, without a number of the key."""
     for k, answer in enumerate(each.answers):
         if answer.fault:
-            yield f"{items[k].name}: {answer.fault}"
+            yield f"{items[k].name}: {tr_name(answer.fault)}"
     for explanation in each.explanations:
         names = ", ".join(items[k].name for k in explanation.items)
         hints = dict.fromkeys(tr_name(mistakes[m].hint) for m in explanation.mistakes)
         yield f"{names}: {tr(' Or: ').join(hints)}"
-    yield from each.remarks
+    yield from map(tr_name, each.remarks)
 
 
 def _md(text: str) -> str:
@@ -218,16 +231,18 @@ def as_csv(sheet: Worksheet) -> str:
 
 
 def as_markdown(sheets: Sequence[Worksheet], title: str) -> str:
-    """Tables under headings."""
+    """Tables under headings, in the language in force."""
     lines = [f"# {_md(title)}"]
     for sheet in sheets:
-        lines += ["", f"## {_md(sheet.name)}", ""]
+        lines += ["", f"## {_md(title_of(sheet.name))}", ""]
         if not sheet.rows:
-            lines.append("None.")
+            lines.append(tr("None."))
             continue
-        lines += [f"| {' | '.join(map(_md, sheet.headers))} |", "|-" * len(sheet.headers) + "|"]
-        rows = zip(*sheet.columns, strict=True)
-        lines += [f"| {' | '.join(_md('' if cell is None else str(cell)) for cell in row)} |" for row in rows]
+        headers = [_md(header_of(header, sheet.name)) for header in sheet.headers]
+        lines += [f"| {' | '.join(headers)} |", "|-" * len(headers) + "|"]
+        for row in zip(*sheet.columns, strict=True):
+            cells = (_md(cell_of(cell, header)) for cell, header in zip(row, sheet.headers, strict=True))
+            lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines) + "\n"
 
 

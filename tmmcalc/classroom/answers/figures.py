@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 
 LONGEST = 60  # characters of a number with its unit
@@ -49,14 +50,15 @@ def read_number(text: str) -> Written:
     """
     bare = _MINUS.sub("-", text.strip().strip("\u00a0\u202f").lstrip("≈~").strip())
     if bare.startswith(("=", "@")) or re.match(r"[+-][A-Za-z(]", bare):
-        raise NoNumberError("a formula; write the number")
+        raise NoNumberError(Phrase("a formula; write the number"))
     if len(bare) > LONGEST:
-        raise NoNumberError("a long text")
+        raise NoNumberError(Phrase("a long text"))
     match = _NUMBER.fullmatch(bare)
     if match is None or not (match["whole"] + match["rest"]).strip(".,"):
-        raise NoNumberError("no number")
+        raise NoNumberError(Phrase("no number"))
     if match["unit"] and not _UNIT.match(match["unit"]):
-        raise NoNumberError("more than one number" if re.search(r"\d", match["unit"]) else "no number")
+        several = re.search(r"\d", match["unit"])
+        raise NoNumberError(Phrase("more than one number") if several else Phrase("no number"))
     return _made(match)
 
 
@@ -64,7 +66,7 @@ def _made(match: re.Match[str]) -> Written:
     whole, part = _split(re.sub(r"\s", "", match["whole"]), match["rest"])
     power = int(match["e"] or match["plain"] or (match["raised"] or "0").translate(_RAISED))
     if abs(power) > LARGEST:
-        raise NoNumberError("a number beyond all measure")
+        raise NoNumberError(Phrase("a number beyond all measure"))
     scale = Fraction(10) ** (power - len(part))
     value = int(whole + part or "0") * scale
     figures = len((whole + part).lstrip("0"))
@@ -80,5 +82,5 @@ def _split(whole: str, rest: str) -> tuple[str, str]:
     same = len({*signs}) == 1
     groups = parts if same else parts[:-1]
     if len({*signs[:-1]}) > 1 or not (0 < len(whole) <= 3) or any(len(group) != 3 for group in groups):
-        raise NoNumberError("more than one decimal sign")
+        raise NoNumberError(Phrase("more than one decimal sign"))
     return whole + "".join(groups), "" if same else parts[-1]

@@ -9,6 +9,7 @@ from tmmcalc.classroom.answers.figures import NoNumberError, read_number
 from tmmcalc.classroom.answers.layouts import Entry
 from tmmcalc.classroom.answers.measures import UnitOfAnswerError, factor_to, in_unit
 from tmmcalc.classroom.model import Item
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.records import record
 
 
@@ -63,7 +64,11 @@ def hand_in(number: int, source: str, entries: Sequence[Entry], items: Sequence[
         before = answers[entry.item]
         if before.text and answer.text and before.text != answer.text:
             remarks.append(
-                f"{items[entry.item].name} stands there twice, in {entry.where} with another value, which counts"
+                Phrase(
+                    "{item} stands there twice, the second time in {where} with another value, which counts",
+                    item=items[entry.item].name,
+                    where=entry.where,
+                )
             )
         if answer.text:
             answers[entry.item] = answer
@@ -79,5 +84,5 @@ def answer_of(entry: Entry, item: Item) -> Answer:
         written = read_number(entry.value)
         factor = factor_to(written.unit or entry.unit, item.unit)
     except (NoNumberError, UnitOfAnswerError) as fault:
-        return Answer(text, math.nan, math.nan, 0, str(fault))
+        return Answer(text, math.nan, math.nan, 0, fault.args[0])
     return Answer(text, in_unit(written.value, factor), in_unit(written.step, factor), written.figures)

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
+from tmmcalc.core.notes import Phrase
 from tmmcalc.spec.cyrillic import latin_units
 from tmmcalc.spec.dimensions import DIMENSIONS, UNITS
 from tmmcalc.spec.phrases import show
@@ -66,9 +67,10 @@ def factor_to(written: str, asked: str) -> float:
     for spelled in _spellings(bare):
         if spelled in UNITS[dimension]:
             return conversion(spelled, asked)
-    known = is_unit(bare)
-    noun = DIMENSIONS[dimension].noun
-    raise UnitOfAnswerError(f"{show(bare)} is no unit of {noun}" if known else f"{show(bare)} is no unit that is known")
+    if is_unit(bare):
+        noun = DIMENSIONS[dimension].noun
+        raise UnitOfAnswerError(Phrase("{unit} is no unit of {quantity}", unit=show(bare), quantity=noun))
+    raise UnitOfAnswerError(Phrase("{unit} is no unit that is known", unit=show(bare)))
 
 
 def is_unit(text: str) -> bool:
@@ -82,7 +84,7 @@ def _plain(bare: str) -> float:
     if bare == PERCENT:
         return 0.01
     if any(kind_of(each) for each in _spellings(bare)) and unit_of(f"1 {bare}") not in ("rad", "1/s"):
-        raise UnitOfAnswerError(f"{show(bare)}: this answer has no unit")
+        raise UnitOfAnswerError(Phrase("{unit}: this answer has no unit", unit=show(bare)))
     return 1.0
 
 

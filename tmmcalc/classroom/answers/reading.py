@@ -20,6 +20,7 @@ from tmmcalc.classroom.answers.pairs import entries_of_toml
 from tmmcalc.classroom.answers.workbooks import sheets_of_workbook
 from tmmcalc.classroom.model import Item, Key
 from tmmcalc.core.files import NoFileError, read_file
+from tmmcalc.core.notes import Phrase
 from tmmcalc.core.printable import printable
 from tmmcalc.core.records import record
 from tmmcalc.spec.phrases import show
@@ -221,8 +222,13 @@ def _with_strange(found: HandIn, tables: Sequence[Table]) -> HandIn:
     names = [name for table in tables for name in table.unknown]
     if not names:
         return found
-    more = f" and {len(names) - SHOWN} more" if len(names) > SHOWN else ""
-    remark = f"not asked: {', '.join(map(show, names[:SHOWN]))}{more}"
+    shown = tuple(map(show, names[:SHOWN]))
+    more = len(names) - SHOWN
+    remark = (
+        Phrase("not asked: {names} and {count} more", names=shown, count=more)
+        if more > 0
+        else Phrase("not asked: {names}", names=shown)
+    )
     return HandIn(found.number, found.source, found.answers, (*found.remarks, remark))
 
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tmmcalc.classroom.marksheets import hints_of
 from tmmcalc.classroom.papers.tasksheet import said_in
-from tmmcalc.classroom.verdicts import Standing
+from tmmcalc.classroom.wording import cell_of, header_of, standing_said, title_of
 from tmmcalc.core.printable import printable
 from tmmcalc.note.assembled import Assembler
 from tmmcalc.report.language import tr, tr_unit
-from tmmcalc.report.manuscript import Block, Chapter, Heading, Listing, Paragraph, Table
+from tmmcalc.report.manuscript import Block, Chapter, Listing, Paragraph, Table
 from tmmcalc.report.numbers import number
 
 if TYPE_CHECKING:
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from tmmcalc.note.tree import Written
     from tmmcalc.report.worksheets import Worksheet
 
-KNOWN = frozenset(map(str, Standing))
 LONGEST = 300  # characters of a cell
 ACROSS, KEPT = 10, 2  # columns of a table; those at its left that stand in each part of a wider one
 
@@ -47,21 +46,20 @@ def _of_student(marks: Marks, each: Marked) -> Iterator[Block]:
 
 
 def teacher_results(tables: Sequence[Worksheet], title: str) -> list[Written]:
-    """All that is known, a table under each heading, in the language in force."""
+    """All that is known, a table of each kind, in the language in force."""
     return Assembler().written([Chapter("marks", title, tuple(_of_teacher(tables)), number="")])
 
 
 def _of_teacher(tables: Sequence[Worksheet]) -> Iterator[Block]:
     for sheet in tables:
-        name = _titles().get(sheet.name, sheet.name)
-        yield Heading(name)
+        name = title_of(sheet.name)
         if not sheet.rows:
-            yield Paragraph(tr("None."))
+            yield Paragraph(tr("{table}: none.", table=name))
             continue
         rows = [*zip(*sheet.columns, strict=True)]
         for columns in _parts(len(sheet.headers)):
-            head = tuple(_header(sheet.headers[k], sheet.name) for k in columns)
-            cells = tuple(tuple(_cell(row[k], sheet.headers[k]) for k in columns) for row in rows)
+            head = tuple(_said(header_of(sheet.headers[k], sheet.name)) for k in columns)
+            cells = tuple(tuple(_said(cell_of(row[k], sheet.headers[k])) for k in columns) for row in rows)
             yield Table(name, head, cells)
 
 
@@ -72,75 +70,6 @@ def _parts(count: int) -> Iterator[Sequence[int]]:
         return
     for at in range(KEPT, count, ACROSS):
         yield (*range(KEPT), *range(at, min(at + ACROSS, count)))
-
-
-def _titles() -> dict[str, str]:
-    return {
-        "marks": tr("Marks"),
-        "answers": tr("Answers"),
-        "mistakes": tr("Mistakes"),
-        "items": tr("Asked results"),
-        "common mistakes": tr("Common mistakes"),
-        "remarks": tr("Remarks"),
-    }
-
-
-def _headers() -> dict[str, str]:
-    return {
-        "variant": tr("Variant"),
-        "student": tr("Student"),
-        "points": tr("Points for it"),
-        "of": tr("Out of"),
-        "file": tr("File"),
-        "counts": tr("Counts"),
-        "item": tr("Name"),
-        "items": tr("Asked results"),
-        "unit": tr("Unit"),
-        "answer": tr("Answer"),
-        "right": tr("Right value"),
-        "off": tr("Off by"),
-        "off by": tr("Off by"),
-        "is": tr("It is"),
-        "why": tr("Why"),
-        "mistake": tr("Mistake"),
-        "against it": tr("Against it"),
-        "odds": tr("Odds"),
-        "share of points": tr("Share of points"),
-        "students": tr("Students"),
-        "variants": tr("Variants"),
-        "what": tr("Whose"),
-        "remark": tr("Remark"),
-    }
-
-
-def _header(header: str, sheet: str) -> str:
-    if sheet == "items" and header in KNOWN:
-        return standing_said(Standing(header))
-    if sheet == "remarks" and header == "of":
-        return tr("About")
-    name, mark, end = header.rpartition(": ")
-    return f"{_said(name)}: {tr('It is')}" if mark and end == "is" else _headers().get(header, _said(header))
-
-
-def standing_said(standing: Standing) -> str:
-    """What an answer is, in the language in force."""
-    return {
-        Standing.right: tr("right answer"),
-        Standing.plans: tr("right by plans"),
-        Standing.carried: tr("carried on"),
-        Standing.wrong: tr("wrong answer"),
-        Standing.unreadable: tr("unreadable"),
-        Standing.missing: tr("missing"),
-    }[standing]
-
-
-def _cell(cell: Any, header: str) -> str:
-    if isinstance(cell, int | float):
-        return number(cell)
-    if cell is None:
-        return ""
-    of_standing = (header == "is" or header.endswith(": is")) and cell in KNOWN
-    return standing_said(Standing(cell)) if of_standing else _said(str(cell))
 
 
 def _said(text: str) -> str:
