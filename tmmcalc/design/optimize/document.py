@@ -17,7 +17,6 @@ from tmmcalc.report.numbers import number
 
 VARIABLES = ("variable", "value", "at least", "at most", "as good from", "as good to", "limit costs")
 LIMITS = ("constraint", "value", "at least", "at most", "limit costs")
-CLOSE = 1e-6  # of the objective: two methods that agree
 WORSE = 10.0  # of the objective: what is told as a part of it
 BALANCED = 1e-6  # of the objective: what slopes may leave over
 REPEATED = 1e-9  # of the objective: what the stages may differ by when the design is solved by itself
@@ -81,7 +80,7 @@ def _confirmed(result: Optimum) -> str:
         own = min(objective.sign * each.objectives[at] for each in result.designs)
         if not np.isfinite(best):
             told.append("found nothing that keeps the constraints")
-        elif best > own + CLOSE * abs(own):
+        elif second.worse[at]:
             worse = f", {(best - own) / abs(own):.1%} worse" if best - own < WORSE * abs(own) else ""
             told.append(f"found {number(objective.sign * best)} {objective.unit}".rstrip() + worse)
         else:
@@ -110,8 +109,7 @@ def _agreed(result: Optimum) -> bool:
     second = result.second
     if second is None:
         return True
-    best = result.objectives[0].sign * result.designs[0].objectives[0]
-    return not any(second.better) and second.best[0] <= best + CLOSE * abs(best)
+    return not any(second.better) and not any(second.worse)
 
 
 def _variables(result: Optimum, people: bool) -> View:

@@ -28,7 +28,7 @@ def of_hollows(problem: Problem, found: Population, budget: int) -> Population:
     scores = problem.judged(problem.results)
     order = ranked(scores)
     places = problem.parts(problem.values[order[np.isfinite(scores.violation[order])]])
-    longest, left = _longest(problem, budget), budget
+    longest, left = longest_of(problem, budget), budget
     if found.scores.violation[0] > 0:
         longest, left = SHORTER, LEAST * SHORTER * len(problem.variables)
     starts = apart(places, MOST)
@@ -39,7 +39,7 @@ def of_hollows(problem: Problem, found: Population, budget: int) -> Population:
 
 def polished(problem: Problem, best: Population, budget: int) -> Population:
     """The best design by local search; listed values are changed to their neighbours while that makes it better."""
-    found = polish(problem, best.places[:1], [free(problem, 0)], _longest(problem, budget))
+    found = polish(problem, best.places[:1], [free(problem, 0)], longest_of(problem, budget))
     here = Population(found.places, found.scores)
     while problem.discrete:
         starts = _neighbours(problem, here.places[0])
@@ -69,7 +69,7 @@ def polished_front(problem: Problem, front: Population) -> Population:
     return Population(found.places, found.scores)
 
 
-def _longest(problem: Problem, budget: int) -> int:
+def longest_of(problem: Problem, budget: int) -> int:
     """Designs a variable that a local search of the best may ask for."""
     return int(np.clip(budget // len(problem.variables), SHORTER, LONGEST))
 

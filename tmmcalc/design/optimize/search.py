@@ -63,14 +63,19 @@ def search(problem: Problem, nominal: Values, budget: int, seed: int, designs: i
     joined = best.with_more(other)
     kept = Population(*_chosen(joined, designs))
     mine = best.scores.objectives.min(axis=0)
-    ahead = [
-        theirs < own - EQUAL * problem.scale(at, own)
-        for at, (own, theirs) in enumerate(zip(mine, second.best, strict=True))
-    ]
+    equal = np.array([EQUAL * problem.scale(at, own) for at, own in enumerate(mine)])
+    theirs = np.array(second.best)
+    ahead, behind = theirs < mine - equal, theirs > mine + equal
     method = "differential evolution"
     if problem.free:
         method += ", then sequential quadratic programming"
-    return Course(kept.places, kept.scores, method, False, replace(second, better=tuple(map(bool, ahead))))
+    return Course(
+        kept.places,
+        kept.scores,
+        method,
+        False,
+        replace(second, better=tuple(ahead.tolist()), worse=tuple(behind.tolist())),
+    )
 
 
 def _complete(problem: Problem, sizes: Sequence[int], tell: Tell) -> Population:

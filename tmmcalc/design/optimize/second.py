@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -10,9 +11,9 @@ from numpy.typing import NDArray
 from tmmcalc.core.records import record
 from tmmcalc.design.optimize.evolution import Population, population, spread
 from tmmcalc.design.optimize.order import Scores, ranked
-from tmmcalc.design.optimize.polish import LONGEST
+from tmmcalc.design.optimize.polish import LONGEST, Aim, Locals, polish
 from tmmcalc.design.optimize.problem import Problem
-from tmmcalc.design.optimize.refined import polished
+from tmmcalc.design.optimize.refined import longest_of, polished
 from tmmcalc.design.optimize.starts import LEAST, MOST, apart, free, hits, searched
 
 Values = NDArray[np.floating[Any]]
@@ -30,7 +31,8 @@ class Second:
     hits: tuple[int, ...] = ()  # of its local searches that found the best, within EQUAL
     starts: int = 0  # the designs that these began from, for each objective; 0: it is no local search
     drawn: int = 0  # of so many random ones
-    better: tuple[bool, ...] = ()  # than the first
+    better: tuple[bool, ...] = ()  # than the first, by more than EQUAL
+    worse: tuple[bool, ...] = ()
 
 
 def second_method(problem: Problem, budget: int, seed: int) -> tuple[Second, Population]:
@@ -57,10 +59,25 @@ def _by_starts(problem: Problem, budget: int, seed: int) -> tuple[Second, Popula
     aims = [free(problem, at) for _, at, _ in chosen]
     longest = int(np.clip(budget // (LEAST * variables), BRIEF, LONGEST))
     found = searched(problem, np.array([place for *_, place in chosen]), aims, longest, budget, LEAST)
+    begun = len(found.places)
+    found, aims = _finished(problem, found, aims[:begun], longest_of(problem, budget))
     best, agreeing = hits(problem, found, aims)
     kept = found.scores.violation == 0
-    second = Second(method, best, agreeing, -(-len(found.places) // several), len(drawn))
+    second = Second(method, best, agreeing, -(-begun // several), len(drawn))
     return second, Population(found.places[kept], found.scores[kept])
+
+
+def _finished(problem: Problem, found: Locals, aims: Sequence[Aim], longest: int) -> tuple[Locals, list[Aim]]:
+    """The ends of searches, those that are the best for their objective in the place of where they have gone on to."""
+    places, scores = found.places.copy(), found.scores
+    tops = []
+    for at in range(len(problem.objectives)):
+        own = np.array([aim.objective == at for aim in aims], bool)
+        order = ranked(Scores(scores.objectives[:, [at]], scores.violation))
+        tops += order[own[order]][:1].tolist()
+    more = polish(problem, places[tops], [aims[top] for top in tops], longest)
+    places[tops] = more.places
+    return Locals(places, problem.scores(places)), [*aims]
 
 
 def _by_scipy(problem: Problem, budget: int, seed: int) -> tuple[Second, Population]:
