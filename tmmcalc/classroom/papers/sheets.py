@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import re
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tmmcalc.classroom.papers.blank import blank
 from tmmcalc.classroom.papers.making import make_papers, order_of, traced
 from tmmcalc.core.atomic import blamed_on, replace_file
 from tmmcalc.note.forms import FORMS
+from tmmcalc.report.language import tr
 
 if TYPE_CHECKING:
     from tmmcalc.classroom.model import Item
@@ -48,7 +50,7 @@ def write_sheets(
             file.unlink()
     with blamed_on(answers, "made"):
         answers.mkdir(exist_ok=True)
-    table = blank(items)
+    table = _blank(items)
     for stem in stems:
         file = answers / f"{stem}.csv"
         if not file.exists():  # what a student has handed in stays
@@ -69,3 +71,12 @@ def write_notes(
     """The worked solution of each variant, for the teacher, in the language in force."""
     orders = [order_of(each, (), place / f"{each.stem}.{form}", NOTES) for each in made.variants]
     make_papers(made.file(folder), orders, jobs=jobs, tell=tell, told=told)
+
+
+def _blank(items: Sequence[Item]) -> bytes:
+    """Names and units with room for values: semicolons part them, since a comma may be decimal."""
+    text = io.StringIO()
+    table = csv.writer(text, delimiter=";", lineterminator="\n")
+    table.writerow((tr("Quantity"), tr("Value"), tr("Unit")))
+    table.writerows((item.name, "", item.unit) for item in items)
+    return text.getvalue().encode("utf-8-sig")
