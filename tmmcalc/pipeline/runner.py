@@ -86,7 +86,9 @@ def run(
             if first is not None and work.settle(first, reasons):
                 done = planned(work.spec, target, stages, skip, first)
                 _check_target(done)
-            work.through(done, reasons)
+            own = work.fit(done)
+            for step in done.steps:
+                work.do(step, own[step.stage], reasons)
             break
         except UnfitError as error:
             if reasons is afresh:
@@ -135,47 +137,47 @@ class _Run:
         self.alone: dict[str, Any] = {}  # of stages that settled the spec the result with the one that was taken
         self._lost: set[str] = set()
 
-    def through(self, scene: Plan, forced: Mapping[str, str]) -> None:
-        """Load or compute every stage of a plan; ``forced`` says why some are computed whatever is stored."""
-        own, archive = of_scene(self.stages, self.spec), self.archive
+    def fit(self, scene: Plan) -> dict[str, Stage]:
+        """The stages as this scene has them; raises what is at fault with one that runs without others."""
+        own = of_scene(self.stages, self.spec)
         for name in scene.running:
             if (unfit := own[name].part("unfit")) and (fault := unfit(self.spec, scene)) is not None:
                 raise fault
-        for step in scene.steps:
-            stage = own[step.stage]
-            if stage.name in self.known or self.leaves_out(step, stage):
-                continue
-            if self.on_start is not None:
-                self.on_start(stage.name)
-            began = perf_counter()
-            inputs, chosen = stage.inputs(self.spec), self.options[stage.name]
-            outcome, reason = None, "not stored"
-            try:
-                if archive is not None:
-                    outcome, reason = archive.valid(stage, inputs, chosen, forced.get(stage.name), self.tell)
-                loaded = outcome is not None
-                if outcome is None:
-                    outcome = self.computed(stage, inputs, chosen)
-                if self.tolerance is not None:
-                    check_accuracy(outcome, self.tolerance)
-            except TmmError as error:
-                if not self.keep_going or error.exit_code < NoSolutionError.exit_code:
-                    raise
-                self.failed(stage, error, perf_counter() - began)
-                continue
-            self.outcomes[stage.name] = outcome
-            self.tell(Event(stage.name, "loaded" if loaded else "computed", reason, perf_counter() - began))
+        return own
 
-    def computed(self, stage: Stage, inputs: Any, chosen: Mapping[str, Any]) -> Outcome:
-        """What goes on of a result, stored where there is an archive: its record."""
-        upstream = upstream_of(stage, Results(self.outcomes, self.alone))
-        less = stage.by_name if self.by_name else {}
-        with believed([self.outcomes[name] for name in upstream if name in self.outcomes]):
-            record = stage.dump(stage.solve(*arguments(inputs), **upstream, **chosen, **less))
-        outcome = Outcome(stage, lambda: record)
-        if self.archive is not None:
-            self.archive.save(outcome)
-        return outcome
+    def do(self, step: Step, stage: Stage, forced: Mapping[str, str]) -> None:
+        """Load or compute a stage, if the scene has it; ``forced`` says why some are computed whatever is stored.
+
+        What goes on of a result, stored where there is an archive, is its record.
+        """
+        if stage.name in self.known or self.leaves_out(step, stage):
+            return
+        if self.on_start is not None:
+            self.on_start(stage.name)
+        began, archive = perf_counter(), self.archive
+        inputs, chosen = stage.inputs(self.spec), self.options[stage.name]
+        outcome, reason = None, "not stored"
+        try:
+            if archive is not None:
+                outcome, reason = archive.valid(stage, inputs, chosen, forced.get(stage.name), self.tell)
+            loaded = outcome is not None
+            if outcome is None:
+                upstream = upstream_of(stage, Results(self.outcomes, self.alone))
+                less = stage.by_name if self.by_name else {}
+                with believed([self.outcomes[name] for name in upstream if name in self.outcomes]):
+                    record = stage.dump(stage.solve(*arguments(inputs), **upstream, **chosen, **less))
+                outcome = Outcome(stage, lambda: record)
+                if archive is not None:
+                    archive.save(outcome)
+            if self.tolerance is not None:
+                check_accuracy(outcome, self.tolerance)
+        except TmmError as error:
+            if not self.keep_going or error.exit_code < NoSolutionError.exit_code:
+                raise
+            self.failed(stage, error, perf_counter() - began)
+            return
+        self.outcomes[stage.name] = outcome
+        self.tell(Event(stage.name, "loaded" if loaded else "computed", reason, perf_counter() - began))
 
     @property
     def known(self) -> set[str]:
@@ -184,7 +186,8 @@ class _Run:
 
     def settle(self, stage: Stage, forced: Mapping[str, str]) -> bool:
         """Do a stage first, and put what it found into the spec; False where it found nothing."""
-        self.through(Plan(None, (Step(stage.name, stage.title, True, "settles the spec"),)), forced)
+        step = Step(stage.name, stage.title, True, "settles the spec")
+        self.do(step, self.fit(Plan(None, (step,)))[stage.name], forced)
         if stage.name not in self.outcomes:
             return False
         result, chosen = self.outcomes[stage.name].result, stage.part("chosen")
