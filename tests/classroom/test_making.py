@@ -7,6 +7,7 @@ import itertools
 import math
 import re
 import shutil
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,7 @@ import pytest
 
 from tmmcalc.batch.table import row_of
 from tmmcalc.classroom import choosing, judging
-from tmmcalc.classroom.choosing import Chooser
+from tmmcalc.classroom.choosing import Chooser, Sought
 from tmmcalc.classroom.clashing import clashes_of
 from tmmcalc.classroom.document import class_document
 from tmmcalc.classroom.draws import Candidate, candidate
@@ -433,7 +434,10 @@ def test_a_small_assignment_is_drawn_out(tmp_path: Path) -> None:
 def test_a_mistake_that_gives_the_right_answer_removes_a_variant_or_is_told() -> None:
     """One clashes for one crank of nine, one always: the first is avoided, the second is told."""
 
-    def pairs(candidates: Sequence[Candidate]) -> dict[int, list[tuple[str, str]]]:
+    asked: list[Sought | None] = []
+
+    def pairs(candidates: Sequence[Candidate], sought: Sought | None) -> dict[int, list[tuple[str, str]]]:
+        asked.append(sought)
         return {
             each.number: [("K", "always"), *([("H", "now and then")] if each.values[0] == 220 else [])]
             for each in candidates
@@ -445,6 +449,10 @@ def test_a_mistake_that_gives_the_right_answer_removes_a_variant_or_is_told() ->
     cranks = {int(each.assignments[0].partition('="')[2].removesuffix(' mm"')) for each in choice.chosen}
     assert 220 not in cranks
     assert choice.refused["H: no mistake that gives the right answer"] > 0
+    probed = asked.index(next(sought for sought in asked if sought is not None))
+    assert asked[:probed] == [None] * choosing.PROBED  # one good candidate at a time, of which all are asked
+    assert {sought.unavoided for sought in asked[probed:] if sought} == {choice.unavoided}
+    assert {tuple(sought.counts) for sought in asked[probed:] if sought} <= {(), ("now and then",)}
 
 
 @pytest.mark.slow
@@ -461,6 +469,14 @@ def test_known_mistakes_are_found_side_by_side(tmp_path: Path, monkeypatch: pyte
         found = {(one.items[item].name, mistakes[at].name) for at, item in clashes(key, one.items)}
         assert found <= {*one.own.unavoided}
     assert read_class(tmp_path / "1") == one.own
+    judge, own = Judge(SHAPER, 1), one.own.variants[0]
+    first = candidate(judge.drawn, 7, own.candidate)
+    every = clashes_of(judge)([first], None)[own.candidate]
+    assert {*every} <= {*one.own.unavoided}
+    some = clashes_of(judge)([first], Sought((), Counter(mistake for _, mistake in every)))[own.candidate]
+    assert some
+    assert {*some} == {pair for pair in every if pair[1] == some[0][1]}  # all items of the first mistake
+    assert clashes_of(judge)([first], Sought(tuple(every), {}))[own.candidate] == []
     later = make_class(SHAPER, tmp_path / "1", 5, jobs=1, clashes=clashes_of)
     assert later.own.unavoided == one.own.unavoided
 
