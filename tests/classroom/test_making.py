@@ -155,6 +155,21 @@ def test_what_many_are_judged_by_is_what_each_is_judged_by() -> None:
     assert 5 <= sum(each is None for each in alone.values()) <= 55
 
 
+def test_presses_whose_ram_turns_twice_are_judged_together_though_most_turn_four_times() -> None:
+    """Those beyond the limit position of the knuckle have four dead centres, no stroke ratio, and are solved alone."""
+    judge = Judge(PRESS, 1)
+    every = [one for number in range(48) if not (one := candidate(judge.drawn, 7, number)).missing]
+    together = judge.at_once(every)
+    judged = {number: each for number, each in together.items() if each is None or "turn" not in each.demand}
+    assert len(judged) >= 5
+    some = [one for one in every if one.number in judged][:4]
+    values = [key for key in judge.asked if key.stage in ("kinematics", "forces")]
+    for row in judge.whole(some):
+        refusal, cheap = judge.verdict(row).refusal, judged[row.point]
+        assert cheap is None or (refusal is not None and refusal.demand == cheap.demand)
+        assert {each.key for each in values} <= {*row.names}
+
+
 def test_more_are_drawn_later_and_those_given_out_stay(twelve: tuple[Path, Made], tmp_path: Path) -> None:
     folder = tmp_path / "class"
     make_class(SHAPER, folder, 8, 7, jobs=1)
