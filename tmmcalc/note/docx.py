@@ -6,9 +6,9 @@ import math
 from collections.abc import Sequence
 from io import BytesIO
 from typing import TYPE_CHECKING
-from xml.sax.saxutils import quoteattr
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
+from tmmcalc.core.escaping import quoteattr
 from tmmcalc.note.columns import widths_of
 from tmmcalc.note.docxpages import SIZE, SMALL, styled
 from tmmcalc.note.docxplaces import WIDE, holds, ordered

@@ -89,7 +89,7 @@ class Labels:
         """How much of what is drawn lies within ``reach`` mm of a line on paper, by weight."""
         count = max(2, int(abs(line[-1] - line[0]) / STEP))
         along = line[0] + (line[-1] - line[0]) * np.linspace(0, 1, count)
-        x, y, weights = self._around(along, reach)
+        x, y, weights = self._around(along, reach, reach)
         apart = np.subtract.outer(along.real, x) ** 2 + np.subtract.outer(along.imag, y) ** 2
         near = apart.min(axis=0) < reach**2
         outside = (along.real < self.box.left) | (along.real > self.box.right)
@@ -222,22 +222,22 @@ class Labels:
             self.drawing.line(line, THIN, level=12)
             self.avoid(line, 0.5)
 
-    def _around(self, line: Plane, reach: float) -> Real:
-        """The points (3, n) that stand for what is drawn: those within ``reach`` mm of a line and more."""
+    def _around(self, line: Plane, wide: float, high: float) -> Real:
+        """The points (3, n) that stand for what is drawn: those so near to a line on paper [mm], and more."""
         if self._new:
             rows = [np.array((points.real, points.imag, np.full(len(points), weight))) for points, weight in self._new]
             self._points = np.concatenate([self._points, *rows], axis=1)
             self._new.clear()
         x, y, _ = self._points
-        beyond = reach + STEP  # a box that rounding cannot make too small
-        inside = (x > line.real.min() - beyond) & (x < line.real.max() + beyond)
-        inside &= (y > line.imag.min() - beyond) & (y < line.imag.max() + beyond)
-        return self._points[:, inside]
+        at, up = line.real, line.imag
+        wide, high = wide + STEP, high + STEP  # a box that rounding cannot make too small
+        inside = (x > at.min() - wide) & (x < at.max() + wide) & (y > up.min() - high) & (y < up.max() + high)
+        return self._points.compress(inside, axis=1)
 
     def _covered(self, centres: Plane, half: tuple[float, float]) -> Real:
         """What a name would cover with its middle at each of these places, by weight."""
         wide, high = half[0] + AIR, half[1] + AIR
-        x, y, weights = self._around(centres, max(wide, high))
+        x, y, weights = self._around(centres, wide, high)
         under = np.abs(np.subtract.outer(centres.real, x)) < wide
         under &= np.abs(np.subtract.outer(centres.imag, y)) < high
         cost = under @ weights
