@@ -217,7 +217,10 @@ class Labels:
             end = anchor + edge * (at - anchor)
             way = end - anchor
             if not ring and abs(way.imag) < SLANT * abs(way.real):
-                end = complex(end.real, at.imag + math.copysign(half[1], way.imag))  # at the far corner
+                if abs(at.real - anchor.real) > half[0]:  # to the far corner of the nearer side
+                    end = at + complex(-math.copysign(half[0], way.real), math.copysign(half[1], way.imag))
+                else:
+                    end = complex(anchor.real, end.imag)
             line = [anchor + 0.15 * (end - anchor), end]
             self.drawing.line(line, THIN, level=12)
             self.avoid(line, 0.5)
