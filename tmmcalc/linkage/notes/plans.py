@@ -272,7 +272,7 @@ def _row(
     """A quantity with its segment [mm]: its value by the plan, and by the formulas."""
     (name, segment), (found, exact) = names, values
     lever = "–" if length is None else spelt(significant(length, 4))
-    apart = spelt(f"{100 * abs(found - exact) / exact:.1f}") if exact else "–"
+    apart = spelt(f"{100 * abs(found - exact) / exact:.2f}") if exact else "–"
     label = told.result.labels[told.rows[k]]
     return label, name, f"{segment} = {spelt(f'{size:.1f}')}", lever, _said(found), _said(exact), apart
 

@@ -22,7 +22,7 @@ from tmmcalc.report.drawing.pens import VECTORS
 from tmmcalc.report.drawing.scales import factor_text, standard_scale
 from tmmcalc.report.drawing.shapes import Drawing, Words
 from tmmcalc.report.drawing.tables import draw_table
-from tmmcalc.report.language import tr, tr_name, tr_number, tr_unit
+from tmmcalc.report.language import tr, tr_measured, tr_name, tr_number, tr_unit
 from tmmcalc.report.numbers import number
 
 HEADING, TITLE, FOOT = 7.0, 6.0, 5.0  # room of the heading, of the name of a plan, of the kinds of lines [mm]
@@ -222,7 +222,7 @@ def _segment_rows(polygon: Polygon, letter: str, mu: float) -> list[list[str]]:
 def _size(rate: float, largest: float) -> str:
     """The size of an angular velocity or acceleration with its sense."""
     still = abs(rate) <= STILL * largest
-    return "0" if still else f"{number(abs(rate), 5)}\u00a0{SENSES[rate > 0]}"
+    return "0" if still else f"{tr_measured(f'{abs(rate):.5g}')}\u00a0{SENSES[rate > 0]}"
 
 
 def _draw_kinds(drawing: Drawing, box: Box, plan: VectorPolygons) -> None:
