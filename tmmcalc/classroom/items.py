@@ -119,6 +119,7 @@ def _judged(
         asked.digits or table.digits,
         tuple(after),
         asked.either_sense,
+        asked.meaning or "",
         tuple(after.values()),
     )
 
