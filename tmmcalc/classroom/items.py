@@ -119,8 +119,8 @@ def _judged(
         asked.digits or table.digits,
         tuple(after),
         asked.either_sense,
-        asked.meaning or "",
         tuple(after.values()),
+        asked.meaning or "",
     )
 
 

@@ -22,8 +22,8 @@ class Item:
     digits: int  # significant ones, which are asked for
     after: tuple[int, ...]  # items by place, from which it is computed
     either_sense: bool  # its sign is left open
-    meaning: str = ""  # as the assignment says it; empty: as the program does
     powers: Values = ()  # with which it follows each of `after`; 0: not told
+    meaning: str = ""  # as the assignment says it; empty: as the program does
 
 
 @record
